@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <thread>
+
+#include "app/cli/commands.h"
+#include "app/cli/frame_argument.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/scene_argument.h"
+#include "pipeline/core/sample.h"
+#include "pipeline/export/json.h"
+#include "pipeline/run/runner.h"
+
+namespace app {
+
+namespace {
+
+struct BenchOptions {
+    SceneArgument scene;
+    FrameArgument frame{{"color"}, {}, 0};
+    int warmups = 3, repeats = 20;
+    bool json = false;
+};
+
+// Milliseconds of every repetition.
+struct Times {
+    std::vector<double> frame;
+    std::array<std::vector<double>, pipeline::kStageCount> stages;  // empty where a stage was left out
+    pipeline::FramePtr last;
+};
+
+// Each frame is computed from nothing. Nothing when interrupted.
+std::optional<Times> measure(const std::shared_ptr<const pipeline::Scene>& scene, const pipeline::FrameRequest& request,
+                             const BenchOptions& options) {
+    Times times;
+    for (int i = -options.warmups; i < options.repeats; ++i) {
+        times.last = runFrame(scene, request, nullptr);
+        if (!times.last) return std::nullopt;
+        if (i < 0) continue;
+        times.frame.push_back(times.last->milliseconds());
+        for (const pipeline::StageId stage : pipeline::kStages)
+            if (times.last->plan()[index(stage)].action == pipeline::Action::Run)
+                times.stages[index(stage)].push_back(times.last->run(stage).milliseconds);
+    }
+    return times;
+}
+
+double peakMemory() {  // bytes
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return double(usage.ru_maxrss) * 1024;
+}
+
+int threadsUsed(const BenchOptions& options) {
+    return options.frame.threads > 0 ? options.frame.threads : static_cast<int>(std::thread::hardware_concurrency());
+}
+
+std::string row(std::string_view what, const std::vector<double>& times, const std::string& counts) {
+    const pipeline::SampleSummary s = pipeline::summarize(times);
+    const std::string interval =
+        s.medianInterval ? fmt::format("{:.3f} to {:.3f}", s.medianInterval->first, s.medianInterval->second) : "";
+    return fmt::format("{:<14} {:>9.3f} {:>9.3f} {:>9.3f}   {:<20} {}\n", what, s.min, s.median, s.p95, interval,
+                       counts);
+}
+
+void printTable(const Times& times, const BenchOptions& options) {
+    const pipeline::Scene& scene = times.last->scene();
+    fmt::print("{}, {} × {}, {} threads; {} frames from nothing after {} to warm up; ms\n\n", scene.name,
+               scene.settings.width, scene.settings.height, threadsUsed(options), options.repeats, options.warmups);
+    fmt::print("{:<14} {:>9} {:>9} {:>9}   {:<20} {}\n", "", "min", "median", "p95", "median, 95 %", "");
+    for (const pipeline::StageId stage : pipeline::kStages) {
+        const std::string_view label = stageInfo(stage).name;
+        if (times.stages[index(stage)].empty())
+            fmt::print("{:<14} {}: {}\n", label, name(pipeline::Action::LeaveOut),
+                       times.last->plan()[index(stage)].why);
+        else
+            fmt::print("{}", row(label, times.stages[index(stage)], times.last->run(stage).counts));
+    }
+    fmt::print("{}", row("frame", times.frame, fmt::format("peak memory {:.1f} MB", peakMemory() / 1e6)));
+}
+
+pipeline::Json summaryJson(const std::vector<double>& times) {
+    const pipeline::SampleSummary s = pipeline::summarize(times);
+    pipeline::Json json{{"min", s.min}, {"median", s.median}, {"p95", s.p95}, {"median_interval", nullptr}};
+    if (s.medianInterval) json["median_interval"] = {s.medianInterval->first, s.medianInterval->second};
+    return json;
+}
+
+void printJson(const Times& times, const BenchOptions& options) {
+    pipeline::Json stages = pipeline::Json::array();
+    for (const pipeline::StageId stage : pipeline::kStages) {
+        const pipeline::PlanStep& step = times.last->plan()[index(stage)];
+        pipeline::Json entry{{"stage", stageInfo(stage).name}, {"action", name(step.action)}, {"why", step.why}};
+        if (!times.stages[index(stage)].empty()) {
+            entry["milliseconds"] = summaryJson(times.stages[index(stage)]);
+            entry["counts"] = times.last->run(stage).counts;
+        }
+        stages.push_back(entry);
+    }
+    const pipeline::Json json{{"scene", sceneToJson(times.last->scene())},
+                              {"settings", settingsToJson(times.last->scene())},
+                              {"threads", threadsUsed(options)},
+                              {"warmups", options.warmups},
+                              {"repeats", options.repeats},
+                              {"milliseconds", summaryJson(times.frame)},
+                              {"stages", stages},
+                              {"peak_memory_bytes", peakMemory()}};
+    fmt::print("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+}
+
+int runBench(const BenchOptions& options) {
+    const Interrupt interrupt;
+    int status = kDone;
+    const auto scene = loadScene(options.scene, status);
+    if (!scene) return status;
+    const auto wanted = wantedFrame(*scene, options.frame);
+    if (!wanted) {
+        printErrors(wanted.errors());
+        return kWrongUsage;
+    }
+    pipeline::FrameRequest request = wanted->request;
+    request.stop = interrupt.token();
+    const auto times = measure(scene, request, options);
+    if (!times) {
+        fmt::print(stderr, "Cancelled.\n");
+        return kInterrupted;
+    }
+    (options.json ? printJson : printTable)(*times, options);
+    return kDone;
+}
+
+}  // namespace
+
+void declareBench(CLI::App& program, const CliHost&, int& status) {
+    const auto options = std::make_shared<BenchOptions>();
+    CLI::App* command =
+        program.add_subcommand("bench", "Measure the time of every stage and the frame, and the memory");
+    declareSceneArgument(*command, options->scene);
+    declareFrameArgument(*command, options->frame);
+    command->add_option("--repeat", options->repeats, "Frames that are measured")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command->add_option("--warm-up", options->warmups, "Frames before them that are not")
+        ->type_name("N")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options, &status] { status = runBench(*options); });
+}
+
+}  // namespace app

@@ -1,0 +1,91 @@
+#include "app/cli/cli.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include "app/cli/commands.h"
+#include "pipeline/core/text.h"
+#include "pipeline/core/version.h"
+
+namespace app {
+
+namespace {
+
+constexpr std::array kCommands{
+    Command{"export", declareExport}, Command{"plan", declarePlan},     Command{"inspect", declareInspect},
+    Command{"bench", declareBench},   Command{"lesson", declareLesson},
+};
+
+constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};
+
+constexpr const char* kFooter =
+    "SCENE is a scene file, or the name of a scene that comes with the program: pyramid.\n"
+    "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 could not write.";
+
+void declareProgram(CLI::App& program, const CliHost& host, int& status) {
+    program.name("shadescope");
+    program.description(std::string("See how polygons become a picture, one step at a time.\n") +
+                        (host.hasWindow ? "shadescope [FILE] opens the window; a command needs no display."
+                                        : "This build has no window: it has the commands alone."));
+    program.set_help_flag("-h,--help", "Print this help");
+    program.set_help_all_flag("--help-all", "Print the help of every command");
+    program.set_version_flag("--version", fmt::format("shadescope {}", pipeline::programVersion()));
+    program.require_subcommand(1);
+    program.get_formatter()->column_width(32);
+    program.footer(kFooter);
+    for (const Command& command : kCommands) command.declare(program, host, status);
+}
+
+// A full disk shows only when the last byte goes out.
+int flushed(int status) {
+    errno = 0;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    const int error = errno != 0 ? errno : EIO;
+    fmt::print(stderr, "standard output: could not write: {}\n", std::generic_category().message(error));
+    return kCouldNotWrite;
+}
+
+}  // namespace
+
+bool isForCli(std::string_view argument) {
+    return std::ranges::find(kOptions, argument) != kOptions.end() ||
+           std::ranges::find(kCommands, argument, &Command::name) != kCommands.end();
+}
+
+std::string nearestCommand(std::string_view argument) {
+    std::vector<std::string> names;
+    for (const Command& command : kCommands) names.emplace_back(command.name);
+    return pipeline::nearest(argument, names);
+}
+
+int runCli(int argc, const char* const* argv, const CliHost& host) {
+    CLI::App program;
+    int status = kDone;
+    declareProgram(program, host, status);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {  // help and version come this way too
+        if (error.get_exit_code() == 0) {
+            program.exit(error);
+            return flushed(kDone);
+        }
+        fmt::print(stderr, "shadescope: {}\nRun shadescope --help to see what there is.\n", error.what());
+        return kWrongUsage;
+    }
+    return flushed(status);
+}
+
+std::string helpText(const CliHost& host) {
+    CLI::App program;
+    int status = kDone;
+    declareProgram(program, host, status);
+    return program.help();
+}
+
+}  // namespace app

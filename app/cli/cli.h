@@ -1,0 +1,45 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/core/result.h"
+#include "pipeline/run/frame.h"
+
+namespace app {
+
+// What every command answers with.
+enum ExitStatus {
+    kDone = 0,
+    kAnswerIsNo = 1,
+    kWrongUsage = 2,
+    kBadInput = 3,
+    kCouldNotWrite = 4,
+    kInterrupted = 130,  // Ctrl+C, as shells have it
+};
+
+// What only a build with a window can do.
+struct CliHost {
+    // Writes the 3D views of a frame as PNG files into a folder and gives their paths; empty in
+    // a build without them.
+    std::function<pipeline::Result<std::vector<std::filesystem::path>>(
+        const pipeline::Frame& frame, std::optional<glm::ivec2> pixel, const std::filesystem::path& folder)>
+        writeViews;
+    bool hasWindow = false;
+};
+
+// Whether a program's first argument is for runCli: a subcommand, or an option that it knows.
+bool isForCli(std::string_view argument);
+// Of the subcommands: what was meant by a first argument that is none.
+std::string nearestCommand(std::string_view argument);
+
+// Runs a subcommand. Data goes to standard output, messages to standard error. Gives the
+// program's exit status.
+int runCli(int argc, const char* const* argv, const CliHost& host);
+
+// The help of the whole program.
+std::string helpText(const CliHost& host);
+
+}  // namespace app

@@ -1,0 +1,25 @@
+#pragma once
+#include <string_view>
+
+#include "app/cli/cli.h"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+// A subcommand: its own file, and a row in cli.cpp. `declare` adds it with its options; when it
+// is called it runs and leaves its exit status in `status`.
+struct Command {
+    std::string_view name;
+    void (*declare)(CLI::App& program, const CliHost& host, int& status);
+};
+
+void declareExport(CLI::App& program, const CliHost& host, int& status);
+void declarePlan(CLI::App& program, const CliHost& host, int& status);
+void declareInspect(CLI::App& program, const CliHost& host, int& status);
+void declareBench(CLI::App& program, const CliHost& host, int& status);
+void declareLesson(CLI::App& program, const CliHost& host, int& status);
+
+}  // namespace app

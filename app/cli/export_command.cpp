@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "app/cli/commands.h"
+#include "app/cli/frame_argument.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/scene_argument.h"
+#include "pipeline/core/text.h"
+#include "pipeline/export/export_frame.h"
+#include "pipeline/export/exporter.h"
+#include "pipeline/run/runner.h"
+
+namespace app {
+
+namespace {
+
+struct ExportOptions {
+    SceneArgument scene;
+    FrameArgument frame;
+    std::string folder;
+    std::vector<std::string> formats{"npy", "png"};
+    bool views = false;
+    std::string pixel;
+};
+
+std::vector<std::string> formatNames() {
+    std::vector<std::string> names;
+    for (const pipeline::Exporter& exporter : pipeline::exporterTable()) names.emplace_back(exporter.name);
+    return names;
+}
+
+// Says what is wrong with the options, if anything.
+std::string wrongUsage(const ExportOptions& options, const CliHost& host) {
+    const std::vector<std::string> known = formatNames();
+    for (const std::string& format : options.formats)
+        if (std::ranges::find(known, format) == known.end())
+            return fmt::format("no format {}, expected {}", pipeline::inQuotes(format), fmt::join(known, ", "));
+    if (options.views && !host.writeViews) return "--views: this build has no 3D views";
+    if (!options.views && !options.pixel.empty()) return "--pixel goes with --views";
+    return {};
+}
+
+// Buffers asked for by name that no chosen format can hold; the manifest alone would not be read.
+void tellLeftOut(const pipeline::Frame& frame, const pipeline::ExportRequest& request) {
+    if (request.buffers.empty()) return;
+    const auto files = plannedFiles(frame, request);
+    for (const pipeline::BufferName& buffer : request.buffers) {
+        const auto of = [&](const pipeline::PlannedFile& file) { return file.buffer == buffer; };
+        const auto written = [&](const pipeline::PlannedFile& file) { return of(file) && !file.file.empty(); };
+        if (std::ranges::any_of(files, written)) continue;
+        const auto why = std::ranges::find_if(files, of);
+        fmt::print(stderr, "{}: no file. {}\n", buffer.text(), why->whyNot);
+    }
+}
+
+int runExport(const ExportOptions& options, const CliHost& host) {
+    if (const std::string wrong = wrongUsage(options, host); !wrong.empty()) {
+        fmt::print(stderr, "shadescope export: {}\n", wrong);
+        return kWrongUsage;
+    }
+    const Interrupt interrupt;
+    int status = kDone;
+    const auto scene = loadScene(options.scene, status);
+    if (!scene) return status;
+    auto wanted = wantedFrame(*scene, options.frame);
+    if (!wanted) {
+        printErrors(wanted.errors());
+        return kWrongUsage;
+    }
+    std::optional<glm::ivec2> pixel;
+    if (!options.pixel.empty() && !(pixel = pixelIn(*scene, options.pixel))) return kWrongUsage;
+
+    pipeline::FrameRequest frameRequest = wanted->request;
+    frameRequest.stop = interrupt.token();
+    const pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
+    pipeline::ExportRequest request{options.folder, wanted->buffers, options.formats, {}};
+    if (options.views)
+        request.writeMore = [&](const std::filesystem::path& folder) { return host.writeViews(*frame, pixel, folder); };
+    const auto goOn = [&](double, std::string_view) { return !interrupt.asked(); };
+    const auto cancelled = [] {
+        fmt::print(stderr, "Cancelled. Nothing was written.\n");
+        return kInterrupted;
+    };
+    if (!frame) return cancelled();
+    const auto summary = exportFrame(*frame, request, goOn);
+    if (!summary) {
+        printErrors(summary.errors());
+        return kCouldNotWrite;
+    }
+    if (summary->cancelled) return cancelled();
+    tellLeftOut(*frame, request);
+    fmt::print(stderr, "{} files, {:.1f} MB, in {}\n", summary->files.size(), double(summary->bytes) / 1e6,
+               options.folder);
+    return kDone;
+}
+
+}  // namespace
+
+void declareExport(CLI::App& program, const CliHost& host, int& status) {
+    const auto options = std::make_shared<ExportOptions>();
+    CLI::App* command = program.add_subcommand("export", "Run the pipeline, write the buffers and manifest.json");
+    declareSceneArgument(*command, options->scene);
+    command->add_option("-o,--output", options->folder, "The folder to write into; made when it is missing")
+        ->required()
+        ->type_name("DIR");
+    declareFrameArgument(*command, options->frame);
+    command->add_option("--format", options->formats, fmt::format("Any of {}", fmt::join(formatNames(), ", ")))
+        ->type_name("NAME,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->capture_default_str();
+    if (host.writeViews) {
+        command->add_flag("--views", options->views, "Write the 3D views as PNG too");
+        command->add_option("--pixel", options->pixel, "With --views: show the vectors at this pixel")
+            ->type_name("X,Y");
+    } else {
+        command->add_flag("--views", options->views)->group("");  // known, so that it can be refused by name
+        command->add_option("--pixel", options->pixel)->group("");
+    }
+    command->callback([options, &host, &status] { status = runExport(*options, host); });
+}
+
+}  // namespace app

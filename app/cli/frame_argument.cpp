@@ -1,0 +1,90 @@
+#include "app/cli/frame_argument.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "pipeline/core/text.h"
+#include "pipeline/plan/needs.h"
+
+namespace app {
+
+using pipeline::BufferName;
+using pipeline::StageId;
+
+namespace {
+
+pipeline::Result<BufferName> bufferNamed(const pipeline::Scene& scene, const std::string& text) {
+    const auto name = pipeline::findBuffer(text);
+    if (!name) {
+        const std::string nearest = pipeline::nearestBuffer(text);
+        return pipeline::Error{
+            {}, fmt::format("no buffer {}; the nearest is \"{}\"", pipeline::inQuotes(text), nearest), {}};
+    }
+    const std::size_t lights = scene.lights.size();
+    if (name->light >= static_cast<int>(lights))
+        return pipeline::Error{
+            {}, fmt::format("no buffer \"{}\": this scene has {} light{}", text, lights, lights == 1 ? "" : "s"), {}};
+    return *name;
+}
+
+pipeline::Result<StageId> stageNamed(const std::string& text) {
+    if (const auto stage = pipeline::findStage(text)) return *stage;
+    std::vector<std::string> names;
+    for (const StageId stage : pipeline::kStages) names.emplace_back(pipeline::stageInfo(stage).name);
+    return pipeline::Error{
+        {},
+        fmt::format("no stage {}; the nearest is \"{}\"", pipeline::inQuotes(text), pipeline::nearest(text, names)),
+        {}};
+}
+
+}  // namespace
+
+void declareThreads(CLI::App& command, int& threads) {
+    command.add_option("--threads", threads, "Threads to use; 0 is as many as the machine has")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1024));
+}
+
+void declareFrameArgument(CLI::App& command, FrameArgument& argument) {
+    command.add_option("--buffers", argument.buffers, "all, or buffers by name: these are computed even if left out")
+        ->type_name("all|NAME,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_option("--until", argument.until, "Stop after this stage")->type_name("STAGE");
+    declareThreads(command, argument.threads);
+}
+
+pipeline::Result<WantedFrame> wantedFrame(const pipeline::Scene& scene, const FrameArgument& argument) {
+    WantedFrame wanted;
+    wanted.request.threads = argument.threads;
+    if (argument.buffers == std::vector<std::string>{"all"}) {
+        wanted.request.wanted = pipeline::usefulBuffers(scene);
+    } else {
+        StageId last = StageId::Transform;
+        for (const std::string& text : argument.buffers) {
+            const auto name = bufferNamed(scene, text);
+            if (!name) return name.errors();
+            wanted.request.wanted.set(index(name->id));
+            last = std::max(last, pipeline::bufferInfo(name->id).stage);
+            if (std::ranges::find(wanted.buffers, *name) == wanted.buffers.end()) wanted.buffers.push_back(*name);
+        }
+        wanted.request.until = last;
+    }
+    if (argument.until.empty()) return wanted;
+    const auto until = stageNamed(argument.until);
+    if (!until) return until.errors();
+    for (const BufferName& buffer : wanted.buffers) {
+        const StageId stage = pipeline::bufferInfo(buffer.id).stage;
+        if (index(stage) > index(*until))
+            return pipeline::Error{{},
+                                   fmt::format("{} comes from {}, and the run ends after {}", buffer.text(),
+                                               pipeline::stageInfo(stage).name, argument.until),
+                                   {}};
+    }
+    wanted.request.until = *until;
+    return wanted;
+}
+
+}  // namespace app

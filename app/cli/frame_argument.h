@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pipeline/core/result.h"
+#include "pipeline/run/frame.h"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+// Which part of a frame a command wants: --buffers, --until, --threads.
+struct FrameArgument {
+    std::vector<std::string> buffers{"all"};  // "all": what the scene has a use for
+    std::string until;                        // empty: the last stage that the buffers need
+    int threads = 0;                          // 0: as many as the machine has
+};
+
+void declareFrameArgument(CLI::App& command, FrameArgument& argument);
+void declareThreads(CLI::App& command, int& threads);
+
+struct WantedFrame {
+    pipeline::FrameRequest request;
+    std::vector<pipeline::BufferName> buffers;  // those asked for by name; empty: all
+};
+
+// Errors name the buffer or stage that does not exist, and the nearest that does.
+pipeline::Result<WantedFrame> wantedFrame(const pipeline::Scene& scene, const FrameArgument& argument);
+
+}  // namespace app

@@ -1,0 +1,28 @@
+#include "app/cli/interrupt.h"
+
+#include <ctime>
+
+namespace app {
+
+Interrupt::Interrupt() {
+    sigset_t ours;
+    sigemptyset(&ours);
+    sigaddset(&ours, SIGINT);
+    sigaddset(&ours, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &ours, &m_before);
+    m_waiting = std::jthread([this, ours](const std::stop_token& over) {
+        // A signal handler may do next to nothing; a thread that waits for the signal may do all.
+        while (!over.stop_requested()) {
+            constexpr timespec kLook{0, 20'000'000};  // how long the end of the program may wait for this thread
+            if (sigtimedwait(&ours, nullptr, &kLook) > 0) m_asked.request_stop();
+        }
+    });
+}
+
+Interrupt::~Interrupt() {
+    m_waiting.request_stop();
+    m_waiting.join();
+    pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
+}
+
+}  // namespace app

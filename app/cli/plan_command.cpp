@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/frame_argument.h"
+#include "app/cli/scene_argument.h"
+#include "pipeline/export/json.h"
+#include "pipeline/plan/needs.h"
+#include "pipeline/run/runner.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace app {
+
+namespace {
+
+struct PlanOptions {
+    SceneArgument scene;
+    FrameArgument frame;
+    bool json = false;
+};
+
+std::string reason(const std::string& why, const std::string& saves) {
+    return saves.empty() ? why : fmt::format("{} Saves {}.", why, saves);
+}
+
+// Buffers that are not there after this plan, with the reason.
+std::vector<std::pair<std::string, std::string>> buffersLeftOut(const pipeline::Scene& scene,
+                                                                const WantedFrame& wanted) {
+    std::vector<std::pair<std::string, std::string>> left;
+    if (!wanted.buffers.empty()) return left;  // what was named is computed
+    for (const pipeline::BufferInfo& info : pipeline::bufferTable())
+        if (const std::string why = whyUseless(scene, info.id); !why.empty())
+            left.emplace_back(fmt::format("{}{}", info.name, info.perLight ? ".k" : ""), why);
+    return left;
+}
+
+void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted) {
+    const pipeline::Settings& settings = scene.settings;
+    const auto choice = [&](const char* key) {
+        const auto ref = findSetting(scene, key).value();
+        return formatSetting(ref, ref.get(scene));
+    };
+    fmt::print("{}, {} × {}, {}, {}\n\n", scene.name, settings.width, settings.height, choice("precision"),
+               choice("shading"));
+    for (const pipeline::PlanStep& step : plan) {
+        fmt::print("{} {:<22} {:<9} {}\n", index(step.stage) + 1, stageInfo(step.stage).name, name(step.action),
+                   reason(step.why, step.saves));
+        for (const pipeline::PlanPart& part : step.parts)
+            fmt::print("    {:<20} {:<9} {}\n", part.name, name(part.action), reason(part.why, part.saves));
+    }
+    const auto left = buffersLeftOut(scene, wanted);
+    if (!left.empty()) fmt::print("\nBuffers left out unless asked for by name\n");
+    for (const auto& [buffer, why] : left) fmt::print("    {:<20} {}\n", buffer, why);
+}
+
+void printJson(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted) {
+    pipeline::Json left = pipeline::Json::array();
+    for (const auto& [buffer, why] : buffersLeftOut(scene, wanted)) left.push_back({{"name", buffer}, {"why", why}});
+    const pipeline::Json json{
+        {"scene", sceneToJson(scene)}, {"settings", settingsToJson(scene)}, {"plan", toJson(plan)}, {"absent", left}};
+    fmt::print("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+}
+
+int runPlan(const PlanOptions& options) {
+    int status = kDone;
+    const auto scene = loadScene(options.scene, status);
+    if (!scene) return status;
+    const auto wanted = wantedFrame(*scene, options.frame);
+    if (!wanted) {
+        printErrors(wanted.errors());
+        return kWrongUsage;
+    }
+    const pipeline::Plan plan = makePlan(*scene, wanted->request, nullptr);
+    (options.json ? printJson : printPlan)(*scene, plan, *wanted);
+    return kDone;
+}
+
+}  // namespace
+
+void declarePlan(CLI::App& program, const CliHost&, int& status) {
+    const auto options = std::make_shared<PlanOptions>();
+    CLI::App* command = program.add_subcommand("plan", "Print what will run, what is left out, and why");
+    declareSceneArgument(*command, options->scene);
+    declareFrameArgument(*command, options->frame);
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options, &status] { status = runPlan(*options); });
+}
+
+}  // namespace app

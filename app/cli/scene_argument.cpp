@@ -1,0 +1,110 @@
+#include "app/cli/scene_argument.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "app/cli/cli.h"
+#include "pipeline/core/text.h"
+#include "pipeline/formats/scene_reader.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace app {
+
+namespace fs = std::filesystem;
+using pipeline::Errors;
+using pipeline::Scene;
+
+namespace {
+
+// A file goes before a built-in scene of the same name.
+pipeline::Result<Scene> readNamed(const std::string& name) {
+    std::error_code ignored;
+    if (fs::exists(name, ignored)) return pipeline::readScene(name);
+    const auto scenes = pipeline::builtInScenes();
+    const auto found = std::ranges::find(scenes, name, &pipeline::BuiltInScene::name);
+    if (found != scenes.end()) return pipeline::readScene(found->file);
+    if (name.find_first_of("./") != name.npos) return pipeline::readScene(name);  // says why it cannot be read
+    std::vector<std::string> names;
+    for (const pipeline::BuiltInScene& scene : scenes) names.push_back(scene.name);
+    return pipeline::Error{{},
+                           fmt::format("no file and no built-in scene {}; the nearest is {}", pipeline::inQuotes(name),
+                                       pipeline::inQuotes(pipeline::nearest(name, names))),
+                           {}};
+}
+
+pipeline::Result<Scene> applySettings(Scene scene, const SceneArgument& argument) {
+    if (!argument.size.empty()) {
+        const auto size = parsePair(argument.size, 'x');
+        if (!size) return pipeline::Error{{}, "--size is " + pipeline::inQuotes(argument.size), "WxH, as in 640x480"};
+        for (const auto& [key, value] : {std::pair{"width", size->x}, std::pair{"height", size->y}}) {
+            auto sized = withSetting(std::move(scene), fmt::format("{}={}", key, value));
+            if (!sized) return sized.errors();
+            scene = std::move(sized).value();
+        }
+    }
+    for (const std::string& assignment : argument.set) {
+        auto changed = withSetting(std::move(scene), assignment);
+        if (!changed) return changed.errors();
+        scene = std::move(changed).value();
+    }
+    return scene;
+}
+
+}  // namespace
+
+void declareSceneArgument(CLI::App& command, SceneArgument& argument) {
+    command.add_option("SCENE", argument.scene, "A scene file, or the name of a built-in scene")->required();
+    command.add_option("--size", argument.size, "Size of the picture in pixels")->type_name("WxH");
+    command.add_option("--set", argument.set, "Change a setting of the scene; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, int& status) {
+    const auto refuse = [&](const Errors& errors, int why) {
+        printErrors(errors);
+        status = why;
+        return nullptr;
+    };
+    auto read = readNamed(argument.scene);
+    if (!read) return refuse(read.errors(), kBadInput);
+    if (Errors errors = checkScene(*read); !errors.empty()) {
+        for (pipeline::Error& error : errors)
+            if (error.where.file.empty()) error.where.file = argument.scene;
+        return refuse(errors, kBadInput);
+    }
+    auto changed = applySettings(std::move(read).value(), argument);
+    if (!changed) return refuse(changed.errors(), kWrongUsage);
+    if (const Errors errors = checkScene(*changed); !errors.empty()) return refuse(errors, kWrongUsage);
+    return std::make_shared<const Scene>(std::move(changed).value());
+}
+
+std::optional<glm::ivec2> parsePair(std::string_view text, char separator) {
+    const auto at = text.find(separator);
+    if (at == text.npos) return std::nullopt;
+    glm::ivec2 pair;
+    const auto whole = [](std::string_view digits, int& value) {
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        return error == std::errc() && end == digits.data() + digits.size();
+    };
+    if (!whole(text.substr(0, at), pair.x) || !whole(text.substr(at + 1), pair.y)) return std::nullopt;
+    return pair;
+}
+
+std::optional<glm::ivec2> pixelIn(const Scene& scene, const std::string& text) {
+    const auto pixel = parsePair(text, ',');
+    const int width = scene.settings.width, height = scene.settings.height;
+    if (pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < width && pixel->y < height) return pixel;
+    printErrors({{{},
+                  "--pixel is " + pipeline::inQuotes(text),
+                  fmt::format("X,Y with X from 0 to {} and Y from 0 to {}", width - 1, height - 1)}});
+    return std::nullopt;
+}
+
+void printErrors(const Errors& errors) { fmt::print(stderr, "{}", format(errors)); }
+
+}  // namespace app

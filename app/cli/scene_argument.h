@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/core/result.h"
+#include "pipeline/scene/scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+// What every command on a scene takes: SCENE, --set, --size.
+struct SceneArgument {
+    std::string scene;
+    std::vector<std::string> set;  // KEY=VALUE, applied in order
+    std::string size;              // WxH; empty: the scene's
+};
+
+void declareSceneArgument(CLI::App& command, SceneArgument& argument);
+
+// The scene with its settings applied, or nothing after the reasons went to standard error and
+// `status` was set to kBadInput or kWrongUsage.
+std::shared_ptr<const pipeline::Scene> loadScene(const SceneArgument& argument, int& status);
+
+// "640x480" and "12,40": two whole numbers around a separator, nothing else.
+std::optional<glm::ivec2> parsePair(std::string_view text, char separator);
+
+// --pixel's X,Y, or nothing after the reason went to standard error.
+std::optional<glm::ivec2> pixelIn(const pipeline::Scene& scene, const std::string& text);
+
+// Prints one line an error.
+void printErrors(const pipeline::Errors& errors);
+
+}  // namespace app

@@ -1,0 +1,120 @@
+#pragma once
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "app/core/frame_worker.h"
+#include "pipeline/core/result.h"
+#include "pipeline/run/frame.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace app {
+
+// A setting's value before the newest step of undo.
+struct SettingChange {
+    pipeline::SettingRef setting;
+    double before = 0, after = 0;
+};
+
+// What the window shows: a scene, the stage on show, the picked pixel, and the newest frame.
+// Lives in the GUI thread and holds values; the FrameWorker computes. Panels observe it and
+// send it intents; they never call a stage and never know another panel.
+class Document : public QObject {
+    Q_OBJECT
+public:
+    explicit Document(QObject* parent = nullptr);
+    ~Document() override;
+
+    bool hasScene() const { return m_scene != nullptr; }
+    const pipeline::Scene& scene() const { return *m_scene; }  // only when hasScene()
+    // The newest finished frame; null before the first. It may lag behind scene() while a slider moves.
+    // frame()->scene() is the scene that it shows.
+    const pipeline::FramePtr& frame() const { return m_frame; }
+    bool busy() const { return m_busy; }  // a frame is being computed
+    pipeline::StageId stage() const { return m_stage; }
+    std::optional<glm::ivec2> pixel() const { return m_pixel; }
+    std::optional<glm::ivec2> hovered() const { return m_hovered; }
+    int channel() const { return m_channel; }  // 0 r, 1 g, 2 b: for the equation
+    // Per stage, once computed (in idle time, after each frame); nothing before.
+    const StageErrors& errors() const { return m_check.errors; }
+    // How many numbers in the frame's buffers are none; known when the errors are.
+    std::optional<std::size_t> nanCount() const { return m_checked ? std::optional(m_check.nan) : std::nullopt; }
+    QUndoStack* undoStack() { return &m_undo; }
+    // What the newest step of undo changed, where it changed one setting.
+    std::optional<SettingChange> lastChange() const;
+
+    // Reads a scene file. When that fails the open scene stays, and failed() tells why.
+    bool open(const QString& file);
+    void setScene(pipeline::Scene scene);  // as if opened: clears the undo stack
+
+    // Changes one setting. While a slider is dragged: Live for every step, then Done; the whole
+    // drag is one step of undo. Out-of-range values and scenes that checkScene refuses change
+    // nothing and are reported through failed().
+    enum class Change { Live, Done };
+    void change(const pipeline::SettingRef& setting, double value, Change kind = Change::Done);
+    // Replaces the scene in one step of undo, named by `text`.
+    void replace(pipeline::Scene scene, const QString& text);
+
+    void setStage(pipeline::StageId stage);
+    void nextStage();
+    void previousStage();
+    void pick(std::optional<glm::ivec2> pixel);  // clamped to the picture
+    void hover(std::optional<glm::ivec2> pixel);
+    void setChannel(int channel);
+    // The buffers that `who` shows. What nobody wants is not computed. Forgotten with `who`.
+    void want(const QObject* who, pipeline::BufferSet buffers);
+
+signals:
+    void sceneOpened();   // another scene
+    void sceneChanged();  // any change of it, undo included
+    void frameReady();
+    void errorsReady();  // errors() and nanCount() are those of frame()
+    void stageChanged();
+    void pixelChanged();
+    void hoverChanged();
+    void channelChanged();
+    void busyChanged(bool busy);  // a frame is being computed
+    void failed(const pipeline::Errors& errors);
+    void said(const QString& sentence);  // for the status bar
+
+private:
+    friend class SceneStep;
+    void setSceneValue(std::shared_ptr<const pipeline::Scene> scene);
+    void requestFrameSoon();
+    void requestFrame();
+    void takeFrame(pipeline::FramePtr frame, long ticket);
+    void takeCheck(const pipeline::FramePtr& frame, const FrameCheck& check);
+    void forgetCheck();
+    void setBusy(bool busy);
+    pipeline::BufferSet wanted() const;
+
+    std::shared_ptr<const pipeline::Scene> m_scene;
+    pipeline::FramePtr m_frame;
+    pipeline::StageId m_stage = pipeline::StageId::Shading;
+    std::optional<glm::ivec2> m_pixel, m_hovered;
+    int m_channel = 2;
+    FrameCheck m_check;
+    bool m_checked = false;
+    std::map<const QObject*, pipeline::BufferSet> m_wanted;
+    QUndoStack m_undo;
+
+    // Frames: what was asked for last, and what came.
+    bool m_requestPending = false;  // requestFrame runs when control returns to the event loop
+    bool m_busy = false;
+    long m_ticket = 0, m_taken = 0;  // of the newest request; of m_frame
+    long m_oldestValid = 0;          // older tickets are frames of a scene closed since
+    pipeline::BufferSet m_requested;
+    std::shared_ptr<const pipeline::Scene> m_requestedScene;
+
+    // A drag: Live changes of one setting, one step of undo.
+    bool m_live = false;
+    int m_drag = 0;
+    std::optional<pipeline::SettingRef> m_dragged;
+
+    std::unique_ptr<FrameWorker> m_worker;
+};
+
+}  // namespace app

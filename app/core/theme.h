@@ -1,0 +1,58 @@
+#pragma once
+#include <QColor>
+#include <QFont>
+#include <QObject>
+#include <QPalette>
+#include <array>
+
+#include "pipeline/inspect/formula.h"
+
+namespace app {
+
+enum class ThemeId { Dark, Light, Projector };
+
+// The colours of one theme; names as in the design's table.
+struct ThemeColors {
+    QColor bg, surface, raised, hover, view, hatch, line, outline, text, text2, text3, accent, fill, onFill, tint, run,
+        reused, leftOut, failed, warn, focus;
+    QColor N, L, V, R, H;
+};
+
+// The theme in force and its font scale: one object for the program, passed to nobody, because
+// every painter needs it. Widgets repaint on changed().
+class Theme : public QObject {
+    Q_OBJECT
+public:
+    static Theme& current();
+
+    ThemeId id() const { return m_id; }
+    void set(ThemeId id);
+    double scale() const;         // 0.85 to 2.5; each theme keeps its own, the projector's starts at 1.25
+    void setScale(double scale);  // clamped, in steps of 0.05
+    // Gives palette, font and style sheet to the application, and emits changed().
+    // set and setScale do it too; without either, call it once at the start.
+    void apply();
+
+    const ThemeColors& colors() const { return colors(m_id); }
+    static const ThemeColors& colors(ThemeId id);
+    QColor vector(pipeline::VectorCode code) const;  // text colour for VectorCode::None
+    // The dash of a vector's shaft and of its underline, in pen widths; empty for a solid line.
+    static QList<qreal> dash(pipeline::VectorCode code);
+
+    int px(double logicalPixels) const;                    // scaled and rounded
+    QFont text(double size = 13, int weight = 400) const;  // Inter
+    QFont mono(double size = 13) const;                    // JetBrains Mono, ligatures off
+    QFont formula(double size = 18) const;                 // STIX
+    QPalette palette() const;
+    QString styleSheet() const;
+
+signals:
+    void changed();
+
+private:
+    Theme() = default;
+    ThemeId m_id = ThemeId::Light;
+    std::array<double, 3> m_scales{1.0, 1.0, 1.25};
+};
+
+}  // namespace app

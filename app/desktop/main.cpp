@@ -1,0 +1,63 @@
+// The program: a command, or the window.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "app/cli/cli.h"
+#include "pipeline/core/text.h"
+#ifdef SHADESCOPE_WINDOW
+#include "app/desktop/window_main.h"
+#include "app/view3d/offscreen.h"
+#endif
+
+namespace {
+
+app::CliHost makeHost() {
+    app::CliHost host;
+#ifdef SHADESCOPE_WINDOW
+    host.hasWindow = true;
+    host.writeViews = app::writeViews;
+#endif
+    return host;
+}
+
+int refuse(const std::string& message) {
+    std::fputs(("shadescope: " + message + "\nRun shadescope --help to see what there is.\n").c_str(), stderr);
+    return app::kWrongUsage;
+}
+
+#ifdef SHADESCOPE_WINDOW
+// Qt ends the program where it finds no display; this is said before.
+bool hasDisplay() {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (const char* value = std::getenv(name); value && *value) return true;
+    return false;
+}
+
+int openWindow(int argc, char** argv, const std::string& file) {
+    if (!hasDisplay()) return refuse("there is no display for the window; the commands need none");
+    return app::runWindow(argc, argv, QString::fromLocal8Bit(file.c_str()));
+}
+#else
+int openWindow(int, char**, const std::string&) {
+    std::fputs("shadescope: this build has no window\n\n", stderr);
+    std::fputs(app::helpText(makeHost()).c_str(), stderr);
+    return app::kWrongUsage;
+}
+#endif
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::string first = argc > 1 ? argv[1] : "";
+    if (app::isForCli(first)) return app::runCli(argc, argv, makeHost());
+    if (first.starts_with("--")) return refuse("there is no option " + pipeline::inQuotes(first));
+    const bool file = !first.empty() && first[0] != '-';  // "-platform" and the like are for Qt
+    std::error_code ignored;
+    if (file && first.find_first_of("./") == first.npos && !std::filesystem::exists(first, ignored))
+        return refuse("there is no file and no command " + pipeline::inQuotes(first) + "; the nearest command is " +
+                      app::nearestCommand(first));
+    return openWindow(argc, argv, file ? first : "");
+}

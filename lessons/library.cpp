@@ -1,0 +1,54 @@
+#include "lessons/library.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "pipeline/core/text.h"
+#include "pipeline/formats/scene_reader.h"
+
+namespace lessons {
+
+namespace {
+
+std::vector<std::string> lessonNames() {
+    std::vector<std::string> names;
+    std::error_code ignored;  // a folder that cannot be listed has no lessons
+    for (const auto& entry : std::filesystem::directory_iterator(lessonFolder(), ignored))
+        if (std::filesystem::exists(entry.path() / "lesson.md", ignored))
+            names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+}
+
+}  // namespace
+
+// Where the program is installed the lessons stand among its resources, in the source tree beside them.
+std::filesystem::path lessonFolder() {
+    const std::filesystem::path resources = pipeline::resourceFolder();
+    std::error_code ignored;
+    const std::filesystem::path inside = resources / "lessons";
+    return std::filesystem::is_directory(inside, ignored) ? inside : resources.parent_path() / "lessons";
+}
+
+Library allLessons() {
+    Library library;
+    for (const std::string& name : lessonNames()) {
+        auto lesson = readLesson(lessonFolder() / name);
+        if (lesson)
+            library.lessons.push_back(std::move(lesson).value());
+        else
+            library.errors.insert(library.errors.end(), lesson.errors().begin(), lesson.errors().end());
+    }
+    return library;
+}
+
+pipeline::Result<Lesson> findLesson(std::string_view name) {
+    const std::vector<std::string> names = lessonNames();
+    if (std::ranges::find(names, name) != names.end()) return readLesson(lessonFolder() / name);
+    return pipeline::Error{{},
+                           "no lesson " + pipeline::inQuotes(name) + "; the nearest is " +
+                               pipeline::inQuotes(pipeline::nearest(name, names)),
+                           {}};
+}
+
+}  // namespace lessons

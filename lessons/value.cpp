@@ -1,0 +1,66 @@
+#include "lessons/value.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace lessons {
+namespace {
+
+constexpr std::string_view kMinus = "\u2212", kGroup = "\u2009";
+constexpr double kExactWhole = 9007199254740992.0;  // 2^53: up to here a double counts in ones
+
+// Without digits up to four decimals, as many as tell something.
+std::string numberText(double number, std::optional<int> digits) {
+    if (std::isnan(number)) return "NaN";
+    if (std::isinf(number)) return std::string(number < 0 ? kMinus : "+") + "∞";
+    char buffer[352];  // DBL_MAX has 309 digits before the point
+    const int length = std::snprintf(buffer, sizeof buffer, "%.*f", digits.value_or(4), std::abs(number));
+    std::string plain(buffer, std::size_t(length));
+    if (!digits) plain.erase(plain.find_last_not_of('0') + 1);
+    if (plain.ends_with('.')) plain.pop_back();
+    const std::size_t point = std::min(plain.find('.'), plain.size());
+    std::string text;
+    // What rounds to zero has no sign.
+    if (number < 0 && plain.find_first_not_of("0.") != std::string::npos) text += kMinus;
+    for (std::size_t i = 0; i < point; ++i) {
+        if (i > 0 && (point - i) % 3 == 0) text += kGroup;
+        text += plain[i];
+    }
+    return text + plain.substr(point);
+}
+
+bool isWhole(double number) { return std::abs(number) < kExactWhole && number == std::trunc(number); }
+
+}  // namespace
+
+std::string toText(const Value& value, std::optional<int> digits) {
+    if (value.numbers.empty()) return value.words;
+    if (value.numbers.size() == 1) return numberText(value.numbers.front(), digits);
+    // Whole components stay short: a vector's 0 and 1 are exact more often than not.
+    std::string text = "(";
+    for (const double number : value.numbers) {
+        if (text.size() > 1) text += ", ";
+        text += numberText(number, isWhole(number) ? std::nullopt : digits);
+    }
+    return text + ")";
+}
+
+std::optional<double> numberIn(std::string_view text) {
+    std::string plain(text);
+    for (std::size_t at; (at = plain.find(kMinus)) != std::string::npos;) plain.replace(at, kMinus.size(), "-");
+    std::replace(plain.begin(), plain.end(), ',', '.');
+    const auto isSpace = [](char c) { return c == ' ' || c == '\t'; };
+    while (!plain.empty() && isSpace(plain.back())) plain.pop_back();
+    const char* first = plain.data();
+    const char* const last = first + plain.size();
+    while (first != last && isSpace(*first)) ++first;
+    if (first != last && *first == '+' && last - first > 1 && first[1] != '-') ++first;
+    double number = 0;
+    const auto [end, error] = std::from_chars(first, last, number);
+    if (error != std::errc() || end != last || !std::isfinite(number)) return {};
+    return number;
+}
+
+}  // namespace lessons

@@ -1,0 +1,152 @@
+#include "pipeline/buffers/buffer_table.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+
+#include "pipeline/core/text.h"
+
+namespace pipeline {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+using B = BufferId;
+using S = StageId;
+using D = Domain;
+using E = Element;
+using P = Palette;
+
+// In the order of BufferId, which is that of the stages. `depth` has the neutral value of the
+// linear and the [0, 1] formats; in a reversed one, where larger is nearer, a run fills in 0.
+constexpr std::array<BufferInfo, kBufferCount> kTable{{
+    {B::VerticesWorld, "vertices.world", S::Transform, D::Vertex, E::Real, 3, false, "world units", "world",
+     "Vertices after their object's transform.", P::Direction, 0},
+    {B::VerticesView, "vertices.view", S::Transform, D::Vertex, E::Real, 3, false, "world units", "view",
+     "Vertices as the viewer sees them: x right, y up, z away.", P::Direction, 0},
+    {B::VerticesScreen, "vertices.screen", S::Transform, D::Vertex, E::Real, 3, false, "pixels, pixels, depth",
+     "screen", "Vertices in the picture: x right, y down, and the depth as stored.", P::Direction, 0},
+
+    {B::PolygonsVerdict, "polygons.verdict", S::Cull, D::Polygon, E::UInt8, 1, false, "", "",
+     "Why each polygon goes on or does not.", P::Verdict, 0},
+
+    {B::PolygonsNormal, "polygons.normal", S::Normals, D::Polygon, E::Real, 3, false, "", "world",
+     "Unit normals of the polygons.", P::Direction, 0},
+    {B::VerticesNormal, "vertices.normal", S::Normals, D::Vertex, E::Real, 3, false, "", "world",
+     "Unit normals of the vertices.", P::Direction, 0},
+
+    {B::ShadowBuffer, "shadow_buffer", S::ShadowBuffer, D::Texel, E::Real, 1, true, "world units", "light",
+     "Z': the distance from the light to the nearest polygon.", P::Sequential, kInfinity},
+
+    {B::Depth, "depth", S::ZBuffer, D::Pixel, E::Real, 1, false, "as stored", "screen",
+     "What the z-buffer holds, in the chosen format.", P::Sequential, kInfinity},
+    {B::ZView, "z_view", S::ZBuffer, D::Pixel, E::Real, 1, false, "world units", "view",
+     "Distance along the viewing direction.", P::Sequential, kInfinity},
+    {B::ObjectId, "object_id", S::ZBuffer, D::Pixel, E::Int32, 1, false, "", "", "Which object is seen.",
+     P::Categorical, -1},
+    {B::PolygonId, "polygon_id", S::ZBuffer, D::Pixel, E::Int32, 1, false, "", "",
+     "Which polygon is seen, counted over all objects.", P::Categorical, -1},
+    {B::Barycentric, "barycentric", S::ZBuffer, D::Pixel, E::Real, 3, false, "", "",
+     "Weights of the triangle's three vertices, perspective-correct.", P::Color, 0},
+    {B::Overdraw, "overdraw", S::ZBuffer, D::Pixel, E::Int32, 1, false, "fragments", "", "How many fragments arrived.",
+     P::Sequential, 0},
+    {B::DepthWrites, "depth_writes", S::ZBuffer, D::Pixel, E::Int32, 1, false, "fragments", "",
+     "How many fragments won.", P::Sequential, 0},
+
+    {B::Position, "position", S::Shading, D::Pixel, E::Real, 3, false, "world units", "world",
+     "The point that is seen.", P::Direction, 0},
+    {B::Normal, "normal", S::Shading, D::Pixel, E::Real, 3, false, "", "world", "N, unit.", P::Direction, 0},
+    {B::ViewVector, "view_vector", S::Shading, D::Pixel, E::Real, 3, false, "", "world", "V, towards the eye, unit.",
+     P::Direction, 0},
+    {B::LightVector, "light_vector", S::Shading, D::Pixel, E::Real, 3, true, "", "world", "L, towards the light, unit.",
+     P::Direction, 0},
+    {B::ReflectionVector, "reflection_vector", S::Shading, D::Pixel, E::Real, 3, true, "", "world",
+     "R, L mirrored at N, unit.", P::Direction, 0},
+    {B::HalfwayVector, "halfway_vector", S::Shading, D::Pixel, E::Real, 3, true, "", "world",
+     "H, halfway between L and V, unit.", P::Direction, 0},
+    {B::NDotL, "n_dot_l", S::Shading, D::Pixel, E::Real, 1, true, "", "", "N·L, before it is clamped.", P::Diverging,
+     0},
+    {B::RDotV, "r_dot_v", S::Shading, D::Pixel, E::Real, 1, true, "", "", "R·V, before it is clamped.", P::Diverging,
+     0},
+    {B::NDotH, "n_dot_h", S::Shading, D::Pixel, E::Real, 1, true, "", "", "N·H, before it is clamped.", P::Diverging,
+     0},
+    {B::Shadow, "shadow", S::Shading, D::Pixel, E::Real, 1, true, "", "", "S: 0 in shadow, 1 lit.", P::Sequential, 1},
+    {B::Ambient, "ambient", S::Shading, D::Pixel, E::Real, 3, false, "intensity", "", "The ambient term.", P::Color, 0},
+    {B::Diffuse, "diffuse", S::Shading, D::Pixel, E::Real, 3, true, "intensity", "", "The diffuse term of a light.",
+     P::Color, 0},
+    {B::Specular, "specular", S::Shading, D::Pixel, E::Real, 3, true, "intensity", "", "The specular term of a light.",
+     P::Color, 0},
+    {B::Emission, "emission", S::Shading, D::Pixel, E::Real, 3, false, "intensity", "",
+     "What the material gives off by itself.", P::Color, 0},
+    {B::Intensity, "intensity", S::Shading, D::Pixel, E::Real, 3, false, "intensity", "",
+     "The sum of all terms, before it is scaled by I_max.", P::Color, 0},
+    {B::PolygonsIntensity, "polygons.intensity", S::Shading, D::Polygon, E::Real, 3, false, "intensity", "",
+     "Flat shading's intensity of each polygon.", P::Color, 0},
+    {B::VerticesIntensity, "vertices.intensity", S::Shading, D::Vertex, E::Real, 3, false, "intensity", "",
+     "Gouraud shading's intensity of each vertex.", P::Color, 0},
+    {B::Color, "color", S::Shading, D::Pixel, E::UInt8, 3, false, "", "sRGB", "The frame buffer.", P::Color, 0},
+}};
+
+// findBuffer and bufferInfo index by BufferId.
+static_assert([] {
+    for (std::size_t i = 0; i < kTable.size(); ++i)
+        if (index(kTable[i].id) != i || (i > 0 && kTable[i].stage < kTable[i - 1].stage)) return false;
+    return true;
+}());
+
+}  // namespace
+
+std::span<const BufferInfo, kBufferCount> bufferTable() { return kTable; }
+
+const BufferInfo& bufferInfo(BufferId id) { return kTable[index(id)]; }
+
+std::string BufferName::text() const {
+    std::string text(bufferInfo(id).name);
+    if (bufferInfo(id).perLight) text += '.' + std::to_string(light);
+    return text;
+}
+
+std::optional<BufferName> findBuffer(std::string_view text) {
+    for (const BufferInfo& info : kTable) {
+        if (!info.perLight) {
+            if (text == info.name) return BufferName{info.id};
+            continue;
+        }
+        if (!text.starts_with(info.name) || text.size() < info.name.size() + 2 || text[info.name.size()] != '.')
+            continue;
+        const std::string_view digits = text.substr(info.name.size() + 1);
+        int light = 0;
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), light);
+        const bool canonical = light >= 0 && (digits == "0" || (digits[0] != '0' && digits[0] != '-'));
+        if (error == std::errc() && end == digits.data() + digits.size() && canonical)
+            return BufferName{info.id, light};
+    }
+    return std::nullopt;
+}
+
+std::string nearestBuffer(std::string_view text) {
+    std::vector<std::string> names;
+    for (const BufferName& name : allBuffers(1)) names.push_back(name.text());
+    return nearest(text, names);
+}
+
+std::vector<BufferName> allBuffers(std::size_t lights) {
+    std::vector<BufferName> names;
+    for (const BufferInfo& info : kTable) {
+        if (!info.perLight)
+            names.push_back({info.id});
+        else
+            for (std::size_t k = 0; k < lights; ++k) names.push_back({info.id, static_cast<int>(k)});
+    }
+    return names;
+}
+
+BufferSet setOf(std::initializer_list<BufferId> ids) {
+    BufferSet set;
+    for (const BufferId id : ids) set.set(index(id));
+    return set;
+}
+
+}  // namespace pipeline

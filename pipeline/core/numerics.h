@@ -1,0 +1,48 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/core/real.h"
+
+namespace pipeline {
+
+template <class Real>
+Real largestComponent(Vec3<Real> v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+// v at length 1 within 2 rounding units, over the whole range of Real. The zero vector, and
+// one with a component that is not finite, gives the zero vector: a direction that is not
+// defined adds nothing wherever it is used.
+template <class Real>
+Vec3<Real> normalized(Vec3<Real> v) {
+    const Real largest = largestComponent(v);
+    if (!(largest > 0) || !std::isfinite(largest)) return Vec3<Real>(0);
+    // A power of two brings the squares into range without rounding: a scaled scene keeps its bits.
+    int exponent;
+    std::frexp(largest, &exponent);
+    const Vec3<Real> scaled{std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
+    const Real length = std::sqrt(glm::dot(scaled, scaled));
+    return std::isfinite(length) ? scaled / length : Vec3<Real>(0);
+}
+
+// (a·b)^exponent for unit vectors with a·b > 0, else 0.
+// a·b is 1 - q with q = |a - b|²/2. Near the centre of a highlight q keeps its digits while the
+// dot product has rounded them away: at exponent 10^6 pow(a·b) in float errs by 0.15, this by 10^-7.
+template <class Real>
+Real powerOfCosine(Vec3<Real> a, Vec3<Real> b, Real exponent) {
+    const Vec3<Real> difference = a - b;
+    const Real q = glm::dot(difference, difference) / 2;
+    if (!(q < 1)) return 0;
+    return std::exp(exponent * std::log1p(-q));
+}
+
+// The angle between two vectors of any length, radians. acos of a dot product reads 0 below
+// 0.006 degrees in float; this form keeps its digits at every angle.
+// W. Kahan, "How futile are mindless assessments of roundoff", 2006.
+template <class Real>
+Real angleBetween(Vec3<Real> a, Vec3<Real> b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+}  // namespace pipeline

@@ -1,0 +1,23 @@
+#include "pipeline/core/result.h"
+
+namespace pipeline {
+
+std::string format(const Error& error) {
+    std::string text = error.where.file;
+    if (error.where.line > 0) {
+        text += ':' + std::to_string(error.where.line);
+        if (error.where.column > 0) text += ':' + std::to_string(error.where.column);
+    }
+    if (!text.empty()) text += ": ";
+    text += error.found;
+    if (!error.expected.empty()) text += ", expected " + error.expected;
+    return text;
+}
+
+std::string format(const Errors& errors) {
+    std::string text;
+    for (const Error& error : errors) text += format(error) + '\n';
+    return text;
+}
+
+}  // namespace pipeline

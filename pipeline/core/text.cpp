@@ -1,0 +1,64 @@
+#include "pipeline/core/text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace pipeline {
+
+std::string shortestText(double value) {
+    // Left to itself to_chars writes 100000 as 1e+05; people read whole numbers better.
+    const bool whole = std::abs(value) < 1e7 && value == std::trunc(value);
+    std::array<char, 32> digits;
+    const auto end = whole
+                         ? std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed)
+                         : std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    std::string text(digits.data(), end.ptr);
+    if (const auto plus = text.find("e+"); plus != std::string::npos) {
+        const auto digit = text.find_first_not_of('0', plus + 2);
+        text.erase(plus + 1, digit - plus - 1);
+    }
+    return text;
+}
+
+std::string inQuotes(std::string_view words) {
+    constexpr std::size_t kLongest = 60;
+    std::string text = "\"";
+    for (const char c : words.substr(0, kLongest)) {
+        const auto code = static_cast<unsigned char>(c);
+        text += code < 0x20 || code == 0x7f ? '?' : c;
+    }
+    if (words.size() > kLongest) {
+        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
+        if (static_cast<unsigned char>(text.back()) >= 0xc0) text.pop_back();  // no half of a UTF-8 character
+        text += "…";
+    }
+    return text + '"';
+}
+
+std::size_t editDistance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);  // distances of a's first i letters to every start of b
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+std::string nearest(std::string_view text, std::span<const std::string> candidates) {
+    const std::string_view start = text.substr(0, 100);  // no name is longer; input may be
+    const auto best = std::ranges::min_element(
+        candidates, {}, [&](const std::string& candidate) { return editDistance(start, candidate); });
+    return best == candidates.end() ? std::string() : *best;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,21 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace pipeline {
+
+// The shortest text that reads back as the same double: "0.25", "640", "1e9", "-0".
+std::string shortestText(double value);
+
+// "words" in double quotes; control characters and more than 60 bytes of it are left out,
+// so that a message stays one line whatever the input was.
+std::string inQuotes(std::string_view words);
+
+// How many letters must be changed, added or taken away to make a into b (Levenshtein).
+std::size_t editDistance(std::string_view a, std::string_view b);
+
+// The candidate with the smallest edit distance, the first of equals; empty when there is none.
+std::string nearest(std::string_view text, std::span<const std::string> candidates);
+
+}  // namespace pipeline

@@ -1,0 +1,7 @@
+#include "pipeline/core/version.h"
+
+namespace pipeline {
+
+std::string_view programVersion() { return SHADESCOPE_VERSION; }
+
+}  // namespace pipeline

@@ -1,0 +1,128 @@
+#include "pipeline/export/export_frame.h"
+
+#include "pipeline/export/byte_file.h"
+#include "pipeline/export/exporter.h"
+#include "pipeline/export/manifest.h"
+#include "pipeline/export/staging.h"
+
+namespace pipeline {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kManifest = "manifest.json";
+
+// Every buffer that the scene could have and the request does not exclude.
+std::vector<BufferName> askedFor(const Frame& frame, const ExportRequest& request) {
+    return request.buffers.empty() ? allBuffers(frame.scene().lights.size()) : request.buffers;
+}
+
+std::string fileName(const BufferName& buffer, const Exporter& exporter) {
+    return buffer.text() + '.' + std::string(exporter.name);
+}
+
+ExportItem makeItem(const Frame& frame, const AnyBuffer& buffer) {
+    const BufferStatistics found = statistics(buffer);
+    return {buffer, found, fittingRange(buffer, found, frame.scene().settings.depthFormat)};
+}
+
+std::uint64_t bytesOf(const std::vector<PlannedFile>& files) {
+    std::uint64_t bytes = 0;
+    for (const PlannedFile& file : files) bytes += file.bytes;
+    return bytes;
+}
+
+Result<std::vector<std::string>> writeViews(const ExportRequest& request, const fs::path& folder) {
+    std::vector<std::string> names;
+    if (!request.writeMore) return names;
+    const auto files = request.writeMore(folder);
+    if (!files) return files.errors();
+    for (const fs::path& file : *files) names.push_back(file.filename().string());
+    return names;
+}
+
+// The staging folder's name must not reach the user: they asked for `folder`.
+Errors inFolder(Errors errors, const fs::path& folder) {
+    for (Error& error : errors)
+        if (!error.where.file.empty()) error.where.file = (folder / fs::path(error.where.file).filename()).string();
+    return errors;
+}
+
+}  // namespace
+
+std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& request) {
+    std::vector<PlannedFile> files;
+    for (const BufferName& name : askedFor(frame, request)) {
+        const auto buffer = frame.buffer(name);
+        for (const std::string& format : request.formats) {
+            const Exporter* exporter = findExporter(format);
+            PlannedFile file{name, format, {}, 0, false, {}};
+            if (!exporter)
+                file.whyNot = "There is no such format.";
+            else if (!buffer)
+                file.whyNot = frame.whyAbsent(name);
+            else
+                file.whyNot = exporter->refuses(*buffer->info);
+            if (file.whyNot.empty()) {
+                file.file = fileName(name, *exporter);
+                file.bytes = exporter->estimate(*buffer);
+                file.exact = exporter->sizeIsExact;
+            }
+            files.push_back(std::move(file));
+        }
+    }
+    return files;
+}
+
+Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& request, const ExportProgress& progress) {
+    const std::vector<PlannedFile> files = plannedFiles(frame, request);
+    const auto total = static_cast<double>(bytesOf(files) + 1);
+    const auto goOn = [&](double share, std::string_view file) { return !progress || progress(share, file); };
+
+    auto begun = Staging::begin(request.folder);
+    if (!begun) return begun.errors();
+    Staging staging = std::move(begun).value();
+
+    ExportSummary summary, cancelled;
+    cancelled.cancelled = true;
+    std::vector<WrittenBuffer> written;
+    double done = 0;
+    for (const PlannedFile& file : files) {
+        const auto buffer = frame.buffer(file.buffer);
+        if (!buffer) continue;
+        if (written.empty() || !(written.back().item.buffer.name == file.buffer))
+            written.push_back({makeItem(frame, *buffer), {}});
+        if (file.file.empty()) continue;
+        if (!goOn(done / total, file.file)) return cancelled;
+        const Exporter* exporter = findExporter(file.format);
+        const auto bytes = exporter->write(written.back().item, staging.folder() / file.file);
+        if (!bytes) return inFolder(bytes.errors(), request.folder);
+        written.back().files.push_back({file.file, exporter, *bytes});
+        summary.files.push_back(file.file);
+        summary.bytes += *bytes;
+        done += static_cast<double>(file.bytes);
+    }
+
+    if (!goOn(done / total, request.writeMore ? "views" : kManifest)) return cancelled;
+    const auto views = writeViews(request, staging.folder());
+    if (!views) return inFolder(views.errors(), request.folder);
+    summary.files.insert(summary.files.end(), views->begin(), views->end());
+
+    ByteFile out(staging.folder() / kManifest);
+    // Replacing what is not UTF-8: a file's name may hold any bytes.
+    out.write(
+        manifest(frame, askedFor(frame, request), written, *views).dump(2, ' ', false, Json::error_handler_t::replace) +
+        '\n');
+    const auto bytes = out.close();
+    if (!bytes) return inFolder(bytes.errors(), request.folder);
+    summary.files.push_back(kManifest);
+    summary.bytes += *bytes;
+
+    if (!goOn(1, kManifest)) return cancelled;
+    const auto published = staging.publish();
+    if (!published) return published.errors();
+    return summary;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/core/result.h"
+#include "pipeline/run/frame.h"
+
+namespace pipeline {
+
+struct ExportRequest {
+    std::filesystem::path folder;
+    std::vector<BufferName> buffers;                 // empty: all that the frame holds
+    std::vector<std::string> formats{"npy", "png"};  // names of exporterTable()
+    // Writes more files into the folder it is given, for the same export: pictures of the 3D
+    // views. Gives their names. May be empty.
+    std::function<Result<std::vector<std::filesystem::path>>(const std::filesystem::path& folder)> writeMore;
+};
+
+// One file of an export, or the reason there is none.
+struct PlannedFile {
+    BufferName buffer;
+    std::string format;
+    std::string file;         // "depth.npy"; empty where there is none
+    std::uint64_t bytes = 0;  // before it is written
+    bool exact = false;       // bytes is certain
+    std::string whyNot;       // "A picture has pixels, not vertices."
+};
+
+// What an export would write beside manifest.json, in the order in which it would.
+std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& request);
+
+struct ExportSummary {
+    bool cancelled = false;          // nothing was written
+    std::vector<std::string> files;  // names in the folder, manifest.json last
+    std::uint64_t bytes = 0;
+};
+
+// Called before each file with the share that is done, 0 to 1; false cancels.
+using ExportProgress = std::function<bool(double share, std::string_view file)>;
+
+// Writes the buffers of a frame and manifest.json: all of them, or nothing. A file that is in
+// the folder already is replaced, other files stay. Errors: what could not be written, and why.
+Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& request,
+                                  const ExportProgress& progress = {});
+
+}  // namespace pipeline

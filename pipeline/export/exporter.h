@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "pipeline/buffers/palette.h"
+#include "pipeline/core/result.h"
+
+namespace pipeline {
+
+// A buffer on its way to a file.
+struct ExportItem {
+    AnyBuffer buffer;
+    BufferStatistics found;
+    PaletteRange range;  // what a picture of it maps to the palette's ends
+};
+
+// A file format. A new one is its pair of files and a row in exporter_table.cpp.
+struct Exporter {
+    std::string_view name;     // "npy": for --format, and the file's ending
+    std::string_view meaning;  // one sentence
+    bool usesPalette;          // the file shows colours; the range that they stand for goes with it
+    // Why the format cannot hold such a buffer, or empty.
+    std::string_view (*refuses)(const BufferInfo& info);
+    // The size of the file in bytes before it is written; exact only where `sizeIsExact`.
+    std::uint64_t (*estimate)(const AnyBuffer& buffer);
+    bool sizeIsExact;
+    // Writes a whole file; gives its size in bytes, or why it could not. A file that could not be
+    // finished stays for the caller to remove.
+    Result<std::uint64_t> (*write)(const ExportItem& item, const std::filesystem::path& file);
+};
+
+std::span<const Exporter> exporterTable();
+const Exporter* findExporter(std::string_view name);  // null where there is none
+
+// "could not write: no space left on device", at `file`; reason from errno.
+Error writeError(const std::filesystem::path& file, int errorNumber);
+
+}  // namespace pipeline

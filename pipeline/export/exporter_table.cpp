@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "pipeline/export/csv_file.h"
+#include "pipeline/export/exporter.h"
+#include "pipeline/export/exr_file.h"
+#include "pipeline/export/npy_file.h"
+#include "pipeline/export/png_file.h"
+
+namespace pipeline {
+
+namespace {
+
+std::string_view holdsAll(const BufferInfo&) { return {}; }
+
+std::string_view picturesOnly(const BufferInfo& info) {
+    switch (info.domain) {
+        case Domain::Vertex: return "A picture has pixels, not vertices.";
+        case Domain::Polygon: return "A picture has pixels, not polygons.";
+        case Domain::Pixel:
+        case Domain::Texel: break;
+    }
+    return {};
+}
+
+std::string_view floatPicturesOnly(const BufferInfo& info) {
+    if (info.element != Element::Real) return "OpenEXR has no signed and no 8-bit integers.";
+    return picturesOnly(info);
+}
+
+constexpr std::array kTable{
+    Exporter{"npy", "The numbers as they are, for NumPy: version 1.0, little-endian, C order.", false, holdsAll,
+             npySize, true, writeNpy},
+    Exporter{"png", "A picture: the colours as they are, all else through its palette.", true, picturesOnly,
+             pngEstimate, false, writePng},
+    Exporter{"csv", "A table: one line a pixel, vertex or polygon.", false, holdsAll, csvEstimate, false, writeCsv},
+    Exporter{"exr", "A picture of 32-bit floats, for OpenEXR; the numbers of a run in double are rounded.", false,
+             floatPicturesOnly, exrEstimate, false, writeExr},
+};
+
+}  // namespace
+
+std::span<const Exporter> exporterTable() { return kTable; }
+
+const Exporter* findExporter(std::string_view name) {
+    const auto found = std::ranges::find(kTable, name, &Exporter::name);
+    return found == kTable.end() ? nullptr : &*found;
+}
+
+Error writeError(const std::filesystem::path& file, int errorNumber) {
+    return {{file.string()}, "could not write: " + std::generic_category().message(errorNumber), {}};
+}
+
+}  // namespace pipeline

@@ -1,0 +1,11 @@
+#pragma once
+#include "pipeline/export/exporter.h"
+
+namespace pipeline {
+
+// OpenEXR, 32-bit float, scan lines from the top. Channels: R G B of colours, X Y Z of vectors,
+// Z of distances, Y of other single numbers. The six faces of a point light one below the other.
+std::uint64_t exrEstimate(const AnyBuffer& buffer);
+Result<std::uint64_t> writeExr(const ExportItem& item, const std::filesystem::path& file);
+
+}  // namespace pipeline

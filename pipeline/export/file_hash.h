@@ -1,0 +1,11 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace pipeline {
+
+// SHA-256 of a file's bytes, 64 hexadecimal digits; nothing when it cannot be read.
+std::optional<std::string> sha256(const std::filesystem::path& file);
+
+}  // namespace pipeline

@@ -1,0 +1,152 @@
+#include "pipeline/export/json.h"
+
+#include <set>
+
+#include "pipeline/export/file_hash.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace pipeline {
+
+namespace {
+
+Json lightToJson(const LightReport& light) {
+    return {{"light", light.light},
+            {"L", toJson(light.L)},
+            {"R", toJson(light.R)},
+            {"H", toJson(light.H)},
+            {"n_dot_l", light.nDotL},
+            {"r_dot_v", light.rDotV},
+            {"n_dot_h", light.nDotH},
+            {"specular_power", light.specularPower},
+            {"shadow", light.shadow},
+            {"diffuse", toJson(light.diffuse)},
+            {"specular", toJson(light.specular)},
+            {"note", light.note}};
+}
+
+Json evaluationToJson(const Evaluation& evaluation) {
+    Json lights = Json::array();
+    for (const LightReport& light : evaluation.lights) lights.push_back(lightToJson(light));
+    return {{"where", evaluation.where},
+            {"weight", evaluation.weight},
+            {"position", toJson(evaluation.position)},
+            {"N", toJson(evaluation.N)},
+            {"V", toJson(evaluation.V)},
+            {"lights", lights},
+            {"ambient", toJson(evaluation.ambient)},
+            {"intensity", toJson(evaluation.intensity)}};
+}
+
+Json vectorsToJson(const std::vector<Vec3d>& vectors) {
+    Json array = Json::array();
+    for (const Vec3d& vector : vectors) array.push_back(toJson(vector));
+    return array;
+}
+
+Json equationToJson(const Frame& frame, const PixelReport& report, int channel) {
+    Json lines = Json::array();
+    for (const EquationLine& line : equation(frame, report, channel))
+        lines.push_back({{"role", line.role},
+                         {"text", toText(line.formula)},
+                         {"latex", toLatex(line.formula)},
+                         {"remark", line.remark}});
+    return lines;
+}
+
+}  // namespace
+
+Json toJson(const Vec3d& vector) { return {vector.x, vector.y, vector.z}; }
+
+Json toJson(const Plan& plan) {
+    Json steps = Json::array();
+    for (const PlanStep& step : plan) {
+        Json parts = Json::array();
+        for (const PlanPart& part : step.parts)
+            parts.push_back(
+                {{"part", part.name}, {"action", name(part.action)}, {"why", part.why}, {"saves", part.saves}});
+        steps.push_back({{"stage", stageInfo(step.stage).name},
+                         {"action", name(step.action)},
+                         {"why", step.why},
+                         {"saves", step.saves},
+                         {"parts", parts}});
+    }
+    return steps;
+}
+
+Json settingsToJson(const Scene& scene) {
+    Json settings = Json::object();
+    for (const SettingRef& ref : settingsOf(scene)) {
+        Json& value = settings[ref.key()];
+        switch (ref.setting->kind) {
+            case SettingKind::Number: value = ref.get(scene); break;
+            case SettingKind::Integer: value = static_cast<long>(ref.get(scene)); break;
+            case SettingKind::Switch: value = ref.get(scene) != 0; break;
+            case SettingKind::Choice: value = formatSetting(ref, ref.get(scene)); break;
+        }
+    }
+    return settings;
+}
+
+Json sceneToJson(const Scene& scene) {
+    const auto hash = [](const std::filesystem::path& file) -> Json {
+        const auto found = sha256(file);
+        return found ? Json(*found) : Json();
+    };
+    Json objects = Json::array();
+    const std::filesystem::path folder = std::filesystem::path(scene.file).parent_path();
+    for (const Object& object : scene.objects) {
+        Json entry{{"name", object.name},
+                   {"vertices", object.mesh->positions.size()},
+                   {"polygons", object.mesh->polygonCount()}};
+        if (!object.mesh->file.empty()) {
+            entry["file"] = object.mesh->file;
+            entry["sha256"] = hash(folder / object.mesh->file);
+        }
+        objects.push_back(entry);
+    }
+    return {{"name", scene.name}, {"file", scene.file}, {"sha256", hash(scene.file)}, {"objects", objects}};
+}
+
+Json toJson(const Frame& frame, const PixelReport& report) {
+    Json json{{"pixel", {report.pixel.x, report.pixel.y}},
+              {"color", {report.color.r, report.color.g, report.color.b}},
+              {"covered", report.covered}};
+    Json fragments = Json::array(), culled = Json::array();
+    for (const FragmentReport& fragment : report.fragments)
+        fragments.push_back({{"polygon", fragment.polygon},
+                             {"depth", fragment.depth},
+                             {"stored", fragment.stored},
+                             {"verdict", name(fragment.verdict)},
+                             {"text", fragment.text}});
+    for (const CulledReport& polygon : report.culled)
+        culled.push_back(
+            {{"polygon", polygon.polygon}, {"letter", std::string(1, polygon.letter)}, {"reason", polygon.reason}});
+    if (report.covered) {
+        Json evaluations = Json::array();
+        for (const Evaluation& evaluation : report.evaluations) evaluations.push_back(evaluationToJson(evaluation));
+        json.update({{"object", report.object},
+                     {"polygon", report.polygon},
+                     {"vertices", report.vertices},
+                     {"barycentric", toJson(report.barycentric)},
+                     {"position", toJson(report.position)},
+                     {"z_view", report.zView},
+                     {"depth", report.depth},
+                     {"shadow", report.shadow},
+                     {"ambient", toJson(report.ambient)},
+                     {"diffuse", vectorsToJson(report.diffuse)},
+                     {"specular", vectorsToJson(report.specular)},
+                     {"emission", toJson(report.emission)},
+                     {"intensity", toJson(report.intensity)},
+                     {"i_max", report.iMax},
+                     {"evaluations", evaluations},
+                     {"equation",
+                      {{"r", equationToJson(frame, report, 0)},
+                       {"g", equationToJson(frame, report, 1)},
+                       {"b", equationToJson(frame, report, 2)}}}});
+    }
+    json["fragments"] = fragments;
+    json["culled"] = culled;
+    return json;
+}
+
+}  // namespace pipeline

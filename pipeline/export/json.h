@@ -1,0 +1,24 @@
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "pipeline/inspect/pixel_report.h"
+#include "pipeline/run/frame.h"
+
+namespace pipeline {
+
+// Members stand in the order in which they are written. Numbers that JSON has no text for
+// (infinities, NaN) become null.
+using Json = nlohmann::ordered_json;
+
+// One object a stage: stage, action, why, saves, parts.
+Json toJson(const Plan& plan);
+// Every setting of a scene: key to number, true or false, or the name of a choice.
+Json settingsToJson(const Scene& scene);
+// The scene's name and files, with their SHA-256 where they can be read.
+Json sceneToJson(const Scene& scene);
+// What `inspect` prints, as values. The equation for each of r, g and b.
+Json toJson(const Frame& frame, const PixelReport& report);
+
+Json toJson(const Vec3d& vector);  // [x, y, z]
+
+}  // namespace pipeline

@@ -1,0 +1,89 @@
+#include "pipeline/export/manifest.h"
+
+#include <algorithm>
+
+#include "pipeline/core/version.h"
+#include "pipeline/export/png_file.h"
+#include "pipeline/stages/cull.h"
+
+namespace pipeline {
+
+namespace {
+
+Json runTimes(const Frame& frame) {
+    Json stages = Json::array();
+    for (const StageId stage : kStages) {
+        const StageRun& run = frame.run(stage);
+        stages.push_back(
+            {{"stage", stageInfo(stage).name}, {"milliseconds", run.milliseconds}, {"counts", run.counts}});
+    }
+    return stages;
+}
+
+Json verdicts() {
+    Json codes = Json::array();
+    for (std::size_t code = 0; code < kVerdictCount; ++code) {
+        const auto verdict = static_cast<Verdict>(code);
+        codes.push_back({{"code", code}, {"letter", std::string(1, letter(verdict))}, {"verdict", name(verdict)}});
+    }
+    return codes;
+}
+
+Json describe(const WrittenBuffer& written) {
+    const AnyBuffer& buffer = written.item.buffer;
+    const BufferInfo& info = *buffer.info;
+    const BufferStatistics& found = written.item.found;
+    Json files = Json::array();
+    for (const WrittenFile& file : written.files) {
+        Json entry{{"file", file.file}, {"format", file.exporter->name}, {"bytes", file.bytes}};
+        if (file.exporter->usesPalette) {
+            entry["palette"] = paletteName(info.palette);
+            entry["range"] = {written.item.range.first, written.item.range.last};
+        }
+        files.push_back(entry);
+    }
+    return {{"name", buffer.name.text()},
+            {"stage", stageInfo(info.stage).name},
+            {"meaning", info.meaning},
+            {"shape", buffer.shape},
+            {"dtype", buffer.dtype()},
+            {"unit", info.unit},
+            {"space", info.space},
+            {"minimum", found.finite > 0 ? Json(found.min) : Json()},
+            {"maximum", found.finite > 0 ? Json(found.max) : Json()},
+            {"non_finite", found.nan + found.infinite},
+            {"nan", found.nan},
+            {"files", files}};
+}
+
+Json absent(const Frame& frame, const std::vector<BufferName>& asked) {
+    Json buffers = Json::array();
+    for (const BufferName& buffer : asked) {
+        if (frame.buffer(buffer)) continue;
+        buffers.push_back({{"name", buffer.text()},
+                           {"stage", stageInfo(bufferInfo(buffer.id).stage).name},
+                           {"why", frame.whyAbsent(buffer)}});
+    }
+    return buffers;
+}
+
+}  // namespace
+
+Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
+              const std::vector<std::string>& views) {
+    Json described = Json::array();
+    for (const WrittenBuffer& buffer : buffers) described.push_back(describe(buffer));
+    return {{"program", {{"name", "Shadescope"}, {"version", programVersion()}}},
+            {"scene", sceneToJson(frame.scene())},
+            {"settings", settingsToJson(frame.scene())},
+            {"until", stageInfo(frame.until()).name},
+            {"plan", toJson(frame.plan())},
+            {"milliseconds", frame.milliseconds()},
+            {"stages", runTimes(frame)},
+            {"verdicts", verdicts()},
+            {"buffers", described},
+            {"absent", absent(frame, asked)},
+            {"views", views}};
+}
+
+}  // namespace pipeline

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pipeline/export/exporter.h"
+#include "pipeline/export/json.h"
+
+namespace pipeline {
+
+// A file that an export has written.
+struct WrittenFile {
+    std::string file;  // in the export's folder
+    const Exporter* exporter;
+    std::uint64_t bytes;
+};
+
+struct WrittenBuffer {
+    ExportItem item;
+    std::vector<WrittenFile> files;
+};
+
+// The text of manifest.json: which program made this of what, with which settings and plan,
+// and what each file holds. `asked` are the buffers that were to be exported.
+Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
+              const std::vector<std::string>& views);
+
+}  // namespace pipeline

@@ -1,0 +1,14 @@
+#pragma once
+#include "pipeline/export/exporter.h"
+
+namespace pipeline {
+
+// 8-bit sRGB. The frame buffer as it is; other buffers through their palette, whose name and
+// range stand in text chunks. Unbounded values as palette.h says.
+std::uint64_t pngEstimate(const AnyBuffer& buffer);
+Result<std::uint64_t> writePng(const ExportItem& item, const std::filesystem::path& file);
+
+// "ember", "slope", "eight", "verdict", "direction", "color".
+std::string_view paletteName(Palette palette);
+
+}  // namespace pipeline

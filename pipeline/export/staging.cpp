@@ -1,0 +1,91 @@
+#include "pipeline/export/staging.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <ranges>
+#include <system_error>
+#include <utility>
+
+#include "pipeline/export/exporter.h"
+
+namespace pipeline {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Error folderError(const fs::path& folder, const std::error_code& error) { return writeError(folder, error.value()); }
+
+// A new folder ".NAME.part-PID" in `parent`.
+fs::path makeHidden(const fs::path& parent, const fs::path& name, std::error_code& error) {
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        const std::string suffix = ".part-" + std::to_string(::getpid()) + '-' + std::to_string(attempt);
+        const fs::path folder = parent / ('.' + name.string() + suffix);
+        if (fs::create_directory(folder, error) || error) return folder;
+    }
+    error = std::make_error_code(std::errc::file_exists);
+    return {};
+}
+
+}  // namespace
+
+Result<Staging> Staging::begin(const fs::path& target) {
+    Staging staging;
+    std::error_code error;
+    staging.m_target = fs::absolute(target, error).lexically_normal();
+    if (!staging.m_target.has_filename()) staging.m_target = staging.m_target.parent_path();  // "out/"
+    const bool exists = fs::exists(staging.m_target, error);
+    if (exists && !fs::is_directory(staging.m_target, error)) return writeError(target, ENOTDIR);
+
+    fs::path parent = exists ? staging.m_target : staging.m_target.parent_path();
+    std::vector<fs::path> missing;  // innermost first
+    for (fs::path p = parent; !fs::exists(p, error) && !error && p.has_relative_path(); p = p.parent_path())
+        missing.push_back(p);
+    for (const fs::path& p : missing | std::views::reverse) {
+        if (!fs::create_directory(p, error)) {
+            return folderError(target, error ? error : std::make_error_code(std::errc::file_exists));
+        }
+        staging.m_made.push_back(p);
+    }
+    const fs::path folder = makeHidden(parent, staging.m_target.filename(), error);
+    if (error) return folderError(target, error);
+    staging.m_folder = folder;
+    return staging;
+}
+
+Staging::Staging(Staging&& other) noexcept
+    : m_target(std::move(other.m_target)),
+      m_folder(std::exchange(other.m_folder, {})),
+      m_made(std::exchange(other.m_made, {})) {}
+
+Staging::~Staging() {
+    std::error_code ignored;
+    if (!m_folder.empty()) fs::remove_all(m_folder, ignored);
+    for (const fs::path& p : m_made | std::views::reverse) fs::remove(p, ignored);  // only while empty
+}
+
+Result<std::monostate> Staging::publish() {
+    std::error_code error;
+    if (!fs::exists(m_target)) {
+        fs::rename(m_folder, m_target, error);
+        if (error) return folderError(m_target, error);
+    } else {
+        std::vector<fs::path> names;
+        for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, error))
+            names.push_back(entry.path().filename());
+        // Looked at before the first one moves: either all can, or none does.
+        for (const fs::path& name : names)
+            if (fs::is_directory(m_target / name, error)) return writeError(m_target / name, EISDIR);
+        for (const fs::path& name : names) {
+            fs::rename(m_folder / name, m_target / name, error);
+            if (error) return folderError(m_target / name, error);
+        }
+        fs::remove(m_folder, error);
+    }
+    m_folder.clear();
+    m_made.clear();
+    return std::monostate{};
+}
+
+}  // namespace pipeline

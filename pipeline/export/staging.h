@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "pipeline/core/result.h"
+
+namespace pipeline {
+
+// Files that appear in a folder together or not at all: they are written into a hidden folder
+// on the same disk and moved when all are there. What was in the folder stays, but for files of
+// the same name. Gone without a trace when it is destroyed unpublished.
+class Staging {
+public:
+    // `target` may exist, or not; missing parents are made.
+    static Result<Staging> begin(const std::filesystem::path& target);
+    Staging(Staging&& other) noexcept;
+    Staging& operator=(Staging&&) = delete;
+    ~Staging();
+
+    const std::filesystem::path& folder() const { return m_folder; }  // to write into
+    Result<std::monostate> publish();
+
+private:
+    Staging() = default;
+    std::filesystem::path m_target, m_folder;   // m_folder is empty once published or moved from
+    std::vector<std::filesystem::path> m_made;  // parents that were missing, outermost first
+};
+
+}  // namespace pipeline

@@ -1,0 +1,47 @@
+#include "pipeline/formats/format_table.h"
+
+#include <algorithm>
+#include <array>
+
+#include "pipeline/formats/lecture_formats.h"
+
+namespace pipeline {
+namespace {
+
+constexpr auto kFormats = std::to_array<Format>({
+    {"scene description", ".scene", looksLikeLectureScene, readLectureScene},
+    {"object description", ".des", looksLikeLectureObject, readLectureObject},
+});
+
+bool sameLetters(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+}  // namespace
+
+std::span<const Format> formatTable() { return kFormats; }
+
+const Format* findFormat(std::string_view start, std::string_view extension) {
+    const Format* first = nullptr;
+    const Format* named = nullptr;
+    for (const Format& format : kFormats) {
+        const bool fits = format.looksLike(start), isNamed = sameLetters(format.extension, extension);
+        if (fits && isNamed) return &format;
+        if (fits && !first) first = &format;
+        if (isNamed) named = &format;
+    }
+    return first ? first : named;
+}
+
+std::string knownFormats() {
+    std::string text;
+    for (const Format& format : kFormats) {
+        if (!text.empty()) text += &format == &kFormats.back() ? " or " : ", ";
+        text += std::string("aeiou").find(format.name[0]) == std::string::npos ? "a " : "an ";
+        text += std::string(format.name) + " (" + std::string(format.extension) + ")";
+    }
+    return text;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "pipeline/formats/lecture_formats.h"
+#include "pipeline/formats/lecture_values.h"
+
+namespace pipeline {
+namespace {
+
+constexpr std::size_t kMaxPolygonVertices = std::size_t{1} << 20;
+constexpr Countable kVertices{"vertex", "vertices", 3, kMaxVertices, 3};
+constexpr Countable kPolygons{"polygon", "polygons", 1, kMaxTriangles, 4};
+constexpr Countable kCorners{"vertex", "vertices", 3, kMaxPolygonVertices, 1};
+
+// In the order of the file.
+constexpr std::string_view kMaterialKeys[] = {"material.#.kr", "material.#.kg", "material.#.kb", "material.#.ks",
+                                              "material.#.n"};
+
+void readVertices(TextScanner& scanner, std::size_t count, Mesh& mesh) {
+    const Setting& place = settingRow("object.#.tx");  // a vertex may be as far away as an object
+    for (std::size_t i = 0; i < count && scanner.good(); ++i) {
+        Vec3d& position = mesh.positions.emplace_back();
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::optional<double> value = parseNumber(scanner.next());
+            if (value && *value >= place.min && *value <= place.max)
+                position[axis] = *value;
+            else
+                scanner.refuse(std::string(1, "xyz"[axis]) + " of vertex " + std::to_string(i) + ", " +
+                               numberFrom(place.min, place.max));
+        }
+    }
+}
+
+void readPolygon(TextScanner& scanner, std::size_t cornerCount, Mesh& mesh) {
+    const std::size_t first = mesh.corners.size();
+    for (std::size_t k = 0; k < cornerCount && scanner.good(); ++k) {
+        const std::optional<std::uint64_t> index = parseCount(scanner.next());
+        const bool known = index && *index < mesh.positions.size();
+        const std::uint32_t corner = known ? static_cast<std::uint32_t>(*index) : UINT32_MAX;
+        if (!known)
+            scanner.refuse("a vertex index from 0 to " + std::to_string(mesh.positions.size() - 1));
+        else if (k > 0 && corner == mesh.corners.back())
+            scanner.refuse("a vertex other than the one before");
+        else if (k > 0 && k + 1 == cornerCount && corner == mesh.corners[first])
+            scanner.refuse("a vertex other than the polygon's first: a polygon closes by itself");
+        mesh.corners.push_back(corner);
+    }
+    mesh.firstCorner.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+}
+
+// False when the rest of the file cannot be made sense of.
+bool readPolygons(TextScanner& scanner, std::size_t count, Mesh& mesh) {
+    mesh.firstCorner.assign(1, 0);
+    for (std::size_t i = 0; i < count && scanner.good(); ++i) {
+        const std::optional<std::size_t> corners = readCount(scanner, kCorners, i);
+        if (!corners) return false;
+        mesh.polygonPlaces.push_back(scanner.place());
+        readPolygon(scanner, *corners, mesh);
+    }
+    return scanner.good();
+}
+
+}  // namespace
+
+ObjectDescription readObjectDescription(const SourceText& source, Errors& errors) {
+    TextScanner scanner(source.text, source.name, errors);
+    ObjectDescription description;
+    const std::optional<std::size_t> vertices = readCount(scanner, kVertices);
+    if (!vertices || *vertices < kVertices.least) return description;
+    const std::optional<std::size_t> polygons = readCount(scanner, kPolygons);
+    if (!polygons) return description;
+    readVertices(scanner, *vertices, description.mesh);
+    if (!readPolygons(scanner, *polygons, description.mesh)) return description;
+
+    Scene scratch;  // settings belong to scenes
+    scratch.objects.emplace_back();
+    readSettings(scanner, kMaterialKeys, scratch);
+    description.material = scratch.objects[0].material;
+    expectEnd(scanner);
+    return description;
+}
+
+Result<Scene> readLectureObject(const SourceText& source, const FileLoader&) {
+    Errors errors;
+    ObjectDescription description = readObjectDescription(source, errors);
+    if (!errors.empty()) return errors;
+    const std::filesystem::path file(source.name);
+    Mesh& mesh = description.mesh;
+    mesh.file = file.filename().string();
+
+    Vec3d low = mesh.positions.front(), high = low;
+    for (const Vec3d& p : mesh.positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    const Vec3d center = 0.5 * (low + high);
+    const double halfDiagonal = glm::length(high - center);
+    const double radius = halfDiagonal > 0 ? halfDiagonal : 1;
+
+    Scene scene;
+    Object& object = scene.objects.emplace_back();
+    object.name = file.stem().string();
+    object.mesh = makeMesh(std::move(mesh));
+    object.material = description.material;
+    object.transform.translation = -center;
+    // Four radii away, a sphere's outline appears at d / sqrt(4² - 1) from the picture's centre;
+    // it is to fill four fifths of the picture's height.
+    scene.camera.rho = 4 * radius;
+    scene.camera.screenDistance = 0.8 * scene.settings.height / 2 * std::sqrt(15.0);
+    scene.lights.push_back({.position = {500, 500, 500}, .intensity = 100});
+    scene.ambient.intensity = 50;
+    return scene;
+}
+
+bool looksLikeLectureObject(std::string_view start) {
+    const std::vector<std::string_view> words = firstWords(start, 6);
+    return words.size() >= 2 && parseCount(words[0]) && parseCount(words[1]) &&
+           std::all_of(words.begin(), words.end(), parseNumber);
+}
+
+}  // namespace pipeline

@@ -1,0 +1,59 @@
+#include "pipeline/formats/scene_reader.h"
+
+#include <new>
+
+#include "pipeline/formats/format_table.h"
+#include "pipeline/formats/text_scanner.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace pipeline {
+namespace {
+
+constexpr std::size_t kStart = 64 * 1024;  // bytes that tell the format
+
+Errors inFile(Errors errors, const std::string& file) {
+    for (Error& error : errors)
+        if (error.where.file.empty()) error.where.file = file;
+    return errors;
+}
+
+// Spares reading a large file that cannot be a scene.
+bool beginsWithEndlessWord(std::string_view start) {
+    Errors none;
+    return TextScanner(start, {}, none).next().size() > kMaxWord;
+}
+
+Error refused(SourceLocation where, std::string found) { return {std::move(where), std::move(found), knownFormats()}; }
+
+Result<Scene> readUnchecked(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    Result<std::string> text = readStart(file, kStart);
+    if (!text) return text.errors();
+    const Format* format = findFormat(*text, file.extension().string());
+    if (!format) return refused({name, 0, 0}, "found no scene");
+    if (!format->looksLike(*text) && beginsWithEndlessWord(*text))
+        return refused({name, 1, 1}, "found a word of more than " + groupedDigits(kMaxWord) + " bytes");
+    if (text->size() == kStart) text = readFile(file);
+    if (!text) return text.errors();
+    return format->read({*text, name}, filesBeside(file));
+}
+
+}  // namespace
+
+Result<Scene> readScene(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    try {
+        Result<Scene> result = readUnchecked(file);
+        if (!result) return inFile(result.errors(), name);
+        Scene scene = std::move(result).value();
+        scene.name = file.filename().string();
+        scene.file = name;
+        const Errors errors = checkScene(scene);
+        if (!errors.empty()) return inFile(errors, name);
+        return scene;
+    } catch (const std::bad_alloc&) {
+        return Error{{name, 0, 0}, "not enough memory to read the scene", {}};
+    }
+}
+
+}  // namespace pipeline

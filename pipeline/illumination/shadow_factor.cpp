@@ -1,0 +1,71 @@
+#include "pipeline/illumination/shadow_factor.h"
+
+#include <cmath>
+
+namespace pipeline {
+namespace {
+
+template <class Real>
+Real closedFormBias(const View& face, Vec3<Real> p, Vec3<Real> n, Real texels) {
+    const Vec2<Real> width(1.0 / face.scale);
+    const Real delta = texels * (std::abs(n.x) * width.x + std::abs(n.y) * width.y);
+    if (!face.perspective) return delta / std::abs(n.z);
+    const Real relative = p.z * delta / std::abs(glm::dot(n, p));
+    // relative / (1 + relative) tends to 1 as the plane runs through the light.
+    return std::isfinite(relative) ? p.z * (relative / (1 + relative)) : p.z;
+}
+
+// Texels beyond +-2^30 are outside every buffer; the conversion to int must not overflow.
+template <class Real>
+int texelAt(Real x) {
+    constexpr Real kLimit = Real(1 << 30);
+    return x > -kLimit && x < kLimit ? static_cast<int>(std::floor(x)) : -1;
+}
+
+}  // namespace
+
+template <class Real>
+ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
+                            Vec3<Real> normal) {
+    ShadowTest<Real> test;
+    test.face = faceOf(light, position);
+    const View& face = light.faces[test.face];
+    const Vec3<Real> p = toLightView(face, position);
+    const Real spread = face.perspective ? p.z : Real(1);
+    test.texel = {texelAt(Real(face.centre.x) + Real(face.scale.x) * p.x / spread),
+                  texelAt(Real(face.centre.y) - Real(face.scale.y) * p.y / spread)};
+    test.z = p.z;
+    if (settings.bias == ShadowBias::Constant) {
+        test.bias = Real(settings.biasValue);
+        return test;
+    }
+    const Vec3<Real> n{glm::dot(Vec3<Real>(face.right), normal), glm::dot(Vec3<Real>(face.up), normal),
+                       glm::dot(Vec3<Real>(face.forward), normal)};
+    const Real texels = Real(settings.filter) + Real(0.5) + Real(1) / 128;
+    const Real slope = closedFormBias(face, p, n, texels);
+    test.bias = settings.bias == ShadowBias::Slope ? Real(settings.biasValue) * slope : slope + light.rounding;
+    return test;
+}
+
+template <class Real>
+Real shadowFactor(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
+                  Vec3<Real> normal) {
+    const ShadowTest<Real> test = shadowTest(light, settings, position, normal);
+    const Buffer2D<Real>& depth = light.depth[test.face];
+    const int r = settings.filter;
+    int lit = 0;
+    for (int y = test.texel.y - r; y <= test.texel.y + r; ++y) {
+        for (int x = test.texel.x - r; x <= test.texel.x + r; ++x) {
+            const bool inside = x >= 0 && y >= 0 && x < depth.size.x && y < depth.size.y;
+            if (!inside || !(test.z > depth.at({x, y}) + test.bias)) ++lit;
+        }
+    }
+    return Real(lit) / Real((2 * r + 1) * (2 * r + 1));
+}
+
+template ShadowTest<float> shadowTest(const LightView<float>&, const ShadowSettings&, Vec3<float>, Vec3<float>);
+template ShadowTest<double> shadowTest(const LightView<double>&, const ShadowSettings&, Vec3<double>, Vec3<double>);
+template float shadowFactor(const LightView<float>&, const ShadowSettings&, Vec3<float>, Vec3<float>);
+template double shadowFactor(const LightView<double>&, const ShadowSettings&, Vec3<double>, Vec3<double>);
+
+}  // namespace pipeline

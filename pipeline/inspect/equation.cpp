@@ -1,0 +1,203 @@
+// The illumination equation of a pixel: symbols, numbers, result.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pipeline/inspect/formula_parts.h"
+#include "pipeline/inspect/pixel_report.h"
+
+namespace pipeline {
+namespace {
+
+constexpr const char* kChannels[]{"r", "g", "b"};
+
+struct Writer {
+    const Scene& scene;
+    const PixelReport& report;
+    int c;
+    std::vector<EquationLine> lines;
+
+    const Material& material() const { return scene.objects[std::size_t(report.object)].material; }
+    std::string materialKey(std::string_view name) const { return fmt::format("material.{}.{}", report.object, name); }
+    // L, R, N·L carry the light's index only where there are several.
+    Formula indexed(VectorCode code, std::string_view buffer, int light) const {
+        Formula v = vector(code, fmt::format("{}.{}", buffer, light));
+        return scene.lights.size() > 1 ? script(std::move(v), text(std::to_string(light)), row({})) : v;
+    }
+    Formula dot(Formula a, Formula b) const {
+        return row({text("("), std::move(a), text("·"), std::move(b), text(")")});
+    }
+    Formula L(int k) const { return indexed(VectorCode::L, "light_vector", k); }
+    Formula R(int k) const { return indexed(VectorCode::R, "reflection_vector", k); }
+    Formula N() const { return vector(VectorCode::N, "normal"); }
+    Formula V() const { return vector(VectorCode::V, "view_vector"); }
+    Formula intensity() const { return sub("I", kChannels[c], "intensity"); }
+
+    void add(std::string role, std::vector<Formula> parts, std::string remark = {}) {
+        lines.push_back({std::move(role), row(std::move(parts)), std::move(remark)});
+    }
+
+    double lightIntensity(std::size_t k) const { return scene.lights[k].intensity * scene.lights[k].color[c]; }
+    double ambientIntensity() const { return scene.ambient.intensity * scene.ambient.color[c]; }
+    bool hasSpecular() const { return material().specular[c] != 0; }
+
+    void symbols(std::string remark);
+    void numbers(const Evaluation& e);
+    void result(const Evaluation& e);
+    void rows(const Evaluation& e);
+    void frameBuffer();
+    void weighted();
+};
+
+// I_b = k_b I_a + S_0 I_0 [ k_b (N·L) + k_s (R·V)^n ]
+void Writer::symbols(std::string remark) {
+    const std::string channel = kChannels[c], kd = materialKey("k" + channel);
+    std::vector<Formula> parts{intensity(), text("="), sub("k", channel, kd), sub("I", "a", "ambient.intensity")};
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+        const std::string index = std::to_string(k);
+        parts.push_back(text("+"));
+        parts.push_back(sub("S", index, "shadow." + index));
+        parts.push_back(sub("I", index, "light." + index + ".intensity"));
+        parts.push_back(text("["));
+        parts.push_back(sub("k", channel, kd));
+        parts.push_back(dot(N(), L(int(k))));
+        parts.push_back(text("+"));
+        parts.push_back(sub("k", "s", materialKey("ks")));
+        parts.push_back(power(dot(R(int(k)), V()), symbol("n", materialKey("n"))));
+        parts.push_back(text("]"));
+    }
+    add("symbols", std::move(parts), std::move(remark));
+}
+
+// = 0.9·50 + 1·100 [ 0.9·0.7746 + 0.4·0.3974^8 ]; what a clamp or a factor 0 removes is struck.
+void Writer::numbers(const Evaluation& e) {
+    const std::string kd = shortest(material().diffuse[c]), ks = shortest(material().specular[c]);
+    std::vector<Formula> parts{text("="), text(kd + "·" + shortest(ambientIntensity()))};
+    for (const LightReport& light : e.lights) {
+        const auto k = std::size_t(light.light);
+        Formula shadow = text(shortest(light.shadow), fmt::format("shadow.{}", k));
+        parts.push_back(text("+"));
+        parts.push_back(light.shadow == 0 ? struck(shadow) : shadow);
+        parts.push_back(text("·" + shortest(lightIntensity(k))));
+        parts.push_back(text("["));
+        parts.push_back(text(kd + "·"));
+        Formula cosine = text(fixed(light.nDotL, 4), fmt::format("n_dot_l.{}", k));
+        if (light.nDotL > 0)
+            parts.push_back(cosine);
+        else
+            parts.insert(parts.end(), {struck(cosine), text("0")});
+        parts.push_back(text("+"));
+        parts.push_back(text(ks + "·"));
+        Formula mirror = text(fixed(light.rDotV, 4), fmt::format("r_dot_v.{}", k));
+        if (light.nDotL > 0 && light.rDotV > 0)
+            parts.push_back(power(std::move(mirror), text(shortest(material().exponent), materialKey("n"))));
+        else
+            parts.insert(parts.end(), {struck(mirror), text("0")});
+        parts.push_back(text("]"));
+    }
+    add("numbers", std::move(parts));
+}
+
+// = 45.000 + 69.714 + 0.025 = 114.739
+void Writer::result(const Evaluation& e) {
+    std::vector<Formula> parts{text("="), text(fixed(e.ambient[c], 3), "ambient")};
+    for (const LightReport& light : e.lights) {
+        parts.insert(parts.end(),
+                     {text("+"), text(fixed(light.diffuse[c], 3), fmt::format("diffuse.{}", light.light))});
+        parts.insert(parts.end(),
+                     {text("+"), text(fixed(light.specular[c], 3), fmt::format("specular.{}", light.light))});
+    }
+    parts.insert(parts.end(), {text("="), text(fixed(e.intensity[c], 3), "intensity")});
+    add("result", std::move(parts));
+}
+
+std::string components(Vec3d v) {
+    const auto one = [](double x) { return x == 0 || x == 1 || x == -1 ? shortest(x) : fixed(x, 3); };
+    return fmt::format("({}, {}, {})", one(v.x), one(v.y), one(v.z));
+}
+
+std::string degrees(double cosine) {
+    return fixed(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi, 1) + "°";
+}
+
+void Writer::rows(const Evaluation& e) {
+    for (const LightReport& light : e.lights) {
+        const int k = light.light;
+        add("row",
+            {N(), text("·"), L(k), text("="), text(components(e.N)), text("·"), text(components(light.L)), text("="),
+             text(fixed(light.nDotL, 4))},
+            degrees(light.nDotL));
+        if (!hasSpecular() || !(light.nDotL > 0)) {
+            if (!light.note.empty()) add("note", {text(light.note)});
+            continue;
+        }
+        add("row",
+            {R(k), text("="), text("2"), dot(N(), L(k)), N(), text("−"), L(k), text("="), text(components(light.R))});
+        add("row",
+            {R(k), text("·"), V(), text("="), text(components(light.R)), text("·"), text(components(e.V)), text("="),
+             text(fixed(light.rDotV, 4))},
+            degrees(light.rDotV));
+        if (!light.note.empty()) add("note", {text(light.note)});
+    }
+}
+
+void Writer::frameBuffer() {
+    const Formula value = text(std::to_string(int(report.color[c])), "color");
+    Formula name = script(text("FB"), text(kChannels[c]), row({}), "color");
+    if (!(report.iMax > 0)) {
+        add("frame buffer", {std::move(name), text("="), value}, "I_max is 0: the picture is black");
+        return;
+    }
+    const auto rounded = [](Formula top, Formula bottom) {
+        return row({text("round("), text("255"), text("·"), fraction(std::move(top), std::move(bottom)), text(")")});
+    };
+    const double share = report.intensity[c] / report.iMax;
+    const std::string remark = share > 1 ? "above I_max: clamped to 1" : share < 0 ? "below 0: clamped to 0" : "";
+    add("frame buffer",
+        {std::move(name), text("="), rounded(intensity(), sub("I", "max")), text("="),
+         rounded(text(fixed(report.intensity[c], 3)), text(shortest(report.iMax))), text("="), value},
+        remark);
+}
+
+// Gouraud: the pixel's intensity from those at the vertices.
+void Writer::weighted() {
+    std::vector<Formula> symbols{intensity(), text("=")}, numbers{text("=")}, result{text("=")};
+    for (std::size_t i = 0; i < report.evaluations.size(); ++i) {
+        const Evaluation& e = report.evaluations[i];
+        if (i > 0)
+            for (auto* parts : {&symbols, &numbers, &result}) parts->push_back(text("+"));
+        symbols.push_back(sub("λ", std::to_string(i), "barycentric"));
+        symbols.push_back(script(symbol("I"), text(std::to_string(report.vertices[i])), row({}), "vertices.intensity"));
+        numbers.push_back(text(fixed(e.weight, 4) + "·" + fixed(e.intensity[c], 3)));
+        result.push_back(text(fixed(e.weight * e.intensity[c], 3)));
+    }
+    result.insert(result.end(), {text("="), text(fixed(report.intensity[c], 3), "intensity")});
+    add("symbols", std::move(symbols), "Gouraud: evaluated at the vertices, then interpolated");
+    add("numbers", std::move(numbers));
+    add("result", std::move(result));
+}
+
+}  // namespace
+
+std::vector<EquationLine> equation(const Frame& frame, const PixelReport& report, int channel) {
+    if (report.evaluations.empty()) return {};
+    Writer writer{frame.scene(), report, channel, {}};
+    if (report.evaluations.size() > 1) {
+        writer.weighted();
+        writer.frameBuffer();
+    }
+    for (const Evaluation& e : report.evaluations) {
+        const bool single = report.evaluations.size() == 1;
+        const bool flat = frame.scene().settings.shading == Shading::Flat;
+        writer.symbols(!single ? e.where
+                       : flat  ? "Flat: evaluated once, " + e.where
+                               : "Phong shading: evaluated " + e.where);
+        writer.numbers(e);
+        writer.result(e);
+        if (single) writer.frameBuffer();
+        writer.rows(e);
+    }
+    return writer.lines;
+}
+
+}  // namespace pipeline

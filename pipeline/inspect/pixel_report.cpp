@@ -1,0 +1,174 @@
+#include "pipeline/inspect/pixel_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/inspect/replay.h"
+
+namespace pipeline {
+
+std::string_view name(FragmentVerdict verdict) {
+    switch (verdict) {
+        case FragmentVerdict::WonStays: return "won, stays";
+        case FragmentVerdict::Overwritten: return "overwritten";
+        case FragmentVerdict::NotNearer: return "not nearer";
+    }
+    return {};
+}
+
+std::string depthText(double depth) {
+    if (!std::isfinite(depth)) return "+∞";
+    // Seven significant digits, always as many decimals: a column of depths stays aligned.
+    const int magnitude = depth == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(depth))));
+    return fmt::format("{:.{}f}", depth, std::clamp(6 - magnitude, 0, 17));
+}
+
+namespace {
+
+template <class Real>
+LightReport reportLight(std::size_t k, const LightSample<Real>& s, double shadow) {
+    LightReport r{int(k),
+                  Vec3d(s.L),
+                  Vec3d(s.R),
+                  Vec3d(s.H),
+                  double(s.nDotL),
+                  double(s.rDotV),
+                  double(s.nDotH),
+                  double(s.specularPower),
+                  shadow,
+                  shadow * Vec3d(s.diffuse),
+                  shadow * Vec3d(s.specular),
+                  {}};
+    if (!(s.nDotL > 0))
+        r.note = fmt::format("N·L is not above 0, so light {} adds nothing here.", k);
+    else if (shadow == 0)
+        r.note = fmt::format("In the shadow of light {}: only the ambient term counts.", k);
+    else if (!(s.rDotV > 0))
+        r.note = fmt::format("R·V is not above 0, so light {} adds no specular part.", k);
+    return r;
+}
+
+template <class Real>
+Evaluation evaluate(const FrameData<Real>& data, const Surface<Real>& at, std::size_t object, std::string where,
+                    double weight, const std::vector<double>& shadow) {
+    const ShadingInputs& inputs = data.keys.shading;
+    const Material& material = inputs.materials[object];
+    Evaluation e{std::move(where), weight, Vec3d(at.position), Vec3d(at.N), Vec3d(at.V), {}, {}, {}};
+    e.ambient = Vec3d(ambientTerm<Real>(inputs.ambient, material));
+    e.intensity = e.ambient;
+    for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
+        e.lights.push_back(reportLight(k, sampleLight(inputs.lights[k], material, at), shadow[k]));
+        e.intensity += e.lights.back().diffuse;
+        e.intensity += e.lights.back().specular;
+    }
+    return e;
+}
+
+std::string placeText(Vec3d p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
+
+template <class Real>
+void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Real> b, PixelReport& report) {
+    const TransformOutput<Real>& in = *data.transform;
+    const Triangle& triangle = in.topology->triangles[triangleId];
+    const std::size_t object = in.topology->polygonObject[triangle.polygon];
+    switch (data.keys.shading.shading) {
+        case Shading::Flat: {
+            const Surface<Real> at = polygonSurface(in, *data.normals, triangle.polygon);
+            report.evaluations.push_back(evaluate(
+                data, at, object, "at the mean of the vertices " + placeText(Vec3d(at.position)), 1, report.shadow));
+            break;
+        }
+        case Shading::Gouraud:
+            for (int i = 0; i < 3; ++i) {
+                const Surface<Real> at = vertexSurface(in, *data.normals, triangle.vertices[i]);
+                report.evaluations.push_back(evaluate(
+                    data, at, object, fmt::format("at vertex {}", triangle.vertices[i]), double(b[i]), report.shadow));
+            }
+            break;
+        case Shading::Phong:
+            report.evaluations.push_back(evaluate(data, pixelSurface(in, *data.normals, triangleId, b), object,
+                                                  "at the pixel", 1, report.shadow));
+            break;
+    }
+}
+
+// Intensities and terms as the frame has them: the weighted sum of the evaluations.
+void sumUp(PixelReport& report, std::size_t lights) {
+    report.diffuse.assign(lights, Vec3d(0));
+    report.specular.assign(lights, Vec3d(0));
+    report.ambient = report.evaluations[0].ambient;
+    for (const Evaluation& e : report.evaluations) {
+        for (std::size_t k = 0; k < lights; ++k) {
+            report.diffuse[k] += e.weight * e.lights[k].diffuse;
+            report.specular[k] += e.weight * e.lights[k].specular;
+        }
+    }
+}
+
+template <class Real>
+void reportFragments(const FrameData<Real>& data, PixelReport& report) {
+    const auto record = replayPixel(data, report.pixel);
+    std::size_t lastWon = record.size();
+    for (std::size_t i = 0; i < record.size(); ++i)
+        if (record[i].won) lastWon = i;
+    const bool reversed = data.transform->depthFormat == DepthFormat::Reversed;
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        const FragmentRecord<Real>& f = record[i];
+        const FragmentVerdict verdict = !f.won         ? FragmentVerdict::NotNearer
+                                        : i == lastWon ? FragmentVerdict::WonStays
+                                                       : FragmentVerdict::Overwritten;
+        const std::string_view sign = f.won ? (reversed ? ">" : "<") : (reversed ? "≤" : "≥");
+        report.fragments.push_back(
+            {int(data.transform->topology->triangles[f.triangle].polygon), double(f.depth), double(f.stored), verdict,
+             fmt::format("{} {} {}", depthText(double(f.depth)), sign, depthText(double(f.stored)))});
+    }
+    for (std::uint32_t polygon : culledAt(data, report.pixel))
+        report.culled.push_back({int(polygon), letter(data.cull->verdicts[polygon]), data.cull->reason(polygon)});
+}
+
+template <class Real>
+void fill(const FrameData<Real>& data, PixelReport& report) {
+    if (!data.zBuffer) return;
+    reportFragments(data, report);
+    const std::size_t at = data.zBuffer->zView.offset(report.pixel);
+    const std::uint32_t triangle = data.zBuffer->triangle.pixels[at];
+    if (triangle == kNoTriangle) return;
+    const Topology& topology = *data.transform->topology;
+    const Vec3<Real> b = data.zBuffer->barycentric.pixels[at];
+    report.covered = true;
+    report.polygon = int(topology.triangles[triangle].polygon);
+    report.object = int(topology.polygonObject[std::size_t(report.polygon)]);
+    for (std::size_t i = 0; i < 3; ++i) report.vertices[i] = int(topology.triangles[triangle].vertices[i]);
+    report.barycentric = Vec3d(b);
+    report.zView = double(data.zBuffer->zView.pixels[at]);
+    report.depth = data.zBuffer->depth.empty() ? report.zView : double(data.zBuffer->depth.pixels[at]);
+    const Vec3<Real> position = interpolated(data.transform->world, topology.triangles[triangle].vertices, b);
+    report.position = Vec3d(position);
+    if (!data.shading) return;
+
+    const std::size_t lights = data.keys.shading.lights.size();
+    for (std::size_t k = 0; k < lights; ++k)
+        report.shadow.push_back(
+            double(shadowAt(data.keys.shading, data.shadingSources(), k, std::uint32_t(report.polygon), position)));
+    evaluateAll(data, triangle, b, report);
+    sumUp(report, lights);
+    report.iMax = data.shading->iMax;
+    report.intensity = Vec3d(data.shading->vectors[index(BufferId::Intensity)][0].pixels[at]);
+    report.color = data.shading->color.pixels[at];
+}
+
+}  // namespace
+
+PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel) {
+    PixelReport report{};
+    report.pixel = pixel;
+    if (frame.dataFloat())
+        fill(*frame.dataFloat(), report);
+    else
+        fill(*frame.dataDouble(), report);
+    return report;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,88 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/core/real.h"
+#include "pipeline/inspect/formula.h"
+#include "pipeline/run/frame.h"
+
+namespace pipeline {
+
+enum class FragmentVerdict : unsigned char { WonStays, Overwritten, NotNearer };
+std::string_view name(FragmentVerdict verdict);  // "won, stays" …
+
+// One polygon's arrival at a pixel, in the order it was drawn.
+struct FragmentReport {
+    int polygon;
+    double depth, stored;  // compared: the new one, and what the z-buffer held before (+inf: nothing)
+    FragmentVerdict verdict;
+    std::string text;  // "671.4539 < +∞", "759.8211 ≥ 688.8116"
+};
+
+// A polygon that would have covered the pixel but was dropped before.
+struct CulledReport {
+    int polygon;
+    char letter;         // B back-facing, D degenerate, O outside
+    std::string reason;  // "back-facing, signed area −1 991.6 px²"
+};
+
+struct LightReport {
+    int light;
+    Vec3d L, R, H;               // world space, unit
+    double nDotL, rDotV, nDotH;  // before clamping
+    double specularPower;        // (R·V)^n after clamping, 0 where it does not count
+    double shadow;               // S
+    Vec3d diffuse, specular;     // what they add to the intensity, S included
+    std::string note;            // "N·L is below 0, so light 0 adds nothing here."; may be empty
+};
+
+// Where the vectors of a report were taken: one entry for flat and Phong shading, one per
+// vertex for Gouraud shading (whose intensities are then weighted).
+struct Evaluation {
+    std::string where;     // "at the mean of the vertices (335, 125, 50)", "vertex 4", "at the pixel"
+    double weight = 1;     // barycentric weight in the pixel's intensity
+    Vec3d position, N, V;  // world space
+    std::vector<LightReport> lights;
+    Vec3d ambient, intensity;
+};
+
+// Everything known about a pixel, replayed by the pure stages from a frame.
+struct PixelReport {
+    glm::ivec2 pixel;
+    Color8 color;
+    bool covered = false;
+    int polygon = -1, object = -1;            // over all objects; object's index
+    std::array<int, 3> vertices{-1, -1, -1};  // of the triangle, over all objects
+    Vec3d barycentric{0.0};
+    Vec3d position{0.0};  // world space
+    double zView = 0, depth = 0;
+    std::vector<Evaluation> evaluations;
+    std::vector<double> shadow;  // S_k at the pixel, per light
+    Vec3d ambient{0.0}, emission{0.0}, intensity{0.0};
+    std::vector<Vec3d> diffuse, specular;  // per light, at the pixel, S_k included
+    double iMax = 0;
+    std::vector<FragmentReport> fragments;
+    std::vector<CulledReport> culled;
+};
+
+// A depth in as many digits as tell neighbours in float apart; "+∞" where nothing is stored.
+std::string depthText(double depth);
+
+// pixel must lie in the picture.
+PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel);
+
+// The illumination equation of a pixel for channel 0, 1 or 2 (r, g, b): in symbols, with its
+// numbers, its result, the frame buffer value, and the rows of dot products and vectors below.
+struct EquationLine {
+    std::string role;  // "symbols", "numbers", "result", "frame buffer", "row"
+    Formula formula;
+    std::string remark;  // "39.2°", "Flat: evaluated once, at the mean of the vertices"
+};
+std::vector<EquationLine> equation(const Frame& frame, const PixelReport& report, int channel);
+
+// What `inspect` prints.
+std::string toText(const Frame& frame, const PixelReport& report);
+
+}  // namespace pipeline

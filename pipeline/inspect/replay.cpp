@@ -1,0 +1,66 @@
+#include "pipeline/inspect/replay.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pipeline {
+namespace {
+
+// The pieces of the scene's triangles for which keep(polygon) holds and that cover the pixel.
+template <class Real, class Keep>
+TriangleBins<Real> piecesAt(const FrameData<Real>& data, glm::ivec2 pixel, Keep keep) {
+    const TransformOutput<Real>& in = *data.transform;
+    const Tile tile{pixel, pixel + 1};
+    TriangleBins<Real> pieces;
+    for (std::size_t t = 0; t < in.topology->triangles.size(); ++t) {
+        const Triangle& triangle = in.topology->triangles[t];
+        if (!keep(triangle.polygon)) continue;
+        const auto& v = triangle.vertices;
+        setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, std::uint32_t(t),
+                            [&](const RasterTriangle<Real>& piece) {
+                                bool covers = false;
+                                forEachCovered(piece.snapped, tile, [&](glm::ivec2, const auto&) { covers = true; });
+                                if (covers) pieces.triangles.push_back(piece);
+                            });
+    }
+    return pieces;
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<FragmentRecord<Real>> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel) {
+    const std::vector<Verdict>& verdicts = data.verdicts();
+    const TriangleBins<Real> pieces =
+        piecesAt(data, pixel, [&](std::uint32_t polygon) { return verdicts.empty() || goesOn(verdicts[polygon]); });
+    std::vector<std::uint32_t> order(pieces.triangles.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const Tile tile{pixel, pixel + 1};
+    const DepthFormat format = data.transform->depthFormat;
+    ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, format);
+    std::vector<FragmentRecord<Real>> record;
+    zBuffer<Real>(data.transform->view, format, pieces, order, tile, scratch, &record);
+    return record;
+}
+
+template <class Real>
+std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixel) {
+    const std::vector<Verdict>& verdicts = data.verdicts();
+    if (verdicts.empty()) return {};
+    const TriangleBins<Real> pieces =
+        piecesAt(data, pixel, [&](std::uint32_t polygon) { return !goesOn(verdicts[polygon]); });
+    std::vector<std::uint32_t> polygons;
+    for (const RasterTriangle<Real>& piece : pieces.triangles)
+        polygons.push_back(data.transform->topology->triangles[piece.id].polygon);
+    polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
+    return polygons;
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                            \
+    template std::vector<FragmentRecord<Real>> replayPixel(const FrameData<Real>&, glm::ivec2); \
+    template std::vector<std::uint32_t> culledAt(const FrameData<Real>&, glm::ivec2);
+SHADESCOPE_INSTANTIATE(float)
+SHADESCOPE_INSTANTIATE(double)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline

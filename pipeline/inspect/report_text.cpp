@@ -1,0 +1,69 @@
+// What `inspect` prints.
+#include <fmt/format.h>
+
+#include "pipeline/inspect/formula_parts.h"
+#include "pipeline/inspect/pixel_report.h"
+#include "pipeline/scene/topology.h"
+
+namespace pipeline {
+namespace {
+
+std::string triple(Vec3d v, int digits = 6) {
+    return fmt::format("({:.{}g}, {:.{}g}, {:.{}g})", v.x, digits, v.y, digits, v.z, digits);
+}
+
+void addWhy(std::string& out, const Frame& frame, const PixelReport& r) {
+    const Frame::PolygonPlace place = frame.placeOf(r.polygon);
+    const Object& object = frame.scene().objects[place.object];
+    out += fmt::format("  polygon      {} ({} of {})\n", r.polygon, place.polygon, object.name);
+    if (place.polygon < object.mesh->polygonPlaces.size()) {
+        const TextPosition at = object.mesh->polygonPlaces[place.polygon];
+        out += fmt::format("  defined at   {}:{}:{}\n", object.mesh->file, at.line, at.column);
+    }
+    out += fmt::format("  triangle     vertices {}, {}, {}\n", r.vertices[0], r.vertices[1], r.vertices[2]);
+    out += fmt::format("  barycentric  {}\n", triple(r.barycentric));
+    out += fmt::format("  position     {} world\n", triple(r.position, 7));
+    out += fmt::format("  z_view       {}\n", depthText(r.zView));
+    if (r.depth != r.zView) out += fmt::format("  depth        {:.9g}\n", r.depth);
+}
+
+void addEquations(std::string& out, const Frame& frame, const PixelReport& r) {
+    for (int c = 0; c < 3; ++c) {
+        out += fmt::format("\n{}\n", c == 0 ? "red" : c == 1 ? "green" : "blue");
+        for (const EquationLine& line : equation(frame, r, c)) {
+            // Vectors and dot products are the same for every channel.
+            if (c > 0 && (line.role == "row" || line.role == "note")) continue;
+            const bool continues = line.role == "numbers" || line.role == "result";
+            out += fmt::format("  {}{}", continues ? "    " : "", toText(line.formula));
+            if (!line.remark.empty()) out += "   (" + line.remark + ")";
+            out += '\n';
+        }
+    }
+}
+
+void addFragments(std::string& out, const PixelReport& r) {
+    out += fmt::format("\nfragments: {} came\n", r.fragments.size());
+    for (std::size_t i = 0; i < r.fragments.size(); ++i)
+        out += fmt::format("  {}  polygon {}  {}  {}\n", i + 1, r.fragments[i].polygon, r.fragments[i].text,
+                           name(r.fragments[i].verdict));
+    for (const CulledReport& culled : r.culled)
+        out +=
+            fmt::format("  {}  polygon {}  would cover the pixel; {}\n", culled.letter, culled.polygon, culled.reason);
+}
+
+}  // namespace
+
+std::string toText(const Frame& frame, const PixelReport& r) {
+    std::string out = fmt::format("pixel {}, {}: color {} {} {}\n", r.pixel.x, r.pixel.y, int(r.color.r),
+                                  int(r.color.g), int(r.color.b));
+    if (!r.covered) {
+        out += "  background: nothing was drawn here\n";
+    } else {
+        addWhy(out, frame, r);
+        addEquations(out, frame, r);
+    }
+    addFragments(out, r);
+    return out;
+}
+
+}  // namespace pipeline

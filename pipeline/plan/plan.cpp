@@ -1,0 +1,185 @@
+#include "pipeline/plan/plan.h"
+
+#include <fmt/format.h>
+
+#include "pipeline/run/frame_data.h"
+#include "pipeline/run/runner.h"
+
+namespace pipeline {
+
+std::string_view name(Action action) {
+    switch (action) {
+        case Action::Run: return "runs";
+        case Action::Reuse: return "reused";
+        case Action::LeaveOut: return "left out";
+    }
+    return {};
+}
+
+namespace {
+
+// The first difference that a user would name, between the values of a vector's elements.
+template <class T>
+std::string firstDifferent(const std::vector<T>& a, const std::vector<T>& b, std::string_view one,
+                           std::string_view all) {
+    if (a.size() != b.size()) return fmt::format("{} changed.", all);
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (!(a[i] == b[i])) return fmt::format("{} {} changed.", one, i);
+    return {};
+}
+
+std::string difference(const TransformInputs& a, const TransformInputs& b) {
+    if (a.topology != b.topology) return "The objects changed.";
+    if (auto text = firstDifferent(a.transforms, b.transforms, "The transform of object", "The objects"); !text.empty())
+        return text;
+    if (a.depthFormat != b.depthFormat) return "The depth format changed.";
+    if (a.view.size != b.view.size) return "The picture's size changed.";
+    return a == b ? "" : "The camera changed.";
+}
+
+std::string difference(const CullInputs& a, const CullInputs& b) { return a == b ? "" : "The setting cull changed."; }
+
+std::string difference(const NormalsInputs& a, const NormalsInputs& b) {
+    if (a.vertexNormals != b.vertexNormals)
+        return b.vertexNormals ? "Vertex normals are needed now." : "Vertex normals are not needed any more.";
+    return a == b ? "" : "The weights of the normals changed.";
+}
+
+std::string difference(const ShadowBufferInputs& a, const ShadowBufferInputs& b) {
+    if (a.size != b.size) return "The size of the shadow buffers changed.";
+    return firstDifferent(a.casters, b.casters, "Light", "The lights");
+}
+
+std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
+    if (a.shading != b.shading) return "The setting shading changed.";
+    if (auto text = firstDifferent(a.materials, b.materials, "Material", "The materials"); !text.empty()) return text;
+    if (auto text = firstDifferent(a.lights, b.lights, "Light", "The lights"); !text.empty()) return text;
+    if (!(a.ambient == b.ambient)) return "The ambient light changed.";
+    if (!(a.shadow == b.shadow)) return "The settings of the shadow test changed.";
+    return a == b ? "" : "Other buffers are asked for.";
+}
+
+struct Before {
+    const StageKeys* keys = nullptr;  // of a frame in the same precision
+    std::array<bool, kStageCount> has{};
+    BufferSet wanted;
+    long number = 0;
+};
+
+Before lookBack(const Scene& scene, const FramePtr& before) {
+    Before out;
+    if (!before || before->scene().settings.precision != scene.settings.precision) return out;
+    const auto read = [&](const auto& data) {
+        if (!data) return;
+        out.keys = &data->keys;
+        for (StageId stage : kStages) out.has[index(stage)] = data->has(stage);
+    };
+    read(before->dataFloat());
+    read(before->dataDouble());
+    out.wanted = before->wanted();
+    out.number = before->number();
+    return out;
+}
+
+// The buffers that shading leaves only when asked.
+bool shadingCovers(BufferSet have, BufferSet wanted) {
+    for (const BufferInfo& info : bufferTable())
+        if (info.stage == StageId::Shading && info.domain == Domain::Pixel && info.id != BufferId::Color &&
+            info.id != BufferId::Intensity && wanted[index(info.id)] && !have[index(info.id)])
+            return false;
+    return true;
+}
+
+std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& needs, Action action) {
+    std::vector<PlanPart> parts;
+    const auto add = [&](std::string part, const Need& need, std::string why, std::string saves) {
+        const bool left = !need;
+        parts.push_back({std::move(part), left ? Action::LeaveOut : action, left ? need.notBecause : std::move(why),
+                         left ? std::move(saves) : ""});
+    };
+    const std::size_t lights = scene.lights.size();
+    if (stage == StageId::Normals) {
+        parts.push_back({"polygon normals", action, "Every stage after this one reads them.", ""});
+        add("vertex normals", needs.vertexNormals, "Normals are interpolated, or asked for.",
+            "a pass over the vertices");
+    }
+    if (stage == StageId::ShadowBuffer) {
+        const double texels = double(scene.settings.shadowSize) * scene.settings.shadowSize;
+        for (std::size_t k = 0; k < lights; ++k) {
+            const int faces = scene.lights[k].kind == LightKind::Point ? 6 : 1;
+            const double bytes = texels * faces * (scene.settings.precision == Precision::Double ? 8 : 4);
+            add(fmt::format("light {}", k), needs.shadowBuffer[k], "It casts a shadow.",
+                fmt::format("{} {}, {:.1f} MB", faces, faces == 1 ? "pass" : "passes", bytes / 1e6));
+        }
+    }
+    if (stage == StageId::Shading) {
+        for (std::size_t k = 0; k < lights; ++k) {
+            add(fmt::format("light {}", k), needs.light[k], "It shines.", "an evaluation a point");
+            add(fmt::format("specular of light {}", k), needs.specular[k], "A material has k_s above 0.",
+                "a power a point");
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
+Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& before) {
+    const Needs needs = needsOf(scene, request.wanted);
+    const StageKeys keys = stageKeys(scene, needs, topologyOf(scene, before));
+    const Before past = lookBack(scene, before);
+    const auto changed = [&](auto member) { return past.keys ? difference(past.keys->*member, keys.*member) : ""; };
+    const std::string reused = fmt::format("Nothing that this stage reads has changed since frame {}.", past.number);
+
+    Plan plan;
+    std::array<bool, kStageCount> rewritten{};  // its output will not be the one of the frame before
+    // reads: the stages whose outputs this one takes.
+    const auto decide = [&](StageId stage, const Need& need, const std::string& difference,
+                            std::initializer_list<StageId> reads) {
+        PlanStep& step = plan[index(stage)];
+        step.stage = stage;
+        const bool had = past.has[index(stage)];
+        StageId because = stage;
+        for (StageId read : reads)
+            if (rewritten[index(read)] && because == stage) because = read;
+
+        if (index(stage) > index(request.until)) {
+            step.action = Action::LeaveOut;
+            step.why = fmt::format("The run ends after {}.", stageInfo(request.until).name);
+        } else if (!need) {
+            step.action = Action::LeaveOut;
+            step.why = need.notBecause;
+        } else if (!had || !difference.empty() || because != stage) {
+            step.action = Action::Run;
+            step.why = !difference.empty() ? difference
+                       : because != stage  ? fmt::format("{} ran again.", stageInfo(because).label)
+                       : past.keys         ? "It was left out before."
+                                           : "It has not run yet.";
+        } else {
+            step.action = Action::Reuse;
+            step.why = reused;
+        }
+        rewritten[index(stage)] = step.action == Action::Run || (step.action == Action::LeaveOut && had);
+        step.parts = partsOf(stage, scene, needs, step.action);
+        if (step.action != Action::LeaveOut) return;
+        for (PlanPart& part : step.parts) {
+            part.action = Action::LeaveOut;
+            part.why = step.why;
+        }
+    };
+
+    const Need always;
+    using enum StageId;
+    decide(Transform, always, changed(&StageKeys::transform), {});
+    decide(Cull, needs.cull, changed(&StageKeys::cull), {Transform});
+    decide(Normals, always, changed(&StageKeys::normals), {Transform});
+    decide(StageId::ShadowBuffer, needs.shadowBuffers, changed(&StageKeys::shadowBuffer), {Transform});
+    decide(ZBuffer, always, "", {Transform, Cull});
+    std::string shading = changed(&StageKeys::shading);
+    if (shading.empty() && past.keys && !shadingCovers(past.wanted, request.wanted))
+        shading = "Other buffers are asked for.";
+    decide(StageId::Shading, always, shading, {ZBuffer, Normals, StageId::ShadowBuffer, Transform, Cull});
+    return plan;
+}
+
+}  // namespace pipeline

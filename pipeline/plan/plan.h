@@ -1,0 +1,34 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "pipeline/buffers/buffer_table.h"
+#include "pipeline/plan/stage.h"
+#include "pipeline/scene/scene.h"
+
+namespace pipeline {
+
+enum class Action : std::uint8_t { Run, Reuse, LeaveOut };
+std::string_view name(Action action);  // "runs", "reused", "left out"
+
+// A part of a stage that may be left out by itself.
+struct PlanPart {
+    std::string name;  // "vertex normals", "light 0", "specular of light 1"
+    Action action;
+    std::string why;    // one sentence
+    std::string saves;  // when left out: "1 pass, 1 buffer of 4.2 MB"; may be empty
+};
+
+struct PlanStep {
+    StageId stage;
+    Action action;
+    std::string why;  // one sentence: "Material 0 changed.", "No light casts a shadow."
+    std::string saves;
+    std::vector<PlanPart> parts;
+};
+
+// One step per stage, in the order of kStages: what a frame will do, decided before anything runs.
+using Plan = std::array<PlanStep, kStageCount>;
+
+}  // namespace pipeline

@@ -1,0 +1,152 @@
+#include "pipeline/run/frame.h"
+
+#include <algorithm>
+
+#include "pipeline/run/frame_data.h"
+
+namespace pipeline {
+namespace {
+
+// Wraps what a buffer stands in, without copying it.
+template <class T>
+AnyBuffer view(const BufferName& name, std::vector<std::size_t> shape, const T* data, std::size_t count,
+               std::shared_ptr<const void> owner) {
+    return {name, &bufferInfo(name.id), std::move(shape), std::span<const T>(data, count), std::move(owner)};
+}
+
+// Takes over values that were computed for the asking.
+template <class T>
+AnyBuffer own(const BufferName& name, std::vector<std::size_t> shape, std::vector<T> values) {
+    const auto kept = std::make_shared<const std::vector<T>>(std::move(values));
+    return view(name, std::move(shape), kept->data(), kept->size(), kept);
+}
+
+template <class Real>
+AnyBuffer view(const BufferName& name, const std::vector<Vec3<Real>>& v, std::shared_ptr<const void> owner) {
+    return view(name, {v.size(), 3}, v.empty() ? nullptr : &v[0].x, 3 * v.size(), std::move(owner));
+}
+template <class Real>
+AnyBuffer view(const BufferName& name, const Buffer2D<Vec3<Real>>& b, std::shared_ptr<const void> owner) {
+    return view(name, {std::size_t(b.size.y), std::size_t(b.size.x), 3}, &b.pixels[0].x, 3 * b.pixels.size(),
+                std::move(owner));
+}
+template <class T>
+AnyBuffer view(const BufferName& name, const Buffer2D<T>& b, std::shared_ptr<const void> owner) {
+    return view(name, {std::size_t(b.size.y), std::size_t(b.size.x)}, b.pixels.data(), b.pixels.size(),
+                std::move(owner));
+}
+
+// object_id or polygon_id, from the triangle seen in each pixel.
+template <class Real>
+AnyBuffer ids(const BufferName& name, const FrameData<Real>& data) {
+    const Topology& topology = *data.transform->topology;
+    const Buffer2D<std::uint32_t>& seen = data.zBuffer->triangle;
+    std::vector<std::int32_t> values(seen.pixels.size(), kNothing);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (seen.pixels[i] == kNoTriangle) continue;
+        const std::uint32_t polygon = topology.triangles[seen.pixels[i]].polygon;
+        values[i] = std::int32_t(name.id == BufferId::PolygonId ? polygon : topology.polygonObject[polygon]);
+    }
+    return own(name, {std::size_t(seen.size.y), std::size_t(seen.size.x)}, std::move(values));
+}
+
+// The faces of a light one after the other.
+template <class Real>
+std::optional<AnyBuffer> shadowDepth(const BufferName& name, const FrameData<Real>& data) {
+    const auto& lights = data.shadowBuffer->lights;
+    const auto k = std::size_t(name.light);
+    if (k >= lights.size() || !lights[k]) return {};
+    const std::vector<Buffer2D<Real>>& faces = lights[k]->depth;
+    if (faces.size() == 1) return view(name, faces[0], data.shadowBuffer);
+    std::vector<Real> values;
+    for (const Buffer2D<Real>& face : faces) values.insert(values.end(), face.pixels.begin(), face.pixels.end());
+    const glm::ivec2 size = faces[0].size;
+    return own(name, {faces.size(), std::size_t(size.y), std::size_t(size.x)}, std::move(values));
+}
+
+template <class Real>
+std::optional<AnyBuffer> shaded(const BufferName& name, const FrameData<Real>& data) {
+    const ShadingOutput<Real>& out = *data.shading;
+    const auto k = std::size_t(std::max(0, name.light));
+    if (name.id == BufferId::Color) {
+        const Buffer2D<Color8>& b = out.color;
+        return view(name, {std::size_t(b.size.y), std::size_t(b.size.x), 3}, &b.pixels[0].x, 3 * b.pixels.size(),
+                    data.shading);
+    }
+    if (name.id == BufferId::PolygonsIntensity || name.id == BufferId::VerticesIntensity) {
+        const auto& elements = name.id == BufferId::PolygonsIntensity ? out.polygons : out.vertices;
+        if (elements.intensity.empty()) return {};
+        return view(name, elements.intensity, data.shading);
+    }
+    const auto& vectors = out.vectors[index(name.id)];
+    if (k < vectors.size()) return view(name, vectors[k], data.shading);
+    const auto& scalars = out.scalars[index(name.id)];
+    if (k < scalars.size()) return view(name, scalars[k], data.shading);
+    return {};
+}
+
+template <class Real>
+std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& data) {
+    const BufferInfo& info = bufferInfo(name.id);
+    if (!data.has(info.stage)) return {};
+    using enum BufferId;
+    switch (name.id) {
+        case VerticesWorld: return view(name, data.transform->world, data.transform);
+        case VerticesView: return view(name, data.transform->viewSpace, data.transform);
+        case VerticesScreen: return view(name, data.transform->screen, data.transform);
+        case PolygonsVerdict: {
+            static_assert(sizeof(Verdict) == 1);
+            const auto& verdicts = data.cull->verdicts;
+            return view(name, {verdicts.size()}, reinterpret_cast<const std::uint8_t*>(verdicts.data()),
+                        verdicts.size(), data.cull);
+        }
+        case PolygonsNormal: return view(name, data.normals->polygon, data.normals);
+        case VerticesNormal:
+            if (data.normals->vertex.empty()) return {};
+            return view(name, data.normals->vertex, data.normals);
+        case BufferId::ShadowBuffer: return shadowDepth(name, data);
+        case Depth:
+            return view(name, data.zBuffer->depth.empty() ? data.zBuffer->zView : data.zBuffer->depth, data.zBuffer);
+        case ZView: return view(name, data.zBuffer->zView, data.zBuffer);
+        case ObjectId:
+        case PolygonId: return ids(name, data);
+        case Barycentric: return view(name, data.zBuffer->barycentric, data.zBuffer);
+        case Overdraw: return view(name, data.zBuffer->overdraw, data.zBuffer);
+        case DepthWrites: return view(name, data.zBuffer->depthWrites, data.zBuffer);
+        default: return shaded(name, data);
+    }
+}
+
+}  // namespace
+
+std::optional<AnyBuffer> Frame::buffer(const BufferName& name) const {
+    const bool perLight = bufferInfo(name.id).perLight;
+    if (perLight ? name.light < 0 || std::size_t(name.light) >= m_scene->lights.size() : name.light >= 0) return {};
+    return m_float ? find(name, *m_float) : find(name, *m_double);
+}
+
+std::string Frame::whyAbsent(const BufferName& name) const {
+    if (buffer(name)) return {};
+    const BufferInfo& info = bufferInfo(name.id);
+    if (info.perLight && (name.light < 0 || std::size_t(name.light) >= m_scene->lights.size()))
+        return "The scene has no light " + std::to_string(name.light) + ".";
+    if (index(info.stage) > index(m_until)) return m_plan[index(info.stage)].why;
+    const Needs needs = needsOf(*m_scene, m_wanted);
+    if (name.id == BufferId::ShadowBuffer) return needs.shadowBuffer[std::size_t(name.light)].notBecause;
+    const std::string useless = whyUseless(*m_scene, name.id);
+    return useless.empty() ? "Nobody has asked for it yet." : useless;
+}
+
+std::vector<AnyBuffer> Frame::buffers() const {
+    std::vector<AnyBuffer> found;
+    for (const BufferName& name : allBuffers(m_scene->lights.size()))
+        if (auto it = buffer(name)) found.push_back(std::move(*it));
+    return found;
+}
+
+Frame::PolygonPlace Frame::placeOf(int polygon) const {
+    const std::size_t object = m_topology->polygonObject[std::size_t(polygon)];
+    return {object, std::size_t(polygon) - m_topology->firstPolygon[object]};
+}
+
+}  // namespace pipeline

@@ -1,0 +1,81 @@
+#pragma once
+#include <array>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "pipeline/buffers/any_buffer.h"
+#include "pipeline/plan/plan.h"
+#include "pipeline/scene/scene.h"
+
+namespace pipeline {
+
+// What happened in a stage when it last ran.
+struct StageRun {
+    double milliseconds = 0;
+    std::string counts;  // "5 vertices", "3 of 5 polygons kept"
+};
+
+// What is asked of a frame beside the scene.
+struct FrameRequest {
+    BufferSet wanted;                  // buffers that must be there afterwards
+    StageId until = StageId::Shading;  // later stages do not run
+    int threads = 0;                   // 0: as many as the machine has
+    std::stop_token stop;              // asks to give up; checked per tile
+};
+
+template <class Real>
+struct FrameData;  // the stages' outputs; pipeline/run/frame_data.h
+struct Topology;   // pipeline/scene/topology.h
+
+// One computed frame. Immutable and shared: reuse is copying a pointer.
+class Frame {
+public:
+    const Scene& scene() const { return *m_scene; }
+    const std::shared_ptr<const Scene>& sharedScene() const { return m_scene; }
+    const Plan& plan() const { return m_plan; }
+    const StageRun& run(StageId stage) const { return m_runs[index(stage)]; }
+    double milliseconds() const { return m_milliseconds; }  // wall clock of this frame alone
+    long number() const { return m_number; }                // counts from 1 along a chain of frames
+    StageId until() const { return m_until; }
+
+    // The buffer, or nothing where the plan left it out or its stage has not run.
+    std::optional<AnyBuffer> buffer(const BufferName& name) const;
+    // Why buffer() gives nothing; empty when it gives something.
+    std::string whyAbsent(const BufferName& name) const;
+    // What there is, in the order of the stages.
+    std::vector<AnyBuffer> buffers() const;
+
+    // Polygons are counted over all objects in scene order, as in the buffers.
+    struct PolygonPlace {
+        std::size_t object, polygon;
+    };
+    PolygonPlace placeOf(int polygon) const;
+
+    // The stages' outputs in the frame's own precision; one of the two is null.
+    const std::shared_ptr<const FrameData<float>>& dataFloat() const { return m_float; }
+    const std::shared_ptr<const FrameData<double>>& dataDouble() const { return m_double; }
+
+    BufferSet wanted() const { return m_wanted; }  // the request's
+    const Topology& topology() const { return *m_topology; }
+
+private:
+    friend class Runner;
+    std::shared_ptr<const Scene> m_scene;
+    std::shared_ptr<const Topology> m_topology;
+    Plan m_plan;
+    std::array<StageRun, kStageCount> m_runs;
+    double m_milliseconds = 0;
+    long m_number = 0;
+    StageId m_until = StageId::Shading;
+    BufferSet m_wanted;
+    std::shared_ptr<const FrameData<float>> m_float;  // one of the two
+    std::shared_ptr<const FrameData<double>> m_double;
+};
+
+using FramePtr = std::shared_ptr<const Frame>;
+
+}  // namespace pipeline

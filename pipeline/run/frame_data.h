@@ -1,0 +1,57 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "pipeline/plan/needs.h"
+#include "pipeline/run/frame.h"
+#include "pipeline/stages/shading.h"
+
+namespace pipeline {
+
+// What each stage's output depends on beside the outputs of the stages before it. Compared by
+// value: that, and nothing else, tells whether a stage has to run again.
+struct StageKeys {
+    TransformInputs transform;
+    CullInputs cull;
+    NormalsInputs normals;
+    ShadowBufferInputs shadowBuffer;
+    ShadingInputs shading;
+};
+StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<const Topology> topology);
+
+// The stages' outputs, each immutable and shared by every frame that it holds for; null where the
+// plan left the stage out.
+template <class Real>
+struct FrameData {
+    StageKeys keys;
+    std::shared_ptr<const TransformOutput<Real>> transform;
+    std::shared_ptr<const CullOutput> cull;
+    std::shared_ptr<const NormalsOutput<Real>> normals;
+    std::shared_ptr<const ShadowBufferOutput<Real>> shadowBuffer;
+    std::shared_ptr<const ZBufferOutput<Real>> zBuffer;
+    std::shared_ptr<const ShadingOutput<Real>> shading;
+
+    bool has(StageId stage) const {
+        switch (stage) {
+            case StageId::Transform: return transform != nullptr;
+            case StageId::Cull: return cull != nullptr;
+            case StageId::Normals: return normals != nullptr;
+            case StageId::ShadowBuffer: return shadowBuffer != nullptr;
+            case StageId::ZBuffer: return zBuffer != nullptr;
+            case StageId::Shading: return shading != nullptr;
+        }
+        return false;
+    }
+    const std::vector<Verdict>& verdicts() const {
+        static const std::vector<Verdict> kNone;
+        return cull ? cull->verdicts : kNone;
+    }
+    ShadingSources<Real> shadingSources() const {
+        return {*transform, *normals, shadowBuffer.get(), *zBuffer, verdicts()};
+    }
+};
+
+// The topology of the scene's meshes: the one of `before` where the meshes are the same.
+std::shared_ptr<const Topology> topologyOf(const Scene& scene, const FramePtr& before);
+
+}  // namespace pipeline

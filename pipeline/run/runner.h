@@ -1,0 +1,22 @@
+#pragma once
+#include "pipeline/run/frame.h"
+
+namespace pipeline {
+
+// What the frame of this scene would do after `before`, without doing it. `before` may be null.
+Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& before);
+
+// Computes the frame of a scene, reusing of `before` (which may be null) whatever still holds.
+// The picture is the same, bit for bit, as one computed from nothing, on any number of threads.
+// Null when the request was stopped. The scene must have passed checkScene.
+FramePtr runFrame(std::shared_ptr<const Scene> scene, const FrameRequest& request, const FramePtr& before);
+
+// The largest error of each stage's buffers against a double-precision run of the same scene:
+// pixels for transform, a share of the polygons for cull, radians for normals, relative for the others.
+struct StageError {
+    double value = 0;
+    std::string text;  // "1.1e-5 px"
+};
+std::array<std::optional<StageError>, kStageCount> errorAgainstDouble(const FramePtr& frame, std::stop_token stop = {});
+
+}  // namespace pipeline

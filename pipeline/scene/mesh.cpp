@@ -1,0 +1,298 @@
+#include "pipeline/scene/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/core/numerics.h"
+
+namespace pipeline {
+namespace {
+
+constexpr double kRoundoff = 0x1p-53;  // largest relative error of one double operation
+// How far a vertex may lie off its polygon's plane, as a fraction of the polygon's extent,
+// before it is reported: text files carry about six digits.
+constexpr double kPlanarTolerance = 1e-6;
+// Comparisons spent on a concave polygon before it is given up; a second's work.
+constexpr std::size_t kMaxEarWork = 200'000'000;
+// Polygons times vertices up to which a mesh is examined for convexity.
+constexpr double kMaxConvexWork = 4e6;
+
+double sumOfComponents(const Vec3d& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+// A polygon moved to its first vertex and scaled by a power of two to coordinates within
+// [-1, 1]: nothing overflows, and a mesh scaled by a power of two gives the same bits.
+struct LocalPolygon {
+    std::vector<Vec3d> points;
+    double scale = 1;
+    double quantum = 0;      // bound on the error of a coordinate, rounding of the input included
+    Vec3d normal{0.0};       // Newell's: twice the area long
+    Vec3d spread{0.0};       // the same sum of absolute values: what is left where areas cancel
+    double normalError = 0;  // bound on the error of each component of `normal`
+
+    bool hasArea() const { return largestComponent(normal) > normalError; }
+};
+
+// Newell's method on differences from the first vertex, so that a polygon far from the origin
+// keeps its digits (I. Sutherland, R. Sproull, R. Schumacker, "A characterization of ten
+// hidden-surface algorithms", Computing Surveys 1974).
+void findNormal(LocalPolygon& polygon) {
+    const std::vector<Vec3d>& points = polygon.points;
+    polygon.normal = polygon.spread = Vec3d(0.0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3d& a = points[i];
+        const Vec3d& b = points[i + 1 == points.size() ? 0 : i + 1];
+        const Vec3d term{(a.y - b.y) * (a.z + b.z), (a.z - b.z) * (a.x + b.x), (a.x - b.x) * (a.y + b.y)};
+        polygon.normal += term;
+        polygon.spread += glm::abs(term);
+    }
+    const double count = static_cast<double>(points.size());
+    polygon.normalError = count * (kRoundoff * largestComponent(polygon.spread) + 8 * polygon.quantum);
+}
+
+void gather(const Mesh& mesh, std::size_t index, LocalPolygon& polygon) {
+    const std::span<const std::uint32_t> corners = mesh.polygon(index);
+    const Vec3d first = mesh.positions[corners[0]];
+    double magnitude = 0, extent = 0;
+    polygon.points.clear();
+    for (const std::uint32_t corner : corners) {
+        const Vec3d& p = mesh.positions[corner];
+        polygon.points.push_back(0.5 * p - 0.5 * first);  // halves: the difference cannot overflow
+        magnitude = std::max(magnitude, largestComponent(p));
+        extent = std::max(extent, largestComponent(polygon.points.back()));
+    }
+    int exponent = 0;
+    std::frexp(extent, &exponent);
+    polygon.scale = std::ldexp(1.0, std::min(-exponent, 1000));
+    for (Vec3d& p : polygon.points) p *= polygon.scale;
+    polygon.quantum = 8 * kRoundoff * (0.5 * magnitude * polygon.scale);
+    findNormal(polygon);
+}
+
+bool isPlanar(const LocalPolygon& polygon) {
+    if (polygon.points.size() == 3 || !polygon.hasArea()) return true;
+    const double tolerance = kPlanarTolerance * glm::length(polygon.normal) + 3 * polygon.normalError +
+                             polygon.quantum * sumOfComponents(polygon.normal);
+    return std::ranges::all_of(polygon.points,
+                               [&](const Vec3d& p) { return std::abs(glm::dot(polygon.normal, p)) <= tolerance; });
+}
+
+// The projection along the largest component of the normal, counter-clockwise.
+void flatten(const LocalPolygon& polygon, std::vector<Vec2<double>>& points) {
+    const Vec3d size = polygon.hasArea() ? glm::abs(polygon.normal) : polygon.spread;
+    const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    if (polygon.normal[axis] < 0) std::swap(u, v);
+    points.clear();
+    for (const Vec3d& p : polygon.points) points.emplace_back(p[u], p[v]);
+}
+
+// 1: a, b, c turn left, -1: right, 0: straight on, as far as rounding lets one tell.
+int turn(const Vec2<double>& a, const Vec2<double>& b, const Vec2<double>& c, double quantum) {
+    const Vec2<double> ab = b - a, bc = c - b;
+    const double cross = ab.x * bc.y - ab.y * bc.x;
+    const double error = 4 * quantum * (std::abs(ab.x) + std::abs(ab.y) + std::abs(bc.x) + std::abs(bc.y));
+    return cross > error ? 1 : cross < -error ? -1 : 0;
+}
+
+enum class Outline { StrictlyConvex, Convex, Concave };  // Convex: with corners that go straight on
+
+// Turning left everywhere is not enough: a pentagram does. A convex outline also changes
+// between going right and going left only twice.
+Outline outlineOf(const std::vector<Vec2<double>>& points, double quantum) {
+    const std::size_t n = points.size();
+    bool straight = false;
+    int changes = 0, firstHeading = 0, heading = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2<double>& a = points[i];
+        const Vec2<double>& b = points[(i + 1) % n];
+        const int corner = turn(a, b, points[(i + 2) % n], quantum);
+        if (corner < 0) return Outline::Concave;
+        straight |= corner == 0;
+        const double along = std::abs(b.x - a.x) > 2 * quantum ? b.x - a.x : b.y - a.y;
+        const int next = along > 0 ? 1 : along < 0 ? -1 : heading;
+        changes += heading != 0 && next != heading;
+        heading = next;
+        if (firstHeading == 0) firstHeading = heading;
+    }
+    changes += heading != firstHeading;
+    if (changes > 2) return Outline::Concave;
+    return straight ? Outline::Convex : Outline::StrictlyConvex;
+}
+
+// Triangulates a simple polygon by cutting off corners that hold no other vertex
+// (G. Meisters, "Polygons have ears", American Mathematical Monthly 1975).
+class EarClipper {
+public:
+    EarClipper(const std::vector<Vec2<double>>& points, double quantum) : m_points(points), m_quantum(quantum) {
+        const std::uint32_t n = static_cast<std::uint32_t>(points.size());
+        m_previous.resize(n);
+        m_next.resize(n);
+        m_blocks.resize(n, false);
+        for (std::uint32_t i = 0; i < n; ++i) {
+            m_previous[i] = i == 0 ? n - 1 : i - 1;
+            m_next[i] = i + 1 == n ? 0 : i + 1;
+        }
+        for (std::uint32_t i = 0; i < n; ++i) updateBlocker(i);
+    }
+
+    // False, with `triangles` unfinished, where the outline crosses itself or costs too much.
+    bool clip(std::vector<glm::uvec3>& triangles) {
+        std::uint32_t i = 0;
+        std::size_t left = m_points.size(), tried = 0;
+        bool lenient = false;
+        while (left > 3) {
+            if (isEar(i, lenient)) {
+                const std::uint32_t before = m_previous[i], after = m_next[i];
+                triangles.emplace_back(before, i, after);
+                m_blocks[i] = false;
+                m_next[before] = after;
+                m_previous[after] = before;
+                updateBlocker(before);
+                updateBlocker(after);
+                i = m_next[after];  // not the neighbour: triangles stay less thin
+                --left;
+                tried = 0;
+                lenient = false;
+            } else {
+                i = m_next[i];
+                if (++tried < left) continue;
+                if (lenient || m_work > kMaxEarWork) return false;
+                lenient = true;
+                tried = 0;
+            }
+        }
+        triangles.emplace_back(m_previous[i], i, m_next[i]);
+        return cornerTurn(i) >= 0;
+    }
+
+private:
+    int cornerTurn(std::uint32_t i) const {
+        return turn(m_points[m_previous[i]], m_points[i], m_points[m_next[i]], m_quantum);
+    }
+
+    // Only a corner that does not turn left can lie in an ear, or on its new edge.
+    void updateBlocker(std::uint32_t i) {
+        const bool blocks = cornerTurn(i) <= 0;
+        if (blocks && !m_blocks[i]) m_blockers.push_back(i);
+        m_blocks[i] = blocks;
+    }
+
+    // Lenient: touching is allowed, and so is an ear without area.
+    bool isEar(std::uint32_t i, bool lenient) {
+        if (m_work > kMaxEarWork) return false;
+        const Vec2<double>&a = m_points[m_previous[i]], &b = m_points[i], &c = m_points[m_next[i]];
+        if (turn(a, b, c, m_quantum) < (lenient ? 0 : 1)) return false;
+        std::size_t kept = 0;
+        bool empty = true;
+        for (const std::uint32_t blocker : m_blockers) {
+            if (!m_blocks[blocker]) continue;  // no longer one: drop it from the list on the way
+            m_blockers[kept++] = blocker;
+            if (empty) empty = !lies(m_points[blocker], a, b, c, lenient ? 1 : 0);
+        }
+        m_work += m_blockers.size() + 1;
+        m_blockers.resize(kept);
+        return empty;
+    }
+
+    bool lies(const Vec2<double>& p, const Vec2<double>& a, const Vec2<double>& b, const Vec2<double>& c,
+              int least) const {
+        if (p == a || p == b || p == c) return false;
+        return turn(a, b, p, m_quantum) >= least && turn(b, c, p, m_quantum) >= least &&
+               turn(c, a, p, m_quantum) >= least;
+    }
+
+    const std::vector<Vec2<double>>& m_points;
+    double m_quantum;
+    std::vector<std::uint32_t> m_previous, m_next, m_blockers;
+    std::vector<bool> m_blocks;
+    std::size_t m_work = 0;
+};
+
+void fan(std::size_t cornerCount, std::vector<glm::uvec3>& triangles) {
+    triangles.clear();
+    for (std::uint32_t i = 1; i + 1 < cornerCount; ++i) triangles.emplace_back(0, i, i + 1);
+}
+
+// Splits a polygon into corner numbers. A fan takes linear time, but puts the straight corners
+// beside its first vertex on an edge of no polygon; ears leave none there.
+Outline triangulate(const LocalPolygon& polygon, std::vector<Vec2<double>>& flat, std::vector<glm::uvec3>& triangles) {
+    fan(polygon.points.size(), triangles);
+    if (polygon.points.size() == 3) return Outline::StrictlyConvex;
+    flatten(polygon, flat);
+    const Outline outline = outlineOf(flat, polygon.quantum);
+    if (outline == Outline::StrictlyConvex || !polygon.hasArea()) return outline;
+    std::vector<glm::uvec3> ears;
+    if (EarClipper(flat, polygon.quantum).clip(ears)) triangles = std::move(ears);
+    return outline;
+}
+
+bool isClosed(const Mesh& mesh) {
+    std::vector<std::uint64_t> edges, opposites;
+    edges.reserve(mesh.corners.size());
+    opposites.reserve(mesh.corners.size());
+    for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
+        const std::span<const std::uint32_t> corners = mesh.polygon(i);
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const std::uint64_t from = corners[k], to = corners[k + 1 == corners.size() ? 0 : k + 1];
+            if (from == to) return false;
+            edges.push_back(from << 32 | to);
+            opposites.push_back(to << 32 | from);
+        }
+    }
+    std::ranges::sort(edges);
+    if (edges.empty() || std::ranges::adjacent_find(edges) != edges.end()) return false;
+    std::ranges::sort(opposites);
+    return edges == opposites;
+}
+
+// No vertex in front of the polygon's plane by more than rounding explains.
+bool allBehind(const Mesh& mesh, std::size_t index, const LocalPolygon& polygon) {
+    const Vec3d first = mesh.positions[mesh.polygon(index)[0]];
+    const double firstSize = largestComponent(first);
+    return std::ranges::all_of(mesh.positions, [&](const Vec3d& p) {
+        const Vec3d offset = (0.5 * p - 0.5 * first) * polygon.scale;
+        const double quantum = 8 * kRoundoff * (0.5 * std::max(firstSize, largestComponent(p)) * polygon.scale);
+        const double bound = polygon.normalError * sumOfComponents(offset) + quantum * sumOfComponents(polygon.normal);
+        return glm::dot(polygon.normal, offset) <= bound;  // false for NaN, too
+    });
+}
+
+bool isConvex(const Mesh& mesh, LocalPolygon& scratch) {
+    const MeshFacts& facts = mesh.facts;
+    if (!facts.closed || facts.nonPlanar + facts.concave + facts.degenerate > 0) return false;
+    if (static_cast<double>(mesh.polygonCount()) * static_cast<double>(mesh.positions.size()) > kMaxConvexWork)
+        return false;
+    for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
+        gather(mesh, i, scratch);
+        if (!allBehind(mesh, i, scratch)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
+    LocalPolygon polygon;
+    std::vector<Vec2<double>> flat;
+    std::vector<glm::uvec3> pieces;
+    mesh.facts = {};
+    mesh.triangles.clear();
+    mesh.firstTriangle.assign(1, 0);
+    for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
+        gather(mesh, i, polygon);
+        const Outline outline = triangulate(polygon, flat, pieces);
+        mesh.facts.concave += outline == Outline::Concave;
+        mesh.facts.degenerate += !polygon.hasArea();
+        mesh.facts.nonPlanar += !isPlanar(polygon);
+        const std::span<const std::uint32_t> corners = mesh.polygon(i);
+        for (const glm::uvec3& piece : pieces)
+            mesh.triangles.push_back(
+                {{corners[piece.x], corners[piece.y], corners[piece.z]}, static_cast<std::uint32_t>(i)});
+        mesh.firstTriangle.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
+    }
+    mesh.facts.closed = isClosed(mesh);
+    mesh.facts.convex = isConvex(mesh, polygon);
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+}  // namespace pipeline

@@ -1,0 +1,59 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/core/real.h"
+
+namespace pipeline {
+
+struct TextPosition {  // from 1; 0 where nothing is known
+    int line = 0;
+    int column = 0;
+    bool operator==(const TextPosition&) const = default;
+};
+
+// A piece of a polygon: three vertices of it, in the polygon's order.
+struct Triangle {
+    std::uint32_t vertices[3];
+    std::uint32_t polygon;  // within the mesh
+};
+
+// What makeMesh found out about a mesh. The plan leaves work out on the strength of it,
+// so each fact is true only where it is certain.
+struct MeshFacts {
+    bool closed = false;  // every edge is used once in each direction
+    bool convex = false;  // closed, and no vertex lies outside the plane of a polygon
+    int nonPlanar = 0;    // polygons with a vertex off the plane of the others
+    int concave = 0;      // polygons with a corner that turns the other way
+    int degenerate = 0;   // polygons without area
+};
+
+// Polygons with any number of vertices >= 3, counter-clockwise seen from outside.
+// Immutable once shared, so that its address is its identity: two scenes that hold the
+// same pointer hold the same mesh.
+struct Mesh {
+    std::string file;                         // as the scene names it; empty for a built-in shape
+    std::vector<Vec3d> positions;             // object space
+    std::vector<std::uint32_t> corners;       // vertex of each polygon corner, polygons end to end
+    std::vector<std::uint32_t> firstCorner;   // per polygon, and one past the last
+    std::vector<TextPosition> polygonPlaces;  // where each polygon stands in `file`; may be empty
+
+    // Derived by makeMesh.
+    std::vector<Triangle> triangles;           // polygon by polygon
+    std::vector<std::uint32_t> firstTriangle;  // per polygon, and one past the last
+    MeshFacts facts;
+
+    std::size_t polygonCount() const { return firstCorner.empty() ? 0 : firstCorner.size() - 1; }
+    std::span<const std::uint32_t> polygon(std::size_t i) const {
+        return std::span(corners).subspan(firstCorner[i], firstCorner[i + 1] - firstCorner[i]);
+    }
+};
+
+// Completes a mesh: splits polygons into triangles (a fan where the polygon is convex, ears
+// where it is not) and finds the facts. Indices must be in range, polygons have >= 3 corners.
+std::shared_ptr<const Mesh> makeMesh(Mesh mesh);
+
+}  // namespace pipeline

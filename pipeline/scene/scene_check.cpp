@@ -1,0 +1,96 @@
+// What a single setting's range cannot say.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/core/text.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace pipeline {
+
+namespace {
+
+constexpr double kMemoryLimit = 4.0 * 1024 * 1024 * 1024;  // bytes
+constexpr double kFarthest = 1e9;  // world units, as in the settings' ranges: a normal's squared length stays a float
+
+void checkRanges(const Scene& scene, Errors& errors) {
+    for (const SettingRef& ref : settingsOf(scene)) {
+        const double value = ref.get(scene), min = ref.setting->min, max = ref.setting->max;
+        if (value >= min && value <= max) continue;  // false for NaN
+        errors.push_back({{},
+                          fmt::format("{} is {}", ref.key(), shortestText(value)),
+                          fmt::format("a value from {} to {}", shortestText(min), shortestText(max))});
+    }
+}
+
+void checkCamera(const Camera& camera, Errors& errors) {
+    if (camera.near > 0 && camera.far > 0 && camera.near >= camera.far)
+        errors.push_back({{},
+                          fmt::format("camera.near is {}", shortestText(camera.near)),
+                          fmt::format("less than camera.far, which is {}", shortestText(camera.far))});
+    if (camera.kind == CameraKind::LookAt && camera.eye == camera.target)
+        errors.push_back({{}, "the camera's eye and target are the same point", "two points"});
+}
+
+void checkLights(const Scene& scene, Errors& errors) {
+    for (std::size_t k = 0; k < scene.lights.size(); ++k)
+        if (scene.lights[k].kind == LightKind::AtInfinity && scene.lights[k].position == Vec3d(0.0))
+            errors.push_back({{},
+                              fmt::format("light {} is at infinity in the direction (0, 0, 0)", k),
+                              "a direction that is not zero"});
+}
+
+// No vertex may end up so far away that the squares of the stages overflow.
+void checkExtent(const Scene& scene, Errors& errors) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        Vec3d largest(0.0);
+        for (const Vec3d& p : object.mesh->positions) largest = glm::max(largest, glm::abs(p));
+        const double reach = glm::length(largest * object.transform.scale) + glm::length(object.transform.translation);
+        if (!(reach <= kFarthest))
+            errors.push_back({{},
+                              fmt::format("object {} reaches {:.3g} world units", i, reach),
+                              fmt::format("at most {}", shortestText(kFarthest))});
+    }
+}
+
+// Bytes of every buffer of the specification; the plan may need far fewer, an export of all needs them.
+double memoryEstimate(const Scene& scene) {
+    const double real = scene.settings.precision == Precision::Double ? 8 : 4;
+    const double pixels = double(scene.settings.width) * double(scene.settings.height);
+    const double texels = double(scene.settings.shadowSize) * double(scene.settings.shadowSize);
+    // depth, z_view 2; barycentric, position, normal, view_vector, ambient, emission, intensity 7 · 3
+    double bytes = pixels * (real * 23 + 4 * 4 + 3);  // two ids, two counts; color
+    for (const Light& light : scene.lights) {
+        bytes += pixels * real * 19;  // three vectors, two terms 5 · 3; three dot products; S
+        if (light.castsShadow) bytes += texels * real * (light.kind == LightKind::Point ? 6 : 1);
+    }
+    return bytes;
+}
+
+void checkMemory(const Scene& scene, Errors& errors) {
+    const double bytes = memoryEstimate(scene);
+    if (bytes <= kMemoryLimit) return;
+    const Settings& s = scene.settings;
+    errors.push_back(
+        {{},
+         fmt::format("the buffers of a {} × {} picture with {} lights and shadow buffers of {} × {} take {:.1f} GiB",
+                     s.width, s.height, scene.lights.size(), s.shadowSize, s.shadowSize, bytes / kMemoryLimit * 4),
+         "at most 4 GiB; make the picture smaller"});
+}
+
+}  // namespace
+
+Errors checkScene(const Scene& scene) {
+    Errors errors;
+    checkRanges(scene, errors);
+    checkCamera(scene.camera, errors);
+    checkLights(scene, errors);
+    checkExtent(scene, errors);
+    if (errors.empty()) checkMemory(scene, errors);
+    if (errors.size() > kMaxErrors) errors.resize(kMaxErrors);
+    return errors;
+}
+
+}  // namespace pipeline

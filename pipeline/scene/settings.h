@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+
+namespace pipeline {
+
+enum class Precision : std::uint8_t { Float, Double };
+enum class CullMode : std::uint8_t { None, Back };
+enum class Shading : std::uint8_t { Flat, Gouraud, Phong };
+enum class NormalWeight : std::uint8_t { Mean, Area, Angle };
+// How z_view becomes the number that the z-buffer stores and compares.
+//   Linear    z_view itself, world units, infinity where nothing was drawn
+//   Float     0 at the near plane, 1 at the far plane, as OpenGL's perspective matrix maps it
+//   Reversed  1 at the near plane, 0 at the far plane
+//   Fixed16, Fixed24   Float rounded to a multiple of 1 / (2^bits - 1)
+enum class DepthFormat : std::uint8_t { Linear, Float, Reversed, Fixed16, Fixed24 };
+enum class ShadowBias : std::uint8_t { Automatic, Constant, Slope };
+
+// How a scene is rendered. Every member has a row in settings_table.cpp.
+struct Settings {
+    int width = 640, height = 480;  // pixels
+    Precision precision = Precision::Float;
+    CullMode cull = CullMode::Back;
+    Shading shading = Shading::Flat;
+    NormalWeight normalWeight = NormalWeight::Mean;
+    DepthFormat depthFormat = DepthFormat::Linear;
+    int shadowSize = 1024;  // texels along a side of a shadow buffer
+    ShadowBias shadowBias = ShadowBias::Automatic;
+    double shadowBiasValue = 0;  // Constant: world units; Slope: factor of the closed-form bias
+    int shadowFilter = 0;        // percentage-closer filtering over (2r+1)^2 texels
+    bool leaveOut = true;        // false forces everything in; the picture is the same
+    bool operator==(const Settings&) const = default;
+};
+
+}  // namespace pipeline

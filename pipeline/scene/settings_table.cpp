@@ -1,0 +1,333 @@
+#include "pipeline/scene/settings_table.h"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+namespace pipeline {
+
+namespace {
+
+using Names = std::span<const std::string_view>;
+using Idle = std::string_view (*)(const Scene&);
+
+constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
+// In the order of the enumerators.
+constexpr std::array<std::string_view, 2> kPrecision{"float", "double"};
+constexpr std::array<std::string_view, 2> kCull{"none", "back"};
+constexpr std::array<std::string_view, 3> kShading{"flat", "gouraud", "phong"};
+constexpr std::array<std::string_view, 3> kNormalWeight{"mean", "area", "angle"};
+constexpr std::array<std::string_view, 5> kDepthFormat{"linear", "float", "reversed", "fixed16", "fixed24"};
+constexpr std::array<std::string_view, 3> kShadowBias{"automatic", "constant", "slope"};
+constexpr std::array<std::string_view, 2> kCameraKind{"spherical", "look-at"};
+constexpr std::array<std::string_view, 2> kProjection{"perspective", "orthographic"};
+constexpr std::array<std::string_view, 2> kLightKind{"at-infinity", "point"};
+
+// World units. With coordinates up to here a normal's squared length (an edge to the fourth
+// power) is still a float; likewise for the smallest distances.
+constexpr double kFar = 1e9, kNearest = 1e-9;
+constexpr double kTurns = 1e6;  // degrees
+
+// The parts of a scene that have settings.
+struct OfPicture {
+    static constexpr auto group = SettingGroup::Picture;
+    static auto& part(auto& scene, std::size_t) { return scene.settings; }
+    static std::size_t count(const Scene&) { return 1; }
+};
+struct OfShading : OfPicture {
+    static constexpr auto group = SettingGroup::Shading;
+};
+struct OfDepth : OfPicture {
+    static constexpr auto group = SettingGroup::Depth;
+};
+struct OfShadow : OfPicture {
+    static constexpr auto group = SettingGroup::Shadow;
+};
+struct OfCamera : OfPicture {
+    static constexpr auto group = SettingGroup::Camera;
+    static auto& part(auto& scene, std::size_t) { return scene.camera; }
+};
+struct OfAmbient : OfPicture {
+    static constexpr auto group = SettingGroup::Ambient;
+    static auto& part(auto& scene, std::size_t) { return scene.ambient; }
+};
+struct OfLight {
+    static constexpr auto group = SettingGroup::Light;
+    static auto& part(auto& scene, std::size_t i) { return scene.lights[i]; }
+    static std::size_t count(const Scene& scene) { return scene.lights.size(); }
+};
+struct OfObject {
+    static constexpr auto group = SettingGroup::Object;
+    static auto& part(auto& scene, std::size_t i) { return scene.objects[i].transform; }
+    static std::size_t count(const Scene& scene) { return scene.objects.size(); }
+};
+struct OfMaterial : OfObject {
+    static constexpr auto group = SettingGroup::Material;
+    static auto& part(auto& scene, std::size_t i) { return scene.objects[i].material; }
+};
+
+std::string_view neverIdle(const Scene&) { return {}; }
+
+struct Words {
+    std::string_view key, label, unit, meaning;
+};
+struct Range {
+    double min, max, low, high;
+};
+
+// A number, an integer, a switch or a choice, by the type of the member.
+template <class Of, auto Member>
+constexpr Setting row(Words words, Range range, Names choices = {}, Idle idle = neverIdle) {
+    using Part = std::remove_reference_t<decltype(Of::part(std::declval<Scene&>(), 0))>;
+    using T = std::remove_reference_t<decltype(std::declval<Part&>().*Member)>;
+    constexpr SettingKind kind = std::is_same_v<T, bool> ? SettingKind::Switch
+                                 : std::is_enum_v<T>     ? SettingKind::Choice
+                                 : std::is_integral_v<T> ? SettingKind::Integer
+                                                         : SettingKind::Number;
+    return {words.key,
+            words.label,
+            words.unit,
+            words.meaning,
+            Of::group,
+            kind,
+            range.min,
+            range.max,
+            range.low,
+            range.high,
+            choices,
+            Of::count,
+            [](const Scene& scene, std::size_t i) { return static_cast<double>(Of::part(scene, i).*Member); },
+            [](Scene& scene, std::size_t i, double value) { Of::part(scene, i).*Member = static_cast<T>(value); },
+            idle};
+}
+
+template <class Of, auto Member>
+constexpr Setting choice(Words words, Names choices, Idle idle = neverIdle) {
+    const double last = static_cast<double>(choices.size() - 1);
+    return row<Of, Member>(words, {0, last, 0, last}, choices, idle);
+}
+
+// One component of a vector member.
+template <class Of, auto Member, int axis>
+constexpr Setting component(Words words, Range range, Idle idle = neverIdle) {
+    return {words.key,
+            words.label,
+            words.unit,
+            words.meaning,
+            Of::group,
+            SettingKind::Number,
+            range.min,
+            range.max,
+            range.low,
+            range.high,
+            {},
+            Of::count,
+            [](const Scene& scene, std::size_t i) { return (Of::part(scene, i).*Member)[axis]; },
+            [](Scene& scene, std::size_t i, double value) { (Of::part(scene, i).*Member)[axis] = value; },
+            idle};
+}
+
+// Lecture 1 has one k_s for the three colours.
+constexpr Setting specular(Words words, Range range) {
+    Setting setting = component<OfMaterial, &Material::specular, 0>(words, range);
+    setting.set = [](Scene& scene, std::size_t i, double value) { scene.objects[i].material.specular = Vec3d(value); };
+    return setting;
+}
+
+bool spherical(const Scene& scene) { return scene.camera.kind == CameraKind::Spherical; }
+bool orthographic(const Scene& scene) { return scene.camera.projection == ProjectionKind::Orthographic; }
+bool noShadow(const Scene& scene) { return std::ranges::none_of(scene.lights, &Light::castsShadow); }
+
+std::string_view onlySpherical(const Scene& scene) {
+    return spherical(scene) ? "" : "The camera is look-at; choose spherical to change it.";
+}
+std::string_view onlyLookAt(const Scene& scene) {
+    return spherical(scene) ? "The camera is spherical; choose look-at to change it." : "";
+}
+std::string_view onlySphericalPerspective(const Scene& scene) {
+    if (!spherical(scene)) return onlySpherical(scene);
+    return orthographic(scene) ? "The projection is orthographic; choose perspective to change it." : "";
+}
+std::string_view onlyLookAtPerspective(const Scene& scene) {
+    if (spherical(scene)) return onlyLookAt(scene);
+    return orthographic(scene) ? "The projection is orthographic; choose perspective to change it." : "";
+}
+std::string_view onlyOrthographic(const Scene& scene) {
+    return orthographic(scene) ? "" : "The projection is perspective; choose orthographic to change it.";
+}
+std::string_view onlyVertexNormals(const Scene& scene) {
+    return scene.settings.shading == Shading::Flat ? "Flat shading needs polygon normals only." : "";
+}
+std::string_view onlyShadow(const Scene& scene) { return noShadow(scene) ? "No light casts a shadow." : ""; }
+std::string_view onlyBias(const Scene& scene) {
+    if (noShadow(scene)) return onlyShadow(scene);
+    return scene.settings.shadowBias == ShadowBias::Automatic ? "Bias is automatic; choose constant to change it." : "";
+}
+std::string_view onlySpecular(const Scene& scene) {
+    const bool dull =
+        std::ranges::all_of(scene.objects, [](const Object& object) { return object.material.specular == Vec3d(0.0); });
+    return dull ? "k_s is 0 in every material." : "";
+}
+
+constexpr Range kPlace{-kFar, kFar, -1000, 1000};
+constexpr Range kFraction{0, 1, 0, 1};
+constexpr Range kIntensity{0, kFar, 0, 200};
+constexpr Range kAngle{-kTurns, kTurns, -180, 180};
+constexpr Range kScale{-kFar, kFar, 0.1, 5};
+constexpr Range kPlane{0, kFar, 0, 2000};
+constexpr Range kSide{1, 16384, 16, 4096};
+
+using S = Settings;
+using C = Camera;
+
+constexpr auto kTable = std::to_array<Setting>({
+    row<OfPicture, &S::width>({"width", "Width", "pixels", "Columns of the picture."}, kSide),
+    row<OfPicture, &S::height>({"height", "Height", "pixels", "Rows of the picture."}, kSide),
+    choice<OfPicture, &S::precision>({"precision", "Precision", "", "What the stages compute in."}, kPrecision),
+    row<OfPicture, &S::leaveOut>({"leave_out", "Leave out what is not needed", "",
+                                  "Whether the plan leaves out what cannot change the picture."},
+                                 {0, 1, 0, 1}, kSwitch),
+
+    choice<OfCamera, &C::kind>(
+        {"camera.kind", "Camera", "", "On a sphere around the world's origin, or from an eye towards a target."},
+        kCameraKind),
+    choice<OfCamera, &C::projection>(
+        {"camera.projection", "Projection", "", "Towards the eye, or along the viewing direction."}, kProjection),
+    row<OfCamera, &C::rho>({"camera.rho", "ρ", "world units", "Distance of the eye from the world's origin."},
+                           {kNearest, kFar, 1, 2000}, {}, onlySpherical),
+    row<OfCamera, &C::theta>({"camera.theta", "θ", "degrees", "Direction of the eye around z, from x towards y."},
+                             kAngle, {}, onlySpherical),
+    row<OfCamera, &C::phi>({"camera.phi", "φ", "degrees", "Angle between the direction of the eye and +z."},
+                           {-kTurns, kTurns, 0, 180}, {}, onlySpherical),
+    row<OfCamera, &C::screenDistance>({"camera.distance", "d", "screen units", "Distance of the screen from the eye."},
+                                      {kNearest, kFar, 1, 1000}, {}, onlySphericalPerspective),
+    row<OfCamera, &C::pixelsPerUnit>({"camera.scale", "s", "pixels per screen unit", "Pixels along one screen unit."},
+                                     {kNearest, kFar, 0.1, 10}, {}, onlySphericalPerspective),
+    component<OfCamera, &C::eye, 0>({"camera.eye_x", "Eye x", "world units", "Place of the eye."}, kPlace, onlyLookAt),
+    component<OfCamera, &C::eye, 1>({"camera.eye_y", "Eye y", "world units", "Place of the eye."}, kPlace, onlyLookAt),
+    component<OfCamera, &C::eye, 2>({"camera.eye_z", "Eye z", "world units", "Place of the eye."}, kPlace, onlyLookAt),
+    component<OfCamera, &C::target, 0>({"camera.target_x", "Target x", "world units", "What the eye looks at."}, kPlace,
+                                       onlyLookAt),
+    component<OfCamera, &C::target, 1>({"camera.target_y", "Target y", "world units", "What the eye looks at."}, kPlace,
+                                       onlyLookAt),
+    component<OfCamera, &C::target, 2>({"camera.target_z", "Target z", "world units", "What the eye looks at."}, kPlace,
+                                       onlyLookAt),
+    component<OfCamera, &C::up, 0>({"camera.up_x", "Up x", "", "What points upwards in the picture."},
+                                   {-kFar, kFar, -1, 1}, onlyLookAt),
+    component<OfCamera, &C::up, 1>({"camera.up_y", "Up y", "", "What points upwards in the picture."},
+                                   {-kFar, kFar, -1, 1}, onlyLookAt),
+    component<OfCamera, &C::up, 2>({"camera.up_z", "Up z", "", "What points upwards in the picture."},
+                                   {-kFar, kFar, -1, 1}, onlyLookAt),
+    row<OfCamera, &C::fovY>({"camera.fov", "Field of view", "degrees", "Angle from the picture's top to its foot."},
+                            {0.01, 179.99, 5, 120}, {}, onlyLookAtPerspective),
+    row<OfCamera, &C::height>(
+        {"camera.height", "View height", "world units", "What the picture shows from its top to its foot."},
+        {kNearest, kFar, 0.1, 1000}, {}, onlyOrthographic),
+    row<OfCamera, &C::near>(
+        {"camera.near", "Near plane", "world units",
+         "Distance of the near plane along the viewing direction; 0 takes it from the scene's bounds."},
+        kPlane),
+    row<OfCamera, &C::far>(
+        {"camera.far", "Far plane", "world units",
+         "Distance of the far plane along the viewing direction; 0 takes it from the scene's bounds."},
+        kPlane),
+
+    choice<OfShading, &S::shading>({"shading", "Shading", "", "Where the illumination model is evaluated."}, kShading),
+    choice<OfShading, &S::normalWeight>(
+        {"normal_weight", "Vertex normals", "", "How the polygons around a vertex are weighted in its normal."},
+        kNormalWeight, onlyVertexNormals),
+
+    choice<OfDepth, &S::cull>({"cull", "Cull", "", "Which polygons are dropped by the way they face."}, kCull),
+    choice<OfDepth, &S::depthFormat>({"depth_format", "Depth format", "", "What the z-buffer stores and compares."},
+                                     kDepthFormat),
+
+    row<OfShadow, &S::shadowSize>({"shadow.size", "Shadow buffer", "texels", "Texels along a side of a shadow buffer."},
+                                  {1, 8192, 16, 4096}, {}, onlyShadow),
+    choice<OfShadow, &S::shadowBias>(
+        {"shadow.bias", "Bias", "",
+         "What is added to Z' before the comparison: chosen per texel, constant, or by the polygon's slope."},
+        kShadowBias, onlyShadow),
+    row<OfShadow, &S::shadowBiasValue>({"shadow.bias_value", "Bias value", "world units; a factor with slope",
+                                        "The constant bias, or the factor of the slope's bias."},
+                                       {-kFar, kFar, 0, 20}, {}, onlyBias),
+    row<OfShadow, &S::shadowFilter>({"shadow.filter", "Filter radius", "texels",
+                                     "Radius r of percentage-closer filtering over (2r+1)² texels; 0 is none."},
+                                    {0, 32, 0, 8}, {}, onlyShadow),
+
+    row<OfAmbient, &AmbientLight::intensity>({"ambient.intensity", "I_a", "", "Intensity of the ambient light."},
+                                             kIntensity),
+    component<OfAmbient, &AmbientLight::color, 0>({"ambient.red", "I_a red", "", "Red part of the ambient light."},
+                                                  kFraction),
+    component<OfAmbient, &AmbientLight::color, 1>(
+        {"ambient.green", "I_a green", "", "Green part of the ambient light."}, kFraction),
+    component<OfAmbient, &AmbientLight::color, 2>({"ambient.blue", "I_a blue", "", "Blue part of the ambient light."},
+                                                  kFraction),
+
+    choice<OfLight, &Light::kind>(
+        {"light.#.kind", "Light", "", "At infinity, where every point sees it in the same direction, or at a point."},
+        kLightKind),
+    component<OfLight, &Light::position, 0>(
+        {"light.#.x", "L x", "world units", "Place of, or direction to, the light."}, kPlace),
+    component<OfLight, &Light::position, 1>(
+        {"light.#.y", "L y", "world units", "Place of, or direction to, the light."}, kPlace),
+    component<OfLight, &Light::position, 2>(
+        {"light.#.z", "L z", "world units", "Place of, or direction to, the light."}, kPlace),
+    row<OfLight, &Light::intensity>({"light.#.intensity", "I_p", "", "Intensity of the light."}, kIntensity),
+    component<OfLight, &Light::color, 0>({"light.#.red", "I_p red", "", "Red part of the light."}, kFraction),
+    component<OfLight, &Light::color, 1>({"light.#.green", "I_p green", "", "Green part of the light."}, kFraction),
+    component<OfLight, &Light::color, 2>({"light.#.blue", "I_p blue", "", "Blue part of the light."}, kFraction),
+    row<OfLight, &Light::castsShadow>({"light.#.shadow", "Casts a shadow", "", "Whether polygons can hide the light."},
+                                      {0, 1, 0, 1}, kSwitch),
+
+    component<OfObject, &ObjectTransform::scale, 0>({"object.#.sx", "Scale x", "", "Applied first."}, kScale),
+    component<OfObject, &ObjectTransform::scale, 1>({"object.#.sy", "Scale y", "", "Applied first."}, kScale),
+    component<OfObject, &ObjectTransform::scale, 2>({"object.#.sz", "Scale z", "", "Applied first."}, kScale),
+    component<OfObject, &ObjectTransform::rotation, 0>(
+        {"object.#.rx", "Rotation about x", "degrees", "Applied after scaling."}, kAngle),
+    component<OfObject, &ObjectTransform::rotation, 1>(
+        {"object.#.ry", "Rotation about y", "degrees", "Applied after the rotation about x."}, kAngle),
+    component<OfObject, &ObjectTransform::rotation, 2>(
+        {"object.#.rz", "Rotation about z", "degrees", "Applied after the rotation about y."}, kAngle),
+    component<OfObject, &ObjectTransform::translation, 0>(
+        {"object.#.tx", "Translation x", "world units", "Applied last."}, kPlace),
+    component<OfObject, &ObjectTransform::translation, 1>(
+        {"object.#.ty", "Translation y", "world units", "Applied last."}, kPlace),
+    component<OfObject, &ObjectTransform::translation, 2>(
+        {"object.#.tz", "Translation z", "world units", "Applied last."}, kPlace),
+
+    component<OfMaterial, &Material::diffuse, 0>(
+        {"material.#.kr", "k_r red", "", "Fraction of red ambient and diffuse light that is reflected."}, kFraction),
+    component<OfMaterial, &Material::diffuse, 1>(
+        {"material.#.kg", "k_g green", "", "Fraction of green ambient and diffuse light that is reflected."},
+        kFraction),
+    component<OfMaterial, &Material::diffuse, 2>(
+        {"material.#.kb", "k_b blue", "", "Fraction of blue ambient and diffuse light that is reflected."}, kFraction),
+    specular({"material.#.ks", "k_s", "", "Fraction of light that is reflected towards R, in all three colours."},
+             kFraction),
+    row<OfMaterial, &Material::exponent>({"material.#.n", "n", "", "Specular exponent: larger is a smaller highlight."},
+                                         {0, 10000, 0, 200}, {}, onlySpecular),
+});
+
+}  // namespace
+
+std::string_view name(SettingGroup group) {
+    constexpr std::array<std::string_view, 9> kNames{"Picture", "Camera", "Shading", "Depth",   "Shadow",
+                                                     "Ambient", "Light",  "Object",  "Material"};
+    return kNames[static_cast<std::size_t>(group)];
+}
+
+std::span<const Setting> settingsTable() { return kTable; }
+
+std::vector<SettingRef> settingsOf(const Scene& scene) {
+    std::vector<SettingRef> refs;
+    // Rows of a group stand together: all of light 0, then all of light 1.
+    for (auto first = kTable.begin(); first != kTable.end();) {
+        const auto last = std::find_if(first, kTable.end(), [&](const Setting& s) { return s.group != first->group; });
+        for (std::size_t i = 0; i < first->count(scene); ++i)
+            for (auto row = first; row != last; ++row) refs.push_back({&*row, i});
+        first = last;
+    }
+    return refs;
+}
+
+}  // namespace pipeline

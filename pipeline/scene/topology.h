@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "pipeline/scene/scene.h"
+
+namespace pipeline {
+
+// The scene's meshes end to end: vertices, polygons and triangles counted over all objects in
+// scene order, as every buffer counts them.
+struct Topology {
+    std::vector<std::shared_ptr<const Mesh>> meshes;                      // one per object
+    std::vector<std::uint32_t> firstVertex, firstPolygon, firstTriangle;  // per object, and one past the last
+    std::vector<Triangle> triangles;           // vertices and polygon counted over all objects
+    std::vector<std::uint32_t> polygonObject;  // per polygon
+
+    std::size_t vertexCount() const { return firstVertex.back(); }
+    std::size_t polygonCount() const { return firstPolygon.back(); }
+    std::size_t objectOfVertex(std::size_t vertex) const;
+
+    // A polygon's corners as indices within its object; add offset for the scene's.
+    struct Corners {
+        std::span<const std::uint32_t> local;
+        std::uint32_t offset;
+        std::size_t size() const { return local.size(); }
+        std::uint32_t operator[](std::size_t i) const { return local[i] + offset; }
+    };
+    Corners corners(std::size_t polygon) const {
+        const std::uint32_t object = polygonObject[polygon];
+        return {meshes[object]->polygon(polygon - firstPolygon[object]), firstVertex[object]};
+    }
+    // The triangles of a polygon stand together; the first of them.
+    std::size_t firstTriangleOf(std::size_t polygon) const {
+        const std::uint32_t object = polygonObject[polygon];
+        return firstTriangle[object] + meshes[object]->firstTriangle[polygon - firstPolygon[object]];
+    }
+    std::size_t triangleCountOf(std::size_t polygon) const { return corners(polygon).size() - 2; }
+};
+
+std::vector<std::shared_ptr<const Mesh>> meshesOf(const Scene& scene);
+Topology makeTopology(std::vector<std::shared_ptr<const Mesh>> meshes);
+
+}  // namespace pipeline

@@ -1,0 +1,36 @@
+#include "pipeline/stages/bin.h"
+
+namespace pipeline {
+
+template <class Real>
+TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> positions,
+                                std::span<const Verdict> verdicts) {
+    TriangleBins<Real> out;
+    out.size = view.size;
+    out.tiles = (view.size + kTileSize - 1) / kTileSize;
+    out.bins.resize(std::size_t(out.tiles.x) * std::size_t(out.tiles.y));
+    const auto addToBins = [&](const RasterTriangle<Real>& triangle) {
+        const Tile box = triangle.snapped.pixels();
+        const glm::ivec2 low = glm::max(box.min, glm::ivec2(0)), high = glm::min(box.max, out.size);
+        if (low.x >= high.x || low.y >= high.y) return;
+        const auto index = std::uint32_t(out.triangles.size());
+        out.triangles.push_back(triangle);
+        for (int y = low.y / kTileSize; y <= (high.y - 1) / kTileSize; ++y)
+            for (int x = low.x / kTileSize; x <= (high.x - 1) / kTileSize; ++x)
+                out.bins[std::size_t(y) * std::size_t(out.tiles.x) + std::size_t(x)].push_back(index);
+    };
+    for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+        const Triangle& triangle = topology.triangles[t];
+        if (!verdicts.empty() && !goesOn(verdicts[triangle.polygon])) continue;
+        const auto& v = triangle.vertices;
+        setUpTriangle<Real>(view, {positions[v[0]], positions[v[1]], positions[v[2]]}, std::uint32_t(t), addToBins);
+    }
+    return out;
+}
+
+template TriangleBins<float> binTriangles(const Topology&, const View&, std::span<const Vec3<float>>,
+                                          std::span<const Verdict>);
+template TriangleBins<double> binTriangles(const Topology&, const View&, std::span<const Vec3<double>>,
+                                           std::span<const Verdict>);
+
+}  // namespace pipeline

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pipeline/scene/topology.h"
+#include "pipeline/stages/cull.h"
+#include "pipeline/stages/rasterize.h"
+
+namespace pipeline {
+
+inline constexpr int kTileSize = 64;  // pixels
+
+// The triangles that go on, set up in polygon order, and which of them touch which tile of a
+// view's picture. Tiles are what threads share out; within a tile the drawing order is kept.
+template <class Real>
+struct TriangleBins {
+    std::vector<RasterTriangle<Real>> triangles;
+    glm::ivec2 size{0};                            // of the picture, pixels
+    glm::ivec2 tiles{0};                           // columns, rows
+    std::vector<std::vector<std::uint32_t>> bins;  // per tile, row by row: indices into `triangles`
+
+    Tile tile(std::size_t i) const {
+        const glm::ivec2 at{int(i) % tiles.x, int(i) / tiles.x};
+        return {at * kTileSize, glm::min((at + 1) * kTileSize, size)};
+    }
+};
+
+// positions: per vertex, in the view's space. verdicts: per polygon, or empty when all go on.
+template <class Real>
+TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> positions,
+                                std::span<const Verdict> verdicts);
+
+}  // namespace pipeline

@@ -1,0 +1,42 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "pipeline/core/real.h"
+#include "pipeline/stages/view.h"
+
+namespace pipeline {
+
+// The planes a polygon is cut by before it is projected. Left, right, top and bottom stand far
+// outside the picture (the guard band): the rasterizer drops what lies between it and the border.
+enum class Plane : std::uint8_t { Near, Far, Left, Right, Top, Bottom };
+inline constexpr std::size_t kPlaneCount = 6;
+
+// Pixels from the picture's centre to the guard band. Snapped to 1/256 pixel, an edge function
+// then stays below 2^60 and is exact in 64 bits.
+inline constexpr double kGuardBand = double(1 << 20);
+
+// Distance of a view-space point from the plane, in view units times the plane's slope; >= 0 inside.
+// `band` is the half size of the picture or of the guard band, pixels.
+double signedDistance(const View& view, Plane plane, Vec3d p, glm::dvec2 band);
+
+// A corner of a clipped triangle: where it is, and its weights over the triangle's own corners,
+// so that a cut triangle interpolates exactly as the whole one would.
+struct ClipCorner {
+    Vec3d view;
+    Vec3d weights;
+};
+
+// The part of a triangle inside near, far and guard band: 0, or 3 to 9 corners in order.
+struct ClippedTriangle {
+    std::array<ClipCorner, 3 + kPlaneCount> corners;
+    std::size_t count = 0;
+};
+
+// I. Sutherland and G. Hodgman, "Reentrant polygon clipping", CACM 1974. Every cut is computed
+// from the corner inside to the corner outside: two polygons that share an edge get the same
+// point, bit for bit, whichever way round they run along it. Always in double: at a near plane a
+// millionth of the scene away, a cut in float would keep four bits.
+ClippedTriangle clipTriangle(const View& view, const std::array<Vec3d, 3>& corners);
+
+}  // namespace pipeline

@@ -1,0 +1,107 @@
+#include "pipeline/stages/cull.h"
+
+#include <fmt/format.h>
+
+#include "pipeline/stages/rasterize.h"
+
+namespace pipeline {
+
+std::string_view name(Verdict verdict) {
+    static constexpr std::string_view kNames[kVerdictCount]{
+        "kept",
+        "back-facing",
+        "degenerate",
+        "outside the near plane",
+        "outside the far plane",
+        "outside the left plane",
+        "outside the right plane",
+        "outside the top plane",
+        "outside the bottom plane",
+        "clipped",
+    };
+    return kNames[std::size_t(verdict)];
+}
+
+char letter(Verdict verdict) { return "KBDOOOOOOC"[std::size_t(verdict)]; }
+
+std::string CullOutput::reason(std::size_t polygon) const {
+    const Verdict verdict = verdicts[polygon];
+    if (verdict == Verdict::BackFacing)
+        return fmt::format("back-facing, signed area −{:.1f} px²", -signedAreas[polygon]);
+    if (verdict == Verdict::Degenerate) return "degenerate, area 0 after snapping";
+    return std::string(name(verdict));
+}
+
+CullOutput prepareCull(std::size_t polygons) {
+    return {std::vector<Verdict>(polygons, Verdict::Kept), std::vector<double>(polygons, 0.0)};
+}
+
+namespace {
+
+__extension__ using Int128 = __int128;  // a polygon of a million corners overflows 64 bits
+
+constexpr Plane kPlanes[kPlaneCount]{Plane::Near, Plane::Far, Plane::Left, Plane::Right, Plane::Top, Plane::Bottom};
+
+// The first plane that has all corners outside, as a verdict; Kept when there is none. `cut` tells
+// whether near or far runs through the polygon.
+template <class Real>
+Verdict outside(const TransformOutput<Real>& in, const Topology::Corners& corners, bool& cut) {
+    const glm::dvec2 picture = glm::dvec2(in.view.size) / 2.0;
+    cut = false;
+    for (Plane plane : kPlanes) {
+        std::size_t out = 0;
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            out += signedDistance(in.view, plane, Vec3d(in.viewSpace[corners[i]]), picture) < 0;
+        if (out == corners.size()) return Verdict(std::size_t(Verdict::OutsideNear) + std::size_t(plane));
+        if (out > 0 && (plane == Plane::Near || plane == Plane::Far)) cut = true;
+    }
+    return Verdict::Kept;
+}
+
+struct ScreenArea {
+    double signedArea;  // px²
+    bool covers;        // some piece has area; a bow-tie's signed area can be 0 all the same
+};
+
+// Sum over the polygon's triangles, each clipped as the rasterizer clips it.
+template <class Real>
+ScreenArea screenArea(const TransformOutput<Real>& in, std::size_t polygon) {
+    const std::size_t first = in.topology->firstTriangleOf(polygon);
+    Int128 area2 = 0;
+    bool covers = false;
+    for (std::size_t t = first; t < first + in.topology->triangleCountOf(polygon); ++t) {
+        const auto& v = in.topology->triangles[t].vertices;
+        area2 += setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]},
+                                     std::uint32_t(t), [&](const RasterTriangle<Real>&) { covers = true; });
+    }
+    return {double(area2) / (2.0 * double(kSubPixels * kSubPixels)), covers};
+}
+
+}  // namespace
+
+template <class Real>
+void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
+          CullOutput& out) {
+    for (std::size_t polygon = begin; polygon < end; ++polygon) {
+        bool cut = false;
+        Verdict verdict = outside(in, in.topology->corners(polygon), cut);
+        double area = 0;
+        if (verdict == Verdict::Kept) {
+            const ScreenArea screen = screenArea(in, polygon);
+            area = in.mirrored[in.topology->polygonObject[polygon]] ? -screen.signedArea : screen.signedArea;
+            if (!screen.covers)
+                verdict = Verdict::Degenerate;
+            else if (area < 0 && inputs.mode == CullMode::Back)
+                verdict = Verdict::BackFacing;
+            else if (cut)
+                verdict = Verdict::Clipped;
+        }
+        out.verdicts[polygon] = verdict;
+        out.signedAreas[polygon] = area;
+    }
+}
+
+template void cull(const CullInputs&, const TransformOutput<float>&, std::size_t, std::size_t, CullOutput&);
+template void cull(const CullInputs&, const TransformOutput<double>&, std::size_t, std::size_t, CullOutput&);
+
+}  // namespace pipeline

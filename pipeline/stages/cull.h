@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pipeline/stages/transform.h"
+
+namespace pipeline {
+
+// Stage 2: which polygons go on. Each gets a verdict, whatever happens to it.
+enum class Verdict : std::uint8_t {
+    Kept,
+    BackFacing,
+    Degenerate,
+    OutsideNear,
+    OutsideFar,
+    OutsideLeft,
+    OutsideRight,
+    OutsideTop,
+    OutsideBottom,
+    Clipped,  // kept, and cut by the near or the far plane
+};
+inline constexpr std::size_t kVerdictCount = 10;
+std::string_view name(Verdict verdict);  // "back-facing", "outside the left plane"
+char letter(Verdict verdict);            // K, B, D, O, C
+constexpr bool goesOn(Verdict v) { return v == Verdict::Kept || v == Verdict::Clipped; }
+
+struct CullInputs {
+    CullMode mode;
+    bool operator==(const CullInputs&) const = default;
+};
+
+struct CullOutput {
+    std::vector<Verdict> verdicts;  // per polygon
+    // Per polygon, px²; positive for a front face (counter-clockwise as seen, mirroring undone).
+    // Of the part inside near, far and guard band; computed on snapped corners, exact.
+    std::vector<double> signedAreas;
+    // "back-facing, signed area −1 991.6 px²"
+    std::string reason(std::size_t polygon) const;
+};
+
+CullOutput prepareCull(std::size_t polygons);
+// Polygons [begin, end).
+template <class Real>
+void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
+          CullOutput& out);
+
+}  // namespace pipeline

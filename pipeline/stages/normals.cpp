@@ -1,0 +1,84 @@
+#include "pipeline/stages/normals.h"
+
+#include "pipeline/core/numerics.h"
+
+namespace pipeline {
+
+template <class Real>
+NormalsOutput<Real> prepareNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in) {
+    NormalsOutput<Real> out;
+    out.polygon.resize(in.topology->polygonCount());
+    if (inputs.vertexNormals) {
+        out.vertex.resize(in.topology->vertexCount());
+        if (inputs.weight == NormalWeight::Area) out.weighted.resize(in.topology->polygonCount());
+    }
+    return out;
+}
+
+template <class Real>
+void polygonNormals(const TransformOutput<Real>& in, std::size_t begin, std::size_t end, NormalsOutput<Real>& out) {
+    for (std::size_t polygon = begin; polygon < end; ++polygon) {
+        const Topology::Corners corners = in.topology->corners(polygon);
+        const Vec3<Real> origin = in.world[corners[0]];
+        Vec3<Real> sum(0);
+        for (std::size_t i = 2; i < corners.size(); ++i)
+            sum += glm::cross(in.world[corners[i - 1]] - origin, in.world[corners[i]] - origin);
+        if (in.mirrored[in.topology->polygonObject[polygon]]) sum = -sum;
+        out.polygon[polygon] = normalized(sum);
+        if (!out.weighted.empty()) out.weighted[polygon] = sum;
+    }
+}
+
+namespace {
+
+// The angle of a polygon at its i-th corner, radians.
+template <class Real>
+Real cornerAngle(const TransformOutput<Real>& in, const Topology::Corners& corners, std::size_t i) {
+    const std::size_t n = corners.size();
+    const Vec3<Real> here = in.world[corners[i]];
+    return angleBetween(normalized(in.world[corners[(i + 1) % n]] - here),
+                        normalized(in.world[corners[(i + n - 1) % n]] - here));
+}
+
+}  // namespace
+
+template <class Real>
+void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
+                   NormalsOutput<Real>& out) {
+    const Topology& topology = *in.topology;
+    // The first normal around each vertex, for where the sum vanishes.
+    const std::size_t firstVertex = topology.firstVertex[object];
+    std::vector<Vec3<Real>> first(topology.firstVertex[object + 1] - firstVertex, Vec3<Real>(0));
+
+    for (std::size_t polygon = topology.firstPolygon[object]; polygon < topology.firstPolygon[object + 1]; ++polygon) {
+        const Topology::Corners corners = topology.corners(polygon);
+        const Vec3<Real> normal = out.polygon[polygon];
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            switch (inputs.weight) {
+                case NormalWeight::Mean: out.vertex[corners[i]] += normal; break;
+                case NormalWeight::Area: out.vertex[corners[i]] += out.weighted[polygon]; break;
+                case NormalWeight::Angle: out.vertex[corners[i]] += cornerAngle(in, corners, i) * normal; break;
+            }
+            Vec3<Real>& standIn = first[corners[i] - firstVertex];
+            if (standIn == Vec3<Real>(0)) standIn = normal;
+        }
+    }
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        Vec3<Real>& normal = out.vertex[firstVertex + i];
+        normal = normalized(normal);
+        if (normal == Vec3<Real>(0) && first[i] != Vec3<Real>(0)) {
+            normal = first[i];
+            ++out.vanishing;
+        }
+    }
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                            \
+    template NormalsOutput<Real> prepareNormals(const NormalsInputs&, const TransformOutput<Real>&);            \
+    template void polygonNormals(const TransformOutput<Real>&, std::size_t, std::size_t, NormalsOutput<Real>&); \
+    template void vertexNormals(const NormalsInputs&, const TransformOutput<Real>&, std::size_t, NormalsOutput<Real>&);
+SHADESCOPE_INSTANTIATE(float)
+SHADESCOPE_INSTANTIATE(double)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline

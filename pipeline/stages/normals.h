@@ -1,0 +1,42 @@
+#pragma once
+#include <vector>
+
+#include "pipeline/stages/transform.h"
+
+namespace pipeline {
+
+// Stage 3: unit normals, world space.
+
+struct NormalsInputs {
+    NormalWeight weight;
+    bool vertexNormals;  // whether anybody reads them
+    bool operator==(const NormalsInputs&) const = default;
+};
+
+template <class Real>
+struct NormalsOutput {
+    std::vector<Vec3<Real>> polygon;  // per polygon; (0, 0, 0) for one without area
+    std::vector<Vec3<Real>> vertex;   // per vertex; empty when not asked for
+    // Where the mean of the normals around a vertex vanishes, the first of them stands in: how often.
+    std::size_t vanishing = 0;
+    std::vector<Vec3<Real>> weighted;  // scratch: per polygon, twice the area times the normal
+};
+
+template <class Real>
+NormalsOutput<Real> prepareNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in);
+
+// Polygons [begin, end): Newell's normal, relative to the first corner, which keeps its digits far
+// from the origin. Outward also where the object is mirrored.
+// M. Newell, in I. Sutherland, R. Sproull, R. Schumacker, "A characterization of ten hidden-surface
+// algorithms", Computing Surveys 1974.
+template <class Real>
+void polygonNormals(const TransformOutput<Real>& in, std::size_t begin, std::size_t end, NormalsOutput<Real>& out);
+
+// All vertices of one object, from the polygons around each: the mean of the unit normals (lecture
+// 1), or weighted by area or by the angle at the vertex; normalised. A vertex of no polygon gets
+// (0, 0, 0).
+template <class Real>
+void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
+                   NormalsOutput<Real>& out);
+
+}  // namespace pipeline

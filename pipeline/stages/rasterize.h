@@ -1,0 +1,148 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "pipeline/buffers/buffer2d.h"
+#include "pipeline/stages/clip.h"
+
+namespace pipeline {
+
+// From a triangle in view space to the pixels it covers: shared by the z-buffer and the shadow
+// buffers ("same code as Z-Buffer, but using different origin", lecture 1).
+
+inline constexpr int kSubPixelBits = 8;
+inline constexpr std::int64_t kSubPixels = 1 << kSubPixelBits;  // positions along a pixel's side
+
+// Coverage is decided in integers, on corners snapped to the sub-pixel grid: exact, so that two
+// triangles that share an edge never both cover a sample and never both miss it.
+struct SnappedTriangle {
+    std::array<glm::i64vec2, 3> corners;  // 1/256 pixel, y down
+    // Twice the signed area, 1/65536 px²; positive when the corners run clockwise as seen.
+    std::int64_t area2() const;
+    // Pixels whose centres the triangle's box holds, as a half-open range; may be empty.
+    Tile pixels() const;
+};
+
+// Pixels, y down, to the grid, to nearest. |p| must be within the guard band.
+inline glm::i64vec2 snap(glm::dvec2 p) {
+    return {static_cast<std::int64_t>(std::floor(p.x * kSubPixels + 0.5)),
+            static_cast<std::int64_t>(std::floor(p.y * kSubPixels + 0.5))};
+}
+
+// The line from p to q as an integer function of position: > 0 on its right side as seen (y down),
+// where a clockwise triangle lies; twice the area of (p, q, position).
+// J. Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988.
+struct EdgeFunction {
+    std::int64_t dx, dy;  // from p to q
+    glm::i64vec2 p;
+    EdgeFunction(glm::i64vec2 from, glm::i64vec2 to) : dx(to.x - from.x), dy(to.y - from.y), p(from) {}
+    std::int64_t at(glm::i64vec2 x) const { return dx * (x.y - p.y) - dy * (x.x - p.x); }
+    std::int64_t atPixel(glm::ivec2 pixel) const {
+        return at({pixel.x * kSubPixels + kSubPixels / 2, pixel.y * kSubPixels + kSubPixels / 2});
+    }
+    // A sample exactly on the edge belongs to the triangle right of a left edge or below a top edge.
+    bool ownsBoundary() const { return dy < 0 || (dy == 0 && dx > 0); }
+    bool covers(std::int64_t value) const { return value > 0 || (value == 0 && ownsBoundary()); }
+};
+
+// Calls visit(pixel, e) for every pixel of the tile whose centre a clockwise triangle covers, row
+// by row from the left; e[i] is the edge function opposite to corner i, their sum is area2().
+template <class Visit>
+void forEachCovered(const SnappedTriangle& t, Tile tile, Visit visit) {
+    const EdgeFunction edges[3]{
+        {t.corners[1], t.corners[2]}, {t.corners[2], t.corners[0]}, {t.corners[0], t.corners[1]}};
+    const Tile box = t.pixels();
+    const glm::ivec2 min = glm::max(tile.min, box.min), max = glm::min(tile.max, box.max);
+    for (int y = min.y; y < max.y; ++y) {
+        // An edge is affine along the row: e(x) = e(min.x) + (x - min.x) step. Solving e >= bias for
+        // each edge gives the row's first and last pixel without looking at those between.
+        std::int64_t first = 0, last = max.x - 1 - min.x;
+        std::int64_t value[3], step[3];
+        for (int i = 0; i < 3; ++i) {
+            value[i] = edges[i].atPixel({min.x, y});
+            step[i] = -edges[i].dy * kSubPixels;
+            const std::int64_t slack = value[i] - (edges[i].ownsBoundary() ? 0 : 1);  // >= 0 where covered
+            if (step[i] > 0 && slack < 0) first = std::max(first, (-slack + step[i] - 1) / step[i]);
+            if (step[i] < 0) last = std::min(last, slack < 0 ? -1 : slack / -step[i]);
+            if (step[i] == 0 && slack < 0) last = -1;
+        }
+        for (std::int64_t x = first; x <= last; ++x) {
+            visit(glm::ivec2(min.x + int(x), y),
+                  std::array<std::int64_t, 3>{value[0] + x * step[0], value[1] + x * step[1], value[2] + x * step[2]});
+        }
+    }
+}
+
+// A triangle ready to be rasterized, its corners clockwise as seen, the farthest first.
+template <class Real>
+struct RasterTriangle {
+    SnappedTriangle snapped;
+    std::array<Real, 3> w;              // 1/z_view in perspective, z_view in orthographic projection
+    std::array<Vec3<Real>, 3> weights;  // each corner's weights over the corners of triangle `id`
+    Real inverseArea2;                  // 1 / area2()
+    std::uint32_t id;                   // index into Topology::triangles
+};
+
+// Clips a triangle, projects and snaps it (in double, so that a corner falls on the same grid point
+// whether or not its triangle was cut), and calls emit(RasterTriangle) for each piece with area.
+// Returns the sum of the pieces' signed areas, 1/65536 px², positive for a front face
+// (counter-clockwise as seen).
+template <class Real, class Emit>
+std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& corners, std::uint32_t id, Emit emit) {
+    const ClippedTriangle clipped = clipTriangle(view, {Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2])});
+    std::array<glm::i64vec2, 9> snapped;
+    std::array<Real, 9> w;
+    for (std::size_t i = 0; i < clipped.count; ++i) {
+        const Vec3d v = clipped.corners[i].view;
+        const double spread = view.perspective ? v.z : 1;
+        snapped[i] = snap({view.centre.x + view.scale.x * v.x / spread, view.centre.y - view.scale.y * v.y / spread});
+        w[i] = Real(view.perspective ? 1 / v.z : v.z);
+    }
+    std::int64_t signedArea2 = 0;
+    for (std::size_t k = 2; k < clipped.count; ++k) {
+        std::array<std::size_t, 3> order{0, k - 1, k};
+        const std::int64_t area2 = SnappedTriangle{{snapped[0], snapped[k - 1], snapped[k]}}.area2();
+        signedArea2 -= area2;
+        if (area2 == 0) continue;
+        if (area2 < 0) std::swap(order[1], order[2]);  // counter-clockwise: turned round for the edge functions
+        const auto smallest =
+            std::min_element(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return w[a] < w[b]; });
+        std::rotate(order.begin(), smallest, order.end());
+
+        RasterTriangle<Real> out;
+        for (std::size_t i = 0; i < 3; ++i) {
+            out.snapped.corners[i] = snapped[order[i]];
+            out.w[i] = w[order[i]];
+            out.weights[i] = Vec3<Real>(clipped.corners[order[i]].weights);
+        }
+        out.inverseArea2 = Real(1 / std::abs(double(area2)));
+        out.id = id;
+        emit(out);
+    }
+    return signedArea2;
+}
+
+// What a fragment interpolates.
+template <class Real>
+struct Fragment {
+    Real z;                  // z_view
+    Real inverseZ;           // 1 / z in perspective, 0 in orthographic projection
+    Vec3<Real> barycentric;  // perspective-correct weights over the corners of triangle `id`
+};
+
+// Differences from corner 0 rather than three products: a polygon at one depth keeps that depth
+// exactly, and weights sum to 1. Corner 0 has the smallest w, so nothing is subtracted and lost,
+// however much nearer the others are.
+// P. Heckbert and H. Moreton, "Interpolation for polygon texture mapping and shading", 1991.
+template <class Real>
+Fragment<Real> interpolate(const RasterTriangle<Real>& t, const std::array<std::int64_t, 3>& e, bool perspective) {
+    const Real l1 = Real(e[1]) * t.inverseArea2, l2 = Real(e[2]) * t.inverseArea2;
+    const Real w = t.w[0] + l1 * (t.w[1] - t.w[0]) + l2 * (t.w[2] - t.w[0]);
+    const Real z = perspective ? 1 / w : w;
+    const Real b1 = perspective ? l1 * t.w[1] * z : l1, b2 = perspective ? l2 * t.w[2] * z : l2;
+    const Vec3<Real> weights = t.weights[0] + b1 * (t.weights[1] - t.weights[0]) + b2 * (t.weights[2] - t.weights[0]);
+    return {z, perspective ? w : Real(0), weights};
+}
+
+}  // namespace pipeline

@@ -1,0 +1,96 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "pipeline/buffers/buffer_table.h"
+#include "pipeline/illumination/phong.h"
+#include "pipeline/illumination/shadow_factor.h"
+#include "pipeline/stages/interpolate.h"
+#include "pipeline/stages/normals.h"
+#include "pipeline/stages/z_buffer.h"
+
+namespace pipeline {
+
+// Stage 6: the illumination of what is seen, and the frame buffer. Deferred: the z-buffer has
+// decided, so each pixel is shaded once, and every quantity on the way can be kept.
+
+struct ShadingInputs {
+    Shading shading;
+    std::vector<Material> materials;  // per object
+    std::vector<Light> lights;
+    AmbientLight ambient;
+    ShadowSettings shadow;
+    std::vector<bool> lightCounts;   // per light: false where the plan leaves it out
+    bool polygonTerms, vertexTerms;  // evaluate per polygon (flat needs it), per vertex (Gouraud does)
+    bool evaluateAll;                // also polygons that culling dropped
+    bool operator==(const ShadingInputs&) const = default;
+};
+
+// What a light adds to a polygon or a vertex, before its shadow factor.
+template <class Real>
+struct LightTerms {
+    Vec3<Real> diffuse, specular;
+};
+
+template <class Real>
+struct ShadingOutput {
+    double iMax = 0;  // the intensity that 255 stands for
+    // Per polygon and per vertex; empty when not asked for.
+    struct Elements {
+        std::vector<LightTerms<Real>> terms;  // lights side by side: [i * lights + k]
+        std::vector<Vec3<Real>> intensity;    // unshadowed (S = 1), before scaling by iMax
+    };
+    Elements polygons, vertices;
+
+    // Per pixel, by buffer and light (0 where the buffer is not per light); empty when not wanted.
+    std::array<std::vector<Buffer2D<Vec3<Real>>>, kBufferCount> vectors;
+    std::array<std::vector<Buffer2D<Real>>, kBufferCount> scalars;
+    Buffer2D<Color8> color;
+};
+
+// What shading reads of the stages before it.
+template <class Real>
+struct ShadingSources {
+    const TransformOutput<Real>& transform;
+    const NormalsOutput<Real>& normals;
+    const ShadowBufferOutput<Real>* shadow;  // null where the plan leaves it out
+    const ZBufferOutput<Real>& zBuffer;
+    const std::vector<Verdict>& verdicts;  // empty where culling is left out
+};
+
+// wanted: which per-pixel buffers to leave beside intensity and color.
+template <class Real>
+ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted);
+
+// Polygons [begin, end), each at the mean of its vertices; vertices [begin, end).
+template <class Real>
+void shadePolygons(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin, std::size_t end,
+                   ShadingOutput<Real>& out);
+template <class Real>
+void shadeVertices(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin, std::size_t end,
+                   ShadingOutput<Real>& out);
+
+// The pixels of one tile.
+template <class Real>
+void shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile, ShadingOutput<Real>& out);
+
+// Where a polygon or vertex is evaluated, and where a pixel is.
+template <class Real>
+Surface<Real> polygonSurface(const TransformOutput<Real>& in, const NormalsOutput<Real>& normals, std::size_t polygon);
+template <class Real>
+Surface<Real> vertexSurface(const TransformOutput<Real>& in, const NormalsOutput<Real>& normals, std::size_t vertex);
+// Normals are interpolated and renormalised when the normals stage left vertex normals.
+template <class Real>
+Surface<Real> pixelSurface(const TransformOutput<Real>& in, const NormalsOutput<Real>& normals, std::uint32_t triangle,
+                           Vec3<Real> barycentric);
+
+// S of light k at a surface point of a polygon. A polygon that faces away from a casting light
+// shadows itself, whatever its interpolated normal says: no look-up.
+template <class Real>
+Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t k, std::uint32_t polygon,
+              Vec3<Real> position);
+
+// round(255 · clamp(I / I_max, 0, 1)); 0 where I_max is 0 or I is not a number.
+Color8 frameBufferValue(Vec3d intensity, double iMax);
+
+}  // namespace pipeline

@@ -1,0 +1,140 @@
+#include "pipeline/stages/shadow_buffer.h"
+
+#include <cmath>
+#include <limits>
+
+#include "pipeline/core/numerics.h"
+
+namespace pipeline {
+namespace {
+
+// Any right-handed pair of axes across `forward`, chosen by the axis least aligned with it.
+void placeAxes(View& view) {
+    const Vec3d f = glm::abs(view.forward);
+    const Vec3d axis = f.z <= f.x && f.z <= f.y ? Vec3d(0, 0, 1) : f.y <= f.x ? Vec3d(0, 1, 0) : Vec3d(1, 0, 0);
+    view.right = normalized(glm::cross(view.forward, axis));
+    view.up = glm::cross(view.right, view.forward);
+}
+
+struct Bounds {
+    Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    void add(Vec3d p) { low = glm::min(low, p), high = glm::max(high, p); }
+};
+
+// Orthographic, around everything there is, a texel wider on each side. z' counts from the plane
+// through the vertex nearest to the light.
+template <class Real>
+View fitAtInfinity(Vec3d towardsLight, int size, const TransformOutput<Real>& in) {
+    View view;
+    view.perspective = false;
+    view.size = {size, size};
+    view.centre = glm::dvec2(view.size) / 2.0;
+    view.forward = -normalized(towardsLight);
+    placeAxes(view);
+    Bounds bounds;
+    for (const Vec3<Real>& world : in.world) bounds.add(toLightView(view, Vec3d(world)));
+    if (!(bounds.low.x <= bounds.high.x)) bounds.low = bounds.high = Vec3d(0);
+
+    const Vec3d middle = (bounds.low + bounds.high) / 2.0, extent = bounds.high - bounds.low;
+    view.eye = middle.x * view.right + middle.y * view.up + bounds.low.z * view.forward;
+    const double side = std::max({extent.x, extent.y, extent.z});
+    const auto texels = [&](double across) {
+        const double inside = std::max(1, size - 2);
+        return across > 0 ? inside / across : side > 0 ? inside / side : 1.0;
+    };
+    view.scale = {texels(extent.x), texels(extent.y)};
+    // Everything lies between; the margin keeps rounding from cutting the outermost.
+    view.near = -side;
+    view.far = 2 * side;
+    return view;
+}
+
+template <class Real>
+std::vector<View> sixFaces(Vec3d position, int size, const TransformOutput<Real>& in) {
+    double farthest = 0;
+    for (const Vec3<Real>& world : in.world) farthest = std::max(farthest, largestComponent(Vec3d(world) - position));
+    if (farthest == 0) farthest = 1;
+    std::vector<View> faces;
+    for (const Vec3d axis : {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)}) {
+        for (const double sign : {1.0, -1.0}) {
+            View view;
+            view.eye = position;
+            view.size = {size, size};
+            view.centre = view.scale = glm::dvec2(view.size) / 2.0;  // 90 degrees
+            view.forward = sign * axis;
+            placeAxes(view);
+            view.near = farthest / (1 << 20);
+            view.far = farthest * 2;
+            faces.push_back(view);
+        }
+    }
+    return faces;
+}
+
+}  // namespace
+
+template <class Real>
+Vec3<Real> toLightView(const View& face, Vec3<Real> world) {
+    const Vec3<Real> p = world - Vec3<Real>(face.eye);
+    return {glm::dot(Vec3<Real>(face.right), p), glm::dot(Vec3<Real>(face.up), p),
+            glm::dot(Vec3<Real>(face.forward), p)};
+}
+
+template <class Real>
+std::size_t faceOf(const LightView<Real>& light, Vec3<Real> world) {
+    if (light.faces.size() == 1) return 0;
+    const Vec3<Real> p = world - Vec3<Real>(light.faces[0].eye), a = glm::abs(p);
+    const std::size_t axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+    return 2 * axis + (p[int(axis)] < 0 ? 1 : 0);
+}
+
+template <class Real>
+ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in) {
+    ShadowBufferOutput<Real> out;
+    out.lights.resize(inputs.casters.size());
+    for (std::size_t k = 0; k < inputs.casters.size(); ++k) {
+        const ShadowBufferInputs::Caster& caster = inputs.casters[k];
+        if (!caster.casts) continue;
+        LightView<Real>& light = out.lights[k].emplace();
+        light.faces = caster.kind == LightKind::Point
+                          ? sixFaces(caster.position, inputs.size, in)
+                          : std::vector<View>{fitAtInfinity(caster.position, inputs.size, in)};
+        for (const View& face : light.faces) light.depth.emplace_back(face.size, std::numeric_limits<Real>::infinity());
+        // A difference, three products and two sums, on either side of the comparison.
+        Real largest = Real(largestComponent(light.faces[0].eye));
+        for (const Vec3<Real>& world : in.world) largest = std::max(largest, largestComponent(world));
+        light.rounding = 16 * std::numeric_limits<Real>::epsilon() * largest;
+    }
+    return out;
+}
+
+template <class Real>
+TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face) {
+    std::vector<Vec3<Real>> positions(in.world.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = toLightView(face, in.world[i]);
+    return binTriangles<Real>(*in.topology, face, positions, {});
+}
+
+template <class Real>
+void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t tile, Buffer2D<Real>& depth) {
+    for (const std::uint32_t i : bins.bins[tile]) {
+        const RasterTriangle<Real>& triangle = bins.triangles[i];
+        forEachCovered(triangle.snapped, bins.tile(tile), [&](glm::ivec2 texel, const std::array<std::int64_t, 3>& e) {
+            const Real z = interpolate(triangle, e, face.perspective).z;
+            Real& stored = depth.at(texel);
+            if (z < stored) stored = z;
+        });
+    }
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                \
+    template Vec3<Real> toLightView(const View&, Vec3<Real>);                                                       \
+    template std::size_t faceOf(const LightView<Real>&, Vec3<Real>);                                                \
+    template ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs&, const TransformOutput<Real>&); \
+    template TriangleBins<Real> binForLight(const TransformOutput<Real>&, const View&);                             \
+    template void shadowBuffer(const View&, const TriangleBins<Real>&, std::size_t, Buffer2D<Real>&);
+SHADESCOPE_INSTANTIATE(float)
+SHADESCOPE_INSTANTIATE(double)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline

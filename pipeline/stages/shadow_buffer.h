@@ -1,0 +1,60 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "pipeline/buffers/buffer2d.h"
+#include "pipeline/stages/bin.h"
+#include "pipeline/stages/transform.h"
+
+namespace pipeline {
+
+// Stage 4: for each casting light, the distance Z' from the light to the closest surface.
+// L. Williams, "Casting curved shadows on curved surfaces", SIGGRAPH 1978.
+
+struct ShadowBufferInputs {
+    // Per light: whether it gets a shadow buffer, and where it stands. The intensity of a light
+    // does not matter here, so changing it keeps the buffer.
+    struct Caster {
+        bool casts = false;
+        LightKind kind = LightKind::AtInfinity;
+        Vec3d position{0.0};
+        bool operator==(const Caster&) const = default;
+    };
+    std::vector<Caster> casters;
+    int size;  // texels along a side
+    bool operator==(const ShadowBufferInputs&) const = default;
+};
+
+// A light as a camera: one orthographic view for a light at infinity, fitted to the scene's
+// bounds; six perspective views along +x, −x, +y, −y, +z, −z for a point light.
+template <class Real>
+struct LightView {
+    std::vector<View> faces;
+    std::vector<Buffer2D<Real>> depth;  // Z' per face: z_view of that face, +infinity where nothing is
+    Real rounding = 0;                  // bound of the rounding error of a z', world units
+};
+
+template <class Real>
+struct ShadowBufferOutput {
+    std::vector<std::optional<LightView<Real>>> lights;  // per light
+};
+
+template <class Real>
+ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in);
+
+// The scene's triangles as one face of a light sees them, whichever way they face.
+template <class Real>
+TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face);
+
+// Draws the triangles of tile `tile` of `bins` into the depth of that face.
+template <class Real>
+void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t tile, Buffer2D<Real>& depth);
+
+// A world-space point as a face's view sees it: x, y in view units, z' along its axis.
+template <class Real>
+Vec3<Real> toLightView(const View& face, Vec3<Real> world);
+// Which of the six faces a point seen from a point light falls on; 0 for a light at infinity.
+template <class Real>
+std::size_t faceOf(const LightView<Real>& light, Vec3<Real> world);
+
+}  // namespace pipeline

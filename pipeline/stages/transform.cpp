@@ -1,0 +1,79 @@
+#include "pipeline/stages/transform.h"
+
+#include "pipeline/core/angles.h"
+
+namespace pipeline {
+
+ObjectMatrix makeObjectMatrix(const ObjectTransform& t) {
+    const Vec3d sin{sinDegrees(t.rotation.x), sinDegrees(t.rotation.y), sinDegrees(t.rotation.z)};
+    const Vec3d cos{cosDegrees(t.rotation.x), cosDegrees(t.rotation.y), cosDegrees(t.rotation.z)};
+    // glm takes columns.
+    const glm::dmat3 scale{{t.scale.x, 0, 0}, {0, t.scale.y, 0}, {0, 0, t.scale.z}};
+    const glm::dmat3 aboutX{{1, 0, 0}, {0, cos.x, sin.x}, {0, -sin.x, cos.x}};
+    const glm::dmat3 aboutY{{cos.y, 0, -sin.y}, {0, 1, 0}, {sin.y, 0, cos.y}};
+    const glm::dmat3 aboutZ{{cos.z, sin.z, 0}, {-sin.z, cos.z, 0}, {0, 0, 1}};
+    // The sign of the determinant from the factors: their product may underflow.
+    const bool mirrors = (t.scale.x < 0) != ((t.scale.y < 0) != (t.scale.z < 0));
+    return {aboutZ * aboutY * aboutX * scale, t.translation, mirrors};
+}
+
+Vec3d toWorld(const ObjectMatrix& matrix, Vec3d position) { return matrix.linear * position + matrix.translation; }
+
+TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology) {
+    TransformInputs inputs{std::move(topology), {}, makeView(scene), scene.settings.depthFormat};
+    for (const Object& object : scene.objects) inputs.transforms.push_back(object.transform);
+    return inputs;
+}
+
+template <class Real>
+TransformOutput<Real> prepareTransform(const TransformInputs& inputs) {
+    TransformOutput<Real> out;
+    out.topology = inputs.topology;
+    out.view = inputs.view;
+    out.depthFormat = inputs.depthFormat;
+    for (const ObjectTransform& t : inputs.transforms) out.mirrored.push_back(makeObjectMatrix(t).mirrors);
+    const std::size_t count = inputs.topology->vertexCount();
+    out.world.resize(count);
+    out.viewSpace.resize(count);
+    out.screen.resize(count);
+    return out;
+}
+
+template <class Real>
+void transform(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
+               TransformOutput<Real>& out) {
+    const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
+    const glm::mat<3, 3, Real> linear(matrix.linear);
+    const Vec3<Real> translation(matrix.translation);
+    const View& view = inputs.view;
+    const Vec3<Real> eye(view.eye), right(view.right), up(view.up), forward(view.forward);
+    const Vec2<Real> scale(view.scale), centre(view.centre);
+    const DepthCode<Real> depth(view, inputs.depthFormat);
+    const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
+    const std::size_t first = inputs.topology->firstVertex[object];
+
+    for (std::size_t i = begin; i < end; ++i) {
+        const Vec3<Real> world = linear * Vec3<Real>(positions[i]) + translation;
+        // The eye is taken off before the rotation: far from the origin both are large and alike.
+        const Vec3<Real> fromEye = world - eye;
+        const Vec3<Real> v{glm::dot(right, fromEye), glm::dot(up, fromEye), glm::dot(forward, fromEye)};
+        out.world[first + i] = world;
+        out.viewSpace[first + i] = v;
+
+        if (view.perspective && v.z < Real(view.near)) continue;
+        const Real spread = view.perspective ? v.z : Real(1);
+        const Vec3<Real> screen{centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread,
+                                depth.encode(v.z, 1 / v.z)};
+        // Too far off the picture for Real to say where: no place on the screen either.
+        if (std::isfinite(screen.x) && std::isfinite(screen.y)) out.screen[first + i] = screen;
+    }
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                         \
+    template TransformOutput<Real> prepareTransform(const TransformInputs&); \
+    template void transform(const TransformInputs&, std::size_t, std::size_t, std::size_t, TransformOutput<Real>&);
+SHADESCOPE_INSTANTIATE(float)
+SHADESCOPE_INSTANTIATE(double)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline

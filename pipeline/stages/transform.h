@@ -1,0 +1,52 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "pipeline/scene/topology.h"
+#include "pipeline/stages/depth.h"
+#include "pipeline/stages/view.h"
+
+namespace pipeline {
+
+// Stage 1: object to world to view to screen, vertex by vertex.
+
+// world = linear · object + translation: scale, rotation about x, y, z, translation.
+struct ObjectMatrix {
+    glm::dmat3 linear{1.0};
+    Vec3d translation{0.0};
+    bool mirrors = false;  // the determinant is negative: windings turn round
+};
+ObjectMatrix makeObjectMatrix(const ObjectTransform& transform);
+Vec3d toWorld(const ObjectMatrix& matrix, Vec3d position);
+
+// What the stage depends on, compared to find out whether it has to run again.
+struct TransformInputs {
+    std::shared_ptr<const Topology> topology;  // compared by identity
+    std::vector<ObjectTransform> transforms;   // per object
+    View view;
+    DepthFormat depthFormat;
+    bool operator==(const TransformInputs&) const = default;
+};
+TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology);
+
+template <class Real>
+struct TransformOutput {
+    std::shared_ptr<const Topology> topology;
+    View view;
+    DepthFormat depthFormat = DepthFormat::Linear;
+    std::vector<std::uint8_t> mirrored;        // per object
+    std::vector<Vec3<Real>> world, viewSpace;  // per vertex
+    // Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is not in front of
+    // the near plane: it has no place on the screen, and no infinity may stand in for one.
+    std::vector<Vec3<Real>> screen;
+};
+
+template <class Real>
+TransformOutput<Real> prepareTransform(const TransformInputs& inputs);
+// Vertices [begin, end) of one object.
+template <class Real>
+void transform(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
+               TransformOutput<Real>& out);
+
+}  // namespace pipeline

@@ -1,0 +1,94 @@
+#include "pipeline/stages/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/core/angles.h"
+#include "pipeline/core/numerics.h"
+#include "pipeline/stages/transform.h"
+
+namespace pipeline {
+namespace {
+
+// Lecture 1's camera. The closed form of the basis has no division, so phi = 0 and 180 are
+// places like any other.
+void placeSpherical(const Camera& camera, View& view) {
+    const double sinTheta = sinDegrees(camera.theta), cosTheta = cosDegrees(camera.theta);
+    const double sinPhi = sinDegrees(camera.phi), cosPhi = cosDegrees(camera.phi);
+    const Vec3d away{sinPhi * cosTheta, sinPhi * sinTheta, cosPhi};
+    view.eye = camera.rho * away;
+    view.forward = -away;
+    view.right = {-sinTheta, cosTheta, 0};
+    view.up = {-cosPhi * cosTheta, -cosPhi * sinTheta, sinPhi};
+}
+
+void placeLookAt(const Camera& camera, View& view) {
+    view.eye = camera.eye;
+    view.forward = normalized(camera.target - camera.eye);
+    view.right = normalized(glm::cross(view.forward, normalized(camera.up)));
+    if (view.right == Vec3d(0)) {
+        // Up is parallel to the viewing direction: the axis least aligned with it takes its place.
+        const Vec3d f = glm::abs(view.forward);
+        const Vec3d axis = f.x <= f.y && f.x <= f.z ? Vec3d(1, 0, 0) : f.y <= f.z ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
+        view.right = normalized(glm::cross(view.forward, axis));
+    }
+    view.up = glm::cross(view.right, view.forward);
+}
+
+// Margins and limits are powers of two, so that a scaled scene keeps its bits.
+void chooseRange(const Scene& scene, View& view) {
+    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    for (const Object& object : scene.objects) {
+        const ObjectMatrix matrix = makeObjectMatrix(object.transform);
+        for (const Vec3d& position : object.mesh->positions) {
+            const double z = glm::dot(view.forward, toWorld(matrix, position) - view.eye);
+            nearest = std::min(nearest, z);
+            farthest = std::max(farthest, z);
+        }
+    }
+    if (!(nearest <= farthest)) nearest = 1, farthest = 2;  // no vertex
+    constexpr double kMargin = 1.0 / 1024, kDeepest = 1.0 / (1 << 20);
+    if (view.perspective) {
+        view.far = farthest > 0 ? farthest * (1 + kMargin) : 2;
+        view.near = std::max(nearest * (1 - kMargin), view.far * kDeepest);
+    } else {
+        const double span = std::max({farthest - nearest, std::abs(nearest) * kDeepest, std::abs(farthest) * kDeepest});
+        const double margin = span > 0 ? span * kMargin : 1;
+        view.near = nearest - margin;
+        view.far = farthest + margin;
+    }
+}
+
+}  // namespace
+
+View makeView(const Scene& scene) {
+    const Camera& camera = scene.camera;
+    View view;
+    view.size = {scene.settings.width, scene.settings.height};
+    view.centre = glm::dvec2(view.size) / 2.0;
+    view.perspective = camera.projection == ProjectionKind::Perspective;
+    if (camera.kind == CameraKind::Spherical) {
+        placeSpherical(camera, view);
+        // An orthographic picture shows the origin as large as the perspective one does.
+        const double distance = view.perspective ? 1 : std::max(camera.rho, std::numeric_limits<double>::min());
+        view.scale = glm::dvec2(camera.pixelsPerUnit * camera.screenDistance / distance);
+    } else {
+        placeLookAt(camera, view);
+        const double half = sinDegrees(camera.fovY / 2) / cosDegrees(camera.fovY / 2);
+        view.scale = glm::dvec2(view.perspective ? view.centre.y / half : view.size.y / camera.height);
+    }
+    chooseRange(scene, view);
+    if (camera.near != 0) view.near = camera.near;
+    if (camera.far != 0) view.far = camera.far;
+    return view;
+}
+
+Vec3d worldPoint(const View& view, glm::dvec2 p, double zView) {
+    const double spread = view.perspective ? zView : 1;
+    const double x = (p.x - view.centre.x) / view.scale.x * spread;
+    const double y = (view.centre.y - p.y) / view.scale.y * spread;
+    return view.eye + x * view.right + y * view.up + zView * view.forward;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,30 @@
+#pragma once
+#include "pipeline/core/real.h"
+#include "pipeline/scene/scene.h"
+
+namespace pipeline {
+
+// The camera as the stages use it. View space is left-handed: x right, y up, z away from the
+// viewer; z_view is the distance along the viewing direction.
+//   screen x = centre.x + scale.x · x_view / (perspective ? z_view : 1), pixels
+//   screen y = centre.y − scale.y · y_view / (perspective ? z_view : 1), pixels, downwards
+struct View {
+    Vec3d eye{0.0};                                       // world space
+    Vec3d right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};  // world space, orthonormal
+    bool perspective = true;
+    glm::dvec2 scale{1.0};     // pixels per view unit (at z_view = 1 in perspective)
+    glm::dvec2 centre{0.0};    // pixels
+    glm::ivec2 size{0};        // pixels
+    double near = 0, far = 0;  // z_view, 0 < near < far (near may be < 0 when orthographic)
+    bool operator==(const View&) const = default;
+};
+
+// The view of a scene's camera. Near and far come from the scene's bounds where the camera
+// leaves them open: the largest range that holds every vertex in front of the eye.
+View makeView(const Scene& scene);
+
+// The point on the picture's plane through z_view = distance that pixel position p (pixels,
+// centre at +0.5) looks at; world space.
+Vec3d worldPoint(const View& view, glm::dvec2 p, double zView);
+
+}  // namespace pipeline

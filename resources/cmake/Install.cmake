@@ -1,0 +1,15 @@
+# What `cmake --install build/release --prefix PREFIX` lays out: the program in bin, the scenes and
+# lessons in share/shadescope where the program looks for them, and what a desktop reads.
+include(GNUInstallDirs)
+install(TARGETS shadescope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY resources/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/resources)
+install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lessons
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.scene" PATTERN "*.des")
+if(SHADESCOPE_WINDOW)
+  set(desktop ${PROJECT_SOURCE_DIR}/resources/desktop)
+  install(FILES ${desktop}/shadescope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+  install(FILES ${desktop}/shadescope.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+  install(FILES ${desktop}/shadescope-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
+    RENAME shadescope.xml)
+  install(FILES ${desktop}/shadescope.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+endif()

@@ -1,0 +1,216 @@
+#include "tests/architecture/rules.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <regex>
+#include <set>
+#include <string_view>
+
+namespace architecture {
+namespace {
+
+bool isSource(const SourceFile& file) { return file.path.ends_with(".h") || file.path.ends_with(".cpp"); }
+
+std::string breach(const SourceFile& file, std::size_t line, const std::string& found, std::string_view rule) {
+    return file.path + ":" + std::to_string(line) + ": " + found + "; " + std::string(rule);
+}
+
+struct Include {
+    std::size_t line;  // from 1
+    std::string target;
+    bool quoted;  // "target", not <target>
+};
+
+std::vector<Include> includesOf(const SourceFile& file) {
+    static const std::regex directive(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
+    std::vector<Include> includes;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+        std::smatch match;
+        if (std::regex_search(file.lines[i], match, directive)) includes.push_back({i + 1, match[2], match[1] == "\""});
+    }
+    return includes;
+}
+
+// Says of each include of each C++ file what rule it breaks, if any.
+template <class RuleBroken>
+Breaches checkIncludes(const SourceTree& tree, RuleBroken ruleBroken) {
+    Breaches breaches;
+    for (const SourceFile& file : tree) {
+        if (!isSource(file)) continue;
+        for (const Include& include : includesOf(file)) {
+            const std::string_view rule = ruleBroken(file, include);
+            if (!rule.empty()) breaches.push_back(breach(file, include.line, "includes " + include.target, rule));
+        }
+    }
+    return breaches;
+}
+
+// Lines that match, in the C++ files that a condition on their path chooses.
+template <class Chosen>
+void findLines(const SourceTree& tree, Chosen chosen, const std::regex& pattern, std::string_view rule,
+               Breaches& breaches) {
+    for (const SourceFile& file : tree) {
+        if (!isSource(file) || !chosen(file.path)) continue;
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            std::smatch match;
+            if (std::regex_search(file.lines[i], match, pattern))
+                breaches.push_back(breach(file, i + 1, "has " + match.str(), rule));
+        }
+    }
+}
+
+// The libraries, each above those it may include: a folder and its height.
+struct Layer {
+    std::string_view folder;
+    int height;
+};
+constexpr std::array kLayers{
+    Layer{"pipeline/formats/", 1}, Layer{"pipeline/export/", 1}, Layer{"pipeline/", 0},   Layer{"lessons/", 2},
+    Layer{"app/cli/", 3},          Layer{"app/core/", 3},        Layer{"app/view3d/", 4}, Layer{"app/panels/", 5},
+    Layer{"app/desktop/", 6},      Layer{"tests/", 7},
+};
+
+const Layer* layerOf(std::string_view path) {
+    const auto layer = std::ranges::find_if(kLayers, [&](const Layer& l) { return path.starts_with(l.folder); });
+    return layer == kLayers.end() ? nullptr : &*layer;
+}
+
+// The part of a path without its ending: a panel's pair of files has one stem.
+std::string_view stem(std::string_view path) { return path.substr(0, path.rfind('.')); }
+
+bool isPanel(std::string_view path) { return path.starts_with("app/panels/") && stem(path).ends_with("_panel"); }
+
+bool isQt(std::string_view header) {
+    return header.starts_with("Qt") || (header.size() > 1 && header[0] == 'Q' && header[1] >= 'A' && header[1] <= 'Z');
+}
+
+}  // namespace
+
+Breaches unrootedIncludes(const SourceTree& tree) {
+    std::set<std::string> paths;
+    for (const SourceFile& file : tree) paths.insert(file.path);
+    return checkIncludes(tree, [&](const SourceFile& file, const Include& include) -> std::string_view {
+        if (!include.quoted || paths.contains(include.target)) return "";
+        // What a build step makes from a file stands in no folder.
+        if (include.target.ends_with(".moc") && stem(file.path).ends_with(stem(include.target))) return "";
+        return "a header of the project is there, and included by its path from the root";
+    });
+}
+
+Breaches includesPointingBack(const SourceTree& tree) {
+    return checkIncludes(tree, [](const SourceFile& file, const Include& include) -> std::string_view {
+        const Layer* from = layerOf(file.path);
+        const Layer* to = layerOf(include.target);
+        if (!from || !to || from->folder == to->folder) return "";
+        if (from->folder == "app/cli/" && to->folder == "app/core/") return "app/cli is built without Qt";
+        if (to->height > from->height)
+            return "arrows point from app to lessons to pipeline_io to pipeline, and in app from desktop to panels "
+                   "to view3d to core";
+        return "";
+    });
+}
+
+Breaches panelsIncludingPanels(const SourceTree& tree) {
+    return checkIncludes(tree, [](const SourceFile& file, const Include& include) -> std::string_view {
+        if (!isPanel(file.path) || !isPanel(include.target) || stem(file.path) == stem(include.target)) return "";
+        return "a panel knows no other panel; both follow the document";
+    });
+}
+
+Breaches misplacedToolkits(const SourceTree& tree) {
+    return checkIncludes(tree, [](const SourceFile& file, const Include& include) -> std::string_view {
+        const std::string_view path = file.path;
+        const bool qtHere =
+            (path.starts_with("app/") && !path.starts_with("app/cli/")) || path.starts_with("tests/app/");
+        if (isQt(include.target) && !qtHere) return "Qt stands in app, outside app/cli";
+        const bool vtkHere = path.starts_with("app/view3d/");
+        if (include.target.starts_with("vtk") && !vtkHere) return "VTK stands in app/view3d";
+        return "";
+    });
+}
+
+Breaches impurePipeline(const SourceTree& tree) {
+    Breaches breaches;
+    // Writing to a string is not printing: snprintf and fmt::format pass.
+    static const std::regex printing(
+        R"(#\s*include\s*<iostream>|\bstd::c(out|err|log)\b|\b(f|v|vf)?printf\s*\(|\bf?puts\s*\(|\bfmt::print\b)");
+    findLines(
+        tree, [](const std::string& path) { return path.starts_with("pipeline/"); }, printing,
+        "the pipeline does not print", breaches);
+    static const std::regex scheduling(
+        R"(#\s*include\s*(<(thread|mutex|atomic|future|condition_variable)>|[<"](oneapi/)?tbb/|"pipeline/(run|plan)/))");
+    findLines(
+        tree, [](const std::string& path) { return path.starts_with("pipeline/stages/"); }, scheduling,
+        "a stage knows neither threads nor plan nor runner", breaches);
+    return breaches;
+}
+
+Breaches longFiles(const SourceTree& tree) {
+    Breaches breaches;
+    for (const SourceFile& file : tree) {
+        const bool script = file.path.ends_with("CMakeLists.txt") || file.path.ends_with(".cmake") ||
+                            file.path.ends_with(".sh") || file.path.ends_with(".py");
+        if (!isSource(file) && !script) continue;
+        std::size_t limit = 400;
+        if (file.path.starts_with("app/panels/")) limit = 250;
+        if (file.path.starts_with("pipeline/stages/") && file.path.ends_with(".cpp")) limit = 200;
+        if (file.lines.size() > limit)
+            breaches.push_back(breach(file, file.lines.size(), std::to_string(file.lines.size()) + " lines",
+                                      "this file has at most " + std::to_string(limit)));
+    }
+    return breaches;
+}
+
+Breaches unlistedSources(const SourceTree& tree) {
+    Breaches breaches;
+    for (const SourceFile& file : tree) {
+        if (!file.path.ends_with(".cpp")) continue;
+        bool listed = false;
+        for (const SourceFile& list : tree) {
+            if (list.path != "CMakeLists.txt" && !list.path.ends_with("/CMakeLists.txt")) continue;
+            const std::string folder =
+                list.path.substr(0, list.path.size() - std::string_view("CMakeLists.txt").size());
+            if (!file.path.starts_with(folder)) continue;
+            const std::string name = file.path.substr(folder.size());
+            // The whole name: "plan.cpp" is not listed by a line that has "stage_plan.cpp".
+            const std::regex entry("(^|[\\s(])" + std::regex_replace(name, std::regex("\\."), "\\.") + "($|[\\s)])");
+            listed = listed || std::ranges::any_of(
+                                   list.lines, [&](const std::string& line) { return std::regex_search(line, entry); });
+        }
+        if (!listed) breaches.push_back(breach(file, 1, "in no CMakeLists.txt", "a source is listed by its name"));
+    }
+    return breaches;
+}
+
+Breaches machinePaths(const SourceTree& tree) {
+    // Put together here, so that this file passes its own test.
+    static const std::regex path("(^|[^A-Za-z0-9_.})/*-])/(work|root|home|Users|tmp/b-[a-z]+)" +
+                                 std::string("/[A-Za-z0-9_.]"));
+    Breaches breaches;
+    for (const SourceFile& file : tree) {
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            std::smatch match;
+            if (std::regex_search(file.lines[i], match, path))
+                breaches.push_back(breach(file, i + 1, "has " + match.str(), "no path of one machine"));
+        }
+    }
+    return breaches;
+}
+
+Breaches strangersAtTheTop(const std::vector<std::string>& names) {
+    static const std::set<std::string> allowed{// the six entries
+                                               "CMakeLists.txt", "pipeline", "app", "lessons", "tests", "resources",
+                                               // what tools and people look for here
+                                               "run", "test", "README.md", "LICENSE", "CONTRIBUTING.md", "CHANGELOG.md",
+                                               "CMakePresets.json"};
+    Breaches breaches;
+    for (const std::string& name : names) {
+        if (!allowed.contains(name) && !name.starts_with('.'))
+            breaches.push_back(name +
+                               ":1: stands at the root; the layout in CONTRIBUTING.md has no place for it there");
+    }
+    return breaches;
+}
+
+}  // namespace architecture

@@ -1,0 +1,31 @@
+#pragma once
+#include "tests/architecture/source_tree.h"
+
+// The rules of CONTRIBUTING.md that can be read off the sources.
+namespace architecture {
+
+// One line a breach, "FILE:LINE: what is there; the rule". Empty where the rule is kept.
+using Breaches = std::vector<std::string>;
+
+// A project's own header is included by its path from the root, and is there.
+Breaches unrootedIncludes(const SourceTree& tree);
+// Arrows point one way: app -> lessons -> pipeline_io -> pipeline, and within app
+// desktop -> panels -> view3d -> core. app/cli is built without Qt and includes none of these.
+// Nothing but tests includes tests.
+Breaches includesPointingBack(const SourceTree& tree);
+// No panel includes another.
+Breaches panelsIncludingPanels(const SourceTree& tree);
+// Qt only in app, and not in app/cli; VTK only in app/view3d.
+Breaches misplacedToolkits(const SourceTree& tree);
+// The pipeline does not print. Its stages know no threads, plan or runner.
+Breaches impurePipeline(const SourceTree& tree);
+// At most 400 lines a file, 250 a panel's, 200 a stage's .cpp.
+Breaches longFiles(const SourceTree& tree);
+// Every .cpp is named in the CMakeLists.txt of its folder or of one above.
+Breaches unlistedSources(const SourceTree& tree);
+// No path of one person's machine.
+Breaches machinePaths(const SourceTree& tree);
+// At the root only what the layout in CONTRIBUTING.md names.
+Breaches strangersAtTheTop(const std::vector<std::string>& names);
+
+}  // namespace architecture

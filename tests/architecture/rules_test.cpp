@@ -1,0 +1,135 @@
+#include "tests/architecture/rules.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+
+// First that each rule finds a breach planted for it, and nothing in what only looks like one;
+// then that the project keeps it.
+namespace architecture {
+namespace {
+
+const SourceTree& project() {
+    static const SourceTree tree = readSourceTree(SHADESCOPE_ROOT);
+    return tree;
+}
+
+std::string text(const Breaches& breaches) {
+    std::string result;
+    for (const std::string& line : breaches) result += line + "\n";
+    return result;
+}
+
+void expectKept(const Breaches& breaches) { EXPECT_TRUE(breaches.empty()) << text(breaches); }
+
+// One breach, at this place.
+void expectOne(const Breaches& breaches, std::string_view place) {
+    ASSERT_EQ(breaches.size(), 1u) << text(breaches);
+    EXPECT_TRUE(breaches[0].starts_with(place)) << breaches[0];
+}
+
+TEST(Architecture, TheProjectIsRead) {
+    const auto has = [](std::string_view path) {
+        return std::ranges::any_of(project(), [&](const SourceFile& file) { return file.path == path; });
+    };
+    EXPECT_TRUE(has("pipeline/CMakeLists.txt"));
+    EXPECT_TRUE(has("tests/architecture/rules_test.cpp"));
+    for (const SourceFile& file : project()) EXPECT_FALSE(file.path.starts_with("build/")) << file.path;
+}
+
+TEST(Architecture, IncludesAreRooted) {
+    expectOne(
+        unrootedIncludes({{"pipeline/run/runner.cpp", {"", "#include \"runner.h\""}}, {"pipeline/run/runner.h", {""}}}),
+        "pipeline/run/runner.cpp:2:");
+    expectKept(unrootedIncludes(
+        {{"pipeline/run/runner.cpp", {"#include \"pipeline/run/runner.h\""}}, {"pipeline/run/runner.h", {""}}}));
+    expectKept(unrootedIncludes(project()));
+}
+
+TEST(Architecture, IncludesPointOneWay) {
+    expectOne(includesPointingBack({{"pipeline/run/runner.cpp", {"#include \"pipeline/formats/scene_reader.h\""}}}),
+              "pipeline/run/runner.cpp:1:");
+    expectOne(includesPointingBack({{"pipeline/export/npy.cpp", {"#include \"lessons/lesson.h\""}}}),
+              "pipeline/export/npy.cpp:1:");
+    expectOne(includesPointingBack({{"app/core/document.h", {"// ", "#include \"app/panels/plan_panel.h\""}}}),
+              "app/core/document.h:2:");
+    expectOne(includesPointingBack({{"app/cli/export.cpp", {"#include \"app/core/document.h\""}}}),
+              "app/cli/export.cpp:1:");
+    expectOne(includesPointingBack({{"lessons/lesson.cpp", {"#include \"tests/unit/scenes.h\""}}}),
+              "lessons/lesson.cpp:1:");
+    expectKept(includesPointingBack({{"app/panels/plan_panel.h",
+                                      {"#include \"app/core/document.h\"", "#include \"lessons/lesson.h\"",
+                                       "#include \"pipeline/export/npy.h\"", "#include \"pipeline/plan/plan.h\""}}}));
+    expectKept(includesPointingBack(project()));
+}
+
+TEST(Architecture, PanelsKnowNoOtherPanel) {
+    expectOne(
+        panelsIncludingPanels({{"app/panels/plan_panel.cpp",
+                                {"#include \"app/panels/plan_panel.h\"", "#include \"app/panels/buffer_panel.h\""}}}),
+        "app/panels/plan_panel.cpp:2:");
+    expectKept(panelsIncludingPanels({{"app/panels/panel_table.cpp", {"#include \"app/panels/buffer_panel.h\""}}}));
+    expectKept(panelsIncludingPanels(project()));
+}
+
+TEST(Architecture, ToolkitsStayInTheirFolders) {
+    expectOne(misplacedToolkits({{"pipeline/run/runner.h", {"#include <QString>"}}}), "pipeline/run/runner.h:1:");
+    expectOne(misplacedToolkits({{"lessons/lesson.h", {"#include <QtCore/QString>"}}}), "lessons/lesson.h:1:");
+    expectOne(misplacedToolkits({{"app/cli/plan.cpp", {"#include <QImage>"}}}), "app/cli/plan.cpp:1:");
+    expectOne(misplacedToolkits({{"app/panels/plan_panel.h", {"#include <QWidget>", "#include <vtkActor.h>"}}}),
+              "app/panels/plan_panel.h:2:");
+    expectKept(
+        misplacedToolkits({{"app/view3d/scene_view.cpp", {"#include <QOpenGLWidget>", "#include <vtkActor.h>"}}}));
+    expectKept(misplacedToolkits(project()));
+}
+
+TEST(Architecture, ThePipelineIsPure) {
+    expectOne(impurePipeline({{"pipeline/scene/mesh.cpp", {"#include <iostream>"}}}), "pipeline/scene/mesh.cpp:1:");
+    expectOne(impurePipeline({{"pipeline/formats/reader.cpp", {"    std::fprintf(stderr, \"bad\");"}}}),
+              "pipeline/formats/reader.cpp:1:");
+    expectOne(impurePipeline({{"pipeline/stages/cull.cpp", {"#include <tbb/parallel_for.h>"}}}),
+              "pipeline/stages/cull.cpp:1:");
+    expectOne(impurePipeline({{"pipeline/stages/cull.h", {"#include \"pipeline/plan/plan.h\""}}}),
+              "pipeline/stages/cull.h:1:");
+    expectKept(impurePipeline(
+        {{"pipeline/core/text.cpp", {"std::snprintf(buffer, size, \"%g\", x);", "fmt::format(\"{}\", 1);"}},
+         {"pipeline/run/runner.cpp", {"#include <tbb/parallel_for.h>"}},
+         {"app/cli/plan.cpp", {"std::printf(\"plan\");"}}}));
+    expectKept(impurePipeline(project()));
+}
+
+TEST(Architecture, FilesAreShort) {
+    const auto file = [](std::string path, std::size_t lines) {
+        return SourceTree{{std::move(path), std::vector<std::string>(lines)}};
+    };
+    expectOne(longFiles(file("app/core/document.cpp", 401)), "app/core/document.cpp:401:");
+    expectOne(longFiles(file("app/panels/plan_panel.cpp", 251)), "app/panels/plan_panel.cpp:251:");
+    expectOne(longFiles(file("pipeline/stages/cull.cpp", 201)), "pipeline/stages/cull.cpp:201:");
+    expectKept(longFiles(file("app/core/document.cpp", 400)));
+    expectKept(longFiles(file("lessons/pyramid/lesson.md", 1000)));
+    expectKept(longFiles(project()));
+}
+
+TEST(Architecture, SourcesAreListed) {
+    expectOne(unlistedSources({{"pipeline/CMakeLists.txt", {"add_library(pipeline plan/stage_plan.cpp)"}},
+                               {"pipeline/plan/plan.cpp", {""}},
+                               {"pipeline/plan/stage_plan.cpp", {""}}}),
+              "pipeline/plan/plan.cpp:1:");
+    expectKept(unlistedSources(project()));
+}
+
+TEST(Architecture, NoPathOfOneMachine) {
+    const std::string home = std::string("/") + "home/";
+    expectOne(machinePaths({{"README.md", {"see " + home + "me/notes.txt"}}}), "README.md:1:");
+    expectKept(machinePaths({{"README.md", {"docs" + home + "page.md, https://example.org" + home + "page"}}}));
+    expectKept(machinePaths(project()));
+}
+
+TEST(Architecture, TheRootHoldsItsEntriesOnly) {
+    expectOne(strangersAtTheTop({"app", "notes.txt"}), "notes.txt:1:");
+    expectKept(strangersAtTheTop(topLevel(SHADESCOPE_ROOT)));
+}
+
+}  // namespace
+}  // namespace architecture

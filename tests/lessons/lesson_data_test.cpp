@@ -1,0 +1,172 @@
+// Runs every lesson that comes with the program: whatever a page shows, says and asks has to hold.
+#include <cmath>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "lessons/library.h"
+#include "tests/lessons/pyramid_scene.h"
+
+namespace lessons {
+namespace {
+
+std::string textOf(const pipeline::Result<std::string>& text) { return text ? *text : format(text.errors()); }
+
+TEST(Lessons, CanAllBeRead) {
+    const Library library = allLessons();
+    EXPECT_EQ(format(library.errors), "");
+    EXPECT_FALSE(library.lessons.empty());
+}
+
+TEST(Lessons, EveryPageIsTrue) {
+    for (const Lesson& lesson : allLessons().lessons)
+        for (const Page& page : lesson.pages) {
+            SCOPED_TRACE(lesson.name + ", " + page.heading);
+            EXPECT_EQ(format(pipeline::checkScene(page.state.scene)), "");
+            const pipeline::FramePtr frame = frameOf(page.state.scene, requestFor(page));
+            ASSERT_TRUE(frame);
+            for (const pipeline::BufferName& buffer : page.state.buffers)
+                EXPECT_TRUE(frame->buffer(buffer)) << buffer.text() << ": " << frame->whyAbsent(buffer);
+            if (page.state.pixel) {
+                EXPECT_GE(frame->buffer({pipeline::BufferId::PolygonId})
+                              ? frame->buffer({pipeline::BufferId::PolygonId})
+                                    ->value(std::size_t(page.state.pixel->x), std::size_t(page.state.pixel->y))
+                              : 0,
+                          0)
+                    << "the picked pixel shows nothing";
+            }
+            const auto text = filled(page.text, *frame);
+            EXPECT_TRUE(text) << textOf(text);
+            if (!page.question) continue;
+
+            for (const Prose* prose :
+                 {&page.question->text, &page.question->hint, &page.question->right, &page.question->wrong}) {
+                const auto filledIn = filled(*prose, *frame);
+                EXPECT_TRUE(filledIn) << textOf(filledIn);
+            }
+            const auto answer = answerOf(page, *frame);
+            ASSERT_TRUE(answer) << format(answer.errors());
+            EXPECT_TRUE(std::isfinite(*answer));
+            const double tolerance = page.question->tolerance;
+            if (*answer != std::trunc(*answer)) {
+                EXPECT_GT(tolerance, 0) << "nobody types all digits of " << *answer;
+            }
+            EXPECT_TRUE(isRight(*answer, std::to_string(*answer), tolerance + 1e-6));
+            EXPECT_FALSE(isRight(*answer, std::to_string(*answer + 2 * tolerance + 1), tolerance));
+        }
+}
+
+TEST(Lessons, AnUnknownLessonIsAnsweredWithTheNearest) {
+    EXPECT_TRUE(findLesson("pyramid"));
+    const auto unknown = findLesson("piramid");
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(format(unknown.errors()), "no lesson \"piramid\"; the nearest is \"pyramid\"\n");
+}
+
+class PyramidLesson : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto lesson = findLesson("pyramid");
+        ASSERT_TRUE(lesson) << format(lesson.errors());
+        m_lesson = *lesson;
+    }
+    double answer(std::size_t page) const {
+        const auto answer = answerOf(m_lesson.pages[page],
+                                     *frameOf(m_lesson.pages[page].state.scene, requestFor(m_lesson.pages[page])));
+        return answer ? *answer : NAN;
+    }
+    std::string text(std::size_t page) const {
+        return textOf(filled(m_lesson.pages[page].text,
+                             *frameOf(m_lesson.pages[page].state.scene, requestFor(m_lesson.pages[page]))));
+    }
+    Lesson m_lesson;
+};
+
+// Worked out from the lecture's two files with the lecture's formulas, not with this program:
+//   page 3   z_v of vertex 2 is 1000 − 470·sin60·cos45 − 150·sin60·sin45 = 620.329,
+//            y_v = −470·cos60·cos45 − 150·cos60·sin45 = −219.203; 240 + 200·219.203/620.329 = 310.673
+//   page 4   Left and Base turn clockwise in the picture
+//   page 5   (0, 150, 0) × (−135, 75, 150) = (22500, 0, 20250); 20250/30270.65 = 0.66896
+//   page 7   Base comes after Right, and behind it
+//   page 8   N·L = (22500 + 20250)/(30270.65·√3) = 0.81537, the angle 35.376°
+//   page 9   40·0.3974^n ≥ 175/255 = 0.686 holds up to n = 4.405
+//   page 10  255·(0.2·50 + 100·0.2·0.81537)/175 = 38.33
+TEST_F(PyramidLesson, AnswersAreThoseOfTheLecture) {
+    ASSERT_EQ(m_lesson.pages.size(), 10u);
+    EXPECT_EQ(answer(2), 310);
+    EXPECT_EQ(answer(3), 2);
+    EXPECT_NEAR(answer(4), 0.66896, 1e-5);
+    EXPECT_EQ(answer(6), 4);
+    EXPECT_NEAR(answer(7), 35.376, 0.001);
+    EXPECT_EQ(answer(8), 4);
+    EXPECT_EQ(answer(9), 38);
+}
+
+struct Said {
+    std::size_t page;
+    const char* words;
+};
+
+// The same, for what the pages say.
+TEST_F(PyramidLesson, NumbersInTheTextAreThoseOfTheLecture) {
+    const Said said[]{
+        {2, "= (335, 75, 150)"},
+        {2, "= \u2212183.848"},  // (75 − 335)·sin 45
+        {2, "= \u221215.053"},   // −(335 + 75)·cos 60·cos 45 + 150·sin 60
+        {2, "= 673.927"},
+        {2, "= 265.440"},
+        {2, "= 244.467"},
+        // Shoelace formula on screen corners rounded to 1/256; without rounding Base has −1991.6.
+        {3, "*Left*: \u2212696.9, back-facing"},
+        {3, "*Front*: 895.3, kept"},
+        {3, "*Right*: 1\u2009756.7, kept"},
+        {3, "*Back*: 36.4, kept"},
+        {3, "*Base*: \u22121\u2009991.5, back-facing"},
+        {4, "= (0, 0.894, 0.447)"},
+        {5, "is \u22120.0429."},  // (−22500 + 20250)/(30270.65·√3)
+        {6, "What stays is polygon 1, at z_v = 671.93"},
+        {7, "= 45.000. It"},  // 0.9·50
+        {7, "= (0.577, 0.577, 0.577)"},
+        {7, "= 0.7746, an angle of 39.2°"},
+        {7, "= 69.714."},  // 0.9·100·0.7746
+        {8, "= (\u22120.577, 0.808, 0.115)"},
+        {8, "= (0.386, 0.678, 0.626)"},  // from the mean of the vertices
+        {8, "= 0.3974"},
+        {8, "66.6°"},
+        {8, "the term is 0.025."},  // 40·0.3974^8
+        {8, "45.000 + 69.714 + 0.025 = 114.739"},
+        {9, "0.9·50 + 100·(0.9 + 0.4) = 175"},
+        {9, "round(255·114.739/175) = 167"},
+        {9, "the pixel is (37, 93, 167)"},
+    };
+    for (const Said& s : said)
+        EXPECT_NE(text(s.page).find(s.words), std::string::npos) << s.words << " is not in\n" << text(s.page);
+}
+
+// What the first two pages quote as lines of the files does stand there.
+TEST_F(PyramidLesson, QuotedLinesStandInTheFiles) {
+    const auto contents = [](const std::filesystem::path& file) {
+        std::ifstream stream(file);
+        std::ostringstream text;
+        text << stream.rdbuf();
+        return text.str();
+    };
+    const std::filesystem::path scene = pipeline::builtInScenes().front().file;
+    const std::string files[]{contents(scene), contents(scene.parent_path() / "pyramid.des")};
+    const std::regex code("`([^`]+)`");
+    for (std::size_t page = 0; page < 2; ++page) {
+        const std::string words = withGaps(m_lesson.pages[page].text);
+        int quotes = 0;
+        for (std::sregex_iterator it(words.begin(), words.end(), code), end; it != end; ++it) {
+            const std::string quote = (*it)[1];
+            if (quote == "pyramid.scene") continue;  // the file's own name
+            if (quote == "pyramid.des" && page == 1) continue;
+            EXPECT_NE(files[page].find(quote), std::string::npos) << quote;
+            ++quotes;
+        }
+        EXPECT_GE(quotes, 8);
+    }
+}
+
+}  // namespace
+}  // namespace lessons

@@ -1,0 +1,49 @@
+#include "lessons/prose.h"
+
+#include "tests/lessons/pyramid_scene.h"
+
+namespace lessons {
+namespace {
+
+Prose proseFrom(std::string_view text, const pipeline::Scene& scene) {
+    const Line line{text, {"f", 3, 1}};
+    const auto prose = parseProse({&line, 1}, scene);
+    EXPECT_TRUE(prose) << text;
+    return prose ? *prose : Prose{};
+}
+
+TEST(ProseText, AFrameFillsTheHoles) {
+    const pipeline::Scene scene = pyramidScene();
+    const Prose prose = proseFrom("N·L is {buffer(n_dot_l.0, 268, 281) : 4}, I_max {pixel(268, 281).i_max}.", scene);
+    const auto text = filled(prose, *frameOf(scene, buffersOf(prose)));
+    ASSERT_TRUE(text);
+    EXPECT_EQ(*text, "N·L is 0.7746, I_max 175.");
+    EXPECT_EQ(withGaps(prose), "N·L is …, I_max ….");
+}
+
+TEST(ProseText, AHoleThatTheFrameCannotFillIsNamed) {
+    const pipeline::Scene scene = pyramidScene();
+    const Prose prose = proseFrom("It is {buffer(z_view, 0, 0)}.", scene);  // nothing is drawn there
+    const auto text = filled(prose, *frameOf(scene, buffersOf(prose)));
+    ASSERT_FALSE(text);
+    EXPECT_EQ(format(text.errors()), "f:3:8: buffer(z_view, 0, 0) is +∞, expected a finite number\n");
+}
+
+TEST(ProseText, AnEscapedBraceIsABrace) {
+    const pipeline::Scene scene = pyramidScene();
+    EXPECT_EQ(withGaps(proseFrom("a \\{b} c", scene)), "a {b} c");
+}
+
+TEST(ProseText, ErrorsCountCharactersAndNotBytes) {
+    const pipeline::Scene scene = pyramidScene();
+    const Line lines[]{{"·· {bufer}", {"f", 3, 1}}, {"{1 : 20} {1", {"f", 4, 1}}};
+    const auto prose = parseProse(lines, scene);
+    ASSERT_FALSE(prose);
+    EXPECT_EQ(format(prose.errors()),
+              "f:3:5: no function \"bufer\"; the nearest is \"buffer\"\n"
+              "f:4:5: found \"20\", expected a number of digits from 0 to 12\n"
+              "f:4:10: found \"{\" without its end, expected \"}\" in the same line\n");
+}
+
+}  // namespace
+}  // namespace lessons

@@ -1,0 +1,124 @@
+// What must not change a single bit: threads, leave-outs, a scale by a power of two, the order of polygons.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/plan/needs.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+class SameBits : public testing::TestWithParam<unsigned> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, SameBits, testing::Range(0u, 40u));
+
+TEST_P(SameBits, OnOneTwoAndSevenThreads) {
+    const Scene scene = test::randomScene(GetParam());
+    const FramePtr one = test::frameOf(scene, test::everyBuffer(), 1);
+    for (int threads : {2, 7})
+        ASSERT_EQ(test::firstDifference(*one, *test::frameOf(scene, test::everyBuffer(), threads)), "") << threads;
+}
+
+TEST_P(SameBits, WithEverythingForcedIn) {
+    Scene scene = test::randomScene(GetParam());
+    scene.objects.resize(1 + GetParam() % 2 * (scene.objects.size() - 1));  // half of them one object: often convex
+    const BufferSet useful = usefulBuffers(scene);
+    const FramePtr planned = test::frameOf(scene, useful);
+    scene.settings.leaveOut = false;
+    const FramePtr forced = test::frameOf(scene, useful);
+    ASSERT_EQ(test::firstDifference(*planned, *forced, useful), "");
+}
+
+// A convex object under every kind of light: the plan leaves its shadow buffers out, and is right to.
+TEST_P(SameBits, AConvexObjectCannotShadowItself) {
+    Scene scene = test::randomScene(GetParam());
+    scene.objects.resize(1);
+    scene.objects[0].mesh = GetParam() % 2 ? test::sphere(1, 3 + int(GetParam() % 9), 4 + int(GetParam() % 13))
+                                           : test::box({-1, -1, -1}, {1, 1, 1});
+    for (Light& light : scene.lights) light.castsShadow = true, light.intensity = 3;
+    if (scene.lights.empty()) scene.lights.push_back({});
+    scene.settings.precision = GetParam() % 3 ? Precision::Float : Precision::Double;
+    scene.settings.shadowSize = 16 << GetParam() % 5;
+    const FramePtr planned = test::frameOf(scene, {});
+    ASSERT_EQ(planned->plan()[index(StageId::ShadowBuffer)].action, Action::LeaveOut);
+    scene.settings.leaveOut = false;
+    const FramePtr forced = test::frameOf(scene, {});
+    ASSERT_EQ(forced->plan()[index(StageId::ShadowBuffer)].action, Action::Run);
+    ASSERT_EQ(test::firstDifference(*planned, *forced, setOf({BufferId::Color, BufferId::Intensity})), "");
+}
+
+// No absolute epsilon anywhere: the world scaled by 2^k, the picture the same to the last bit.
+TEST_P(SameBits, ScaledByAPowerOfTwo) {
+    const Scene scene = test::randomScene(GetParam());
+    const BufferSet compared =
+        setOf({BufferId::Color, BufferId::Intensity, BufferId::PolygonId, BufferId::Barycentric, BufferId::Normal,
+               BufferId::Shadow, BufferId::NDotL, BufferId::RDotV, BufferId::Overdraw, BufferId::DepthWrites,
+               BufferId::PolygonsVerdict, BufferId::VerticesNormal});
+    const FramePtr plain = test::frameOf(scene);
+    for (int k : {-12, -1, 1, 20}) {
+        const double factor = std::ldexp(1.0, k);
+        Scene scaled = scene;
+        for (Object& object : scaled.objects) object.transform.scale *= factor, object.transform.translation *= factor;
+        for (Light& light : scaled.lights) light.position *= factor;
+        scaled.camera.eye *= factor, scaled.camera.target *= factor, scaled.camera.height *= factor;
+        ASSERT_EQ(test::firstDifference(*plain, *test::frameOf(scaled), compared), "") << "2^" << k;
+    }
+}
+
+TEST(SameBitsOf, PolygonsInAnyOrder) {
+    std::mt19937 random(5);
+    Scene scene = test::randomScene(8);
+    scene.settings.cull = CullMode::Back, scene.settings.shading = Shading::Flat;
+    scene.settings.depthFormat = DepthFormat::Linear;
+    scene.objects = {scene.objects[0]};
+    const auto withOrder = [&](const std::vector<std::uint32_t>& order) {
+        const auto ball = test::sphere(1, 8, 12);
+        std::vector<std::vector<std::uint32_t>> polygons;
+        for (std::uint32_t p : order) polygons.emplace_back(ball->polygon(p).begin(), ball->polygon(p).end());
+        scene.objects[0].mesh = test::mesh(ball->positions, polygons);
+        return test::frameOf(scene);
+    };
+    std::vector<std::uint32_t> order(test::sphere(1, 8, 12)->polygonCount());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    const FramePtr sorted = withOrder(order);
+    for (int i = 0; i < 20; ++i) {
+        std::shuffle(order.begin(), order.end(), random);
+        ASSERT_EQ(test::firstDifference(*sorted, *withOrder(order), setOf({BufferId::Color, BufferId::ZView})), "");
+    }
+}
+
+TEST_P(SameBits, NoBufferHoldsANumberThatIsNone) {
+    for (Precision precision : {Precision::Float, Precision::Double}) {
+        Scene scene = test::randomScene(GetParam());
+        scene.settings.precision = precision;
+        for (const AnyBuffer& buffer : test::frameOf(scene)->buffers()) {
+            const BufferStatistics s = statistics(buffer);
+            EXPECT_EQ(s.nan, 0u) << buffer.name.text();
+            // +infinity stands for "nothing was drawn" in depths, and nowhere else.
+            const bool depth = buffer.name.id == BufferId::Depth || buffer.name.id == BufferId::ZView ||
+                               buffer.name.id == BufferId::ShadowBuffer;
+            EXPECT_TRUE(depth || s.infinite == 0) << buffer.name.text();
+        }
+    }
+}
+
+// The terms' buffers sum to the intensity to the last bit, in the order ambient, then each light's diffuse and specular.
+TEST_P(SameBits, TheTermsSumToTheIntensity) {
+    const Scene scene = test::randomScene(GetParam());
+    const FramePtr frame = test::frameOf(scene);
+    const AnyBuffer intensity = *frame->buffer({BufferId::Intensity}), ambient = *frame->buffer({BufferId::Ambient});
+    const AnyBuffer seen = *frame->buffer({BufferId::ObjectId});
+    for (std::size_t i = 0; i < intensity.count(); ++i) {
+        if (seen.flat(i / 3) < 0) continue;
+        float sum = float(ambient.flat(i));
+        for (int k = 0; k < int(scene.lights.size()); ++k) {
+            sum += float(frame->buffer({BufferId::Diffuse, k})->flat(i));
+            sum += float(frame->buffer({BufferId::Specular, k})->flat(i));
+        }
+        ASSERT_EQ(sum, float(intensity.flat(i))) << i;
+    }
+}
+
+}  // namespace
+}  // namespace pipeline

@@ -1,0 +1,117 @@
+#include "tests/support/scenes.h"
+
+#include <cstring>
+
+namespace test {
+
+namespace {
+
+double between(std::mt19937& random, double low, double high) {
+    // Not std::uniform_real_distribution: its sequence differs between libraries.
+    return low + (high - low) * double(random()) / double(std::mt19937::max());
+}
+Vec3d inBox(std::mt19937& random, double half) {
+    return {between(random, -half, half), between(random, -half, half), between(random, -half, half)};
+}
+bool coin(std::mt19937& random) { return random() % 2 == 0; }
+
+Material randomMaterial(std::mt19937& random) {
+    return {{between(random, 0, 1), between(random, 0, 1), between(random, 0, 1)},
+            coin(random) ? Vec3d(0) : Vec3d(between(random, 0, 1)),
+            between(random, 0, 60)};
+}
+
+Light randomLight(std::mt19937& random) {
+    Light light;
+    light.kind = coin(random) ? LightKind::Point : LightKind::AtInfinity;
+    light.position = 4.0 * inBox(random, 1) + Vec3d(0, 0, 5);
+    light.intensity = random() % 4 == 0 ? 0 : between(random, 0, 100);
+    light.castsShadow = coin(random);
+    return light;
+}
+
+Object randomObject(std::mt19937& random) {
+    Object object;
+    switch (random() % 3) {
+        case 0: object.mesh = sphere(1, 3 + int(random() % 5), 3 + int(random() % 8)); break;
+        case 1: object.mesh = box({-1, -1, -1}, {1, 1, 1}); break;
+        default:
+            object.mesh = mesh({inBox(random, 2), inBox(random, 2), inBox(random, 2), inBox(random, 2)},
+                               {{0, 1, 2}, {1, 2, 3}, {0, 1, 3, 2}});
+    }
+    object.transform.translation = inBox(random, 2.5);
+    object.transform.rotation = inBox(random, 180);
+    object.transform.scale = {between(random, 0.3, 2), between(random, 0.3, 2), between(random, -2, 2)};
+    object.material = randomMaterial(random);
+    return object;
+}
+
+}  // namespace
+
+Scene randomScene(unsigned seed) {
+    std::mt19937 random(seed);
+    Scene scene;
+    scene.settings.width = 97, scene.settings.height = 71;
+    scene.settings.shadowSize = 64;
+    scene.settings.shading = Shading(random() % 3);
+    scene.settings.cull = CullMode(random() % 2);
+    scene.settings.depthFormat = DepthFormat(random() % 5);
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = inBox(random, 6) + Vec3d(0, 0, 3);
+    scene.camera.projection = random() % 4 == 0 ? ProjectionKind::Orthographic : ProjectionKind::Perspective;
+    scene.camera.height = 8;
+    for (unsigned i = 0; i < 1 + seed % 4; ++i) scene.objects.push_back(randomObject(random));
+    for (unsigned i = 0; i < random() % 4; ++i) scene.lights.push_back(randomLight(random));
+    scene.ambient.intensity = between(random, 0, 50);
+    return scene;
+}
+
+void changeSomething(Scene& scene, std::mt19937& random) {
+    Settings& settings = scene.settings;
+    Object& object = scene.objects[random() % scene.objects.size()];
+    switch (random() % 16) {
+        case 0: object.material = randomMaterial(random); break;
+        case 1: object.transform.translation = inBox(random, 2); break;
+        case 2: object.transform.scale.z = -object.transform.scale.z; break;
+        case 3: scene.objects.push_back(randomObject(random)); break;
+        case 4:
+            if (scene.objects.size() > 1) scene.objects.pop_back();
+            break;
+        case 5: scene.lights.push_back(randomLight(random)); break;
+        case 6:
+            if (!scene.lights.empty()) scene.lights.pop_back();
+            break;
+        case 7:
+            if (!scene.lights.empty()) scene.lights[0] = randomLight(random);
+            break;
+        case 8:
+            if (!scene.lights.empty()) scene.lights[0].castsShadow = !scene.lights[0].castsShadow;
+            break;
+        case 9: settings.shading = Shading(random() % 3); break;
+        case 10: settings.cull = CullMode(random() % 2); break;
+        case 11: settings.depthFormat = DepthFormat(random() % 5); break;
+        case 12: scene.camera.eye = inBox(random, 6) + Vec3d(0, 0, 4); break;
+        case 13: settings.normalWeight = NormalWeight(random() % 3); break;
+        case 14: settings.width = 60 + int(random() % 60); break;
+        default: settings.shadowFilter = int(random() % 3); break;
+    }
+}
+
+std::string firstDifference(const Frame& a, const Frame& b, BufferSet compared) {
+    for (const BufferName& name : allBuffers(a.scene().lights.size())) {
+        if (!compared[index(name.id)]) continue;
+        const auto x = a.buffer(name), y = b.buffer(name);
+        if (bool(x) != bool(y)) return name.text() + " is there in one frame only";
+        if (!x) continue;
+        if (x->shape != y->shape || std::string(x->dtype()) != y->dtype()) return name.text() + " has another shape";
+        for (std::size_t i = 0; i < x->count(); ++i) {
+            const double p = x->flat(i), q = y->flat(i);
+            if (std::memcmp(&p, &q, sizeof p) != 0)
+                return name.text() + " number " + std::to_string(i) + ": " + std::to_string(p) + " and " +
+                       std::to_string(q);
+        }
+    }
+    return {};
+}
+
+}  // namespace test

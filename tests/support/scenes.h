@@ -1,0 +1,97 @@
+#pragma once
+#include <initializer_list>
+#include <random>
+#include <vector>
+
+#include "pipeline/run/runner.h"
+#include "pipeline/scene/scene.h"
+
+namespace test {
+
+using namespace pipeline;
+
+// A mesh from its positions and its polygons, written out.
+inline std::shared_ptr<const Mesh> mesh(std::vector<Vec3d> positions,
+                                        std::vector<std::vector<std::uint32_t>> polygons) {
+    Mesh m;
+    m.positions = std::move(positions);
+    m.firstCorner.push_back(0);
+    for (const auto& polygon : polygons) {
+        m.corners.insert(m.corners.end(), polygon.begin(), polygon.end());
+        m.firstCorner.push_back(std::uint32_t(m.corners.size()));
+    }
+    return makeMesh(std::move(m));
+}
+
+// Lecture 1's example, typed in from the lecture and not read from a file.
+inline Scene pyramid() {
+    Scene scene;
+    scene.name = "pyramid";
+    scene.camera.kind = CameraKind::Spherical;
+    scene.camera.screenDistance = 200, scene.camera.rho = 1000, scene.camera.theta = 45, scene.camera.phi = 60;
+    Object object{"pyramid",
+                  mesh({{0, 0, 0}, {150, 0, 0}, {150, 150, 0}, {0, 150, 0}, {75, 75, 150}},
+                       {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 4, 3}, {0, 3, 2, 1}}),
+                  {{1.8, 1, 1}, {0, 0, 0}, {200, 0, 0}},
+                  {{0.2, 0.5, 0.9}, Vec3d(0.4), 8}};
+    scene.objects.push_back(object);
+    scene.lights.push_back({LightKind::AtInfinity, {500, 500, 500}, 100, Vec3d(1), true});
+    scene.ambient.intensity = 50;
+    return scene;
+}
+
+// An axis-aligned box between two corners, faces outward.
+inline std::shared_ptr<const Mesh> box(Vec3d a, Vec3d b) {
+    return mesh({{a.x, a.y, a.z},
+                 {b.x, a.y, a.z},
+                 {b.x, b.y, a.z},
+                 {a.x, b.y, a.z},
+                 {a.x, a.y, b.z},
+                 {b.x, a.y, b.z},
+                 {b.x, b.y, b.z},
+                 {a.x, b.y, b.z}},
+                {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+}
+
+// A closed sphere of quads and triangles around the origin.
+inline std::shared_ptr<const Mesh> sphere(double radius, int rings, int segments) {
+    std::vector<Vec3d> positions{{0, 0, radius}};
+    for (int i = 1; i < rings; ++i)
+        for (int j = 0; j < segments; ++j) {
+            const double phi = 3.14159265358979323846 * i / rings, theta = 2 * 3.14159265358979323846 * j / segments;
+            positions.push_back(radius *
+                                Vec3d(std::sin(phi) * std::cos(theta), std::sin(phi) * std::sin(theta), std::cos(phi)));
+        }
+    positions.push_back({0, 0, -radius});
+    const auto at = [&](int i, int j) { return std::uint32_t(1 + (i - 1) * segments + j % segments); };
+    const auto last = std::uint32_t(positions.size() - 1);
+    std::vector<std::vector<std::uint32_t>> polygons;
+    for (int j = 0; j < segments; ++j) {
+        polygons.push_back({0, at(1, j), at(1, j + 1)});
+        for (int i = 1; i + 1 < rings; ++i)
+            polygons.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+        polygons.push_back({at(rings - 1, j), last, at(rings - 1, j + 1)});
+    }
+    return mesh(std::move(positions), std::move(polygons));
+}
+
+inline BufferSet everyBuffer() { return BufferSet().set(); }
+
+inline FramePtr frameOf(const Scene& scene, BufferSet wanted = everyBuffer(), int threads = 0,
+                        const FramePtr& before = {}) {
+    FrameRequest request;
+    request.wanted = wanted;
+    request.threads = threads;
+    return runFrame(std::make_shared<const Scene>(scene), request, before);
+}
+
+// A scene of spheres, boxes, loose polygons, lights and a camera, different for every seed.
+Scene randomScene(unsigned seed);
+
+// One change of a kind that a user makes: a light, a material, the camera, a setting…
+void changeSomething(Scene& scene, std::mt19937& random);
+
+// The first buffer in which two frames differ, and where; empty when they agree bit for bit.
+std::string firstDifference(const Frame& a, const Frame& b, BufferSet compared = everyBuffer());
+
+}  // namespace test

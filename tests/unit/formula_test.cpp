@@ -1,0 +1,77 @@
+#include "pipeline/inspect/formula.h"
+
+#include <gtest/gtest.h>
+
+namespace pipeline {
+namespace {
+
+using Kind = Formula::Kind;
+
+Formula leaf(Kind kind, std::string text, VectorCode code = VectorCode::None) {
+    Formula f;
+    f.kind = kind;
+    f.text = std::move(text);
+    f.vector = code;
+    return f;
+}
+Formula text(std::string s) { return leaf(Kind::Text, std::move(s)); }
+Formula symbol(std::string s) { return leaf(Kind::Symbol, std::move(s)); }
+Formula node(Kind kind, std::vector<Formula> parts) {
+    Formula f;
+    f.kind = kind;
+    f.parts = std::move(parts);
+    return f;
+}
+Formula row(std::vector<Formula> parts) { return node(Kind::Row, std::move(parts)); }
+Formula sub(Formula base, Formula index) { return node(Kind::Script, {std::move(base), std::move(index), row({})}); }
+Formula power(Formula base, Formula n) { return node(Kind::Script, {std::move(base), row({}), std::move(n)}); }
+Formula dot(const char* a, VectorCode ca, const char* b, VectorCode cb) {
+    return row({text("("), leaf(Kind::Vector, a, ca), text("·"), leaf(Kind::Vector, b, cb), text(")")});
+}
+
+// Lecture 1's model for one light.
+Formula lectureOne() {
+    return row({sub(symbol("I"), symbol("b")), text("="), sub(symbol("k"), symbol("b")), sub(symbol("I"), symbol("a")),
+                text("+"), sub(symbol("S"), text("0")), sub(symbol("I"), text("0")), text("["),
+                sub(symbol("k"), symbol("b")), dot("N", VectorCode::N, "L", VectorCode::L), text("+"),
+                sub(symbol("k"), symbol("s")), power(dot("R", VectorCode::R, "V", VectorCode::V), symbol("n")),
+                text("]")});
+}
+
+TEST(Formula, ReadsAsText) {
+    EXPECT_EQ(toText(lectureOne()), "I_b = k_b I_a + S_0 I_0 [ k_b (N·L) + k_s (R·V)^n ]");
+    EXPECT_EQ(toText(row({text("="), text("0.9"), text("·"), text("50")})), "= 0.9·50");
+    EXPECT_EQ(toText(row({text("("), text("1"), text(","), text("2"), text(")")})), "(1, 2)");
+}
+
+TEST(Formula, ReadsAsLatex) {
+    EXPECT_EQ(toLatex(lectureOne()),
+              "I_{b} = k_{b} I_{a} + S_{0} I_{0} [ k_{b} ( \\boldsymbol{N} \\cdot \\boldsymbol{L} ) + k_{s} "
+              "{( \\boldsymbol{R} \\cdot \\boldsymbol{V} )}^{n} ]");
+    EXPECT_EQ(toLatex(text("round(255·I")), "\\operatorname{round}(255\\cdot \\text{I}");
+    EXPECT_EQ(toLatex(symbol("FB")), "\\mathit{FB}");
+    EXPECT_EQ(toLatex(symbol("ρ")), "\\rho");
+    EXPECT_EQ(toLatex(text("−1\u2009991.6 ≥ 5 %")), "-1\\,991.6 \\ge  5 \\%");
+    EXPECT_EQ(toLatex(text("in the shadow of a_b")), "\\text{in the shadow of a}\\_\\text{b}");
+}
+
+TEST(Formula, MarkdownIsLatexBetweenDollars) { EXPECT_EQ(toMarkdown(symbol("n")), "$n$"); }
+
+TEST(Formula, FractionsAndScriptsKeepTheirParts) {
+    const Formula ratio = node(
+        Kind::Fraction, {row({text("255"), text("·"), sub(symbol("I"), symbol("b"))}), sub(symbol("I"), text("max"))});
+    EXPECT_EQ(toText(ratio), "(255·I_b)/I_max");
+    EXPECT_EQ(toLatex(ratio), "\\frac{255 \\cdot I_{b}}{I_{\\text{max}}}");
+    EXPECT_EQ(toText(power(row({symbol("a"), text("+"), symbol("b")}), text("2"))), "(a + b)^2");
+    EXPECT_EQ(toText(node(Kind::Script, {symbol("x"), symbol("s"), row({symbol("n"), text("+"), text("1")})})),
+              "x_s^(n + 1)");
+}
+
+TEST(Formula, AClampedNumberStaysLegible) {
+    const Formula clamped = row({node(Kind::Struck, {text("−0.31")}), text("0")});
+    EXPECT_EQ(toText(clamped), "~−0.31~ 0");
+    EXPECT_EQ(toLatex(clamped), "\\cancel{-0.31} 0");
+}
+
+}  // namespace
+}  // namespace pipeline

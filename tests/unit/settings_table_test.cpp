@@ -1,0 +1,186 @@
+#include "pipeline/scene/settings_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace pipeline {
+namespace {
+
+Scene twoLights() {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.corners = {0, 1, 2};
+    mesh.firstCorner = {0, 3};
+    Scene scene;
+    scene.objects.push_back({"triangle", std::make_shared<const Mesh>(mesh), {}, {}});
+    scene.lights.resize(2);
+    return scene;
+}
+
+Scene with(const std::string& assignment) {
+    const auto scene = withSetting(twoLights(), assignment);
+    EXPECT_TRUE(scene) << assignment;
+    return scene ? *scene : Scene{};
+}
+
+std::string refusal(const std::string& assignment) {
+    const auto scene = withSetting(twoLights(), assignment);
+    return scene ? "accepted" : format(scene.errors().front());
+}
+
+TEST(SettingsTable, KeysAreUniqueAndRowsAreSound) {
+    std::set<std::string_view> keys;
+    for (const Setting& row : settingsTable()) {
+        EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+        EXPECT_LE(row.min, row.low) << row.key;
+        EXPECT_LT(row.low, row.high) << row.key;
+        EXPECT_LE(row.high, row.max) << row.key;
+        EXPECT_TRUE(row.meaning.ends_with('.')) << row.key;
+        const bool named = row.kind == SettingKind::Switch || row.kind == SettingKind::Choice;
+        EXPECT_EQ(row.choices.empty(), !named) << row.key;
+        EXPECT_TRUE(!named || row.max == double(row.choices.size() - 1)) << row.key;
+    }
+}
+
+// The claim behind "every member has a row": changing any row changes the scene, only that row
+// reads differently afterwards, and putting the value back gives the scene before.
+TEST(SettingsTable, EveryRowReadsAndWritesItsOwnMember) {
+    const Scene before = twoLights();
+    for (const SettingRef& ref : settingsOf(before)) {
+        const double old = ref.get(before);
+        Scene scene = before;
+        ref.set(scene, old == ref.setting->max ? ref.setting->min : ref.setting->max);
+        EXPECT_FALSE(scene == before) << ref.key();
+        for (const SettingRef& other : settingsOf(before))
+            EXPECT_EQ(other.get(scene) == other.get(before), !(other == ref)) << ref.key() << " and " << other.key();
+        ref.set(scene, old);
+        EXPECT_TRUE(scene == before) << ref.key();
+    }
+}
+
+TEST(SettingsTable, ACompleteSceneValueIsCovered) {
+    // All that a scene holds beside names, meshes and k_s's two other channels.
+    // Settings 12; camera 2 + 5 + 9 + 2 + near, far; ambient 4; light 9; object 9; material 5.
+    const std::size_t expected = 12 + 20 + 4 + 2 * 9 + 9 + 5;
+    EXPECT_EQ(settingsOf(twoLights()).size(), expected);
+}
+
+TEST(SettingsTable, ListsLightByLight) {
+    std::vector<std::string> keys;
+    for (const SettingRef& ref : settingsOf(twoLights())) keys.push_back(ref.key());
+    const auto at = [&](const char* key) { return std::ranges::find(keys, key) - keys.begin(); };
+    EXPECT_LT(at("light.0.kind"), at("light.0.shadow"));
+    EXPECT_EQ(at("light.0.shadow") + 1, at("light.1.kind"));
+}
+
+TEST(SettingsTable, ReadsAssignments) {
+    EXPECT_EQ(with("shading=gouraud").settings.shading, Shading::Gouraud);
+    EXPECT_EQ(with("depth_format=fixed24").settings.depthFormat, DepthFormat::Fixed24);
+    EXPECT_EQ(with("camera.kind=look-at").camera.kind, CameraKind::LookAt);
+    EXPECT_EQ(with("light.1.x=-2.5e2").lights[1].position.x, -250);
+    EXPECT_EQ(with("light.1.kind=point").lights[1].kind, LightKind::Point);
+    EXPECT_FALSE(with("light.0.shadow=off").lights[0].castsShadow);
+    EXPECT_EQ(with(" width = +16384 ").settings.width, 16384);
+    EXPECT_EQ(with("material.0.ks=0.4").objects[0].material.specular, Vec3d(0.4));
+    EXPECT_EQ(with("object.0.sz=-1").objects[0].transform.scale, Vec3d(1, 1, -1));
+}
+
+TEST(SettingsTable, RefusesWithWhatWasExpected) {
+    EXPECT_EQ(refusal("light.0.intensity=abc"), "light.0.intensity is \"abc\", expected a number from 0 to 1e9");
+    EXPECT_EQ(refusal("width=0"), "width is \"0\", expected a whole number from 1 to 16384");
+    EXPECT_EQ(refusal("width=1.5"), "width is \"1.5\", expected a whole number from 1 to 16384");
+    EXPECT_EQ(refusal("shading=phnog"), "shading is \"phnog\", expected flat, gouraud or phong");
+    EXPECT_EQ(refusal("light.0.shadow=yes"), "light.0.shadow is \"yes\", expected off or on");
+    EXPECT_EQ(refusal("width"), "found \"width\", expected KEY=VALUE");
+    for (const char* value : {"nan", "inf", "1e999", "", "1 2", "0x10", "1,5", "--1", "+-1"})
+        EXPECT_NE(refusal(std::string("camera.near=") + value), "accepted") << value;
+}
+
+TEST(SettingsTable, AnswersAnUnknownKeyWithTheNearest) {
+    EXPECT_EQ(refusal("shadign=flat"), "no setting \"shadign\"; the nearest is \"shading\"");
+    EXPECT_EQ(refusal("light.0.intensty=1"), "no setting \"light.0.intensty\"; the nearest is \"light.0.intensity\"");
+    EXPECT_EQ(refusal("light.2.x=1"), "no setting \"light.2.x\", expected light 0 to 1");
+    EXPECT_NE(refusal("light.#.x=1"), "accepted");
+    EXPECT_NE(refusal("camera.0.rho=1"), "accepted");
+    const auto dark = withSetting(Scene{}, "light.0.x=1");
+    ASSERT_FALSE(dark);
+    EXPECT_EQ(format(dark.errors()[0]), "no setting \"light.0.x\": this scene has no light");
+}
+
+TEST(SettingsTable, FormatsWhatItParses) {
+    const Scene scene = twoLights();
+    for (const SettingRef& ref : settingsOf(scene)) {
+        const bool whole = ref.setting->kind != SettingKind::Number;
+        for (double value : {ref.setting->min, ref.setting->max, (ref.setting->low + ref.setting->high) / 3}) {
+            if (whole) value = std::floor(value);
+            const std::string text = formatSetting(ref, value);
+            const auto back = parseSetting(ref, text);
+            ASSERT_TRUE(back) << ref.key() << '=' << text;
+            EXPECT_EQ(*back, value) << ref.key() << '=' << text;
+        }
+    }
+}
+
+TEST(SettingsTable, SaysWhyASettingIsIdle) {
+    const auto idle = [](const Scene& scene, const char* key) {
+        return std::string(findSetting(scene, key).value().setting->idle(scene));
+    };
+    const Scene scene = twoLights();
+    EXPECT_EQ(idle(scene, "shadow.bias_value"), "Bias is automatic; choose constant to change it.");
+    EXPECT_EQ(idle(with("shadow.bias=constant"), "shadow.bias_value"), "");
+    EXPECT_EQ(idle(scene, "camera.eye_x"), "The camera is spherical; choose look-at to change it.");
+    EXPECT_EQ(idle(with("camera.kind=look-at"), "camera.eye_x"), "");
+    EXPECT_EQ(idle(with("camera.kind=look-at"), "camera.rho"), "The camera is look-at; choose spherical to change it.");
+    EXPECT_EQ(idle(scene, "material.0.n"), "k_s is 0 in every material.");
+    EXPECT_EQ(idle(with("shading=phong"), "normal_weight"), "");
+    Scene unshadowed = scene;
+    for (Light& light : unshadowed.lights) light.castsShadow = false;
+    EXPECT_EQ(idle(unshadowed, "shadow.size"), "No light casts a shadow.");
+}
+
+TEST(CheckScene, AcceptsDefaults) { EXPECT_EQ(format(checkScene(twoLights())), ""); }
+
+TEST(CheckScene, RefusesWhatNoSingleSettingCan) {
+    const auto check = [](auto change) {
+        Scene scene = twoLights();
+        change(scene);
+        const Errors errors = checkScene(scene);
+        return errors.empty() ? std::string("accepted") : format(errors[0]);
+    };
+    EXPECT_EQ(check([](Scene& s) { s.camera.near = 5, s.camera.far = 5; }),
+              "camera.near is 5, expected less than camera.far, which is 5");
+    EXPECT_EQ(check([](Scene& s) { s.camera.near = 5; }), "accepted");  // far comes from the bounds
+    EXPECT_EQ(check([](Scene& s) { s.camera.kind = CameraKind::LookAt, s.camera.target = s.camera.eye; }),
+              "the camera's eye and target are the same point, expected two points");
+    EXPECT_EQ(check([](Scene& s) {
+                  s.camera.kind = CameraKind::LookAt;
+                  s.camera.up = s.camera.target - s.camera.eye;
+              }),
+              "accepted");  // the view falls back
+    EXPECT_EQ(check([](Scene& s) { s.lights[1].position = Vec3d(0.0); }),
+              "light 1 is at infinity in the direction (0, 0, 0), expected a direction that is not zero");
+    EXPECT_EQ(check([](Scene& s) { s.lights[1].kind = LightKind::Point, s.lights[1].position = Vec3d(0.0); }),
+              "accepted");
+    EXPECT_EQ(check([](Scene& s) { s.camera.rho = std::numeric_limits<double>::quiet_NaN(); }),
+              "camera.rho is nan, expected a value from 1e-09 to 1e9");
+    EXPECT_EQ(check([](Scene& s) { s.objects[0].transform.scale.x = 2e8, s.objects[0].transform.translation.x = 9e8; }),
+              "object 0 reaches 1.1e+09 world units, expected at most 1e9");
+}
+
+TEST(CheckScene, RefusesAPictureThatDoesNotFit) {
+    Scene scene = twoLights();
+    scene.settings.width = scene.settings.height = 16384;
+    // 2^28 pixels of (23 + 2 · 19) · 4 + 19 = 263 bytes are 65.75 GiB; two shadow buffers of
+    // 1024² floats add 8 MiB.
+    const Errors errors = checkScene(scene);
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_NE(errors[0].found.find("16384 × 16384"), std::string::npos);
+    EXPECT_NE(errors[0].found.find("take 65.8 GiB"), std::string::npos) << errors[0].found;
+}
+
+}  // namespace
+}  // namespace pipeline
