@@ -1,0 +1,79 @@
+#include "pipeline/stages/shadow_buffer.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/illumination/shadow_factor.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+Scene withLight(LightKind kind, Vec3d position) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 16;
+    scene.settings.shadowSize = 64;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, 0, 30};
+    scene.lights.push_back({kind, position, 1, Vec3d(1), true});
+    return scene;
+}
+
+// A plane across the light at z' = 7 behind a small plate at z' = 0: z' counts from what is nearest to the light.
+TEST(ShadowBuffer, HoldsTheDistanceOfTheClosestSurface) {
+    Scene scene = withLight(LightKind::AtInfinity, {0, 0, 3});
+    scene.objects.push_back(
+        {"floor", test::mesh({{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}}, {{0, 1, 2, 3}}), {}, {}});
+    scene.objects.push_back(
+        {"plate", test::mesh({{-1, -1, 7}, {1, -1, 7}, {1, 1, 7}, {-1, 1, 7}}, {{0, 1, 2, 3}}), {}, {}});
+    const AnyBuffer z = *test::frameOf(scene)->buffer({BufferId::ShadowBuffer, 0});
+    ASSERT_EQ(z.shape, (std::vector<std::size_t>{64, 64}));
+    EXPECT_EQ(z.value(32, 32), 0);
+    EXPECT_EQ(z.value(3, 32), 7);
+    EXPECT_TRUE(std::isinf(z.value(0, 0)));  // the border of a texel around everything
+}
+
+// A light in the middle of a hollow box of half sizes 2, 3, 4: each face sees its wall straight ahead.
+TEST(ShadowBuffer, OfAPointLightLooksAllSixWays) {
+    Scene scene = withLight(LightKind::Point, {0, 0, 0});
+    scene.objects.push_back({"room", test::box({-2, -3, -4}, {2, 3, 4}), {}, {}});
+    const AnyBuffer z = *test::frameOf(scene)->buffer({BufferId::ShadowBuffer, 0});
+    ASSERT_EQ(z.shape, (std::vector<std::size_t>{6, 64, 64}));
+    const double expected[]{2, 2, 3, 3, 4, 4};
+    for (std::size_t face = 0; face < 6; ++face) EXPECT_NEAR(z.value(32, 64 * face + 32), expected[face], 1e-6);
+    for (std::size_t i = 0; i < z.count(); ++i) ASSERT_TRUE(std::isfinite(z.flat(i))) << "a hole in the room at " << i;
+}
+
+// A texel of width w looks up at most half a texel away: on a plane of slope dz/du the depth there differs by
+// at most w/2 |dz/du| on each axis. The bias is that, and 1/64 of it for snapping.
+TEST(ShadowFactor, TheClosedFormBiasIsHalfATexelsSlope) {
+    LightView<double> light;
+    View face;
+    face.perspective = false;
+    face.scale = {10, 20};  // texels of 0.1 x 0.05 units
+    face.forward = {0, 0, 1}, face.right = {1, 0, 0}, face.up = {0, 1, 0};
+    light.faces = {face};
+    const Vec3d normal = glm::normalize(Vec3d(3, 4, 1));  // dz/dx = -3, dz/dy = -4
+    const ShadowTest<double> test = shadowTest(light, {ShadowBias::Automatic, 0, 0}, Vec3d(0), normal);
+    EXPECT_NEAR(test.bias, 0.5 * (0.1 * 3 + 0.05 * 4) * (1 + 1.0 / 64), 1e-12);
+    const ShadowTest<double> wide = shadowTest(light, {ShadowBias::Automatic, 0, 2}, Vec3d(0), normal);
+    EXPECT_NEAR(wide.bias, (2.5 + 1.0 / 128) * (0.1 * 3 + 0.05 * 4), 1e-12);
+}
+
+TEST(ShadowFactor, FilteringCountsTexels) {
+    LightView<double> light;
+    View face;
+    face.perspective = false;
+    face.size = {4, 4};
+    face.centre = {2, 2}, face.scale = {1, 1};
+    face.forward = {0, 0, 1}, face.right = {1, 0, 0}, face.up = {0, 1, 0};
+    light.faces = {face};
+    light.depth.emplace_back(face.size, 1.0);
+    for (int y = 0; y < 4; ++y) light.depth[0].at({0, y}) = 9;  // one column of four lies behind the point
+    const ShadowSettings constant{ShadowBias::Constant, 0, 1};
+    // Texel (1, 1) and its 8 neighbours: the column x = 0 has 3 of the 9.
+    EXPECT_NEAR(shadowFactor(light, constant, Vec3d(-0.5, 0.5, 5), Vec3d(0, 0, -1)), 3.0 / 9, 1e-15);
+    EXPECT_EQ(shadowFactor(light, constant, Vec3d(100, 0, 5), Vec3d(0, 0, -1)), 1);  // outside nothing is in the way
+}
+
+}  // namespace
+}  // namespace pipeline

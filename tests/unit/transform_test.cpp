@@ -1,0 +1,124 @@
+#include "pipeline/stages/transform.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/core/angles.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+void expectNear(Vec3d a, Vec3d b, double tolerance) {
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance) << "component " << c;
+}
+
+TEST(Angles, AreExactAtRightAngles) {
+    for (int turns : {-1000000, -1, 0, 1, 7}) {
+        const double whole = 360.0 * turns;
+        EXPECT_EQ(sinDegrees(whole), 0);
+        EXPECT_EQ(cosDegrees(whole), 1);
+        EXPECT_EQ(sinDegrees(whole + 90), 1);
+        EXPECT_EQ(cosDegrees(whole + 90), 0);
+        EXPECT_EQ(sinDegrees(whole + 180), 0);
+        EXPECT_EQ(cosDegrees(whole + 180), -1);
+        EXPECT_EQ(sinDegrees(whole - 90), -1);
+    }
+    EXPECT_NEAR(sinDegrees(30), 0.5, 1e-16);
+    EXPECT_NEAR(cosDegrees(1e9), std::cos(std::fmod(1e9, 360.0) * 0.017453292519943295), 1e-14);
+}
+
+// Scale, then about x, then y, then z, then the translation: (1,0,0) scaled by 2 stays on x under the turn about
+// x; about y by 90 it goes to -z (z towards x is the positive sense, so x goes to -z); about z nothing moves -z.
+TEST(Transform, ScalesThenTurnsAboutXYZThenMoves) {
+    const ObjectMatrix m = makeObjectMatrix({{2, 3, 4}, {90, 90, 90}, {10, 20, 30}});
+    expectNear(toWorld(m, {1, 0, 0}), {10, 20, 28}, 1e-15);
+    // (0,1,0): scaled (0,3,0); about x to (0,0,3); about y to (3,0,0); about z to (0,3,0).
+    expectNear(toWorld(m, {0, 1, 0}), {10, 23, 30}, 1e-15);
+}
+
+TEST(Transform, AMirrorIsKnownByItsSign) {
+    EXPECT_FALSE(makeObjectMatrix({{1, 1, 1}, {}, {}}).mirrors);
+    EXPECT_TRUE(makeObjectMatrix({{-1, 1, 1}, {}, {}}).mirrors);
+    EXPECT_FALSE(makeObjectMatrix({{-1, -1, 1}, {}, {}}).mirrors);
+    EXPECT_TRUE(makeObjectMatrix({{-1e-200, -1e-200, -1e-200}, {}, {}}).mirrors);  // the product underflows
+}
+
+// Lecture 1's formulas, at places where a look-at matrix has no answer.
+TEST(View, TheSphericalCameraHoldsAtThePoles) {
+    Scene scene = test::pyramid();
+    for (double phi : {0.0, 180.0, 1e-7, 90.0, 60.0}) {
+        scene.camera.phi = phi, scene.camera.theta = 30;
+        const View view = makeView(scene);
+        const double st = 0.5, ct = std::sqrt(0.75), sp = sinDegrees(phi), cp = cosDegrees(phi);
+        for (const Vec3d p : {Vec3d(1, 2, 3), Vec3d(-7, 0, 4)}) {
+            const Vec3d d = p - view.eye;
+            EXPECT_NEAR(glm::dot(view.right, d), -p.x * st + p.y * ct, 1e-12);
+            EXPECT_NEAR(glm::dot(view.up, d), -p.x * cp * ct - p.y * cp * st + p.z * sp, 1e-12);
+            EXPECT_NEAR(glm::dot(view.forward, d), 1000 - p.x * sp * ct - p.y * sp * st - p.z * cp, 1e-12);
+        }
+        EXPECT_NEAR(glm::length(glm::cross(view.right, view.up)), 1, 1e-15) << phi;
+    }
+}
+
+TEST(View, LookingAlongUpFallsBackToAnotherAxis) {
+    Scene scene = test::pyramid();
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, 0, 10}, scene.camera.target = {0, 0, 0}, scene.camera.up = {0, 0, 1};
+    const View view = makeView(scene);
+    EXPECT_NEAR(glm::length(view.right), 1, 1e-15);
+    EXPECT_NEAR(glm::dot(view.right, view.forward), 0, 1e-15);
+    EXPECT_NEAR(glm::dot(view.up, view.forward), 0, 1e-15);
+}
+
+// x right, y up, z away: from the origin along +y with +z up, right is +x.
+TEST(View, IsLeftHanded) {
+    Scene scene = test::pyramid();
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, 0, 0}, scene.camera.target = {0, 1, 0};
+    const View view = makeView(scene);
+    EXPECT_EQ(view.right, Vec3d(1, 0, 0));
+    EXPECT_EQ(view.up, Vec3d(0, 0, 1));
+    EXPECT_EQ(view.forward, Vec3d(0, 1, 0));
+}
+
+TEST(View, FindsTheWorldPointOfAPixel) {
+    Scene scene = test::pyramid();
+    for (ProjectionKind projection : {ProjectionKind::Perspective, ProjectionKind::Orthographic}) {
+        scene.camera.projection = projection;
+        const FramePtr frame = test::frameOf(scene);
+        const View view = makeView(scene);
+        const AnyBuffer screen = *frame->buffer({BufferId::VerticesScreen}),
+                        z = *frame->buffer({BufferId::VerticesView});
+        for (std::size_t i = 0; i < 5; ++i) {
+            const Vec3d world = worldPoint(view, {screen.value(0, i, 0), screen.value(0, i, 1)}, z.value(0, i, 2));
+            const AnyBuffer expected = *frame->buffer({BufferId::VerticesWorld});
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(world[c], expected.value(0, i, c), 2e-2);
+        }
+    }
+}
+
+TEST(View, NearAndFarHoldEveryVertexInFrontOfTheEye) {
+    const View view = makeView(test::pyramid());
+    EXPECT_LT(view.near, 620.329);  // z_view of vertices 2 and 0, the nearest and the farthest
+    EXPECT_GT(view.near, 600);
+    EXPECT_GT(view.far, 877.526);
+    EXPECT_LT(view.far, 900);
+}
+
+TEST(Transform, AVertexBehindTheEyeHasNoPlaceOnTheScreen) {
+    Scene scene = test::pyramid();
+    scene.camera.rho = 100;  // among the vertices
+    const FramePtr frame = test::frameOf(scene);
+    const AnyBuffer view = *frame->buffer({BufferId::VerticesView}),
+                    screen = *frame->buffer({BufferId::VerticesScreen});
+    int behind = 0;
+    for (std::size_t i = 0; i < 5; ++i) {
+        if (view.value(0, i, 2) > 0) continue;
+        ++behind;
+        for (int c = 0; c < 3; ++c) EXPECT_EQ(screen.value(0, i, c), 0);
+    }
+    EXPECT_GT(behind, 0);
+}
+
+}  // namespace
+}  // namespace pipeline

@@ -1,0 +1,132 @@
+#include "pipeline/stages/z_buffer.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/inspect/pixel_report.h"
+#include "pipeline/stages/depth.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+// Polygons facing the eye at the origin, which looks along +y with z up; 90 degrees, 8 x 8 pixels.
+Scene facing(std::vector<std::pair<double, double>> sizesAndDistances) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 8;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, 0, 0}, scene.camera.target = {0, 1, 0}, scene.camera.fovY = 90;
+    scene.camera.near = 1, scene.camera.far = 100;
+    for (const auto& [s, y] : sizesAndDistances)
+        scene.objects.push_back(
+            {"square", test::mesh({{-s, y, -s}, {s, y, -s}, {s, y, s}, {-s, y, s}}, {{0, 1, 2, 3}}), {}, {}});
+    return scene;
+}
+
+// The polygons seen, a for the first, '.' for nothing.
+std::string picture(const Scene& scene) {
+    const AnyBuffer ids = *test::frameOf(scene)->buffer({BufferId::ObjectId});
+    std::string text = "\n";
+    for (std::size_t y = 0; y < ids.rows(); ++y) {
+        for (std::size_t x = 0; x < ids.columns(); ++x)
+            text += ids.value(x, y) < 0 ? '.' : char('a' + int(ids.value(x, y)));
+        text += '\n';
+    }
+    return text;
+}
+
+// At distance 10 the picture is 20 units wide: 2.5 units a pixel. The square of half size 5 spans pixels 2 to 5;
+// the one of 20 at distance 50 (12.5 units a pixel) spans 2.4 to 5.6, whose centres are 2.5 to 5.5 too.
+TEST(ZBuffer, NearerPolygonWinsWhateverTheOrder) {
+    const char* const both = R"(
+........
+.bbbbbb.
+.baaaab.
+.baaaab.
+.baaaab.
+.baaaab.
+.bbbbbb.
+........
+)";
+    EXPECT_EQ(picture(facing({{5, 10}, {37.5, 50}})), both);
+    std::string swapped = both;
+    for (char& c : swapped) c = c == 'a' ? 'b' : c == 'b' ? 'a' : c;
+    EXPECT_EQ(picture(facing({{37.5, 50}, {5, 10}})), swapped);
+}
+
+TEST(ZBuffer, OnATieTheFirstDrawnStays) {
+    EXPECT_EQ(picture(facing({{5, 10}, {5, 10}})).find('b'), std::string::npos);
+    const FramePtr frame = test::frameOf(facing({{5, 10}, {5, 10}}));
+    EXPECT_EQ(frame->buffer({BufferId::Overdraw})->value(3, 3), 2);
+    EXPECT_EQ(frame->buffer({BufferId::DepthWrites})->value(3, 3), 1);
+}
+
+TEST(ZBuffer, APolygonAtOneDepthHasThatDepthExactly) {
+    for (Precision precision : {Precision::Float, Precision::Double}) {
+        Scene scene = facing({{5, 8}});  // 1/8 has no rounding of its own
+        scene.settings.precision = precision;
+        const AnyBuffer z = *test::frameOf(scene)->buffer({BufferId::ZView});
+        for (std::size_t i = 0; i < z.count(); ++i) EXPECT_TRUE(z.flat(i) == 8 || std::isinf(z.flat(i))) << z.flat(i);
+    }
+}
+
+// n = 1, f = 100, z = 10. Perspective: d = f/(f-n) - fn/((f-n) z) = 100/99 (1 - 1/10) = 0.909090...; reversed 1 - d;
+// orthographic d = 9/99 = 0.0909...; 16 bits: round(0.9090909·65535) = 59577 (59577.27), 24 bits: 15252014 (15252013.6).
+TEST(Depth, EncodesAsTheFormulasSay) {
+    View view;
+    view.near = 1, view.far = 100;
+    const auto d = [&](DepthFormat format) { return DepthCode<double>(view, format).encode(10, 0.1); };
+    EXPECT_EQ(d(DepthFormat::Linear), 10);
+    EXPECT_NEAR(d(DepthFormat::Float), 10.0 / 11, 1e-15);
+    EXPECT_NEAR(d(DepthFormat::Reversed), 1.0 / 11, 1e-15);
+    EXPECT_EQ(d(DepthFormat::Fixed16), 59577.0 / 65535);
+    EXPECT_EQ(d(DepthFormat::Fixed24), 15252014.0 / 16777215);
+    view.perspective = false;
+    EXPECT_NEAR(d(DepthFormat::Float), 1.0 / 11, 1e-15);
+    EXPECT_NEAR(d(DepthFormat::Reversed), 10.0 / 11, 1e-15);
+}
+
+TEST(Depth, EveryFormatPutsTheNearerInFront) {
+    for (int format = 0; format < 5; ++format) {
+        Scene scene = facing({{37.5, 50}, {5, 10}, {37.5, 60}});
+        scene.settings.depthFormat = DepthFormat(format);
+        EXPECT_EQ(picture(scene), R"(
+........
+.aaaaaa.
+.abbbba.
+.abbbba.
+.abbbba.
+.abbbba.
+.aaaaaa.
+........
+)") << format;
+    }
+}
+
+// Corners at z = 1 and z = 100, in the middle of the screen: the share of the far one is
+// t = s z0 / (s z0 + (1-s) z1) = 0.5 / 50.5 = 0.00990099, not 1/2.
+TEST(ZBuffer, InterpolatesInPerspective) {
+    RasterTriangle<double> t{};
+    t.snapped = {{glm::i64vec2(0, 0), glm::i64vec2(2560, 0), glm::i64vec2(0, 2560)}};
+    t.inverseArea2 = 1 / double(t.snapped.area2());
+    t.w = {1.0 / 100, 1, 1};
+    t.weights = {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)};
+    const std::int64_t half = t.snapped.area2() / 2;
+    const Fragment<double> f = interpolate(t, {half, half, 0}, true);
+    EXPECT_NEAR(f.barycentric.x, 0.5 / 50.5, 1e-15);
+    EXPECT_NEAR(f.z, 100 / 50.5, 1e-14);
+}
+
+TEST(ZBuffer, AReplayRecordsEveryFragmentWithTheNumbersCompared) {
+    const FramePtr frame = test::frameOf(facing({{37.5, 50}, {5, 10}, {37.5, 60}}));
+    const PixelReport report = inspectPixel(*frame, {4, 4});
+    ASSERT_EQ(report.fragments.size(), 3u);
+    EXPECT_EQ(report.fragments[0].text, "50.00000 < +∞");
+    EXPECT_EQ(report.fragments[0].verdict, FragmentVerdict::Overwritten);
+    EXPECT_EQ(report.fragments[1].text, "10.00000 < 50.00000");
+    EXPECT_EQ(report.fragments[1].verdict, FragmentVerdict::WonStays);
+    EXPECT_EQ(report.fragments[2].text, "60.00000 ≥ 10.00000");
+    EXPECT_EQ(report.fragments[2].verdict, FragmentVerdict::NotNearer);
+}
+
+}  // namespace
+}  // namespace pipeline
