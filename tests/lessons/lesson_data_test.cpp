@@ -23,17 +23,16 @@ TEST(Lessons, EveryPageIsTrue) {
         for (const Page& page : lesson.pages) {
             SCOPED_TRACE(lesson.name + ", " + page.heading);
             EXPECT_EQ(format(pipeline::checkScene(page.state.scene)), "");
-            const pipeline::FramePtr frame = frameOf(page.state.scene, requestFor(page));
+            pipeline::FrameRequest request = requestFor(page);
+            request.wanted.set(index(pipeline::BufferId::PolygonId));
+            const pipeline::FramePtr frame = frameOf(page.state.scene, request);
             ASSERT_TRUE(frame);
             for (const pipeline::BufferName& buffer : page.state.buffers)
                 EXPECT_TRUE(frame->buffer(buffer)) << buffer.text() << ": " << frame->whyAbsent(buffer);
-            if (page.state.pixel) {
-                EXPECT_GE(frame->buffer({pipeline::BufferId::PolygonId})
-                              ? frame->buffer({pipeline::BufferId::PolygonId})
-                                    ->value(std::size_t(page.state.pixel->x), std::size_t(page.state.pixel->y))
-                              : 0,
-                          0)
-                    << "the picked pixel shows nothing";
+            if (const auto pixel = page.state.pixel) {
+                const auto polygons = frame->buffer({pipeline::BufferId::PolygonId});
+                ASSERT_TRUE(polygons);
+                EXPECT_GE(polygons->value(std::size_t(pixel->x), std::size_t(pixel->y)), 0) << "nothing is drawn there";
             }
             const auto text = filled(page.text, *frame);
             EXPECT_TRUE(text) << textOf(text);
