@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+#include "tests/support/files.h"
+
+namespace {
+
+using Json = nlohmann::json;
+using test::run;
+using test::scene;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+TEST(Program, HelpAndVersionGoToStandardOutput) {
+    for (const char* option : {"-h", "--help"}) {
+        const auto done = run({option});
+        EXPECT_EQ(done.status, 0);
+        EXPECT_TRUE(has(done.out, "export")) << done.out;
+        EXPECT_EQ(done.err, "");
+    }
+    EXPECT_EQ(run({"--version"}).out, "shadescope " SHADESCOPE_VERSION "\n");
+    for (const char* command : {"export", "plan", "inspect", "bench", "lesson"}) {
+        const auto done = run({command, "--help"});
+        EXPECT_EQ(done.status, 0) << command;
+        EXPECT_TRUE(has(done.out, "Usage: shadescope " + std::string(command))) << done.out;
+    }
+}
+
+TEST(Program, WrongUsageIsStatus2) {
+    const auto typo = run({"expotr", "x"});
+    EXPECT_EQ(typo.status, 2);
+    EXPECT_TRUE(has(typo.err, "there is no file and no command \"expotr\"; the nearest command is export"));
+    EXPECT_EQ(run({"--bogus"}).status, 2);
+    EXPECT_EQ(run({"export"}).status, 2);
+    EXPECT_EQ(run({"export", "pyramid"}).status, 2);  // no -o
+    EXPECT_EQ(run({"plan", "pyramid", "surplus"}).status, 2);
+    EXPECT_EQ(run({"lesson"}).status, 2);
+    EXPECT_EQ(run({}).status, 2);  // no display, or no window at all
+}
+
+TEST(Program, BadInputIsStatus3WithItsPlace) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "broken.scene",
+                    "200, 1000, 45, 60\n1\nmissing.des\n1, 1, 1\n0, 0, 0\n0, 0, 0\n1\n1, 1, 1, 100\n50\n");
+    const auto done = run({"plan", folder / "broken.scene"});
+    EXPECT_EQ(done.status, 3);
+    EXPECT_TRUE(done.err.starts_with((folder / "broken.scene").string() + ":3:1: ")) << done.err;
+    EXPECT_EQ(done.out, "");
+    EXPECT_EQ(run({"plan", folder / "nothing.scene"}).status, 3);
+    EXPECT_EQ(run({"plan", folder.path()}).status, 3);
+    const auto unknown = run({"plan", "pyramyd"});
+    EXPECT_EQ(unknown.status, 3);
+    EXPECT_EQ(unknown.err, "no file and no built-in scene \"pyramyd\"; the nearest is \"pyramid\"\n");
+}
+
+TEST(Program, AFullDiskBehindStandardOutputIsStatus4) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"plan", "pyramid"}, {"--help"}, {"inspect", "pyramid", "--pixel", "268,281"}}) {
+        const auto done = test::runInto("/dev/full", arguments);
+        EXPECT_EQ(done.status, 4) << arguments[0];
+        EXPECT_EQ(done.err, "standard output: could not write: No space left on device\n");
+    }
+}
+
+TEST(Plan, SaysWhatIsLeftOutAndWhy) {
+    const auto done = run({"plan", scene("pyramid.scene")});
+    EXPECT_EQ(done.status, 0);
+    EXPECT_TRUE(has(done.out, "The only object is convex: it cannot shadow itself."));
+    EXPECT_TRUE(has(done.out, "Flat shading needs polygon normals only."));
+    const auto gouraud = run({"plan", scene("pyramid.scene"), "--set", "shading=gouraud"});
+    EXPECT_FALSE(has(gouraud.out, "Flat shading"));
+}
+
+TEST(Plan, AsJson) {
+    const auto done = run({"plan", "pyramid", "--json"});
+    EXPECT_EQ(done.status, 0);
+    const Json json = Json::parse(done.out);
+    ASSERT_EQ(json["plan"].size(), 6u);
+    const char* names[] = {"transform", "cull", "normals", "shadow-buffer", "z-buffer", "shading"};
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(json["plan"][i]["stage"], names[i]);
+    EXPECT_EQ(json["plan"][3]["action"], "left out");
+    EXPECT_FALSE(json["absent"].empty());
+}
+
+TEST(Plan, WhatIsNamedIsNotLeftOut) {
+    const Json json = Json::parse(run({"plan", "pyramid", "--json", "--buffers", "shadow_buffer.0"}).out);
+    EXPECT_EQ(json["plan"][3]["action"], "runs");
+    EXPECT_EQ(json["plan"][5]["why"], "The run ends after shadow-buffer.");
+}
+
+TEST(Inspect, PrintsTheEquationWithItsNumbers) {
+    const auto done = run({"inspect", scene("pyramid.scene"), "--pixel", "268,281"});
+    EXPECT_EQ(done.status, 0);
+    EXPECT_TRUE(has(done.out, "I_b = k_b I_a + S_0 I_0 [ k_b (N·L) + k_s (R·V)^n ]")) << done.out;
+    EXPECT_TRUE(has(done.out, "0.9·50 + 1·100 [ 0.9·0.7746 + 0.4·0.3974^8 ]"));
+    EXPECT_TRUE(has(done.out, "114.739"));
+    EXPECT_TRUE(has(done.out, "won, stays"));
+}
+
+TEST(Inspect, AsJson) {
+    const Json json = Json::parse(run({"inspect", "pyramid", "--pixel", "268,281", "--json"}).out);
+    EXPECT_EQ(json["polygon"], 2);
+    EXPECT_NEAR(json["intensity"][2].get<double>(), 114.739, 5e-4);
+    EXPECT_EQ(json["color"], Json::array({37, 93, 167}));
+    EXPECT_EQ(json["fragments"][0]["verdict"], "won, stays");
+}
+
+TEST(Inspect, RefusesAPixelOutsideThePicture) {
+    for (const char* pixel : {"640,0", "0,480", "-1,0", "1", "1,2,3", "a,b", ""}) {
+        const auto done = run({"inspect", "pyramid", std::string("--pixel=") + pixel});
+        EXPECT_EQ(done.status, 2) << pixel;
+        EXPECT_EQ(done.out, "");
+    }
+    EXPECT_TRUE(has(run({"inspect", "pyramid", "--pixel", "640,0"}).err,
+                    "--pixel is \"640,0\", expected X,Y with X from 0 to 639 and Y from 0 to 479"));
+    EXPECT_EQ(run({"inspect", "pyramid", "--pixel", "639,479"}).status, 0);
+}
+
+TEST(Bench, MeasuresEveryStageThatRuns) {
+    const auto done = run({"bench", "pyramid", "--json", "--repeat", "7", "--warm-up", "1", "--threads", "1"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const Json json = Json::parse(done.out);
+    EXPECT_EQ(json["threads"], 1);
+    EXPECT_EQ(json["repeats"], 7);
+    EXPECT_GT(json["peak_memory_bytes"].get<double>(), 640 * 480 * 3);
+    ASSERT_EQ(json["stages"].size(), 6u);
+    EXPECT_FALSE(json["stages"][3].contains("milliseconds"));  // left out
+    double sum = 0;
+    for (const Json& stage : json["stages"]) {
+        if (!stage.contains("milliseconds")) continue;
+        const Json& time = stage["milliseconds"];
+        EXPECT_LE(time["min"], time["median"]);
+        EXPECT_LE(time["median"], time["p95"]);
+        EXPECT_LE(time["median_interval"][0], time["median"]);
+        EXPECT_GE(time["median_interval"][1], time["median"]);
+        sum += time["min"].get<double>();
+    }
+    EXPECT_GT(sum, 0);
+    EXPECT_LE(sum, json["milliseconds"]["median"].get<double>());
+    const auto table = run({"bench", "pyramid", "--repeat", "2"});
+    EXPECT_EQ(table.status, 0);
+    EXPECT_TRUE(has(table.out, "z-buffer")) << table.out;
+}
+
+TEST(Bench, CtrlCIsStatus130) {
+    const auto done = test::runAndInterrupt({"bench", "pyramid", "--repeat", "100000"}, 300);
+    EXPECT_EQ(done.status, 130);
+    EXPECT_EQ(done.out, "");
+    EXPECT_EQ(done.err, "Cancelled.\n");
+}
+
+TEST(Lesson, ListsAndShows) {
+    const Json list = Json::parse(run({"lesson", "list", "--json"}).out);
+    ASSERT_FALSE(list.empty());
+    EXPECT_EQ(list[0]["name"], "pyramid");
+    const auto shown = run({"lesson", "show", "pyramid"});
+    EXPECT_EQ(shown.status, 0) << shown.err;
+    EXPECT_TRUE(has(shown.out, "# " + list[0]["title"].get<std::string>()));
+    EXPECT_FALSE(has(shown.out, "{buffer(")) << "a number was not filled in";
+    const auto unknown = run({"lesson", "show", "pyramide"});
+    EXPECT_EQ(unknown.status, 3);
+    EXPECT_TRUE(has(unknown.err, "the nearest is \"pyramid\"")) << unknown.err;
+}
+
+}  // namespace

@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+#include "tests/support/files.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using test::run;
+using test::scene;
+
+Json manifestOf(const fs::path& folder) { return Json::parse(test::readText(folder / "manifest.json")); }
+
+TEST(Export, WritesThePyramidsBuffers) {
+    const test::TemporaryFolder folder;
+    const auto done = run({"export", scene("pyramid.scene"), "-o", folder / "out"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(done.out, "");
+    EXPECT_NE(done.err.find("in " + (folder / "out").string()), std::string::npos);
+
+    const test::Npy color = test::readNpy(folder / "out/color.npy");
+    EXPECT_EQ(color.descr, "|u1");
+    EXPECT_EQ(color.shape, (std::vector<std::size_t>{480, 640, 3}));
+    // Lecture 1's right face, blue: 0.9·50 + 100 (0.9·0.7746 + 0.4·0.3974^8) = 114.739;
+    // 255·114.739/175 = 167. Red 25.517 gives 37, green 63.755 gives 93.
+    const std::size_t at = (281 * 640 + 268) * 3;
+    EXPECT_EQ(color.values[at], 37);
+    EXPECT_EQ(color.values[at + 1], 93);
+    EXPECT_EQ(color.values[at + 2], 167);
+
+    // Vertex 0 goes to (200, 0, 0), scale and rotation leaving the origin alone. θ = 45°, φ = 60°:
+    // x_v = −200/√2, y_v = −200/(2√2), z_v = 1000 − 200·(√3/2)/√2; x_s = 320 + 200 x_v/z_v.
+    const test::Npy screen = test::readNpy(folder / "out/vertices.screen.npy");
+    EXPECT_EQ(screen.shape, (std::vector<std::size_t>{5, 3}));
+    const double r = std::sqrt(0.5), z = 1000 - 200 * std::sqrt(0.75) * r;
+    EXPECT_NEAR(screen.values[0], 320 - 200 * 200 * r / z, 1e-4);
+    EXPECT_NEAR(screen.values[1], 240 + 200 * 200 * r / 2 / z, 1e-4);
+
+    const test::Png png = test::readPng(folder / "out/color.png");
+    ASSERT_EQ(png.width, 640);
+    ASSERT_EQ(png.height, 480);
+    EXPECT_TRUE(std::equal(png.rgb.begin(), png.rgb.end(), color.values.begin(), color.values.end()));
+}
+
+TEST(Export, ManifestHasWhatTheSpecificationLists) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(run({"export", "pyramid", "-o", folder / "out", "--size", "64x48"}).status, 0);
+    const Json manifest = manifestOf(folder / "out");
+    for (const char* key : {"program", "scene", "settings", "plan", "stages", "buffers", "absent"})
+        EXPECT_TRUE(manifest.contains(key)) << key;
+    EXPECT_EQ(manifest["scene"]["sha256"].get<std::string>().size(), 64u);
+    EXPECT_EQ(manifest["settings"]["width"], 64);
+    for (const Json& buffer : manifest["buffers"]) {
+        for (const char* key :
+             {"name", "stage", "shape", "dtype", "unit", "space", "minimum", "maximum", "non_finite", "files"})
+            EXPECT_TRUE(buffer.contains(key)) << buffer["name"] << ' ' << key;
+        for (const Json& file : buffer["files"])
+            EXPECT_EQ(fs::file_size(folder / ("out/" + file["file"].get<std::string>())), file["bytes"]);
+    }
+}
+
+TEST(Export, ComputesWhatIsNamedEvenWhereThePlanLeavesItOut) {
+    const test::TemporaryFolder folder;
+    const auto done = run({"export", scene("pyramid.scene"), "-o", folder / "out", "--buffers",
+                           "vertices.normal,shadow_buffer.0,n_dot_h.0", "--format", "npy", "--set", "shadow.size=32"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    std::vector<std::string> names{"out", "out/manifest.json", "out/n_dot_h.0.npy", "out/shadow_buffer.0.npy",
+                                   "out/vertices.normal.npy"};
+    EXPECT_EQ(folder.names(), names);
+    EXPECT_EQ(test::readNpy(folder / "out/shadow_buffer.0.npy").shape, (std::vector<std::size_t>{32, 32}));
+}
+
+TEST(Export, StopsAfterAStage) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(run({"export", "pyramid", "-o", folder / "out", "--until", "cull", "--format", "csv"}).status, 0);
+    EXPECT_EQ(folder.names(),
+              (std::vector<std::string>{"out", "out/manifest.json", "out/polygons.verdict.csv",
+                                        "out/vertices.screen.csv", "out/vertices.view.csv", "out/vertices.world.csv"}));
+    // Seen from the eye (612, 612, 500), N · (eye − vertex): left (0, −2, 1) · (412, 612, 500) < 0,
+    // front and right > 0, back (−10, 0, 9) · (412, 612, 500) > 0 by a little, base faces down.
+    EXPECT_EQ(test::readText(folder / "out/polygons.verdict.csv"), "polygon,value\n0,1\n1,0\n2,0\n3,0\n4,1\n");
+    const Json manifest = manifestOf(folder / "out");
+    std::string why;
+    for (const Json& absent : manifest["absent"])
+        if (absent["name"] == "color") why = absent["why"];
+    EXPECT_EQ(why, "The run ends after cull.");
+}
+
+TEST(Export, SettingsChangeThePicture) {
+    const test::TemporaryFolder folder;
+    // No light and no ambient light: I_max is 0, and so is every pixel.
+    ASSERT_EQ(run({"export", "pyramid", "-o", folder / "out", "--buffers", "color", "--format", "npy", "--set",
+                   "light.0.intensity=0", "--set", "ambient.intensity=0"})
+                  .status,
+              0);
+    const auto values = test::readNpy(folder / "out/color.npy").values;
+    EXPECT_EQ(values.size(), 640u * 480 * 3);
+    EXPECT_TRUE(std::ranges::all_of(values, [](double v) { return v == 0; }));
+}
+
+TEST(Export, DoubleRunsLeaveDoubles) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(run({"export", "pyramid", "-o", folder / "out", "--buffers", "z_view,color", "--format", "npy", "--set",
+                   "precision=double", "--threads", "1"})
+                  .status,
+              0);
+    EXPECT_EQ(test::readNpy(folder / "out/z_view.npy").descr, "<f8");
+    EXPECT_EQ(test::readNpy(folder / "out/color.npy").descr, "|u1");
+}
+
+TEST(Export, SaysWhichNamedBufferHasNoFile) {
+    const test::TemporaryFolder folder;
+    const auto done =
+        run({"export", "pyramid", "-o", folder / "out", "--buffers", "vertices.world,color", "--format", "png"});
+    EXPECT_EQ(done.status, 0);
+    EXPECT_NE(done.err.find("vertices.world: no file. A picture has pixels, not vertices."), std::string::npos);
+}
+
+TEST(Export, AnUnwritableFolderIsStatus4AndLeavesNothing) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "file", "");
+    const auto inPlace = run({"export", "pyramid", "-o", folder / "file"});
+    EXPECT_EQ(inPlace.status, 4);
+    EXPECT_EQ(inPlace.err, (folder / "file").string() + ": could not write: Not a directory\n");
+    EXPECT_EQ(run({"export", "pyramid", "-o", folder / "file/out"}).status, 4);
+    EXPECT_EQ(run({"export", "pyramid", "-o", "/proc/out"}).status, 4);
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"file"});
+}
+
+TEST(Export, CtrlCLeavesNothing) {
+    const test::TemporaryFolder folder;
+    // Some seconds of work: 81 million numbers as text.
+    const auto done =
+        test::runAndInterrupt({"export", "pyramid", "-o", folder / "out", "--size", "3000x3000", "--buffers",
+                               "position,normal,view_vector", "--format", "csv", "--set", "camera.scale=6"},
+                              300);
+    EXPECT_EQ(done.status, 130);
+    EXPECT_EQ(done.err, "Cancelled. Nothing was written.\n");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{});
+}
+
+struct Wrong {
+    const char* name;
+    std::vector<std::string> arguments;
+    std::string message;
+};
+void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
+
+class WrongUsage : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongUsage, IsStatus2WithAReason) {
+    const test::TemporaryFolder folder;
+    std::vector<std::string> arguments{"export", scene("pyramid.scene"), "-o", folder / "out"};
+    arguments.insert(arguments.end(), GetParam().arguments.begin(), GetParam().arguments.end());
+    const auto done = run(arguments);
+    EXPECT_EQ(done.status, 2);
+    EXPECT_EQ(done.out, "");
+    EXPECT_NE(done.err.find(GetParam().message), std::string::npos) << done.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Export, WrongUsage,
+    testing::Values(Wrong{"Setting", {"--set", "shadign=flat"}, "no setting \"shadign\"; the nearest is \"shading\""},
+                    Wrong{"Value",
+                          {"--set", "light.0.intensity=abc"},
+                          "light.0.intensity is \"abc\", expected a number from 0 to 1e9"},
+                    Wrong{"Together",
+                          {"--set", "camera.near=9", "--set", "camera.far=8"},
+                          "expected less than camera.far, which is 8"},
+                    Wrong{"Size", {"--size", "640"}, "--size is \"640\", expected WxH, as in 640x480"},
+                    Wrong{"Zero", {"--size", "0x9"}, "width is \"0\", expected a whole number from 1 to 16384"},
+                    Wrong{"Huge", {"--size", "16384x16384"}, "expected at most 4 GiB; make the picture smaller"},
+                    Wrong{"Buffer", {"--buffers", "colour"}, "no buffer \"colour\"; the nearest is \"color\""},
+                    Wrong{"Light", {"--buffers", "n_dot_l.1"}, "no buffer \"n_dot_l.1\": this scene has 1 light"},
+                    Wrong{"Stage", {"--until", "zbuffer"}, "no stage \"zbuffer\"; the nearest is \"z-buffer\""},
+                    Wrong{"Late",
+                          {"--until", "cull", "--buffers", "color"},
+                          "color comes from shading, and the run ends after cull"},
+                    Wrong{"Format", {"--format", "npy,bmp"}, "no format \"bmp\", expected npy, png, csv, exr"},
+                    Wrong{"Threads", {"--threads", "-1"}, "--threads"}, Wrong{"Option", {"--colour"}, "--colour"},
+                    Wrong{"PixelAlone", {"--pixel", "1,1"}, "--pixel goes with --views"}),
+    [](const auto& wrong) { return std::string(wrong.param.name); });
+
+}  // namespace

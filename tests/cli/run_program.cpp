@@ -1,0 +1,70 @@
+#include "tests/cli/run_program.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "tests/support/files.h"
+
+namespace test {
+
+namespace {
+
+Finished start(const std::vector<std::string>& arguments, std::string out,
+               const std::function<void(pid_t)>& meanwhile) {
+    const TemporaryFolder folder;
+    if (out.empty()) out = (folder / "out").string();
+    const std::string err = (folder / "err").string();
+
+    std::vector<std::string> words{SHADESCOPE_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    std::string locale = "LC_ALL=C.UTF-8";
+    char* environment[] = {locale.data(), nullptr};  // no DISPLAY
+
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
+    pid_t program = 0;
+    const int failed = posix_spawn(&program, argv[0], &actions, nullptr, argv.data(), environment);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failed != 0) return {};
+
+    meanwhile(program);
+    int status = 0;
+    waitpid(program, &status, 0);
+    Finished finished;
+    finished.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    if (out.starts_with(folder.path().string())) finished.out = readText(out);
+    finished.err = readText(err);
+    return finished;
+}
+
+}  // namespace
+
+Finished run(const std::vector<std::string>& arguments) { return runInto("", arguments); }
+
+Finished runInto(const std::string& file, const std::vector<std::string>& arguments) {
+    return start(arguments, file, [](pid_t) {});
+}
+
+Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds) {
+    return start(arguments, "", [&](pid_t program) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+        kill(program, SIGINT);
+    });
+}
+
+std::string scene(const std::string& name) { return std::string(SHADESCOPE_SCENES) + '/' + name; }
+
+}  // namespace test

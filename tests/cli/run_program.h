@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace test {
+
+struct Finished {
+    int status = -1;  // exit status; 128 + n when signal n ended it
+    std::string out, err;
+};
+
+// Starts the program with these arguments, as a shell would, without a display, and waits.
+Finished run(const std::vector<std::string>& arguments);
+
+// The same, with standard output going to a file.
+Finished runInto(const std::string& file, const std::vector<std::string>& arguments);
+
+// The same, with Ctrl+C after some time.
+Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds);
+
+// A file of resources/scenes.
+std::string scene(const std::string& name);
+
+}  // namespace test

@@ -1,0 +1,237 @@
+#include "pipeline/export/export_frame.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <csignal>
+
+#include "pipeline/export/json.h"
+#include "pipeline/export/staging.h"
+#include "pipeline/plan/needs.h"
+#include "tests/support/files.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+Scene smallPyramid() {
+    Scene scene = test::pyramid();
+    scene.settings.width = 64, scene.settings.height = 48;
+    scene.camera.pixelsPerUnit = 0.1;
+    return scene;
+}
+
+FramePtr usefulFrame() { return test::frameOf(smallPyramid(), usefulBuffers(smallPyramid())); }
+
+TEST(Staging, MakesAFolderThatWasNotThere) {
+    const test::TemporaryFolder folder;
+    auto staging = Staging::begin(folder / "a/b/out");
+    ASSERT_TRUE(staging);
+    test::writeText(staging->folder() / "x", "1");
+    EXPECT_FALSE(fs::exists(folder / "a/b/out"));
+    ASSERT_TRUE(std::move(staging).value().publish());
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"a", "a/b", "a/b/out", "a/b/out/x"}));
+}
+
+TEST(Staging, LeavesNoTraceUnlessPublished) {
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder / "there");
+    test::writeText(folder / "there/old", "old");
+    for (const char* target : {"a/b/out", "out", "there"}) {
+        const auto staging = Staging::begin(folder / target);
+        ASSERT_TRUE(staging) << target;
+        test::writeText(staging->folder() / "old", "new");
+    }
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"there", "there/old"}));
+    EXPECT_EQ(test::readText(folder / "there/old"), "old");
+}
+
+TEST(Staging, ReplacesFilesOfTheSameNameAlone) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "old", "old");
+    test::writeText(folder / "other", "other");
+    auto staging = Staging::begin(folder.path() / "");  // a folder's name may end in a slash
+    ASSERT_TRUE(staging);
+    test::writeText(staging->folder() / "old", "new");
+    ASSERT_TRUE(std::move(staging).value().publish());
+    EXPECT_EQ(test::readText(folder / "old"), "new");
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"old", "other"}));
+}
+
+TEST(Staging, RefusesAFileInPlaceOfTheFolder) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "out", "");
+    const auto staging = Staging::begin(folder / "out");
+    ASSERT_FALSE(staging);
+    EXPECT_EQ(format(staging.errors()[0]), (folder / "out").string() + ": could not write: Not a directory");
+    EXPECT_FALSE(Staging::begin(folder / "out/deeper"));
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"out"});
+}
+
+TEST(Staging, MovesNothingWhenOneFileCannotMove) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "a", "old");
+    fs::create_directory(folder / "b");  // stands where a file is to go
+    {
+        auto begun = Staging::begin(folder.path());
+        ASSERT_TRUE(begun);
+        Staging staging = std::move(begun).value();
+        test::writeText(staging.folder() / "a", "new");
+        test::writeText(staging.folder() / "b", "new");
+        EXPECT_FALSE(staging.publish());
+    }
+    EXPECT_EQ(test::readText(folder / "a"), "old");
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"a", "b"}));
+}
+
+TEST(ExportFrame, WritesWhatItPlanned) {
+    const test::TemporaryFolder folder;
+    const FramePtr frame = usefulFrame();
+    ExportRequest request{folder / "out", {}, {"npy", "png", "csv", "exr"}, {}};
+    std::vector<std::string> expected{"manifest.json"};
+    for (const PlannedFile& file : plannedFiles(*frame, request)) {
+        EXPECT_NE(file.file.empty(), file.whyNot.empty()) << file.buffer.text() << ' ' << file.format;
+        if (!file.file.empty()) expected.push_back(file.file);
+    }
+    const auto summary = exportFrame(*frame, request);
+    ASSERT_TRUE(summary);
+    std::vector<std::string> found;
+    std::uint64_t bytes = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "out")) {
+        found.push_back(entry.path().filename().string());
+        bytes += entry.file_size();
+    }
+    std::ranges::sort(expected);
+    std::ranges::sort(found);
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(summary->files.size(), expected.size());
+    EXPECT_EQ(summary->bytes, bytes);
+    for (const PlannedFile& file : plannedFiles(*frame, request))
+        EXPECT_TRUE(!file.exact || fs::file_size(folder / ("out/" + file.file)) == file.bytes) << file.file;
+}
+
+TEST(ExportFrame, ManifestDescribesEveryBuffer) {
+    const test::TemporaryFolder folder;
+    const FramePtr frame = usefulFrame();
+    ASSERT_TRUE(exportFrame(*frame, {folder / "out", {}, {"npy", "png"}, {}}));
+    const Json manifest = Json::parse(test::readText(folder / "out/manifest.json"));
+    EXPECT_EQ(manifest["scene"]["name"], "pyramid");
+    EXPECT_EQ(manifest["settings"]["width"], 64);
+    EXPECT_EQ(manifest["settings"]["shading"], "flat");
+    EXPECT_EQ(manifest["settings"]["light.0.shadow"], true);
+    EXPECT_EQ(manifest["plan"].size(), kStageCount);
+    EXPECT_EQ(manifest["plan"][3]["action"], "left out");
+    EXPECT_EQ(manifest["plan"][3]["why"], "The only object is convex: it cannot shadow itself.");
+    EXPECT_EQ(manifest["stages"].size(), kStageCount);
+    EXPECT_EQ(manifest["verdicts"][1]["verdict"], "back-facing");
+
+    for (const Json& buffer : manifest["buffers"]) {
+        const auto name = findBuffer(buffer["name"].get<std::string>());
+        ASSERT_TRUE(name);
+        const test::Npy npy = test::readNpy(folder / ("out/" + name->text() + ".npy"));
+        EXPECT_EQ(buffer["shape"], Json(npy.shape)) << name->text();
+        double min = INFINITY, max = -INFINITY;
+        std::size_t nonFinite = 0;
+        for (const double value : npy.values) {
+            if (!std::isfinite(value))
+                ++nonFinite;
+            else
+                min = std::min(min, value), max = std::max(max, value);
+        }
+        EXPECT_EQ(buffer["minimum"], min) << name->text();
+        EXPECT_EQ(buffer["maximum"], max) << name->text();
+        EXPECT_EQ(buffer["non_finite"], nonFinite) << name->text();
+        EXPECT_EQ(buffer["unit"], bufferInfo(name->id).unit);
+        EXPECT_EQ(buffer["files"][0]["file"], name->text() + ".npy");
+    }
+    for (const Json& absent : manifest["absent"]) EXPECT_FALSE(absent["why"].get<std::string>().empty());
+    const auto isAbsent = [&](const char* name) {
+        return std::ranges::any_of(manifest["absent"], [&](const Json& entry) { return entry["name"] == name; });
+    };
+    EXPECT_TRUE(isAbsent("shadow_buffer.0"));
+    EXPECT_TRUE(isAbsent("n_dot_h.0"));
+    EXPECT_FALSE(isAbsent("n_dot_l.0"));
+}
+
+TEST(ExportFrame, CancellingAtAnyFileLeavesNothing) {
+    const FramePtr frame = usefulFrame();
+    const ExportRequest wanted{{}, {{BufferId::Depth}, {BufferId::Color}}, {"npy"}, {}};
+    // depth.npy, color.npy, manifest.json, and before they are moved.
+    for (int last = 0; last < 4; ++last) {
+        const test::TemporaryFolder folder;
+        ExportRequest request = wanted;
+        request.folder = folder / "deep/out";
+        int calls = 0;
+        double before = -1;
+        const auto summary = exportFrame(*frame, request, [&](double share, std::string_view) {
+            EXPECT_GE(share, before);
+            EXPECT_LE(share, 1);
+            before = share;
+            return calls++ < last;
+        });
+        ASSERT_TRUE(summary);
+        EXPECT_TRUE(summary->cancelled);
+        EXPECT_EQ(calls, last + 1);
+        EXPECT_EQ(folder.names(), std::vector<std::string>{});
+    }
+}
+
+TEST(ExportFrame, ADiskThatIsFullLeavesTheOldFiles) {
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder / "out");
+    test::writeText(folder / "out/depth.npy", "old");
+    const FramePtr frame = usefulFrame();
+    // A limit on the size of files fails the same calls as a full disk. 64 · 48 · 4 bytes are more.
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit tight{4096, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &tight);
+    const auto summary = exportFrame(*frame, {folder / "out", {{BufferId::Depth}}, {"npy"}, {}});
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    ASSERT_FALSE(summary);
+    EXPECT_EQ(format(summary.errors()[0]), (folder / "out/depth.npy").string() + ": could not write: File too large");
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"out", "out/depth.npy"}));
+    EXPECT_EQ(test::readText(folder / "out/depth.npy"), "old");
+}
+
+TEST(ExportFrame, MoreFilesStandInTheManifestOrNothingDoes) {
+    const test::TemporaryFolder folder;
+    const FramePtr frame = usefulFrame();
+    ExportRequest request{folder / "out", {{BufferId::Color}}, {"npy"}, {}};
+    request.writeMore = [](const fs::path& where) -> Result<std::vector<fs::path>> {
+        test::writeText(where / "world.png", "picture");
+        return std::vector{where / "world.png"};
+    };
+    ASSERT_TRUE(exportFrame(*frame, request));
+    EXPECT_EQ(Json::parse(test::readText(folder / "out/manifest.json"))["views"], Json::array({"world.png"}));
+    request.folder = folder / "second";
+    request.writeMore = [](const fs::path&) -> Result<std::vector<fs::path>> { return Error{{}, "no OpenGL", {}}; };
+    const auto failed = exportFrame(*frame, request);
+    ASSERT_FALSE(failed);
+    EXPECT_EQ(failed.errors()[0].found, "no OpenGL");
+    EXPECT_FALSE(fs::exists(folder / "second"));
+}
+
+TEST(Json, HoldsAWholePixelReport) {
+    const FramePtr frame = test::frameOf(test::pyramid(), {});
+    const Json json = toJson(*frame, inspectPixel(*frame, {268, 281}));
+    // Lecture 1's right face by hand: I_max = 0.9·50 + 100·(0.9 + 0.4) = 175.
+    EXPECT_EQ(json["covered"], true);
+    EXPECT_EQ(json["polygon"], 2);
+    EXPECT_EQ(json["i_max"], 175);
+    EXPECT_EQ(json["color"], Json::array({37, 93, 167}));
+    EXPECT_EQ(json["equation"]["b"][0]["role"], "symbols");
+    EXPECT_EQ(json["fragments"][0]["stored"], Json(INFINITY));
+    EXPECT_EQ(Json::parse(json.dump())["fragments"][0]["stored"], nullptr);
+    const Json background = toJson(*frame, inspectPixel(*frame, {0, 0}));
+    EXPECT_EQ(background["covered"], false);
+    EXPECT_FALSE(background.contains("polygon"));
+}
+
+}  // namespace
+}  // namespace pipeline
