@@ -33,6 +33,7 @@ std::vector<std::string> formatNames() {
 
 // Says what is wrong with the options, if anything.
 std::string wrongUsage(const ExportOptions& options, const CliHost& host) {
+    if (options.folder.empty()) return "-o needs the name of a folder";
     const std::vector<std::string> known = formatNames();
     for (const std::string& format : options.formats)
         if (std::ranges::find(known, format) == known.end())

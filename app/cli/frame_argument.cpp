@@ -51,25 +51,32 @@ void declareFrameArgument(CLI::App& command, FrameArgument& argument) {
     command.add_option("--buffers", argument.buffers, "all, or buffers by name: these are computed even if left out")
         ->type_name("all|NAME,...")
         ->delimiter(',')
-        ->allow_extra_args(false);
-    command.add_option("--until", argument.until, "Stop after this stage")->type_name("STAGE");
+        ->allow_extra_args(false)
+        ->capture_default_str();
+    std::vector<std::string_view> stages;
+    for (const StageId stage : pipeline::kStages) stages.push_back(pipeline::stageInfo(stage).name);
+    command.add_option("--until", argument.until, fmt::format("Stop after this stage: {}", fmt::join(stages, ", ")))
+        ->type_name("STAGE");
     declareThreads(command, argument.threads);
 }
 
 pipeline::Result<WantedFrame> wantedFrame(const pipeline::Scene& scene, const FrameArgument& argument) {
     WantedFrame wanted;
     wanted.request.threads = argument.threads;
-    if (argument.buffers == std::vector<std::string>{"all"}) {
-        wanted.request.wanted = pipeline::usefulBuffers(scene);
+    const bool all = std::ranges::find(argument.buffers, "all") != argument.buffers.end();
+    StageId last = StageId::Transform;
+    for (const std::string& text : argument.buffers) {
+        if (text == "all") continue;
+        const auto name = bufferNamed(scene, text);
+        if (!name) return name.errors();
+        wanted.request.wanted.set(index(name->id));
+        last = std::max(last, pipeline::bufferInfo(name->id).stage);
+        if (std::ranges::find(wanted.buffers, *name) == wanted.buffers.end()) wanted.buffers.push_back(*name);
+    }
+    if (all) {
+        wanted.request.wanted |= pipeline::usefulBuffers(scene);
+        wanted.buffers.clear();
     } else {
-        StageId last = StageId::Transform;
-        for (const std::string& text : argument.buffers) {
-            const auto name = bufferNamed(scene, text);
-            if (!name) return name.errors();
-            wanted.request.wanted.set(index(name->id));
-            last = std::max(last, pipeline::bufferInfo(name->id).stage);
-            if (std::ranges::find(wanted.buffers, *name) == wanted.buffers.end()) wanted.buffers.push_back(*name);
-        }
         wanted.request.until = last;
     }
     if (argument.until.empty()) return wanted;

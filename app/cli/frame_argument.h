@@ -13,7 +13,7 @@ namespace app {
 
 // Which part of a frame a command wants: --buffers, --until, --threads.
 struct FrameArgument {
-    std::vector<std::string> buffers{"all"};  // "all": what the scene has a use for
+    std::vector<std::string> buffers{"all"};  // names; "all": what the scene has a use for
     std::string until;                        // empty: the last stage that the buffers need
     int threads = 0;                          // 0: as many as the machine has
 };
@@ -23,7 +23,7 @@ void declareThreads(CLI::App& command, int& threads);
 
 struct WantedFrame {
     pipeline::FrameRequest request;
-    std::vector<pipeline::BufferName> buffers;  // those asked for by name; empty: all
+    std::vector<pipeline::BufferName> buffers;  // those asked for by name; empty: all that the frame holds
 };
 
 // Errors name the buffer or stage that does not exist, and the nearest that does.

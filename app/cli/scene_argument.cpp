@@ -59,7 +59,7 @@ pipeline::Result<Scene> applySettings(Scene scene, const SceneArgument& argument
 void declareSceneArgument(CLI::App& command, SceneArgument& argument) {
     command.add_option("SCENE", argument.scene, "A scene file, or the name of a built-in scene")->required();
     command.add_option("--size", argument.size, "Size of the picture in pixels")->type_name("WxH");
-    command.add_option("--set", argument.set, "Change a setting of the scene; may be repeated")
+    command.add_option("--set", argument.set, "Change a setting of the scene; may be repeated; plan --json lists them")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
 }

@@ -1,5 +1,7 @@
 #include "pipeline/export/export_frame.h"
 
+#include <algorithm>
+
 #include "pipeline/export/byte_file.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/manifest.h"
@@ -69,7 +71,8 @@ std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& r
                 file.bytes = exporter->estimate(*buffer);
                 file.exact = exporter->sizeIsExact;
             }
-            files.push_back(std::move(file));
+            const auto same = [&](const PlannedFile& other) { return other.buffer == name && other.format == format; };
+            if (std::ranges::none_of(files, same)) files.push_back(std::move(file));  // a format given twice
         }
     }
     return files;

@@ -144,15 +144,12 @@ std::string_view onlySpherical(const Scene& scene) {
 std::string_view onlyLookAt(const Scene& scene) {
     return spherical(scene) ? "The camera is spherical; choose look-at to change it." : "";
 }
-std::string_view onlySphericalPerspective(const Scene& scene) {
-    if (!spherical(scene)) return onlySpherical(scene);
-    return orthographic(scene) ? "The projection is orthographic; choose perspective to change it." : "";
-}
 std::string_view onlyLookAtPerspective(const Scene& scene) {
     if (spherical(scene)) return onlyLookAt(scene);
     return orthographic(scene) ? "The projection is orthographic; choose perspective to change it." : "";
 }
-std::string_view onlyOrthographic(const Scene& scene) {
+std::string_view onlyLookAtOrthographic(const Scene& scene) {
+    if (spherical(scene)) return onlyLookAt(scene);
     return orthographic(scene) ? "" : "The projection is perspective; choose orthographic to change it.";
 }
 std::string_view onlyVertexNormals(const Scene& scene) {
@@ -200,9 +197,9 @@ constexpr auto kTable = std::to_array<Setting>({
     row<OfCamera, &C::phi>({"camera.phi", "φ", "degrees", "Angle between the direction of the eye and +z."},
                            {-kTurns, kTurns, 0, 180}, {}, onlySpherical),
     row<OfCamera, &C::screenDistance>({"camera.distance", "d", "screen units", "Distance of the screen from the eye."},
-                                      {kNearest, kFar, 1, 1000}, {}, onlySphericalPerspective),
+                                      {kNearest, kFar, 1, 1000}, {}, onlySpherical),
     row<OfCamera, &C::pixelsPerUnit>({"camera.scale", "s", "pixels per screen unit", "Pixels along one screen unit."},
-                                     {kNearest, kFar, 0.1, 10}, {}, onlySphericalPerspective),
+                                     {kNearest, kFar, 0.1, 10}, {}, onlySpherical),
     component<OfCamera, &C::eye, 0>({"camera.eye_x", "Eye x", "world units", "Place of the eye."}, kPlace, onlyLookAt),
     component<OfCamera, &C::eye, 1>({"camera.eye_y", "Eye y", "world units", "Place of the eye."}, kPlace, onlyLookAt),
     component<OfCamera, &C::eye, 2>({"camera.eye_z", "Eye z", "world units", "Place of the eye."}, kPlace, onlyLookAt),
@@ -222,7 +219,7 @@ constexpr auto kTable = std::to_array<Setting>({
                             {0.01, 179.99, 5, 120}, {}, onlyLookAtPerspective),
     row<OfCamera, &C::height>(
         {"camera.height", "View height", "world units", "What the picture shows from its top to its foot."},
-        {kNearest, kFar, 0.1, 1000}, {}, onlyOrthographic),
+        {kNearest, kFar, 0.1, 1000}, {}, onlyLookAtOrthographic),
     row<OfCamera, &C::near>(
         {"camera.near", "Near plane", "world units",
          "Distance of the near plane along the viewing direction; 0 takes it from the scene's bounds."},

@@ -35,6 +35,7 @@ TEST(Program, WrongUsageIsStatus2) {
     EXPECT_EQ(run({"--bogus"}).status, 2);
     EXPECT_EQ(run({"export"}).status, 2);
     EXPECT_EQ(run({"export", "pyramid"}).status, 2);  // no -o
+    EXPECT_EQ(run({"export", "pyramid", "-o", ""}).err, "shadescope export: -o needs the name of a folder\n");
     EXPECT_EQ(run({"plan", "pyramid", "surplus"}).status, 2);
     EXPECT_EQ(run({"lesson"}).status, 2);
     EXPECT_EQ(run({}).status, 2);  // no display, or no window at all

@@ -76,6 +76,16 @@ TEST(Export, ComputesWhatIsNamedEvenWhereThePlanLeavesItOut) {
     EXPECT_EQ(test::readNpy(folder / "out/shadow_buffer.0.npy").shape, (std::vector<std::size_t>{32, 32}));
 }
 
+TEST(Export, TakesNamesBesideAllAndAFormatOnce) {
+    const test::TemporaryFolder folder;
+    const auto done = run({"export", "pyramid", "-o", folder / "out", "--size", "64x48", "--format", "npy,npy",
+                           "--buffers", "all,vertices.normal"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_TRUE(fs::exists(folder / "out/vertices.normal.npy"));
+    EXPECT_TRUE(fs::exists(folder / "out/color.npy"));
+    EXPECT_FALSE(fs::exists(folder / "out/n_dot_h.0.npy"));
+}
+
 TEST(Export, StopsAfterAStage) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(run({"export", "pyramid", "-o", folder / "out", "--until", "cull", "--format", "csv"}).status, 0);

@@ -135,6 +135,11 @@ TEST(SettingsTable, SaysWhyASettingIsIdle) {
     EXPECT_EQ(idle(scene, "camera.eye_x"), "The camera is spherical; choose look-at to change it.");
     EXPECT_EQ(idle(with("camera.kind=look-at"), "camera.eye_x"), "");
     EXPECT_EQ(idle(with("camera.kind=look-at"), "camera.rho"), "The camera is look-at; choose spherical to change it.");
+    // A spherical camera's orthographic picture has the scale of its perspective one.
+    EXPECT_EQ(idle(with("camera.projection=orthographic"), "camera.distance"), "");
+    EXPECT_EQ(idle(with("camera.projection=orthographic"), "camera.height"), idle(scene, "camera.eye_x"));
+    EXPECT_EQ(idle(with("camera.kind=look-at"), "camera.height"),
+              "The projection is perspective; choose orthographic to change it.");
     EXPECT_EQ(idle(scene, "material.0.n"), "k_s is 0 in every material.");
     EXPECT_EQ(idle(with("shading=phong"), "normal_weight"), "");
     Scene unshadowed = scene;
