@@ -1,0 +1,38 @@
+#pragma once
+#include <QAbstractListModel>
+
+#include "lessons/library.h"
+
+namespace app {
+
+// The lessons that come with the program, and how far somebody has come in each; progress is kept
+// in the program's settings. Knows no widget.
+class LessonShelf : public QAbstractListModel {
+    Q_OBJECT
+public:
+    enum Role {  // Qt::DisplayRole is the title and the progress, in two lines
+        NameRole = Qt::UserRole,
+        TitleRole,
+        LectureRole,
+        SummaryRole,
+        PageRole,   // read last, from 1; 0 when not begun
+        PagesRole,  // how many there are
+    };
+
+    explicit LessonShelf(QObject* parent = nullptr);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+
+    // Null when there is no such lesson. Valid as long as the shelf is.
+    const lessons::Lesson* find(const QString& name) const;
+    const pipeline::Errors& errors() const { return m_library.errors; }  // of lessons that cannot be read
+
+    int page(const lessons::Lesson& lesson) const;  // as PageRole
+    void setPage(const lessons::Lesson& lesson, int page);
+
+private:
+    lessons::Library m_library;
+};
+
+}  // namespace app
