@@ -65,11 +65,13 @@ TEST(Architecture, IncludesPointOneWay) {
 }
 
 TEST(Architecture, PanelsKnowNoOtherPanel) {
-    expectOne(
-        panelsIncludingPanels({{"app/panels/plan_panel.cpp",
-                                {"#include \"app/panels/plan_panel.h\"", "#include \"app/panels/buffer_panel.h\""}}}),
-        "app/panels/plan_panel.cpp:2:");
-    expectKept(panelsIncludingPanels({{"app/panels/panel_table.cpp", {"#include \"app/panels/buffer_panel.h\""}}}));
+    const SourceFile table{"app/desktop/panel_table.cpp",
+                           {"#include \"app/panels/plan_panel.h\"", "#include \"app/panels/scene_tree.h\""}};
+    const SourceFile own{"app/panels/plan_panel.cpp",
+                         {"#include \"app/panels/plan_panel.h\"", "#include \"app/panels/number_field.h\""}};
+    expectKept(panelsIncludingPanels({table, own}));
+    expectOne(panelsIncludingPanels({table, {"app/panels/plan_row.h", {"", "#include \"app/panels/scene_tree.h\""}}}),
+              "app/panels/plan_row.h:2:");
     expectKept(panelsIncludingPanels(project()));
 }
 
