@@ -31,8 +31,8 @@ ObjectDescription readObjectDescription(const SourceText& source, Errors& errors
 // Object descriptions that the scene names come from `load`.
 Result<Scene> readLectureScene(const SourceText& source, const FileLoader& load);
 
-// An object description as a scene: the object around the world's origin, the camera of the
-// lecture's example at a distance that shows all of it, and the example's lights.
+// An object description as a scene: the object around the world's origin, seen from the
+// direction of the lecture's example so that all of it shows, with one light.
 Result<Scene> readLectureObject(const SourceText& source, const FileLoader& load);
 
 // Whether the first bytes of a file could be one of the two.

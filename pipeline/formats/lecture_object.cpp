@@ -108,7 +108,8 @@ Result<Scene> readLectureObject(const SourceText& source, const FileLoader&) {
     // it is to fill four fifths of the picture's height.
     scene.camera.rho = 4 * radius;
     scene.camera.screenDistance = 0.8 * scene.settings.height / 2 * std::sqrt(15.0);
-    scene.lights.push_back({.position = {500, 500, 500}, .intensity = 100});
+    // Beside the eye: from the example's direction the two sides of a cube would look alike.
+    scene.lights.push_back({.position = {500, 200, 600}, .intensity = 100});
     scene.ambient.intensity = 50;
     return scene;
 }

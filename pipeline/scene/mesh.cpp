@@ -12,8 +12,9 @@ constexpr double kRoundoff = 0x1p-53;  // largest relative error of one double o
 // How far a vertex may lie off its polygon's plane, as a fraction of the polygon's extent,
 // before it is reported: text files carry about six digits.
 constexpr double kPlanarTolerance = 1e-6;
-// Comparisons spent on a concave polygon before it is given up; a second's work.
-constexpr std::size_t kMaxEarWork = 200'000'000;
+// Comparisons spent on the concave polygons of a mesh before the rest is given up: a second's
+// work, and what many small polygons take.
+constexpr std::size_t kEarWork = 200'000'000, kEarWorkPerCorner = 64;
 // Polygons times vertices up to which a mesh is examined for convexity.
 constexpr double kMaxConvexWork = 4e6;
 
@@ -123,7 +124,9 @@ Outline outlineOf(const std::vector<Vec2<double>>& points, double quantum) {
 // (G. Meisters, "Polygons have ears", American Mathematical Monthly 1975).
 class EarClipper {
 public:
-    EarClipper(const std::vector<Vec2<double>>& points, double quantum) : m_points(points), m_quantum(quantum) {
+    // Takes what it compares off `work`.
+    EarClipper(const std::vector<Vec2<double>>& points, double quantum, std::size_t& work)
+        : m_points(points), m_quantum(quantum), m_work(work) {
         const std::uint32_t n = static_cast<std::uint32_t>(points.size());
         m_previous.resize(n);
         m_next.resize(n);
@@ -156,7 +159,7 @@ public:
             } else {
                 i = m_next[i];
                 if (++tried < left) continue;
-                if (lenient || m_work > kMaxEarWork) return false;
+                if (lenient || m_work == 0) return false;
                 lenient = true;
                 tried = 0;
             }
@@ -179,7 +182,7 @@ private:
 
     // Lenient: touching is allowed, and so is an ear without area.
     bool isEar(std::uint32_t i, bool lenient) {
-        if (m_work > kMaxEarWork) return false;
+        if (m_work == 0) return false;
         const Vec2<double>&a = m_points[m_previous[i]], &b = m_points[i], &c = m_points[m_next[i]];
         if (turn(a, b, c, m_quantum) < (lenient ? 0 : 1)) return false;
         std::size_t kept = 0;
@@ -189,7 +192,7 @@ private:
             m_blockers[kept++] = blocker;
             if (empty) empty = !lies(m_points[blocker], a, b, c, lenient ? 1 : 0);
         }
-        m_work += m_blockers.size() + 1;
+        m_work -= std::min(m_work, m_blockers.size() + 1);
         m_blockers.resize(kept);
         return empty;
     }
@@ -205,7 +208,7 @@ private:
     double m_quantum;
     std::vector<std::uint32_t> m_previous, m_next, m_blockers;
     std::vector<bool> m_blocks;
-    std::size_t m_work = 0;
+    std::size_t& m_work;
 };
 
 void fan(std::size_t cornerCount, std::vector<glm::uvec3>& triangles) {
@@ -215,14 +218,15 @@ void fan(std::size_t cornerCount, std::vector<glm::uvec3>& triangles) {
 
 // Splits a polygon into corner numbers. A fan takes linear time, but puts the straight corners
 // beside its first vertex on an edge of no polygon; ears leave none there.
-Outline triangulate(const LocalPolygon& polygon, std::vector<Vec2<double>>& flat, std::vector<glm::uvec3>& triangles) {
+Outline triangulate(const LocalPolygon& polygon, std::vector<Vec2<double>>& flat, std::vector<glm::uvec3>& triangles,
+                    std::size_t& work) {
     fan(polygon.points.size(), triangles);
     if (polygon.points.size() == 3) return Outline::StrictlyConvex;
     flatten(polygon, flat);
     const Outline outline = outlineOf(flat, polygon.quantum);
     if (outline == Outline::StrictlyConvex || !polygon.hasArea()) return outline;
     std::vector<glm::uvec3> ears;
-    if (EarClipper(flat, polygon.quantum).clip(ears)) triangles = std::move(ears);
+    if (EarClipper(flat, polygon.quantum, work).clip(ears)) triangles = std::move(ears);
     return outline;
 }
 
@@ -275,12 +279,13 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
     LocalPolygon polygon;
     std::vector<Vec2<double>> flat;
     std::vector<glm::uvec3> pieces;
+    std::size_t work = kEarWork + kEarWorkPerCorner * mesh.corners.size();
     mesh.facts = {};
     mesh.triangles.clear();
     mesh.firstTriangle.assign(1, 0);
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
         gather(mesh, i, polygon);
-        const Outline outline = triangulate(polygon, flat, pieces);
+        const Outline outline = triangulate(polygon, flat, pieces, work);
         mesh.facts.concave += outline == Outline::Concave;
         mesh.facts.degenerate += !polygon.hasArea();
         mesh.facts.nonPlanar += !isPlanar(polygon);

@@ -53,7 +53,8 @@ struct Mesh {
 };
 
 // Completes a mesh: splits polygons into triangles (a fan where the polygon is convex, ears
-// where it is not) and finds the facts. Indices must be in range, polygons have >= 3 corners.
+// where it is not; a fan again where an outline crosses itself, or is concave with tens of
+// thousands of corners) and finds the facts. Indices must be in range, polygons have >= 3 corners.
 std::shared_ptr<const Mesh> makeMesh(Mesh mesh);
 
 }  // namespace pipeline
