@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <ranges>
 #include <system_error>
 #include <utility>
 
@@ -42,11 +41,11 @@ Result<Staging> Staging::begin(const fs::path& target) {
     std::vector<fs::path> missing;  // innermost first
     for (fs::path p = parent; !fs::exists(p, error) && !error && p.has_relative_path(); p = p.parent_path())
         missing.push_back(p);
-    for (const fs::path& p : missing | std::views::reverse) {
-        if (!fs::create_directory(p, error)) {
+    for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
+        if (!fs::create_directory(*p, error)) {
             return folderError(target, error ? error : std::make_error_code(std::errc::file_exists));
         }
-        staging.m_made.push_back(p);
+        staging.m_made.push_back(*p);
     }
     const fs::path folder = makeHidden(parent, staging.m_target.filename(), error);
     if (error) return folderError(target, error);
@@ -62,7 +61,7 @@ Staging::Staging(Staging&& other) noexcept
 Staging::~Staging() {
     std::error_code ignored;
     if (!m_folder.empty()) fs::remove_all(m_folder, ignored);
-    for (const fs::path& p : m_made | std::views::reverse) fs::remove(p, ignored);  // only while empty
+    for (auto p = m_made.rbegin(); p != m_made.rend(); ++p) fs::remove(*p, ignored);  // only while empty
 }
 
 Result<std::monostate> Staging::publish() {
