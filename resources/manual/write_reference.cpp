@@ -1,0 +1,125 @@
+// Writes reference.md, the part of the manual that is made from the program's tables.
+//   write_reference FILE           writes it
+//   write_reference --check FILE   exit status 1 when the file says something else
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "lessons/expression.h"
+#include "pipeline/buffers/buffer_table.h"
+#include "pipeline/core/text.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace {
+
+using pipeline::shortestText;
+
+std::string stages() {
+    std::string text = "## Stages\n\n| name | what it does | takes | leaves |\n|---|---|---|---|\n";
+    for (const pipeline::StageId id : pipeline::kStages) {
+        const pipeline::StageInfo& stage = pipeline::stageInfo(id);
+        text += fmt::format("| `{}` | {} | {} | {} |\n", stage.name, stage.summary, stage.takes, stage.leaves);
+    }
+    return text;
+}
+
+std::string_view domainText(pipeline::Domain domain) {
+    switch (domain) {
+        case pipeline::Domain::Vertex: return "vertex";
+        case pipeline::Domain::Polygon: return "polygon";
+        case pipeline::Domain::Pixel: return "pixel";
+        case pipeline::Domain::Texel: return "texel";
+    }
+    return "";
+}
+
+std::string buffers() {
+    std::string text =
+        "\n## Buffers\n\n*k* is a light's index, from 0.\n\n"
+        "| name | from | one per | numbers | unit, space | what |\n|---|---|---|---|---|---|\n";
+    for (const pipeline::BufferInfo& info : pipeline::bufferTable()) {
+        std::string unit(info.unit);
+        if (!info.space.empty()) unit += (unit.empty() ? "" : ", ") + std::string(info.space);
+        text += fmt::format("| `{}{}` | {} | {} | {} | {} | {} |\n", info.name, info.perLight ? ".k" : "",
+                            pipeline::stageInfo(info.stage).name, domainText(info.domain), info.channels, unit,
+                            info.meaning);
+    }
+    return text;
+}
+
+std::string valuesText(const pipeline::Setting& setting) {
+    std::string text;
+    for (const std::string_view choice : setting.choices)
+        text += fmt::format("{}`{}`", text.empty() ? "" : ", ", choice);
+    if (!text.empty()) return text;
+    return shortestText(setting.min) + " to " + shortestText(setting.max);
+}
+
+std::string settings() {
+    std::string text =
+        "\n## Settings\n\nFor `--set KEY=VALUE`, and for `set:` in a lesson. `#` is the index of a light or an "
+        "object, from 0.\n\n| key | values | unit | what |\n|---|---|---|---|\n";
+    for (const pipeline::Setting& setting : pipeline::settingsTable())
+        text +=
+            fmt::format("| `{}` | {} | {} | {} |\n", setting.key, valuesText(setting), setting.unit, setting.meaning);
+    return text;
+}
+
+std::string_view callText(lessons::Takes takes) {
+    switch (takes) {
+        case lessons::Takes::Number: return "(number)";
+        case lessons::Takes::TwoNumbers: return "(number, number)";
+        case lessons::Takes::Buffer: return "(BUFFER)";
+        case lessons::Takes::Element: return "(BUFFER, place, channel)";
+        case lessons::Takes::Comparison: return "(BUFFER > number)";
+        case lessons::Takes::PixelField: return "(x, y).FIELD";
+        case lessons::Takes::FragmentField: return "(x, y, i).FIELD";
+        case lessons::Takes::Polygon: return "(polygon)";
+        case lessons::Takes::Setting: return "(KEY)";
+        case lessons::Takes::Stage: return "(STAGE)";
+    }
+    return "";
+}
+
+std::string functions() {
+    std::string text =
+        "\n## Functions of a lesson\n\nWith `+ - * / ^` and parentheses. A place is x, y for a buffer per pixel, and "
+        "an index for one per vertex or polygon. A channel is r g b, x y z or 0 1 2; without it, all are given. "
+        "Comparisons are = != < <= > >=; `polygons.verdict` is compared with a verdict, such as `back-facing`. Angles "
+        "are degrees.\n\n| call | gives |\n|---|---|\n";
+    for (const lessons::Function& function : lessons::functionTable()) {
+        std::string fields;
+        for (const std::string_view field : lessons::fieldsOf(function.takes))
+            fields += fmt::format("{}`{}`", fields.empty() ? " Fields: " : ", ", field);
+        if (!fields.empty()) fields += '.';
+        text += fmt::format("| `{}{}` | {}{} |\n", function.name, callText(function.takes), function.meaning, fields);
+    }
+    return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const bool check = argc == 3 && std::strcmp(argv[1], "--check") == 0;
+    if (!check && argc != 2) {
+        fmt::print(stderr, "usage: write_reference [--check] FILE\n");
+        return 2;
+    }
+    const std::string text =
+        "# Reference\n\nMade from the program's tables by `resources/manual/write_reference.cpp`; not to be "
+        "edited.\n\n" +
+        stages() + buffers() + settings() + functions();
+    if (!check) {
+        std::ofstream file(argv[1], std::ios::binary);
+        return file << text && file.flush() ? 0 : 4;
+    }
+    std::ifstream file(argv[2], std::ios::binary);
+    std::ostringstream found;
+    found << file.rdbuf();
+    if (found.str() == text) return 0;
+    fmt::print(stderr, "{} is not what the tables say; build the target manual_reference\n", argv[2]);
+    return 1;
+}
