@@ -1,0 +1,122 @@
+// What `inspect` and the inspector say about a pixel.
+#include <gtest/gtest.h>
+
+#include "pipeline/inspect/pixel_report.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+std::string lines(const Frame& frame, glm::ivec2 pixel, int channel) {
+    std::string text = "\n";
+    for (const EquationLine& line : equation(frame, inspectPixel(frame, pixel), channel))
+        text += toText(line.formula) + (line.remark.empty() ? "" : " | " + line.remark) + "\n";
+    return text;
+}
+
+// The numbers are derived in tests/reference/lecture1_pyramid_test.cpp.
+TEST(Equation, OfThePyramidsRightFace) {
+    EXPECT_EQ(lines(*test::frameOf(test::pyramid()), {268, 281}, 2), R"(
+I_b = k_b I_a + S_0 I_0 [ k_b (N·L) + k_s (R·V)^n ] | Flat: evaluated once, at the mean of the vertices (335, 125, 50)
+= 0.9·50 + 1·100 [ 0.9·0.7746 + 0.4·0.3974^8 ]
+= 45.000 + 69.714 + 0.025 = 114.739
+FB_b = round(255·I_b/I_max) = round(255·114.739/175) = 167
+N·L = (0, 0.894, 0.447)·(0.577, 0.577, 0.577) = 0.7746 | 39.2°
+R = 2 (N·L) N − L = (−0.577, 0.808, 0.115)
+R·V = (−0.577, 0.808, 0.115)·(0.386, 0.678, 0.626) = 0.3974 | 66.6°
+)");
+}
+
+// Back faces the eye and turns away from the light: N·L = -0.0429, so the bracket counts as 0.
+TEST(Equation, StrikesWhatAClampRemoves) {
+    const FramePtr frame = test::frameOf(test::pyramid());
+    const AnyBuffer ids = *frame->buffer({BufferId::PolygonId});
+    glm::ivec2 back{-1};
+    for (std::size_t y = 0; y < 480 && back.x < 0; ++y)
+        for (std::size_t x = 0; x < 640; ++x)
+            if (ids.value(x, y) == 3) back = {int(x), int(y)};
+    ASSERT_GE(back.x, 0);
+    const std::string text = lines(*frame, back, 0);
+    EXPECT_NE(text.find("[ 0.2·~−0.0429~ 0 + 0.4·"), std::string::npos) << text;
+    EXPECT_NE(text.find("= 10.000 + 0.000 + 0.000 = 10.000"), std::string::npos) << text;
+    EXPECT_NE(text.find("N·L is not above 0, so light 0 adds nothing here."), std::string::npos) << text;
+}
+
+TEST(Equation, OfGouraudWeighsThreeVertices) {
+    Scene scene = test::pyramid();
+    scene.settings.shading = Shading::Gouraud;
+    const FramePtr frame = test::frameOf(scene);
+    const PixelReport report = inspectPixel(*frame, {268, 281});
+    ASSERT_EQ(report.evaluations.size(), 3u);
+    double weights = 0, sum = 0;
+    for (const Evaluation& e : report.evaluations) weights += e.weight, sum += e.weight * e.intensity.b;
+    EXPECT_NEAR(weights, 1, 1e-6);
+    EXPECT_NEAR(sum, report.intensity.b, 1e-4);
+    EXPECT_NE(lines(*frame, {268, 281}, 2).find("I_b = λ_0 I_2 + λ_1 I_3 + λ_2 I_4"), std::string::npos);
+}
+
+TEST(PixelReport, TellsWhatCullingDroppedAtThePixel) {
+    const PixelReport report = inspectPixel(*test::frameOf(test::pyramid()), {268, 281});
+    ASSERT_EQ(report.culled.size(), 1u);  // Base lies behind Right
+    EXPECT_EQ(report.culled[0].polygon, 4);
+    EXPECT_EQ(report.culled[0].letter, 'B');
+    EXPECT_EQ(report.culled[0].reason.substr(0, 32), "back-facing, signed area −1991");
+}
+
+TEST(PixelReport, OfTheBackgroundIsEmpty) {
+    const FramePtr frame = test::frameOf(test::pyramid());
+    const PixelReport report = inspectPixel(*frame, {0, 0});
+    EXPECT_FALSE(report.covered);
+    EXPECT_TRUE(report.fragments.empty());
+    EXPECT_TRUE(equation(*frame, report, 0).empty());
+    EXPECT_NE(toText(*frame, report).find("background"), std::string::npos);
+}
+
+// The report replays the stages: what it says is what the frame holds, at every pixel and for every shading.
+TEST(PixelReport, AgreesWithTheFramesBuffers) {
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        const Scene scene = test::randomScene(seed);
+        const FramePtr frame = test::frameOf(scene);
+        const AnyBuffer ids = *frame->buffer({BufferId::PolygonId}), depth = *frame->buffer({BufferId::Depth});
+        const AnyBuffer intensity = *frame->buffer({BufferId::Intensity}), came = *frame->buffer({BufferId::Overdraw});
+        for (int y = 0; y < scene.settings.height; y += 9) {
+            for (int x = 0; x < scene.settings.width; x += 9) {
+                const PixelReport r = inspectPixel(*frame, {x, y});
+                const auto column = std::size_t(x), row = std::size_t(y);
+                ASSERT_EQ(r.polygon, ids.value(column, row));
+                ASSERT_EQ(double(r.fragments.size()), came.value(column, row));
+                if (!r.covered) continue;
+                ASSERT_EQ(r.depth, depth.value(column, row));
+                Vec3d sum = r.ambient;
+                for (std::size_t k = 0; k < r.diffuse.size(); ++k) sum += r.diffuse[k] + r.specular[k];
+                for (int c = 0; c < 3; ++c) {
+                    ASSERT_EQ(r.intensity[c], intensity.value(column, row, c));
+                    ASSERT_NEAR(sum[c], r.intensity[c], 1e-4 * (1 + std::abs(sum[c]))) << seed << ' ' << x << ' ' << y;
+                }
+            }
+        }
+    }
+}
+
+// The record of comparisons explains the z-buffer: every "won" is nearer than what was stored, and the last one stays.
+TEST(PixelReport, ItsFragmentsExplainTheWinner) {
+    Scene scene = test::randomScene(7);
+    scene.settings.depthFormat = DepthFormat::Linear;
+    const FramePtr frame = test::frameOf(scene);
+    for (int y = 0; y < scene.settings.height; y += 5) {
+        for (int x = 0; x < scene.settings.width; x += 5) {
+            const PixelReport r = inspectPixel(*frame, {x, y});
+            double stored = std::numeric_limits<double>::infinity();
+            int winner = -1;
+            for (const FragmentReport& f : r.fragments) {
+                ASSERT_EQ(f.stored, stored);
+                ASSERT_EQ(f.verdict == FragmentVerdict::NotNearer, !(f.depth < stored));
+                if (f.depth < stored) stored = f.depth, winner = f.polygon;
+            }
+            ASSERT_EQ(winner, r.polygon);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace pipeline
