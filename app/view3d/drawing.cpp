@@ -1,0 +1,41 @@
+#include "app/view3d/drawing.h"
+
+#include <cmath>
+
+namespace app {
+
+Ink inkOf(VectorCode code) {
+    switch (code) {
+        case VectorCode::N: return Ink::N;
+        case VectorCode::L: return Ink::L;
+        case VectorCode::V: return Ink::V;
+        case VectorCode::R: return Ink::R;
+        case VectorCode::H: return Ink::H;
+        case VectorCode::None: break;
+    }
+    return Ink::Text;
+}
+
+QColor colorOf(Ink ink, const ThemeColors& colors) {
+    switch (ink) {
+        case Ink::N: return colors.N;
+        case Ink::L: return colors.L;
+        case Ink::V: return colors.V;
+        case Ink::R: return colors.R;
+        case Ink::H: return colors.H;
+        case Ink::Grid: return colors.line;
+        case Ink::Edge: return colors.text2;
+        case Ink::Outline: return colors.outline;
+        case Ink::Accent: return colors.accent;
+        case Ink::Text: return colors.text;
+        case Ink::Hint: return colors.text3;
+    }
+    return colors.text;
+}
+
+QColor mixed(const QColor& a, const QColor& b, double shareOfA) {
+    const auto channel = [&](int x, int y) { return int(std::lround(x * shareOfA + y * (1 - shareOfA))); };
+    return {channel(a.red(), b.red()), channel(a.green(), b.green()), channel(a.blue(), b.blue())};
+}
+
+}  // namespace app

@@ -1,0 +1,68 @@
+#pragma once
+#include <QColor>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/theme.h"
+#include "app/view3d/arrow_shape.h"
+#include "app/view3d/orbit_camera.h"
+
+namespace app {
+
+// What a mark is drawn in; the theme gives the colour.
+enum class Ink : unsigned char { N, L, V, R, H, Grid, Edge, Outline, Accent, Text, Hint };
+Ink inkOf(VectorCode code);
+QColor colorOf(Ink ink, const ThemeColors& colors);
+QColor mixed(const QColor& a, const QColor& b, double shareOfA);
+
+struct InkedSolid {
+    Ink ink;
+    Solid solid;
+    double unit = 1;  // world units per logical pixel where it stands
+};
+
+// A line, 1 logical pixel times `width` wide. Its ends may fade into the background: 1 full, 0 gone.
+struct InkedLine {
+    Vec3d a, b;
+    Ink ink = Ink::Edge;
+    float strengthA = 1, strengthB = 1;
+};
+
+// Words that stand beside a point.
+struct Label {
+    enum class Kind : unsigned char {
+        Letter,   // of a vector, beside its tip, away from `foot`
+        Axis,     // x, y, z
+        Note,     // an angle, in the middle of what it measures
+        Caption,  // of a mark; at the border with its distance where the mark lies outside the view
+    };
+    Kind kind = Kind::Letter;
+    Vec3d at, foot;
+    std::string text;
+    std::string distance;  // ", 719 units away"; for a caption at the border
+    Ink ink = Ink::Text;
+    bool main = true;  // false: may be left out where it is crowded
+};
+
+// The light parts of a 3D view: what keeps its size in pixels and so depends on the camera.
+struct Drawing {
+    std::vector<InkedLine> lines;
+    std::vector<InkedSolid> solids;   // hidden by what stands before them
+    std::vector<InkedSolid> vectors;  // shine through faintly where they are hidden
+    std::vector<Label> labels;
+    struct Marker {
+        Vec3d at;
+        bool hidden = false;  // something stands before it
+    };
+    std::optional<Marker> point;  // what the picked pixel shows
+    std::optional<Marker> foot;   // where the vectors start
+};
+
+// The view that a drawing is made for.
+struct ViewFrame {
+    OrbitCamera camera;
+    glm::dvec2 size{640, 480};  // logical pixels
+};
+
+}  // namespace app

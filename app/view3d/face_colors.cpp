@@ -1,0 +1,84 @@
+#include "app/view3d/face_colors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/illumination/phong.h"
+#include "pipeline/stages/cull.h"
+
+namespace app {
+
+using pipeline::BufferId;
+
+namespace {
+
+// FB / 255 of lecture 1, before rounding: I / I_max, limited to 0..1. No light at all gives black.
+glm::vec3 frameBufferColor(Vec3d intensity, double iMax) {
+    if (!(iMax > 0)) return glm::vec3(0);
+    glm::vec3 color;
+    for (int c = 0; c < 3; ++c)
+        color[c] = std::isfinite(intensity[c]) ? float(std::clamp(intensity[c] / iMax, 0.0, 1.0)) : 0.0f;
+    return color;
+}
+
+double maximumIntensity(const pipeline::Scene& scene) {
+    std::vector<pipeline::Material> materials;
+    for (const pipeline::Object& object : scene.objects) materials.push_back(object.material);
+    return pipeline::maximumIntensity(materials, scene.lights, scene.ambient);
+}
+
+// Phong shading evaluates per pixel; a vertex of this view is one such pixel, taken as lit.
+Vec3d intensityAt(const pipeline::Scene& scene, const pipeline::Material& material, Vec3d position, Vec3d normal,
+                  Vec3d towardsEye) {
+    Vec3d sum = pipeline::ambientTerm<double>(scene.ambient, material);
+    for (const pipeline::Light& light : scene.lights) {
+        const auto sample = pipeline::sampleLight<double>(light, material, {position, normal, towardsEye});
+        sum += sample.diffuse + sample.specular;
+    }
+    return sum;
+}
+
+Vec3d row3(const pipeline::AnyBuffer& buffer, std::size_t row) {
+    return {buffer.flat(3 * row), buffer.flat(3 * row + 1), buffer.flat(3 * row + 2)};
+}
+
+}  // namespace
+
+void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology, ViewMesh& mesh) {
+    const pipeline::Scene& scene = frame.scene();
+    const pipeline::Shading shading = scene.settings.shading;
+    const double iMax = maximumIntensity(scene);
+    const bool hasRun = frame.until() >= pipeline::StageId::Shading;
+    const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
+    const auto flat = frame.buffer({BufferId::PolygonsIntensity});
+    const auto gouraud = frame.buffer({BufferId::VerticesIntensity});
+    const auto normals = frame.buffer({BufferId::VerticesNormal});
+    const pipeline::View eye = pipeline::makeView(scene);
+
+    for (Face& face : mesh.faces) {
+        const auto polygon = static_cast<std::size_t>(face.polygon);
+        const pipeline::Material& material = scene.objects[topology.polygonObject[polygon]].material;
+        if (verdicts) {
+            const double code = verdicts->flat(polygon);
+            face.shaded = pipeline::goesOn(static_cast<pipeline::Verdict>(int(code)));
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t vertex = face.vertices[i];
+            glm::vec3& color = face.colors[i];
+            if (hasRun && shading == pipeline::Shading::Flat && flat) {
+                color = frameBufferColor(row3(*flat, polygon), iMax);
+            } else if (hasRun && shading == pipeline::Shading::Gouraud && gouraud) {
+                color = frameBufferColor(row3(*gouraud, vertex), iMax);
+            } else if (hasRun && shading == pipeline::Shading::Phong && normals) {
+                const Vec3d position = mesh.positions[vertex];
+                const Vec3d towardsEye = eye.perspective ? pipeline::normalized(eye.eye - position) : -eye.forward;
+                color =
+                    frameBufferColor(intensityAt(scene, material, position, row3(*normals, vertex), towardsEye), iMax);
+            } else {
+                color = glm::vec3(material.diffuse);
+            }
+        }
+    }
+}
+
+}  // namespace app

@@ -1,0 +1,260 @@
+#include "app/view3d/view_content.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/view3d/face_colors.h"
+#include "pipeline/scene/topology.h"
+
+namespace app {
+
+using pipeline::AnyBuffer;
+using pipeline::BufferId;
+using pipeline::Frame;
+
+namespace {
+
+Vec3d row3(const AnyBuffer& buffer, std::size_t row) {
+    return {buffer.flat(3 * row), buffer.flat(3 * row + 1), buffer.flat(3 * row + 2)};
+}
+
+bool finite(Vec3d v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void addMeshes(const Frame& frame, const pipeline::Topology& topology, ViewMesh& mesh, Bounds& bounds) {
+    const auto world = frame.buffer({BufferId::VerticesWorld});
+    if (!world || world->rows() != topology.vertexCount()) return;
+    mesh.positions.reserve(topology.vertexCount());
+    for (std::size_t i = 0; i < topology.vertexCount(); ++i) {
+        mesh.positions.push_back(row3(*world, i));
+        bounds.add(mesh.positions.back());
+    }
+    mesh.faces.reserve(topology.triangles.size());
+    for (const pipeline::Triangle& t : topology.triangles)
+        mesh.faces.push_back({{t.vertices[0], t.vertices[1], t.vertices[2]}, {}, std::int32_t(t.polygon)});
+    for (std::size_t p = 0; p < topology.polygonCount(); ++p) {
+        const auto corners = topology.corners(p);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            mesh.edges.push_back(std::minmax({corners[i], corners[(i + 1) % corners.size()]}));
+    }
+    std::ranges::sort(mesh.edges);
+    const auto rest = std::ranges::unique(mesh.edges);
+    mesh.edges.erase(rest.begin(), rest.end());
+}
+
+// A polygon's normal stands at the mean of its vertices, where flat shading evaluates it.
+void addNormals(const Frame& frame, const pipeline::Topology& topology, ViewMesh& mesh) {
+    if (mesh.positions.empty()) return;
+    if (const auto normals = frame.buffer({BufferId::PolygonsNormal}))
+        for (std::size_t p = 0; p < topology.polygonCount(); ++p) {
+            const auto corners = topology.corners(p);
+            Vec3d sum{0.0};
+            for (std::size_t i = 0; i < corners.size(); ++i) sum += mesh.positions[corners[i]];
+            const Vec3d normal = row3(*normals, p);
+            if (finite(normal) && normal != Vec3d(0.0))
+                mesh.polygonNormals.push_back({sum / double(corners.size()), glm::normalize(normal)});
+        }
+    if (const auto normals = frame.buffer({BufferId::VerticesNormal}))
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            const Vec3d normal = row3(*normals, v);
+            if (finite(normal) && normal != Vec3d(0.0))
+                mesh.vertexNormals.push_back({mesh.positions[v], glm::normalize(normal)});
+        }
+}
+
+void addLights(const pipeline::Scene& scene, ViewContent& content) {
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+        const pipeline::Light& light = scene.lights[k];
+        LightMark mark;
+        mark.light = int(k);
+        mark.caption = "light " + std::to_string(k);
+        mark.atInfinity = light.kind == pipeline::LightKind::AtInfinity;
+        if (mark.atInfinity) {
+            const double length = glm::length(light.position);
+            if (!(length > 0)) continue;
+            mark.direction = light.position / length;
+            mark.caption += ", at infinity";
+        } else {
+            mark.position = light.position;
+        }
+        content.lights.push_back(mark);
+    }
+}
+
+// Lecture 1's screen stands at its own distance from the eye. Another camera's picture plane has
+// no distance of its own; a quarter of the way to the scene shows it well.
+double pictureDistance(const pipeline::Scene& scene, const ViewContent& content) {
+    if (scene.camera.kind == pipeline::CameraKind::Spherical && scene.camera.screenDistance > 0)
+        return scene.camera.screenDistance;
+    const double depth = glm::dot(content.bounds.centre() - content.eye.eye, content.eye.forward);
+    return depth > 0 ? depth / 4 : std::max(content.eye.near, content.bounds.radius() / 4);
+}
+
+void addPicture(const Frame& frame, ViewMesh& mesh) {
+    const auto color = frame.buffer({BufferId::Color});
+    if (!color) return;
+    mesh.picture.size = {int(color->columns()), int(color->rows())};
+    mesh.picture.pixels.reserve(color->count() / 3);
+    for (std::size_t i = 0; i + 2 < color->count(); i += 3)
+        mesh.picture.pixels.emplace_back(std::uint8_t(color->flat(i)), std::uint8_t(color->flat(i + 1)),
+                                         std::uint8_t(color->flat(i + 2)));
+}
+
+std::string letterOf(std::string letter, int light, std::size_t lights) {
+    static constexpr const char* kDigits[]{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+    if (lights > 1)
+        for (const char digit : std::to_string(light)) letter += kDigits[digit - '0'];
+    return letter;
+}
+
+void addVectors(const pipeline::PixelReport& report, ViewContent& content) {
+    const auto add = [&](VectorCode code, int light, const char* letter, const pipeline::Evaluation& at, Vec3d v,
+                         bool main) {
+        const double length = glm::length(v);
+        if (!finite(v) || !(length > 0)) return;
+        const std::size_t lights = light < 0 ? 1 : at.lights.size();
+        content.vectors.push_back({code, light, at.position, v / length, main, letterOf(letter, light, lights)});
+    };
+    const auto heaviest = std::ranges::max_element(report.evaluations, {}, &pipeline::Evaluation::weight);
+    for (auto at = report.evaluations.begin(); at != report.evaluations.end(); ++at) {
+        const bool main = at == heaviest;
+        if (main) content.foot = at->position;
+        add(VectorCode::N, -1, "N", *at, at->N, main);
+        add(VectorCode::V, -1, "V", *at, at->V, main);
+        for (const pipeline::LightReport& light : at->lights) {
+            add(VectorCode::L, light.light, "L", *at, light.L, main);
+            // From behind nothing is mirrored and nothing lies half way: the bracket does not count.
+            if (!(light.nDotL > 0)) continue;
+            add(VectorCode::R, light.light, "R", *at, light.R, main);
+            add(VectorCode::H, light.light, "H", *at, light.H, main);
+        }
+    }
+}
+
+void addPixel(const Frame& frame, glm::ivec2 pixel, const pipeline::Topology& topology, ViewContent& content) {
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= content.eye.size.x || pixel.y >= content.eye.size.y) return;
+    if (frame.until() < pipeline::StageId::ZBuffer || content.mesh->positions.empty()) return;
+    const pipeline::PixelReport report = pipeline::inspectPixel(frame, pixel);
+    if (!report.covered || report.polygon < 0 || std::size_t(report.polygon) >= topology.polygonCount()) return;
+    content.point = report.position;
+    content.pickedPolygon = report.polygon;
+    const auto corners = topology.corners(std::size_t(report.polygon));
+    for (std::size_t i = 0; i < corners.size(); ++i) content.pickedLoop.push_back(corners[i]);
+    addVectors(report, content);
+}
+
+}  // namespace
+
+void Bounds::add(Vec3d point) {
+    if (!finite(point)) return;
+    min = any ? glm::min(min, point) : point;
+    max = any ? glm::max(max, point) : point;
+    any = true;
+}
+
+std::array<Vec3d, 8> Bounds::corners() const {
+    std::array<Vec3d, 8> result;
+    for (std::size_t i = 0; i < 8; ++i)
+        result[i] = {(i & 1 ? max : min).x, (i & 2 ? max : min).y, (i & 4 ? max : min).z};
+    return result;
+}
+
+ViewContent contentOf(const Frame& frame, std::optional<glm::ivec2> pixel) {
+    ViewContent content;
+    const pipeline::Topology topology = pipeline::makeTopology(pipeline::meshesOf(frame.scene()));
+    auto mesh = std::make_shared<ViewMesh>();
+    addMeshes(frame, topology, *mesh, content.bounds);
+    if (!content.bounds.any || !(content.bounds.radius() > 0)) {
+        const Vec3d centre = content.bounds.any ? content.bounds.centre() : Vec3d(0.0);
+        content.bounds.add(centre - 0.5);
+        content.bounds.add(centre + 0.5);
+    }
+    colorFaces(frame, topology, *mesh);
+    addNormals(frame, topology, *mesh);
+    addPicture(frame, *mesh);
+    content.mesh = std::move(mesh);
+    addLights(frame.scene(), content);
+    content.eye = pipeline::makeView(frame.scene());
+    content.pictureDistance = pictureDistance(frame.scene(), content);
+    if (pixel) addPixel(frame, *pixel, topology, content);
+    return content;
+}
+
+ViewContent withPixel(const ViewContent& content, const Frame& frame, std::optional<glm::ivec2> pixel) {
+    ViewContent result = content;
+    result.point.reset();
+    result.foot.reset();
+    result.pickedPolygon = -1;
+    result.pickedLoop.clear();
+    result.vectors.clear();
+    if (pixel) addPixel(frame, *pixel, pipeline::makeTopology(pipeline::meshesOf(frame.scene())), result);
+    return result;
+}
+
+pipeline::BufferSet contentBuffers(const pipeline::Scene& scene, bool vertexNormals) {
+    using pipeline::Shading;
+    const Shading shading = scene.settings.shading;
+    pipeline::BufferSet set = pipeline::setOf({BufferId::VerticesWorld, BufferId::PolygonsVerdict,
+                                               BufferId::PolygonsNormal, BufferId::PolygonId, BufferId::Color});
+    if (shading == Shading::Flat) set |= pipeline::setOf({BufferId::PolygonsIntensity});
+    if (shading == Shading::Gouraud) set |= pipeline::setOf({BufferId::VerticesIntensity});
+    if (shading == Shading::Phong || vertexNormals) set |= pipeline::setOf({BufferId::VerticesNormal});
+    return set;
+}
+
+// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection", 1997; both sides.
+std::optional<Hit> firstHit(const ViewContent& content, const Ray& ray) {
+    std::optional<Hit> first;
+    const std::vector<Vec3d>& positions = content.mesh->positions;
+    for (const Face& face : content.mesh->faces) {
+        const Vec3d a = positions[face.vertices[0]];
+        const Vec3d ab = positions[face.vertices[1]] - a, ac = positions[face.vertices[2]] - a;
+        const Vec3d p = glm::cross(ray.direction, ac);
+        const double determinant = glm::dot(ab, p);
+        if (determinant == 0) continue;
+        const Vec3d s = (ray.origin - a) / determinant;
+        const double u = glm::dot(s, p);
+        if (!(u >= 0 && u <= 1)) continue;
+        const Vec3d q = glm::cross(s, ab);
+        const double v = glm::dot(ray.direction, q);
+        if (!(v >= 0 && u + v <= 1)) continue;
+        const double distance = glm::dot(ac, q);
+        if (distance > 0 && (!first || distance < first->distance))
+            first = Hit{ray.origin + distance * ray.direction, distance, face.polygon};
+    }
+    return first;
+}
+
+Shown pixelShowing(const Frame& frame, const ViewContent& content, const Hit& hit) {
+    const pipeline::View& eye = content.eye;
+    const Vec3d d = hit.at - eye.eye;
+    const double zView = glm::dot(d, eye.forward);
+    if (zView < eye.near || zView > eye.far)
+        return {{}, "That point is outside the range between the near and the far plane."};
+    const double spread = eye.perspective ? zView : 1;
+    const glm::dvec2 at{eye.centre.x + eye.scale.x * glm::dot(d, eye.right) / spread,
+                        eye.centre.y - eye.scale.y * glm::dot(d, eye.up) / spread};
+    const glm::dvec2 floor = glm::floor(at);
+    if (!(floor.x >= 0 && floor.y >= 0 && floor.x < eye.size.x && floor.y < eye.size.y))
+        return {{}, "That point lies outside the picture."};
+    const auto ids = frame.buffer({BufferId::PolygonId});
+    if (!ids) return {{}, "The z-buffer has not run yet, so no pixel shows that point."};
+    // The polygon's own pixel, or a neighbour's where the point is near an edge.
+    const glm::ivec2 pixel(floor);
+    for (const glm::ivec2 step : {glm::ivec2{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        const glm::ivec2 p = pixel + step;
+        if (p.x < 0 || p.y < 0 || p.x >= eye.size.x || p.y >= eye.size.y) continue;
+        if (std::int32_t(ids->value(std::size_t(p.x), std::size_t(p.y))) == hit.polygon) return {p, {}};
+    }
+    return {
+        {},
+        "The eye does not see that point: polygon " + std::to_string(hit.polygon) + " is turned away or hidden there."};
+}
+
+std::array<Vec3d, 4> pictureCorners(const pipeline::View& view, double distance) {
+    const glm::dvec2 s(view.size);
+    return {pipeline::worldPoint(view, {0, 0}, distance), pipeline::worldPoint(view, {s.x, 0}, distance),
+            pipeline::worldPoint(view, s, distance), pipeline::worldPoint(view, {0, s.y}, distance)};
+}
+
+}  // namespace app

@@ -1,0 +1,119 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/view3d/orbit_camera.h"
+#include "pipeline/inspect/formula.h"
+#include "pipeline/inspect/pixel_report.h"
+#include "pipeline/run/frame.h"
+
+namespace app {
+
+using pipeline::VectorCode;
+
+// What a 3D view shows of a frame, as plain data: made by contentOf, drawn by WorldScene and
+// paintOverlay. All positions are in world space. Nothing here depends on a theme, on the
+// camera of the view or on the size of the window.
+
+// A triangle of a polygon. Colours are sRGB, 0 to 1, as the frame buffer would hold them.
+struct Face {
+    std::array<std::uint32_t, 3> vertices;  // into ViewMesh::positions
+    std::array<glm::vec3, 3> colors{};      // one a vertex; equal with flat shading
+    std::int32_t polygon = 0;               // counted over all objects
+    bool shaded = true;                     // false: the pipeline culled the polygon, so that it has no colour
+};
+
+struct NormalArrow {
+    Vec3d base, direction;  // direction has unit length
+};
+
+// One of the five vectors where the illumination was evaluated.
+struct VectorArrow {
+    VectorCode code = VectorCode::N;
+    int light = -1;         // of L, R and H
+    Vec3d base, direction;  // direction has unit length
+    bool main = true;       // false at the lesser of the three vertices of Gouraud shading
+    std::string letter;     // "N"; "L₁" where the scene has more than one light
+};
+
+struct LightMark {
+    int light = 0;
+    bool atInfinity = true;
+    Vec3d direction{0, 0, 1};  // towards a light at infinity, unit
+    Vec3d position{0.0};       // of a point light
+    std::string caption;       // "light 0, at infinity"
+};
+
+// A box that holds points; `any` is false while it holds none.
+struct Bounds {
+    Vec3d min{0.0}, max{0.0};
+    bool any = false;
+    void add(Vec3d point);
+    Vec3d centre() const { return (min + max) / 2.0; }
+    double radius() const { return glm::length(max - min) / 2; }  // of the sphere around it
+    std::array<Vec3d, 8> corners() const;
+};
+
+// The frame buffer, for the picture plane. Row 0 on top.
+struct Picture {
+    glm::ivec2 size{0};
+    std::vector<pipeline::Color8> pixels;
+};
+
+// The polygons of a frame. Shared, because a newly picked pixel changes nothing in it.
+struct ViewMesh {
+    std::vector<Vec3d> positions;  // of every vertex, as vertices.world
+    std::vector<Face> faces;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  // of polygons, each once
+    std::vector<NormalArrow> polygonNormals, vertexNormals;      // empty where the frame has none
+    Picture picture;                                             // empty before the first pixel is shaded
+};
+
+struct ViewContent {
+    std::shared_ptr<const ViewMesh> mesh;  // never null
+    std::vector<LightMark> lights;
+    pipeline::View eye;          // the scene's camera
+    double pictureDistance = 1;  // of the picture plane from the eye, along its viewing direction
+    Bounds bounds;               // of the objects; where they have no extent, of a unit cube around them
+
+    // The picked pixel; nothing where none is picked or nothing was drawn there.
+    std::optional<Vec3d> point;  // what the pixel shows
+    std::optional<Vec3d> foot;   // where its illumination was evaluated: where the main vectors start
+    std::int32_t pickedPolygon = -1;
+    std::vector<std::uint32_t> pickedLoop;  // its vertices in order
+    std::vector<VectorArrow> vectors;
+};
+
+// Reads from the frame whatever of these buffers it has: vertices.world, polygons.verdict,
+// polygons.normal, vertices.normal, polygons.intensity, vertices.intensity, color.
+ViewContent contentOf(const pipeline::Frame& frame, std::optional<glm::ivec2> pixel);
+// The same content with another picked pixel; `frame` is the one that it was made of.
+ViewContent withPixel(const ViewContent& content, const pipeline::Frame& frame, std::optional<glm::ivec2> pixel);
+// Those that this scene's shading leaves; vertex normals beside them where the view shows them.
+pipeline::BufferSet contentBuffers(const pipeline::Scene& scene, bool vertexNormals);
+
+// The first face that a ray meets.
+struct Hit {
+    Vec3d at;
+    double distance;  // from the ray's origin
+    std::int32_t polygon;
+};
+std::optional<Hit> firstHit(const ViewContent& content, const Ray& ray);
+
+// Which pixel of the picture shows a point of a polygon.
+struct Shown {
+    std::optional<glm::ivec2> pixel;
+    std::string whyNot;  // a sentence where there is none
+};
+Shown pixelShowing(const pipeline::Frame& frame, const ViewContent& content, const Hit& hit);
+
+// Four corners of the picture at a distance along the viewing direction: top left, top right,
+// bottom right, bottom left.
+std::array<Vec3d, 4> pictureCorners(const pipeline::View& view, double distance);
+
+}  // namespace app

@@ -1,0 +1,24 @@
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "pipeline/inspect/formula.h"
+
+namespace app {
+
+enum class NormalsShown { Off, Polygons, Vertices };
+
+// What of a ViewContent is drawn, and how large. Lengths are in logical pixels.
+struct ViewOptions {
+    NormalsShown normals = NormalsShown::Polygons;
+    double normalLength = 40;   // 4 to 400
+    int everyNormal = 1;        // every k-th, k >= 1
+    double vectorLength = 130;  // 4 to 400
+    bool vectors = true, lights = true, eye = true;
+    std::array<bool, 6> shown{true, true, true, true, true, true};  // by VectorCode
+
+    bool shows(pipeline::VectorCode code) const { return vectors && shown[static_cast<std::size_t>(code)]; }
+    bool operator==(const ViewOptions&) const = default;
+};
+
+}  // namespace app
