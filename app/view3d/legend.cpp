@@ -1,0 +1,166 @@
+#include <QFontMetricsF>
+#include <QPainterPath>
+#include <array>
+#include <cmath>
+
+#include "app/view3d/overlay.h"
+
+namespace app {
+
+namespace {
+
+struct Entry {
+    VectorCode code;
+    const char* letter;
+};
+constexpr std::array<Entry, 5> kEntries{
+    {{VectorCode::N, "N"}, {VectorCode::L, "L"}, {VectorCode::V, "V"}, {VectorCode::R, "R"}, {VectorCode::H, "H"}}};
+constexpr double kEntryWidth = 62, kHeight = 32, kPadding = 10;
+
+// The tip in the plane: what the solid of the 3D view looks like from the side.
+void paintTip(QPainter& painter, VectorCode code, QPointF end, const QColor& ink, const QColor& back) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    switch (code) {
+        case VectorCode::N:
+            painter.drawPolygon(QPolygonF({end, end + QPointF(-12, -4.5), end + QPointF(-12, 4.5)}));
+            break;
+        case VectorCode::L: painter.drawEllipse(end - QPointF(4.5, 0), 4.5, 4.5); break;
+        case VectorCode::V:
+            painter.setPen(QPen(ink, 2.2));
+            painter.setBrush(back);
+            painter.drawEllipse(end - QPointF(4.5, 0), 3.6, 3.6);
+            break;
+        case VectorCode::R:
+            painter.setPen(QPen(ink, 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawPolyline(QPolygonF({end + QPointF(-7, -5.5), end, end + QPointF(-7, 5.5)}));
+            break;
+        case VectorCode::H:
+            painter.drawPolygon(
+                QPolygonF({end, end + QPointF(-5.5, -4.5), end + QPointF(-11, 0), end + QPointF(-5.5, 4.5)}));
+            break;
+        case VectorCode::None: break;
+    }
+}
+
+// The cube's faces: outward direction, its letter, and its four corners in order.
+struct Side {
+    CubeFace face;
+    Vec3d out, across;  // letter's reading direction is found from these
+    const char* letter;
+};
+constexpr std::array<Side, 6> kSides{{{CubeFace::X, {1, 0, 0}, {0, 1, 0}, "x"},
+                                      {CubeFace::Y, {0, 1, 0}, {0, 0, 1}, "y"},
+                                      {CubeFace::Z, {0, 0, 1}, {1, 0, 0}, "z"},
+                                      {CubeFace::MinusX, {-1, 0, 0}, {0, 0, 1}, "−x"},
+                                      {CubeFace::MinusY, {0, -1, 0}, {1, 0, 0}, "−y"},
+                                      {CubeFace::MinusZ, {0, 0, -1}, {0, 1, 0}, "−z"}}};
+
+QPointF onCube(const QRectF& box, const OrbitCamera& camera, Vec3d p) {
+    const double s = box.width() * 0.27;  // a cube's corner reaches √3 from its middle
+    return box.center() + s * QPointF(glm::dot(p, camera.right), -glm::dot(p, camera.up));
+}
+
+QPolygonF outline(const QRectF& box, const OrbitCamera& camera, const Side& side) {
+    const Vec3d u = side.across, v = glm::cross(side.out, u);
+    QPolygonF polygon;
+    for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+        polygon << onCube(box, camera, side.out + double(a) * u + double(b) * v);
+    return polygon;
+}
+
+bool faces(const OrbitCamera& camera, const Side& side) { return glm::dot(side.out, camera.forward) < -1e-9; }
+
+}  // namespace
+
+void paintVectorSample(QPainter& painter, const QRectF& box, VectorCode code, bool shown) {
+    const Theme& theme = Theme::current();
+    const ThemeColors& colors = theme.colors();
+    const QColor ink = shown ? theme.vector(code) : colors.text3;
+    const double s = theme.scale(), y = box.center().y();
+    const QPointF end(box.left() + 30 * s, y);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setOpacity(shown ? 1 : 0.6);
+    QPen pen(ink, 2.4, Qt::SolidLine, code == VectorCode::H ? Qt::RoundCap : Qt::FlatCap);
+    if (const auto dash = Theme::dash(code); !dash.isEmpty()) pen.setDashPattern(dash);
+    painter.setPen(pen);
+    painter.drawLine(QPointF(box.left(), y), end - QPointF(code == VectorCode::R ? 2 : 9, 0));
+    paintTip(painter, code, end, ink, colors.surface);
+    QFont font = theme.formula(17);
+    font.setBold(true);
+    font.setItalic(true);
+    font.setStrikeOut(!shown);
+    for (const Entry& entry : kEntries)
+        if (entry.code == code) {
+            painter.setFont(font);
+            painter.setPen(ink);
+            painter.drawText(QRectF(end.x() + 6 * s, box.top(), box.right() - end.x(), box.height()),
+                             Qt::AlignLeft | Qt::AlignVCenter, QString::fromUtf8(entry.letter));
+        }
+    painter.restore();
+}
+
+QSizeF legendSize() {
+    const double s = Theme::current().scale();
+    return {s * (kEntryWidth * double(kEntries.size()) + 2 * kPadding - 8), s * kHeight};
+}
+
+QRectF legendEntry(VectorCode code, QPointF topLeft) {
+    const double s = Theme::current().scale();
+    for (std::size_t i = 0; i < kEntries.size(); ++i)
+        if (kEntries[i].code == code)
+            return {topLeft + s * QPointF(kPadding + kEntryWidth * double(i), 0), s * QSizeF(kEntryWidth, kHeight)};
+    return {};
+}
+
+void paintLegend(QPainter& painter, QPointF topLeft, const ViewOptions& options) {
+    const ThemeColors& colors = Theme::current().colors();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colors.line, 1));
+    painter.setBrush(colors.surface);
+    painter.drawRoundedRect(QRectF(topLeft, legendSize()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    for (const Entry& entry : kEntries)
+        paintVectorSample(painter, legendEntry(entry.code, topLeft), entry.code, options.shows(entry.code));
+    painter.restore();
+}
+
+void paintCube(QPainter& painter, const QRectF& box, const OrbitCamera& camera) {
+    const Theme& theme = Theme::current();
+    const ThemeColors& colors = theme.colors();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colors.line, 1));
+    painter.setBrush(colors.surface);
+    painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    QFont font = theme.formula(13);
+    font.setItalic(true);
+    painter.setFont(font);
+    for (const Side& side : kSides) {
+        if (!faces(camera, side)) continue;
+        const QPolygonF polygon = outline(box, camera, side);
+        painter.setPen(QPen(colors.outline, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setBrush(colors.raised);
+        painter.drawPolygon(polygon);
+        // A face seen from the edge has no room for its letter.
+        if (glm::dot(side.out, camera.forward) > -0.35) continue;
+        painter.setPen(colors.text);
+        const QPointF middle = onCube(box, camera, side.out);
+        painter.drawText(QRectF(middle - QPointF(12, 12), QSizeF(24, 24)), Qt::AlignCenter,
+                         QString::fromUtf8(side.letter));
+    }
+    painter.restore();
+}
+
+CubeFace cubeFaceAt(const QRectF& box, const OrbitCamera& camera, QPointF point) {
+    if (!box.contains(point)) return CubeFace::None;
+    const QPointF d = point - box.center();
+    if (std::hypot(d.x(), d.y()) < 0.07 * box.width()) return CubeFace::Middle;
+    for (const Side& side : kSides)
+        if (faces(camera, side) && outline(box, camera, side).containsPoint(point, Qt::OddEvenFill)) return side.face;
+    return CubeFace::None;
+}
+
+}  // namespace app

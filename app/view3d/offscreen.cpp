@@ -1,0 +1,116 @@
+#include "app/view3d/offscreen.h"
+
+#include <QGuiApplication>
+#include <QPainter>
+#include <QSaveFile>
+#include <array>
+
+#include "app/core/theme.h"
+#include "app/view3d/headless_window.h"
+#include "app/view3d/overlay.h"
+#include "app/view3d/world_scene.h"
+
+namespace app {
+
+namespace {
+
+constexpr glm::ivec2 kSize{1280, 960};
+
+struct View {
+    const char* file;
+    ViewPreset preset;
+};
+constexpr std::array<View, 6> kViews{{{"world.png", ViewPreset::Iso},
+                                      {"front.png", ViewPreset::Front},
+                                      {"side.png", ViewPreset::Side},
+                                      {"top.png", ViewPreset::Top},
+                                      {"eye.png", ViewPreset::Eye},
+                                      {"everything.png", ViewPreset::Everything}}};
+
+// Fonts need an application object; the offscreen platform needs no display.
+class FontSystem {
+public:
+    FontSystem() {
+        if (!QCoreApplication::instance())
+            m_application = std::make_unique<QGuiApplication>(m_count, m_arguments.data());
+    }
+    bool ready() const { return qobject_cast<QGuiApplication*>(QCoreApplication::instance()) != nullptr; }
+
+private:
+    std::array<char, 11> m_name{"shadescope"};
+    std::array<char, 10> m_option{"-platform"};
+    std::array<char, 10> m_platform{"offscreen"};
+    std::array<char*, 4> m_arguments{m_name.data(), m_option.data(), m_platform.data(), nullptr};
+    int m_count = 3;
+    std::unique_ptr<QGuiApplication> m_application;
+};
+
+// Whole or not at all: QSaveFile renames a finished file into place.
+bool savePng(const QImage& image, const std::filesystem::path& file) {
+    QSaveFile out(QString::fromStdString(file.string()));
+    return out.open(QIODevice::WriteOnly) && image.save(&out, "PNG") && out.commit();
+}
+
+class ViewRenderer {
+public:
+    ViewRenderer(std::shared_ptr<HeadlessWindow> window, std::shared_ptr<const ViewContent> content,
+                 const ViewOptions& options, glm::ivec2 size)
+        : m_window(std::move(window)),
+          m_content(std::move(content)),
+          m_options(options),
+          m_size(size),
+          m_scene(m_window->window()) {
+        m_scene.setColors(Theme::current().colors());
+        m_scene.setContent(m_content, groundLines(*m_content));
+        m_scene.setOptions(m_options);
+    }
+
+    QImage render(ViewPreset preset) {
+        const ViewFrame view{presetCamera(preset, *m_content, m_options, m_size, false), m_size};
+        const Drawing drawing = drawWorld(*m_content, m_options, view);
+        m_scene.setView(view, drawing, 1);
+        QImage image = m_window->render();
+        QPainter painter(&image);
+        paintOverlay(painter, drawing, view);
+        constexpr double kMargin = 12, kCube = 72;
+        if (m_content->point) paintLegend(painter, {kMargin, m_size.y - kMargin - legendSize().height()}, m_options);
+        paintCube(painter, {m_size.x - kMargin - kCube, m_size.y - kMargin - kCube, kCube, kCube}, view.camera);
+        return image;
+    }
+
+private:
+    std::shared_ptr<HeadlessWindow> m_window;
+    std::shared_ptr<const ViewContent> m_content;
+    ViewOptions m_options;
+    glm::ivec2 m_size;
+    WorldScene m_scene;
+};
+
+}  // namespace
+
+pipeline::Result<QImage> renderView(const ViewContent& content, const ViewOptions& options, ViewPreset preset,
+                                    glm::ivec2 size) {
+    const auto window = HeadlessWindow::create(size);
+    if (!window) return window.errors();
+    return ViewRenderer(*window, std::make_shared<const ViewContent>(content), options, size).render(preset);
+}
+
+pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::Frame& frame,
+                                                                std::optional<glm::ivec2> pixel,
+                                                                const std::filesystem::path& folder) {
+    const FontSystem fonts;
+    if (!fonts.ready()) return pipeline::Error{{}, "no font system for the letters of the views", {}};
+    const auto window = HeadlessWindow::create(kSize);
+    if (!window) return window.errors();
+    ViewRenderer renderer(*window, std::make_shared<const ViewContent>(contentOf(frame, pixel)), {}, kSize);
+    std::vector<std::filesystem::path> files;
+    for (const View& view : kViews) {
+        const std::filesystem::path file = folder / view.file;
+        if (!savePng(renderer.render(view.preset), file))
+            return pipeline::Error{{file.string(), 0, 0}, "could not be written", {}};
+        files.push_back(file);
+    }
+    return files;
+}
+
+}  // namespace app

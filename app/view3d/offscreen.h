@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include <QImage>
+
+#include "app/view3d/view_content.h"
+#include "app/view3d/view_options.h"
+#include "app/view3d/world_drawing.h"
+#include "pipeline/core/result.h"
+#include "pipeline/run/frame.h"
+
+namespace app {
+
+// One view as an image, in the theme in force, without a display. Needs a QGuiApplication for
+// the letters' fonts.
+pipeline::Result<QImage> renderView(const ViewContent& content, const ViewOptions& options, ViewPreset preset,
+                                    glm::ivec2 size);
+
+// The 3D views of a frame as PNG files of 1280 × 960 pixels in `folder`: world.png, front.png,
+// side.png, top.png, eye.png and everything.png (the eye and its picture plane included), with
+// the vectors of `pixel` where one is given. Works without a display; makes a QGuiApplication
+// where there is none. Errors: no EGL with OpenGL 3.2, or a file that cannot be written.
+pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::Frame& frame,
+                                                                std::optional<glm::ivec2> pixel,
+                                                                const std::filesystem::path& folder);
+
+}  // namespace app

@@ -1,0 +1,38 @@
+#pragma once
+#include <QPainter>
+#include <QRectF>
+#include <vector>
+
+#include "app/view3d/drawing.h"
+#include "app/view3d/view_options.h"
+
+namespace app {
+
+// A label's place on the screen, logical pixels.
+struct PlacedLabel {
+    Label label;
+    glm::dvec2 at;    // middle of the text
+    glm::dvec2 mark;  // of a caption: where its mark is, or stands in for it at the border
+    bool atBorder = false;
+};
+
+// Letters stand beyond the tips, at least 21 pixels from each other and 17 from every tip where
+// there is room; captions beside their marks, or at the border. `scale` is the font scale.
+std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, double scale);
+
+// Letters, captions and the picked point's marker, over the rendered view.
+void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& view);
+
+// A vector's line with its dash and tip, and its letter: one entry of the legend, as long as it is wide.
+void paintVectorSample(QPainter& painter, const QRectF& box, VectorCode code, bool shown);
+// The legend of all five, from `corner` (its bottom left) on; gives the space that it takes.
+QSizeF legendSize();
+QRectF legendEntry(VectorCode code, QPointF topLeft);
+void paintLegend(QPainter& painter, QPointF topLeft, const ViewOptions& options);
+
+// The cube that turns with the camera. Its visible faces, and which of them a point is on.
+enum class CubeFace { None, X, Y, Z, MinusX, MinusY, MinusZ, Middle };
+void paintCube(QPainter& painter, const QRectF& box, const OrbitCamera& camera);
+CubeFace cubeFaceAt(const QRectF& box, const OrbitCamera& camera, QPointF point);
+
+}  // namespace app

@@ -1,0 +1,193 @@
+#include "app/view3d/vtk_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace app {
+
+namespace {
+
+// Points in double: float would make a small scene far from the origin tremble.
+vtkSmartPointer<vtkPoints> newPoints() {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetDataTypeToDouble();
+    return points;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> newColors() {
+    auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    colors->SetNumberOfComponents(3);
+    colors->SetName("color");
+    return colors;
+}
+
+void addColor(vtkUnsignedCharArray& colors, const QColor& color) {
+    const unsigned char rgb[3]{static_cast<unsigned char>(color.red()), static_cast<unsigned char>(color.green()),
+                               static_cast<unsigned char>(color.blue())};
+    colors.InsertNextTypedTuple(rgb);
+}
+
+QColor toColor(glm::vec3 c) {
+    const glm::ivec3 v(glm::round(glm::clamp(c, 0.0f, 1.0f) * 255.0f));
+    return {v.x, v.y, v.z};
+}
+
+vtkIdType addPoint(vtkPoints& points, Vec3d p) { return points.InsertNextPoint(p.x, p.y, p.z); }
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, const QColor& unshaded) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    auto points = newPoints();
+    auto rgb = newColors();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (const Face& face : mesh.faces) {
+        vtkIdType ids[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            ids[i] = addPoint(*points, mesh.positions[face.vertices[i]]);
+            addColor(*rgb, face.shaded ? toColor(face.colors[i]) : unshaded);
+        }
+        cells->InsertNextCell(3, ids);
+    }
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    data->GetPointData()->SetScalars(rgb);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> edgesData(const ViewMesh& mesh) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    auto points = newPoints();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (const Vec3d& p : mesh.positions) addPoint(*points, p);
+    for (const auto& [a, b] : mesh.edges) {
+        const vtkIdType ids[2]{vtkIdType(a), vtkIdType(b)};
+        cells->InsertNextCell(2, ids);
+    }
+    data->SetPoints(points);
+    data->SetLines(cells);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> loopData(const ViewMesh& mesh, std::span<const std::uint32_t> loop) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    auto points = newPoints();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (const std::uint32_t vertex : loop) addPoint(*points, mesh.positions[vertex]);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const vtkIdType ids[2]{vtkIdType(i), vtkIdType((i + 1) % loop.size())};
+        cells->InsertNextCell(2, ids);
+    }
+    data->SetPoints(points);
+    data->SetLines(cells);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const ThemeColors& colors) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    auto points = newPoints();
+    auto rgb = newColors();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (const InkedLine& line : lines) {
+        const vtkIdType ids[2]{addPoint(*points, line.a), addPoint(*points, line.b)};
+        cells->InsertNextCell(2, ids);
+        const QColor ink = colorOf(line.ink, colors);
+        addColor(*rgb, mixed(ink, colors.view, double(line.strengthA)));
+        addColor(*rgb, mixed(ink, colors.view, double(line.strengthB)));
+    }
+    data->SetPoints(points);
+    data->SetLines(cells);
+    data->GetPointData()->SetScalars(rgb);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> solidsData(std::span<const InkedSolid> solids, const ThemeColors& colors) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    auto points = newPoints();
+    auto rgb = newColors();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (const InkedSolid& inked : solids) {
+        const vtkIdType first = points->GetNumberOfPoints();
+        const QColor ink = colorOf(inked.ink, colors);
+        for (const Vec3d& p : inked.solid.positions) {
+            addPoint(*points, p);
+            addColor(*rgb, ink);
+        }
+        for (const glm::uvec3& t : inked.solid.triangles) {
+            const vtkIdType ids[3]{first + t.x, first + t.y, first + t.z};
+            cells->InsertNextCell(3, ids);
+        }
+    }
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    data->GetPointData()->SetScalars(rgb);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> solidData(const Solid& solid) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    auto points = newPoints();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (const Vec3d& p : solid.positions) addPoint(*points, p);
+    for (const glm::uvec3& t : solid.triangles) {
+        const vtkIdType ids[3]{t.x, t.y, t.z};
+        cells->InsertNextCell(3, ids);
+    }
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, int every) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    auto points = newPoints();
+    auto directions = vtkSmartPointer<vtkDoubleArray>::New();
+    directions->SetNumberOfComponents(3);
+    directions->SetName("direction");
+    for (std::size_t i = 0; i < arrows.size(); i += std::size_t(std::max(every, 1))) {
+        addPoint(*points, arrows[i].base);
+        directions->InsertNextTuple3(arrows[i].direction.x, arrows[i].direction.y, arrows[i].direction.z);
+    }
+    data->SetPoints(points);
+    data->GetPointData()->AddArray(directions);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> pictureQuad(const ViewContent& content) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    auto points = newPoints();
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    auto texture = vtkSmartPointer<vtkFloatArray>::New();
+    texture->SetNumberOfComponents(2);
+    for (const Vec3d& corner : pictureCorners(content.eye, content.pictureDistance)) addPoint(*points, corner);
+    // Texture rows count upwards, the picture's downwards.
+    for (const auto& [u, v] : {std::pair{0, 1}, {1, 1}, {1, 0}, {0, 0}}) texture->InsertNextTuple2(u, v);
+    const vtkIdType ids[4]{0, 1, 2, 3};
+    cells->InsertNextCell(4, ids);
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    data->GetPointData()->SetTCoords(texture);
+    return data;
+}
+
+vtkSmartPointer<vtkImageData> pictureImage(const Picture& picture) {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(picture.size.x, picture.size.y, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    const auto width = static_cast<std::size_t>(picture.size.x), height = static_cast<std::size_t>(picture.size.y);
+    auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (std::size_t y = height; y-- > 0;)  // the texture's first row is the lowest
+        for (std::size_t x = 0; x < width; ++x)
+            for (int c = 0; c < 3; ++c) *out++ = picture.pixels[y * width + x][c];
+    return image;
+}
+
+}  // namespace app

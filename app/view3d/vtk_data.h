@@ -1,0 +1,30 @@
+#pragma once
+#include <QColor>
+#include <span>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include "app/view3d/drawing.h"
+#include "app/view3d/view_content.h"
+
+class vtkImageData;
+
+namespace app {
+
+// The project's plain data as VTK's: positions, cells and, where colours are given, an RGB
+// array of unsigned bytes, one a point.
+
+// Three points a face, so that neighbours may differ in colour. Unshaded faces take `unshaded`.
+vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, const QColor& unshaded);
+vtkSmartPointer<vtkPolyData> edgesData(const ViewMesh& mesh);
+vtkSmartPointer<vtkPolyData> loopData(const ViewMesh& mesh, std::span<const std::uint32_t> loop);
+vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const ThemeColors& colors);
+vtkSmartPointer<vtkPolyData> solidsData(std::span<const InkedSolid> solids, const ThemeColors& colors);
+vtkSmartPointer<vtkPolyData> solidData(const Solid& solid);  // without colours
+// Points with a vector each ("direction"): every k-th arrow, beginning with the first.
+vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, int every);
+vtkSmartPointer<vtkPolyData> pictureQuad(const ViewContent& content);  // with texture coordinates
+vtkSmartPointer<vtkImageData> pictureImage(const Picture& picture);
+
+}  // namespace app

@@ -1,0 +1,224 @@
+#include "app/view3d/world_scene.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkGlyph3DMapper.h>
+#include <vtkImageData.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTexture.h>
+
+#include <algorithm>
+
+#include "app/view3d/vtk_data.h"
+#include "app/view3d/world_drawing.h"
+
+namespace app {
+
+namespace {
+
+constexpr float kRestStrength = 0.55f;   // of the edges while a polygon is picked
+constexpr double kShineStrength = 0.28;  // of a vector where something stands before it
+constexpr double kEdgeWidth = 1.4, kLineWidth = 1.25, kPickedOuter = 5, kPickedInner = 2.5;  // logical pixels
+constexpr double kHalo = 1.6;  // logical pixels around vectors and normals
+
+void setColor(vtkActor& actor, const QColor& color) {
+    actor.GetProperty()->SetColor(color.redF(), color.greenF(), color.blueF());
+}
+
+// Lines lie in the polygons' planes; a small pull towards the eye, or away from it where `units`
+// is negative, decides who is in front.
+void pullLines(vtkPolyDataMapper& mapper, double units) {
+    mapper.SetResolveCoincidentTopologyToPolygonOffset();
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-units / 8, -units);
+}
+
+}  // namespace
+
+WorldScene::WorldScene(vtkOpenGLRenderWindow& window) {
+    m_world = vtkSmartPointer<vtkRenderer>::New();
+    m_over = vtkSmartPointer<vtkRenderer>::New();
+    window.SetNumberOfLayers(2);
+    m_over->SetLayer(1);
+    m_over->SetActiveCamera(m_world->GetActiveCamera());
+    window.AddRenderer(m_world);
+    window.AddRenderer(m_over);
+
+    m_ground = addLayer(*m_world);
+    m_faces = addLayer(*m_world);
+    m_edges = addLayer(*m_world);
+    m_pickedOuter = addLayer(*m_world);
+    m_pickedInner = addLayer(*m_world);
+    m_picture = addLayer(*m_world);
+    m_lines = addLayer(*m_world);
+    m_solids = addLayer(*m_world);
+    m_vectors = addLayer(*m_world);
+    m_halos = addLayer(*m_world);
+    m_shine = addLayer(*m_over);
+
+    pullLines(*m_ground.mapper, -16);  // a floor in the ground's plane covers the grid
+    pullLines(*m_lines.mapper, 4);
+    pullLines(*m_edges.mapper, 8);
+    pullLines(*m_pickedOuter.mapper, 16);
+    pullLines(*m_pickedInner.mapper, 24);
+    m_shine.actor->GetProperty()->SetOpacity(kShineStrength);
+    // One blended layer a solid: without its inner side it does not darken itself.
+    m_shine.actor->GetProperty()->BackfaceCullingOn();
+    // The far sides of slightly larger solids: what shows of them is a rim around the solids.
+    m_halos.actor->GetProperty()->FrontfaceCullingOn();
+
+    m_texture = vtkSmartPointer<vtkTexture>::New();
+    m_texture->InterpolateOff();
+    m_picture.actor->SetTexture(m_texture);
+    m_picture.actor->VisibilityOff();
+
+    m_normals = addGlyphs(*m_world);
+    m_normalHalos = addGlyphs(*m_world);
+    m_normalHalos.actor->GetProperty()->FrontfaceCullingOn();
+}
+
+WorldScene::~WorldScene() = default;
+
+WorldScene::Layer WorldScene::addLayer(vtkRenderer& renderer) {
+    Layer layer{vtkSmartPointer<vtkPolyDataMapper>::New(), vtkSmartPointer<vtkActor>::New()};
+    layer.mapper->SetInputData(vtkSmartPointer<vtkPolyData>::New());
+    layer.actor->SetMapper(layer.mapper);
+    // Colours are those of the frame buffer or of the theme: nothing is lit a second time.
+    layer.actor->GetProperty()->LightingOff();
+    renderer.AddActor(layer.actor);
+    return layer;
+}
+
+WorldScene::Glyphs WorldScene::addGlyphs(vtkRenderer& renderer) {
+    Glyphs glyphs{vtkSmartPointer<vtkGlyph3DMapper>::New(), vtkSmartPointer<vtkActor>::New()};
+    glyphs.mapper->SetOrientationArray("direction");
+    glyphs.mapper->SetOrientationModeToDirection();
+    glyphs.mapper->ScalingOn();
+    glyphs.mapper->SetScaleModeToNoDataScaling();
+    glyphs.mapper->ScalarVisibilityOff();
+    glyphs.actor->SetMapper(glyphs.mapper);
+    glyphs.actor->GetProperty()->LightingOff();
+    renderer.AddActor(glyphs.actor);
+    return glyphs;
+}
+
+void WorldScene::setContent(std::shared_ptr<const ViewContent> content, const std::vector<InkedLine>& ground) {
+    // A newly picked pixel comes with the mesh that is there: its polygons stay as they are.
+    const bool sameMesh = m_content && content && content->mesh == m_content->mesh;
+    m_content = std::move(content);
+    m_groundLines = ground;
+    static const ViewMesh kNone;
+    const ViewMesh& mesh = m_content ? *m_content->mesh : kNone;
+    const auto loop = m_content ? std::span(m_content->pickedLoop) : std::span<const std::uint32_t>();
+    m_pickedOuter.mapper->SetInputData(loopData(mesh, loop));
+    m_pickedInner.mapper->SetInputData(loopData(mesh, loop));
+    if (!sameMesh) {
+        m_edges.mapper->SetInputData(edgesData(mesh));
+        if (!mesh.picture.pixels.empty()) {
+            m_picture.mapper->SetInputData(pictureQuad(*m_content));
+            m_texture->SetInputData(pictureImage(mesh.picture));
+        }
+        colorMesh();
+        setOptions(m_options);
+    }
+    colorLines();
+}
+
+void WorldScene::setOptions(const ViewOptions& options) {
+    m_options = options;
+    std::span<const NormalArrow> arrows;
+    if (m_content && options.normals == NormalsShown::Polygons) arrows = m_content->mesh->polygonNormals;
+    if (m_content && options.normals == NormalsShown::Vertices) arrows = m_content->mesh->vertexNormals;
+    const auto data = normalsData(arrows, options.everyNormal);
+    for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) {
+        glyphs->mapper->SetInputData(data);
+        glyphs->actor->SetVisibility(!arrows.empty());
+    }
+}
+
+void WorldScene::setColors(const ThemeColors& colors) {
+    m_colors = colors;
+    m_world->SetBackground(colors.view.redF(), colors.view.greenF(), colors.view.blueF());
+    setColor(*m_pickedOuter.actor, Qt::black);
+    setColor(*m_pickedInner.actor, Qt::white);
+    setColor(*m_normals.actor, colors.N);
+    setColor(*m_normalHalos.actor, colors.view);
+    setColor(*m_halos.actor, colors.view);
+    colorMesh();
+    colorLines();
+}
+
+void WorldScene::colorMesh() {
+    if (!m_colors.view.isValid()) return;
+    m_faces.mapper->SetInputData(m_content ? facesData(*m_content->mesh, m_colors.hover)
+                                           : vtkSmartPointer<vtkPolyData>::New());
+}
+
+void WorldScene::colorLines() {
+    if (!m_colors.view.isValid()) return;
+    m_ground.mapper->SetInputData(linesData(m_groundLines, m_colors));
+    const bool picked = m_content && m_content->pickedPolygon >= 0;
+    setColor(*m_edges.actor, mixed(m_colors.text2, m_colors.view, picked ? kRestStrength : 1));
+}
+
+void WorldScene::setView(const ViewFrame& view, const Drawing& drawing, double pixelRatio) {
+    m_pixelRatio = pixelRatio;
+    const auto width = [&](Layer& layer, double pixels) {
+        layer.actor->GetProperty()->SetLineWidth(float(pixels * pixelRatio));
+    };
+    width(m_edges, kEdgeWidth);
+    width(m_ground, kLineWidth);
+    width(m_lines, kLineWidth);
+    width(m_pickedOuter, kPickedOuter);
+    width(m_pickedInner, kPickedInner);
+
+    m_lines.mapper->SetInputData(linesData(drawing.lines, m_colors));
+    m_solids.mapper->SetInputData(solidsData(drawing.solids, m_colors));
+    const auto vectors = solidsData(drawing.vectors, m_colors);
+    m_vectors.mapper->SetInputData(vectors);
+    m_shine.mapper->SetInputData(vectors);
+    Solid halos;
+    for (const auto* solids : {&drawing.vectors, &drawing.solids})
+        for (const InkedSolid& inked : *solids) append(halos, inflated(inked.solid, kHalo * inked.unit));
+    m_halos.mapper->SetInputData(solidData(halos));
+    scaleNormals(view);
+    m_picture.actor->SetVisibility(m_content && m_options.eye && !m_content->mesh->picture.pixels.empty() &&
+                                   showsWholeEye(*m_content, view));
+    placeCamera(view);
+}
+
+void WorldScene::scaleNormals(const ViewFrame& view) {
+    // Made in pixels along x, the glyph's own direction.
+    constexpr double kRadius = 1.1;
+    const Solid glyph =
+        arrow(VectorCode::N, m_options.normalLength, kRadius, {.along = {1, 0, 0}, .towardsEye = {0, 0, 1}});
+    const double scale = view.camera.unitsPerPixel(view.size.y);
+    m_normals.mapper->SetSourceData(solidData(glyph));
+    m_normalHalos.mapper->SetSourceData(solidData(inflated(glyph, kHalo)));
+    for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) glyphs->mapper->SetScaleFactor(scale);
+}
+
+void WorldScene::placeCamera(const ViewFrame& view) {
+    const OrbitCamera& camera = view.camera;
+    vtkCamera& vtk = *m_world->GetActiveCamera();
+    // An orthographic camera may stand anywhere on its axis; far back, nothing is behind it.
+    double back = 0;
+    if (camera.orthographic) {
+        double bounds[6];
+        m_world->ComputeVisiblePropBounds(bounds);
+        const Vec3d min{bounds[0], bounds[2], bounds[4]}, max{bounds[1], bounds[3], bounds[5]};
+        if (min.x <= max.x) back = glm::length(max - min) + glm::length(camera.target - (min + max) / 2.0);
+    }
+    const Vec3d position = camera.position() - back * camera.forward;
+    vtk.SetPosition(position.x, position.y, position.z);
+    vtk.SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
+    vtk.SetViewUp(camera.up.x, camera.up.y, camera.up.z);
+    vtk.SetViewAngle(camera.fovY);
+    vtk.SetParallelProjection(camera.orthographic);
+    vtk.SetParallelScale(camera.unitsPerPixel(view.size.y) * view.size.y / 2);
+    m_world->ResetCameraClippingRange();
+}
+
+}  // namespace app

@@ -1,0 +1,65 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <memory>
+
+#include "app/view3d/drawing.h"
+#include "app/view3d/view_content.h"
+#include "app/view3d/view_options.h"
+
+class vtkActor;
+class vtkGlyph3DMapper;
+class vtkOpenGLRenderWindow;
+class vtkPolyDataMapper;
+class vtkRenderer;
+class vtkTexture;
+
+namespace app {
+
+// Draws a ViewContent and a Drawing into a render window: the only translation into VTK's terms.
+class WorldScene {
+public:
+    // Adds its renderers to the window, which must outlive the scene.
+    explicit WorldScene(vtkOpenGLRenderWindow& window);
+    ~WorldScene();
+    WorldScene(const WorldScene&) = delete;
+    WorldScene& operator=(const WorldScene&) = delete;
+
+    // The polygons, their edges and normals, the picked polygon's outline, the picture plane.
+    // `ground` lies under them. Null content shows the background alone.
+    void setContent(std::shared_ptr<const ViewContent> content, const std::vector<InkedLine>& ground);
+    void setOptions(const ViewOptions& options);
+    void setColors(const ThemeColors& colors);
+    // What changes with the camera. pixelRatio: device pixels per logical pixel of view.size.
+    void setView(const ViewFrame& view, const Drawing& drawing, double pixelRatio);
+
+private:
+    struct Layer {
+        vtkSmartPointer<vtkPolyDataMapper> mapper;
+        vtkSmartPointer<vtkActor> actor;
+    };
+    struct Glyphs {
+        vtkSmartPointer<vtkGlyph3DMapper> mapper;
+        vtkSmartPointer<vtkActor> actor;
+    };
+    Layer addLayer(vtkRenderer& renderer);
+    Glyphs addGlyphs(vtkRenderer& renderer);
+    void colorMesh();
+    void colorLines();
+    void placeCamera(const ViewFrame& view);
+    void scaleNormals(const ViewFrame& view);
+
+    vtkSmartPointer<vtkRenderer> m_world, m_over;
+    Layer m_faces, m_edges, m_ground, m_pickedOuter, m_pickedInner, m_lines, m_solids, m_vectors, m_halos, m_shine,
+        m_picture;
+    Glyphs m_normals, m_normalHalos;
+    vtkSmartPointer<vtkTexture> m_texture;
+
+    std::shared_ptr<const ViewContent> m_content;
+    std::vector<InkedLine> m_groundLines;
+    ViewOptions m_options;
+    ThemeColors m_colors;
+    double m_pixelRatio = 1;
+};
+
+}  // namespace app

@@ -1,0 +1,157 @@
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <cmath>
+
+#include "app/core/theme.h"
+#include "app/view3d/offscreen.h"
+#include "tests/support/files.h"
+#include "tests/support/scenes.h"
+
+// The 3D views rendered without a display: claims about the pixels that come out.
+namespace {
+
+using app::Theme;
+using app::ThemeId;
+using app::Vec3d;
+using app::ViewContent;
+using app::ViewPreset;
+
+constexpr glm::ivec2 kSize{800, 600};
+constexpr glm::ivec2 kRightFace{268, 281};
+
+ViewContent pyramidContent(std::optional<glm::ivec2> pixel = kRightFace) {
+    const pipeline::Scene scene = test::pyramid();
+    return app::contentOf(*test::frameOf(scene, app::contentBuffers(scene, false)), pixel);
+}
+
+QImage render(const ViewContent& content, ViewPreset preset = ViewPreset::Iso, const app::ViewOptions& options = {}) {
+    const auto image = app::renderView(content, options, preset, kSize);
+    EXPECT_TRUE(image) << (image ? "" : format(image.errors()));
+    return image ? *image : QImage();
+}
+
+int difference(QRgb a, QRgb b) {
+    return std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
+}
+
+// How many pixels around a place have a colour, within 3 of 255.
+int countNear(const QImage& image, glm::dvec2 at, int radius, QColor color) {
+    int count = 0;
+    for (int y = int(at.y) - radius; y <= int(at.y) + radius; ++y)
+        for (int x = int(at.x) - radius; x <= int(at.x) + radius; ++x)
+            if (image.valid(x, y) && difference(image.pixel(x, y), color.rgb()) <= 3) ++count;
+    return count;
+}
+
+glm::dvec2 place(const ViewContent& content, Vec3d point, ViewPreset preset = ViewPreset::Iso) {
+    return app::project(app::presetCamera(preset, content, {}, kSize, false), kSize, point).at;
+}
+
+class EveryTheme : public testing::TestWithParam<ThemeId> {
+protected:
+    void SetUp() override { Theme::current().set(GetParam()); }
+    void TearDown() override { Theme::current().set(ThemeId::Light); }
+};
+INSTANTIATE_TEST_SUITE_P(View3dPicture, EveryTheme, testing::Values(ThemeId::Dark, ThemeId::Light, ThemeId::Projector));
+
+}  // namespace
+
+TEST_P(EveryTheme, TheBackgroundIsTheThemes) {
+    const QImage image = render(pyramidContent());
+    ASSERT_FALSE(image.isNull());
+    EXPECT_LE(difference(image.pixel(3, 3), Theme::current().colors().view.rgb()), 1);
+}
+
+// (37, 93, 167) is what the frame buffer holds in polygon 2; polygon 1's mean is (425, 75, 50):
+// N = (150, 0, 135) / 201.8, N·L = 0.8156, R·V = 0.5226, FB = (39, 97, 173) within rounding.
+TEST_P(EveryTheme, FacesKeepTheFrameBuffersColours) {
+    const ViewContent content = pyramidContent({});
+    const QImage image = render(content, ViewPreset::Iso, {.normals = app::NormalsShown::Off});
+    EXPECT_GT(countNear(image, place(content, {335, 125, 50}), 4, QColor(37, 93, 167)), 70);
+}
+
+TEST_P(EveryTheme, ArrowsHaveTheirColoursAtTheirTips) {
+    const ViewContent content = pyramidContent();
+    const QImage image = render(content);
+    const app::ViewFrame view{app::presetCamera(ViewPreset::Iso, content, {}, kSize, false), kSize};
+    int letters = 0;
+    for (const app::Label& label : app::drawWorld(content, {}, view).labels) {
+        if (label.kind != app::Label::Kind::Letter) continue;
+        ++letters;
+        const QColor ink = app::colorOf(label.ink, Theme::current().colors());
+        EXPECT_GT(countNear(image, app::project(view.camera, view.size, label.at).at, 9, ink), 8) << label.text;
+    }
+    EXPECT_EQ(letters, 5);
+}
+
+TEST_P(EveryTheme, ThePickedPolygonHasAWhiteEdge) {
+    const ViewContent content = pyramidContent();
+    const glm::dvec2 middleOfEdge = place(content, {402.5, 112.5, 75});  // of the edge that faces 1 and 2 share
+    EXPECT_GT(countNear(render(content), middleOfEdge, 3, Qt::white), 5);
+    EXPECT_GT(countNear(render(content), middleOfEdge, 5, Qt::black), 5);
+}
+
+TEST(View3dPicture, HiddenArrowsShineThroughFaintly) {
+    // From the front (looking along +y) polygon 2 lies behind the pyramid.
+    const ViewContent content = pyramidContent();
+    const QImage with = render(content, ViewPreset::Front, {.normals = app::NormalsShown::Off});
+    const QImage without = render(content, ViewPreset::Front, {.normals = app::NormalsShown::Off, .vectors = false});
+    const app::ViewFrame view{app::presetCamera(ViewPreset::Front, content, {}, kSize, false), kSize};
+    // A point in the middle of N's shaft, 65 of 130 pixels from its foot.
+    const double unit = view.camera.unitsPerPixel(view.size.y);
+    const Vec3d inShaft = *content.foot + 65 * unit * Vec3d(0, 2, 1) / std::sqrt(5.0);
+    const auto at = glm::ivec2(app::project(view.camera, kSize, inShaft).at);
+    const int change = difference(with.pixel(at.x, at.y), without.pixel(at.x, at.y));
+    EXPECT_GT(change, 8);
+    EXPECT_GT(difference(with.pixel(at.x, at.y), Theme::current().colors().N.rgb()), 20) << "not at full strength";
+}
+
+TEST(View3dPicture, NormalsCanBeSwitchedOff) {
+    const ViewContent content = pyramidContent({});
+    EXPECT_NE(render(content), render(content, ViewPreset::Iso, {.normals = app::NormalsShown::Off}));
+    EXPECT_NE(render(content), render(content, ViewPreset::Iso, {.normalLength = 200}));
+}
+
+// From the eye the view shows the picture that the pipeline computed: the pixel that is covered is
+// covered here, at 800 / 640 of its coordinates.
+TEST(View3dPicture, FromTheEyeItAgreesWithTheFrameBuffer) {
+    const ViewContent content = pyramidContent({});
+    const QImage image = render(content, ViewPreset::Eye, {.normals = app::NormalsShown::Off, .lights = false});
+    const QRgb background = Theme::current().colors().view.rgb();
+    const app::Picture& picture = content.mesh->picture;
+    int compared = 0;
+    for (int y = 230; y < 320; y += 7)
+        for (int x = 230; x < 320; x += 7) {
+            const pipeline::Color8 expected = picture.pixels[std::size_t(y * picture.size.x + x)];
+            const QRgb shown = image.pixel(int((x + 0.5) * 1.25), int((y + 0.5) * 1.25));
+            if (expected == pipeline::Color8(0)) continue;
+            ++compared;
+            // Edges are drawn here and not there.
+            EXPECT_TRUE(difference(shown, qRgb(expected.r, expected.g, expected.b)) <= 2 || shown != background)
+                << x << ' ' << y;
+        }
+    EXPECT_GT(compared, 30);
+}
+
+TEST(View3dPicture, ViewsAreWrittenAsPictures) {
+    const test::TemporaryFolder folder;
+    const pipeline::Scene scene = test::pyramid();
+    const auto frame = test::frameOf(scene, app::contentBuffers(scene, false));
+    const auto files = app::writeViews(*frame, kRightFace, folder.path());
+    ASSERT_TRUE(files) << format(files.errors());
+    EXPECT_EQ(folder.names(),
+              (std::vector<std::string>{"everything.png", "eye.png", "front.png", "side.png", "top.png", "world.png"}));
+    for (const auto& file : *files) {
+        const test::Png png = test::readPng(file);
+        EXPECT_EQ(png.width, 1280);
+        EXPECT_EQ(png.height, 960);
+    }
+}
+
+TEST(View3dPicture, AFolderThatIsNotThereIsReported) {
+    const pipeline::Scene scene = test::pyramid();
+    const auto files = app::writeViews(*test::frameOf(scene), {}, "/nowhere/at/all");
+    ASSERT_FALSE(files);
+    EXPECT_EQ(files.errors().front().where.file, "/nowhere/at/all/world.png");
+}
