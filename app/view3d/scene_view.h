@@ -1,0 +1,86 @@
+#pragma once
+#include <QLabel>
+#include <QVariantAnimation>
+#include <QWidget>
+#include <memory>
+
+#include "app/view3d/vtk_widget.h"
+#include "app/view3d/world_drawing.h"
+
+namespace app {
+
+class ViewCorner;
+
+// A 3D view with its camera: what VTK renders, letters and legend over it, mouse and keys.
+// Left drag orbits, middle or Shift+left drag pans, the wheel zooms to the cursor; a click gives
+// the ray under it. Keys: 1 front, 3 side, 7 top, 9 iso, 0 from the eye, 5 orthographic,
+// R the first view again, A everything; arrows orbit, + and − zoom.
+class SceneView : public QWidget {
+    Q_OBJECT
+public:
+    explicit SceneView(QWidget* parent = nullptr);
+    ~SceneView() override;
+
+    // Null shows the sentence `empty` on a bare background. The camera stays, unless `newScene`.
+    void setContent(std::shared_ptr<const ViewContent> content, bool newScene);
+    void setEmptyText(const QString& sentence);
+    const std::shared_ptr<const ViewContent>& content() const { return m_content; }
+    void setOptions(const ViewOptions& options);
+    const ViewOptions& options() const { return m_options; }
+
+    const OrbitCamera& camera() const { return m_camera; }
+    void setCamera(const OrbitCamera& camera);
+    void go(ViewPreset preset);  // in 250 ms, or at once where motion is not wanted
+    void setOrthographic(bool orthographic);
+    ViewFrame viewFrame() const;
+    const Drawing& drawing() const { return m_drawing; }
+    // Why nothing is rendered here; empty where it works.
+    QString problem() const { return m_problem; }
+
+signals:
+    void optionsChanged();  // by the legend
+    void orthographicChanged(bool orthographic);
+    void clicked(const app::Ray& ray);
+    void hovered(const app::Ray& ray);
+    void left();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    class Overlay;
+    enum class Drag { None, Click, Orbit, Pan, Pick };
+
+    void refresh();  // after a change of camera, content, options or theme
+    void applyTheme();
+    void placeCorners();
+    void frameIfUntouched();
+    bool keyAction(int key);
+    Ray rayAt(QPointF position) const;
+
+    std::shared_ptr<const ViewContent> m_content;
+    ViewOptions m_options;
+    OrbitCamera m_camera;
+    Drawing m_drawing;
+    bool m_touched = false;  // the user has moved the camera; until then each new size is framed anew
+    QString m_problem;
+
+    VtkWidget* m_vtk = nullptr;  // null where there is no OpenGL
+    Overlay* m_overlay;
+    ViewCorner* m_legend;
+    ViewCorner* m_cube;
+    QLabel* m_sentence;
+    QVariantAnimation m_flight;
+    OrbitCamera m_from, m_to;
+
+    Drag m_drag = Drag::None;
+    QPointF m_pressedAt, m_last;
+};
+
+}  // namespace app

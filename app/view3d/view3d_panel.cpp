@@ -1,0 +1,185 @@
+#include "app/view3d/view3d_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/core/icons.h"
+#include "app/core/text.h"
+#include "app/core/theme.h"
+#include "app/view3d/view_settings.h"
+
+namespace app {
+
+View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
+    setAccessibleName(tr("3D view"));
+    m_view = new SceneView(this);
+    m_view->setObjectName("sceneView");
+    m_view->setEmptyText(tr("No scene yet. Open a file, or begin with the pyramid."));
+    buildHeader();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_header);
+    column->addWidget(m_view, 1);
+    setFocusProxy(m_view);
+
+    connect(m_view, &SceneView::clicked, this, &View3dPanel::pick);
+    connect(m_view, &SceneView::hovered, this, &View3dPanel::hover);
+    connect(m_view, &SceneView::left, this, [this] { m_document.hover({}); });
+    connect(m_view, &SceneView::optionsChanged, this, &View3dPanel::showOptions);
+    connect(m_view, &SceneView::orthographicChanged, m_orthographic, &QToolButton::setChecked);
+    connect(&document, &Document::sceneOpened, this, [this] {
+        m_newScene = true;
+        m_view->setContent(nullptr, true);
+        m_view->setEmptyText({});
+    });
+    connect(&document, &Document::sceneChanged, this, &View3dPanel::wantBuffers);
+    connect(&document, &Document::frameReady, this, &View3dPanel::takeFrame);
+    connect(&document, &Document::pixelChanged, this, &View3dPanel::takePixel);
+    connect(&Theme::current(), &Theme::changed, this, &View3dPanel::applyTheme);
+    applyTheme();
+    showOptions();
+    wantBuffers();
+    takeFrame();
+}
+
+void View3dPanel::buildHeader() {
+    m_header = new QWidget(this);
+    auto* row = new QHBoxLayout(m_header);
+    row->setSpacing(2);
+    m_title = new QLabel(tr("World space"), m_header);
+    row->addWidget(m_title);
+    row->addStretch(1);
+
+    m_orthographic =
+        addToggle("orthographic", tr("Orthographic"), tr("Orthographic (5): parallel lines stay parallel"));
+    connect(m_orthographic, &QToolButton::clicked, m_view, &SceneView::setOrthographic);
+    m_normals = addToggle("normals", tr("Normals"), tr("Normals of the polygons or vertices"));
+    connect(m_normals, &QToolButton::clicked, this, [this](bool on) {
+        ViewOptions options = m_view->options();
+        options.normals = on ? m_lastNormals : NormalsShown::Off;
+        changeOptions(options);
+    });
+    m_vectors = addToggle("vectors", tr("Vectors"), tr("N, L, V, R and H at the picked point"));
+    m_lights = addToggle("light", tr("Lights"), tr("Where the lights are"));
+    m_eye = addToggle("eye", tr("Eye and frustum"),
+                      tr("The scene's eye, its picture plane, and the ray to the picked point"));
+    const auto flip = [this](QToolButton* button, bool ViewOptions::*shown) {
+        connect(button, &QToolButton::clicked, this, [this, shown](bool on) {
+            ViewOptions options = m_view->options();
+            options.*shown = on;
+            changeOptions(options);
+        });
+    };
+    flip(m_vectors, &ViewOptions::vectors);
+    flip(m_lights, &ViewOptions::lights);
+    flip(m_eye, &ViewOptions::eye);
+
+    QToolButton* cameras = addMenuButton("cube", tr("Camera"), tr("Views from named directions"));
+    auto* menu = new QMenu(cameras);
+    const auto addView = [&](const QString& text, ViewPreset preset) {
+        connect(menu->addAction(text), &QAction::triggered, m_view, [this, preset] { m_view->go(preset); });
+    };
+    addView(tr("Front\t1"), ViewPreset::Front);
+    addView(tr("Side\t3"), ViewPreset::Side);
+    addView(tr("Top\t7"), ViewPreset::Top);
+    addView(tr("Iso\t9"), ViewPreset::Iso);
+    menu->addSeparator();
+    addView(tr("From the eye\t0"), ViewPreset::Eye);
+    addView(tr("Everything, the eye too\tA"), ViewPreset::Everything);
+    cameras->setMenu(menu);
+    cameras->setPopupMode(QToolButton::InstantPopup);
+
+    QToolButton* more = addMenuButton("sliders", tr("Arrows"), tr("Length and number of the arrows"));
+    auto* settings = new ViewSettings(more);
+    connect(settings, &ViewSettings::changed, this, &View3dPanel::changeOptions);
+    connect(more, &QToolButton::clicked, this, [this, more, settings] {
+        settings->setOptions(m_view->options());
+        settings->adjustSize();
+        settings->move(more->mapToGlobal(QPoint(more->width() - settings->width(), more->height())));
+        settings->show();
+    });
+}
+
+QToolButton* View3dPanel::addToggle(const QString& iconName, const QString& name, const QString& tip) {
+    QToolButton* button = addMenuButton(iconName, name, tip);
+    button->setCheckable(true);
+    return button;
+}
+
+QToolButton* View3dPanel::addMenuButton(const QString& iconName, const QString& name, const QString& tip) {
+    auto* button = new QToolButton(m_header);
+    button->setIcon(icon(iconName));
+    button->setAccessibleName(name);
+    button->setToolTip(tip);
+    button->setObjectName(iconName);
+    button->setFocusPolicy(Qt::TabFocus);
+    m_header->layout()->addWidget(button);
+    return button;
+}
+
+void View3dPanel::applyTheme() {
+    const Theme& theme = Theme::current();
+    m_header->setFixedHeight(theme.px(32));
+    m_header->layout()->setContentsMargins(theme.px(10), 0, theme.px(4), 0);
+    m_title->setFont(theme.text(13, 600));
+    for (auto* button : m_header->findChildren<QToolButton*>()) button->setIconSize(QSize(theme.px(16), theme.px(16)));
+}
+
+void View3dPanel::changeOptions(const ViewOptions& options) {
+    m_view->setOptions(options);
+    showOptions();
+    wantBuffers();
+}
+
+void View3dPanel::showOptions() {
+    const ViewOptions& options = m_view->options();
+    if (options.normals != NormalsShown::Off) m_lastNormals = options.normals;
+    m_normals->setChecked(options.normals != NormalsShown::Off);
+    m_vectors->setChecked(options.vectors);
+    m_lights->setChecked(options.lights);
+    m_eye->setChecked(options.eye);
+}
+
+void View3dPanel::wantBuffers() {
+    if (!m_document.hasScene()) return;
+    m_document.want(this, contentBuffers(m_document.scene(), m_view->options().normals == NormalsShown::Vertices));
+}
+
+void View3dPanel::takeFrame() {
+    const auto& frame = m_document.frame();
+    if (!frame) return;
+    m_view->setContent(std::make_shared<const ViewContent>(contentOf(*frame, m_document.pixel())),
+                       std::exchange(m_newScene, false));
+}
+
+void View3dPanel::takePixel() {
+    const auto& frame = m_document.frame();
+    if (!frame || !m_view->content()) return;
+    m_view->setContent(std::make_shared<const ViewContent>(withPixel(*m_view->content(), *frame, m_document.pixel())),
+                       false);
+}
+
+void View3dPanel::pick(const Ray& ray) {
+    const auto& frame = m_document.frame();
+    if (!frame || !m_view->content()) return;
+    const auto hit = firstHit(*m_view->content(), ray);
+    if (!hit) return;
+    const Shown shown = pixelShowing(*frame, *m_view->content(), *hit);
+    if (shown.pixel)
+        m_document.pick(shown.pixel);
+    else
+        emit m_document.said(toQString(shown.whyNot));
+}
+
+void View3dPanel::hover(const Ray& ray) {
+    const auto& frame = m_document.frame();
+    if (!frame || !m_view->content()) return;
+    const auto hit = firstHit(*m_view->content(), ray);
+    m_document.hover(hit ? pixelShowing(*frame, *m_view->content(), *hit).pixel : std::nullopt);
+}
+
+}  // namespace app

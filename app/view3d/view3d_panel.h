@@ -1,0 +1,44 @@
+#pragma once
+#include <QWidget>
+#include <memory>
+
+#include "app/core/document.h"
+#include "app/view3d/scene_view.h"
+
+class QLabel;
+class QToolButton;
+
+namespace app {
+
+// The 3D view of the document's frame: the scene in world space with normals, the vectors at the
+// picked point, lights, eye and frustum. A click picks the pixel that shows the point under it.
+class View3dPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit View3dPanel(Document& document, QWidget* parent = nullptr);
+
+    SceneView& view() { return *m_view; }
+    void changeOptions(const ViewOptions& options);
+
+private:
+    void buildHeader();
+    QToolButton* addToggle(const QString& icon, const QString& name, const QString& tip);
+    QToolButton* addMenuButton(const QString& icon, const QString& name, const QString& tip);
+    void applyTheme();
+    void showOptions();
+    void wantBuffers();
+    void takeFrame();
+    void takePixel();
+    void pick(const Ray& ray);
+    void hover(const Ray& ray);
+
+    Document& m_document;
+    SceneView* m_view;
+    QWidget* m_header;
+    QLabel* m_title;
+    QToolButton *m_orthographic, *m_normals, *m_vectors, *m_lights, *m_eye;
+    NormalsShown m_lastNormals = NormalsShown::Polygons;  // what the toggle brings back
+    bool m_newScene = true;
+};
+
+}  // namespace app

@@ -1,0 +1,106 @@
+#include "app/view3d/view_corner.h"
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QToolTip>
+#include <array>
+
+namespace app {
+
+namespace {
+
+constexpr double kCubeSide = 56;
+
+constexpr std::array<VectorCode, 5> kCodes{VectorCode::N, VectorCode::L, VectorCode::V, VectorCode::R, VectorCode::H};
+
+QString meaning(VectorCode code) {
+    switch (code) {
+        case VectorCode::N: return ViewCorner::tr("N, the normal");
+        case VectorCode::L: return ViewCorner::tr("L, to the light");
+        case VectorCode::V: return ViewCorner::tr("V, to the eye");
+        case VectorCode::R: return ViewCorner::tr("R, L mirrored in N");
+        case VectorCode::H: return ViewCorner::tr("H, half way between L and V");
+        case VectorCode::None: break;
+    }
+    return {};
+}
+
+QString name(CubeFace face) {
+    switch (face) {
+        case CubeFace::X: return ViewCorner::tr("Look along −x (3)");
+        case CubeFace::Y: return ViewCorner::tr("Look along −y");
+        case CubeFace::Z: return ViewCorner::tr("Look down from the top (7)");
+        case CubeFace::MinusX: return ViewCorner::tr("Look along x");
+        case CubeFace::MinusY: return ViewCorner::tr("Look along y (1)");
+        case CubeFace::MinusZ: return ViewCorner::tr("Look up from below");
+        case CubeFace::Middle: return ViewCorner::tr("Iso view (9)");
+        case CubeFace::None: break;
+    }
+    return {};
+}
+
+}  // namespace
+
+ViewCorner::ViewCorner(Kind kind, QWidget* parent) : QWidget(parent), m_kind(kind) {
+    setCursor(Qt::PointingHandCursor);
+    setFocusPolicy(Qt::NoFocus);
+    setAccessibleName(kind == Kind::Legend ? tr("Legend of the vectors") : tr("Directions"));
+    if (kind == Kind::Legend)
+        setAccessibleDescription(
+            tr("N normal, L to the light, V to the eye, R mirrored L, H half way. A click hides one."));
+}
+
+QSize ViewCorner::sizeHint() const {
+    const int side = Theme::current().px(kCubeSide);
+    return m_kind == Kind::Legend ? legendSize().toSize() : QSize(side, side);
+}
+
+void ViewCorner::setOptions(const ViewOptions& options) {
+    if (options == m_options) return;
+    m_options = options;
+    update();
+}
+
+void ViewCorner::setCamera(const OrbitCamera& camera) {
+    if (camera == m_camera) return;
+    m_camera = camera;
+    update();
+}
+
+void ViewCorner::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    if (m_kind == Kind::Legend)
+        paintLegend(painter, {0, 0}, m_options);
+    else
+        paintCube(painter, rect(), m_camera);
+}
+
+VectorCode ViewCorner::vectorAt(QPointF position) const {
+    if (m_kind == Kind::Legend)
+        for (const VectorCode code : kCodes)
+            if (legendEntry(code, {0, 0}).contains(position)) return code;
+    return VectorCode::None;
+}
+
+void ViewCorner::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    if (const VectorCode code = vectorAt(event->position()); code != VectorCode::None) emit vectorClicked(code);
+    if (m_kind != Kind::Cube) return;
+    if (const CubeFace face = cubeFaceAt(rect(), m_camera, event->position()); face != CubeFace::None)
+        emit faceClicked(face);
+}
+
+bool ViewCorner::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QString text;
+    if (m_kind == Kind::Cube) {
+        text = name(cubeFaceAt(rect(), m_camera, help->pos()));
+    } else if (const VectorCode code = vectorAt(help->pos()); code != VectorCode::None) {
+        text = meaning(code) + (m_options.shows(code) ? tr(". A click hides it.") : tr(". A click shows it."));
+    }
+    QToolTip::showText(help->globalPos(), text, this);
+    return true;
+}
+
+}  // namespace app

@@ -1,0 +1,96 @@
+#include "app/view3d/view_settings.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <cmath>
+
+#include "app/core/theme.h"
+
+namespace app {
+
+namespace {
+
+// Lengths from 4 to 400 pixels by equal factors: the short ones need the finer steps.
+constexpr double kShortest = 4, kFactor = 100;
+constexpr int kSteps = 200;
+int stepOf(double length) { return int(std::lround(kSteps * std::log(length / kShortest) / std::log(kFactor))); }
+double lengthOf(int step) { return std::round(kShortest * std::pow(kFactor, double(step) / kSteps)); }
+
+}  // namespace
+
+ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
+    setAttribute(Qt::WA_StyledBackground);
+    setAccessibleName(tr("Settings of the 3D view"));
+    auto* grid = new QGridLayout(this);
+    const int padding = Theme::current().px(12);
+    grid->setContentsMargins(padding, padding, padding, padding);
+    grid->setHorizontalSpacing(padding);
+    grid->setVerticalSpacing(Theme::current().px(8));
+    m_normals = new QComboBox(this);
+    m_normals->addItems({tr("Off"), tr("Polygon normals"), tr("Vertex normals")});
+    m_normals->setAccessibleName(tr("Normals"));
+    m_normals->setToolTip(tr("Which normals stand on the objects"));
+    auto* label = new QLabel(tr("Normals"), this);
+    label->setBuddy(m_normals);
+    grid->addWidget(label, 0, 0);
+    grid->addWidget(m_normals, 0, 1, 1, 2);
+    m_normalLength = addSlider(tr("Length"), tr("Length of a normal's arrow, 4 to 400 pixels"), 0, kSteps);
+    m_every = addSlider(tr("Every k-th"), tr("Shows every k-th normal, so that a dense mesh stays readable"), 1, 64);
+    m_vectorLength =
+        addSlider(tr("Vectors"), tr("Length of N, L, V, R and H at the picked point, 4 to 400 pixels"), 0, kSteps);
+    connect(m_normals, &QComboBox::currentIndexChanged, this, &ViewSettings::take);
+    setOptions({});
+}
+
+ViewSettings::Row ViewSettings::addSlider(const QString& name, const QString& tip, int low, int high) {
+    auto* grid = static_cast<QGridLayout*>(layout());
+    const int row = grid->rowCount();
+    Row result{new QSlider(Qt::Horizontal, this), new QLabel(this)};
+    result.slider->setRange(low, high);
+    result.slider->setMinimumWidth(Theme::current().px(150));
+    result.slider->setAccessibleName(name);
+    result.slider->setToolTip(tip);
+    result.value->setFont(Theme::current().mono(12));
+    result.value->setMinimumWidth(Theme::current().px(56));
+    result.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* label = new QLabel(name, this);
+    label->setBuddy(result.slider);
+    grid->addWidget(label, row, 0);
+    grid->addWidget(result.slider, row, 1);
+    grid->addWidget(result.value, row, 2);
+    connect(result.slider, &QSlider::valueChanged, this, &ViewSettings::take);
+    return result;
+}
+
+void ViewSettings::setOptions(const ViewOptions& options) {
+    m_options = options;
+    const QSignalBlocker a(m_normals), b(m_normalLength.slider), c(m_every.slider), d(m_vectorLength.slider);
+    m_normals->setCurrentIndex(int(options.normals));
+    m_normalLength.slider->setValue(stepOf(options.normalLength));
+    m_every.slider->setValue(options.everyNormal);
+    m_vectorLength.slider->setValue(stepOf(options.vectorLength));
+    showValues();
+}
+
+void ViewSettings::take() {
+    m_options.normals = static_cast<NormalsShown>(m_normals->currentIndex());
+    m_options.normalLength = lengthOf(m_normalLength.slider->value());
+    m_options.everyNormal = m_every.slider->value();
+    m_options.vectorLength = lengthOf(m_vectorLength.slider->value());
+    showValues();
+    emit changed(m_options);
+}
+
+void ViewSettings::showValues() {
+    m_normalLength.value->setText(tr("%1 px").arg(std::round(m_options.normalLength)));
+    m_vectorLength.value->setText(tr("%1 px").arg(std::round(m_options.vectorLength)));
+    m_every.value->setText(m_options.everyNormal == 1 ? tr("all") : tr("1 in %1").arg(m_options.everyNormal));
+    const bool any = m_options.normals != NormalsShown::Off;
+    m_normalLength.slider->setEnabled(any);
+    m_every.slider->setEnabled(any);
+}
+
+}  // namespace app

@@ -1,0 +1,36 @@
+#pragma once
+#include <QWidget>
+
+#include "app/view3d/view_options.h"
+
+class QComboBox;
+class QLabel;
+class QSlider;
+
+namespace app {
+
+// The small popup of a 3D view: which normals, how long, how many; how long the vectors.
+class ViewSettings : public QWidget {
+    Q_OBJECT
+public:
+    explicit ViewSettings(QWidget* parent = nullptr);
+    void setOptions(const ViewOptions& options);  // says nothing
+
+signals:
+    void changed(const app::ViewOptions& options);
+
+private:
+    struct Row {
+        QSlider* slider;
+        QLabel* value;
+    };
+    Row addSlider(const QString& name, const QString& tip, int low, int high);
+    void take();
+    void showValues();
+
+    ViewOptions m_options;
+    QComboBox* m_normals;
+    Row m_normalLength{}, m_every{}, m_vectorLength{};
+};
+
+}  // namespace app

@@ -1,0 +1,224 @@
+#include <gtest/gtest.h>
+
+#include <QGuiApplication>
+#include <QImage>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <cmath>
+
+#include "app/core/document.h"
+#include "app/core/theme.h"
+#include "app/view3d/view3d_panel.h"
+#include "tests/support/scenes.h"
+
+// The real panel, shown, clicked and looked at. Needs a display with OpenGL; without one a single
+// test checks what the panel says instead.
+namespace {
+
+using app::Document;
+using app::SceneView;
+using app::Theme;
+using app::ThemeId;
+using app::Vec3d;
+using app::View3dPanel;
+
+constexpr glm::ivec2 kRightFace{268, 281};
+
+class View3dWindow : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!app::openGlProblem().isEmpty()) GTEST_SKIP() << "no OpenGL 3.2 here";
+        panel.resize(640, 480);
+        panel.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    }
+    void TearDown() override { Theme::current().set(ThemeId::Light); }
+
+    void openPyramid() {
+        QSignalSpy ready(&document, &Document::frameReady);
+        document.setScene(test::pyramid());
+        ASSERT_TRUE(ready.wait());
+    }
+    QImage picture() {
+        QTest::qWait(30);
+        return panel.grab().toImage();
+    }
+    // Where a point of the world stands in the panel.
+    QPoint at(Vec3d point) {
+        const app::ViewFrame frame = view.viewFrame();
+        const glm::dvec2 p = app::project(frame.camera, frame.size, point).at;
+        return view.mapTo(&panel, QPoint(int(p.x), int(p.y)));
+    }
+    void clickAt(Vec3d point) { QTest::mouseClick(&view, Qt::LeftButton, {}, view.mapFrom(&panel, at(point))); }
+    static bool isNear(QRgb a, QColor b, int tolerance = 3) {
+        return std::abs(qRed(a) - b.red()) <= tolerance && std::abs(qGreen(a) - b.green()) <= tolerance &&
+               std::abs(qBlue(a) - b.blue()) <= tolerance;
+    }
+    int countNear(const QImage& image, QPoint middle, int radius, QColor color) {
+        int count = 0;
+        for (int y = middle.y() - radius; y <= middle.y() + radius; ++y)
+            for (int x = middle.x() - radius; x <= middle.x() + radius; ++x)
+                if (image.valid(x, y) && isNear(image.pixel(x, y), color)) ++count;
+        return count;
+    }
+
+    Document document;
+    View3dPanel panel{document};
+    SceneView& view = panel.view();
+};
+
+}  // namespace
+
+TEST_F(View3dWindow, SaysWhatToDoWithoutAScene) {
+    bool found = false;
+    for (const QLabel* label : view.findChildren<QLabel*>())
+        found |= label->isVisible() && label->text() == "No scene yet. Open a file, or begin with the pyramid.";
+    EXPECT_TRUE(found);
+}
+
+TEST_F(View3dWindow, ShowsTheSceneInTheFrameBuffersColours) {
+    openPyramid();
+    // Below the middle of polygon 2, beside its normal's arrow.
+    EXPECT_GT(countNear(picture(), at({335, 137.5, 25}), 3, QColor(37, 93, 167)), 40);
+}
+
+TEST_F(View3dWindow, APickedPixelBringsItsVectors) {
+    openPyramid();
+    document.pick(kRightFace);
+    const QImage image = picture();
+    int letters = 0;
+    for (const app::Label& label : view.drawing().labels) {
+        if (label.kind != app::Label::Kind::Letter) continue;
+        ++letters;
+        EXPECT_GT(countNear(image, at(label.at), 9, app::colorOf(label.ink, Theme::current().colors())), 8)
+            << label.text;
+    }
+    EXPECT_EQ(letters, 5);
+    document.pick(glm::ivec2{1, 1});  // background
+    EXPECT_TRUE(view.drawing().vectors.empty());
+}
+
+TEST_F(View3dWindow, ThemesSwitchLive) {
+    openPyramid();
+    for (const ThemeId id : {ThemeId::Dark, ThemeId::Light}) {
+        Theme::current().set(id);
+        const QImage image = picture();
+        EXPECT_TRUE(isNear(image.pixel(12, image.height() / 3), Theme::colors(id).view, 6));
+    }
+}
+
+TEST_F(View3dWindow, AClickPicksThePixelThatShowsThePoint) {
+    openPyramid();
+    clickAt({335, 125, 50});
+    ASSERT_TRUE(document.pixel());
+    // Where lecture 1's camera puts that point: 320 + 200 · (−210 sin 45°) / z_v and 240 − 200 y_v / z_v with
+    // z_v = 1000 − 460 sin 60° cos 45° − 25 = 693.31, y_v = −460 cos 60° cos 45° + 50 sin 60° = −119.33.
+    EXPECT_NEAR(document.pixel()->x, 277.2, 1.5);
+    EXPECT_NEAR(document.pixel()->y, 274.4, 1.5);
+}
+
+TEST_F(View3dWindow, AClickOnWhatTheEyeDoesNotSeeSaysWhy) {
+    openPyramid();
+    view.go(app::ViewPreset::Front);  // polygon 0 faces this way, away from the eye
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.camera().forward == Vec3d(0, 1, 0); }, 5000));
+    QSignalSpy said(&document, &Document::said);
+    clickAt({335, 25, 50});
+    EXPECT_FALSE(document.pixel());
+    ASSERT_EQ(said.count(), 1);
+    EXPECT_TRUE(said[0][0].toString().contains("polygon 0"));
+}
+
+TEST_F(View3dWindow, DraggingOrbitsAndPicksNothing) {
+    openPyramid();
+    const app::OrbitCamera before = view.camera();
+    const QPoint middle = view.rect().center();
+    QTest::mousePress(&view, Qt::LeftButton, {}, middle);
+    QTest::mouseMove(&view, middle + QPoint(40, 10));
+    QTest::mouseMove(&view, middle + QPoint(80, 20));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(80, 20));
+    EXPECT_FALSE(document.pixel());
+    EXPECT_GT(glm::length(view.camera().forward - before.forward), 0.1);
+    EXPECT_EQ(view.camera().target, before.target);
+}
+
+TEST_F(View3dWindow, KeysGoToNamedViewsAndNothingElseListens) {
+    openPyramid();
+    const auto goesTo = [&](Qt::Key key, Vec3d forward) {
+        QTest::keyClick(&view, key);
+        return QTest::qWaitFor([&] { return glm::length(view.camera().forward - forward) < 1e-9; }, 5000);
+    };
+    EXPECT_TRUE(goesTo(Qt::Key_7, {0, 0, -1}));
+    EXPECT_TRUE(goesTo(Qt::Key_3, {-1, 0, 0}));
+    QTest::keyClick(&view, Qt::Key_5);
+    EXPECT_TRUE(view.camera().orthographic);
+    EXPECT_TRUE(panel.findChild<QToolButton*>("orthographic")->isChecked());
+    QTest::keyClick(&view, Qt::Key_5);
+    EXPECT_TRUE(goesTo(Qt::Key_1, {0, 1, 0}));
+    // VTK would act on these.
+    const QImage before = picture();
+    for (const Qt::Key key : {Qt::Key_W, Qt::Key_S, Qt::Key_E, Qt::Key_Q, Qt::Key_F}) QTest::keyClick(&view, key);
+    EXPECT_EQ(picture(), before);
+}
+
+TEST_F(View3dWindow, TheLegendHidesAVector) {
+    openPyramid();
+    document.pick(kRightFace);
+    ASSERT_EQ(view.drawing().vectors.size(), 5u);
+    app::ViewOptions options = view.options();
+    options.shown[std::size_t(app::VectorCode::R)] = false;
+    view.setOptions(options);
+    EXPECT_EQ(view.drawing().vectors.size(), 4u);
+    panel.findChild<QToolButton*>("vectors")->click();
+    EXPECT_TRUE(view.drawing().vectors.empty());
+}
+
+TEST_F(View3dWindow, EveryControlHasANameAndATip) {
+    for (const QToolButton* button : panel.findChildren<QToolButton*>()) {
+        EXPECT_FALSE(button->accessibleName().isEmpty());
+        EXPECT_FALSE(button->toolTip().isEmpty());
+    }
+}
+
+TEST_F(View3dWindow, WantsNoMoreThanTheShadingLeaves) {
+    openPyramid();
+    EXPECT_FALSE(document.frame()->buffer({pipeline::BufferId::VerticesNormal})) << "flat shading leaves none";
+    app::ViewOptions options = view.options();
+    options.normals = app::NormalsShown::Vertices;
+    QSignalSpy ready(&document, &Document::frameReady);
+    panel.changeOptions(options);
+    ASSERT_TRUE(ready.wait());
+    EXPECT_EQ(view.content()->mesh->vertexNormals.size(), 5u);
+}
+
+TEST_F(View3dWindow, SurvivesBeingMovedToAnotherWindow) {
+    openPyramid();
+    QWidget other;
+    other.resize(500, 400);
+    panel.setParent(&other);
+    other.show();
+    panel.setGeometry(0, 0, 500, 400);
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&other));
+    EXPECT_GT(countNear(picture(), at({335, 137.5, 25}), 3, QColor(37, 93, 167)), 20);
+    panel.hide();
+    panel.setParent(nullptr);
+}
+
+TEST(View3dWithoutOpenGl, SaysSoAndGoesOn) {
+    if (app::openGlProblem().isEmpty()) GTEST_SKIP() << "this machine has OpenGL 3.2";
+    Document document;
+    View3dPanel panel(document);
+    panel.resize(400, 300);
+    panel.show();
+    QSignalSpy ready(&document, &Document::frameReady);
+    document.setScene(test::pyramid());
+    ASSERT_TRUE(ready.wait());
+    document.pick(kRightFace);
+    EXPECT_EQ(panel.view().problem(), "This machine gives no OpenGL 3.2. Buffers still work.");
+    bool found = false;
+    for (const QLabel* label : panel.view().findChildren<QLabel*>())
+        found |= label->isVisible() && label->text() == panel.view().problem();
+    EXPECT_TRUE(found);
+}
