@@ -8,6 +8,7 @@
 #include "app/core/theme.h"
 #include "app/view3d/headless_window.h"
 #include "app/view3d/overlay.h"
+#include "app/view3d/point_drawing.h"
 #include "app/view3d/world_scene.h"
 
 namespace app {
@@ -67,18 +68,29 @@ public:
 
     QImage render(ViewPreset preset) {
         const ViewFrame view{presetCamera(preset, *m_content, m_options, m_size, false), m_size};
-        const Drawing drawing = drawWorld(*m_content, m_options, view);
+        return paint(view, drawWorld(*m_content, m_options, view), true);
+    }
+
+    // "At the point"; from then on the window shows `point` in place of the world.
+    QImage renderPoint(std::shared_ptr<const ViewContent> point) {
+        m_scene.setContent(point, {});
+        const ViewFrame view{pointCamera(ViewPreset::Iso, *point, m_size, false), m_size};
+        return paint(view, drawPoint(*point, m_options, view), false);
+    }
+
+private:
+    QImage paint(const ViewFrame& view, const Drawing& drawing, bool withCube) {
         m_scene.setView(view, drawing, 1);
         QImage image = m_window->render();
         QPainter painter(&image);
         paintOverlay(painter, drawing, view);
         constexpr double kMargin = 12, kCube = 72;
         if (m_content->point) paintLegend(painter, {kMargin, m_size.y - kMargin - legendSize().height()}, m_options);
-        paintCube(painter, {m_size.x - kMargin - kCube, m_size.y - kMargin - kCube, kCube, kCube}, view.camera);
+        if (withCube)
+            paintCube(painter, {m_size.x - kMargin - kCube, m_size.y - kMargin - kCube, kCube, kCube}, view.camera);
         return image;
     }
 
-private:
     std::shared_ptr<HeadlessWindow> m_window;
     std::shared_ptr<const ViewContent> m_content;
     ViewOptions m_options;
@@ -102,14 +114,21 @@ pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::
     if (!fonts.ready()) return pipeline::Error{{}, "no font system for the letters of the views", {}};
     const auto window = HeadlessWindow::create(kSize);
     if (!window) return window.errors();
-    ViewRenderer renderer(*window, std::make_shared<const ViewContent>(contentOf(frame, pixel)), {}, kSize);
+    const auto content = std::make_shared<const ViewContent>(contentOf(frame, pixel));
+    // Twice as large as in a window, where the view is a part of the screen.
+    ViewRenderer renderer(*window, content, {.normalLength = 60, .vectorLength = 220}, kSize);
     std::vector<std::filesystem::path> files;
-    for (const View& view : kViews) {
-        const std::filesystem::path file = folder / view.file;
-        if (!savePng(renderer.render(view.preset), file))
-            return pipeline::Error{{file.string(), 0, 0}, "could not be written", {}};
-        files.push_back(file);
-    }
+    pipeline::Errors errors;
+    const auto write = [&](const QImage& image, const char* name) {
+        files.push_back(folder / name);
+        if (!savePng(image, files.back()))
+            errors.push_back({{files.back().string(), 0, 0}, "could not be written", {}});
+        return errors.empty();
+    };
+    for (const View& view : kViews)
+        if (!write(renderer.render(view.preset), view.file)) return errors;
+    if (const auto point = pointContent(*content); point && !write(renderer.renderPoint(point), "point.png"))
+        return errors;
     return files;
 }
 

@@ -20,7 +20,7 @@ pipeline::Result<QImage> renderView(const ViewContent& content, const ViewOption
 
 // The 3D views of a frame as PNG files of 1280 × 960 pixels in `folder`: world.png, front.png,
 // side.png, top.png, eye.png and everything.png (the eye and its picture plane included), with
-// the vectors of `pixel` where one is given. Works without a display; makes a QGuiApplication
+// the vectors of `pixel` where one is given, and then point.png, the hemisphere there. Works without a display; makes a QGuiApplication
 // where there is none. Errors: no EGL with OpenGL 3.2, or a file that cannot be written.
 pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::Frame& frame,
                                                                 std::optional<glm::ivec2> pixel,

@@ -8,6 +8,7 @@
 
 #include "app/core/theme.h"
 #include "app/view3d/overlay.h"
+#include "app/view3d/point_drawing.h"
 #include "app/view3d/view_corner.h"
 
 namespace app {
@@ -37,7 +38,7 @@ public:
 
 protected:
     void paintEvent(QPaintEvent*) override {
-        if (!m_view->m_content || !m_view->m_problem.isEmpty()) return;
+        if (!m_view->shown() || !m_view->m_problem.isEmpty()) return;
         QPainter painter(this);
         paintOverlay(painter, m_view->m_drawing, m_view->viewFrame());
     }
@@ -82,14 +83,11 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
     connect(m_cube, &ViewCorner::faceClicked, this, [this](CubeFace face) {
         if (!m_content) return;
         if (face == CubeFace::Middle) return go(ViewPreset::Iso);
-        OrbitCamera camera =
-            presetCamera(ViewPreset::Front, *m_content, m_options, viewFrame().size, m_camera.orthographic);
+        OrbitCamera camera = cameraOf(ViewPreset::Front);
         lookAlong(camera, directionOf(face));
         frame(camera, sceneExtent(*m_content, m_options), viewFrame().size);
-        m_to = camera;
-        m_from = m_camera;
         m_touched = true;
-        m_flight.start();
+        flyTo(camera);
     });
     m_flight.setDuration(kFlightMilliseconds);
     m_flight.setStartValue(0.0);
@@ -109,13 +107,32 @@ ViewFrame SceneView::viewFrame() const { return {m_camera, {std::max(width(), 1)
 
 void SceneView::setContent(std::shared_ptr<const ViewContent> content, bool newScene) {
     m_content = std::move(content);
-    if (m_vtk) m_vtk->setContent(m_content, m_content ? groundLines(*m_content) : std::vector<InkedLine>{});
-    if (newScene) m_touched = false;
-    frameIfUntouched();
+    m_point = m_content ? pointContent(*m_content) : nullptr;
+    if (newScene) m_touched = m_otherTouched = false;
+    showContent();
+}
+
+void SceneView::setEmptyText(const QString& sentence) {
+    m_emptyText = sentence;
     refresh();
 }
 
-void SceneView::setEmptyText(const QString& sentence) { m_sentence->setText(sentence); }
+void SceneView::setSpace(ViewSpace space) {
+    if (space == m_space) return;
+    m_flight.stop();
+    m_space = space;
+    std::swap(m_camera, m_otherCamera);
+    std::swap(m_touched, m_otherTouched);
+    m_camera.orthographic = m_otherCamera.orthographic;
+    showContent();
+}
+
+void SceneView::showContent() {
+    const bool ground = m_space == ViewSpace::World && m_content;
+    if (m_vtk) m_vtk->setContent(shown(), ground ? groundLines(*m_content) : std::vector<InkedLine>{});
+    frameIfUntouched();
+    refresh();
+}
 
 void SceneView::setOptions(const ViewOptions& options) {
     if (options == m_options) return;
@@ -133,12 +150,22 @@ void SceneView::setCamera(const OrbitCamera& camera) {
     if (turned) emit orthographicChanged(camera.orthographic);
 }
 
+OrbitCamera SceneView::cameraOf(ViewPreset preset) const {
+    return m_space == ViewSpace::World
+               ? presetCamera(preset, *m_content, m_options, viewFrame().size, m_camera.orthographic)
+               : pointCamera(preset, *m_point, viewFrame().size, m_camera.orthographic);
+}
+
 void SceneView::go(ViewPreset preset) {
-    if (!m_content) return;
-    m_from = m_camera;
-    m_to = presetCamera(preset, *m_content, m_options, viewFrame().size, m_camera.orthographic);
+    if (!shown()) return;
     m_touched = preset != ViewPreset::Iso;
+    flyTo(cameraOf(preset));
+}
+
+void SceneView::flyTo(const OrbitCamera& camera) {
     m_flight.stop();
+    m_from = m_camera;
+    m_to = camera;
     m_flight.start();
 }
 
@@ -151,19 +178,26 @@ void SceneView::setOrthographic(bool orthographic) {
 }
 
 void SceneView::frameIfUntouched() {
-    if (m_touched || !m_content) return;
+    if (m_touched || !shown()) return;
     m_flight.stop();
-    m_camera = presetCamera(ViewPreset::Iso, *m_content, m_options, viewFrame().size, m_camera.orthographic);
+    m_camera = cameraOf(ViewPreset::Iso);
 }
 
 void SceneView::refresh() {
-    const bool works = m_problem.isEmpty() && m_content != nullptr;
-    m_drawing = works ? drawWorld(*m_content, m_options, viewFrame()) : Drawing{};
+    const bool works = m_problem.isEmpty() && shown() != nullptr;
+    if (!works)
+        m_drawing = {};
+    else if (m_space == ViewSpace::World)
+        m_drawing = drawWorld(*m_content, m_options, viewFrame());
+    else
+        m_drawing = drawPoint(*m_point, m_options, viewFrame());
     if (m_vtk) m_vtk->setView(viewFrame(), m_drawing);
-    if (!m_problem.isEmpty()) m_sentence->setText(m_problem);
+    m_sentence->setText(!m_problem.isEmpty() ? m_problem
+                        : !m_content         ? m_emptyText
+                                             : tr("Click a pixel of an object to see the vectors at its point."));
     m_sentence->setVisible(!works);
     m_legend->setVisible(works);
-    m_cube->setVisible(works);
+    m_cube->setVisible(works && m_space == ViewSpace::World);
     m_legend->setOptions(m_options);
     m_cube->setCamera(m_camera);
     m_overlay->update();
@@ -213,15 +247,15 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift)) {
         m_drag = Drag::Pan;
     } else if (event->button() == Qt::LeftButton) {
-        m_drag = control ? Drag::Pick : Drag::Click;
-        if (control) emit clicked(rayAt(event->position()));
+        m_drag = control && m_space == ViewSpace::World ? Drag::Pick : Drag::Click;
+        if (m_drag == Drag::Pick) emit clicked(rayAt(event->position()));
     }
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF position = event->position(), d = position - m_last;
     if (m_drag == Drag::None) {
-        if (m_content) emit hovered(rayAt(position));
+        if (m_content && m_space == ViewSpace::World) emit hovered(rayAt(position));
         return;
     }
     if (m_drag == Drag::Pick) {
@@ -242,7 +276,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_drag == Drag::Click && m_content) emit clicked(rayAt(event->position()));
+    if (m_drag == Drag::Click && m_content && m_space == ViewSpace::World) emit clicked(rayAt(event->position()));
     m_drag = Drag::None;
 }
 
@@ -253,7 +287,7 @@ void SceneView::leaveEvent(QEvent* event) {
 
 void SceneView::wheelEvent(QWheelEvent* event) {
     const double notches = event->angleDelta().y() / 120.0;
-    if (!m_content || notches == 0) return;
+    if (!shown() || notches == 0) return;
     m_flight.stop();
     m_touched = true;
     zoomAt(m_camera, std::pow(kWheelStep, -notches), {event->position().x(), event->position().y()}, viewFrame().size);
@@ -263,7 +297,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
     const bool plain = !(event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier));
-    if (!plain || !m_content || !keyAction(event->key())) QWidget::keyPressEvent(event);
+    if (!plain || !shown() || !keyAction(event->key())) QWidget::keyPressEvent(event);
 }
 
 bool SceneView::keyAction(int key) {

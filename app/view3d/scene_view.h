@@ -11,6 +11,9 @@ namespace app {
 
 class ViewCorner;
 
+// What a view looks at: the whole scene, or the vectors at the picked point alone.
+enum class ViewSpace { World, Point };
+
 // A 3D view with its camera: what VTK renders, letters and legend over it, mouse and keys.
 // Left drag orbits, middle or Shift+left drag pans, the wheel zooms to the cursor; a click gives
 // the ray under it. Keys: 1 front, 3 side, 7 top, 9 iso, 0 from the eye, 5 orthographic,
@@ -21,10 +24,13 @@ public:
     explicit SceneView(QWidget* parent = nullptr);
     ~SceneView() override;
 
-    // Null shows the sentence `empty` on a bare background. The camera stays, unless `newScene`.
+    // Null shows the sentence of setEmptyText on a bare background. The camera stays, unless `newScene`.
     void setContent(std::shared_ptr<const ViewContent> content, bool newScene);
     void setEmptyText(const QString& sentence);
     const std::shared_ptr<const ViewContent>& content() const { return m_content; }
+    // Each space keeps its own camera.
+    void setSpace(ViewSpace space);
+    ViewSpace space() const { return m_space; }
     void setOptions(const ViewOptions& options);
     const ViewOptions& options() const { return m_options; }
 
@@ -40,7 +46,7 @@ public:
 signals:
     void optionsChanged();  // by the legend
     void orthographicChanged(bool orthographic);
-    void clicked(const app::Ray& ray);
+    void clicked(const app::Ray& ray);  // in world space; so hovered
     void hovered(const app::Ray& ray);
     void left();
 
@@ -61,14 +67,24 @@ private:
     void applyTheme();
     void placeCorners();
     void frameIfUntouched();
+    void showContent();
+    const std::shared_ptr<const ViewContent>& shown() const {
+        return m_space == ViewSpace::World ? m_content : m_point;
+    }
+    OrbitCamera cameraOf(ViewPreset preset) const;
+    void flyTo(const OrbitCamera& camera);
     bool keyAction(int key);
     Ray rayAt(QPointF position) const;
 
-    std::shared_ptr<const ViewContent> m_content;
+    ViewSpace m_space = ViewSpace::World;
+    std::shared_ptr<const ViewContent> m_content;  // of the world
+    std::shared_ptr<const ViewContent> m_point;    // of the picked point; null where none is picked
+    QString m_emptyText;
     ViewOptions m_options;
-    OrbitCamera m_camera;
+    OrbitCamera m_camera, m_otherCamera;  // of the space on show; of the other
     Drawing m_drawing;
-    bool m_touched = false;  // the user has moved the camera; until then each new size is framed anew
+    // The user has moved the camera; until then each new size is framed anew.
+    bool m_touched = false, m_otherTouched = false;
     QString m_problem;
 
     VtkWidget* m_vtk = nullptr;  // null where there is no OpenGL

@@ -40,6 +40,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(&document, &Document::frameReady, this, &View3dPanel::takeFrame);
     connect(&document, &Document::pixelChanged, this, &View3dPanel::takePixel);
     connect(&Theme::current(), &Theme::changed, this, &View3dPanel::applyTheme);
+    setSpace(ViewSpace::World);
     applyTheme();
     showOptions();
     wantBuffers();
@@ -50,8 +51,18 @@ void View3dPanel::buildHeader() {
     m_header = new QWidget(this);
     auto* row = new QHBoxLayout(m_header);
     row->setSpacing(2);
-    m_title = new QLabel(tr("World space"), m_header);
-    row->addWidget(m_title);
+    m_space = addMenuButton("chevron-down", tr("Space"), tr("What this view shows"));
+    m_space->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_space->setLayoutDirection(Qt::RightToLeft);  // the arrow after the name
+    m_space->setPopupMode(QToolButton::InstantPopup);
+    auto* spaces = new QMenu(m_space);
+    spaces->setLayoutDirection(Qt::LeftToRight);
+    connect(spaces->addAction(tr("World space")), &QAction::triggered, this, [this] { setSpace(ViewSpace::World); });
+    connect(spaces->addAction(tr("At the point")), &QAction::triggered, this, [this] { setSpace(ViewSpace::Point); });
+    m_space->setMenu(spaces);
+    m_remark = new QLabel(m_header);
+    m_remark->setProperty("tone", "3");
+    row->addWidget(m_remark);
     row->addStretch(1);
 
     m_orthographic =
@@ -124,8 +135,9 @@ QToolButton* View3dPanel::addMenuButton(const QString& iconName, const QString& 
 void View3dPanel::applyTheme() {
     const Theme& theme = Theme::current();
     m_header->setFixedHeight(theme.px(32));
-    m_header->layout()->setContentsMargins(theme.px(10), 0, theme.px(4), 0);
-    m_title->setFont(theme.text(13, 600));
+    m_header->layout()->setContentsMargins(theme.px(6), 0, theme.px(4), 0);
+    m_space->setFont(theme.text(13, 600));
+    m_remark->setFont(theme.text(12));
     for (auto* button : m_header->findChildren<QToolButton*>()) button->setIconSize(QSize(theme.px(16), theme.px(16)));
 }
 
@@ -142,6 +154,19 @@ void View3dPanel::showOptions() {
     m_vectors->setChecked(options.vectors);
     m_lights->setChecked(options.lights);
     m_eye->setChecked(options.eye);
+}
+
+void View3dPanel::setSpace(ViewSpace space) {
+    m_view->setSpace(space);
+    const bool world = space == ViewSpace::World;
+    m_space->setText(world ? tr("World space") : tr("At the point"));
+    m_remark->setText(world ? QString() : tr("unit hemisphere, N up"));
+    for (auto [button, tip] : {std::pair{m_normals, tr("Normals of the polygons or vertices")},
+                               {m_lights, tr("Where the lights are")},
+                               {m_eye, tr("The scene's eye, its picture plane, and the ray to the picked point")}}) {
+        button->setEnabled(world);
+        button->setToolTip(world ? tip : tr("Only in world space. %1").arg(tip));
+    }
 }
 
 void View3dPanel::wantBuffers() {

@@ -19,6 +19,8 @@ public:
 
     SceneView& view() { return *m_view; }
     void changeOptions(const ViewOptions& options);
+    // World space, or the hemisphere at the picked point.
+    void setSpace(ViewSpace space);
 
 private:
     void buildHeader();
@@ -35,7 +37,8 @@ private:
     Document& m_document;
     SceneView* m_view;
     QWidget* m_header;
-    QLabel* m_title;
+    QToolButton* m_space;
+    QLabel* m_remark;
     QToolButton *m_orthographic, *m_normals, *m_vectors, *m_lights, *m_eye;
     NormalsShown m_lastNormals = NormalsShown::Polygons;  // what the toggle brings back
     bool m_newScene = true;

@@ -76,6 +76,7 @@ struct ViewMesh {
 
 struct ViewContent {
     std::shared_ptr<const ViewMesh> mesh;  // never null
+    double faceStrength = 1;               // of the faces' colours over the background; 0 leaves none
     std::vector<LightMark> lights;
     pipeline::View eye;          // the scene's camera
     double pictureDistance = 1;  // of the picture plane from the eye, along its viewing direction

@@ -44,7 +44,7 @@ vtkIdType addPoint(vtkPoints& points, Vec3d p) { return points.InsertNextPoint(p
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, const QColor& unshaded) {
+vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, double strength, const ThemeColors& colors) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     auto points = newPoints();
     auto rgb = newColors();
@@ -53,7 +53,7 @@ vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, const QColor& unsha
         vtkIdType ids[3];
         for (std::size_t i = 0; i < 3; ++i) {
             ids[i] = addPoint(*points, mesh.positions[face.vertices[i]]);
-            addColor(*rgb, face.shaded ? toColor(face.colors[i]) : unshaded);
+            addColor(*rgb, mixed(face.shaded ? toColor(face.colors[i]) : colors.hover, colors.view, strength));
         }
         cells->InsertNextCell(3, ids);
     }

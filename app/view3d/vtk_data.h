@@ -15,8 +15,8 @@ namespace app {
 // The project's plain data as VTK's: positions, cells and, where colours are given, an RGB
 // array of unsigned bytes, one a point.
 
-// Three points a face, so that neighbours may differ in colour. Unshaded faces take `unshaded`.
-vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, const QColor& unshaded);
+// Three points a face, so that neighbours may differ in colour. `strength` as ViewContent::faceStrength.
+vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, double strength, const ThemeColors& colors);
 vtkSmartPointer<vtkPolyData> edgesData(const ViewMesh& mesh);
 vtkSmartPointer<vtkPolyData> loopData(const ViewMesh& mesh, std::span<const std::uint32_t> loop);
 vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const ThemeColors& colors);

@@ -59,10 +59,10 @@ WorldScene::WorldScene(vtkOpenGLRenderWindow& window) {
     m_shine = addLayer(*m_over);
 
     pullLines(*m_ground.mapper, -16);  // a floor in the ground's plane covers the grid
-    pullLines(*m_lines.mapper, 4);
-    pullLines(*m_edges.mapper, 8);
-    pullLines(*m_pickedOuter.mapper, 16);
-    pullLines(*m_pickedInner.mapper, 24);
+    pullLines(*m_lines.mapper, 2);
+    pullLines(*m_edges.mapper, 2);
+    pullLines(*m_pickedOuter.mapper, 4);
+    pullLines(*m_pickedInner.mapper, 6);
     m_shine.actor->GetProperty()->SetOpacity(kShineStrength);
     // One blended layer a solid: without its inner side it does not darken itself.
     m_shine.actor->GetProperty()->BackfaceCullingOn();
@@ -152,7 +152,7 @@ void WorldScene::setColors(const ThemeColors& colors) {
 
 void WorldScene::colorMesh() {
     if (!m_colors.view.isValid()) return;
-    m_faces.mapper->SetInputData(m_content ? facesData(*m_content->mesh, m_colors.hover)
+    m_faces.mapper->SetInputData(m_content ? facesData(*m_content->mesh, m_content->faceStrength, m_colors)
                                            : vtkSmartPointer<vtkPolyData>::New());
 }
 

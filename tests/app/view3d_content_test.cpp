@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/view3d/point_drawing.h"
 #include "app/view3d/view_content.h"
 #include "app/view3d/world_drawing.h"
 #include "tests/support/scenes.h"
@@ -265,4 +266,46 @@ TEST(View3dDrawing, AScaledSceneGivesTheSameView) {
         ASSERT_EQ(one.size(), other.size());
         for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(glm::length(one[i] - other[i]), 0, 1e-3) << i;
     }
+}
+
+// N·L = 3/√15: 39.2°; R·V = 0.3974: 66.6°. Turning keeps every angle, and N is up.
+TEST(View3dPoint, TheHemisphereHasNUpAndTheEquationsAngles) {
+    const ViewContent content = contentOf(test::pyramid(), kRightFace);
+    const auto point = app::pointContent(content);
+    ASSERT_TRUE(point);
+    expectNear(vectorOf(*point, VectorCode::N).direction, {0, 0, 1}, 1e-6);
+    EXPECT_NEAR(vectorOf(*point, VectorCode::L).direction.z, 3 / std::sqrt(15.0), 1e-6);
+    EXPECT_NEAR(glm::dot(vectorOf(*point, VectorCode::R).direction, vectorOf(*point, VectorCode::V).direction), 0.3974,
+                1e-4);
+    // The turn is one, not a mirroring.
+    const auto handed = [](const ViewContent& c) {
+        return glm::dot(vectorOf(c, VectorCode::N).direction,
+                        glm::cross(vectorOf(c, VectorCode::L).direction, vectorOf(c, VectorCode::V).direction));
+    };
+    EXPECT_NEAR(handed(*point), handed(content), 1e-6);
+
+    const glm::dvec2 size{500, 400};
+    const app::ViewFrame view{app::pointCamera(app::ViewPreset::Iso, *point, size, false), size};
+    std::vector<std::string> notes;
+    for (const app::Label& label : app::drawPoint(*point, {}, view).labels)
+        if (label.kind == app::Label::Kind::Note) notes.push_back(label.text);
+    EXPECT_EQ(notes, (std::vector<std::string>{"39.2°", "66.6°"}));
+}
+
+TEST(View3dPoint, NoPixelHasNoHemisphere) {
+    EXPECT_FALSE(app::pointContent(contentOf(test::pyramid())));
+    EXPECT_FALSE(app::pointContent(contentOf(test::pyramid(), glm::ivec2{2, 2})));
+}
+
+TEST(View3dPoint, EveryTipIsInsideTheView) {
+    const auto point = app::pointContent(contentOf(test::pyramid(), kRightFace));
+    ASSERT_TRUE(point);
+    for (const glm::dvec2 size : {glm::dvec2(500, 400), glm::dvec2(300, 600)})
+        for (const bool orthographic : {false, true}) {
+            const app::OrbitCamera camera = app::pointCamera(app::ViewPreset::Iso, *point, size, orthographic);
+            for (const VectorArrow& v : point->vectors) {
+                const auto at = app::project(camera, size, v.direction).at;
+                EXPECT_TRUE(at.x > 0 && at.y > 0 && at.x < size.x && at.y < size.y);
+            }
+        }
 }

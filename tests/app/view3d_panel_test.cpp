@@ -174,6 +174,20 @@ TEST_F(View3dWindow, TheLegendHidesAVector) {
     EXPECT_TRUE(view.drawing().vectors.empty());
 }
 
+TEST_F(View3dWindow, AtThePointTheDiscIsThePolygonsColour) {
+    openPyramid();
+    panel.setSpace(app::ViewSpace::Point);
+    EXPECT_TRUE(view.drawing().vectors.empty());
+    document.pick(kRightFace);
+    ASSERT_EQ(view.drawing().vectors.size(), 5u);
+    // 0.35 of (37, 93, 167) over white: 255 − 0.35 (255 − c).
+    EXPECT_GT(countNear(picture(), at({-0.3, -0.3, 0}), 12, QColor(179, 198, 224)), 100);
+    EXPECT_FALSE(panel.findChild<QToolButton*>("light")->isEnabled());
+    panel.setSpace(app::ViewSpace::World);
+    EXPECT_TRUE(panel.findChild<QToolButton*>("light")->isEnabled());
+    EXPECT_GT(countNear(picture(), at({335, 137.5, 25}), 4, QColor(37, 93, 167)), 20);
+}
+
 TEST_F(View3dWindow, EveryControlHasANameAndATip) {
     for (const QToolButton* button : panel.findChildren<QToolButton*>()) {
         EXPECT_FALSE(button->accessibleName().isEmpty());

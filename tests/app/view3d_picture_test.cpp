@@ -140,8 +140,8 @@ TEST(View3dPicture, ViewsAreWrittenAsPictures) {
     const auto frame = test::frameOf(scene, app::contentBuffers(scene, false));
     const auto files = app::writeViews(*frame, kRightFace, folder.path());
     ASSERT_TRUE(files) << format(files.errors());
-    EXPECT_EQ(folder.names(),
-              (std::vector<std::string>{"everything.png", "eye.png", "front.png", "side.png", "top.png", "world.png"}));
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"everything.png", "eye.png", "front.png", "point.png",
+                                                        "side.png", "top.png", "world.png"}));
     for (const auto& file : *files) {
         const test::Png png = test::readPng(file);
         EXPECT_EQ(png.width, 1280);

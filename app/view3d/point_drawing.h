@@ -1,0 +1,24 @@
+#pragma once
+#include "app/view3d/drawing.h"
+#include "app/view3d/view_content.h"
+#include "app/view3d/view_options.h"
+#include "app/view3d/world_drawing.h"
+
+namespace app {
+
+// The view "At the point": the unit hemisphere over the point where the illumination was evaluated,
+// with N up. Its space is turned from world space so that N is +z; the point is the origin, and a
+// unit vector has length 1. Lights and eye appear as directions alone.
+
+// Null where no vectors are there to show. The disc under the hemisphere has the polygon's colour.
+std::shared_ptr<const ViewContent> pointContent(const ViewContent& content);
+
+// Vectors, circles at 30° and 60°, the angles of N·L and R·V as arcs with degrees, and, dotted, how
+// R comes from L (through N), or H from L and V where R is not shown.
+Drawing drawPoint(const ViewContent& content, const ViewOptions& options, const ViewFrame& view);
+
+// Iso and Everything are turned so that L and V stand farthest apart on the screen; Eye looks
+// along V, Top along N, Front and Side across it.
+OrbitCamera pointCamera(ViewPreset preset, const ViewContent& content, glm::dvec2 size, bool orthographic);
+
+}  // namespace app
