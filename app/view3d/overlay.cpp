@@ -152,6 +152,19 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
     return result;
 }
 
+void paintProbe(QPainter& painter, Vec3d point, const ViewFrame& view) {
+    const Projected p = project(view.camera, view.size, point);
+    if (!p.inFront) return;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(Qt::black, 3), QPen(Qt::white, 1.5)}) {
+        painter.setPen(pen);
+        painter.drawEllipse(toPoint(p.at), 5, 5);
+    }
+    painter.restore();
+}
+
 void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& view) {
     const Theme& theme = Theme::current();
     const ThemeColors& colors = theme.colors();

@@ -23,6 +23,9 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
 // Letters, captions and the picked point's marker, over the rendered view.
 void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& view);
 
+// A light ring around a point of the world.
+void paintProbe(QPainter& painter, Vec3d point, const ViewFrame& view);
+
 // A vector's line with its dash and tip, and its letter: one entry of the legend, as long as it is wide.
 void paintVectorSample(QPainter& painter, const QRectF& box, VectorCode code, bool shown);
 // The legend of all five, from `corner` (its bottom left) on; gives the space that it takes.

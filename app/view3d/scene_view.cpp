@@ -41,6 +41,8 @@ protected:
         if (!m_view->shown() || !m_view->m_problem.isEmpty()) return;
         QPainter painter(this);
         paintOverlay(painter, m_view->m_drawing, m_view->viewFrame());
+        if (m_view->m_probe && m_view->m_space == ViewSpace::World)
+            paintProbe(painter, *m_view->m_probe, m_view->viewFrame());
     }
 
 private:
@@ -67,6 +69,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
     m_overlay = new Overlay(this);
     m_legend = new ViewCorner(ViewCorner::Kind::Legend, this);
     m_cube = new ViewCorner(ViewCorner::Kind::Cube, this);
+    m_legend->setObjectName("legend");
+    m_cube->setObjectName("cube");
     m_sentence = new QLabel(this);
     m_sentence->setAlignment(Qt::AlignCenter);
     m_sentence->setWordWrap(true);
@@ -79,6 +83,10 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
         options.vectors = true;
         setOptions(options);
         emit optionsChanged();
+    });
+    connect(m_legend, &ViewCorner::vectorHovered, this, [this](VectorCode code) {
+        m_alone = code;
+        refresh();
     });
     connect(m_cube, &ViewCorner::faceClicked, this, [this](CubeFace face) {
         if (!m_content) return;
@@ -115,6 +123,11 @@ void SceneView::setContent(std::shared_ptr<const ViewContent> content, bool newS
 void SceneView::setEmptyText(const QString& sentence) {
     m_emptyText = sentence;
     refresh();
+}
+
+void SceneView::setProbe(std::optional<Vec3d> point) {
+    m_probe = point;
+    m_overlay->update();
 }
 
 void SceneView::setSpace(ViewSpace space) {
@@ -185,12 +198,18 @@ void SceneView::frameIfUntouched() {
 
 void SceneView::refresh() {
     const bool works = m_problem.isEmpty() && shown() != nullptr;
+    ViewOptions options = m_options;
+    if (m_alone != VectorCode::None) {
+        options.vectors = true;
+        options.shown.fill(false);
+        options.shown[static_cast<std::size_t>(m_alone)] = true;
+    }
     if (!works)
         m_drawing = {};
     else if (m_space == ViewSpace::World)
-        m_drawing = drawWorld(*m_content, m_options, viewFrame());
+        m_drawing = drawWorld(*m_content, options, viewFrame());
     else
-        m_drawing = drawPoint(*m_point, m_options, viewFrame());
+        m_drawing = drawPoint(*m_point, options, viewFrame());
     if (m_vtk) m_vtk->setView(viewFrame(), m_drawing);
     m_sentence->setText(!m_problem.isEmpty() ? m_problem
                         : !m_content         ? m_emptyText

@@ -3,6 +3,7 @@
 #include <QVariantAnimation>
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "app/view3d/vtk_widget.h"
 #include "app/view3d/world_drawing.h"
@@ -33,6 +34,9 @@ public:
     ViewSpace space() const { return m_space; }
     void setOptions(const ViewOptions& options);
     const ViewOptions& options() const { return m_options; }
+
+    // A point of the world that another view's cursor is on, marked lightly.
+    void setProbe(std::optional<Vec3d> point);
 
     const OrbitCamera& camera() const { return m_camera; }
     void setCamera(const OrbitCamera& camera);
@@ -80,6 +84,8 @@ private:
     std::shared_ptr<const ViewContent> m_content;  // of the world
     std::shared_ptr<const ViewContent> m_point;    // of the picked point; null where none is picked
     QString m_emptyText;
+    std::optional<Vec3d> m_probe;
+    VectorCode m_alone = VectorCode::None;  // the vector under the cursor in the legend, shown by itself
     ViewOptions m_options;
     OrbitCamera m_camera, m_otherCamera;  // of the space on show; of the other
     Drawing m_drawing;

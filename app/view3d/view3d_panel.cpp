@@ -39,6 +39,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(&document, &Document::sceneChanged, this, &View3dPanel::wantBuffers);
     connect(&document, &Document::frameReady, this, &View3dPanel::takeFrame);
     connect(&document, &Document::pixelChanged, this, &View3dPanel::takePixel);
+    connect(&document, &Document::hoverChanged, this, &View3dPanel::takeHover);
     connect(&Theme::current(), &Theme::changed, this, &View3dPanel::applyTheme);
     setSpace(ViewSpace::World);
     applyTheme();
@@ -186,6 +187,12 @@ void View3dPanel::takePixel() {
     if (!frame || !m_view->content()) return;
     m_view->setContent(std::make_shared<const ViewContent>(withPixel(*m_view->content(), *frame, m_document.pixel())),
                        false);
+}
+
+void View3dPanel::takeHover() {
+    const auto& content = m_view->content();
+    const auto pixel = m_document.hovered();
+    m_view->setProbe(content && pixel ? pointShownBy(*content, *pixel) : std::nullopt);
 }
 
 void View3dPanel::pick(const Ray& ray) {

@@ -251,6 +251,16 @@ Shown pixelShowing(const Frame& frame, const ViewContent& content, const Hit& hi
         "The eye does not see that point: polygon " + std::to_string(hit.polygon) + " is turned away or hidden there."};
 }
 
+std::optional<Vec3d> pointShownBy(const ViewContent& content, glm::ivec2 pixel) {
+    const pipeline::View& eye = content.eye;
+    const glm::dvec2 centre = glm::dvec2(pixel) + 0.5;
+    const Vec3d start = pipeline::worldPoint(eye, centre, eye.near), end = pipeline::worldPoint(eye, centre, eye.far);
+    if (!(glm::length(end - start) > 0)) return {};
+    const auto hit = firstHit(content, {start, glm::normalize(end - start)});
+    if (!hit) return {};
+    return hit->at;
+}
+
 std::array<Vec3d, 4> pictureCorners(const pipeline::View& view, double distance) {
     const glm::dvec2 s(view.size);
     return {pipeline::worldPoint(view, {0, 0}, distance), pipeline::worldPoint(view, {s.x, 0}, distance),

@@ -113,6 +113,9 @@ struct Shown {
 };
 Shown pixelShowing(const pipeline::Frame& frame, const ViewContent& content, const Hit& hit);
 
+// The point of the scene that a pixel's centre looks at; nothing where it looks past everything.
+std::optional<Vec3d> pointShownBy(const ViewContent& content, glm::ivec2 pixel);
+
 // Four corners of the picture at a distance along the viewing direction: top left, top right,
 // bottom right, bottom left.
 std::array<Vec3d, 4> pictureCorners(const pipeline::View& view, double distance);

@@ -44,6 +44,7 @@ QString name(CubeFace face) {
 ViewCorner::ViewCorner(Kind kind, QWidget* parent) : QWidget(parent), m_kind(kind) {
     setCursor(Qt::PointingHandCursor);
     setFocusPolicy(Qt::NoFocus);
+    setMouseTracking(true);
     setAccessibleName(kind == Kind::Legend ? tr("Legend of the vectors") : tr("Directions"));
     if (kind == Kind::Legend)
         setAccessibleDescription(
@@ -88,6 +89,19 @@ void ViewCorner::mousePressEvent(QMouseEvent* event) {
     if (m_kind != Kind::Cube) return;
     if (const CubeFace face = cubeFaceAt(rect(), m_camera, event->position()); face != CubeFace::None)
         emit faceClicked(face);
+}
+
+void ViewCorner::setHovered(VectorCode code) {
+    if (code == m_hovered) return;
+    m_hovered = code;
+    emit vectorHovered(code);
+}
+
+void ViewCorner::mouseMoveEvent(QMouseEvent* event) { setHovered(vectorAt(event->position())); }
+
+void ViewCorner::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    setHovered(VectorCode::None);
 }
 
 bool ViewCorner::event(QEvent* event) {

@@ -18,18 +18,23 @@ public:
 
 signals:
     void vectorClicked(pipeline::VectorCode code);
+    void vectorHovered(pipeline::VectorCode code);  // None: the cursor left it
     void faceClicked(app::CubeFace face);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     bool event(QEvent* event) override;  // tooltips by what is under the cursor
 
 private:
     VectorCode vectorAt(QPointF position) const;
+    void setHovered(VectorCode code);
 
     Kind m_kind;
     ViewOptions m_options;
+    VectorCode m_hovered = VectorCode::None;
     OrbitCamera m_camera;
 };
 

@@ -183,6 +183,9 @@ TEST(View3dContent, TheRayOfAPixelHitsWhatThePixelShows) {
         const app::Shown shown = app::pixelShowing(*frame, content, *hit);
         ASSERT_TRUE(shown.pixel);
         EXPECT_EQ(*shown.pixel, pixel);
+        const auto point = app::pointShownBy(content, pixel);
+        ASSERT_TRUE(point);
+        expectNear(*point, hit->at, 1e-6);
     }
 }
 

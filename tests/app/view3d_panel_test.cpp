@@ -10,7 +10,9 @@
 
 #include "app/core/document.h"
 #include "app/core/theme.h"
+#include "app/view3d/overlay.h"
 #include "app/view3d/view3d_panel.h"
+#include "app/view3d/view_corner.h"
 #include "tests/support/scenes.h"
 
 // The real panel, shown, clicked and looked at. Needs a display with OpenGL; without one a single
@@ -172,6 +174,13 @@ TEST_F(View3dWindow, TheLegendHidesAVector) {
     EXPECT_EQ(view.drawing().vectors.size(), 4u);
     panel.findChild<QToolButton*>("vectors")->click();
     EXPECT_TRUE(view.drawing().vectors.empty());
+
+    auto* legend = view.findChild<app::ViewCorner*>("legend");
+    const QPoint onN = app::legendEntry(app::VectorCode::N, {0, 0}).center().toPoint();
+    QTest::mouseMove(legend, onN);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.drawing().vectors.size() == 1; }, 2000)) << "N alone while hovered";
+    QTest::mouseClick(legend, Qt::LeftButton, {}, onN);
+    EXPECT_TRUE(view.options().vectors);
 }
 
 TEST_F(View3dWindow, AtThePointTheDiscIsThePolygonsColour) {
