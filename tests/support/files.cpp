@@ -7,7 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <regex>
+#include <sstream>
 
 namespace test {
 
@@ -65,14 +65,17 @@ Npy readNpy(const fs::path& file) {
     if (bytes.size() < 10 || bytes.substr(0, 8) != std::string("\x93NUMPY\x01\x00", 8)) return npy;
     const std::size_t length = static_cast<unsigned char>(bytes[8]) + 256u * static_cast<unsigned char>(bytes[9]);
     const std::string header = bytes.substr(10, length);
-    static const std::regex form(R"(\{'descr': '([^']+)', 'fortran_order': False, 'shape': \(([0-9, ]*)\), \} *\n)");
-    std::smatch match;
-    if (!std::regex_match(header, match, form)) return npy;
-    npy.descr = match[1];
-    const std::string lengths = match[2];
-    static const std::regex number("[0-9]+");
-    for (std::sregex_iterator it(lengths.begin(), lengths.end(), number), end; it != end; ++it)
-        npy.shape.push_back(std::stoul(it->str()));
+    // {'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), } and spaces up to a line end.
+    const auto between = [&](const std::string& before, const std::string& after) {
+        const auto from = header.find(before);
+        const auto to = from == header.npos ? from : header.find(after, from + before.size());
+        return to == header.npos ? std::string() : header.substr(from + before.size(), to - from - before.size());
+    };
+    if (!header.ends_with('\n') || between("'fortran_order': ", ",") != "False") return npy;
+    npy.descr = between("{'descr': '", "', ");
+    std::istringstream lengths(between("'shape': (", "), }"));
+    for (std::string number; std::getline(lengths, number, ',');)
+        if (number.find_first_not_of(' ') != number.npos) npy.shape.push_back(std::stoul(number));
     npy.dataOffset = 10 + length;
     const std::string_view data = std::string_view(bytes).substr(npy.dataOffset);
     if (npy.descr == "<f4") npy.values = numbers<float>(data);
