@@ -1,0 +1,64 @@
+#pragma once
+#include <QTimer>
+#include <QWidget>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "app/panels/math_layout.h"
+
+namespace app {
+
+// An equation, typeset. Hovering a part that stands for something, or walking to it with the
+// arrow keys, says what it stands for; a click or Enter asks to see it. It grows as high as it
+// needs at its width, and never cuts anything off.
+class MathView : public QWidget {
+    Q_OBJECT
+public:
+    explicit MathView(QWidget* parent = nullptr);
+
+    // What differs from the lines before is tinted for a moment, if `showChange` is on.
+    void setLines(std::vector<pipeline::EquationLine> lines, bool showChange = false);
+    const std::vector<pipeline::EquationLine>& lines() const { return m_lines; }
+    void setBaseSize(double logicalPixels);  // 18 to begin with; scaled with the theme
+
+    QString asText() const;
+    QString asMarkdown() const;
+    QString asLatex() const;
+
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    // The buffer or setting under the cursor or the keyboard's mark; empty when there is none.
+    void pointedAt(const QString& refers);
+    void activated(const QString& refers);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    void layOut();
+    void point(int part);
+    int partAt(QPointF position) const;  // the smallest that refers to something; -1
+    void walk(int step);
+    void walkLine(int step);
+
+    std::vector<pipeline::EquationLine> m_lines;
+    std::set<std::pair<int, int>> m_changed;  // line, leaf
+    MathPage m_page;
+    double m_baseSize = 18;
+    int m_pointed = -1;  // index into m_page.box.parts
+    QTimer m_fade;
+};
+
+}  // namespace app
