@@ -1,0 +1,197 @@
+#include "app/panels/buffer_canvas.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+namespace {
+
+constexpr std::array kZooms{0.1, 0.125, 0.2,  0.25, 1.0 / 3, 0.5, 2.0 / 3, 1.0, 1.5,  2.0,  3.0,  4.0,  5.0,
+                            6.0, 8.0,   10.0, 12.0, 16.,     20., 24.,     32., 40.0, 48.0, 56.0, 72.0, 96.0};
+
+}  // namespace
+
+BufferCanvas::BufferCanvas(QWidget* parent) : QWidget(parent) {
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::CrossCursor);
+    followTheme(this, [this] { update(); });
+}
+
+QSize BufferCanvas::sizeHint() const { return m_content.size.isEmpty() ? QSize(320, 240) : m_content.size; }
+
+double BufferCanvas::zoom() const { return m_placement.zoom; }
+
+double BufferCanvas::nextZoom(double zoom, int steps) {
+    for (; steps > 0; --steps) {
+        const auto next = std::find_if(kZooms.begin(), kZooms.end(), [&](double z) { return z > zoom * 1.001; });
+        if (next != kZooms.end()) zoom = *next;
+    }
+    for (; steps < 0; ++steps) {
+        const auto next = std::find_if(kZooms.rbegin(), kZooms.rend(), [&](double z) { return z < zoom * 0.999; });
+        if (next != kZooms.rend()) zoom = *next;
+    }
+    return zoom;
+}
+
+double BufferCanvas::fittingZoom() const {
+    if (m_focus.isEmpty()) return 1;
+    const double zoom = std::min(width() / m_focus.width(), height() / m_focus.height());
+    return zoom >= 2 ? std::floor(zoom) : std::max(zoom, 0.01);
+}
+
+void BufferCanvas::fit(bool whole) {
+    m_fits = true;
+    const QRectF all(QPointF(0, 0), QSizeF(m_content.size));
+    m_focus = whole || m_content.focus.isEmpty() ? all : m_content.focus;
+    placeFocus();
+}
+
+void BufferCanvas::placeFocus() {
+    const double zoom = fittingZoom();
+    place({QRectF(rect()).center() - m_focus.center() * zoom, zoom});
+}
+
+void BufferCanvas::toggleFit() {
+    const bool showsFocus = m_fits && m_focus == m_content.focus;
+    fit(showsFocus);
+}
+
+void BufferCanvas::place(Placement placement) {
+    // Half of the view at most may be empty: the picture cannot be lost.
+    const QSizeF size = QSizeF(m_content.size) * placement.zoom;
+    const auto limit = [](double origin, double extent, double view) {
+        return std::clamp(origin, std::min(view / 2 - extent, (view - extent) / 2),
+                          std::max(view / 2, (view - extent) / 2));
+    };
+    placement.origin.setX(std::round(limit(placement.origin.x(), size.width(), width())));
+    placement.origin.setY(std::round(limit(placement.origin.y(), size.height(), height())));
+    const bool isNewZoom = placement.zoom != m_placement.zoom;
+    m_placement = placement;
+    if (isNewZoom) emit zoomChanged(zoom());
+    update();
+}
+
+void BufferCanvas::setZoom(double zoom, QPointF anchor) {
+    m_fits = false;
+    const QPointF picture = m_placement.toPicture(anchor);
+    place({anchor - picture * zoom, zoom});
+}
+
+QPointF BufferCanvas::anchor() const {
+    if (m_content.picked) {
+        const QPointF at = m_placement.toWidget(QPointF(*m_content.picked) + QPointF(0.5, 0.5));
+        if (QRectF(rect()).contains(at)) return at;
+    }
+    return QRectF(rect()).center();
+}
+
+void BufferCanvas::setZoom(double zoom) { setZoom(zoom, anchor()); }
+
+void BufferCanvas::stepZoom(int steps) { setZoom(nextZoom(zoom(), steps)); }
+
+void BufferCanvas::setContent(CanvasContent content) {
+    const bool isNewSize = content.size != m_content.size;
+    m_content = std::move(content);
+    if (isNewSize) fit();
+    update();
+}
+
+void BufferCanvas::setPicked(std::optional<QPoint> pixel) {
+    m_content.picked = pixel;
+    if (pixel && !m_fits) {
+        const QPointF at = m_placement.toWidget(QPointF(*pixel) + QPointF(0.5, 0.5));
+        const double margin = std::min(0.5 * m_placement.zoom + 8, 0.4 * std::min(width(), height()));
+        const QRectF inner = QRectF(rect()).adjusted(margin, margin, -margin, -margin);
+        const QPointF inside(std::clamp(at.x(), inner.left(), inner.right()),
+                             std::clamp(at.y(), inner.top(), inner.bottom()));
+        if (inside != at) place({m_placement.origin + inside - at, m_placement.zoom});
+    }
+    update();
+}
+
+void BufferCanvas::setHovered(std::optional<QPoint> pixel) {
+    if (pixel == m_content.hovered) return;
+    m_content.hovered = pixel;
+    update();
+}
+
+void BufferCanvas::setShowEdges(bool show) {
+    m_showEdges = show;
+    update();
+}
+
+std::optional<QPoint> BufferCanvas::pixelAt(QPointF widget) const {
+    const QPointF p = m_placement.toPicture(widget);
+    const QPoint pixel(int(std::floor(p.x())), int(std::floor(p.y())));
+    if (!QRect(QPoint(0, 0), m_content.size).contains(pixel)) return {};
+    return pixel;
+}
+
+void BufferCanvas::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    paintCanvas(painter, m_content, m_placement, rect(), m_showEdges);
+}
+
+void BufferCanvas::resizeEvent(QResizeEvent*) {
+    if (m_fits) placeFocus();
+}
+
+void BufferCanvas::wheelEvent(QWheelEvent* event) {
+    constexpr int kStep = 120;  // eighths of a degree
+    m_wheel += event->angleDelta().y();
+    const int steps = m_wheel / kStep;
+    m_wheel %= kStep;
+    if (steps != 0 && !m_content.size.isEmpty()) setZoom(nextZoom(zoom(), steps), event->position());
+    event->accept();
+}
+
+void BufferCanvas::mousePressEvent(QMouseEvent* event) {
+    m_pressed = event->position();
+    m_dragFrom = m_placement.origin;
+    m_drags = false;
+}
+
+void BufferCanvas::mouseMoveEvent(QMouseEvent* event) {
+    if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) {
+        const QPointF moved = event->position() - m_pressed;
+        if (event->modifiers() & Qt::ControlModifier) {
+            if (const auto pixel = pixelAt(event->position())) emit picked(*pixel);
+            m_drags = true;
+        } else if (m_drags || moved.manhattanLength() >= QApplication::startDragDistance()) {
+            m_drags = true;
+            m_fits = false;
+            place({m_dragFrom + moved, m_placement.zoom});
+            return;
+        }
+    }
+    emit hovered(pixelAt(event->position()));
+}
+
+void BufferCanvas::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || m_drags) return;
+    if (const auto pixel = pixelAt(event->position())) emit picked(*pixel);
+}
+
+void BufferCanvas::leaveEvent(QEvent*) { emit hovered(std::nullopt); }
+
+void BufferCanvas::keyPressEvent(QKeyEvent* event) {
+    const int step = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
+    switch (event->modifiers() & Qt::ControlModifier ? 0 : event->key()) {
+        case Qt::Key_Left: emit nudged({-step, 0}); return;
+        case Qt::Key_Right: emit nudged({step, 0}); return;
+        case Qt::Key_Up: emit nudged({0, -step}); return;
+        case Qt::Key_Down: emit nudged({0, step}); return;
+        case Qt::Key_Plus: stepZoom(1); return;
+        case Qt::Key_Minus: stepZoom(-1); return;
+        default: QWidget::keyPressEvent(event);
+    }
+}
+
+}  // namespace app

@@ -1,0 +1,71 @@
+#pragma once
+#include <QWidget>
+
+#include "app/panels/buffer_painter.h"
+
+namespace app {
+
+// A picture that can be zoomed to its pixels, moved and picked from. It knows no document: what it
+// shows is given, what the user does is said.
+class BufferCanvas : public QWidget {
+    Q_OBJECT
+public:
+    explicit BufferCanvas(QWidget* parent = nullptr);
+
+    // Zoom and place stay, unless the picture has another size.
+    void setContent(CanvasContent content);
+    const CanvasContent& content() const { return m_content; }
+    void setPicked(std::optional<QPoint> pixel);  // moves into view what is not
+    void setHovered(std::optional<QPoint> pixel);
+    void setShowEdges(bool show);
+    bool showsEdges() const { return m_showEdges; }
+
+    // Shows what is worth looking at, or the whole picture, until the user zooms or moves. The part
+    // is chosen once: it does not follow a picture that changes.
+    void fit(bool whole = false);
+    void toggleFit();  // the one, and when that is shown the other
+    // Screen pixels per picture pixel; the point `anchor` of the widget stays where it is.
+    void setZoom(double zoom, QPointF anchor);
+    void setZoom(double zoom);  // anchored at the picked pixel, else in the middle
+    void stepZoom(int steps);
+    double zoom() const;
+    // The steps of the wheel: whole from 2 up. The next one in the direction of `steps`.
+    static double nextZoom(double zoom, int steps);
+
+    std::optional<QPoint> pixelAt(QPointF widget) const;
+    Placement placement() const { return m_placement; }
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return {120, 90}; }
+
+signals:
+    void picked(QPoint pixel);
+    void nudged(QPoint by);  // arrow keys: 1, with Shift 10
+    void hovered(std::optional<QPoint> pixel);
+    void zoomChanged(double zoom);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void place(Placement placement);
+    void placeFocus();
+    double fittingZoom() const;
+    QPointF anchor() const;
+
+    CanvasContent m_content;
+    Placement m_placement;
+    QRectF m_focus;  // what fits
+    bool m_fits = true, m_showEdges = false;
+    QPointF m_pressed, m_dragFrom;
+    bool m_drags = false;
+    int m_wheel = 0;  // what is left of turning by less than a step
+};
+
+}  // namespace app

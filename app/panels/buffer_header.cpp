@@ -1,0 +1,115 @@
+#include "app/panels/buffer_header.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+
+#include "app/core/icons.h"
+#include "app/core/numbers.h"
+#include "app/core/text.h"
+#include "app/panels/elided_label.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/shown_buffer.h"
+
+namespace app {
+
+BufferHeader::BufferHeader(const Document& document, QWidget* parent)
+    : QWidget(parent), m_chooser(new BufferChooser(document, this)), m_caption(new ElidedLabel(this)) {
+    auto* row = new QHBoxLayout(this);
+    row->addWidget(m_chooser);
+    row->addWidget(m_caption, 1);
+    m_caption->setProperty("tone", "2");
+    for (int c = 0; c < 3; ++c) {
+        m_channels[c] = new QToolButton(this);
+        m_channels[c]->setCheckable(true);
+        row->addWidget(m_channels[c]);
+        connect(m_channels[c], &QToolButton::clicked, this, [this, c](bool on) { emit channelChosen(on ? c : -1); });
+    }
+    m_fit = button("fit", tr("Fit"), tr("Show what is drawn; again for all of the picture"));
+    m_original = new QToolButton(this);
+    m_original->setText("1:1");
+    m_original->setAccessibleName(tr("One to one"));
+    m_original->setToolTip(tr("One screen pixel a pixel"));
+    m_zoom = new QLabel(this);
+    m_zoom->setAccessibleName(tr("Zoom"));
+    m_loupe = button("loupe", tr("Loupe"), tr("Enlarge the pixels under the cursor (Z)"));
+    m_loupe->setCheckable(true);
+    m_edges = button("layers", tr("Polygon edges"), tr("Draw the polygons' edges over the picture"));
+    m_edges->setCheckable(true);
+    auto* more = button("more", tr("More"), tr("Copy what is shown"));
+    auto* menu = new QMenu(more);
+    menu->addAction(tr("Copy value"), this, &BufferHeader::copyValueChosen);
+    menu->addAction(tr("Copy picture"), this, &BufferHeader::copyPictureChosen);
+    more->setMenu(menu);
+    more->setPopupMode(QToolButton::InstantPopup);
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_fit), static_cast<QWidget*>(m_original), static_cast<QWidget*>(m_zoom),
+          static_cast<QWidget*>(m_loupe), static_cast<QWidget*>(m_edges), static_cast<QWidget*>(more)})
+        row->addWidget(part);
+
+    connect(m_fit, &QToolButton::clicked, this, &BufferHeader::fitChosen);
+    connect(m_original, &QToolButton::clicked, this, &BufferHeader::originalChosen);
+    connect(m_edges, &QToolButton::clicked, this, &BufferHeader::edgesToggled);
+    connect(m_loupe, &QToolButton::clicked, this, &BufferHeader::loupeToggled);
+    followTheme(this, [this, row] {
+        const Theme& theme = Theme::current();
+        row->setContentsMargins(theme.px(6), 0, theme.px(6), 0);
+        row->setSpacing(theme.px(2));
+        setFixedHeight(theme.px(32));
+        m_caption->setFont(theme.text(12));
+        m_zoom->setFont(theme.mono(12));
+        m_zoom->setMinimumWidth(m_zoom->fontMetrics().horizontalAdvance("0.33×"));
+        m_zoom->setAlignment(Qt::AlignCenter);
+        m_original->setFont(theme.text(12, 500));
+        for (QToolButton* channel : m_channels) {
+            QFont italic = theme.formula(14);
+            italic.setItalic(true);
+            channel->setFont(italic);
+        }
+        for (QToolButton* b : findChildren<QToolButton*>())
+            if (b != m_chooser) b->setIconSize(QSize(1, 1) * theme.px(16));
+    });
+}
+
+QToolButton* BufferHeader::button(const QString& iconName, const QString& name, const QString& tip) {
+    auto* made = new QToolButton(this);
+    made->setIcon(icon(iconName));
+    made->setAccessibleName(name);
+    made->setToolTip(tip);
+    return made;
+}
+
+void BufferHeader::show(const pipeline::BufferName& name, int channel) {
+    const pipeline::BufferInfo& info = bufferInfo(name.id);
+    m_chooser->setName(name);
+    m_caption->setText(captionOf(info, channel));
+    const QStringList names = channelNames(info);
+    m_channelCount = info.channels;
+    for (int c = 0; c < names.size(); ++c) {
+        m_channels[c]->setText(names[c]);
+        m_channels[c]->setChecked(c == channel);
+        m_channels[c]->setAccessibleName(tr("Channel %1 alone").arg(names[c]));
+        m_channels[c]->setToolTip(tr("Show %1 alone (%2); C shows all").arg(names[c]).arg(QString("RGB")[c]));
+    }
+    arrange();
+}
+
+void BufferHeader::setZoom(double zoom) { m_zoom->setText(number(zoom, zoom >= 2 || zoom == 1 ? 0 : 2) + "×"); }
+
+void BufferHeader::setToggles(bool edges, bool loupe) {
+    m_edges->setChecked(edges);
+    m_loupe->setChecked(loupe);
+}
+
+// What a narrow view can do without, by key too: the channels first.
+void BufferHeader::arrange() {
+    const int width = this->width(), unit = Theme::current().px(10);
+    for (QToolButton* channel : m_channels) channel->setVisible(m_channelCount == 3 && width > 42 * unit);
+    m_original->setVisible(width > 32 * unit);
+    m_loupe->setVisible(width > 28 * unit);
+}
+
+void BufferHeader::resizeEvent(QResizeEvent*) { arrange(); }
+
+}  // namespace app

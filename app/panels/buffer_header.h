@@ -1,0 +1,47 @@
+#pragma once
+#include <QWidget>
+
+#include "app/panels/buffer_chooser.h"
+
+class QLabel;
+class QToolButton;
+
+namespace app {
+
+class ElidedLabel;
+
+// Above a buffer: its name, what is shown in words, its channels, and the buttons of the view.
+class BufferHeader : public QWidget {
+    Q_OBJECT
+public:
+    explicit BufferHeader(const Document& document, QWidget* parent = nullptr);
+
+    void show(const pipeline::BufferName& name, int channel);
+    void setZoom(double zoom);  // screen pixels per picture pixel
+    void setToggles(bool edges, bool loupe);
+    BufferChooser* chooser() { return m_chooser; }
+
+signals:
+    void channelChosen(int channel);  // -1: all
+    void fitChosen();
+    void originalChosen();  // one to one
+    void edgesToggled(bool on);
+    void loupeToggled(bool on);
+    void copyValueChosen();
+    void copyPictureChosen();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    QToolButton* button(const QString& iconName, const QString& name, const QString& tip);
+    void arrange();
+
+    BufferChooser* m_chooser;
+    ElidedLabel* m_caption;
+    QToolButton *m_channels[3], *m_fit, *m_original, *m_edges, *m_loupe;
+    QLabel* m_zoom;
+    int m_channelCount = 1;
+};
+
+}  // namespace app

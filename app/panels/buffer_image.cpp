@@ -1,0 +1,208 @@
+#include "app/panels/buffer_image.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/numbers.h"
+
+namespace app {
+
+using pipeline::AnyBuffer;
+using pipeline::BufferId;
+using pipeline::BufferInfo;
+using pipeline::BufferStatistics;
+using pipeline::Color8;
+using pipeline::Element;
+using pipeline::Palette;
+using pipeline::PaletteRange;
+
+namespace {
+
+QRgb rgb(Color8 c) { return qRgb(c.r, c.g, c.b); }
+
+// Colours of one channel. Neighbours are often equal, above all in flat shading.
+template <class T>
+void fillScalar(QImage& image, std::span<const T> numbers, std::size_t channels, std::size_t channel, Palette palette,
+                PaletteRange range, const std::vector<bool>& drawn) {
+    const auto width = std::size_t(image.width());
+    T lastValue{};
+    QRgb lastColor = rgb(paletteColor(palette, 0, range.first, range.last));
+    for (int y = 0; y < image.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::size_t i = std::size_t(y) * width + x;
+            if (!drawn.empty() && !drawn[i]) {
+                line[x] = 0;
+                continue;
+            }
+            const T value = numbers[i * channels + channel];
+            if (value != lastValue) {  // NaN too: it differs from itself
+                lastValue = value;
+                lastColor = rgb(paletteColor(palette, double(value), range.first, range.last));
+            }
+            line[x] = lastColor;
+        }
+    }
+}
+
+template <class T>
+void fillColor(QImage& image, std::span<const T> numbers, PaletteRange range, const std::vector<bool>& drawn) {
+    const auto width = std::size_t(image.width());
+    T last[3]{};
+    QRgb lastColor = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::size_t i = std::size_t(y) * width + x;
+            if (!drawn.empty() && !drawn[i]) {
+                line[x] = 0;
+                continue;
+            }
+            const T* v = &numbers[3 * i];
+            if (lastColor == 0 || v[0] != last[0] || v[1] != last[1] || v[2] != last[2]) {
+                std::copy_n(v, 3, last);
+                Color8 color;
+                for (int c = 0; c < 3; ++c)
+                    color[c] = paletteColor(Palette::Color, double(v[c]), range.first, range.last)[c];
+                lastColor = rgb(color);
+            }
+            line[x] = lastColor;
+        }
+    }
+}
+
+bool isDepth(BufferId id) { return id == BufferId::Depth || id == BufferId::ZView || id == BufferId::ShadowBuffer; }
+
+bool isVector(const BufferInfo& info) { return info.palette == Palette::Direction && info.unit.empty(); }
+
+}  // namespace
+
+Palette shownPalette(const BufferInfo& info, int channel) {
+    if (info.channels == 1 || channel < 0) return info.palette;
+    if (info.palette == Palette::Direction) return Palette::Diverging;
+    return info.element == Element::UInt8 ? Palette::Color : Palette::Sequential;
+}
+
+bool standsOnShapes(const BufferInfo& info) {
+    return info.domain == pipeline::Domain::Vertex || info.domain == pipeline::Domain::Polygon;
+}
+
+bool isScale(Palette palette) { return palette == Palette::Sequential || palette == Palette::Diverging; }
+
+BufferStatistics channelStatistics(const AnyBuffer& buffer, int channel) {
+    if (channel < 0 || buffer.channels() == 1) return statistics(buffer);
+    BufferStatistics found;
+    double min = INFINITY, max = -INFINITY;
+    const auto channels = std::size_t(buffer.channels());
+    std::visit(
+        [&](const auto& numbers) {
+            for (std::size_t i = std::size_t(channel); i < numbers.size(); i += channels) {
+                const double value = double(numbers[i]);
+                found.nan += std::isnan(value);
+                found.infinite += std::isinf(value);
+                found.negative += value < 0;
+                if (!std::isfinite(value)) continue;
+                ++found.finite;
+                min = std::min(min, value);
+                max = std::max(max, value);
+            }
+        },
+        buffer.data);
+    if (found.finite > 0) {
+        found.min = min;
+        found.max = max;
+    }
+    return found;
+}
+
+PaletteRange fittingRange(const AnyBuffer& buffer, int channel, pipeline::DepthFormat format) {
+    const BufferStatistics found = channelStatistics(buffer, channel);
+    if (channel < 0 || buffer.channels() == 1) return pipeline::fittingRange(buffer, found, format);
+    switch (shownPalette(*buffer.info, channel)) {
+        case Palette::Diverging: {
+            const double end = isVector(*buffer.info) ? 1 : std::max(std::abs(found.min), std::abs(found.max));
+            return {-end, end};
+        }
+        case Palette::Sequential: return {found.max, std::min(0.0, found.min)};  // more is lighter
+        default: return {0, 255};
+    }
+}
+
+bool isColorPicture(const BufferInfo& info, int channel) {
+    return info.palette == Palette::Color && info.stage == pipeline::StageId::Shading && channel < 0;
+}
+
+std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<AnyBuffer>& polygonId, int channel) {
+    const BufferInfo& info = *buffer.info;
+    if (isColorPicture(info, channel)) return {};
+    if (info.domain == pipeline::Domain::Pixel && polygonId) {
+        const auto ids = std::get<std::span<const std::int32_t>>(polygonId->data);
+        std::vector<bool> drawn(ids.size());
+        std::transform(ids.begin(), ids.end(), drawn.begin(), [](std::int32_t id) { return id >= 0; });
+        return drawn;
+    }
+    if (!std::isinf(info.neutral)) return {};
+    std::vector<bool> drawn(buffer.count());
+    for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = buffer.flat(i) != info.neutral;
+    return drawn;
+}
+
+QImage bufferImage(const AnyBuffer& buffer, const BufferLook& look, const std::vector<bool>& drawn) {
+    QImage image(int(buffer.columns()), int(buffer.rows()), QImage::Format_ARGB32_Premultiplied);
+    std::visit(
+        [&](const auto& numbers) {
+            const auto channels = std::size_t(buffer.channels());
+            if (channels == 3 && look.channel < 0)
+                fillColor(image, numbers, look.range, drawn);
+            else
+                fillScalar(image, numbers, channels, std::size_t(std::max(0, look.channel)),
+                           shownPalette(*buffer.info, look.channel), look.range, drawn);
+        },
+        buffer.data);
+    return image;
+}
+
+std::vector<int> histogram(const AnyBuffer& buffer, const BufferLook& look, const std::vector<bool>& drawn, int bins) {
+    std::vector<int> counts(std::size_t(bins), 0);
+    const auto channels = std::size_t(buffer.channels());
+    const double length = look.range.last - look.range.first;
+    if (length == 0) return counts;
+    std::visit(
+        [&](const auto& numbers) {
+            for (std::size_t i = 0; i < numbers.size(); ++i) {
+                if (look.channel >= 0 && i % channels != std::size_t(look.channel)) continue;
+                if (!drawn.empty() && !drawn[i / channels]) continue;
+                const double t = (double(numbers[i]) - look.range.first) / length;
+                if (t >= 0 && t <= 1) ++counts[std::min(std::size_t(t * bins), counts.size() - 1)];
+            }
+        },
+        buffer.data);
+    return counts;
+}
+
+QString valueText(const AnyBuffer& buffer, double value, int characters) {
+    const BufferInfo& info = *buffer.info;
+    QString text;
+    if (info.element != Element::Real)
+        text = number(value, 0);
+    else if (isDepth(info.id))
+        text = depth(value, std::holds_alternative<std::span<const double>>(buffer.data));
+    else if (info.unit == "intensity")
+        text = intensity(value);
+    else if (isVector(info))
+        text = component(value);
+    else
+        text = info.unit.empty() ? dotProduct(value) : number(value, 2);
+    if (characters <= 0 || text.size() <= characters || !text.contains('.')) return text;
+    const int decimals = int(text.size() - text.indexOf('.')) - 1 - int(text.size() - characters);
+    return number(value, std::max(0, decimals));
+}
+
+QStringList elementText(const AnyBuffer& buffer, std::size_t x, std::size_t y, int channel, int characters) {
+    QStringList texts;
+    for (int c = 0; c < buffer.channels(); ++c)
+        if (channel < 0 || channel == c) texts << valueText(buffer, buffer.value(x, y, c), characters);
+    return texts;
+}
+
+}  // namespace app

@@ -1,0 +1,51 @@
+#pragma once
+#include <QImage>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "pipeline/buffers/palette.h"
+
+namespace app {
+
+// How a buffer is shown: never what it holds.
+struct BufferLook {
+    int channel = -1;  // of several: this one alone; -1 all of them as a colour
+    pipeline::PaletteRange range;
+    bool operator==(const BufferLook&) const = default;
+};
+
+// The palette of a channel: one alone of a colour is grey, of a direction diverging, of an
+// intensity a scale.
+pipeline::Palette shownPalette(const pipeline::BufferInfo& info, int channel);
+// Stands on polygons or vertices, and has no pixels of its own.
+bool standsOnShapes(const pipeline::BufferInfo& info);
+bool isScale(pipeline::Palette palette);  // has a range to choose
+
+// Numbers of one channel, or of all of them where channel is -1.
+pipeline::BufferStatistics channelStatistics(const pipeline::AnyBuffer& buffer, int channel);
+// The range that shows all of it.
+pipeline::PaletteRange fittingRange(const pipeline::AnyBuffer& buffer, int channel, pipeline::DepthFormat format);
+
+// A picture in colours has its black background; any other one is nothing where nothing was drawn.
+bool isColorPicture(const pipeline::BufferInfo& info, int channel);
+// Which elements of a picture hold something. Empty: all of them.
+// polygonId: of the same frame, where there is one and the buffer stands on pixels.
+std::vector<bool> drawnElements(const pipeline::AnyBuffer& buffer, const std::optional<pipeline::AnyBuffer>& polygonId,
+                                int channel);
+
+// One pixel per element; transparent where nothing was drawn.
+QImage bufferImage(const pipeline::AnyBuffer& buffer, const BufferLook& look, const std::vector<bool>& drawn);
+
+// How many finite numbers fall into each of `bins` equal parts from range.first to range.last.
+std::vector<int> histogram(const pipeline::AnyBuffer& buffer, const BufferLook& look, const std::vector<bool>& drawn,
+                           int bins);
+
+// A value as people read it, in the digits of its format, at most `characters` long if that is > 0
+// (by leaving out decimals).
+QString valueText(const pipeline::AnyBuffer& buffer, double value, int characters = 0);
+// All channels of an element, or the one that is shown.
+QStringList elementText(const pipeline::AnyBuffer& buffer, std::size_t x, std::size_t y, int channel,
+                        int characters = 0);
+
+}  // namespace app

@@ -1,0 +1,168 @@
+#include "app/panels/buffer_painter.h"
+
+#include <QFontMetricsF>
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/theme.h"
+
+namespace app {
+
+namespace {
+
+// The picture's pixels that can be seen.
+QRect visiblePixels(const CanvasContent& content, const Placement& placement, QRect visible) {
+    const QPointF first = placement.toPicture(visible.topLeft()),
+                  last = placement.toPicture(visible.bottomRight() + QPoint(1, 1));
+    const QRect pixels(QPoint(int(std::floor(first.x())), int(std::floor(first.y()))),
+                       QPoint(int(std::ceil(last.x())) - 1, int(std::ceil(last.y())) - 1));
+    return pixels.intersected(QRect(QPoint(0, 0), content.size));
+}
+
+void paintImage(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {
+    // Only what is seen is scaled: at 72 times a whole picture would be larger than any screen.
+    const QRectF target(placement.toWidget(pixels.topLeft()), QSizeF(pixels.size()) * placement.zoom);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, placement.zoom < 1);
+    painter.drawImage(target, content.image, pixels);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+}
+
+void paintGrid(QPainter& painter, const Placement& placement, const QRect& pixels) {
+    painter.setPen(QPen(QColor(0, 0, 0, 110), 1));
+    const QPointF first = placement.toWidget(pixels.topLeft()),
+                  last = placement.toWidget(pixels.bottomRight() + QPoint(1, 1));
+    for (int x = pixels.left(); x <= pixels.right() + 1; ++x) {
+        const double at = placement.toWidget(QPointF(x, 0)).x();
+        painter.drawLine(QPointF(at, first.y()), QPointF(at, last.y()));
+    }
+    for (int y = pixels.top(); y <= pixels.bottom() + 1; ++y) {
+        const double at = placement.toWidget(QPointF(0, y)).y();
+        painter.drawLine(QPointF(first.x(), at), QPointF(last.x(), at));
+    }
+}
+
+double luminance(QRgb c) {
+    const auto linear = [](int v) {
+        const double s = v / 255.0;
+        return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(qRed(c)) + 0.7152 * linear(qGreen(c)) + 0.0722 * linear(qBlue(c));
+}
+
+void paintTexts(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {
+    const ThemeColors& c = Theme::current().colors();
+    QFont font = Theme::current().mono(11);
+    font.setPixelSize(11);  // a cell does not grow with the font scale
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    for (int y = pixels.top(); y <= pixels.bottom(); ++y)
+        for (int x = pixels.left(); x <= pixels.right(); ++x) {
+            const QStringList lines = content.text(x, y);
+            const QRgb ground = content.image.pixel(x, y);
+            if (qAlpha(ground) == 0)
+                painter.setPen(c.text2);
+            else
+                painter.setPen(luminance(ground) > 0.46 ? Qt::black : Qt::white);
+            const QRectF cell(placement.toWidget(QPointF(x, y)), QSizeF(placement.zoom, placement.zoom));
+            double top = cell.center().y() - double(lines.size()) * metrics.height() / 2;
+            for (const QString& line : lines) {
+                painter.drawText(QRectF(cell.left(), top, cell.width(), metrics.height()), Qt::AlignCenter, line);
+                top += metrics.height();
+            }
+        }
+}
+
+void paintEdges(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    const QRectF seen = QRectF(pixels).adjusted(-2, -2, 2, 2);
+    for (const QPolygonF& edge : content.edges) {
+        if (!edge.boundingRect().intersects(seen)) continue;
+        QPolygonF polygon;
+        for (const QPointF& p : edge) polygon << placement.toWidget(p);
+        painter.setPen(QPen(QColor(0, 0, 0, 170), 2.6));
+        painter.drawPolygon(polygon);
+        painter.setPen(QPen(QColor(255, 255, 255, 220), 1.1));
+        painter.drawPolygon(polygon);
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+void paintCentres(QPainter& painter, const Placement& placement, const QRect& pixels) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 120));
+    for (int y = pixels.top(); y <= pixels.bottom(); ++y)
+        for (int x = pixels.left(); x <= pixels.right(); ++x)
+            painter.drawEllipse(placement.toWidget(QPointF(x + 0.5, y + 0.5)), 1.2, 1.2);
+}
+
+// White in black: seen on every picture.
+void paintDouble(QPainter& painter, double white, double black, const std::function<void()>& draw) {
+    for (const auto& [color, width] : {std::pair(Qt::black, black), std::pair(Qt::white, white)}) {
+        painter.setPen(QPen(QColor(color), width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+        draw();
+    }
+}
+
+void paintPicked(QPainter& painter, QPoint picked, const Placement& placement, QRect visible, bool hasCrossHair) {
+    QRectF frame(placement.toWidget(picked), QSizeF(placement.zoom, placement.zoom));
+    if (frame.width() < 8) {
+        const QPointF centre = frame.center();
+        frame = QRectF(centre.x() - 4, centre.y() - 4, 8, 8);
+    }
+    painter.setBrush(Qt::NoBrush);
+    if (hasCrossHair) {
+        const QPointF c = frame.center();
+        const double gap = frame.width() / 2 + 6;
+        paintDouble(painter, 1.5, 3.5, [&] {
+            painter.drawLine(QPointF(visible.left(), c.y()), QPointF(c.x() - gap, c.y()));
+            painter.drawLine(QPointF(c.x() + gap, c.y()), QPointF(visible.right() + 1, c.y()));
+            painter.drawLine(QPointF(c.x(), visible.top()), QPointF(c.x(), c.y() - gap));
+            painter.drawLine(QPointF(c.x(), c.y() + gap), QPointF(c.x(), visible.bottom() + 1));
+        });
+    }
+    paintDouble(painter, 2.5, 5, [&] { painter.drawRect(frame); });
+}
+
+}  // namespace
+
+void paintChecker(QPainter& painter, QRect rect) {
+    const ThemeColors& c = Theme::current().colors();
+    QPixmap tile(16, 16);
+    tile.fill(c.view);
+    QPainter tilePainter(&tile);
+    tilePainter.fillRect(0, 0, 8, 8, c.surface);
+    tilePainter.fillRect(8, 8, 8, 8, c.surface);
+    tilePainter.end();
+    painter.drawTiledPixmap(rect, tile);
+}
+
+void paintCanvas(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible,
+                 bool showEdges) {
+    const ThemeColors& c = Theme::current().colors();
+    painter.fillRect(visible, c.bg);
+    if (content.size.isEmpty()) return;
+    const QRect pixels = visiblePixels(content, placement, visible);
+    const QRectF picture(placement.origin, QSizeF(content.size) * placement.zoom);
+    paintChecker(painter, picture.toAlignedRect().intersected(visible));
+    if (!content.image.isNull() && !pixels.isEmpty()) {
+        paintImage(painter, content, placement, pixels);
+        if (placement.zoom >= kGridZoom) paintGrid(painter, placement, pixels);
+        if (showEdges || placement.zoom >= kEdgeZoom) paintEdges(painter, content, placement, pixels);
+        if (placement.zoom >= kEdgeZoom && placement.zoom < kTextZoom) paintCentres(painter, placement, pixels);
+        if (placement.zoom >= kTextZoom && content.text) paintTexts(painter, content, placement, pixels);
+    }
+    if (content.shapes) paintShapes(painter, *content.shapes, placement.origin, placement.zoom);
+    if (content.hovered && content.hovered != content.picked) {
+        painter.setBrush(Qt::NoBrush);
+        const QRectF frame(placement.toWidget(*content.hovered), QSizeF(placement.zoom, placement.zoom));
+        paintDouble(painter, 1, 2.5, [&] { painter.drawRect(frame); });
+    }
+    if (content.picked) {
+        // The cross-hair would run through what is written in a large pixel or on polygons.
+        const bool hasCrossHair = placement.zoom < 24 && !content.shapes;
+        paintPicked(painter, *content.picked, placement, visible, hasCrossHair);
+    }
+}
+
+}  // namespace app

@@ -1,0 +1,40 @@
+#pragma once
+#include <QImage>
+#include <QPainter>
+#include <QPolygonF>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "app/panels/shape_picture.h"
+
+namespace app {
+
+// What a canvas shows, ready to paint. Positions are in picture pixels.
+struct CanvasContent {
+    QSize size;    // of the picture; empty: nothing to show
+    QRectF focus;  // what is worth looking at, for fitting; empty: all of it
+    QImage image;  // null where shapes are shown
+    std::optional<ShapePicture> shapes;
+    std::vector<QPolygonF> edges;               // outlines over the image
+    std::function<QStringList(int, int)> text;  // lines written into a pixel that is large enough
+    std::optional<QPoint> picked, hovered;
+};
+
+// Where the picture stands: its corner in the widget, and device-independent pixels per picture pixel.
+struct Placement {
+    QPointF origin;
+    double zoom = 1;
+    QPointF toPicture(QPointF widget) const { return (widget - origin) / zoom; }
+    QPointF toWidget(QPointF picture) const { return origin + picture * zoom; }
+};
+
+inline constexpr double kGridZoom = 10, kEdgeZoom = 12, kTextZoom = 56;
+
+// `visible` is the part of the widget to fill.
+void paintCanvas(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible,
+                 bool showEdges);
+// The checker that stands for "nothing drawn".
+void paintChecker(QPainter& painter, QRect rect);
+
+}  // namespace app

@@ -1,0 +1,227 @@
+#include "app/panels/buffer_view.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedLayout>
+#include <QStyle>
+
+#include "app/core/text.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_header.h"
+#include "app/panels/loupe.h"
+#include "app/panels/range_foot.h"
+#include "pipeline/plan/needs.h"
+
+namespace app {
+
+using pipeline::BufferName;
+using pipeline::Domain;
+
+namespace {
+
+std::optional<QPoint> toPoint(std::optional<glm::ivec2> p) {
+    if (!p) return {};
+    return QPoint(p->x, p->y);
+}
+
+std::optional<glm::ivec2> toVector(std::optional<QPoint> p) {
+    if (!p) return {};
+    return glm::ivec2(p->x(), p->y());
+}
+
+}  // namespace
+
+BufferView::BufferView(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
+    build();
+    observe();
+    setBuffer(m_name);
+}
+
+void BufferView::observe() {
+    connect(m_header->chooser(), &BufferChooser::chosen, this, &BufferView::setBuffer);
+    connect(m_header, &BufferHeader::channelChosen, this, &BufferView::setChannel);
+    connect(m_header, &BufferHeader::fitChosen, m_canvas, &BufferCanvas::toggleFit);
+    connect(m_header, &BufferHeader::originalChosen, m_canvas, [this] { m_canvas->setZoom(1); });
+    connect(m_header, &BufferHeader::edgesToggled, this, &BufferView::setShowEdges);
+    connect(m_header, &BufferHeader::loupeToggled, this, &BufferView::setShowLoupe);
+    connect(m_header, &BufferHeader::copyValueChosen, this,
+            [this] { QApplication::clipboard()->setText(m_readout->text()); });
+    connect(m_header, &BufferHeader::copyPictureChosen, this, [this] {
+        if (m_shown) QApplication::clipboard()->setImage(m_shown->content.image);
+    });
+    connect(m_foot, &RangeFoot::rangeChosen, this, &BufferView::setRange);
+    connect(m_foot, &RangeFoot::autofit, this, &BufferView::autofit);
+    connect(m_compute, &QPushButton::clicked, this, [this] {
+        kept().forced = true;
+        want();
+    });
+
+    connect(m_canvas, &BufferCanvas::zoomChanged, m_header, &BufferHeader::setZoom);
+    connect(m_canvas, &BufferCanvas::picked, this, [this](QPoint pixel) {
+        if (standsOnPicture()) m_document.pick(toVector(pixel));
+    });
+    connect(m_canvas, &BufferCanvas::nudged, this, &BufferView::nudge);
+    connect(m_canvas, &BufferCanvas::hovered, this, [this](std::optional<QPoint> pixel) {
+        m_localHover = pixel;
+        if (standsOnPicture()) m_document.hover(toVector(pixel));
+        showPixels();
+    });
+
+    connect(&m_document, &Document::frameReady, this, &BufferView::refresh);
+    connect(&m_document, &Document::sceneOpened, this, [this] {
+        m_kept.clear();
+        m_shown.reset();
+        m_canvas->setContent({});
+        if (m_name.light >= int(m_document.scene().lights.size())) m_name = {pipeline::BufferId::Color};
+        setBuffer(m_name);
+    });
+    connect(&m_document, &Document::sceneChanged, this, &BufferView::want);
+    connect(&m_document, &Document::pixelChanged, this, &BufferView::showPixels);
+    connect(&m_document, &Document::hoverChanged, this, &BufferView::showPixels);
+    connect(&m_document, &Document::busyChanged, this, [this](bool busy) {
+        if (busy) return m_slow.start();
+        m_slow.stop();
+        m_working->hide();
+    });
+    // The frame that a view stands in shows which view the keys go to.
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+        QWidget* frame = parentWidget();
+        const bool active = now && isAncestorOf(now);
+        if (!frame || frame->property("active").toBool() == active) return;
+        frame->setProperty("active", active);
+        frame->style()->polish(frame);
+    });
+}
+
+void BufferView::setBuffer(const BufferName& name) {
+    const bool isOther = !(name == m_name);
+    m_name = name;
+    m_header->show(name, kept().channel);
+    setAccessibleName(tr("Buffer view: %1").arg(toQString(name.text())));
+    want();
+    refresh();
+    if (isOther) emit bufferChanged(name);
+}
+
+int BufferView::channel() const {
+    const auto found = m_kept.find(m_name.text());
+    return found == m_kept.end() ? -1 : found->second.channel;
+}
+
+void BufferView::setChannel(int channel) {
+    if (pipeline::bufferInfo(m_name.id).channels == 1) return;
+    kept().channel = channel;
+    kept().range.reset();  // that of another channel means nothing
+    m_header->show(m_name, channel);
+    refresh();
+}
+
+void BufferView::setRange(pipeline::PaletteRange range) {
+    kept().range = range;
+    refresh();
+}
+
+void BufferView::autofit(bool keep) {
+    kept().range.reset();
+    refresh();
+    if (!keep && m_shown) setRange(m_shown->look.range);
+}
+
+// A buffer that the scene has no use for is computed only when the user insists.
+void BufferView::want() {
+    const bool useful = m_document.hasScene() && whyUseless(m_document.scene(), m_name.id).empty();
+    m_document.want(this, useful || kept().forced ? pipeline::setOf({m_name.id}) : pipeline::BufferSet());
+}
+
+bool BufferView::standsOnPicture() const { return bufferInfo(m_name.id).domain != Domain::Texel; }
+
+void BufferView::refresh() {
+    if (!m_document.hasScene()) return showMessage(tr("No scene yet. Open a file, or begin with the pyramid."), false);
+    const pipeline::FramePtr& frame = m_document.frame();
+    if (!frame) return;  // the first one is on its way
+    auto shown = showBuffer(*frame, m_name, kept().channel, kept().range);
+    if (!shown) {
+        const bool comes = kept().forced || whyUseless(frame->scene(), m_name.id).empty();
+        if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(toQString(frame->whyAbsent(m_name))), true);
+        return;
+    }
+    m_shown = std::move(shown);
+    m_stack->setCurrentWidget(m_canvas);
+    m_canvas->setContent(m_shown->content);
+    m_foot->show(*m_shown, !kept().range);
+    m_notice->setText(m_shown->empty.isEmpty() ? m_shown->notice : m_shown->empty);
+    m_notice->setVisible(!m_notice->text().isEmpty());
+    setAccessibleDescription(m_shown->description);
+    showPixels();
+}
+
+QString BufferView::message() const { return m_stack->currentWidget() == m_page ? m_message->text() : QString(); }
+
+void BufferView::showMessage(const QString& text, bool canCompute) {
+    m_shown.reset();
+    m_message->setText(text);
+    m_compute->setVisible(canCompute);
+    m_foot->hide();
+    setAccessibleDescription(text);
+    m_stack->setCurrentWidget(m_page);
+}
+
+void BufferView::showPixels() {
+    const bool isPicture = standsOnPicture();
+    m_canvas->setPicked(isPicture ? toPoint(m_document.pixel()) : std::nullopt);
+    m_canvas->setHovered(isPicture ? toPoint(m_document.hovered()) : m_localHover);
+    const std::optional<QPoint> at =
+        m_canvas->content().hovered ? m_canvas->content().hovered : m_canvas->content().picked;
+    m_readout->setText(at && m_shown ? readout(*at) : QString());
+    m_readout->setVisible(!m_readout->text().isEmpty());
+    placeOverlays();
+}
+
+QString BufferView::readout(QPoint pixel) const {
+    const QString place = QString("x %1 y %2").arg(pixel.x()).arg(pixel.y());
+    if (!QRect(QPoint(0, 0), m_shown->content.size).contains(pixel)) return {};
+    if (!m_shown->content.shapes)
+        return place + " → " +
+               elementText(m_shown->buffer, std::size_t(pixel.x()), std::size_t(pixel.y()), m_shown->look.channel)
+                   .join(' ');
+    std::vector<ProjectedPolygon> polygons;
+    for (const Shape& shape : m_shown->content.shapes->shapes) polygons.push_back(shape.outline);
+    const int polygon = nearestPolygonAt(polygons, QPointF(pixel) + QPointF(0.5, 0.5));
+    return polygon < 0 ? place : place + QString(" → polygon %1").arg(polygon);
+}
+
+void BufferView::nudge(QPoint by) {
+    if (!standsOnPicture() || !m_document.hasScene()) return;
+    const auto from = m_document.pixel().value_or(
+        glm::ivec2(m_document.scene().settings.width, m_document.scene().settings.height) / 2);
+    m_document.pick(from + glm::ivec2(by.x(), by.y()));
+}
+
+void BufferView::setShowEdges(bool show) {
+    m_canvas->setShowEdges(show);
+    m_header->setToggles(show, m_loupe->isVisibleTo(m_canvas));
+}
+
+void BufferView::setShowLoupe(bool show) {
+    m_loupe->setVisible(show);
+    m_header->setToggles(m_canvas->showsEdges(), show);
+    placeOverlays();
+}
+
+void BufferView::keyPressEvent(QKeyEvent* event) {
+    if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return QWidget::keyPressEvent(event);
+    switch (event->key()) {
+        case Qt::Key_N: return autofit(event->modifiers() & Qt::ShiftModifier);
+        case Qt::Key_R: return setChannel(0);
+        case Qt::Key_G: return setChannel(1);
+        case Qt::Key_B: return setChannel(2);
+        case Qt::Key_C: return setChannel(-1);
+        case Qt::Key_Z: return setShowLoupe(!m_loupe->isVisibleTo(m_canvas));
+        default: QWidget::keyPressEvent(event);
+    }
+}
+
+}  // namespace app

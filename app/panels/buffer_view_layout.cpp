@@ -1,0 +1,92 @@
+// How a BufferView is put together; what it does stands in buffer_view.cpp.
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_header.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/loupe.h"
+#include "app/panels/range_foot.h"
+
+namespace app {
+
+namespace {
+
+QLabel* overlay(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    label->setProperty("kind", "overlay");
+    label->setMargin(5);
+    label->hide();
+    return label;
+}
+
+}  // namespace
+
+void BufferView::build() {
+    setMinimumSize(280, 220);
+    m_header = new BufferHeader(m_document, this);
+    auto* middle = new QWidget(this);
+    m_stack = new QStackedLayout(middle);
+    m_canvas = new BufferCanvas(middle);
+    m_loupe = new Loupe(m_canvas);
+    m_readout = overlay(m_canvas);
+    m_notice = overlay(m_canvas);
+    m_working = new QWidget(m_canvas);
+    m_working->hide();
+    m_slow.setSingleShot(true);
+    m_slow.setInterval(100);
+    connect(&m_slow, &QTimer::timeout, m_working, &QWidget::show);
+
+    m_page = new QWidget(middle);
+    m_message = new QLabel(m_page);
+    m_message->setAlignment(Qt::AlignCenter);
+    m_message->setWordWrap(true);
+    m_compute = new QPushButton(tr("Compute anyway"), m_page);
+    auto* column = new QVBoxLayout(m_page);
+    column->addStretch();
+    column->addWidget(m_message);
+    column->addWidget(m_compute, 0, Qt::AlignHCenter);
+    column->addStretch();
+    m_stack->addWidget(m_canvas);
+    m_stack->addWidget(m_page);
+
+    m_foot = new RangeFoot(this);
+    m_foot->hide();
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    all->addWidget(m_header);
+    all->addWidget(middle, 1);
+    all->addWidget(m_foot);
+    followTheme(this, [this] {
+        const Theme& theme = Theme::current();
+        m_readout->setFont(theme.mono(12));
+        m_notice->setFont(theme.text(12));
+        m_message->setFont(theme.text(13));
+        m_compute->setFont(theme.text(13, 500));
+        m_working->setStyleSheet("background: " + theme.colors().accent.name());
+        placeOverlays();
+    });
+}
+
+void BufferView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    placeOverlays();
+}
+
+void BufferView::placeOverlays() {
+    constexpr int kMargin = 8;
+    m_readout->adjustSize();
+    m_readout->move(kMargin, m_canvas->height() - m_readout->height() - kMargin);
+    m_notice->adjustSize();
+    const int right = m_loupe->isVisibleTo(m_canvas) ? m_loupe->width() + kMargin : 0;
+    m_notice->move(m_canvas->width() - m_notice->width() - kMargin - right, kMargin);
+    m_working->setGeometry(0, 0, m_canvas->width(), 3);
+    m_loupe->follow();
+}
+
+}  // namespace app

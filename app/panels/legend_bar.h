@@ -1,0 +1,23 @@
+#pragma once
+#include <QWidget>
+
+#include "app/panels/shown_buffer.h"
+
+namespace app {
+
+// Names beside their colours, as many as fit; the rest are told in the tooltip.
+class LegendBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit LegendBar(QWidget* parent = nullptr);
+    void setEntries(std::vector<LegendEntry> entries);
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    std::vector<LegendEntry> m_entries;
+};
+
+}  // namespace app

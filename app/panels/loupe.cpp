@@ -1,0 +1,59 @@
+#include "app/panels/loupe.h"
+
+#include <QPainter>
+
+#include "app/core/theme.h"
+#include "app/panels/buffer_canvas.h"
+
+namespace app {
+
+namespace {
+
+constexpr int kPixels = 9, kZoom = 12, kMargin = 8;
+
+}  // namespace
+
+Loupe::Loupe(BufferCanvas* canvas) : QWidget(canvas), m_canvas(canvas) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    resize(kPixels * kZoom + 2, kPixels * kZoom + 2);
+    hide();
+}
+
+void Loupe::follow() {
+    const int right = m_canvas->width() - width() - kMargin;
+    const QPoint cursor = m_canvas->mapFromGlobal(QCursor::pos());
+    const auto isNear = [&](int x) {
+        return QRect(x, kMargin, width(), height()).adjusted(-24, -24, 24, 24).contains(cursor);
+    };
+    if (isNear(m_onLeft ? kMargin : right)) m_onLeft = !m_onLeft;
+    move(m_onLeft ? kMargin : right, kMargin);
+    update();
+}
+
+void Loupe::paintEvent(QPaintEvent*) {
+    const CanvasContent& content = m_canvas->content();
+    const std::optional<QPoint> centre = content.hovered ? content.hovered : content.picked;
+    QPainter painter(this);
+    const QRect inner = rect().adjusted(1, 1, -1, -1);
+    if (centre) {
+        CanvasContent part = content;
+        part.text = nullptr;
+        part.hovered.reset();
+        part.picked.reset();
+        const QPointF middle = QPointF(*centre) + QPointF(0.5, 0.5);
+        const Placement placement{QPointF(inner.center()) + QPointF(0.5, 0.5) - middle * kZoom, kZoom};
+        painter.setClipRect(inner);
+        paintCanvas(painter, part, placement, inner, true);
+        painter.setClipping(false);
+        const QRectF frame(placement.toWidget(*centre), QSizeF(kZoom, kZoom));
+        painter.setPen(QPen(Qt::black, 4));
+        painter.drawRect(frame);
+        painter.setPen(QPen(Qt::white, 2));
+        painter.drawRect(frame);
+    }
+    painter.setPen(Theme::current().colors().outline);
+    painter.setBrush(centre ? QBrush(Qt::NoBrush) : QBrush(Theme::current().colors().surface));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+}  // namespace app

@@ -1,0 +1,136 @@
+#include "app/panels/palette_bar.h"
+
+#include <QInputDialog>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+using pipeline::PaletteRange;
+
+PaletteBar::PaletteBar(QWidget* parent) : QWidget(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Range of the palette"));
+    setToolTip(
+        tr("Drag a handle to choose what the palette's ends stand for, between them to move both; "
+           "double-click to type. ← → move the first end, Shift+← → the last"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    followTheme(this, [this] {
+        updateGeometry();
+        update();
+    });
+}
+
+QSize PaletteBar::sizeHint() const { return {Theme::current().px(180), Theme::current().px(28)}; }
+QSize PaletteBar::minimumSizeHint() const { return {Theme::current().px(60), Theme::current().px(28)}; }
+
+void PaletteBar::setScale(Scale scale) {
+    m_scale = std::move(scale);
+    update();
+}
+
+QRectF PaletteBar::bar() const {
+    const double margin = 7;
+    return {margin, height() - 12.0, width() - 2 * margin, 7};
+}
+
+double PaletteBar::xOf(double value) const {
+    const double length = m_scale.high - m_scale.low;
+    return bar().left() + (length > 0 ? std::clamp((value - m_scale.low) / length, 0.0, 1.0) : 0) * bar().width();
+}
+
+double PaletteBar::valueAt(double x) const {
+    return m_scale.low + (x - bar().left()) / bar().width() * (m_scale.high - m_scale.low);
+}
+
+void PaletteBar::paintEvent(QPaintEvent*) {
+    const ThemeColors& c = Theme::current().colors();
+    QPainter painter(this);
+    const QRectF area = bar();
+    if (!m_scale.histogram.empty()) {
+        // Roots, so that a few pixels beside many thousand still stand out of the ground.
+        const double most = std::sqrt(double(*std::max_element(m_scale.histogram.begin(), m_scale.histogram.end())));
+        const double step = area.width() / double(m_scale.histogram.size()), room = area.top() - 3;
+        for (std::size_t i = 0; most > 0 && i < m_scale.histogram.size(); ++i) {
+            const double h = room * std::sqrt(double(m_scale.histogram[i])) / most;
+            painter.fillRect(QRectF(area.left() + step * double(i), area.top() - 1 - h, std::max(1.0, step - 0.5), h),
+                             c.text3);
+        }
+    }
+    for (int x = 0; x < int(area.width()); ++x) {
+        const pipeline::Color8 color =
+            paletteColor(m_scale.palette, valueAt(area.left() + x), m_scale.range.first, m_scale.range.last);
+        painter.fillRect(QRectF(area.left() + x, area.top(), 1, area.height()), QColor(color.r, color.g, color.b));
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(c.raised);
+    painter.setPen(QPen(c.text2, 1.2));
+    for (const double value : {m_scale.range.first, m_scale.range.last}) {
+        const double x = xOf(value), y = area.top() - 2;
+        QPainterPath handle;
+        handle.moveTo(x, y);
+        handle.lineTo(x + 5, y + 4.5);
+        handle.lineTo(x + 5, y + 12);
+        handle.lineTo(x - 5, y + 12);
+        handle.lineTo(x - 5, y + 4.5);
+        handle.closeSubpath();
+        painter.drawPath(handle);
+    }
+    if (hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(c.focus, 2));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+    }
+}
+
+PaletteBar::Handle PaletteBar::handleAt(double x) const {
+    const double toFirst = std::abs(x - xOf(m_scale.range.first)), toLast = std::abs(x - xOf(m_scale.range.last));
+    if (std::min(toFirst, toLast) > 9) return Handle::Both;
+    return toFirst <= toLast ? Handle::First : Handle::Last;
+}
+
+void PaletteBar::moveHandle(Handle handle, double by, PaletteRange from) {
+    const bool centred = m_scale.palette == pipeline::Palette::Diverging;
+    if (handle != Handle::Last) from.first += by;
+    if (handle != Handle::First) from.last += by;
+    // A diverging palette keeps 0 in its middle: its ends move against each other.
+    if (centred && handle == Handle::First) from.last = -from.first;
+    if (centred && handle == Handle::Last) from.first = -from.last;
+    if (centred && handle == Handle::Both) return;
+    if (from.first != from.last) emit rangeChosen(from);
+}
+
+void PaletteBar::mousePressEvent(QMouseEvent* event) {
+    m_handle = handleAt(event->position().x());
+    m_pressedAt = event->position().x();
+    m_pressedRange = m_scale.range;
+}
+
+void PaletteBar::mouseMoveEvent(QMouseEvent* event) {
+    if (event->buttons() & Qt::LeftButton)
+        moveHandle(m_handle, valueAt(event->position().x()) - valueAt(m_pressedAt), m_pressedRange);
+}
+
+void PaletteBar::mouseDoubleClickEvent(QMouseEvent* event) {
+    const double first = xOf(m_scale.range.first), last = xOf(m_scale.range.last), x = event->position().x();
+    const Handle handle = std::abs(x - first) <= std::abs(x - last) ? Handle::First : Handle::Last;
+    const double before = handle == Handle::First ? m_scale.range.first : m_scale.range.last;
+    bool entered = false;
+    const double value = QInputDialog::getDouble(this, tr("Range"), tr("Value at this end of the palette"), before,
+                                                 -1e12, 1e12, 6, &entered);
+    if (entered) moveHandle(handle, value - before, m_scale.range);
+}
+
+void PaletteBar::keyPressEvent(QKeyEvent* event) {
+    const int direction = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+    if (direction == 0) return QWidget::keyPressEvent(event);
+    const Handle handle = event->modifiers() & Qt::ShiftModifier ? Handle::Last : Handle::First;
+    moveHandle(handle, direction * (m_scale.high - m_scale.low) / 50, m_scale.range);
+}
+
+}  // namespace app

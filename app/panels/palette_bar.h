@@ -1,0 +1,52 @@
+#pragma once
+#include <QWidget>
+#include <vector>
+
+#include "pipeline/buffers/palette.h"
+
+namespace app {
+
+// A palette between two handles, a histogram above it. The scale runs from the smallest value of
+// the buffer to the largest, a little beyond a range that reaches further; the handles choose what
+// the palette's ends stand for. Dragging between them moves both; a double click types.
+class PaletteBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit PaletteBar(QWidget* parent = nullptr);
+
+    struct Scale {
+        double low = 0, high = 1;      // values at the ends of the bar
+        pipeline::PaletteRange range;  // values at the ends of the palette
+        pipeline::Palette palette = pipeline::Palette::Sequential;
+        std::vector<int> histogram;  // from low to high
+    };
+    void setScale(Scale scale);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    void rangeChosen(pipeline::PaletteRange range);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    enum class Handle : unsigned char { First, Last, Both };
+    QRectF bar() const;
+    double xOf(double value) const;
+    double valueAt(double x) const;
+    Handle handleAt(double x) const;
+    void moveHandle(Handle handle, double by, pipeline::PaletteRange from);
+
+    Scale m_scale;
+    Handle m_handle = Handle::First;
+    double m_pressedAt = 0;
+    pipeline::PaletteRange m_pressedRange;
+};
+
+}  // namespace app

@@ -1,0 +1,68 @@
+#include "app/panels/range_foot.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/legend_bar.h"
+
+namespace app {
+
+RangeFoot::RangeFoot(QWidget* parent)
+    : QStackedWidget(parent),
+      m_low(new QLabel(this)),
+      m_high(new QLabel(this)),
+      m_unit(new QLabel(this)),
+      m_bar(new PaletteBar(this)),
+      m_fit(new QPushButton(tr("Autofit"), this)),
+      m_legend(new LegendBar(this)) {
+    auto* range = new QWidget(this);
+    auto* row = new QHBoxLayout(range);
+    for (QWidget* part : {static_cast<QWidget*>(m_low), static_cast<QWidget*>(m_bar), static_cast<QWidget*>(m_high),
+                          static_cast<QWidget*>(m_unit), static_cast<QWidget*>(m_fit)})
+        row->addWidget(part, part == m_bar ? 1 : 0);
+    auto* legend = new QWidget(this);
+    auto* legendRow = new QHBoxLayout(legend);
+    legendRow->addWidget(m_legend, 1);
+    addWidget(range);
+    addWidget(legend);
+
+    m_unit->setProperty("tone", "2");
+    m_fit->setToolTip(tr("Show all values (N). With Shift: after every change too (Shift+N)"));
+    connect(m_fit, &QPushButton::clicked, this,
+            [this] { emit autofit(QApplication::keyboardModifiers() & Qt::ShiftModifier); });
+    connect(m_bar, &PaletteBar::rangeChosen, this, &RangeFoot::rangeChosen);
+    followTheme(this, [this, row, legendRow] {
+        const Theme& theme = Theme::current();
+        for (QLabel* label : {m_low, m_high}) label->setFont(theme.mono(12));
+        m_unit->setFont(theme.text(12));
+        m_fit->setFont(theme.text(12, 500));
+        for (QHBoxLayout* layout : {row, legendRow}) {
+            layout->setContentsMargins(theme.px(10), theme.px(2), theme.px(6), theme.px(2));
+            layout->setSpacing(theme.px(6));
+        }
+        setFixedHeight(theme.px(34));
+    });
+}
+
+void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting) {
+    const bool hasRange = isScale(shownPalette(*shown.buffer.info, shown.look.channel));
+    setVisible(hasRange || !shown.legend.empty());
+    setCurrentIndex(hasRange ? 0 : 1);
+    m_legend->setEntries(shown.legend);
+    if (!hasRange) return;
+    const auto [low, high] = std::minmax(shown.look.range.first, shown.look.range.last);
+    m_low->setText(valueText(shown.buffer, low, 8));
+    m_high->setText(valueText(shown.buffer, high, 8));
+    m_unit->setText(toQString(shown.buffer.info->unit));
+    m_unit->setVisible(!shown.buffer.info->unit.empty() && width() > Theme::current().px(380));
+    m_bar->setScale(shown.scale);
+    m_fit->setProperty("kind", keepsFitting ? "chosen" : "");
+    m_fit->setAccessibleDescription(keepsFitting ? tr("The range follows every change") : tr("The range is kept"));
+}
+
+}  // namespace app

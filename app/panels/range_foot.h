@@ -1,0 +1,33 @@
+#pragma once
+#include <QStackedWidget>
+
+#include "app/panels/shown_buffer.h"
+
+class QLabel;
+class QPushButton;
+
+namespace app {
+
+class LegendBar;
+
+// Below a buffer: its range with the palette, or the names of its colours; nothing for a picture.
+class RangeFoot : public QStackedWidget {
+    Q_OBJECT
+public:
+    explicit RangeFoot(QWidget* parent = nullptr);
+
+    // keepsFitting: the range follows every frame.
+    void show(const ShownBuffer& shown, bool keepsFitting);
+
+signals:
+    void rangeChosen(pipeline::PaletteRange range);
+    void autofit(bool keep);  // Shift with the button: keep
+
+private:
+    QLabel *m_low, *m_high, *m_unit;
+    PaletteBar* m_bar;
+    QPushButton* m_fit;
+    LegendBar* m_legend;
+};
+
+}  // namespace app

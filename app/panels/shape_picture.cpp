@@ -1,0 +1,195 @@
+#include "app/panels/shape_picture.h"
+
+#include <QFontMetricsF>
+#include <algorithm>
+
+#include "app/core/theme.h"
+#include "pipeline/stages/cull.h"
+
+namespace app {
+
+using pipeline::AnyBuffer;
+using pipeline::Domain;
+using pipeline::Palette;
+
+namespace {
+
+QColor toColor(pipeline::Color8 c) { return {c.r, c.g, c.b}; }
+
+QColor colorOf(const AnyBuffer& buffer, std::size_t row, const BufferLook& look) {
+    const Palette palette = shownPalette(*buffer.info, look.channel);
+    if (buffer.channels() == 3 && look.channel < 0) return toColor(elementColor(buffer, 0, row, look.range));
+    return toColor(
+        paletteColor(palette, buffer.value(0, row, std::max(0, look.channel)), look.range.first, look.range.last));
+}
+
+QString rowText(const AnyBuffer& buffer, std::size_t row, int channel) {
+    const QStringList values = elementText(buffer, 0, row, channel);
+    return values.size() == 1 ? values[0] : '(' + values.join(", ") + ')';
+}
+
+// A few words on a ground of their own, near the place that they speak of.
+struct Chip {
+    QPointF of;
+    QRectF rect;
+    QString text;
+    QColor ground, ink;
+};
+
+// Moves a chip into the window and off those that are there already, down or up by whole lines.
+void makeRoom(Chip& chip, const std::vector<Chip>& others, const QRectF& window) {
+    QRectF& rect = chip.rect;
+    rect.moveLeft(std::clamp(rect.left(), window.left(), std::max(window.left(), window.right() - rect.width())));
+    const double start = rect.top();
+    for (int step = 0; step < 60; ++step) {
+        rect.moveTop(start + (step + 1) / 2 * (step % 2 ? 1.0 : -1.0) * (rect.height() + 1));
+        const bool inside = rect.top() >= window.top() && rect.bottom() <= window.bottom();
+        if (inside &&
+            std::none_of(others.begin(), others.end(), [&](const Chip& c) { return c.rect.intersects(rect); }))
+            return;
+    }
+    rect.moveTop(start);
+}
+
+// Lines from things to their chips, where those had to move away; then the chips.
+void paintChips(QPainter& painter, const std::vector<Chip>& chips) {
+    for (const Chip& chip : chips) {
+        const QPointF to(std::clamp(chip.of.x(), chip.rect.left(), chip.rect.right()),
+                         std::clamp(chip.of.y(), chip.rect.top(), chip.rect.bottom()));
+        if (QLineF(chip.of, to).length() < 4) continue;
+        const QColor color = Theme::current().colors().text;
+        painter.setPen(QPen(color, 1));
+        painter.drawLine(chip.of, to);
+        painter.setBrush(color);
+        painter.drawEllipse(chip.of, 2, 2);
+    }
+    for (const Chip& chip : chips) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(chip.ground);
+        painter.drawRoundedRect(chip.rect, 3, 3);
+        painter.setPen(chip.ink);
+        painter.drawText(chip.rect, Qt::AlignCenter, chip.text);
+    }
+}
+
+}  // namespace
+
+Qt::BrushStyle hatchOfVerdict(char letter) {
+    switch (letter) {
+        case 'B': return Qt::BDiagPattern;
+        case 'D': return Qt::Dense6Pattern;
+        case 'C': return Qt::FDiagPattern;
+        case 'O': return Qt::CrossPattern;
+        default: return Qt::NoBrush;
+    }
+}
+
+ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer, const BufferLook& look) {
+    ShapePicture picture;
+    const Domain domain = buffer.info->domain;
+    std::vector<ProjectedPolygon> polygons = projectPolygons(frame);
+    std::stable_sort(polygons.begin(), polygons.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.goesOn, -a.distance) < std::pair(b.goesOn, -b.distance);
+    });
+    for (ProjectedPolygon& polygon : polygons) {
+        Shape shape{.outline = std::move(polygon), .fill = {}, .letter = {}, .value = {}};
+        if (domain == Domain::Polygon) {
+            const auto row = std::size_t(shape.outline.polygon);
+            shape.fill = colorOf(buffer, row, look);
+            if (buffer.info->palette == Palette::Verdict) {
+                const char letter = pipeline::letter(pipeline::Verdict(int(buffer.flat(row))));
+                shape.letter = QChar(letter);
+                shape.hatch = hatchOfVerdict(letter);
+                shape.value = QString::number(row);
+            } else {
+                shape.value = rowText(buffer, row, look.channel);
+            }
+        }
+        picture.shapes.push_back(std::move(shape));
+    }
+    if (domain != Domain::Vertex) return picture;
+    std::vector<bool> seen(buffer.rows(), false);
+    for (const Shape& shape : picture.shapes)
+        for (int i = 0; i < int(shape.outline.vertices.size()); ++i) {
+            const auto v = std::size_t(shape.outline.vertices[std::size_t(i)]);
+            if (v >= seen.size() || seen[v]) continue;
+            seen[v] = true;
+            const bool isColor = buffer.info->palette == Palette::Color || buffer.info->unit.empty();
+            picture.points.push_back({shape.outline.corners[i], int(v), isColor ? colorOf(buffer, v, look) : QColor(),
+                                      rowText(buffer, v, look.channel)});
+        }
+    return picture;
+}
+
+void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom) {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const auto place = [&](QPointF p) { return origin + p * zoom; };
+    const auto placed = [&](const QPolygonF& polygon) {
+        QPolygonF result;
+        for (const QPointF& p : polygon) result << place(p);
+        return result;
+    };
+    for (const Shape& shape : picture.shapes) {
+        const QPolygonF corners = placed(shape.outline.corners);
+        // What culling drops stays visible through what covers it.
+        QColor fill = shape.fill;
+        if (fill.isValid() && !shape.letter.isEmpty() && shape.outline.goesOn) fill.setAlpha(170);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(fill.isValid() ? QBrush(fill) : Qt::NoBrush);
+        painter.drawPolygon(corners);
+        if (shape.hatch != Qt::NoBrush) {
+            painter.setBrush(QBrush(QColor(0, 0, 0, 150), shape.hatch));
+            painter.drawPolygon(corners);
+        }
+    }
+    for (const Shape& shape : picture.shapes) {
+        QPen pen(shape.outline.goesOn ? c.text : c.text3, shape.outline.goesOn ? 1.5 : 1.2);
+        if (!shape.outline.goesOn) pen.setDashPattern({4, 3});
+        painter.setPen(pen);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawPolygon(placed(shape.outline.corners));
+    }
+
+    for (const ShapePoint& point : picture.points) {
+        painter.setPen(QPen(c.view, 1.5));
+        painter.setBrush(point.fill.isValid() ? point.fill : c.accent);
+        const double radius = picture.isSmall ? 2 : 5;
+        painter.drawEllipse(place(point.at), radius, radius);
+    }
+
+    // Words for hundreds of polygons would hide them; of more than a few, those in front have words.
+    const bool writes = !picture.isSmall && std::max(picture.shapes.size(), picture.points.size()) <= 200;
+    const bool writesAll = picture.shapes.size() <= 6;
+    const QRectF window = QRectF(painter.window()).adjusted(2, 2, -2, -2);
+    painter.setFont(theme.mono(12));
+    const QFontMetricsF metrics(painter.font());
+    std::vector<Chip> chips;
+    const auto add = [&](QPointF of, QPointF offset, const QString& text, const QColor& ground, const QColor& ink) {
+        Chip chip{of, QRectF(0, 0, metrics.horizontalAdvance(text) + 8, metrics.height() + 2), text, ground, ink};
+        chip.rect.moveCenter(of);
+        if (!offset.isNull()) chip.rect.moveTopLeft(of + offset);
+        makeRoom(chip, chips, window);
+        chips.push_back(chip);
+    };
+    for (const Shape& shape : picture.shapes) {
+        const bool isVerdict = !shape.letter.isEmpty(), goesOn = shape.outline.goesOn;
+        const QPointF centre = place(shape.outline.centre);
+        if (!writes || shape.value.isEmpty() || !window.contains(centre)) continue;
+        if (isVerdict)
+            add(centre, {}, shape.letter + "  " + shape.value, shape.fill, Qt::black);
+        else if (writesAll || goesOn)
+            add(centre, {}, QString("%1  %2").arg(shape.outline.polygon).arg(shape.value), c.view,
+                goesOn ? c.text : c.text3);
+    }
+    for (const ShapePoint& point : picture.points)
+        if (writes && window.contains(place(point.at)))
+            add(place(point.at), {8, -metrics.height() - 6}, QString("%1  %2").arg(point.vertex).arg(point.value),
+                c.view, c.text);
+    paintChips(painter, chips);
+    painter.restore();
+}
+
+}  // namespace app

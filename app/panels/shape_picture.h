@@ -1,0 +1,41 @@
+#pragma once
+#include <QColor>
+#include <QPainter>
+#include <QString>
+#include <vector>
+
+#include "app/panels/buffer_image.h"
+#include "app/panels/projected_scene.h"
+
+namespace app {
+
+// Buffers that stand on polygons or vertices have no pixels of their own: they are shown on the
+// polygons' outlines in the picture.
+struct Shape {
+    ProjectedPolygon outline;
+    QColor fill;  // invalid: outline only
+    Qt::BrushStyle hatch = Qt::NoBrush;
+    QString letter;  // of the verdict; may be empty
+    QString value;   // written where there is room
+};
+struct ShapePoint {
+    QPointF at;  // pixels
+    int vertex = 0;
+    QColor fill;
+    QString value;
+};
+struct ShapePicture {
+    std::vector<Shape> shapes;  // in the order of drawing: farthest first, culled ones before kept ones
+    std::vector<ShapePoint> points;
+    bool isSmall = false;  // a thumbnail: no words, small points
+};
+
+// The hatches that tell verdicts apart without colour.
+Qt::BrushStyle hatchOfVerdict(char letter);
+
+ShapePicture shapePicture(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const BufferLook& look);
+
+// Under `zoom` (screen pixels per picture pixel) with the picture's corner at `origin`.
+void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom);
+
+}  // namespace app

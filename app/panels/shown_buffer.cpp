@@ -1,0 +1,232 @@
+#include "app/panels/shown_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/core/numbers.h"
+#include "app/core/text.h"
+#include "pipeline/stages/cull.h"
+
+namespace app {
+
+using pipeline::AnyBuffer;
+using pipeline::BufferId;
+using pipeline::BufferInfo;
+using pipeline::BufferName;
+using pipeline::Domain;
+using pipeline::Element;
+using pipeline::Frame;
+using pipeline::Palette;
+using pipeline::PaletteRange;
+
+namespace {
+
+// What of the drawn elements is no number, and how many different ones there are.
+struct Findings {
+    std::size_t drawn = 0, nan = 0, infinite = 0, distinct = 0;  // distinct: 257 stands for more than 256
+    double min = INFINITY;
+    std::size_t minAt = 0;
+    bool any() const { return drawn > 0; }
+};
+
+Findings look(const AnyBuffer& buffer, const std::vector<bool>& drawn, int channel) {
+    Findings found;
+    const auto channels = std::size_t(buffer.channels());
+    const auto c = std::size_t(std::max(0, channel));
+    std::vector<double> values;  // the distinct ones, sorted
+    std::visit(
+        [&](const auto& numbers) {
+            double last = NAN;
+            for (std::size_t i = 0; i * channels < numbers.size(); ++i) {
+                if (!drawn.empty() && !drawn[i]) continue;
+                ++found.drawn;
+                const double value = double(numbers[i * channels + c]);
+                if (value == last) continue;
+                last = value;
+                if (std::isnan(value)) {
+                    ++found.nan;
+                } else if (std::isinf(value)) {
+                    ++found.infinite;
+                } else {
+                    if (value < found.min) {
+                        found.min = value;
+                        found.minAt = i;
+                    }
+                    if (values.size() > 256) continue;
+                    const auto at = std::lower_bound(values.begin(), values.end(), value);
+                    if (at == values.end() || *at != value) values.insert(at, value);
+                }
+            }
+        },
+        buffer.data);
+    found.distinct = values.size();
+    return found;
+}
+
+QString noticeOf(const Findings& found, bool countsDistinct) {
+    QStringList parts;
+    if (countsDistinct && found.distinct > 1 && found.distinct <= 256)
+        parts << QString("%1 distinct values").arg(found.distinct);
+    if (found.nan > 0) parts << QString("%1 NaN").arg(found.nan);
+    if (found.infinite > 0) parts << QString("%1 infinite").arg(found.infinite);
+    return parts.join(", ");
+}
+
+QColor toColor(pipeline::Color8 c) { return {c.r, c.g, c.b}; }
+
+std::vector<LegendEntry> legendOf(const Frame& frame, const AnyBuffer& buffer) {
+    std::vector<LegendEntry> legend;
+    std::map<int, int> counts;
+    std::visit(
+        [&](const auto& numbers) {
+            for (std::size_t i = 0; i < numbers.size();) {
+                std::size_t end = i + 1;  // neighbours are often equal
+                while (end < numbers.size() && numbers[end] == numbers[i]) ++end;
+                if (numbers[i] >= 0) counts[int(numbers[i])] += int(end - i);
+                i = end;
+            }
+        },
+        buffer.data);
+    const Palette palette = buffer.info->palette;
+    for (const auto& [value, count] : counts) {
+        LegendEntry entry{toColor(paletteColor(palette, value, 0, 1)), Qt::NoBrush, {}};
+        if (palette == Palette::Verdict) {
+            const auto verdict = pipeline::Verdict(value);
+            entry.hatch = hatchOfVerdict(pipeline::letter(verdict));
+            entry.text =
+                QString("%1 %2, %3").arg(QChar(pipeline::letter(verdict)), toQString(name(verdict))).arg(count);
+        } else {
+            entry.text = QString::number(value);
+            const auto& objects = frame.scene().objects;
+            if (buffer.info->id == BufferId::ObjectId && std::size_t(value) < objects.size())
+                entry.text += ' ' + toQString(objects[std::size_t(value)].name);
+        }
+        legend.push_back(entry);
+    }
+    return legend;
+}
+
+// Values in a pixel, then which polygon it shows and how many fragments came.
+std::function<QStringList(int, int)> textOf(const AnyBuffer& buffer, int channel,
+                                            const std::optional<AnyBuffer>& polygons,
+                                            const std::optional<AnyBuffer>& overdraw) {
+    return [=](int x, int y) {
+        constexpr int kCharacters = 8;  // of 11 px in 56
+        QStringList lines = elementText(buffer, std::size_t(x), std::size_t(y), channel, kCharacters);
+        if (!polygons || lines.size() > 1) return lines;
+        const double polygon = polygons->value(std::size_t(x), std::size_t(y));
+        if (polygon < 0) return lines;
+        QString second = QString("p%1").arg(int(polygon));
+        const int fragments = overdraw ? int(overdraw->value(std::size_t(x), std::size_t(y))) : 0;
+        if (fragments > 1) second += QString(" ×%1").arg(fragments);
+        return lines << second;
+    };
+}
+
+QRectF drawnRectangle(const std::vector<bool>& drawn, QSize size) {
+    QRect found;
+    for (int y = 0; y < size.height() && !drawn.empty(); ++y)
+        for (int x = 0; x < size.width(); ++x)
+            if (drawn[std::size_t(y) * std::size_t(size.width()) + std::size_t(x)]) found |= QRect(x, y, 1, 1);
+    return focusOn({QPolygonF(QRectF(found))}, size);
+}
+
+QString descriptionOf(const AnyBuffer& buffer, const QSize& size, const Findings& found) {
+    QString text = QString("%1, %2 by %3").arg(toQString(buffer.name.text())).arg(size.width()).arg(size.height());
+    if (buffer.info->domain != Domain::Pixel || !found.any()) return text;
+    text += QString(", %1 % covered")
+                .arg(number(100.0 * double(found.drawn) / double(buffer.rows() * buffer.columns()), 2));
+    if (buffer.channels() == 1 && std::isfinite(found.min)) {
+        const bool isDistance = std::isinf(buffer.info->neutral);
+        text += QString(", %1 %2 at %3, %4")
+                    .arg(isDistance ? "nearest" : "least", valueText(buffer, found.min))
+                    .arg(found.minAt % buffer.columns())
+                    .arg(found.minAt / buffer.columns());
+    }
+    return text;
+}
+
+QString whyNothing(const Frame& frame) {
+    const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
+    if (!verdicts) return "Nothing was drawn.";
+    std::size_t away = 0;
+    for (std::size_t i = 0; i < verdicts->count(); ++i)
+        away += verdicts->flat(i) == double(pipeline::Verdict::BackFacing);
+    if (away == verdicts->count()) return QString("Nothing was drawn: all %1 polygons face away.").arg(away);
+    return "Nothing was drawn: no polygon covers a pixel.";
+}
+
+PaletteBar::Scale scaleOf(const AnyBuffer& buffer, const BufferLook& shown, PaletteRange whole,
+                          const std::vector<bool>& drawn) {
+    PaletteBar::Scale scale;
+    const auto [a, b] = std::minmax({whole.first, whole.last, shown.range.first, shown.range.last});
+    scale.low = a;
+    scale.high = b;
+    scale.range = shown.range;
+    scale.palette = shownPalette(*buffer.info, shown.channel);
+    constexpr int kBins = 64;
+    scale.histogram = histogram(buffer, {shown.channel, {scale.low, scale.high}}, drawn, kBins);
+    return scale;
+}
+
+}  // namespace
+
+QStringList channelNames(const BufferInfo& info) {
+    if (info.channels == 1) return {};
+    if (info.id == BufferId::Barycentric) return {"λ0", "λ1", "λ2"};
+    if (info.palette == Palette::Color) return {"r", "g", "b"};
+    return {"x", "y", "z"};
+}
+
+QString captionOf(const BufferInfo& info, int channel) {
+    static const QStringList colors{"red", "green", "blue"};
+    const bool isColor = info.palette == Palette::Color && info.id != BufferId::Barycentric;
+    const QString alone = channel < 0 ? QString() : isColor ? colors[channel] : channelNames(info)[channel];
+    if (info.element == Element::UInt8 && isColor) return channel < 0 ? "sRGB, row 0 on top" : alone + ", row 0 on top";
+    if (info.unit == "intensity") return (channel < 0 ? QString("red, green, blue") : alone) + ", before scaling";
+    QString meaning = toQString(info.meaning);
+    if (meaning.endsWith('.')) meaning.chop(1);
+    return alone.isEmpty() ? meaning : alone + ", " + meaning;
+}
+
+std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name, int channel,
+                                      std::optional<PaletteRange> range) {
+    const auto buffer = frame.buffer(name);
+    if (!buffer) return {};
+    const BufferInfo& info = *buffer->info;
+    if (channel >= info.channels || info.channels == 1) channel = -1;
+    const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
+    const std::vector<bool> drawn = drawnElements(*buffer, polygons, channel);
+    const PaletteRange whole = fittingRange(*buffer, channel, frame.scene().settings.depthFormat);
+
+    ShownBuffer shown;
+    shown.buffer = *buffer;
+    shown.look = {channel, range.value_or(whole)};
+    const pipeline::Settings& settings = frame.scene().settings;
+    CanvasContent& content = shown.content;
+    if (standsOnShapes(info)) {
+        content.size = {settings.width, settings.height};
+        content.shapes = shapePicture(frame, *buffer, shown.look);
+        content.focus = focusOn(outlinesOf(projectPolygons(frame), true), content.size);
+    } else {
+        content.size = {int(buffer->columns()), int(buffer->rows())};
+        content.image = bufferImage(*buffer, shown.look, drawn);
+        content.text = textOf(*buffer, channel, polygons, polygons ? frame.buffer({BufferId::Overdraw}) : std::nullopt);
+        if (info.domain == Domain::Pixel) content.edges = outlinesOf(projectPolygons(frame), false);
+        content.focus =
+            info.domain == Domain::Pixel ? focusOn(content.edges, content.size) : drawnRectangle(drawn, content.size);
+    }
+
+    const Findings found = look(*buffer, drawn, channel);
+    const bool isScalar = info.channels == 1 || channel >= 0;
+    shown.notice = noticeOf(found, isScalar && info.element == Element::Real && !standsOnShapes(info));
+    if (!drawn.empty() && !found.any()) shown.empty = whyNothing(frame);
+    shown.description = descriptionOf(*buffer, content.size, found);
+    const Palette palette = shownPalette(info, channel);
+    if (isScale(palette)) shown.scale = scaleOf(*buffer, shown.look, whole, drawn);
+    if (palette == Palette::Categorical || palette == Palette::Verdict) shown.legend = legendOf(frame, *buffer);
+    return shown;
+}
+
+}  // namespace app

@@ -1,0 +1,40 @@
+#pragma once
+#include <QString>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/panels/buffer_painter.h"
+#include "app/panels/palette_bar.h"
+#include "pipeline/run/frame.h"
+
+namespace app {
+
+struct LegendEntry {
+    QColor color;
+    Qt::BrushStyle hatch = Qt::NoBrush;
+    QString text;
+};
+
+// A buffer of a frame, made ready to be shown: everything a view needs that no widget decides.
+struct ShownBuffer {
+    pipeline::AnyBuffer buffer;
+    BufferLook look;
+    CanvasContent content;            // without the picked and hovered pixel
+    PaletteBar::Scale scale;          // where there is a range to choose
+    std::vector<LegendEntry> legend;  // where colours are names
+    QString notice;                   // "3 distinct values, 5 NaN"; what is worth telling, may be empty
+    QString empty;                    // "Nothing was drawn: …", else empty
+    QString description;              // for a screen reader
+};
+
+// What is shown, in words: "blue, before scaling".
+QString captionOf(const pipeline::BufferInfo& info, int channel);
+// The channels' own names: r g b, x y z, or the three weights.
+QStringList channelNames(const pipeline::BufferInfo& info);
+
+// range: the user's; nothing for one that shows all. Gives nothing where the frame has no such buffer.
+std::optional<ShownBuffer> showBuffer(const pipeline::Frame& frame, const pipeline::BufferName& name, int channel,
+                                      std::optional<pipeline::PaletteRange> range);
+
+}  // namespace app

@@ -1,0 +1,73 @@
+#include "app/panels/thumbnail.h"
+
+#include <algorithm>
+
+#include "app/panels/buffer_image.h"
+#include "app/panels/shape_picture.h"
+
+namespace app {
+
+using pipeline::AnyBuffer;
+using pipeline::BufferInfo;
+using pipeline::Domain;
+
+namespace {
+
+QImage shapesImage(const pipeline::Frame& frame, const AnyBuffer& buffer, const BufferLook& look, const QRectF& focus,
+                   QSize size) {
+    QImage image(size, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    ShapePicture shapes = shapePicture(frame, buffer, look);
+    shapes.isSmall = true;
+    const double zoom = size.width() / focus.width();
+    paintShapes(painter, shapes, -focus.topLeft() * zoom, zoom);
+    return image;
+}
+
+// Few samples a pixel, not all there are: a thumbnail must not cost what its view costs.
+QImage sampledImage(const AnyBuffer& buffer, const BufferLook& look, const QRectF& focus, QSize size,
+                    const std::optional<AnyBuffer>& polygonId) {
+    const BufferInfo& info = *buffer.info;
+    const QSize sampled = size.width() < focus.width() ? 2 * size : size;
+    const double step = focus.width() / sampled.width();
+    const auto at = [](double place, std::size_t count) {
+        return std::min(std::size_t(std::max(0.0, place)), count - 1);
+    };
+    const bool isPicture = isColorPicture(info, -1), onPixels = info.domain == Domain::Pixel && polygonId;
+    QImage image(sampled, QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; y < sampled.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        const std::size_t row = at(focus.top() + (y + 0.5) * step, buffer.rows());
+        for (int x = 0; x < sampled.width(); ++x) {
+            const std::size_t column = at(focus.left() + (x + 0.5) * step, buffer.columns());
+            const bool drawn = isPicture || (onPixels ? polygonId->value(column, row) >= 0
+                                                      : buffer.value(column, row) != info.neutral);
+            const pipeline::Color8 c = elementColor(buffer, column, row, look.range);
+            line[x] = drawn ? qRgb(c.r, c.g, c.b) : 0;
+        }
+    }
+    return image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+}
+
+}  // namespace
+
+QImage thumbnail(const pipeline::Frame& frame, const pipeline::BufferName& name, QSize size,
+                 const std::optional<AnyBuffer>& polygonId) {
+    const auto buffer = frame.buffer(name);
+    if (!buffer) return {};
+    const BufferInfo& info = *buffer->info;
+    const pipeline::Settings& settings = frame.scene().settings;
+    const BufferLook look{-1, fittingRange(*buffer, -1, settings.depthFormat)};
+    const bool onPicture = info.domain != Domain::Texel;
+    const QSize whole =
+        onPicture ? QSize(settings.width, settings.height) : QSize(int(buffer->columns()), int(buffer->rows()));
+    const QRectF all(QPointF(0, 0), QSizeF(whole));
+    QRectF focus = onPicture ? focusOn(outlinesOf(projectPolygons(frame), true), whole) & all : all;
+    if (focus.isEmpty()) focus = all;
+    const QSize fitted = focus.size().scaled(size, Qt::KeepAspectRatio).toSize().expandedTo({1, 1});
+    return standsOnShapes(info) ? shapesImage(frame, *buffer, look, focus, fitted)
+                                : sampledImage(*buffer, look, focus, fitted, polygonId);
+}
+
+}  // namespace app

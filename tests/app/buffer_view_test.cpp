@@ -1,0 +1,253 @@
+#include "app/panels/buffer_view.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/thumbnail_strip.h"
+#include "pipeline/buffers/palette.h"
+#include "tests/support/scenes.h"
+
+// The real view on a real document with lecture 1's pyramid.
+namespace {
+
+using app::BufferCanvas;
+using app::BufferView;
+using app::Document;
+using pipeline::BufferId;
+
+struct BufferViewTest : testing::Test {
+    Document document;
+    BufferView view{document};
+
+    BufferViewTest() {
+        view.resize(640, 560);
+        view.show();
+        document.setScene(test::pyramid());
+        show({BufferId::ZView});
+    }
+    void show(const pipeline::BufferName& name) {
+        view.setBuffer(name);
+        EXPECT_TRUE(settled()) << name.text();
+    }
+    // The frame has come, and with it the buffer or the reason why there is none.
+    bool settled() {
+        return QTest::qWaitFor(
+            [this] {
+                return document.frame() && !document.busy() && (view.shown() || !view.message().isEmpty()) &&
+                       (!view.shown() || view.shown()->buffer.name == view.buffer());
+            },
+            10000);
+    }
+    BufferCanvas& canvas() { return *view.canvas(); }
+    const QImage& image() { return canvas().content().image; }
+    pipeline::AnyBuffer buffer() { return *document.frame()->buffer(view.buffer()); }
+    QPoint widgetAt(QPoint pixel) {
+        return canvas().placement().toWidget(QPointF(pixel) + QPointF(0.5, 0.5)).toPoint();
+    }
+};
+
+constexpr QPoint kOnPolygon2{268, 281};  // the picked pixel of the design's mock-up: inside polygon 2
+constexpr QPoint kBackground{5, 5};
+
+}  // namespace
+
+TEST_F(BufferViewTest, EveryPixelHasTheColourThatAnExportGivesIt) {
+    const auto z = buffer();
+    const auto range = fittingRange(z, statistics(z), pipeline::DepthFormat::Linear);
+    ASSERT_EQ(image().size(), QSize(640, 480));
+    int drawn = 0;
+    for (int y = 0; y < 480; ++y)
+        for (int x = 0; x < 640; ++x) {
+            const QRgb shown = image().pixel(x, y);
+            const double value = z.value(std::size_t(x), std::size_t(y));
+            ASSERT_EQ(qAlpha(shown) == 0, std::isinf(value)) << x << ", " << y;
+            if (std::isinf(value)) continue;
+            const auto color = elementColor(z, std::size_t(x), std::size_t(y), range);
+            ASSERT_EQ(shown, qRgb(color.r, color.g, color.b)) << x << ", " << y;
+            ++drawn;
+        }
+    EXPECT_GT(drawn, 2000);  // the pyramid covers more than half of a box of 84 × 66 pixels
+}
+
+TEST_F(BufferViewTest, AClickPicksThePixelUnderIt) {
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, widgetAt(kOnPolygon2));
+    ASSERT_TRUE(document.pixel());
+    EXPECT_EQ(*document.pixel(), glm::ivec2(268, 281));
+    EXPECT_EQ(canvas().content().picked, kOnPolygon2);
+}
+
+TEST_F(BufferViewTest, ArrowKeysMoveThePickedPixelByOneAndWithShiftByTen) {
+    document.pick(glm::ivec2(100, 100));
+    QTest::keyClick(&canvas(), Qt::Key_Left);
+    QTest::keyClick(&canvas(), Qt::Key_Down, Qt::ShiftModifier);
+    EXPECT_EQ(*document.pixel(), glm::ivec2(99, 110));
+    document.pick(glm::ivec2(0, 0));
+    QTest::keyClick(&canvas(), Qt::Key_Up);  // stays in the picture
+    EXPECT_EQ(*document.pixel(), glm::ivec2(0, 0));
+}
+
+TEST_F(BufferViewTest, DraggingMovesThePictureAndPicksNothing) {
+    const QPointF before = canvas().placement().origin;
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, QPoint(200, 200));
+    for (int i = 1; i <= 4; ++i) {
+        QMouseEvent move(QEvent::MouseMove, QPointF(200 + 10 * i, 200),
+                         canvas().mapToGlobal(QPointF(200 + 10 * i, 200)), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(&canvas(), &move);
+    }
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, QPoint(240, 200));
+    EXPECT_EQ(canvas().placement().origin - before, QPointF(40, 0));
+    EXPECT_FALSE(document.pixel());
+}
+
+TEST_F(BufferViewTest, TheWheelZoomsToTheCursorInWholeSteps) {
+    const QPoint at = widgetAt(kOnPolygon2);
+    for (int i = 0; i < 6; ++i) {
+        QWheelEvent wheel(at, canvas().mapToGlobal(QPointF(at)), {}, {0, 120}, {}, {}, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&canvas(), &wheel);
+        EXPECT_EQ(canvas().zoom(), std::floor(canvas().zoom()));
+        ASSERT_EQ(canvas().pixelAt(at), kOnPolygon2) << "zoom " << canvas().zoom();
+    }
+    EXPECT_GE(canvas().zoom(), 10);
+}
+
+TEST(BufferCanvas, ZoomStepsAreWholeFromTwoUpAndReversible) {
+    double zoom = 0.1;
+    for (double next; (next = BufferCanvas::nextZoom(zoom, 1)) != zoom; zoom = next) {
+        EXPECT_GT(next, zoom);
+        EXPECT_DOUBLE_EQ(BufferCanvas::nextZoom(next, -1), zoom);
+        if (next >= 2) {
+            EXPECT_EQ(next, std::floor(next));
+        }
+    }
+    EXPECT_GE(zoom, 72);
+}
+
+TEST_F(BufferViewTest, FittingShowsWhatIsDrawnAndThenTheWholePicture) {
+    const QRectF seen(canvas().placement().toPicture({0, 0}),
+                      canvas().placement().toPicture(QPointF(canvas().width(), canvas().height())));
+    EXPECT_GE(canvas().zoom(), 2);  // the pyramid is about 84 pixels wide
+    for (const QPolygonF& edge : canvas().content().edges) EXPECT_TRUE(seen.contains(edge.boundingRect()));
+    canvas().toggleFit();
+    EXPECT_LT(canvas().zoom(), 1.01);  // 640 pixels in 640
+}
+
+TEST_F(BufferViewTest, LargePixelsCarryTheirValues) {
+    const QStringList lines = canvas().content().text(kOnPolygon2.x(), kOnPolygon2.y());
+    ASSERT_EQ(lines.size(), 2);
+    EXPECT_NEAR(lines[0].toDouble(), buffer().value(268, 281), 5e-5);
+    EXPECT_EQ(lines[1], "p2");  // polygon 2 "Right" of the lecture; one fragment
+    const QString nothing = canvas().content().text(kBackground.x(), kBackground.y())[0];
+    EXPECT_TRUE(nothing.contains(QChar(0x221E))) << nothing.toStdString();
+    canvas().setZoom(72, widgetAt(kOnPolygon2));
+    const QImage written = canvas().grab().toImage();
+    const QPointF corner = canvas().placement().toWidget(kOnPolygon2);
+    int dark = 0;  // the letters, within the cell's frame
+    for (int y = 20; y < 52; ++y)
+        for (int x = 6; x < 66; ++x)
+            dark += written.pixelColor(int(corner.x()) + x, int(corner.y()) + y).lightness() < 60;
+    EXPECT_GT(dark, 60);
+}
+
+TEST_F(BufferViewTest, ALeftOutBufferTellsWhyAndIsComputedWhenAskedFor) {
+    show({BufferId::ShadowBuffer, 0});
+    EXPECT_TRUE(view.message().contains("The only object is convex: it cannot shadow itself."));
+    EXPECT_FALSE(document.frame()->buffer({BufferId::ShadowBuffer, 0}));
+    QPushButton* compute = nullptr;
+    for (auto* button : view.findChildren<QPushButton*>())
+        if (button->text() == "Compute anyway") compute = button;
+    ASSERT_TRUE(compute && compute->isVisible());
+    compute->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.message().isEmpty(); }, 10000));
+    EXPECT_TRUE(document.frame()->buffer({BufferId::ShadowBuffer, 0}));
+    EXPECT_EQ(image().size(), QSize(1024, 1024));  // texels of the light, not pixels of the picture
+    QTest::mouseClick(&canvas(), Qt::LeftButton, {}, canvas().rect().center());
+    EXPECT_FALSE(document.pixel());
+}
+
+TEST_F(BufferViewTest, RangeAndChannelAreKeptPerBuffer) {
+    view.setRange({600, 700});
+    show({BufferId::Specular, 0});
+    view.setChannel(2);
+    show({BufferId::ZView});
+    EXPECT_EQ(view.shown()->look.range, (pipeline::PaletteRange{600, 700}));
+    show({BufferId::Specular, 0});
+    EXPECT_EQ(view.channel(), 2);
+    // Blue of the specular term alone: 3 polygons are seen, with 3 values.
+    EXPECT_TRUE(view.shown()->notice.contains("3 distinct values")) << view.shown()->notice.toStdString();
+    show({BufferId::ZView});
+    view.autofit(true);
+    EXPECT_NE(view.shown()->look.range, (pipeline::PaletteRange{600, 700}));
+}
+
+TEST_F(BufferViewTest, TheChoiceOfRangeNeverChangesTheValueThatIsRead) {
+    const QStringList before = canvas().content().text(268, 281);
+    view.setRange({0, 1});
+    EXPECT_EQ(canvas().content().text(268, 281), before);
+}
+
+TEST_F(BufferViewTest, VerdictsAreShownOnThePolygonsWithTheirLetters) {
+    show({BufferId::PolygonsVerdict});
+    ASSERT_TRUE(canvas().content().shapes);
+    QString letters(5, ' ');
+    for (const app::Shape& shape : canvas().content().shapes->shapes) letters[shape.outline.polygon] = shape.letter[0];
+    // Seen from theta = 45, phi = 60: Front, Right and Back face the eye; Left and Base face away.
+    EXPECT_EQ(letters, "BKKKB");
+    EXPECT_EQ(view.shown()->legend.size(), 2u);
+}
+
+TEST_F(BufferViewTest, VerticesAreShownWhereTheyStandInThePicture) {
+    show({BufferId::VerticesScreen});
+    ASSERT_TRUE(canvas().content().shapes);
+    const auto& points = canvas().content().shapes->points;
+    ASSERT_EQ(points.size(), 5u);
+    for (const app::ShapePoint& point : points)
+        EXPECT_EQ(point.at, QPointF(buffer().value(0, std::size_t(point.vertex), 0),
+                                    buffer().value(0, std::size_t(point.vertex), 1)));
+}
+
+TEST_F(BufferViewTest, DescribesItselfToAScreenReader) {
+    EXPECT_TRUE(view.accessibleDescription().startsWith("z_view, 640 by 480, "))
+        << view.accessibleDescription().toStdString();
+    EXPECT_TRUE(view.accessibleDescription().contains("% covered, nearest "));
+}
+
+TEST_F(BufferViewTest, NothingDrawnIsSaid) {
+    auto scene = test::pyramid();
+    // A flat triangle in the plane z = 0 that is clockwise from above, where the eye is.
+    scene.objects[0].mesh = test::mesh({{0, 0, 0}, {0, 100, 0}, {100, 0, 0}}, {{0, 1, 2}});
+    document.setScene(scene);
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(view.shown()->empty, "Nothing was drawn: all 1 polygons face away.");
+}
+
+TEST_F(BufferViewTest, TheOldPictureStaysUntilTheNewFrameIsThere) {
+    const QImage before = image();
+    auto scene = document.scene();
+    scene.camera.theta += 20;
+    document.replace(scene, "turn");
+    EXPECT_EQ(image(), before);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return image() != before; }, 10000));
+}
+
+TEST(ThumbnailStrip, HatchesWhatIsLeftOutAndOpensWhatIsClicked) {
+    Document document;
+    app::ThumbnailStrip strip(document);
+    strip.resize(900, strip.sizeHint().height());
+    strip.show();
+    document.setScene(test::pyramid());
+    document.setStage(pipeline::StageId::ZBuffer);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return strip.accessibleDescription().contains("shadow_buffer.0"); }, 10000));
+    EXPECT_TRUE(strip.accessibleDescription().contains("The only object is convex"));
+    QSignalSpy chosen(&strip, &app::ThumbnailStrip::chosen);
+    QTest::keyClick(&strip, Qt::Key_Left);
+    QTest::keyClick(&strip, Qt::Key_Return);
+    ASSERT_EQ(chosen.size(), 1);
+}
