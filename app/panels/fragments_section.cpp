@@ -1,0 +1,178 @@
+#include "app/panels/fragments_section.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+#include "pipeline/buffers/palette.h"
+
+namespace app {
+
+using pipeline::CulledReport;
+using pipeline::FragmentReport;
+using pipeline::FragmentVerdict;
+
+namespace {
+
+// "671.4539 < +∞" in its three parts.
+struct Comparison {
+    QString fresh, relation, stored;
+};
+Comparison comparisonOf(const FragmentReport& fragment) {
+    const QStringList parts = toQString(fragment.text).split(' ', Qt::SkipEmptyParts);
+    if (parts.size() != 3) return {toQString(fragment.text), {}, {}};
+    return {parts[0], parts[1], parts[2]};
+}
+
+QColor culledColor(char letter) {
+    // The stops stand in the order kept, back-facing, degenerate, outside, clipped.
+    const auto stops = paletteStops(pipeline::Palette::Verdict);
+    const std::size_t i = letter == 'B' ? 1 : letter == 'D' ? 2 : letter == 'O' ? 3 : letter == 'C' ? 4 : 0;
+    return {stops[i].r, stops[i].g, stops[i].b};
+}
+
+void paintMark(QPainter& painter, FragmentVerdict verdict, QPointF centre) {
+    const ThemeColors& c = Theme::current().colors();
+    painter.setBrush(Qt::NoBrush);
+    switch (verdict) {
+        case FragmentVerdict::WonStays:
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(c.run);
+            painter.drawEllipse(centre, 4.5, 4.5);
+            break;
+        case FragmentVerdict::Overwritten:
+            painter.setPen(QPen(c.reused, 1.6));
+            painter.drawEllipse(centre, 3.7, 3.7);
+            break;
+        case FragmentVerdict::NotNearer:
+            painter.setPen(QPen(c.leftOut, 2));
+            painter.drawLine(centre - QPointF(4, 0), centre + QPointF(4, 0));
+            break;
+    }
+}
+
+}  // namespace
+
+FragmentsSection::FragmentsSection(QWidget* parent) : QWidget(parent) {
+    setAccessibleName(tr("Fragments"));
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setSizePolicy(policy);
+    followTheme(this, [this] {
+        updateGeometry();
+        update();
+    });
+}
+
+void FragmentsSection::show(const pipeline::PixelReport& report) {
+    m_fragments = report.fragments;
+    m_culled = report.culled;
+    QStringList lines;
+    for (const FragmentReport& f : m_fragments)
+        lines << tr("polygon %1, %2, %3").arg(f.polygon).arg(toQString(f.text), toQString(name(f.verdict)));
+    for (const CulledReport& culled : m_culled)
+        lines << tr("polygon %1, %2").arg(culled.polygon).arg(toQString(culled.reason));
+    setAccessibleDescription(lines.join("; "));
+    updateGeometry();
+    update();
+}
+
+QString FragmentsSection::sentence() const {
+    const auto won = std::count_if(m_fragments.begin(), m_fragments.end(),
+                                   [](const FragmentReport& f) { return f.verdict != FragmentVerdict::NotNearer; });
+    QString text = tr("%1 came, %2 won").arg(m_fragments.size()).arg(won);
+    if (!m_culled.empty()) text += tr("; %1 culled").arg(m_culled.size());
+    return text;
+}
+
+int FragmentsSection::rowHeight() const { return Theme::current().px(24); }
+
+FragmentsSection::Widths FragmentsSection::widths() const {
+    const Theme& theme = Theme::current();
+    const QFontMetrics words(theme.text(12)), digits(theme.mono(12));
+    Widths w{0, 0, 0, 0, true};
+    int verdict = 0;
+    for (const FragmentReport& f : m_fragments) {
+        const Comparison c = comparisonOf(f);
+        w.polygon = std::max(w.polygon, words.horizontalAdvance(tr("polygon %1").arg(f.polygon)));
+        w.fresh = std::max(w.fresh, digits.horizontalAdvance(c.fresh));
+        w.relation = std::max(w.relation, digits.horizontalAdvance(c.relation));
+        w.stored = std::max(w.stored, digits.horizontalAdvance(c.stored));
+        verdict = std::max(verdict, words.horizontalAdvance(toQString(name(f.verdict))));
+    }
+    const int gap = theme.px(8);
+    w.fitsVerdict = w.polygon + w.fresh + w.relation + w.stored + verdict + 5 * gap + theme.px(18) <= width();
+    return w;
+}
+
+int FragmentsSection::culledHeight(const CulledReport& culled) const {
+    const QFontMetrics words(Theme::current().text(12));
+    const QRect area(0, 0, width() - Theme::current().px(28), 1000);
+    const QString text = tr("polygon %1: %2").arg(culled.polygon).arg(toQString(culled.reason));
+    return std::max(rowHeight(), words.boundingRect(area, Qt::TextWordWrap, text).height() + Theme::current().px(6));
+}
+
+QSize FragmentsSection::sizeHint() const {
+    int height = Theme::current().px(4);
+    height += int(m_fragments.size()) * rowHeight() * (widths().fitsVerdict ? 1 : 2);
+    for (const CulledReport& culled : m_culled) height += culledHeight(culled);
+    return {Theme::current().px(320), std::max(height, rowHeight())};
+}
+
+void FragmentsSection::resizeEvent(QResizeEvent*) { updateGeometry(); }
+
+void FragmentsSection::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFont words = theme.text(12), digits = theme.mono(12);
+    const Widths w = widths();
+    const int gap = theme.px(8), line = rowHeight();
+    int y = 0;
+    for (const FragmentReport& f : m_fragments) {
+        const Comparison comparison = comparisonOf(f);
+        const bool stays = f.verdict == FragmentVerdict::WonStays;
+        int x = 0;
+        const auto write = [&](const QFont& font, int width, Qt::Alignment alignment, const QString& text) {
+            painter.setFont(font);
+            painter.setPen(f.verdict == FragmentVerdict::NotNearer ? c.text2 : c.text);
+            painter.drawText(QRect(x, y, width, line), Qt::AlignVCenter | alignment, text);
+            x += width + gap;
+        };
+        write(words, w.polygon, Qt::AlignLeft, tr("polygon %1").arg(f.polygon));
+        write(digits, w.fresh, Qt::AlignRight, comparison.fresh);
+        write(digits, w.relation, Qt::AlignHCenter, comparison.relation);
+        write(digits, w.stored, Qt::AlignRight, comparison.stored);
+        if (!w.fitsVerdict) {
+            y += line;
+            x = 0;
+        }
+        paintMark(painter, f.verdict, QPointF(x + theme.px(7), y + line / 2.0));
+        x += theme.px(18);
+        write(theme.text(12, stays ? 600 : 400), width() - x, Qt::AlignLeft, toQString(name(f.verdict)));
+        y += line;
+    }
+    for (const CulledReport& culled : m_culled) {
+        const int height = culledHeight(culled), side = theme.px(18);
+        const QRect letter(0, y + (line - side) / 2, side, side);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(culledColor(culled.letter));
+        painter.drawRoundedRect(letter, 3, 3);
+        painter.setFont(theme.text(12, 600));
+        painter.setPen(Qt::black);
+        painter.drawText(letter, Qt::AlignCenter, QString(QChar(culled.letter)));
+        painter.setFont(words);
+        painter.setPen(c.text2);
+        painter.drawText(QRect(theme.px(28), y + theme.px(3), width() - theme.px(28), height), Qt::TextWordWrap,
+                         tr("polygon %1: %2").arg(culled.polygon).arg(toQString(culled.reason)));
+        y += height;
+    }
+    if (m_fragments.empty() && m_culled.empty()) {
+        painter.setFont(words);
+        painter.setPen(c.text2);
+        painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft, tr("No polygon covers this pixel."));
+    }
+}
+
+}  // namespace app

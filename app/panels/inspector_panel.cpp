@@ -1,0 +1,156 @@
+#include "app/panels/inspector_panel.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPixmap>
+#include <QScrollArea>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+
+#include "app/core/text.h"
+#include "app/panels/equation_section.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/fragments_section.h"
+#include "app/panels/section.h"
+#include "app/panels/terms_section.h"
+#include "app/panels/why_section.h"
+
+namespace app {
+
+InspectorPanel::InspectorPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
+    build();
+    connect(m_why, &WhySection::bufferAsked, this, &InspectorPanel::bufferAsked);
+    connect(m_equation, &EquationSection::bufferAsked, this, &InspectorPanel::bufferAsked);
+    connect(m_equation, &EquationSection::pointedAt, this, &InspectorPanel::pointedAt);
+    connect(&document, &Document::sceneOpened, this, [this] {
+        m_equation->forget();
+        refresh();
+    });
+    connect(&document, &Document::frameReady, this, &InspectorPanel::refresh);
+    connect(&document, &Document::pixelChanged, this, &InspectorPanel::refresh);
+    connect(&document, &Document::channelChanged, this, &InspectorPanel::refresh);
+    followTheme(this, [this] { styleHeader(); });
+    // The projector has room for one thing at a time: the equation.
+    connect(&Theme::current(), &Theme::changed, this, [this, before = Theme::current().id()]() mutable {
+        if (Theme::current().id() != before) m_whyFold->setFolded(Theme::current().id() == ThemeId::Projector);
+        before = Theme::current().id();
+    });
+    m_whyFold->setFolded(Theme::current().id() == ThemeId::Projector);
+    refresh();
+}
+
+void InspectorPanel::build() {
+    m_empty = new QLabel(tr("Click a pixel to see why it has its colour."), this);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+    m_empty->setMargin(16);
+
+    auto* page = new QWidget(this);
+    page->setProperty("kind", "page");
+    m_swatch = new QLabel(page);
+    m_title = new QLabel(page);
+    m_title->setTextFormat(Qt::RichText);
+    m_title->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_place = new QLabel(page);
+    m_place->setWordWrap(true);
+    m_value = new QLabel(page);
+    m_value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_unit = new QLabel(tr("sRGB, 8 bit"), page);
+    for (QLabel* label : {m_place, m_unit}) label->setProperty("tone", "2");
+    auto* header = new QGridLayout;
+    header->setContentsMargins(12, 10, 12, 10);
+    header->setHorizontalSpacing(10);
+    header->setVerticalSpacing(1);
+    header->addWidget(m_swatch, 0, 0, 2, 1);
+    header->addWidget(m_title, 0, 1);
+    header->addWidget(m_place, 1, 1);
+    header->addWidget(m_value, 0, 2, Qt::AlignRight | Qt::AlignBaseline);
+    header->addWidget(m_unit, 1, 2, Qt::AlignRight | Qt::AlignTop);
+    header->setColumnStretch(1, 1);
+
+    m_why = new WhySection(m_document);
+    m_equation = new EquationSection(m_document);
+    m_terms = new TermsSection;
+    m_fragments = new FragmentsSection;
+    m_whyFold = new Section(tr("Why this colour"), m_why);
+    m_equationFold = new Section(tr("Equation"), m_equation, m_equation->switcher());
+    m_termsFold = new Section(tr("Terms"), m_terms);
+    m_fragmentsFold = new Section(tr("Fragments"), m_fragments);
+    for (Section* section : {m_termsFold, m_fragmentsFold}) section->setKeepsSentence();
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(header);
+    for (Section* section : {m_whyFold, m_equationFold, m_termsFold, m_fragmentsFold}) column->addWidget(section);
+    column->addStretch();
+
+    m_scroll = new QScrollArea(this);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setWidget(page);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    auto* stack = new QStackedLayout(this);
+    stack->addWidget(m_empty);
+    stack->addWidget(m_scroll);
+}
+
+void InspectorPanel::styleHeader() {
+    const Theme& theme = Theme::current();
+    m_empty->setFont(theme.text(13));
+    m_title->setFont(theme.text(16, 600));
+    m_place->setFont(theme.text(12));
+    m_value->setFont(theme.mono(14));
+    m_unit->setFont(theme.text(12));
+    m_swatch->setFixedSize(theme.px(32), theme.px(32));
+    m_swatch->setFrameShape(QFrame::Box);
+    setMinimumWidth(theme.px(300));
+}
+
+void InspectorPanel::refresh() {
+    const pipeline::FramePtr& frame = m_document.frame();
+    const auto pixel = m_document.pixel();
+    auto* stack = static_cast<QStackedLayout*>(layout());
+    if (!frame || !pixel) {
+        m_report.reset();
+        stack->setCurrentWidget(m_empty);
+        return;
+    }
+    // The frame may lag behind a scene whose picture has just become larger.
+    const pipeline::Settings& settings = frame->scene().settings;
+    if (pixel->x >= settings.width || pixel->y >= settings.height) return;
+    m_report = inspectPixel(*frame, *pixel);
+    showHeader(*frame);
+    m_why->show(*frame, *m_report);
+    m_whyFold->setSentence(m_why->sentence());
+    for (Section* section : {m_equationFold, m_termsFold}) section->setVisible(m_report->covered);
+    m_fragments->show(*m_report);
+    m_fragmentsFold->setSentence(m_fragments->sentence());
+    if (m_report->covered) {
+        m_equation->show(*frame, *m_report);
+        m_equationFold->setSentence(m_equation->sentence());
+        m_terms->show(*m_report, m_document.channel());
+        m_termsFold->setSentence(
+            tr("of I in %1").arg(QStringList{tr("red"), tr("green"), tr("blue")}[m_document.channel()]));
+    }
+    stack->setCurrentWidget(m_scroll);
+}
+
+void InspectorPanel::showHeader(const pipeline::Frame& frame) {
+    const pipeline::PixelReport& r = *m_report;
+    const QString place = QString("%1, %2").arg(r.pixel.x).arg(r.pixel.y);
+    m_title->setText(tr("Pixel") +
+                     QString(" <span style=\"font-family:'JetBrains Mono','DejaVu Sans Mono'\">%1</span>").arg(place));
+    QPixmap swatch(m_swatch->size());
+    swatch.fill(QColor(r.color.r, r.color.g, r.color.b));
+    m_swatch->setPixmap(swatch);
+    m_value->setText(QString("%1 %2 %3").arg(int(r.color.r)).arg(int(r.color.g)).arg(int(r.color.b)));
+    if (r.covered) {
+        const QString object = toQString(frame.scene().objects[std::size_t(r.object)].name);
+        m_place->setText(tr("Polygon %1 of %2, row 0 on top").arg(r.polygon).arg(object));
+    } else {
+        m_place->setText(tr("Background: nothing was drawn here."));
+    }
+    setAccessibleDescription(tr("Pixel %1, colour %2. %3").arg(place, m_value->text(), m_place->text()));
+}
+
+}  // namespace app

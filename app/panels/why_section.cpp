@@ -1,0 +1,108 @@
+#include "app/panels/why_section.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <algorithm>
+
+#include "app/core/icons.h"
+#include "app/core/numbers.h"
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+using pipeline::BufferId;
+using pipeline::PixelReport;
+using pipeline::StageId;
+
+namespace {
+
+// Numbers in the face for numbers, within a sentence.
+QString digits(const QString& text) {
+    return QString("<span style=\"font-family:'JetBrains Mono','DejaVu Sans Mono'\">%1</span>")
+        .arg(text.toHtmlEscaped());
+}
+
+}  // namespace
+
+WhySection::WhySection(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_grid(new QGridLayout(this)) {
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setColumnStretch(1, 1);
+    addRow(tr("Pixel"), StageId::Shading, BufferId::Color);
+    addRow(tr("Fragment"), StageId::ZBuffer, BufferId::ZView);
+    addRow(tr("Weights"), StageId::ZBuffer, BufferId::Barycentric);
+    addRow(tr("Polygon"), StageId::Cull, BufferId::PolygonsVerdict);
+    addRow(tr("Object"), StageId::Transform, BufferId::VerticesScreen);
+    followTheme(this, [this] {
+        const Theme& theme = Theme::current();
+        m_grid->setHorizontalSpacing(theme.px(8));
+        m_grid->setVerticalSpacing(theme.px(1));
+        m_grid->setColumnMinimumWidth(0, theme.px(64));
+        for (const Row& row : m_rows) {
+            row.label->setFont(theme.text(12));
+            row.value->setFont(theme.text(12));
+            row.go->setIconSize(QSize(1, 1) * theme.px(12));
+        }
+    });
+}
+
+WhySection::Row& WhySection::addRow(const QString& label, StageId stage, BufferId buffer) {
+    const int n = int(m_rows.size());
+    Row row{new QLabel(label, this), new QLabel(this), new QToolButton(this)};
+    row.label->setProperty("tone", "3");
+    row.value->setTextFormat(Qt::RichText);
+    row.value->setWordWrap(true);
+    row.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    row.go->setIcon(icon("chevron-right"));
+    const QString stageName = toQString(pipeline::stageInfo(stage).label);
+    row.go->setAccessibleName(tr("%1: go to %2").arg(label, stageName));
+    row.go->setToolTip(tr("Go to the stage %1").arg(stageName));
+    connect(row.go, &QToolButton::clicked, this, [this, stage, buffer] {
+        m_document.setStage(stage);
+        emit bufferAsked({buffer});
+    });
+    m_grid->addWidget(row.label, n, 0, Qt::AlignVCenter);
+    m_grid->addWidget(row.value, n, 1, Qt::AlignVCenter);
+    m_grid->addWidget(row.go, n, 2, Qt::AlignVCenter);
+    m_rows.push_back(row);
+    return m_rows.back();
+}
+
+void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
+    const auto won = std::count_if(r.fragments.begin(), r.fragments.end(), [](const pipeline::FragmentReport& f) {
+        return f.verdict != pipeline::FragmentVerdict::NotNearer;
+    });
+    m_rows[0].value->setText(
+        tr("centre %1").arg(digits(QString("(%1, %2)").arg(r.pixel.x + 0.5).arg(r.pixel.y + 0.5))));
+    QString fragments = tr("%1 came, %2 won").arg(r.fragments.size()).arg(won);
+    if (r.covered) fragments += tr(" at z %1").arg(digits(app::depth(r.zView, frame.dataDouble() != nullptr)));
+    m_rows[1].value->setText(fragments);
+    for (std::size_t i = 2; i < m_rows.size(); ++i)
+        for (QWidget* part : {static_cast<QWidget*>(m_rows[i].label), static_cast<QWidget*>(m_rows[i].value),
+                              static_cast<QWidget*>(m_rows[i].go)})
+            part->setVisible(r.covered);
+    m_sentence = fragments;
+    if (!r.covered) return;
+
+    const QString weights =
+        QString("λ %1 %2 %3")
+            .arg(dotProduct(r.barycentric.x), dotProduct(r.barycentric.y), dotProduct(r.barycentric.z));
+    m_rows[2].value->setText(digits(weights));
+    const auto place = frame.placeOf(r.polygon);
+    const pipeline::Object& object = frame.scene().objects[place.object];
+    const QString vertices = QString("%1, %2, %3").arg(r.vertices[0]).arg(r.vertices[1]).arg(r.vertices[2]);
+    m_rows[3].label->setText(tr("Polygon %1").arg(r.polygon));
+    m_rows[3].value->setText(tr("vertices %1; kept").arg(digits(vertices)));
+    QString source = toQString(object.name);
+    if (place.polygon < object.mesh->polygonPlaces.size()) {
+        const pipeline::TextPosition at = object.mesh->polygonPlaces[place.polygon];
+        source += ", " + digits(QString("%1:%2:%3").arg(toQString(object.mesh->file)).arg(at.line).arg(at.column));
+    }
+    m_rows[4].value->setText(source);
+    m_sentence = tr("%1 fragments, polygon %2, vertices %3").arg(r.fragments.size()).arg(r.polygon).arg(vertices);
+    if (r.fragments.size() == 1) m_sentence.replace("fragments", "fragment");
+}
+
+}  // namespace app

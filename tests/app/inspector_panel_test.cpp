@@ -1,0 +1,94 @@
+#include "app/panels/inspector_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "app/panels/equation_section.h"
+#include "app/panels/math_view.h"
+#include "app/panels/terms_section.h"
+#include "pipeline/scene/settings_table.h"
+#include "tests/support/scenes.h"
+
+namespace {
+
+using app::Document;
+using app::InspectorPanel;
+
+struct InspectorPanelTest : testing::Test {
+    Document document;
+    InspectorPanel panel{document};
+
+    InspectorPanelTest() {
+        panel.resize(456, 900);
+        panel.show();
+        document.setScene(test::pyramid());
+        document.pick(glm::ivec2(268, 281));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return panel.report().has_value(); }, 10000));
+    }
+    QString equation() { return panel.equation().math()->asText(); }
+    bool shows(const QString& words) {
+        for (const auto* label : panel.findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    }
+};
+
+}  // namespace
+
+// Lecture 1's pyramid, face "Right": N = (0, 0.894, 0.447), L = (1, 1, 1)/sqrt 3, N·L = 0.7746;
+// diffuse blue 0.9·100·0.7746 = 69.714, ambient 0.9·50 = 45. FB = round(255·114.739/175) = 167.
+TEST_F(InspectorPanelTest, ShowsTheEquationOfThePickedPixelWithItsNumbers) {
+    EXPECT_TRUE(equation().contains("45.000 + 69.714 + 0.025 = 114.739")) << equation().toStdString();
+    EXPECT_TRUE(equation().contains("= 167"));
+    EXPECT_TRUE(shows("37 93 167"));
+    EXPECT_TRUE(shows("Polygon 2"));
+}
+
+// Red: k_r = 0.2, so 0.2·50 + 0.2·77.46 + 0.025 = 25.517.
+TEST_F(InspectorPanelTest, FollowsTheChannel) {
+    document.setChannel(0);
+    EXPECT_TRUE(equation().contains("25.517")) << equation().toStdString();
+}
+
+TEST_F(InspectorPanelTest, TheTermsAddUpToTheIntensity) {
+    auto* terms = panel.findChild<app::TermsSection*>();
+    ASSERT_NE(terms, nullptr);
+    EXPECT_NEAR(terms->sum(), 114.739, 5e-4);
+    EXPECT_NEAR(terms->residual(), 0, 1e-4);
+}
+
+// With n = 4 the specular term is 0.4·100·0.3974^4 = 0.998.
+TEST_F(InspectorPanelTest, TellsWhatTheNumbersWereBeforeAChange) {
+    const auto setting = pipeline::findSetting(document.scene(), "material.0.n");
+    ASSERT_TRUE(setting);
+    document.change(*setting, 4);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return equation().contains("0.998"); }, 10000));
+    EXPECT_TRUE(equation().contains("was 45.000 + 69.714 + 0.025 = 114.739")) << equation().toStdString();
+    EXPECT_TRUE(equation().contains("= 8")) << "the exponent's value before";
+    document.pick(glm::ivec2(269, 281));  // another pixel: nothing was changed there
+    EXPECT_FALSE(equation().contains("was "));
+}
+
+TEST_F(InspectorPanelTest, BackgroundSaysSoAndHasNoEquation) {
+    document.pick(glm::ivec2(3, 3));
+    EXPECT_FALSE(panel.report()->covered);
+    EXPECT_TRUE(shows("Background: nothing was drawn here."));
+    EXPECT_FALSE(panel.equation().isVisible());
+}
+
+TEST_F(InspectorPanelTest, WithoutAPixelItSaysWhatToDo) {
+    document.pick(std::nullopt);
+    EXPECT_TRUE(shows("Click a pixel to see why it has its colour."));
+}
+
+TEST_F(InspectorPanelTest, ASymbolOpensItsBuffer) {
+    QSignalSpy asked(&panel, &InspectorPanel::bufferAsked);
+    emit panel.equation().math()->activated("diffuse.0");
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_EQ(asked[0][0].value<pipeline::BufferName>(), (pipeline::BufferName{pipeline::BufferId::Diffuse, 0}));
+    emit panel.equation().math()->activated("material.0.n");  // a setting is no buffer
+    EXPECT_EQ(asked.size(), 1);
+}
