@@ -17,9 +17,10 @@ std::string shortestText(double value) {
                          ? std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed)
                          : std::to_chars(digits.data(), digits.data() + digits.size(), value);
     std::string text(digits.data(), end.ptr);
-    if (const auto plus = text.find("e+"); plus != std::string::npos) {
-        const auto digit = text.find_first_not_of('0', plus + 2);
-        text.erase(plus + 1, digit - plus - 1);
+    if (const auto e = text.find('e'); e != text.npos) {  // "1e+09" to "1e9", "1e-09" to "1e-9"
+        const std::size_t sign = e + 1, digit = text.find_first_not_of('0', sign + 1);
+        text.erase(sign + 1, digit - sign - 1);
+        if (text[sign] == '+') text.erase(sign, 1);
     }
     return text;
 }

@@ -190,16 +190,19 @@ constexpr auto kTable = std::to_array<Setting>({
         kCameraKind),
     choice<OfCamera, &C::projection>(
         {"camera.projection", "Projection", "", "Towards the eye, or along the viewing direction."}, kProjection),
-    row<OfCamera, &C::rho>({"camera.rho", "ρ", "world units", "Distance of the eye from the world's origin."},
+    row<OfCamera, &C::rho>({"camera.rho", "ρ distance", "world units", "Distance of the eye from the world's origin."},
                            {kNearest, kFar, 1, 2000}, {}, onlySpherical),
-    row<OfCamera, &C::theta>({"camera.theta", "θ", "degrees", "Direction of the eye around z, from x towards y."},
-                             kAngle, {}, onlySpherical),
-    row<OfCamera, &C::phi>({"camera.phi", "φ", "degrees", "Angle between the direction of the eye and +z."},
+    row<OfCamera, &C::theta>(
+        {"camera.theta", "θ around z", "degrees", "Direction of the eye around z, from x towards y."}, kAngle, {},
+        onlySpherical),
+    row<OfCamera, &C::phi>({"camera.phi", "φ from z", "degrees", "Angle between the direction of the eye and +z."},
                            {-kTurns, kTurns, 0, 180}, {}, onlySpherical),
-    row<OfCamera, &C::screenDistance>({"camera.distance", "d", "screen units", "Distance of the screen from the eye."},
-                                      {kNearest, kFar, 1, 1000}, {}, onlySpherical),
-    row<OfCamera, &C::pixelsPerUnit>({"camera.scale", "s", "pixels per screen unit", "Pixels along one screen unit."},
-                                     {kNearest, kFar, 0.1, 10}, {}, onlySpherical),
+    row<OfCamera, &C::screenDistance>(
+        {"camera.distance", "d screen", "screen units", "Distance of the screen from the eye."},
+        {kNearest, kFar, 1, 1000}, {}, onlySpherical),
+    row<OfCamera, &C::pixelsPerUnit>(
+        {"camera.scale", "s scale", "pixels per screen unit", "Pixels along one screen unit."},
+        {kNearest, kFar, 0.1, 10}, {}, onlySpherical),
     component<OfCamera, &C::eye, 0>({"camera.eye_x", "Eye x", "world units", "Place of the eye."}, kPlace, onlyLookAt),
     component<OfCamera, &C::eye, 1>({"camera.eye_y", "Eye y", "world units", "Place of the eye."}, kPlace, onlyLookAt),
     component<OfCamera, &C::eye, 2>({"camera.eye_z", "Eye z", "world units", "Place of the eye."}, kPlace, onlyLookAt),
@@ -251,8 +254,8 @@ constexpr auto kTable = std::to_array<Setting>({
                                      "Radius r of percentage-closer filtering over (2r+1)² texels; 0 is none."},
                                     {0, 32, 0, 8}, {}, onlyShadow),
 
-    row<OfAmbient, &AmbientLight::intensity>({"ambient.intensity", "I_a", "", "Intensity of the ambient light."},
-                                             kIntensity),
+    row<OfAmbient, &AmbientLight::intensity>(
+        {"ambient.intensity", "I_a intensity", "", "Intensity of the ambient light."}, kIntensity),
     component<OfAmbient, &AmbientLight::color, 0>({"ambient.red", "I_a red", "", "Red part of the ambient light."},
                                                   kFraction),
     component<OfAmbient, &AmbientLight::color, 1>(
@@ -269,7 +272,7 @@ constexpr auto kTable = std::to_array<Setting>({
         {"light.#.y", "L y", "world units", "Place of, or direction to, the light."}, kPlace),
     component<OfLight, &Light::position, 2>(
         {"light.#.z", "L z", "world units", "Place of, or direction to, the light."}, kPlace),
-    row<OfLight, &Light::intensity>({"light.#.intensity", "I_p", "", "Intensity of the light."}, kIntensity),
+    row<OfLight, &Light::intensity>({"light.#.intensity", "I_p intensity", "", "Intensity of the light."}, kIntensity),
     component<OfLight, &Light::color, 0>({"light.#.red", "I_p red", "", "Red part of the light."}, kFraction),
     component<OfLight, &Light::color, 1>({"light.#.green", "I_p green", "", "Green part of the light."}, kFraction),
     component<OfLight, &Light::color, 2>({"light.#.blue", "I_p blue", "", "Blue part of the light."}, kFraction),
@@ -299,10 +302,12 @@ constexpr auto kTable = std::to_array<Setting>({
         kFraction),
     component<OfMaterial, &Material::diffuse, 2>(
         {"material.#.kb", "k_b blue", "", "Fraction of blue ambient and diffuse light that is reflected."}, kFraction),
-    specular({"material.#.ks", "k_s", "", "Fraction of light that is reflected towards R, in all three colours."},
-             kFraction),
-    row<OfMaterial, &Material::exponent>({"material.#.n", "n", "", "Specular exponent: larger is a smaller highlight."},
-                                         {0, 10000, 0, 200}, {}, onlySpecular),
+    specular(
+        {"material.#.ks", "k_s specular", "", "Fraction of light that is reflected towards R, in all three colours."},
+        kFraction),
+    row<OfMaterial, &Material::exponent>(
+        {"material.#.n", "n exponent", "", "Specular exponent: larger is a smaller highlight."}, {0, 10000, 0, 200}, {},
+        onlySpecular),
 });
 
 }  // namespace

@@ -96,8 +96,8 @@ TEST(ObjectReader, CoefficientOutsideItsRange) {
     EXPECT_EQ(errorsOf(mesh + "1.5 -0.1 0.9 2 -8"),
               "o.des:4:1: found \"1.5\", expected k_r red, a number from 0 to 1\n"
               "o.des:4:5: found \"-0.1\", expected k_g green, a number from 0 to 1\n"
-              "o.des:4:14: found \"2\", expected k_s, a number from 0 to 1\n"
-              "o.des:4:16: found \"-8\", expected n, a number from 0 to 10000\n");
+              "o.des:4:14: found \"2\", expected k_s specular, a number from 0 to 1\n"
+              "o.des:4:16: found \"-8\", expected n exponent, a number from 0 to 10000\n");
 }
 
 TEST(ObjectReader, FarTooManyAnnounced) {
@@ -143,7 +143,7 @@ TEST(ObjectReader, OnePolygonTooFewAnnounced) {
 
 TEST(ObjectReader, FileThatEndsTooSoon) {
     EXPECT_EQ(errorsOf("3 1\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n0.2 0.5 0.9\n"),
-              "o.des:5:1: found the end of the file, expected k_s, a number from 0 to 1\n");
+              "o.des:5:1: found the end of the file, expected k_s specular, a number from 0 to 1\n");
 }
 
 TEST(ObjectReader, TextAfterTheEnd) {

@@ -171,7 +171,7 @@ TEST(CheckScene, RefusesWhatNoSingleSettingCan) {
     EXPECT_EQ(check([](Scene& s) { s.lights[1].kind = LightKind::Point, s.lights[1].position = Vec3d(0.0); }),
               "accepted");
     EXPECT_EQ(check([](Scene& s) { s.camera.rho = std::numeric_limits<double>::quiet_NaN(); }),
-              "camera.rho is nan, expected a value from 1e-09 to 1e9");
+              "camera.rho is nan, expected a value from 1e-9 to 1e9");
     EXPECT_EQ(check([](Scene& s) { s.objects[0].transform.scale.x = 2e8, s.objects[0].transform.translation.x = 9e8; }),
               "object 0 reaches 1.1e+09 world units, expected at most 1e9");
 }

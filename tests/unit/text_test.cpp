@@ -19,7 +19,7 @@ TEST(ShortestText, WritesWholeNumbersAndPowersPlainly) {
     EXPECT_EQ(shortestText(640), "640");
     EXPECT_EQ(shortestText(100000), "100000");
     EXPECT_EQ(shortestText(1e9), "1e9");
-    EXPECT_EQ(shortestText(1e-9), "1e-09");
+    EXPECT_EQ(shortestText(1e-9), "1e-9");
     EXPECT_EQ(shortestText(0.25), "0.25");
 }
 
