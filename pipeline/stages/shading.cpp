@@ -112,7 +112,7 @@ Color8 frameBufferValue(Vec3d intensity, double iMax) {
     for (int c = 0; c < 3; ++c) {
         const double share = iMax > 0 ? intensity[c] / iMax : 0;
         // Written so that a share that is not a number gives 0.
-        value[c] = !(share > 0) ? 0 : share >= 1 ? 255 : static_cast<std::uint8_t>(share * 255 + 0.5);
+        value[c] = static_cast<std::uint8_t>(!(share > 0) ? 0 : share >= 1 ? 255 : share * 255 + 0.5);
     }
     return value;
 }
