@@ -36,6 +36,7 @@ QPushButton { background: @raised; color: @text; border: 1px solid @outline; bor
   padding: 0 12u; min-height: 24u; }
 QPushButton:hover, QToolButton:hover { background: @hover; }
 QPushButton:pressed, QToolButton:pressed { background: @tint; }
+QPushButton:checked { background: @tint; color: @accent; border-color: @accent; }
 QPushButton:disabled, QToolButton:disabled { color: @text3; border-color: @line; }
 QPushButton[kind="primary"] { background: @fill; color: @onFill; border-color: @fill; }
 QPushButton[kind="link"] { background: transparent; color: @accent; border: 1px solid transparent; padding: 0 2u;

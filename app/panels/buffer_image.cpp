@@ -87,7 +87,11 @@ bool standsOnShapes(const BufferInfo& info) {
     return info.domain == pipeline::Domain::Vertex || info.domain == pipeline::Domain::Polygon;
 }
 
-bool isScale(Palette palette) { return palette == Palette::Sequential || palette == Palette::Diverging; }
+bool hasRange(const BufferInfo& info, int channel) {
+    const Palette palette = shownPalette(info, channel);
+    return palette == Palette::Sequential || palette == Palette::Diverging ||
+           (palette == Palette::Color && info.element == Element::Real);
+}
 
 BufferStatistics channelStatistics(const AnyBuffer& buffer, int channel) {
     if (channel < 0 || buffer.channels() == 1) return statistics(buffer);

@@ -20,7 +20,8 @@ struct BufferLook {
 pipeline::Palette shownPalette(const pipeline::BufferInfo& info, int channel);
 // Stands on polygons or vertices, and has no pixels of its own.
 bool standsOnShapes(const pipeline::BufferInfo& info);
-bool isScale(pipeline::Palette palette);  // has a range to choose
+// Values become colours by a range that can be chosen; 8-bit colours, directions and names do not.
+bool hasRange(const pipeline::BufferInfo& info, int channel);
 
 // Numbers of one channel, or of all of them where channel is -1.
 pipeline::BufferStatistics channelStatistics(const pipeline::AnyBuffer& buffer, int channel);

@@ -1,6 +1,5 @@
 #include "app/panels/range_foot.h"
 
-#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -32,9 +31,9 @@ RangeFoot::RangeFoot(QWidget* parent)
     addWidget(legend);
 
     m_unit->setProperty("tone", "2");
-    m_fit->setToolTip(tr("Show all values (N). With Shift: after every change too (Shift+N)"));
-    connect(m_fit, &QPushButton::clicked, this,
-            [this] { emit autofit(QApplication::keyboardModifiers() & Qt::ShiftModifier); });
+    m_fit->setCheckable(true);
+    m_fit->setToolTip(tr("While this is on, the range shows all values after every change (Shift+N); N fits once"));
+    connect(m_fit, &QPushButton::clicked, this, &RangeFoot::autofit);
     connect(m_bar, &PaletteBar::rangeChosen, this, &RangeFoot::rangeChosen);
     followTheme(this, [this, row, legendRow] {
         const Theme& theme = Theme::current();
@@ -50,19 +49,18 @@ RangeFoot::RangeFoot(QWidget* parent)
 }
 
 void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting) {
-    const bool hasRange = isScale(shownPalette(*shown.buffer.info, shown.look.channel));
-    setVisible(hasRange || !shown.legend.empty());
-    setCurrentIndex(hasRange ? 0 : 1);
+    const bool hasScale = !shown.scale.histogram.empty();
+    setVisible(hasScale || !shown.legend.empty());
+    setCurrentIndex(hasScale ? 0 : 1);
     m_legend->setEntries(shown.legend);
-    if (!hasRange) return;
+    if (!hasScale) return;
     const auto [low, high] = std::minmax(shown.look.range.first, shown.look.range.last);
     m_low->setText(valueText(shown.buffer, low, 8));
     m_high->setText(valueText(shown.buffer, high, 8));
     m_unit->setText(toQString(shown.buffer.info->unit));
     m_unit->setVisible(!shown.buffer.info->unit.empty() && width() > Theme::current().px(380));
     m_bar->setScale(shown.scale);
-    m_fit->setProperty("kind", keepsFitting ? "chosen" : "");
-    m_fit->setAccessibleDescription(keepsFitting ? tr("The range follows every change") : tr("The range is kept"));
+    m_fit->setChecked(keepsFitting);
 }
 
 }  // namespace app

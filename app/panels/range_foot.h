@@ -21,7 +21,7 @@ public:
 
 signals:
     void rangeChosen(pipeline::PaletteRange range);
-    void autofit(bool keep);  // Shift with the button: keep
+    void autofit(bool keep);  // keep: from now on
 
 private:
     QLabel *m_low, *m_high, *m_unit;

@@ -224,7 +224,7 @@ std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name
     if (!drawn.empty() && !found.any()) shown.empty = whyNothing(frame);
     shown.description = descriptionOf(*buffer, content.size, found);
     const Palette palette = shownPalette(info, channel);
-    if (isScale(palette)) shown.scale = scaleOf(*buffer, shown.look, whole, drawn);
+    if (hasRange(info, channel)) shown.scale = scaleOf(*buffer, shown.look, whole, drawn);
     if (palette == Palette::Categorical || palette == Palette::Verdict) shown.legend = legendOf(frame, *buffer);
     return shown;
 }

@@ -183,7 +183,7 @@ TEST_F(BufferViewTest, RangeAndChannelAreKeptPerBuffer) {
     // Blue of the specular term alone: 3 polygons are seen, with 3 values.
     EXPECT_TRUE(view.shown()->notice.contains("3 distinct values")) << view.shown()->notice.toStdString();
     show({BufferId::ZView});
-    view.autofit(true);
+    view.autofit(true);  // the range follows every frame again
     EXPECT_NE(view.shown()->look.range, (pipeline::PaletteRange{600, 700}));
 }
 
