@@ -110,7 +110,12 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
     if (!goOn(done / total, request.writeMore ? "views" : kManifest)) return cancelled;
     const auto views = writeViews(request, staging.folder());
     if (!views) return inFolder(views.errors(), request.folder);
-    summary.files.insert(summary.files.end(), views->begin(), views->end());
+    for (const std::string& view : *views) {
+        std::error_code error;
+        const auto size = fs::file_size(staging.folder() / view, error);
+        summary.files.push_back(view);
+        if (!error) summary.bytes += size;
+    }
 
     ByteFile out(staging.folder() / kManifest);
     // Replacing what is not UTF-8: a file's name may hold any bytes.

@@ -132,6 +132,28 @@ TEST(Export, SaysWhichNamedBufferHasNoFile) {
     EXPECT_NE(done.err.find("vertices.world: no file. A picture has pixels, not vertices."), std::string::npos);
 }
 
+TEST(Export, ViewsArePicturesWhereTheBuildHasThem) {
+    const test::TemporaryFolder folder;
+    const auto done = run({"export", "pyramid", "-o", folder / "out", "--buffers", "color", "--format", "png",
+                           "--views", "--pixel", "268,281"});
+#ifdef SHADESCOPE_WINDOW
+    ASSERT_EQ(done.status, 0) << done.err;
+    const Json manifest = manifestOf(folder / "out");
+    ASSERT_FALSE(manifest["views"].empty());
+    for (const Json& view : manifest["views"]) {
+        const test::Png picture = test::readPng(folder / ("out/" + view.get<std::string>()));
+        ASSERT_GT(picture.width, 0) << view;
+        // Something is drawn: not every pixel is the first one's colour.
+        const auto& rgb = picture.rgb;
+        EXPECT_TRUE(std::ranges::any_of(rgb, [&](std::uint8_t value) { return value != rgb[0]; })) << view;
+    }
+#else
+    EXPECT_EQ(done.status, 2);
+    EXPECT_EQ(done.err, "shadescope export: --views: this build has no 3D views\n");
+    EXPECT_FALSE(fs::exists(folder / "out"));
+#endif
+}
+
 TEST(Export, AnUnwritableFolderIsStatus4AndLeavesNothing) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "file", "");
