@@ -24,7 +24,11 @@ if(SHADESCOPE_SANITIZE)
   target_link_options(project_options INTERFACE ${sanitize})
 endif()
 
+# Qt's headers take half of a first build; precompiled once, they do not.
+option(SHADESCOPE_PRECOMPILE "Precompile Qt's headers" OFF)
+
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  # Without this ccache keeps nothing that was compiled with a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()
