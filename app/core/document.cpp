@@ -1,0 +1,223 @@
+#include "app/core/document.h"
+
+#include <cmath>
+
+#include <QFileInfo>
+
+#include "app/core/scene_step.h"
+#include "app/core/stage_status.h"
+#include "pipeline/formats/scene_reader.h"
+
+namespace app {
+
+using pipeline::BufferSet;
+using pipeline::FramePtr;
+using pipeline::Scene;
+using pipeline::SettingRef;
+using pipeline::StageId;
+
+Document::Document(QObject* parent) : QObject(parent) {
+    // The worker calls on its own thread; the calls below run later, in the thread of this object,
+    // and are dropped by Qt when the document is gone by then.
+    m_worker = std::make_unique<FrameWorker>(
+        [this](FramePtr frame, long ticket) {
+            QMetaObject::invokeMethod(
+                this, [this, frame = std::move(frame), ticket] { takeFrame(frame, ticket); }, Qt::QueuedConnection);
+        },
+        [this](FramePtr frame, const FrameCheck& check) {
+            QMetaObject::invokeMethod(
+                this, [this, frame = std::move(frame), check] { takeCheck(frame, check); }, Qt::QueuedConnection);
+        });
+}
+
+Document::~Document() {
+    m_worker.reset();
+    m_undo.disconnect();  // clearing itself, it would tell observers that may be gone
+}
+
+std::optional<SettingChange> Document::lastChange() const {
+    if (m_undo.index() == 0) return std::nullopt;
+    return static_cast<const SceneStep*>(m_undo.command(m_undo.index() - 1))->change();
+}
+
+bool Document::open(const QString& file) {
+    auto scene = pipeline::readScene(file.toStdString());
+    if (!scene) {
+        emit failed(scene.errors());
+        return false;
+    }
+    if (const auto errors = checkScene(*scene); !errors.empty()) {
+        emit failed(errors);
+        return false;
+    }
+    setScene(std::move(scene).value());
+    return true;
+}
+
+void Document::setScene(Scene scene) {
+    m_undo.clear();
+    m_live = false;
+    m_scene = std::make_shared<const Scene>(std::move(scene));
+    // A picked pixel, polygon numbers and errors of the other scene mean nothing here.
+    m_frame.reset();
+    forgetCheck();
+    m_pixel.reset();
+    m_hovered.reset();
+    m_oldestValid = m_ticket + 1;
+    emit sceneOpened();
+    emit pixelChanged();
+    emit hoverChanged();
+    emit sceneChanged();
+    emit said(tr("%1 is open.").arg(QString::fromStdString(m_scene->name)));
+    requestFrameSoon();
+}
+
+void Document::change(const SettingRef& ref, double value, Change kind) {
+    const pipeline::Setting& setting = *ref.setting;
+    if (setting.kind != pipeline::SettingKind::Number) value = std::round(value);
+    if (!(value >= setting.min && value <= setting.max)) {  // NaN is refused too
+        emit failed({{{},
+                      std::string(setting.label) + " is " + std::to_string(value),
+                      "a number from " + formatSetting(ref, setting.min) + " to " + formatSetting(ref, setting.max)}});
+        return;
+    }
+    auto after = std::make_shared<Scene>(*m_scene);
+    ref.set(*after, value);
+    if (const auto errors = checkScene(*after); !errors.empty()) {
+        emit failed(errors);
+        return;
+    }
+    const bool sameDrag = m_live && m_dragged == ref;
+    if (!sameDrag) ++m_drag;
+    const bool closesDrag = sameDrag && kind == Change::Done;
+    m_live = kind == Change::Live;
+    m_dragged = ref;
+    if (*after != *m_scene) {
+        m_undo.push(new SceneStep(*this, m_scene, std::move(after), ref, m_drag));
+    } else if (closesDrag) {
+        requestFrameSoon();
+    }
+}
+
+void Document::replace(Scene scene, const QString& text) {
+    if (const auto errors = checkScene(scene); !errors.empty()) {
+        emit failed(errors);
+        return;
+    }
+    m_live = false;
+    if (scene == *m_scene) return;
+    m_undo.push(new SceneStep(*this, m_scene, std::make_shared<const Scene>(std::move(scene)), text));
+}
+
+void Document::setSceneValue(std::shared_ptr<const Scene> scene) {
+    m_scene = std::move(scene);
+    pick(m_pixel);  // the picture may have become smaller
+    emit sceneChanged();
+    requestFrameSoon();
+}
+
+void Document::setStage(StageId stage) {
+    if (stage == m_stage) return;
+    m_stage = stage;
+    emit stageChanged();
+    emit said(
+        QString::fromStdString(std::string(stageInfo(stage).label) + ": " + std::string(stageInfo(stage).summary)));
+}
+
+void Document::nextStage() {
+    if (index(m_stage) + 1 < pipeline::kStageCount) setStage(pipeline::kStages[index(m_stage) + 1]);
+}
+
+void Document::previousStage() {
+    if (index(m_stage) > 0) setStage(pipeline::kStages[index(m_stage) - 1]);
+}
+
+void Document::pick(std::optional<glm::ivec2> pixel) {
+    if (!hasScene()) pixel.reset();
+    if (pixel)
+        *pixel = glm::clamp(*pixel, glm::ivec2(0), glm::ivec2(m_scene->settings.width, m_scene->settings.height) - 1);
+    if (pixel == m_pixel) return;
+    m_pixel = pixel;
+    emit pixelChanged();
+}
+
+void Document::hover(std::optional<glm::ivec2> pixel) {
+    if (pixel == m_hovered) return;
+    m_hovered = pixel;
+    emit hoverChanged();
+}
+
+void Document::setChannel(int channel) {
+    if (channel == m_channel) return;
+    m_channel = channel;
+    emit channelChanged();
+}
+
+void Document::want(const QObject* who, BufferSet buffers) {
+    const auto [entry, isNew] = m_wanted.try_emplace(who);
+    if (isNew) {
+        connect(who, &QObject::destroyed, this, [this, who] { m_wanted.erase(who); });
+    }
+    entry->second = buffers;
+    requestFrameSoon();
+}
+
+BufferSet Document::wanted() const {
+    BufferSet all = pipeline::setOf({pipeline::BufferId::Color});  // the picture itself, whatever is on show
+    for (const auto& [who, buffers] : m_wanted) all |= buffers;
+    return all;
+}
+
+// Several intents in one turn of the event loop ask for one frame.
+void Document::requestFrameSoon() {
+    if (m_requestPending || !hasScene()) return;
+    m_requestPending = true;
+    setBusy(true);
+    QMetaObject::invokeMethod(
+        this, [this] { requestFrame(); }, Qt::QueuedConnection);
+}
+
+void Document::requestFrame() {
+    m_requestPending = false;
+    const BufferSet all = wanted();
+    // What the newest request covers needs no other frame; buffers that nobody shows any more stay.
+    const bool covered = m_requestedScene == m_scene && (all & ~m_requested).none();
+    if (covered) {
+        setBusy(m_ticket > m_taken);
+        return;
+    }
+    m_requested = all;
+    m_requestedScene = m_scene;
+    m_ticket = m_worker->request(m_scene, {.wanted = all, .stop = {}},
+                                 m_live ? FrameWorker::Running::Finish : FrameWorker::Running::Stop);
+}
+
+void Document::takeFrame(FramePtr frame, long ticket) {
+    if (ticket < m_oldestValid) return;
+    m_frame = std::move(frame);
+    m_taken = ticket;
+    forgetCheck();
+    if (ticket == m_ticket && !m_requestPending) setBusy(false);
+    emit frameReady();
+    emit said(frameSentence(*m_frame));
+}
+
+void Document::takeCheck(const FramePtr& frame, const FrameCheck& check) {
+    if (frame != m_frame) return;
+    m_check = check;
+    m_checked = true;
+    emit errorsReady();
+}
+
+void Document::forgetCheck() {
+    m_check = {};
+    m_checked = false;
+}
+
+void Document::setBusy(bool busy) {
+    if (busy == m_busy) return;
+    m_busy = busy;
+    emit busyChanged(busy);
+}
+
+}  // namespace app

@@ -1,0 +1,30 @@
+#pragma once
+#include <QObject>
+#include <thread>
+
+#include "pipeline/export/export_frame.h"
+
+namespace app {
+
+// Writes an export on a thread of its own: computes the frame that holds all its buffers, then
+// the files. One job, one export.
+class ExportJob : public QObject {
+    Q_OBJECT
+public:
+    // `before` may be null; what it holds is reused.
+    ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::FramePtr before, pipeline::ExportRequest request,
+              QObject* parent = nullptr);
+    ~ExportJob() override;  // cancels what still runs, and waits
+
+    void cancel() { m_thread.request_stop(); }
+
+signals:
+    void progressed(double share, const QString& file);
+    void finished(const pipeline::ExportSummary& summary);
+    void failed(const pipeline::Errors& errors);
+
+private:
+    std::jthread m_thread;
+};
+
+}  // namespace app

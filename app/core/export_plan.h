@@ -1,0 +1,30 @@
+#pragma once
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+#include "pipeline/export/export_frame.h"
+
+namespace app {
+
+// A buffer in the list of what can be exported.
+struct ExportRow {
+    pipeline::BufferName name;
+    std::uint64_t bytes = 0;  // as an array, before compression
+    QString whyNot;           // why the frame does not have it, or empty
+};
+
+// Every buffer that the frame's scene can have, in the order of the stages.
+std::vector<ExportRow> exportRows(const pipeline::Frame& frame);
+
+// "0.9 MB", "60 B".
+QString sizeText(std::uint64_t bytes);
+
+// What a shell needs quoted is quoted.
+QString shellWord(const QString& word);
+
+// The command line that writes the same files: settings that differ from the scene's file are
+// named by --set, buffers only where they are not `allBuffers`, the names an export takes by itself.
+QString exportCommand(const pipeline::Scene& scene, const pipeline::ExportRequest& request, bool allBuffers);
+
+}  // namespace app

@@ -1,0 +1,75 @@
+#include "app/core/frame_worker.h"
+
+namespace app {
+
+using pipeline::FramePtr;
+using pipeline::FrameRequest;
+using pipeline::Scene;
+
+FrameWorker::FrameWorker(Deliver deliver, DeliverCheck deliverCheck)
+    : m_deliver(std::move(deliver)),
+      m_deliverCheck(std::move(deliverCheck)),
+      m_thread([this](std::stop_token quit) { work(std::move(quit)); }) {}
+
+FrameWorker::~FrameWorker() {
+    m_thread.request_stop();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stopFrame.request_stop();
+        m_stopCheck.request_stop();
+    }
+    m_thread.join();
+}
+
+long FrameWorker::request(std::shared_ptr<const Scene> scene, FrameRequest request, Running running) {
+    long ticket = 0;
+    {
+        const std::lock_guard lock(m_mutex);
+        ticket = ++m_tickets;
+        m_next = Job{std::move(scene), std::move(request), ticket};
+        if (running == Running::Stop) m_stopFrame.request_stop();
+        m_stopCheck.request_stop();
+    }
+    m_arrived.notify_one();
+    return ticket;
+}
+
+void FrameWorker::work(std::stop_token quit) {
+    while (!quit.stop_requested()) {
+        Job job;
+        {
+            std::unique_lock lock(m_mutex);
+            if (!m_arrived.wait(lock, quit, [this] { return m_next.has_value(); })) return;
+            job = std::move(*m_next);
+            m_next.reset();
+            // Fresh sources under the lock: a request that comes from here on stops this frame,
+            // one that came before is the frame. Quitting may have been asked for in between.
+            m_stopFrame = std::stop_source();
+            m_stopCheck = std::stop_source();
+            if (quit.stop_requested()) return;
+            job.request.stop = m_stopFrame.get_token();
+        }
+        FramePtr frame = pipeline::runFrame(std::move(job.scene), job.request, m_last);
+        if (!frame) continue;  // stopped: a newer request waits
+        m_last = std::move(frame);
+        m_deliver(m_last, job.ticket);
+        check();
+    }
+}
+
+void FrameWorker::check() {
+    std::stop_token stop;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_next) return;
+        stop = m_stopCheck.get_token();
+    }
+    FrameCheck found{.errors = pipeline::errorAgainstDouble(m_last, stop)};
+    for (const pipeline::AnyBuffer& buffer : m_last->buffers()) {
+        if (stop.stop_requested()) return;
+        found.nan += statistics(buffer).nan;
+    }
+    if (!stop.stop_requested()) m_deliverCheck(m_last, found);
+}
+
+}  // namespace app

@@ -1,0 +1,78 @@
+#include "app/core/scene_gallery.h"
+
+#include <algorithm>
+
+#include "pipeline/run/runner.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace app {
+namespace {
+
+constexpr int kWidth = 480, kHeight = 360;
+
+// A picture whose scene is small in it is cut to the scene, so that it can be recognised.
+QImage cutToScene(const pipeline::Frame& frame) {
+    const QImage picture = colorImage(frame);
+    const auto ids = frame.buffer({pipeline::BufferId::PolygonId});
+    if (!ids) return picture;
+    QRect drawn;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            if (ids->value(std::size_t(x), std::size_t(y)) >= 0) drawn |= QRect(x, y, 1, 1);
+    if (drawn.isEmpty() || drawn.width() > kWidth / 2 || drawn.height() > kHeight / 2) return picture;
+    const int width = std::max(drawn.width(), drawn.height() * kWidth / kHeight) * 3 / 2,
+              height = width * kHeight / kWidth;
+    QRect part(0, 0, width, height);
+    part.moveCenter(drawn.center());
+    const int times = std::max(1, kWidth / width);  // whole pixels, to be seen as such
+    return picture.copy(part).scaled(width * times, height * times);
+}
+
+QImage render(const pipeline::BuiltInScene& builtIn, std::stop_token stop) {
+    auto scene = pipeline::readScene(builtIn.file);
+    if (!scene || !pipeline::checkScene(*scene).empty()) return {};
+    auto small = std::make_shared<pipeline::Scene>(std::move(scene).value());
+    // A spherical camera fixes the pixels per screen unit, not the field of view.
+    small->camera.pixelsPerUnit *= double(kHeight) / small->settings.height;
+    small->settings.width = kWidth;
+    small->settings.height = kHeight;
+    const auto frame =
+        pipeline::runFrame(std::move(small),
+                           {.wanted = pipeline::setOf({pipeline::BufferId::Color, pipeline::BufferId::PolygonId}),
+                            .threads = 1,
+                            .stop = std::move(stop)},
+                           nullptr);
+    return frame ? cutToScene(*frame) : QImage();
+}
+
+}  // namespace
+
+QImage colorImage(const pipeline::Frame& frame) {
+    const auto color = frame.buffer({pipeline::BufferId::Color});
+    if (!color) return {};
+    const auto& bytes = std::get<std::span<const std::uint8_t>>(color->data);
+    const int width = int(color->columns()), height = int(color->rows());
+    return QImage(bytes.data(), width, height, 3 * qsizetype(width), QImage::Format_RGB888).copy();
+}
+
+SceneGallery::SceneGallery(QObject* parent)
+    : QObject(parent), m_scenes(pipeline::builtInScenes()), m_pictures(m_scenes.size()) {
+    m_thread = std::jthread([this, scenes = m_scenes](const std::stop_token& stop) {
+        for (std::size_t i = 0; i < scenes.size() && !stop.stop_requested(); ++i) {
+            QMetaObject::invokeMethod(
+                this,
+                [this, i, picture = render(scenes[i], stop)] {
+                    m_pictures[i] = picture;
+                    emit pictureReady(i);
+                },
+                Qt::QueuedConnection);
+        }
+    });
+}
+
+SceneGallery::~SceneGallery() {
+    m_thread.request_stop();
+    m_thread.join();
+}
+
+}  // namespace app

@@ -1,0 +1,70 @@
+#include "app/core/scene_outline.h"
+
+#include "app/core/text.h"
+
+namespace app {
+namespace {
+
+using pipeline::Scene;
+using pipeline::SettingGroup;
+using pipeline::SettingRef;
+
+QString number(double value) { return QString::number(value, 'g', 6); }
+
+QString plural(std::size_t n, const QString& one, const QString& many) {
+    return QStringLiteral("%1 %2").arg(n).arg(n == 1 ? one : many);
+}
+
+SettingGroup groupOf(SceneItem::Kind kind) {
+    switch (kind) {
+        case SceneItem::Kind::Object: return SettingGroup::Object;
+        case SceneItem::Kind::Material: return SettingGroup::Material;
+        case SceneItem::Kind::Light: return SettingGroup::Light;
+        case SceneItem::Kind::Ambient: return SettingGroup::Ambient;
+        case SceneItem::Kind::Camera: return SettingGroup::Camera;
+        case SceneItem::Kind::Scene: break;
+    }
+    return SettingGroup::Picture;
+}
+
+}  // namespace
+
+std::vector<OutlineRow> outline(const Scene& scene) {
+    using Kind = SceneItem::Kind;
+    std::vector<OutlineRow> rows;
+    rows.push_back({{Kind::Scene, 0},
+                    toQString(scene.name),
+                    QStringLiteral("%1 × %2").arg(scene.settings.width).arg(scene.settings.height)});
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const pipeline::Object& object = scene.objects[i];
+        rows.push_back({{Kind::Object, i},
+                        toQString(object.name),
+                        plural(object.mesh->positions.size(), "vertex", "vertices") + ", " +
+                            plural(object.mesh->polygonCount(), "polygon", "polygons")});
+        rows.push_back({{Kind::Material, i}, QStringLiteral("material %1").arg(i), "of " + toQString(object.name)});
+    }
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const pipeline::Light& light = scene.lights[i];
+        const QString kind = light.kind == pipeline::LightKind::Point ? "point" : "at infinity";
+        rows.push_back({{Kind::Light, i}, QStringLiteral("light %1").arg(i), kind + ", " + number(light.intensity)});
+    }
+    rows.push_back({{Kind::Ambient, 0}, "ambient light", number(scene.ambient.intensity)});
+    rows.push_back(
+        {{Kind::Camera, 0}, "camera", scene.camera.kind == pipeline::CameraKind::Spherical ? "spherical" : "look-at"});
+    return rows;
+}
+
+std::vector<SettingRef> settingsOf(const Scene& scene, SettingGroup group) {
+    std::vector<SettingRef> settings;
+    for (const SettingRef& setting : pipeline::settingsOf(scene))
+        if (setting.setting->group == group) settings.push_back(setting);
+    return settings;
+}
+
+std::vector<SettingRef> settingsOf(const Scene& scene, const SceneItem& item) {
+    std::vector<SettingRef> settings = settingsOf(scene, groupOf(item.kind));
+    std::erase_if(settings, [&](const SettingRef& setting) { return setting.index != item.index; });
+    return settings;
+}
+
+}  // namespace app

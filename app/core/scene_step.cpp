@@ -1,0 +1,41 @@
+#include "app/core/scene_step.h"
+
+#include "app/core/text.h"
+
+namespace app {
+
+SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text)
+    : m_document(document), m_before(std::move(before)), m_after(std::move(after)) {
+    setText(text);
+}
+
+SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const pipeline::SettingRef& setting, int drag)
+    : m_document(document), m_before(std::move(before)), m_after(std::move(after)), m_setting(setting), m_drag(drag) {
+    nameAfterSetting();
+}
+
+bool SceneStep::mergeWith(const QUndoCommand* other) {
+    const auto& newer = static_cast<const SceneStep&>(*other);  // same id: a step of the same drag
+    m_after = newer.m_after;
+    nameAfterSetting();
+    setObsolete(*m_before == *m_after);  // dragged back to where it began
+    return true;
+}
+
+void SceneStep::undo() { m_document.setSceneValue(m_before); }
+void SceneStep::redo() { m_document.setSceneValue(m_after); }
+
+std::optional<SettingChange> SceneStep::change() const {
+    if (!m_setting) return std::nullopt;
+    return SettingChange{*m_setting, m_setting->get(*m_before), m_setting->get(*m_after)};
+}
+
+// "n exponent 4 → 8"
+void SceneStep::nameAfterSetting() {
+    const auto text = [this](const pipeline::Scene& scene) {
+        return QString::fromStdString(formatSetting(*m_setting, m_setting->get(scene)));
+    };
+    setText(QStringLiteral("%1 %2 → %3").arg(toQString(m_setting->setting->label), text(*m_before), text(*m_after)));
+}
+
+}  // namespace app

@@ -1,0 +1,151 @@
+#include "app/core/stage_status.h"
+
+#include <algorithm>
+
+#include <QRegularExpression>
+
+#include "app/core/numbers.h"
+#include "app/core/text.h"
+
+namespace app {
+namespace {
+
+using pipeline::Action;
+using pipeline::PlanPart;
+using pipeline::PlanStep;
+
+StageState stateOf(Action action) {
+    switch (action) {
+        case Action::Run: return StageState::Ran;
+        case Action::Reuse: return StageState::Reused;
+        case Action::LeaveOut: break;
+    }
+    return StageState::LeftOut;
+}
+
+// "2686 fragments" as "2 686 fragments".
+QString withGroups(QString text) {
+    static const QRegularExpression large("\\d{4,}");
+    for (auto it = large.globalMatch(text); it.hasNext();) {
+        const QString digits = it.next().captured();
+        text.replace(digits, count(digits.toLongLong()));
+    }
+    return text;
+}
+
+// "1.5e-05 px" as "1.5e-5 px".
+QString withShortExponent(QString text) {
+    static const QRegularExpression zeros("e([+-])0+(?=\\d)");
+    return text.replace(zeros, "e\\1");
+}
+
+QString countsText(const std::string& counts, const std::vector<PlanPart>& parts) {
+    QString line = withGroups(toQString(counts));
+    QStringList absent;
+    for (const PlanPart& part : parts)
+        if (part.action == Action::LeaveOut && !line.contains(toQString(part.name))) absent += toQString(part.name);
+    if (absent.isEmpty()) return line;
+    if (!line.isEmpty()) line += QStringLiteral("; ");
+    return line + (absent.size() == 1 ? QStringLiteral("%1 left out").arg(absent.front())
+                                      : QStringLiteral("%1 parts left out").arg(absent.size()));
+}
+
+QString tooltipText(const pipeline::StageInfo& stage, const PlanStep& step, const StageStatus& status) {
+    QString html =
+        QStringLiteral("<b>%1</b>, %2<br>%3").arg(toQString(stage.label), word(status.state), toQString(stage.summary));
+    if (!step.why.empty()) html += QStringLiteral("<br>%1").arg(toQString(step.why).toHtmlEscaped());
+    if (!step.saves.empty()) html += QStringLiteral("<br>Saves %1.").arg(toQString(step.saves).toHtmlEscaped());
+    for (const PlanPart& part : step.parts) {
+        html += QStringLiteral("<br>· %1: %2. %3")
+                    .arg(toQString(part.name).toHtmlEscaped(), word(stateOf(part.action)),
+                         toQString(part.why).toHtmlEscaped());
+    }
+    return html;
+}
+
+int countOf(const pipeline::Frame& frame, Action action) {
+    return int(std::ranges::count(frame.plan(), action, &PlanStep::action));
+}
+
+}  // namespace
+
+QString errorOf(const pipeline::StageError& error) { return withShortExponent(toQString(error.text)); }
+
+QString word(StageState state) {
+    switch (state) {
+        case StageState::Ran: return QStringLiteral("ran");
+        case StageState::Reused: return QStringLiteral("reused");
+        case StageState::LeftOut: return QStringLiteral("left out");
+        case StageState::InProgress: return QStringLiteral("in progress");
+        case StageState::NotYet: break;
+    }
+    return QStringLiteral("not yet");
+}
+
+std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Frame* frame, const StageErrors& errors,
+                                                           bool busy) {
+    std::array<StageStatus, pipeline::kStageCount> all;
+    for (const pipeline::StageId id : pipeline::kStages) {
+        StageStatus& status = all[index(id)];
+        const pipeline::StageInfo& stage = stageInfo(id);
+        if (!frame) {
+            status.state = busy ? StageState::InProgress : StageState::NotYet;
+            status.tooltip = QStringLiteral("<b>%1</b><br>%2").arg(toQString(stage.label), toQString(stage.summary));
+            continue;
+        }
+        const PlanStep& step = frame->plan()[index(id)];
+        status.state = stateOf(step.action);
+        status.reason = toQString(step.why);
+        status.tooltip = tooltipText(stage, step, status);
+        if (step.action == Action::LeaveOut) continue;
+        status.time = milliseconds(frame->run(id).milliseconds);
+        status.error = errors[index(id)] ? errorOf(*errors[index(id)]) : QStringLiteral("…");
+        status.counts = countsText(frame->run(id).counts, step.parts);
+    }
+    return all;
+}
+
+FrameStatus frameStatus(const pipeline::Frame& frame) {
+    const pipeline::Settings& settings = frame.scene().settings;
+    QStringList actions;
+    if (const int n = countOf(frame, Action::Run)) actions += QStringLiteral("%1 ran").arg(n);
+    if (const int n = countOf(frame, Action::Reuse)) actions += QStringLiteral("%1 reused").arg(n);
+    if (const int n = countOf(frame, Action::LeaveOut)) actions += QStringLiteral("%1 left out").arg(n);
+    const bool isDouble = settings.precision == pipeline::Precision::Double;
+    return {QStringLiteral("Frame %1").arg(frame.number()), milliseconds(frame.milliseconds()),
+            actions.join(QStringLiteral(", ")),
+            QStringLiteral("%1, %2 × %3")
+                .arg(isDouble ? QStringLiteral("double") : QStringLiteral("float"))
+                .arg(settings.width)
+                .arg(settings.height)};
+}
+
+QString frameSentence(const pipeline::Frame& frame) {
+    QStringList ran;
+    QString why;
+    for (const PlanStep& step : frame.plan()) {
+        if (step.action != Action::Run) continue;
+        if (ran.isEmpty()) why = toQString(step.why);
+        ran += toQString(stageInfo(step.stage).label);
+    }
+    const int reused = countOf(frame, Action::Reuse);
+    if (ran.isEmpty()) return QStringLiteral("Nothing that a stage reads has changed; all were reused.");
+    if (reused == 0) {
+        return QStringLiteral("Frame %1: %2 stages ran in %3, %4 left out.")
+            .arg(frame.number())
+            .arg(ran.size())
+            .arg(milliseconds(frame.milliseconds()))
+            .arg(countOf(frame, Action::LeaveOut));
+    }
+    const QString who = ran.size() == 1   ? ran.front()
+                        : ran.size() == 2 ? ran.join(QStringLiteral(" and "))
+                                          : QStringLiteral("%1 and %2 others").arg(ran.front()).arg(ran.size() - 1);
+    // The plan's reason is a sentence; here it becomes a clause.
+    if (why.endsWith(QLatin1Char('.'))) why.chop(1);
+    if (!why.isEmpty()) why[0] = why[0].toLower();
+    return QStringLiteral("%1 ran again because %2; %3.")
+        .arg(who, why,
+             reused == 1 ? QStringLiteral("1 stage was reused") : QStringLiteral("%1 stages were reused").arg(reused));
+}
+
+}  // namespace app

@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+
+#include <QString>
+#include <QStringList>
+
+#include "app/core/frame_worker.h"
+
+namespace app {
+
+enum class StageState : unsigned char { Ran, Reused, LeftOut, InProgress, NotYet };
+QString word(StageState state);  // "left out"
+
+// What a stage's card says. Numbers are empty where the stage has none.
+struct StageStatus {
+    StageState state = StageState::NotYet;
+    QString time;     // "0.161 ms": of the run that made the result, reused or not
+    QString error;    // "3.9e-6" against double precision; "…" until it is computed
+    QString counts;   // "3 of 5 polygons kept", with the parts that are left out
+    QString reason;   // why the stage ran, was reused or left out
+    QString tooltip;  // rich text: the stage, its state and reason, and each of its parts
+};
+
+// "1.5e-5 px"
+QString errorOf(const pipeline::StageError& error);
+
+// Of the six stages in this frame; without a frame they are not yet, or in progress.
+std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Frame* frame, const StageErrors& errors,
+                                                           bool busy);
+
+// What the last place of the strip says.
+struct FrameStatus {
+    QString title;    // "Frame 42"
+    QString time;     // "0.287 ms"
+    QString actions;  // "1 ran, 4 reused, 1 left out"
+    QString format;   // "float, 640 × 480"
+};
+FrameStatus frameStatus(const pipeline::Frame& frame);
+
+// The frame in a sentence: "Shading ran again because material 0 changed; 4 stages were reused."
+QString frameSentence(const pipeline::Frame& frame);
+
+}  // namespace app

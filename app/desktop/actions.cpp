@@ -1,0 +1,113 @@
+#include "app/desktop/actions.h"
+
+#include <array>
+
+#include <QActionGroup>
+#include <QMenu>
+
+namespace app {
+
+std::span<const ActionRow> actionTable() {
+    using A = ActionId;
+    static constexpr auto kTable = std::to_array<ActionRow>({
+        {A::Open, "File", "Open…", "Ctrl+O", "Opens a scene file."},
+        {A::Export, "File", "Export buffers…", "Ctrl+E", "Writes the buffers of this frame to a folder.", false, true},
+        {A::Close, "File", "Close", "Ctrl+W", "Closes the scene and shows the start page.", false, true},
+        {A::Quit, "File", "Quit", "Ctrl+Q", "Closes the window."},
+
+        {A::Undo, "Edit", "Undo", "Ctrl+Z", "Takes the last change back."},
+        {A::Redo, "Edit", "Redo", "Ctrl+Shift+Z", "Makes the change again."},
+
+        {A::TwoBufferViews, "View", "Second buffer view", "Ctrl+2", "Shows a second buffer below the first.", true},
+        {A::Thumbnails, "View", "Thumbnails", "Ctrl+T", "Shows the buffers small, in the order of the stages.", true},
+        {A::DarkTheme, "View/Theme", "Dark", "", "Light letters on a dark ground.", true, true},
+        {A::LightTheme, "View/Theme", "Light", "", "Dark letters on a light ground.", true},
+        {A::ProjectorTheme, "View/Theme", "Projector", "", "Black on white, larger.", true},
+        {A::LargerText, "View", "Larger text",
+         "Ctrl+Shift++; Ctrl+Shift+=", "Makes everything but the pictures larger."},
+        {A::SmallerText, "View", "Smaller text", "Ctrl+Shift+-; Ctrl+Shift+_",
+         "Makes everything but the pictures smaller."},
+        {A::FullScreen, "View", "Full screen", "F11", "Fills the screen, or gives it back.", true, true},
+        {A::ResetLayout, "View/Layout", "Reset", "", "Puts all panels back in their places."},
+
+        {A::NextStage, "Run", "Next stage", "Ctrl+Right", "Goes to the stage after this one."},
+        {A::PreviousStage, "Run", "Previous stage", "Ctrl+Left", "Goes to the stage before this one."},
+        {A::Transform, "Run", "Transform", "Alt+1", "Shows the vertices on the screen.", true, true},
+        {A::Cull, "Run", "Cull", "Alt+2", "Shows which polygons go on.", true},
+        {A::Normals, "Run", "Normals", "Alt+3", "Shows which way the surface faces.", true},
+        {A::ShadowBuffer, "Run", "Shadow buffer", "Alt+4", "Shows the depth that a light sees.", true},
+        {A::ZBuffer, "Run", "Z-buffer", "Alt+5", "Shows the nearest depth at every pixel.", true},
+        {A::Shading, "Run", "Shading", "Alt+6", "Shows the frame buffer.", true},
+
+        {A::GoToPixel, "Inspect", "Go to pixel…", "Ctrl+G", "Picks a pixel by its numbers."},
+        {A::Unpick, "Inspect", "Pick nothing", "Ctrl+Shift+G", "Forgets the picked pixel."},
+        {A::RedChannel, "Inspect", "Equation in red", "Alt+R", "Writes the equation of the red part.", true, true},
+        {A::GreenChannel, "Inspect", "Equation in green", "Alt+G", "Writes the equation of the green part.", true},
+        {A::BlueChannel, "Inspect", "Equation in blue", "Alt+B", "Writes the equation of the blue part.", true},
+
+        {A::RunCommand, "Help", "Run a command…", "Ctrl+Shift+P", "Finds any action, buffer or scene by its name."},
+        {A::Keys, "Help", "Keys", "H; ?", "Lists the keys."},
+    });
+    return kTable;
+}
+
+Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
+    QHash<QString, QActionGroup*> exclusive;
+    for (const ActionRow& row : actionTable()) {
+        auto* action = new QAction(tr(row.text), this);
+        action->setShortcuts(QKeySequence::listFromString(row.keys));
+        action->setStatusTip(QString());
+        action->setToolTip(tr(row.tip));
+        action->setCheckable(row.checkable);
+        action->setProperty("menu", QString(row.menu));
+        action->setMenuRole(QAction::NoRole);
+        window->addAction(action);
+        m_actions[row.id] = action;
+    }
+    // Of these one at a time is checked.
+    const auto oneOf = [this](std::initializer_list<ActionId> ids) {
+        auto* group = new QActionGroup(this);
+        for (const ActionId id : ids) group->addAction(m_actions[id]);
+    };
+    using A = ActionId;
+    oneOf({A::DarkTheme, A::LightTheme, A::ProjectorTheme});
+    oneOf({A::Transform, A::Cull, A::Normals, A::ShadowBuffer, A::ZBuffer, A::Shading});
+    oneOf({A::RedChannel, A::GreenChannel, A::BlueChannel});
+}
+
+void Actions::addMenus(QMenuBar& bar) {
+    for (const ActionRow& row : actionTable()) {
+        const QString path = row.menu;
+        const qsizetype slash = path.indexOf('/');
+        const QString top = path.left(slash);
+        QMenu*& menu = m_menus[top];
+        if (!menu) {
+            menu = bar.addMenu(tr(qPrintable(top)));
+            menu->setToolTipsVisible(true);
+        }
+        QMenu* place = menu;
+        if (row.startsGroup) menu->addSeparator();
+        if (slash > 0) {
+            QMenu*& sub = m_menus[path];
+            if (!sub) sub = m_menus[top]->addMenu(tr(qPrintable(path.mid(slash + 1))));
+            place = sub;
+        }
+        place->addAction(m_actions[row.id]);
+    }
+}
+
+void Actions::setEnabled(ActionId id, bool enabled, const QString& whyNot) {
+    QAction* action = m_actions[id];
+    action->setEnabled(enabled);
+    action->setProperty("whyNot", enabled ? QString() : whyNot);
+    for (const ActionRow& row : actionTable())
+        if (row.id == id) action->setToolTip(enabled ? tr(row.tip) : whyNot);
+}
+
+QString keysText(const QAction& action) {
+    QString text = action.shortcut().toString(QKeySequence::PortableText);
+    text.replace("Left", "←").replace("Right", "→");
+    return text;
+}
+
+}  // namespace app

@@ -1,0 +1,48 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "app/desktop/popover.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+
+namespace app {
+
+// One thing that can be done by its name.
+struct PaletteEntry {
+    QString name;    // "Go to pixel…"
+    QString place;   // "Inspect"
+    QString keys;    // "Ctrl+G"
+    QString whyNot;  // why it cannot be done now, or empty
+    std::function<void()> run;
+};
+
+// How well the letters typed find a name: 0 when they do not, more for letters in one piece and
+// for beginnings of words. Case does not matter.
+int matchQuality(const QString& typed, const QString& name);
+
+// Finds an action, a buffer or a scene by a part of its name. Enter runs, arrows move, Esc closes.
+class CommandPalette : public Popover {
+    Q_OBJECT
+public:
+    explicit CommandPalette(QWidget* window);
+
+    void open(std::vector<PaletteEntry> commands);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void filter();
+    void run();
+
+    std::vector<PaletteEntry> m_commands;
+    std::vector<std::size_t> m_shown;  // of m_commands, best first
+    QLineEdit* m_field;
+    QListWidget* m_list;
+    QLabel* m_count;
+};
+
+}  // namespace app

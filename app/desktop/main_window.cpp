@@ -1,0 +1,247 @@
+#include "app/desktop/main_window.h"
+
+#include <QApplication>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "app/core/icons.h"
+#include "app/core/recent_files.h"
+#include "app/core/text.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/command_palette.h"
+#include "app/desktop/key_sheet.h"
+#include "app/desktop/layout_store.h"
+#include "app/desktop/panel_dock.h"
+#include "app/desktop/panel_table.h"
+#include "app/desktop/pixel_field.h"
+#include "app/desktop/status_line.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/error_list.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/inspector_panel.h"
+#include "app/panels/lesson_panel.h"
+#include "app/panels/scene_tree.h"
+#include "app/panels/settings_panel.h"
+#include "app/panels/stage_strip.h"
+#include "app/panels/start_page.h"
+
+namespace app {
+
+MainWindow::MainWindow() : m_actions(new Actions(this)) {
+    setObjectName("mainWindow");
+    setMinimumSize(1024, 640);
+    setAcceptDrops(true);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    makeTop();
+    makeCentre();
+    makeDocks();
+    m_status = new StatusLine(m_document, this);
+    setStatusBar(m_status);
+    m_palette = new CommandPalette(this);
+    m_keys = new KeySheet(*m_actions, this);
+    m_pixelField = new PixelField(this);
+    connectActions();
+    connectDocument();
+    followTheme(this, [this] {
+        const Theme& theme = Theme::current();
+        setStyleSheet(
+            QStringLiteral("QMainWindow::separator { background: %1; width: %2px; height: %2px; }"
+                           "QToolBar { background: %3; border: 1px solid %4; border-radius: %5px; padding: %6px; }")
+                .arg(theme.colors().bg.name())
+                .arg(theme.px(8))
+                .arg(theme.colors().surface.name(), theme.colors().line.name())
+                .arg(theme.px(6))
+                .arg(theme.px(4)));
+        m_title->setFont(theme.text());
+        fitWidth(true);
+    });
+    qApp->installEventFilter(this);
+    resize(1680, 1000);
+    showStartPage();
+}
+
+MainWindow::~MainWindow() {
+    qApp->removeEventFilter(this);
+    // The panels go while the document that they observe is still there.
+    hide();
+    qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
+}
+
+// Menus, the scene's name in the middle, the command field; below them the stages.
+void MainWindow::makeTop() {
+    auto* top = new QWidget(this);
+    auto* column = new QVBoxLayout(top);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* row = new QHBoxLayout;
+    auto* bar = new QMenuBar(top);
+    m_actions->addMenus(*bar);
+    bar->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
+    m_title = new QLabel(top);
+    m_title->setObjectName("title");
+    m_title->setProperty("tone", 2);
+    m_title->setAlignment(Qt::AlignCenter);
+    auto* command = new QPushButton(tr("Run a command   Ctrl+Shift+P"), top);
+    command->setObjectName("runCommand");
+    connect(command, &QPushButton::clicked, (*m_actions)[ActionId::RunCommand], &QAction::trigger);
+    row->addWidget(bar);
+    row->addWidget(m_title, 1);
+    row->addWidget(command);
+    column->addLayout(row);
+    m_strip = new StageStrip(m_document, top);
+    column->addWidget(m_strip);
+    setMenuWidget(top);
+    followTheme(top, [row, command] {
+        const Theme& theme = Theme::current();
+        row->setContentsMargins(0, theme.px(3), theme.px(8), theme.px(3));
+        command->setFont(theme.text(12));
+    });
+}
+
+void MainWindow::makeCentre() {
+    auto* centre = new QWidget(this);
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(Theme::current().px(8));
+    m_errors = new ErrorList(centre);
+    m_pages = new QStackedWidget(centre);
+    m_start = new StartPage(m_pages);
+    m_views = new ViewArea(m_document, m_pages);
+    m_pages->addWidget(m_start);
+    m_pages->addWidget(m_views);
+    column->addWidget(m_errors);
+    column->addWidget(m_pages, 1);
+    setCentralWidget(centre);
+    connect(m_start, &StartPage::openRequested, this, &MainWindow::chooseFile);
+    connect(m_start, &StartPage::fileChosen, this, &MainWindow::openFile);
+    connect(m_start, &StartPage::lessonChosen, this, &MainWindow::openLesson);
+    connect(m_start, &StartPage::keysRequested, (*m_actions)[ActionId::Keys], &QAction::trigger);
+}
+
+void MainWindow::makeDocks() {
+    m_rail = addToolBar(tr("Panels"));
+    m_rail->setObjectName("rail");
+    m_rail->setMovable(false);
+    m_rail->setOrientation(Qt::Vertical);
+    addToolBar(Qt::LeftToolBarArea, m_rail);
+    for (const PanelRow& row : panelTable()) {
+        auto* dock = new PanelDock(tr(row.title), row.icon, row.make(m_document, this), this);
+        dock->setObjectName(row.name);
+        addDockWidget(row.area, dock);
+        m_docks += dock;
+        if (row.area == Qt::LeftDockWidgetArea) m_leftDocks += dock;
+        QAction* toggle = dock->toggleViewAction();
+        toggle->setShortcut(QKeySequence(row.keys));
+        toggle->setIcon(app::icon(row.icon));
+        addAction(toggle);
+        m_rail->addAction(toggle);
+    }
+    m_docks.front()->addButton((*m_actions)[ActionId::Undo], "undo");
+    m_docks.front()->addButton((*m_actions)[ActionId::Redo], "redo");
+    auto* tree = findChild<SceneTree*>();
+    auto* settings = findChild<SettingsPanel*>();
+    connect(tree, &SceneTree::selected, settings, &SettingsPanel::select);
+    m_lessons = findChild<LessonPanel*>();
+    connect(m_lessons, &LessonPanel::showBuffers, m_views, &ViewArea::showBuffers);
+    connect(findChild<InspectorPanel*>(), &InspectorPanel::bufferAsked, m_views, &ViewArea::showBuffer);
+}
+
+void MainWindow::connectDocument() {
+    connect(&m_document, &Document::sceneOpened, this, [this] {
+        m_errors->hide();
+        showScene();
+        showTitle();
+    });
+    connect(&m_document, &Document::sceneChanged, this, &MainWindow::enableActions);
+    connect(&m_document, &Document::frameReady, this, &MainWindow::enableActions);
+    connect(&m_document, &Document::pixelChanged, this, &MainWindow::enableActions);
+    connect(&m_document, &Document::stageChanged, this, &MainWindow::enableActions);
+    connect(&m_document, &Document::channelChanged, this, &MainWindow::enableActions);
+    connect(m_document.undoStack(), &QUndoStack::indexChanged, this, [this] {
+        enableActions();
+        showTitle();
+    });
+    connect(&m_document, &Document::failed, this, [this](const pipeline::Errors& errors) {
+        m_errors->report(
+            m_document.hasScene() ? tr("That did not work. The scene before is still open.") : tr("That did not work."),
+            errors);
+    });
+}
+
+bool MainWindow::openFile(const QString& file) {
+    if (!m_document.open(file)) return false;
+    addRecentFile(file);
+    return true;
+}
+
+// The lessons on the start page, with how far the reader has come.
+void MainWindow::showLessons() {
+    std::vector<StartPage::LessonEntry> entries;
+    const LessonShelf& shelf = m_lessons->shelf();
+    for (int i = 0; i < shelf.rowCount(); ++i) {
+        const auto text = [&](int role) { return shelf.data(shelf.index(i), role); };
+        entries.push_back({text(LessonShelf::NameRole).toString(), text(LessonShelf::TitleRole).toString(),
+                           text(LessonShelf::SummaryRole).toString(), text(LessonShelf::PageRole).toInt(),
+                           text(LessonShelf::PagesRole).toInt()});
+    }
+    m_start->setLessons(entries);
+}
+
+void MainWindow::openLesson(const QString& name) {
+    if (!m_lessons->open(name)) return;
+    for (PanelDock* dock : m_docks)
+        if (dock->objectName() == "lesson") dock->show();
+}
+
+void MainWindow::showTitle() {
+    const bool shown = m_document.hasScene() && m_pages->currentWidget() == m_views;
+    const QString name = shown ? toQString(m_document.scene().name) : QString();
+    const QString edited = shown && !m_document.undoStack()->isClean() ? tr(" · edited") : QString();
+    m_title->setText(name + edited);
+    setWindowTitle(name.isEmpty() ? QStringLiteral("Shadescope") : name + QStringLiteral(" – Shadescope"));
+}
+
+// "Ctrl+←" and "Ctrl+→" go to a stage from anywhere, also from a text field that would take them.
+// At the first and the last stage they do nothing else instead.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (isKey && m_width && isActiveWindow()) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool isArrow = key->key() == Qt::Key_Left || key->key() == Qt::Key_Right;
+        if (isArrow && key->modifiers() == Qt::ControlModifier) {
+            event->setAccepted(event->type() == QEvent::KeyPress);
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_width == Width::Wide) saveLayout(*this);
+    saveTheme();
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() != 1 || !urls.front().isLocalFile()) return;
+    event->acceptProposedAction();
+    m_start->setDropHint(true);
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { m_start->setDropHint(false); }
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    m_start->setDropHint(false);
+    event->acceptProposedAction();
+    openFile(event->mimeData()->urls().front().toLocalFile());
+}
+
+}  // namespace app

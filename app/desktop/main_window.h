@@ -1,0 +1,91 @@
+#pragma once
+#include <QMainWindow>
+
+#include "app/core/document.h"
+
+class QLabel;
+class QMenu;
+class QStackedWidget;
+class QToolBar;
+
+namespace app {
+
+class Actions;
+class CommandPalette;
+class ErrorList;
+class KeySheet;
+class LessonPanel;
+class PanelDock;
+class PixelField;
+class StageStrip;
+class StartPage;
+class StatusLine;
+class ViewArea;
+struct PaletteEntry;
+
+// The window: the stages on top, panels left and right, views in the middle. It puts the panels
+// together and turns actions into intents; what is shown, the Document knows.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    MainWindow();
+    ~MainWindow() override;
+
+    Document& document() { return m_document; }
+    ViewArea& views() { return *m_views; }
+    const Actions& actions() const { return *m_actions; }
+
+    bool openFile(const QString& file);  // what goes wrong stands in the error list
+    void openLesson(const QString& name);
+    void showStartPage();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    // main_window.cpp: the parts and how they hang together
+    void makeTop();
+    void makeCentre();
+    void makeDocks();
+    void connectDocument();
+    void showTitle();
+    void showLessons();
+    void showScene();
+    // main_window_actions.cpp: what the actions do, and when they can
+    void connectActions();
+    void enableActions();
+    void chooseFile();
+    void exportBuffers();
+    std::vector<PaletteEntry> commands();
+    // main_window_layout.cpp: what stands where in which width
+    enum class Width { Narrow, Medium, Wide };  // below 1100, below 1440, from there on
+    Width widthClass() const;
+    void fitWidth(bool always);
+    void resetLayout();
+    void showOneLeftDock(PanelDock* shown);
+
+    Document m_document;
+    Actions* m_actions;
+    QLabel* m_title;
+    StageStrip* m_strip;
+    ErrorList* m_errors;
+    QStackedWidget* m_pages;
+    StartPage* m_start;
+    ViewArea* m_views;
+    StatusLine* m_status;
+    LessonPanel* m_lessons;
+    QToolBar* m_rail;
+    QMenu* m_recent;
+    QList<PanelDock*> m_leftDocks, m_docks;
+    CommandPalette* m_palette;
+    KeySheet* m_keys;
+    PixelField* m_pixelField;
+    std::optional<Width> m_width;  // as last laid out; nothing on the start page
+};
+
+}  // namespace app

@@ -1,0 +1,154 @@
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QStackedWidget>
+
+#include "app/core/recent_files.h"
+#include "app/core/text.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/command_palette.h"
+#include "app/desktop/key_sheet.h"
+#include "app/desktop/main_window.h"
+#include "app/desktop/panel_dock.h"
+#include "app/desktop/pixel_field.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/export_dialog.h"
+#include "app/panels/follow_theme.h"
+#include "pipeline/formats/scene_reader.h"
+
+namespace app {
+namespace {
+
+constexpr std::array kStageActions{ActionId::Transform,    ActionId::Cull,    ActionId::Normals,
+                                   ActionId::ShadowBuffer, ActionId::ZBuffer, ActionId::Shading};
+constexpr std::array kThemeActions{ActionId::DarkTheme, ActionId::LightTheme, ActionId::ProjectorTheme};
+constexpr std::array kChannelActions{ActionId::RedChannel, ActionId::GreenChannel, ActionId::BlueChannel};
+
+}  // namespace
+
+void MainWindow::connectActions() {
+    using A = ActionId;
+    const Actions& actions = *m_actions;
+    const auto on = [&](A id, auto run) { connect(actions[id], &QAction::triggered, this, run); };
+    on(A::Open, [this] { chooseFile(); });
+    on(A::Export, [this] { exportBuffers(); });
+    on(A::Close, [this] { showStartPage(); });
+    on(A::Quit, [this] { close(); });
+    on(A::Undo, [this] { m_document.undoStack()->undo(); });
+    on(A::Redo, [this] { m_document.undoStack()->redo(); });
+    on(A::TwoBufferViews, [this](bool shown) { m_views->setSecond(shown); });
+    on(A::Thumbnails, [this](bool shown) { m_views->setThumbnails(shown); });
+    on(A::LargerText, [] { Theme::current().setScale(Theme::current().scale() + 0.05); });
+    on(A::SmallerText, [] { Theme::current().setScale(Theme::current().scale() - 0.05); });
+    on(A::FullScreen, [this](bool full) { full ? showFullScreen() : showNormal(); });
+    on(A::ResetLayout, [this] { resetLayout(); });
+    on(A::NextStage, [this] { m_document.nextStage(); });
+    on(A::PreviousStage, [this] { m_document.previousStage(); });
+    on(A::GoToPixel, [this] {
+        const auto& settings = m_document.scene().settings;
+        m_pixelField->open({settings.width, settings.height}, m_document.pixel());
+    });
+    on(A::Unpick, [this] { m_document.pick(std::nullopt); });
+    on(A::RunCommand, [this] { m_palette->open(commands()); });
+    on(A::Keys, [this] { m_keys->open(); });
+    for (std::size_t i = 0; i < kStageActions.size(); ++i)
+        on(kStageActions[i], [this, i] { m_document.setStage(pipeline::kStages[i]); });
+    for (std::size_t i = 0; i < kThemeActions.size(); ++i)
+        on(kThemeActions[i], [i] { Theme::current().set(ThemeId(i)); });
+    for (std::size_t i = 0; i < kChannelActions.size(); ++i)
+        on(kChannelActions[i], [this, i] { m_document.setChannel(int(i)); });
+    connect(m_pixelField, &PixelField::entered, this, [this](glm::ivec2 pixel) { m_document.pick(pixel); });
+
+    QMenu* file = actions.menu("File");
+    m_recent = new QMenu(tr("Open recent"), file);
+    auto* builtIn = new QMenu(tr("Scenes"), file);
+    file->insertMenu(actions[A::Export], m_recent);
+    file->insertMenu(actions[A::Export], builtIn);
+    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
+        builtIn->addAction(toQString(scene.title),
+                           [this, path = toQString(scene.file.string())] { m_document.open(path); });
+    }
+    connect(file, &QMenu::aboutToShow, this, [this] {
+        m_recent->clear();
+        for (const RecentFile& recent : recentFiles())
+            m_recent->addAction(QFileInfo(recent.file).fileName(), [this, path = recent.file] { openFile(path); });
+        m_recent->setEnabled(!m_recent->isEmpty());
+    });
+    QMenu* view = actions.menu("View");
+    for (PanelDock* dock : m_docks) {
+        view->insertAction(actions[A::TwoBufferViews], dock->toggleViewAction());
+        if (!m_leftDocks.contains(dock)) continue;
+        connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
+            if (shown) showOneLeftDock(dock);
+        });
+    }
+    followTheme(this, [this] { (*m_actions)[kThemeActions[std::size_t(Theme::current().id())]]->setChecked(true); });
+}
+
+void MainWindow::enableActions() {
+    using A = ActionId;
+    const bool scene = m_document.hasScene() && m_pages->currentWidget() == m_views;
+    const QString noScene = tr("Open a scene first.");
+    for (const A id : {A::Close, A::GoToPixel, A::TwoBufferViews, A::Thumbnails, A::ResetLayout, A::RedChannel,
+                       A::GreenChannel, A::BlueChannel})
+        m_actions->setEnabled(id, scene, noScene);
+    for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);
+    m_actions->setEnabled(A::Export, scene && m_document.frame(),
+                          scene ? tr("The first frame is not ready yet.") : noScene);
+    m_actions->setEnabled(A::Unpick, scene && m_document.pixel(), tr("Pick a pixel first."));
+    m_actions->setEnabled(A::NextStage, scene && m_document.stage() != pipeline::StageId::Shading,
+                          scene ? tr("Already at the last stage.") : noScene);
+    m_actions->setEnabled(A::PreviousStage, scene && m_document.stage() != pipeline::StageId::Transform,
+                          scene ? tr("Already at the first stage.") : noScene);
+    const QUndoStack& undo = *m_document.undoStack();
+    m_actions->setEnabled(A::Undo, scene && undo.canUndo(), tr("Nothing to undo."));
+    m_actions->setEnabled(A::Redo, scene && undo.canRedo(), tr("Nothing to redo."));
+    const Actions& actions = *m_actions;
+    actions[A::Undo]->setText(undo.canUndo() ? tr("Undo %1").arg(undo.undoText()) : tr("Undo"));
+    actions[A::Redo]->setText(undo.canRedo() ? tr("Redo %1").arg(undo.redoText()) : tr("Redo"));
+    actions[kStageActions[index(m_document.stage())]]->setChecked(true);
+    actions[kChannelActions[std::size_t(m_document.channel())]]->setChecked(true);
+    actions[A::TwoBufferViews]->setChecked(m_views->hasSecond());
+    actions[A::Thumbnails]->setChecked(m_views->hasThumbnails());
+    for (PanelDock* dock : m_docks) dock->toggleViewAction()->setEnabled(scene);
+}
+
+void MainWindow::chooseFile() {
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("Open a file"), QString(), tr("Scenes (*.scene);;All files (*)"));
+    if (!file.isEmpty()) openFile(file);
+}
+
+void MainWindow::exportBuffers() {
+    auto* dialog = new ExportDialog(m_document, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+std::vector<PaletteEntry> MainWindow::commands() {
+    std::vector<PaletteEntry> all;
+    for (const ActionRow& row : actionTable()) {
+        QAction* action = (*m_actions)[row.id];
+        if (row.id == ActionId::RunCommand) continue;
+        all.push_back({action->text(), QString(row.menu).replace('/', QStringLiteral(" › ")), keysText(*action),
+                       action->property("whyNot").toString(), [action] { action->trigger(); }});
+    }
+    for (PanelDock* dock : m_docks) {
+        QAction* action = dock->toggleViewAction();
+        all.push_back({dock->windowTitle(), tr("Panel"), keysText(*action),
+                       action->isEnabled() ? QString() : tr("Open a scene first."), [action] { action->trigger(); }});
+    }
+    if (m_document.frame()) {
+        for (const pipeline::BufferName& name : pipeline::allBuffers(m_document.scene().lights.size())) {
+            all.push_back({toQString(name.text()), tr("Buffer"), QString(), QString(),
+                           [this, name] { m_views->showBuffer(name); }});
+        }
+    }
+    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
+        all.push_back({toQString(scene.title), tr("Scene"), QString(), QString(),
+                       [this, path = toQString(scene.file.string())] { m_document.open(path); }});
+    }
+    return all;
+}
+
+}  // namespace app

@@ -1,0 +1,109 @@
+#include <QApplication>
+#include <QMenuBar>
+#include <QResizeEvent>
+#include <QStackedWidget>
+#include <QToolBar>
+
+#include "app/core/theme.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/layout_store.h"
+#include "app/desktop/main_window.h"
+#include "app/desktop/panel_dock.h"
+#include "app/desktop/status_line.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/stage_strip.h"
+#include "app/panels/start_page.h"
+
+namespace app {
+namespace {
+
+// Sizes of the design at font scale 1; docks grow with the letters, but less.
+int dockWidth(int pixels) {
+    const double scale = Theme::current().scale();
+    return int(pixels * (0.4 + 0.6 * scale));
+}
+
+}  // namespace
+
+void MainWindow::showStartPage() {
+    m_width.reset();
+    showLessons();
+    m_pages->setCurrentWidget(m_start);
+    for (PanelDock* dock : m_docks) dock->hide();
+    m_rail->hide();
+    m_strip->hide();
+    m_status->hide();
+    setContentsMargins(0, 0, 0, 0);
+    showTitle();
+    enableActions();
+}
+
+void MainWindow::showScene() {
+    if (m_width) return;  // already on show
+    m_pages->setCurrentWidget(m_views);
+    m_strip->show();
+    m_status->show();
+    setContentsMargins(8, 0, 8, 0);
+    fitWidth(true);
+    if (m_width == Width::Wide) restoreLayout(*this);
+    showTitle();
+    enableActions();
+}
+
+MainWindow::Width MainWindow::widthClass() const {
+    // Larger letters need as much more room.
+    const double width = this->width() / (0.5 + 0.5 * Theme::current().scale());
+    return width < 1100 ? Width::Narrow : width < 1440 ? Width::Medium : Width::Wide;
+}
+
+// Panels come and go where the window changes from one class of widths to another.
+void MainWindow::fitWidth(bool always) {
+    if (m_pages->currentWidget() != m_views) return;
+    const Width now = widthClass();
+    const bool low = height() < 800 * (0.5 + 0.5 * Theme::current().scale());
+    m_strip->setCompact(low || now != Width::Wide);
+    if (!always && now == m_width) return;
+    m_width = now;
+    const bool wide = now == Width::Wide;
+    for (PanelDock* dock : m_docks) dock->setVisible(m_leftDocks.contains(dock) ? wide : now != Width::Narrow);
+    m_rail->setVisible(!wide);
+    m_views->setSecond(wide && height() >= 900);
+    m_views->setThumbnails(!low);
+    QList<QDockWidget*> docks, left;
+    QList<int> widths;
+    for (PanelDock* dock : m_docks) {
+        const bool isLeft = m_leftDocks.contains(dock);
+        docks += dock;
+        if (isLeft) left += dock;
+        widths += dockWidth(isLeft ? 296 : wide ? 456 : 384);
+    }
+    resizeDocks(docks, widths, Qt::Horizontal);
+    resizeDocks(left, {220, 300, 400}, Qt::Vertical);
+    enableActions();
+}
+
+void MainWindow::resetLayout() {
+    forgetLayout(*this);
+    for (PanelDock* dock : m_docks) {
+        dock->setFloating(false);
+        removeDockWidget(dock);
+        addDockWidget(m_leftDocks.contains(dock) ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea, dock);
+    }
+    m_views->resetSizes();
+    fitWidth(true);
+}
+
+// From the rail the left panels open one at a time.
+void MainWindow::showOneLeftDock(PanelDock* shown) {
+    if (m_width == Width::Wide || !m_width) return;
+    for (PanelDock* dock : m_leftDocks)
+        if (dock != shown) dock->hide();
+    resizeDocks({shown}, {dockWidth(280)}, Qt::Horizontal);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    fitWidth(false);
+}
+
+}  // namespace app

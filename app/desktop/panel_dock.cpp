@@ -1,0 +1,68 @@
+#include "app/desktop/panel_dock.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+
+#include "app/core/icons.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+PanelDock::PanelDock(const QString& title, const QString& icon, QWidget* content, QWidget* parent)
+    : QDockWidget(title, parent), m_icon(icon) {
+    setFeatures(DockWidgetMovable | DockWidgetFloatable | DockWidgetClosable);
+    auto* bar = new QWidget(this);
+    m_heading = new QHBoxLayout(bar);
+    auto* name = new QLabel(title, bar);
+    m_subtitle = new QLabel(bar);
+    m_subtitle->setProperty("tone", 3);
+    m_heading->addWidget(name);
+    m_heading->addWidget(m_subtitle);
+    m_heading->addStretch(1);
+    setTitleBarWidget(bar);
+
+    // The content keeps off the dock's border and round corners.
+    auto* body = new QWidget(this);
+    auto* column = new QVBoxLayout(body);
+    column->setContentsMargins(1, 0, 1, 4);
+    column->addWidget(content);
+    setWidget(body);
+    followTheme(this, [this, bar, name] {
+        const Theme& theme = Theme::current();
+        bar->setFixedHeight(theme.px(32));
+        m_heading->setContentsMargins(theme.px(12), 0, theme.px(6), 0);
+        m_heading->setSpacing(theme.px(4));
+        name->setFont(theme.text(13, 600));
+        name->setFixedHeight(theme.px(32));  // the dock asks the heading for its hint alone
+        m_subtitle->setFont(theme.text(12));
+        update();
+    });
+}
+
+void PanelDock::addButton(QAction* action, const QString& icon) {
+    auto* button = new QToolButton(titleBarWidget());
+    button->setDefaultAction(action);
+    button->setIcon(app::icon(icon));
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setAccessibleName(action->text());
+    connect(action, &QAction::changed, button, [button, icon] { button->setIcon(app::icon(icon)); });
+    m_heading->addWidget(button);
+}
+
+void PanelDock::setSubtitle(const QString& text) { m_subtitle->setText(text); }
+
+void PanelDock::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), theme.colors().bg);
+    painter.setBrush(theme.colors().surface);
+    painter.setPen(QPen(theme.colors().line, 1));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), theme.px(6), theme.px(6));
+    const int y = titleBarWidget()->geometry().bottom();
+    painter.drawLine(1, y, width() - 2, y);
+}
+
+}  // namespace app

@@ -1,0 +1,30 @@
+#pragma once
+#include <QDockWidget>
+
+class QHBoxLayout;
+class QLabel;
+
+namespace app {
+
+// A dock in the window's look: a surface with round corners and a heading by which it is moved.
+class PanelDock : public QDockWidget {
+    Q_OBJECT
+public:
+    // icon: of resources/icons, for the rail and the heading's buttons.
+    PanelDock(const QString& title, const QString& icon, QWidget* content, QWidget* parent);
+
+    const QString& iconName() const { return m_icon; }
+    // Buttons at the right of the heading.
+    void addButton(QAction* action, const QString& icon);
+    void setSubtitle(const QString& text);  // after the title, in the second tone
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    QString m_icon;
+    QHBoxLayout* m_heading;
+    QLabel* m_subtitle;
+};
+
+}  // namespace app

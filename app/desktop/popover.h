@@ -1,0 +1,26 @@
+#pragma once
+#include <QFrame>
+#include <QPointer>
+
+namespace app {
+
+// A box over the window that Esc, or working elsewhere, closes again. The focus then goes back
+// to where it was.
+class Popover : public QFrame {
+    Q_OBJECT
+public:
+    explicit Popover(QWidget* window);
+
+    void open(QWidget* focus);  // at the top third of the window
+    void close();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void place();
+    QPointer<QWidget> m_before;
+};
+
+}  // namespace app

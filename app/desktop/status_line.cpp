@@ -1,0 +1,97 @@
+#include "app/desktop/status_line.h"
+
+#include <thread>
+
+#include <QLabel>
+
+#include "app/core/stage_status.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+using pipeline::BufferId;
+
+QString pixelText(const pipeline::Frame& frame, glm::ivec2 pixel) {
+    const pipeline::Settings& settings = frame.scene().settings;
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= settings.width || pixel.y >= settings.height) return {};
+    const std::size_t x = std::size_t(pixel.x), y = std::size_t(pixel.y);
+    QString text = QStringLiteral("%1, %2").arg(pixel.x).arg(pixel.y);
+    if (const auto id = frame.buffer({BufferId::PolygonId})) {
+        const int polygon = int(id->value(x, y));
+        text += polygon < 0 ? QStringLiteral("  background") : QStringLiteral("  polygon %1").arg(polygon);
+    }
+    if (const auto color = frame.buffer({BufferId::Color})) {
+        for (int c = 0; c < 3; ++c)
+            text += QStringLiteral("%1%2").arg(c == 0 ? "  " : " ").arg(int(color->value(x, y, c)));
+    }
+    return text;
+}
+
+StatusLine::StatusLine(Document& document, QWidget* parent) : QStatusBar(parent), m_document(document) {
+    setSizeGripEnabled(false);
+    const auto add = [this](int stretch) {
+        auto* label = new QLabel(this);
+        label->setProperty("tone", 2);
+        if (stretch) {
+            addWidget(label, stretch);
+            label->setMinimumWidth(0);
+            label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        } else {
+            addPermanentWidget(label);
+        }
+        return label;
+    };
+    m_sentence = add(1);
+    m_hovered = add(0);
+    m_nan = add(0);
+    m_error = add(0);
+    m_threads = add(0);
+    m_sentence->setObjectName("statusSentence");
+    m_hovered->setObjectName("statusHovered");
+    m_nan->setObjectName("statusNan");
+    m_error->setObjectName("statusError");
+    followTheme(this, [this] {
+        const Theme& theme = Theme::current();
+        for (QLabel* label : {m_sentence, m_hovered, m_nan, m_error, m_threads}) {
+            label->setFont(theme.text(12));
+            label->setContentsMargins(theme.px(8), 0, theme.px(12), 0);
+        }
+        m_hovered->setFont(theme.mono(12));
+        setFixedHeight(theme.px(28));
+        showCheck();
+    });
+    const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+    m_threads->setText(threads == 1 ? tr("1 thread") : tr("%1 threads").arg(threads));
+    connect(&document, &Document::said, this, &StatusLine::say);
+    connect(&document, &Document::hoverChanged, this, &StatusLine::showHovered);
+    connect(&document, &Document::frameReady, this, &StatusLine::showHovered);
+    connect(&document, &Document::frameReady, this, &StatusLine::showCheck);
+    connect(&document, &Document::errorsReady, this, &StatusLine::showCheck);
+    document.want(this, pipeline::setOf({BufferId::PolygonId}));
+}
+
+void StatusLine::say(const QString& sentence) {
+    m_sentence->setText(sentence);
+    m_sentence->setToolTip(sentence);
+}
+
+void StatusLine::showHovered() {
+    const auto pixel = m_document.hovered();
+    const bool known = pixel && m_document.frame();
+    m_hovered->setText(known ? tr("under the cursor: ") + pixelText(*m_document.frame(), *pixel) : QString());
+}
+
+void StatusLine::showCheck() {
+    const ThemeColors& c = Theme::current().colors();
+    const auto badge = [](const char* mark, const QColor& color, const QString& text) {
+        return QStringLiteral("<span style=\"color:%1\">%2</span> %3").arg(color.name(), mark, text);
+    };
+    const auto nan = m_document.nanCount();
+    m_nan->setText(!nan        ? QString()
+                   : *nan == 0 ? badge("●", c.run, tr("no NaN"))
+                               : badge("▲", c.failed, tr("%1 NaN").arg(qulonglong(*nan))));
+    const auto& error = m_document.errors()[index(pipeline::StageId::Shading)];
+    m_error->setText(error ? tr("shading's error against double %1").arg(errorOf(*error)) : QString());
+}
+
+}  // namespace app

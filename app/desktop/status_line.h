@@ -1,0 +1,34 @@
+#pragma once
+#include <QStatusBar>
+
+#include "app/core/document.h"
+
+class QLabel;
+
+namespace app {
+
+// Left the last event in a sentence; right the pixel under the cursor, whether every number is
+// one, the error against double precision, and how many threads compute.
+class StatusLine : public QStatusBar {
+    Q_OBJECT
+public:
+    explicit StatusLine(Document& document, QWidget* parent = nullptr);
+
+    void say(const QString& sentence);
+
+private:
+    void showHovered();
+    void showCheck();
+
+    Document& m_document;
+    QLabel* m_sentence;
+    QLabel* m_hovered;
+    QLabel* m_nan;
+    QLabel* m_error;
+    QLabel* m_threads;
+};
+
+// "268, 281  polygon 2  37 93 167": what the frame has at a pixel.
+QString pixelText(const pipeline::Frame& frame, glm::ivec2 pixel);
+
+}  // namespace app

@@ -1,0 +1,48 @@
+#pragma once
+#include <QStringList>
+#include <QWidget>
+
+#include "app/core/document.h"
+
+class QSplitter;
+
+namespace app {
+
+class BufferView;
+class ThumbnailStrip;
+class View3dPanel;
+
+// The middle of the window: buffer views at the left, the 3D view at the right, the buffers small
+// below. Going to a stage shows the stage's main buffer.
+class ViewArea : public QWidget {
+    Q_OBJECT
+public:
+    explicit ViewArea(Document& document, QWidget* parent = nullptr);
+
+    void showBuffer(const pipeline::BufferName& buffer);  // in the first view
+    // By their names, one a view; the second view appears for the second where there is room.
+    void showBuffers(const QStringList& names);
+    bool hasSecond() const;
+    void setSecond(bool shown);
+    bool hasThumbnails() const;
+    void setThumbnails(bool shown);
+    // Views side by side in equal parts.
+    void resetSizes();
+
+    BufferView& first() { return *m_first; }
+    BufferView& second() { return *m_second; }
+    View3dPanel& view3d() { return *m_view3d; }
+
+private:
+    void showStage();
+
+    Document& m_document;
+    QSplitter* m_columns;
+    QSplitter* m_buffers;
+    BufferView* m_first;
+    BufferView* m_second;
+    View3dPanel* m_view3d;
+    ThumbnailStrip* m_thumbnails;
+};
+
+}  // namespace app

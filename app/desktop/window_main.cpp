@@ -1,0 +1,33 @@
+#include "app/desktop/window_main.h"
+
+#include <QApplication>
+#include <QSettings>
+
+#include "app/core/text.h"
+#include "app/desktop/layout_store.h"
+#include "app/desktop/main_window.h"
+#include "app/view3d/vtk_widget.h"
+#include "pipeline/core/version.h"
+
+namespace app {
+
+void prepareApplication() {
+    QSurfaceFormat::setDefaultFormat(viewSurfaceFormat());
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QCoreApplication::setOrganizationName("shadescope");
+    QCoreApplication::setApplicationName("shadescope");
+    QCoreApplication::setApplicationVersion(toQString(pipeline::programVersion()));
+    QGuiApplication::setApplicationDisplayName("Shadescope");
+}
+
+int runWindow(int argc, char** argv, const QString& file) {
+    prepareApplication();
+    QApplication application(argc, argv);
+    restoreTheme();
+    MainWindow window;
+    window.show();
+    if (!file.isEmpty()) window.openFile(file);
+    return application.exec();
+}
+
+}  // namespace app

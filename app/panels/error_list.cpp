@@ -1,0 +1,93 @@
+#include "app/panels/error_list.h"
+
+#include <algorithm>
+
+#include <QClipboard>
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QUrl>
+
+#include "app/core/icons.h"
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+ErrorList::ErrorList(QWidget* parent)
+    : QFrame(parent),
+      m_sentence(new QLabel(this)),
+      m_lines(new QPlainTextEdit(this)),
+      m_showFile(new QPushButton(tr("Show file"), this)) {
+    setObjectName("errorList");
+    auto* copy = new QPushButton(tr("Copy"), this);
+    auto* close = new QPushButton(tr("Close"), this);
+    auto* mark = new QLabel(this);
+    auto* top = new QHBoxLayout;
+    top->addWidget(mark);
+    top->addWidget(m_sentence, 1);
+    top->addWidget(m_showFile);
+    top->addWidget(copy);
+    top->addWidget(close);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(top);
+    column->addWidget(m_lines);
+    m_sentence->setWordWrap(true);
+    m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_lines->setReadOnly(true);
+    m_lines->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_lines->setAccessibleName(tr("Errors"));
+    followTheme(this, [this, mark, column, top] {
+        const Theme& theme = Theme::current();
+        m_sentence->setFont(theme.text(13, 600));
+        m_lines->setFont(theme.mono());
+        top->setSpacing(theme.px(8));
+        column->setContentsMargins(theme.px(16), theme.px(8), theme.px(8), theme.px(8));
+        mark->setPixmap(iconPixmap("warning", theme.colors().failed, theme.px(18), devicePixelRatioF()));
+        fit();
+    });
+    connect(copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(text()); });
+    connect(close, &QPushButton::clicked, this, &QWidget::hide);
+    connect(m_showFile, &QPushButton::clicked, this,
+            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_file)); });
+    hide();
+}
+
+void ErrorList::report(const QString& sentence, const pipeline::Errors& errors) {
+    m_sentence->setText(sentence);
+    m_lines->setPlainText(toQString(format(errors)).trimmed());
+    m_file = errors.empty() ? QString() : toQString(errors.front().where.file);
+    m_showFile->setVisible(QFileInfo(m_file).isFile());
+    fit();
+    setVisible(true);
+}
+
+QString ErrorList::text() const { return m_sentence->text() + QLatin1Char('\n') + m_lines->toPlainText(); }
+
+// As high as its lines, up to eight of them; the rest scrolls.
+void ErrorList::fit() {
+    const int lines = std::clamp(m_lines->blockCount(), 1, 8);
+    m_lines->setFixedHeight(lines * QFontMetrics(m_lines->font()).lineSpacing() + Theme::current().px(12));
+}
+
+void ErrorList::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) return hide();
+    QFrame::keyPressEvent(event);
+}
+
+void ErrorList::paintEvent(QPaintEvent*) {
+    const ThemeColors& c = Theme::current().colors();
+    QPainter painter(this);
+    painter.fillRect(rect(), c.surface);
+    painter.fillRect(0, 0, Theme::current().px(4), height(), c.failed);
+    painter.setPen(c.line);
+    painter.drawLine(0, height() - 1, width(), height() - 1);
+}
+
+}  // namespace app

@@ -1,0 +1,248 @@
+#include "app/panels/export_dialog.h"
+
+#include <QCloseEvent>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QIntValidator>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QUrl>
+
+#include "app/core/export_job.h"
+#include "app/core/text.h"
+#include "app/panels/export_list.h"
+#include "app/panels/follow_theme.h"
+#include "pipeline/export/exporter.h"
+#include "pipeline/plan/needs.h"
+
+namespace app {
+namespace {
+
+QLabel* makeLabel(const QString& name, int tone, QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(name);
+    label->setProperty("tone", tone);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(Document& document, QWidget* parent)
+    : QDialog(parent), m_document(document), m_buffers(new ExportList(this)) {
+    setObjectName("exportDialog");
+    setWindowTitle(tr("Export buffers"));
+    auto* halves = new QHBoxLayout;
+    halves->addWidget(m_buffers, 5);
+    halves->addWidget(makeTarget(), 5);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(halves, 1);
+    column->addWidget(makeFoot());
+    followTheme(this, [this, column, halves] {
+        const Theme& theme = Theme::current();
+        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
+        halves->setSpacing(theme.px(16));
+        m_total->setFont(theme.text(13, 600));
+        m_files->setFont(theme.mono(12));
+        m_command->setFont(theme.mono(12));
+        resize(theme.px(880), theme.px(620));
+    });
+    // Everything that the scene has a use for is computed while the dialog is open, so that the
+    // list can tell what is there from what is left out.
+    connect(&document, &Document::frameReady, this, &ExportDialog::showFrame);
+    connect(m_buffers, &ExportList::chosenChanged, this, &ExportDialog::showSummary);
+    document.want(this, pipeline::usefulBuffers(document.scene()));
+    showFrame();
+}
+
+QWidget* ExportDialog::makeTarget() {
+    auto* right = new QWidget(this);
+    auto* form = new QFormLayout;
+    m_folder = new QLineEdit(right);
+    m_folder->setObjectName("exportFolder");
+    const QString base = QFileInfo(toQString(m_document.scene().name)).completeBaseName();
+    m_folder->setText(QDir::home().filePath(base + "-buffers"));
+    auto* choose = new QPushButton(tr("Choose"), right);
+    connect(choose, &QPushButton::clicked, this, [this] {
+        const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder"), m_folder->text());
+        if (!folder.isEmpty()) m_folder->setText(folder);
+    });
+    auto* where = new QHBoxLayout;
+    where->addWidget(m_folder, 1);
+    where->addWidget(choose);
+    form->addRow(tr("Folder"), where);
+
+    auto* formats = new QHBoxLayout;
+    formats->setSpacing(0);
+    for (const pipeline::Exporter& exporter : pipeline::exporterTable()) {
+        auto* button = new QPushButton(toQString(exporter.name), right);
+        button->setCheckable(true);
+        button->setChecked(exporter.name == "npy" || exporter.name == "png");
+        button->setProperty("kind", "segment");
+        button->setToolTip(toQString(exporter.meaning));
+        connect(button, &QPushButton::toggled, this, &ExportDialog::showSummary);
+        formats->addWidget(button, 1);
+        m_formats += button;
+    }
+    form->addRow(tr("Formats"), formats);
+
+    auto* size = new QHBoxLayout;
+    const auto makeSide = [&](int value, const char* name) {
+        auto* field = new QLineEdit(QString::number(value), right);
+        field->setObjectName(name);
+        field->setAlignment(Qt::AlignRight);
+        field->setValidator(new QIntValidator(1, 16384, field));
+        connect(field, &QLineEdit::textChanged, this, &ExportDialog::showSummary);
+        size->addWidget(field);
+        return field;
+    };
+    m_width = makeSide(m_document.scene().settings.width, "exportWidth");
+    size->addWidget(new QLabel(QStringLiteral("×"), right));
+    m_height = makeSide(m_document.scene().settings.height, "exportHeight");
+    size->addWidget(new QLabel(tr("pixels"), right), 1);
+    form->addRow(tr("Size"), size);
+    connect(m_folder, &QLineEdit::textChanged, this, &ExportDialog::showSummary);
+
+    m_total = makeLabel("exportTotal", 1, right);
+    m_files = makeLabel("exportFiles", 2, right);
+    auto* note = makeLabel("exportNote", 2, right);
+    note->setText(tr("Files appear whole or not at all; those in the folder with the same names are replaced."));
+    auto* column = new QVBoxLayout(right);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(form);
+    column->addSpacing(Theme::current().px(12));
+    column->addWidget(m_total);
+    column->addWidget(m_files);
+    column->addWidget(note);
+    column->addStretch(1);
+    return right;
+}
+
+QWidget* ExportDialog::makeFoot() {
+    auto* foot = new QWidget(this);
+    m_command = makeLabel("exportCommand", 2, foot);
+    m_message = makeLabel("exportMessage", 1, foot);
+    m_progress = new QProgressBar(foot);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setFixedHeight(Theme::current().px(6));
+    m_showFolder = new QPushButton(tr("Show folder"), foot);
+    m_cancel = new QPushButton(tr("Cancel"), foot);
+    m_cancel->setObjectName("exportCancel");
+    m_export = new QPushButton(tr("Export"), foot);
+    m_export->setObjectName("exportStart");
+    m_export->setProperty("kind", "primary");
+    m_export->setDefault(true);
+    m_showFolder->hide();
+    m_progress->hide();
+    connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
+    connect(m_cancel, &QPushButton::clicked, this, [this] { m_job ? m_job->cancel() : reject(); });
+    connect(m_showFolder, &QPushButton::clicked, this,
+            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_folder->text())); });
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_message, 1);
+    row->addWidget(m_showFolder);
+    row->addWidget(m_cancel);
+    row->addWidget(m_export);
+    auto* column = new QVBoxLayout(foot);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_command);
+    column->addWidget(m_progress);
+    column->addLayout(row);
+    return foot;
+}
+
+void ExportDialog::showFrame() {
+    if (!m_document.frame() || m_job) return;
+    m_buffers->setFrame(*m_document.frame());
+    showSummary();
+}
+
+pipeline::ExportRequest ExportDialog::request() const {
+    pipeline::ExportRequest request;
+    request.folder = m_folder->text().toStdString();
+    request.formats.clear();
+    for (const QPushButton* button : m_formats)
+        if (button->isChecked()) request.formats.push_back(button->text().toStdString());
+    request.buffers = m_buffers->chosen();
+    return request;
+}
+
+std::shared_ptr<const pipeline::Scene> ExportDialog::sceneToExport() const {
+    auto scene = std::make_shared<pipeline::Scene>(m_document.scene());
+    scene->settings.width = m_width->text().toInt();
+    scene->settings.height = m_height->text().toInt();
+    return scene;
+}
+
+void ExportDialog::showSummary() {
+    if (!m_document.frame()) return;
+    const pipeline::ExportRequest wanted = request();
+    const auto& settings = m_document.scene().settings;
+    const double scale =
+        double(m_width->text().toInt()) * m_height->text().toInt() / (double(settings.width) * settings.height);
+    double bytes = 0;
+    QStringList files;
+    for (const pipeline::PlannedFile& file : plannedFiles(*m_document.frame(), wanted)) {
+        if (file.file.empty()) continue;
+        const bool pixels = pipeline::bufferInfo(file.buffer.id).domain == pipeline::Domain::Pixel;
+        bytes += double(file.bytes) * (pixels ? scale : 1);
+        files += toQString(file.file);
+    }
+    m_total->setText(tr("%1 buffers, %2 files, about %3")
+                         .arg(wanted.buffers.size())
+                         .arg(files.size() + 1)
+                         .arg(sizeText(std::uint64_t(bytes))));
+    const qsizetype more = files.size() - 7;
+    m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') +
+                     (more > 0 ? tr("\nand %1 more").arg(more) : QString()));
+    m_command->setText(tr("The same as  ") + exportCommand(*sceneToExport(), wanted, m_buffers->isAllChosen()));
+    const bool ready = !wanted.buffers.empty() && !wanted.formats.empty() && !m_folder->text().isEmpty() &&
+                       m_width->hasAcceptableInput() && m_height->hasAcceptableInput();
+    m_export->setEnabled(ready && !m_job);
+    m_export->setToolTip(ready ? QString() : tr("Choose a buffer, a format, a folder and a size first."));
+}
+
+void ExportDialog::start() {
+    if (m_job) return;
+    m_job = new ExportJob(sceneToExport(), m_document.frame(), request(), this);
+    connect(m_job, &ExportJob::progressed, this, [this](double share, const QString& file) {
+        m_progress->setValue(int(share * 1000));
+        m_message->setText(file);
+    });
+    connect(m_job, &ExportJob::finished, this, [this](const pipeline::ExportSummary& summary) {
+        finish(summary.cancelled
+                   ? tr("Cancelled. Nothing was written.")
+                   : tr("%1 files, %2, are in the folder.").arg(summary.files.size()).arg(sizeText(summary.bytes)),
+               !summary.cancelled);
+    });
+    connect(m_job, &ExportJob::failed, this,
+            [this](const pipeline::Errors& errors) { finish(toQString(format(errors)).trimmed(), false); });
+    m_progress->show();
+    m_export->setEnabled(false);
+    m_cancel->setText(tr("Cancel"));
+}
+
+void ExportDialog::finish(const QString& sentence, bool done) {
+    m_job->deleteLater();
+    m_job = nullptr;
+    m_message->setText(sentence);
+    m_progress->hide();
+    m_showFolder->setVisible(done);
+    m_cancel->setText(tr("Close"));
+    m_export->setEnabled(true);
+}
+
+void ExportDialog::closeEvent(QCloseEvent* event) {
+    if (m_job) m_job->cancel();
+    QDialog::closeEvent(event);
+}
+
+}  // namespace app

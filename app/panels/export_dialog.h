@@ -1,0 +1,49 @@
+#pragma once
+#include <QDialog>
+
+#include "app/core/document.h"
+#include "app/core/export_plan.h"
+
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace app {
+
+class ExportJob;
+class ExportList;
+
+// Chooses buffers, formats, a folder and the picture's size, says what that writes and which
+// command line would do the same, and writes it with progress and cancel.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+public:
+    explicit ExportDialog(Document& document, QWidget* parent = nullptr);
+
+    pipeline::ExportRequest request() const;
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    QWidget* makeTarget();
+    QWidget* makeFoot();
+    void showFrame();
+    void showSummary();
+    std::shared_ptr<const pipeline::Scene> sceneToExport() const;
+    void start();
+    void finish(const QString& sentence, bool done);
+
+    Document& m_document;
+    ExportList* m_buffers;
+    QList<QPushButton*> m_formats;
+    QLineEdit* m_folder;
+    QLineEdit *m_width, *m_height;
+    QLabel *m_total, *m_files, *m_command, *m_message;
+    QProgressBar* m_progress;
+    QPushButton *m_export, *m_cancel, *m_showFolder;
+    ExportJob* m_job = nullptr;
+};
+
+}  // namespace app

@@ -1,0 +1,27 @@
+#pragma once
+#include <QListWidget>
+
+#include "app/core/document.h"
+#include "app/core/scene_outline.h"
+
+namespace app {
+
+// The scene's parts: objects with their materials, lights, camera. Choosing one shows its settings.
+class SceneTree : public QListWidget {
+    Q_OBJECT
+public:
+    explicit SceneTree(Document& document, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+
+signals:
+    void selected(const SceneItem& item);
+
+private:
+    void rebuild();
+
+    Document& m_document;
+    std::vector<OutlineRow> m_rows;
+};
+
+}  // namespace app

@@ -1,0 +1,30 @@
+#include "app/panels/segmented.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+Segmented::Segmented(const QStringList& choices, QWidget* parent) : QWidget(parent) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    for (int i = 0; i < choices.size(); ++i) {
+        auto* button = new QPushButton(choices[i], this);
+        button->setCheckable(true);
+        button->setProperty("kind", "segment");
+        button->setAccessibleName(choices[i]);
+        row->addWidget(button, 1);
+        m_group.addButton(button, i);
+        followTheme(button, [button] { button->setFont(Theme::current().text(13, 500)); });
+    }
+    connect(&m_group, &QButtonGroup::idClicked, this, &Segmented::chosen);
+}
+
+void Segmented::setCurrent(int choice) {
+    if (QAbstractButton* button = m_group.button(choice)) button->setChecked(true);
+}
+
+}  // namespace app

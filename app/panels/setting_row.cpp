@@ -1,0 +1,135 @@
+#include "app/panels/setting_row.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QStyle>
+
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/number_field.h"
+#include "app/panels/segmented.h"
+#include "app/panels/value_slider.h"
+
+namespace app {
+
+using pipeline::SettingKind;
+
+QString labelWithSymbol(const QString& label) {
+    static const QRegularExpression symbol("^(\\p{L})(?:_(\\w))?(?: |$)(.*)$",
+                                           QRegularExpression::UseUnicodePropertiesOption);
+    const auto match = symbol.match(label);
+    if (!match.hasMatch()) return label.toHtmlEscaped();
+    const QString script =
+        match.captured(2).isEmpty() ? QString() : QStringLiteral("<sub>%1</sub>").arg(match.captured(2));
+    return QStringLiteral("<span style=\"font-family:STIX,'STIX Two Math',serif;font-size:%1px\"><i>%2%3</i></span> %4")
+        .arg(Theme::current().px(15))
+        .arg(match.captured(1), script, match.captured(3).toHtmlEscaped());
+}
+
+QString choiceName(std::string_view choice) {
+    QString name = toQString(choice);
+    if (name == "at-infinity") return QStringLiteral("At infinity");
+    if (name.startsWith("fixed")) return name.mid(5) + QStringLiteral(" bit");
+    if (!name.isEmpty()) name[0] = name[0].toUpper();
+    return name;
+}
+
+SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLayout& form, int row, QWidget* parent)
+    : QObject(parent),
+      m_document(document),
+      m_setting(setting),
+      m_label(new QLabel(parent)),
+      m_note(new QLabel(parent)) {
+    form.addWidget(m_label, row, 0);
+    form.addWidget(m_note, row + 1, 1, 1, 2);
+    m_note->setWordWrap(true);
+    m_note->setProperty("tone", 3);
+    followTheme(m_label, [this] {
+        m_label->setFont(Theme::current().text());
+        m_label->setText(labelWithSymbol(toQString(m_setting.setting->label)));
+        m_note->setFont(Theme::current().text(12));
+    });
+    const bool isNumber = setting.setting->kind == SettingKind::Number || setting.setting->kind == SettingKind::Integer;
+    isNumber ? addNumber(form, row, parent) : addChoice(form, row, parent);
+    for (QWidget* control : m_controls) {
+        control->setAccessibleName(toQString(setting.setting->label));
+        control->setObjectName(toQString(setting.key()));
+    }
+    connect(&document, &Document::sceneChanged, this, &SettingRow::showScene);
+    connect(document.undoStack(), &QUndoStack::indexChanged, this, &SettingRow::showScene);
+    showScene();
+}
+
+void SettingRow::addNumber(QGridLayout& form, int row, QWidget* parent) {
+    const pipeline::Setting& setting = *m_setting.setting;
+    auto* slider = new ValueSlider(setting.low, setting.high, setting.kind == SettingKind::Integer ? 1 : 0, parent);
+    auto* field = new NumberField(m_setting, parent);
+    form.addWidget(slider, row, 1);
+    form.addWidget(field, row, 2);
+    m_controls = {slider, field};
+    connect(slider, &ValueSlider::moved, this, [this](double value) { change(value, Document::Change::Live); });
+    connect(slider, &ValueSlider::released, this, [this](double value) { change(value, Document::Change::Done); });
+    connect(field, &NumberField::entered, this, [this](double value) { change(value, Document::Change::Done); });
+    m_show = [slider, field](double value, std::optional<double> before) {
+        if (!slider->isDragged()) slider->setValue(value);
+        slider->setMark(before);
+        field->setValue(value);
+    };
+}
+
+void SettingRow::addChoice(QGridLayout& form, int row, QWidget* parent) {
+    QStringList names;
+    for (const std::string_view choice : m_setting.setting->choices) names += choiceName(choice);
+    const auto chosen = [this](int choice) { change(choice, Document::Change::Done); };
+    // Up to three short names stand side by side in the dock's width.
+    if (names.size() <= 3 && names.join(QString()).size() <= 22) {
+        auto* segmented = new Segmented(names, parent);
+        form.addWidget(segmented, row, 1, 1, 2);
+        m_controls = {segmented};
+        connect(segmented, &Segmented::chosen, this, chosen);
+        m_show = [segmented](double value, std::optional<double>) { segmented->setCurrent(int(value)); };
+    } else {
+        auto* list = new QComboBox(parent);
+        list->addItems(names);
+        list->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the panel instead
+        form.addWidget(list, row, 1, 1, 2);
+        m_controls = {list};
+        connect(list, &QComboBox::activated, this, chosen);
+        m_show = [list](double value, std::optional<double>) { list->setCurrentIndex(int(value)); };
+    }
+}
+
+void SettingRow::change(double value, Document::Change kind) { m_document.change(m_setting, value, kind); }
+
+void SettingRow::showScene() {
+    const pipeline::Scene& scene = m_document.scene();
+    // While another scene takes the place of this one, the row may outlive its light or object.
+    if (m_setting.index >= m_setting.setting->count(scene)) return;
+    const auto last = m_document.lastChange();
+    m_show(m_setting.get(scene), last && last->setting == m_setting ? std::optional(last->before) : std::nullopt);
+    m_idle = toQString(m_setting.setting->idle(scene));
+    const QString unit = toQString(m_setting.setting->unit);
+    QString tip = toQString(m_setting.setting->meaning);
+    if (!unit.isEmpty()) tip += QStringLiteral(" Unit: %1.").arg(unit);
+    if (isIdle()) tip = m_idle + QLatin1Char('\n') + tip;
+    m_label->setToolTip(tip);
+    m_label->setProperty("tone", isIdle() ? 3 : 2);
+    m_label->style()->polish(m_label);
+    m_note->setText(m_idle);
+    for (QWidget* control : m_controls) {
+        control->setToolTip(tip);
+        control->setEnabled(!isIdle());
+    }
+    setShown(m_shown);
+}
+
+void SettingRow::setShown(bool shown) {
+    m_shown = shown;
+    m_label->setVisible(shown);
+    for (QWidget* control : m_controls) control->setVisible(shown);
+    m_note->setVisible(shown && isIdle());
+}
+
+}  // namespace app

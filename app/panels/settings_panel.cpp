@@ -1,0 +1,150 @@
+#include "app/panels/settings_panel.h"
+
+#include <algorithm>
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/setting_row.h"
+
+namespace app {
+namespace {
+
+using pipeline::SettingGroup;
+
+// The tabs after the selected thing's.
+constexpr std::array kGroups{SettingGroup::Shading, SettingGroup::Depth, SettingGroup::Shadow};
+// More settings than this without effect are folded away.
+constexpr int kMostIdleRows = 3;
+
+QString tabName(const pipeline::Scene& scene, const SceneItem& item) {
+    if (item.kind == SceneItem::Kind::Scene) return QStringLiteral("Picture");
+    for (const OutlineRow& row : outline(scene)) {
+        if (row.item != item) continue;
+        QString name = row.name;
+        name[0] = name[0].toUpper();
+        return name;
+    }
+    return QStringLiteral("Picture");
+}
+
+}  // namespace
+
+SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_tabs(new QTabBar(this)),
+      m_scroll(new QScrollArea(this)),
+      m_changed(new QLabel(this)) {
+    setObjectName("settings");
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_tabs);
+    column->addWidget(m_scroll, 1);
+    column->addWidget(m_changed);
+
+    m_tabs->addTab(QString());
+    for (const SettingGroup group : kGroups) m_tabs->addTab(toQString(name(group)));
+    m_tabs->setDrawBase(false);
+    m_tabs->setExpanding(false);
+    m_tabs->setElideMode(Qt::ElideRight);
+    m_tabs->setUsesScrollButtons(false);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_changed->setObjectName("lastChange");
+    m_changed->setWordWrap(true);
+    m_changed->setProperty("tone", 2);
+    m_changed->setContextMenuPolicy(Qt::NoContextMenu);
+    followTheme(this, [this] {
+        const Theme& theme = Theme::current();
+        m_tabs->setFont(theme.text(13, 500));
+        m_changed->setFont(theme.text(12));
+        m_changed->setMargin(theme.px(8));
+        showLastChange();  // its link has the theme's accent in it
+    });
+
+    connect(m_tabs, &QTabBar::currentChanged, this, &SettingsPanel::build);
+    connect(m_changed, &QLabel::linkActivated, this, [this] { m_document.undoStack()->undo(); });
+    connect(&document, &Document::sceneOpened, this, [this] {
+        const auto& scene = m_document.scene();
+        select(scene.objects.empty() ? SceneItem{} : SceneItem{SceneItem::Kind::Material, 0});
+    });
+    connect(&document, &Document::sceneChanged, this, [this] {
+        foldIdle();
+        showLastChange();
+    });
+    // What the last change was is known only after the scene has changed.
+    connect(document.undoStack(), &QUndoStack::indexChanged, this, &SettingsPanel::showLastChange);
+    if (document.hasScene()) select({});
+}
+
+void SettingsPanel::select(const SceneItem& item) {
+    m_item = item;
+    m_tabs->setTabText(0, tabName(m_document.scene(), item));
+    m_unfolded = false;
+    if (m_tabs->currentIndex() == 0) return build();
+    m_tabs->setCurrentIndex(0);  // builds
+}
+
+std::vector<pipeline::SettingRef> SettingsPanel::settingsOnShow() const {
+    const int tab = m_tabs->currentIndex();
+    return tab == 0 ? settingsOf(m_document.scene(), m_item)
+                    : settingsOf(m_document.scene(), kGroups[std::size_t(tab - 1)]);
+}
+
+void SettingsPanel::build() {
+    if (!m_document.hasScene()) return;
+    auto* page = new QWidget;
+    auto* form = new QGridLayout(page);
+    const Theme& theme = Theme::current();
+    form->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(4));
+    form->setHorizontalSpacing(theme.px(8));
+    form->setVerticalSpacing(theme.px(4));
+    form->setColumnStretch(1, 1);
+    m_rows.clear();
+    int row = 0;
+    for (const pipeline::SettingRef& setting : settingsOnShow()) {
+        m_rows += new SettingRow(m_document, setting, *form, row, page);
+        row += 2;
+    }
+    m_fold = new QPushButton(page);
+    m_fold->setProperty("kind", "link");
+    form->addWidget(m_fold, row, 0, 1, 3);
+    form->setRowStretch(row + 1, 1);
+    connect(m_fold, &QPushButton::clicked, this, [this] {
+        m_unfolded = !m_unfolded;
+        foldIdle();
+    });
+    m_scroll->setWidget(page);           // deletes the page before
+    page->setAutoFillBackground(false);  // the dock's surface shows
+    foldIdle();
+}
+
+void SettingsPanel::foldIdle() {
+    if (!m_fold) return;
+    const auto idle = std::ranges::count_if(m_rows, &SettingRow::isIdle);
+    const bool foldable = idle > kMostIdleRows;
+    m_fold->setVisible(foldable);
+    m_fold->setText(m_unfolded ? QStringLiteral("Hide what has no effect here")
+                               : QStringLiteral("%1 more have no effect here").arg(idle));
+    for (SettingRow* row : m_rows) row->setShown(!row->isIdle() || !foldable || m_unfolded);
+}
+
+void SettingsPanel::showLastChange() {
+    const auto change = m_document.lastChange();
+    m_changed->setVisible(change.has_value());
+    if (!change) return;
+    m_changed->setText(
+        QStringLiteral("%1 was %2. <a href=\"undo\" style=\"color:%3;text-decoration:none\">Put back</a> (Ctrl+Z)")
+            .arg(labelWithSymbol(toQString(change->setting.setting->label)),
+                 toQString(formatSetting(change->setting, change->before)), Theme::current().colors().accent.name()));
+}
+
+}  // namespace app

@@ -1,0 +1,188 @@
+#include "app/panels/stage_card.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+namespace {
+
+// Draws text from the left of `line` on and takes its width off `line`.
+void write(QPainter& painter, QRect& line, const QString& text, const QFont& font, const QColor& color) {
+    if (text.isEmpty() || line.width() <= 0) return;
+    painter.setFont(font);
+    painter.setPen(color);
+    const QString fitting = painter.fontMetrics().elidedText(text, Qt::ElideRight, line.width());
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, fitting);
+    line.setLeft(line.left() + painter.fontMetrics().horizontalAdvance(fitting));
+}
+
+}  // namespace
+
+QColor stateColor(StageState state) {
+    const ThemeColors& c = Theme::current().colors();
+    switch (state) {
+        case StageState::Ran: return c.run;
+        case StageState::Reused: return c.reused;
+        case StageState::LeftOut: return c.leftOut;
+        case StageState::InProgress: return c.accent;
+        case StageState::NotYet: break;
+    }
+    return c.text3;
+}
+
+void paintMark(QPainter& painter, QPointF centre, StageState state) {
+    const double r = Theme::current().px(10) / 2.0 - 0.5;
+    const QColor color = stateColor(state);
+    painter.setPen(QPen(color, r / 2.5));
+    painter.setBrush(Qt::NoBrush);
+    switch (state) {
+        case StageState::Ran:
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(color);
+            painter.drawEllipse(centre, r, r);
+            break;
+        case StageState::Reused: painter.drawEllipse(centre, r - 1, r - 1); break;
+        case StageState::LeftOut: painter.drawLine(centre - QPointF(r, 0), centre + QPointF(r, 0)); break;
+        case StageState::InProgress:
+            painter.drawEllipse(centre, r - 1, r - 1);
+            painter.setBrush(color);
+            painter.drawPie(QRectF(centre.x() - r + 1, centre.y() - r + 1, 2 * r - 2, 2 * r - 2), 90 * 16, 180 * 16);
+            break;
+        case StageState::NotYet:
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(color);
+            painter.drawEllipse(centre, r / 3, r / 3);
+            break;
+    }
+}
+
+StageCard::StageCard(pipeline::StageId stage, QWidget* parent) : QAbstractButton(parent), m_stage(stage) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_Hover);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setObjectName(QStringLiteral("stage:") + toQString(stageInfo(stage).name));
+    setText(toQString(stageInfo(stage).label));
+    followTheme(this, [this] { updateGeometry(), update(); });
+}
+
+void StageCard::setStatus(const StageStatus& status) {
+    m_status = status;
+    setToolTip(status.tooltip);
+    setAccessibleName(QStringLiteral("%1: %2. %3").arg(text(), word(status.state), status.reason));
+    update();
+}
+
+void StageCard::setOnShow(bool onShow) {
+    m_onShow = onShow;
+    update();
+}
+
+void StageCard::setCompact(bool compact) {
+    m_compact = compact;
+    updateGeometry();
+    update();
+}
+
+QSize StageCard::sizeHint() const { return {Theme::current().px(180), Theme::current().px(m_compact ? 44 : 80)}; }
+QSize StageCard::minimumSizeHint() const { return {Theme::current().px(80), sizeHint().height()}; }
+
+void StageCard::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintBox(painter);
+    const int side = theme.px(m_compact ? 10 : 12), lineHeight = theme.px(18);
+    QRect box = rect().adjusted(side, theme.px(m_compact ? 4 : 9), -side, -theme.px(m_compact ? 3 : 6));
+    paintTitle(painter, QRect(box.left(), box.top(), box.width(), theme.px(20)));
+    box.setTop(box.top() + theme.px(m_compact ? 19 : 24));
+    const ThemeColors& c = theme.colors();
+    if (m_status.state == StageState::LeftOut) {
+        painter.setFont(theme.text(12));
+        painter.setPen(c.text2);
+        if (m_compact) {
+            QRect line(box.left(), box.top(), box.width(), lineHeight);
+            return write(painter, line, m_status.reason, theme.text(12), c.text2);
+        }
+        return painter.drawText(box, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_status.reason);
+    }
+    paintNumbers(painter, QRect(box.left(), box.top(), box.width(), lineHeight));
+    if (m_compact) return;
+    QRect counts(box.left(), box.top() + lineHeight, box.width(), lineHeight);
+    write(painter, counts, m_status.counts, theme.text(12), c.text2);
+}
+
+void StageCard::paintBox(QPainter& painter) const {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    const QRectF box = QRectF(rect()).adjusted(1, 1, -1, -1);
+    QPainterPath shape;
+    shape.addRoundedRect(box, theme.px(6), theme.px(6));
+    const bool leftOut = m_status.state == StageState::LeftOut;
+    painter.setClipPath(shape);
+    painter.fillPath(shape, m_onShow ? c.tint : underMouse() ? c.hover : leftOut ? c.bg : c.surface);
+    if (leftOut) {
+        painter.setPen(QPen(c.hatch, 1));
+        const int step = theme.px(8) * 3 / 2;  // 8 apart across the lines
+        for (int x = -height(); x < width(); x += step) painter.drawLine(x, height(), x + height(), 0);
+    }
+    if (m_onShow) painter.fillRect(QRectF(box.left(), box.top(), box.width(), theme.px(3)), c.accent);
+    painter.setClipping(false);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(m_onShow ? c.accent : leftOut ? c.outline : c.line, 1, leftOut ? Qt::DashLine : Qt::SolidLine));
+    painter.drawPath(shape);
+    if (hasFocus()) {
+        painter.setPen(QPen(c.focus, 2));
+        painter.drawRoundedRect(box.adjusted(1, 1, -1, -1), theme.px(5), theme.px(5));
+    }
+}
+
+void StageCard::paintTitle(QPainter& painter, const QRect& line) const {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    QRect left = line;
+    const QFont stateFont = theme.text(12, 500);
+    const QString stateWord = m_compact ? QString() : word(m_status.state);
+    const int wordWidth = QFontMetrics(stateFont).horizontalAdvance(stateWord);
+    const int markWidth = theme.px(10);
+    const int gap = wordWidth > 0 ? theme.px(6) : 0;
+    QRect state = line;
+    state.setLeft(line.right() - wordWidth - gap - markWidth);
+    paintMark(painter, QPointF(state.left() + markWidth / 2.0, state.center().y() + 0.5), m_status.state);
+    state.setLeft(state.left() + markWidth + gap);
+    painter.setFont(stateFont);
+    painter.setPen(stateColor(m_status.state));
+    painter.drawText(state, Qt::AlignLeft | Qt::AlignVCenter, stateWord);
+
+    left.setRight(line.right() - wordWidth - gap - markWidth - theme.px(6));
+    const double size = m_compact ? 13 : 14;
+    write(painter, left, QString::number(index(m_stage) + 1), theme.text(size, 500), c.text3);
+    left.setLeft(left.left() + theme.px(8));
+    write(painter, left, text(), theme.text(size, 600), c.text);
+}
+
+void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    QRect rest = line;
+    write(painter, rest, m_status.time, theme.mono(12), c.text2);
+    if (m_status.error.isEmpty()) return;
+    rest.setLeft(rest.left() + theme.px(m_compact ? 8 : 12));
+    if (!m_compact) write(painter, rest, QStringLiteral("error "), theme.text(12), c.text2);
+    write(painter, rest, m_status.error, theme.mono(12), c.text2);
+}
+
+void StageCard::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Left: focusPreviousChild(); break;
+        case Qt::Key_Right: focusNextChild(); break;
+        case Qt::Key_Return:
+        case Qt::Key_Enter: click(); break;
+        default: QAbstractButton::keyPressEvent(event);
+    }
+}
+
+}  // namespace app

@@ -1,0 +1,43 @@
+#pragma once
+#include <QAbstractButton>
+
+#include "app/core/stage_status.h"
+
+namespace app {
+
+// One stage of the strip: number, name, and the state as mark, word and colour; time and error;
+// counts. Where the stage is left out, the reason instead. A click goes to the stage.
+class StageCard : public QAbstractButton {
+    Q_OBJECT
+public:
+    explicit StageCard(pipeline::StageId stage, QWidget* parent = nullptr);
+
+    pipeline::StageId stage() const { return m_stage; }
+    const StageStatus& status() const { return m_status; }
+    void setStatus(const StageStatus& status);
+    void setOnShow(bool onShow);
+    bool isOnShow() const { return m_onShow; }
+    void setCompact(bool compact);  // two lines, the state as its mark alone
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void paintBox(QPainter& painter) const;
+    void paintTitle(QPainter& painter, const QRect& line) const;
+    void paintNumbers(QPainter& painter, const QRect& line) const;
+
+    pipeline::StageId m_stage;
+    StageStatus m_status;
+    bool m_onShow = false, m_compact = false;
+};
+
+// ● ran, ○ reused, – left out, ◐ in progress, · not yet: in the state's colour, 10 by 10 at scale 1.
+void paintMark(QPainter& painter, QPointF centre, StageState state);
+QColor stateColor(StageState state);
+
+}  // namespace app

@@ -1,0 +1,124 @@
+#include "app/panels/stage_strip.h"
+
+#include <QHBoxLayout>
+#include <QPainter>
+
+#include "app/panels/follow_theme.h"
+#include "app/panels/stage_card.h"
+
+namespace app {
+
+StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
+    setObjectName("stageStrip");
+    setAccessibleName(tr("Stages"));
+    auto* row = new QHBoxLayout(this);
+    for (const pipeline::StageId stage : pipeline::kStages) {
+        auto* card = new StageCard(stage, this);
+        m_cards[index(stage)] = card;
+        row->addWidget(card, 1);
+        connect(card, &StageCard::clicked, this, [this, stage] { m_document.setStage(stage); });
+    }
+    m_frame = new FrameCard(this);
+    row->addWidget(m_frame);
+    setCompact(false);
+
+    m_slow.setSingleShot(true);
+    m_slow.setInterval(100);
+    connect(&m_slow, &QTimer::timeout, this, [this] {
+        m_frame->setBusy(true);
+        if (!m_document.frame()) showFrame();
+    });
+    connect(&document, &Document::busyChanged, this, [this](bool busy) {
+        if (busy) return m_slow.start();
+        m_slow.stop();
+        m_frame->setBusy(false);
+    });
+    connect(&document, &Document::sceneOpened, this, &StageStrip::showFrame);
+    connect(&document, &Document::frameReady, this, &StageStrip::showFrame);
+    connect(&document, &Document::errorsReady, this, &StageStrip::showFrame);
+    connect(&document, &Document::stageChanged, this, &StageStrip::showStage);
+    showFrame();
+    showStage();
+}
+
+void StageStrip::setCompact(bool compact) {
+    const Theme& theme = Theme::current();
+    layout()->setContentsMargins(theme.px(8), theme.px(2), theme.px(8), theme.px(compact ? 6 : 8));
+    layout()->setSpacing(theme.px(compact ? 6 : 8));
+    for (StageCard* card : m_cards) card->setCompact(compact);
+    m_frame->setCompact(compact);
+}
+
+void StageStrip::showStage() {
+    for (StageCard* card : m_cards) card->setOnShow(card->stage() == m_document.stage());
+}
+
+void StageStrip::showFrame() {
+    const auto status = stageStatus(m_document.frame().get(), m_document.errors(), m_document.busy());
+    for (StageCard* card : m_cards) card->setStatus(status[index(card->stage())]);
+    m_frame->setFrame(m_document.frame().get());
+}
+
+FrameCard::FrameCard(QWidget* parent) : QWidget(parent) {
+    setObjectName("frameCard");
+    followTheme(this, [this] { fit(); });
+}
+
+void FrameCard::setFrame(const pipeline::Frame* frame) {
+    m_status = frame ? std::optional(frameStatus(*frame)) : std::nullopt;
+    const QString line =
+        m_status
+            ? QStringLiteral("%1, %2. %3. %4").arg(m_status->title, m_status->time, m_status->actions, m_status->format)
+            : QString();
+    setToolTip(line);
+    setAccessibleName(line);
+    update();
+}
+
+void FrameCard::setCompact(bool compact) {
+    m_compact = compact;
+    fit();
+}
+
+void FrameCard::setBusy(bool busy) {
+    m_busy = busy;
+    update();
+}
+
+void FrameCard::fit() {
+    const Theme& theme = Theme::current();
+    // The three counts in a line decide the width.
+    const int line =
+        QFontMetrics(theme.text(12)).horizontalAdvance(QStringLiteral("6 ran, 6 reused, 6 left out")) + theme.px(16);
+    setFixedWidth(m_compact ? theme.px(108) : line);
+    update();
+}
+
+void FrameCard::paintEvent(QPaintEvent*) {
+    if (!m_status) return;
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    QPainter painter(this);
+    int y = theme.px(m_compact ? 4 : 7);
+    const auto line = [&](const QString& text, const QFont& font, const QColor& color, int height) {
+        painter.setFont(font);
+        painter.setPen(color);
+        painter.drawText(QRect(theme.px(8), y, width() - theme.px(8), height), Qt::AlignLeft | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(text, Qt::ElideRight, width() - theme.px(8)));
+        y += height;
+    };
+    QFont big = theme.mono(m_compact ? 13 : 17);
+    big.setWeight(QFont::DemiBold);
+    if (m_compact) {
+        line(m_status->time, big, c.text, theme.px(19));
+        line(m_status->title, theme.text(12), c.text2, theme.px(18));
+    } else {
+        line(m_status->title, theme.text(12), c.text2, theme.px(16));
+        line(m_status->time, big, c.text, theme.px(21));
+        line(m_status->actions, theme.text(12), c.text2, theme.px(16));
+        line(m_status->format, theme.text(12), c.text2, theme.px(16));
+    }
+    if (m_busy) painter.fillRect(theme.px(8), height() - theme.px(3), width() - theme.px(8), theme.px(3), c.accent);
+}
+
+}  // namespace app

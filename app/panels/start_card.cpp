@@ -1,0 +1,162 @@
+#include "app/panels/start_card.h"
+
+#include <algorithm>
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+StartCard::StartCard(Kind kind, const QString& title, const QString& text, QWidget* parent)
+    : QAbstractButton(parent), m_kind(kind), m_text(text) {
+    setText(title);
+    setAccessibleName(title);
+    setAccessibleDescription(text);
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_Hover);
+    setCursor(Qt::PointingHandCursor);
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    followTheme(this, [this] { updateGeometry(), update(); });
+}
+
+void StartCard::setPicture(const QImage& picture) {
+    m_picture = picture;
+    update();
+}
+
+void StartCard::setFoot(const QString& state, const QString& action, double progress) {
+    m_state = state;
+    m_action = action;
+    m_progress = progress;
+    update();
+}
+
+int StartCard::heightForWidth(int width) const {
+    const Theme& theme = Theme::current();
+    return m_kind == Kind::Scene ? width * 3 / 4 + theme.px(76) : theme.px(112);
+}
+
+QSize StartCard::sizeHint() const { return {Theme::current().px(240), heightForWidth(Theme::current().px(240))}; }
+
+void StartCard::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    const QRectF box = QRectF(rect()).adjusted(3.5, 3.5, -3.5, -3.5);
+    QPainterPath shape;
+    shape.addRoundedRect(box, theme.px(6), theme.px(6));
+    painter.fillPath(shape, underMouse() ? c.hover : c.surface);
+
+    QRectF words = box.adjusted(theme.px(12), theme.px(10), -theme.px(12), -theme.px(8));
+    if (m_kind == Kind::Scene) {
+        const QRectF picture(box.left(), box.top(), box.width(), box.width() * 3 / 4);
+        painter.setClipPath(shape);
+        if (m_picture.isNull()) {
+            painter.fillRect(picture, c.view);
+        } else {
+            painter.drawImage(picture, m_picture);
+        }
+        painter.setClipping(false);
+        words.setTop(picture.bottom() + theme.px(8));
+    }
+    painter.setFont(theme.text(14, 600));
+    painter.setPen(c.text);
+    const double titleHeight = theme.px(20);
+    painter.drawText(QRectF(words.left(), words.top(), words.width(), titleHeight), Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(text(), Qt::ElideRight, int(words.width())));
+    words.setTop(words.top() + titleHeight);
+    painter.setFont(theme.text(12));
+    painter.setPen(c.text2);
+    painter.drawText(words, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_text);
+
+    if (!m_action.isEmpty()) {
+        const QRectF foot(words.left(), words.bottom() - theme.px(18), words.width(), theme.px(18));
+        painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, m_state);
+        painter.setPen(c.accent);
+        painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, m_action);
+        QRectF bar(foot.left(), foot.top() - theme.px(8), foot.width(), theme.px(4));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(c.hover);
+        painter.drawRoundedRect(bar, theme.px(2), theme.px(2));
+        bar.setWidth(bar.width() * m_progress);
+        painter.setBrush(c.accent);
+        painter.drawRoundedRect(bar, theme.px(2), theme.px(2));
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(c.line, 1));
+    painter.drawPath(shape);
+    if (hasFocus()) {
+        painter.setPen(QPen(c.focus, 2));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), theme.px(8), theme.px(8));
+    }
+}
+
+void CardGrid::add(StartCard* card) {
+    card->setParent(this);
+    card->installEventFilter(this);
+    m_cards += card;
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    updateGeometry();
+}
+
+void CardGrid::clear() {
+    qDeleteAll(m_cards);
+    m_cards.clear();
+}
+
+int CardGrid::columns(int width) const { return width < Theme::current().px(840) ? 2 : m_most; }
+
+void CardGrid::setMostColumns(int most) {
+    m_most = most;
+    updateGeometry();
+}
+
+int CardGrid::cardWidth(int width) const {
+    const int n = columns(width);
+    return (width - (n - 1) * Theme::current().px(10)) / n;
+}
+
+int CardGrid::heightForWidth(int width) const {
+    if (m_cards.isEmpty()) return 0;
+    const int n = columns(width), rows = (int(m_cards.size()) + n - 1) / n, gap = Theme::current().px(10);
+    return rows * m_cards.front()->heightForWidth(cardWidth(width)) + (rows - 1) * gap;
+}
+
+QSize CardGrid::sizeHint() const { return {Theme::current().px(600), heightForWidth(std::max(width(), 600))}; }
+
+void CardGrid::resizeEvent(QResizeEvent*) {
+    if (m_cards.isEmpty()) return;
+    const int n = columns(width()), w = cardWidth(width()), h = m_cards.front()->heightForWidth(w);
+    const int gap = Theme::current().px(10);
+    for (int i = 0; i < m_cards.size(); ++i) m_cards[i]->setGeometry((i % n) * (w + gap), (i / n) * (h + gap), w, h);
+    setMinimumHeight(heightForWidth(width()));
+}
+
+bool CardGrid::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+    const qsizetype at = m_cards.indexOf(static_cast<StartCard*>(watched));
+    const auto focus = [this](qsizetype i) {
+        if (i >= 0 && i < m_cards.size()) m_cards[i]->setFocus(Qt::TabFocusReason);
+        return true;
+    };
+    switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Left: return focus(at - 1);
+        case Qt::Key_Right: return focus(at + 1);
+        case Qt::Key_Up: return focus(at - columns(width()));
+        case Qt::Key_Down: return focus(at + columns(width()));
+        case Qt::Key_Return:
+        case Qt::Key_Enter: m_cards[at]->click(); return true;
+        default: return QWidget::eventFilter(watched, event);
+    }
+}
+
+}  // namespace app

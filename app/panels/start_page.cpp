@@ -1,0 +1,243 @@
+#include "app/panels/start_page.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/core/recent_files.h"
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/segmented.h"
+#include "app/panels/start_card.h"
+
+namespace app {
+
+// A dashed box that says that files may be dropped.
+class DropField : public QLabel {
+public:
+    using QLabel::QLabel;
+    bool over = false;
+
+protected:
+    void paintEvent(QPaintEvent* event) override {
+        const ThemeColors& c = Theme::current().colors();
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setBrush(over ? c.tint : QColor(Qt::transparent));
+        painter.setPen(QPen(over ? c.accent : c.outline, 1, Qt::DashLine));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), Theme::current().px(6),
+                                Theme::current().px(6));
+        QLabel::paintEvent(event);
+    }
+};
+
+namespace {
+
+QLabel* makeLabel(const QString& text, double size, int weight, int tone, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    if (tone > 1) label->setProperty("tone", tone);
+    label->setWordWrap(true);
+    followTheme(label, [=] { label->setFont(Theme::current().text(size, weight)); });
+    return label;
+}
+
+QWidget* makeHeading(const QString& title, const QString& hint, QWidget* parent) {
+    auto* heading = new QWidget(parent);
+    auto* row = new QHBoxLayout(heading);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(Theme::current().px(12));
+    auto* name = makeLabel(title, 16, 600, 1, heading);
+    name->setWordWrap(false);
+    row->addWidget(name, 0, Qt::AlignBaseline);
+    row->addWidget(makeLabel(hint, 12, 400, 2, heading), 1, Qt::AlignBaseline);
+    return heading;
+}
+
+QString whenText(const QDateTime& when) {
+    const qint64 days = when.date().daysTo(QDate::currentDate());
+    if (days == 0) return QStringLiteral("today ") + when.toString("HH:mm");
+    if (days == 1) return QStringLiteral("yesterday");
+    return when.date().toString(days < 7 ? "dddd" : "d MMM");
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+    setObjectName("startPage");
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(makeLeft());
+    row->addWidget(makeRight(), 1);
+}
+
+QWidget* StartPage::makeLeft() {
+    auto* left = new QFrame(this);
+    left->setObjectName("startLeft");
+    auto* column = new QVBoxLayout(left);
+    column->addWidget(makeLabel(QStringLiteral("Shadescope"), 34, 600, 1, left));
+    column->addWidget(makeLabel(tr("See how polygons become a picture,\none step at a time."), 16, 400, 2, left));
+    auto* open = new QPushButton(tr("Open a file"), left);
+    open->setProperty("kind", "primary");
+    open->setDefault(true);
+    connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(open);
+    buttons->addStretch(1);
+    column->addSpacing(16);
+    column->addLayout(buttons);
+    column->addSpacing(24);
+    column->addWidget(makeHeading(tr("Recent"), QString(), left));
+    m_recent = new QVBoxLayout;
+    m_recent->setSpacing(2);
+    column->addLayout(m_recent);
+    column->addStretch(1);
+    m_drop = new DropField(tr("Drop a scene file here."), left);
+    column->addWidget(m_drop);
+    column->addSpacing(8);
+    auto* theme = new Segmented({tr("Dark"), tr("Light"), tr("Projector")}, left);
+    connect(theme, &Segmented::chosen, this, [](int id) { Theme::current().set(ThemeId(id)); });
+    auto* themeRow = new QHBoxLayout;
+    auto* themeLabel = makeLabel(tr("Theme"), 13, 400, 2, left);
+    themeLabel->setWordWrap(false);
+    themeRow->addWidget(themeLabel);
+    themeRow->addWidget(theme, 1);
+    column->addLayout(themeRow);
+    auto* keys = new QPushButton(tr("Keys, H"), left);
+    keys->setProperty("kind", "link");
+    connect(keys, &QPushButton::clicked, this, &StartPage::keysRequested);
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(keys);
+    foot->addStretch(1);
+    auto* version = makeLabel(tr("Version %1").arg(QCoreApplication::applicationVersion()), 12, 400, 3, left);
+    version->setWordWrap(false);
+    foot->addWidget(version);
+    column->addLayout(foot);
+    followTheme(left, [this, left, column, theme, open] {
+        const Theme& t = Theme::current();
+        left->setFixedWidth(t.px(t.scale() > 1.1 ? 352 : 440));
+        column->setContentsMargins(t.px(40), t.px(48), t.px(40), t.px(24));
+        column->setSpacing(t.px(8));
+        open->setFont(t.text(13, 500));
+        open->setMinimumHeight(t.px(32));
+        m_drop->setFont(t.text());
+        m_drop->setMargin(t.px(16));
+        theme->setCurrent(int(t.id()));
+        left->setStyleSheet(
+            QStringLiteral("QFrame#startLeft { background: %1; border: 0; border-right: 1px solid %2; }")
+                .arg(t.colors().surface.name(), t.colors().line.name()));
+    });
+    return left;
+}
+
+QWidget* StartPage::makeRight() {
+    auto* scroll = new QScrollArea(this);
+    scroll->setObjectName("startRight");
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* page = new QWidget;
+    page->setObjectName("startPageRight");
+    auto* column = new QVBoxLayout(page);
+    m_lessonHead = makeHeading(tr("Lessons"), tr("a page at a time, with the window set for you"), page);
+    m_lessons = new CardGrid(page);
+    m_scenes = new CardGrid(page);
+    column->addWidget(m_lessonHead);
+    column->addWidget(m_lessons);
+    column->addSpacing(16);
+    column->addWidget(makeHeading(tr("Scenes"), tr("Enter opens, arrows move"), page));
+    column->addWidget(m_scenes);
+    column->addStretch(1);
+    column->addWidget(
+        makeLabel(tr("New here? Open the pyramid, press Ctrl+→ to walk through the stages, click any pixel to "
+                     "see why it has its colour."),
+                  13, 400, 2, page));
+    for (const pipeline::BuiltInScene& scene : m_gallery.scenes()) {
+        auto* card = new StartCard(StartCard::Kind::Scene, toQString(scene.title), toQString(scene.look), m_scenes);
+        card->setObjectName(QStringLiteral("scene:") + toQString(scene.name));
+        m_scenes->add(card);
+        connect(card, &StartCard::clicked, this,
+                [this, file = QString::fromStdString(scene.file.string())] { emit fileChosen(file); });
+    }
+    // With three scenes three larger pictures stand in a row.
+    const int columns = std::clamp(int(m_gallery.scenes().size()), 3, 4);
+    m_scenes->setMostColumns(columns);
+    m_lessons->setMostColumns(columns);
+    connect(&m_gallery, &SceneGallery::pictureReady, this,
+            [this](std::size_t i) { m_scenes->cards()[qsizetype(i)]->setPicture(m_gallery.picture(i)); });
+    setLessons({});
+    scroll->setWidget(page);
+    followTheme(scroll, [scroll, column] {
+        const Theme& t = Theme::current();
+        column->setContentsMargins(t.px(48), t.px(44), t.px(48), t.px(24));
+        column->setSpacing(t.px(12));
+        scroll->setStyleSheet(
+            QStringLiteral("QScrollArea#startRight, QWidget#startPageRight { background: %1; border: 0; }")
+                .arg(t.colors().bg.name()));
+    });
+    return scroll;
+}
+
+void StartPage::setLessons(const std::vector<LessonEntry>& lessons) {
+    m_lessons->clear();
+    m_lessonHead->setVisible(!lessons.empty());
+    m_lessons->setVisible(!lessons.empty());
+    for (const LessonEntry& lesson : lessons) {
+        auto* card = new StartCard(StartCard::Kind::Lesson, lesson.title, lesson.text, m_lessons);
+        card->setObjectName(QStringLiteral("lesson:") + lesson.name);
+        const bool begun = lesson.page > 0, done = lesson.page >= lesson.pages;
+        card->setFoot(!begun ? tr("Not begun, %1 pages").arg(lesson.pages)
+                      : done ? tr("Done")
+                             : tr("Page %1 of %2").arg(lesson.page).arg(lesson.pages),
+                      !begun ? tr("Begin")
+                      : done ? tr("Again")
+                             : tr("Go on"),
+                      double(lesson.page) / lesson.pages);
+        m_lessons->add(card);
+        connect(card, &StartCard::clicked, this, [this, name = lesson.name] { emit lessonChosen(name); });
+    }
+}
+
+void StartPage::refreshRecent() {
+    while (QLayoutItem* item = m_recent->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    const auto files = recentFiles();
+    if (files.empty()) m_recent->addWidget(makeLabel(tr("Files that you open will be listed here."), 13, 400, 3, this));
+    for (const RecentFile& entry : files) {
+        auto* line = new QPushButton(QFileInfo(entry.file).fileName(), this);
+        line->setProperty("kind", "link");
+        line->setToolTip(entry.file);
+        followTheme(line, [line] { line->setFont(Theme::current().text(13, 500)); });
+        auto* row = new QWidget(this);
+        auto* columns = new QHBoxLayout(row);
+        columns->setContentsMargins(0, 0, 0, 0);
+        columns->addWidget(line);
+        auto* when = makeLabel(whenText(entry.when), 12, 400, 3, row);
+        when->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        columns->addWidget(when, 1);
+        m_recent->addWidget(row);
+        connect(line, &QPushButton::clicked, this, [this, file = entry.file] { emit fileChosen(file); });
+    }
+}
+
+void StartPage::setDropHint(bool over) {
+    m_drop->over = over;
+    m_drop->update();
+}
+
+void StartPage::showEvent(QShowEvent* event) {
+    refreshRecent();
+    QWidget::showEvent(event);
+    if (!m_scenes->cards().isEmpty()) m_scenes->cards().front()->setFocus(Qt::TabFocusReason);
+}
+
+}  // namespace app

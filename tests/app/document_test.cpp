@@ -1,0 +1,118 @@
+// The document without a window: what it holds, what it refuses, what it undoes.
+#include "app/core/document.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "pipeline/formats/scene_reader.h"
+
+namespace app {
+namespace {
+
+class DocumentTest : public testing::Test {
+protected:
+    DocumentTest() {
+        auto scene = pipeline::readScene(pipeline::resourceFolder() / "scenes" / "pyramid.scene");
+        EXPECT_TRUE(scene);
+        document.setScene(std::move(scene).value());
+    }
+    pipeline::SettingRef setting(const char* key) { return *findSetting(document.scene(), key); }
+    double exponent() { return document.scene().objects[0].material.exponent; }
+    bool waitForFrame() {
+        return QTest::qWaitFor([this] { return document.frame() && !document.busy(); }, 30000);
+    }
+    Document document;
+};
+
+TEST_F(DocumentTest, DragIsOneStepNamedByItsEnds) {
+    for (const double n : {7.0, 6.0, 5.0}) document.change(setting("material.0.n"), n, Document::Change::Live);
+    document.change(setting("material.0.n"), 4, Document::Change::Done);
+    EXPECT_EQ(document.undoStack()->count(), 1);
+    EXPECT_EQ(document.undoStack()->undoText(), "n exponent 8 → 4");
+    document.undoStack()->undo();
+    EXPECT_EQ(exponent(), 8);
+}
+
+TEST_F(DocumentTest, TwoDragsAreTwoSteps) {
+    document.change(setting("material.0.n"), 6, Document::Change::Live);
+    document.change(setting("material.0.n"), 6, Document::Change::Done);
+    document.change(setting("material.0.n"), 5, Document::Change::Live);
+    document.change(setting("material.0.n"), 4, Document::Change::Done);
+    EXPECT_EQ(document.undoStack()->count(), 2);
+    document.undoStack()->undo();
+    EXPECT_EQ(exponent(), 6);
+}
+
+TEST_F(DocumentTest, DragBackToItsBeginningLeavesNoStep) {
+    document.change(setting("material.0.n"), 6, Document::Change::Live);
+    document.change(setting("material.0.n"), 8, Document::Change::Live);
+    document.change(setting("material.0.n"), 8, Document::Change::Done);
+    EXPECT_EQ(document.undoStack()->count(), 0);
+}
+
+TEST_F(DocumentTest, RefusesWhatIsOutOfRange) {
+    QSignalSpy failed(&document, &Document::failed);
+    for (const double value : {-0.1, 1.1, double(NAN), double(INFINITY)})
+        document.change(setting("material.0.kr"), value);
+    EXPECT_EQ(failed.count(), 4);
+    EXPECT_EQ(document.undoStack()->count(), 0);
+}
+
+TEST_F(DocumentTest, FailedOpenKeepsTheScene) {
+    QSignalSpy failed(&document, &Document::failed);
+    EXPECT_FALSE(document.open("/no/such/file.scene"));
+    EXPECT_EQ(failed.count(), 1);
+    EXPECT_EQ(document.scene().name, "pyramid.scene");
+}
+
+TEST_F(DocumentTest, WantedBuffersAreInTheFrameAndForgottenWithWhoWantedThem) {
+    using pipeline::BufferId;
+    ASSERT_TRUE(waitForFrame());
+    {
+        QObject panel;
+        document.want(&panel, pipeline::setOf({BufferId::NDotL}));
+        ASSERT_TRUE(waitForFrame());
+        EXPECT_TRUE(document.frame()->buffer({BufferId::NDotL, 0}));
+    }
+    // What nobody shows any more is not computed with the next change.
+    document.change(setting("material.0.n"), 4);
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_FALSE(document.frame()->buffer({BufferId::NDotL, 0}));
+    EXPECT_TRUE(document.frame()->buffer({BufferId::Color}));
+}
+
+TEST_F(DocumentTest, PickedPixelStaysInThePicture) {
+    document.pick(glm::ivec2(10000, -3));
+    EXPECT_EQ(document.pixel(), glm::ivec2(639, 0));
+    document.change(setting("width"), 100);
+    EXPECT_EQ(document.pixel(), glm::ivec2(99, 0));
+}
+
+TEST_F(DocumentTest, StagesEndAtTheFirstAndTheLast) {
+    document.setStage(pipeline::StageId::Shading);
+    document.nextStage();
+    EXPECT_EQ(document.stage(), pipeline::StageId::Shading);
+    for (int i = 0; i < 10; ++i) document.previousStage();
+    EXPECT_EQ(document.stage(), pipeline::StageId::Transform);
+}
+
+TEST_F(DocumentTest, LastChangeTellsTheValueBefore) {
+    EXPECT_FALSE(document.lastChange());
+    document.change(setting("material.0.n"), 4);
+    ASSERT_TRUE(document.lastChange());
+    EXPECT_EQ(document.lastChange()->before, 8);
+    document.undoStack()->undo();
+    EXPECT_FALSE(document.lastChange());
+}
+
+TEST_F(DocumentTest, ErrorsOfTheFrameComeInIdleTime) {
+    QSignalSpy ready(&document, &Document::errorsReady);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0; }, 30000));
+    EXPECT_TRUE(document.errors()[index(pipeline::StageId::ZBuffer)]);
+    EXPECT_EQ(document.nanCount(), std::size_t(0));
+}
+
+}  // namespace
+}  // namespace app

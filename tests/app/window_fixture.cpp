@@ -1,0 +1,65 @@
+#include "tests/app/window_fixture.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QTest>
+
+#include "app/core/theme.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
+#include "pipeline/formats/scene_reader.h"
+
+namespace app {
+
+QString resourceScene(const char* name) {
+    return QString::fromStdString((pipeline::resourceFolder() / "scenes" / name).string());
+}
+
+WindowTest::WindowTest() {
+    QSettings().clear();
+    Theme::current().set(ThemeId::Light);
+    window.setGeometry(0, 0, 1600, 900);
+    window.show();
+    // There may be no window manager to make it the active one.
+    QApplication::setActiveWindow(&window);
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
+}
+
+WindowTest::~WindowTest() { Theme::current().set(ThemeId::Light); }
+
+void WindowTest::openPyramid() {
+    ASSERT_TRUE(window.openFile(resourceScene("pyramid.scene")));
+    ASSERT_TRUE(waitForFrame());
+}
+
+bool WindowTest::waitForFrame() {
+    const bool there = QTest::qWaitFor([this] { return document().frame() && !document().busy(); }, 30000);
+    QTest::qWait(50);  // for what is painted a moment later
+    return there && QTest::qWaitFor([this] { return !document().busy(); }, 30000);
+}
+
+void WindowTest::press(const char* keys) {
+    QWidget* target = QApplication::focusWidget() ? QApplication::focusWidget() : &window;
+    QTest::keySequence(target, QKeySequence(keys));
+}
+
+BufferCanvas* WindowTest::canvas() { return window.views().first().canvas(); }
+
+QImage WindowTest::pictureOnScreen() { return window.views().first().grab().toImage(); }
+
+QPoint WindowTest::onCanvas(glm::ivec2 pixel) {
+    return canvas()->placement().toWidget(QPointF(pixel.x + 0.5, pixel.y + 0.5)).toPoint();
+}
+
+QColor WindowTest::shownColor(const QImage& canvasPicture, glm::ivec2 pixel) {
+    return canvasPicture.pixelColor(onCanvas(pixel));
+}
+
+QColor WindowTest::frameColor(glm::ivec2 pixel) {
+    const auto color = *document().frame()->buffer({pipeline::BufferId::Color});
+    const auto channel = [&](int c) { return int(color.value(std::size_t(pixel.x), std::size_t(pixel.y), c)); };
+    return QColor(channel(0), channel(1), channel(2));
+}
+
+}  // namespace app

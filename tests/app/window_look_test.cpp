@@ -1,0 +1,99 @@
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+#include "app/core/theme.h"
+#include "app/desktop/command_palette.h"
+#include "app/panels/buffer_canvas.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+class WindowLook : public WindowTest {
+protected:
+    void expectPictureIsFrame() {
+        const QImage shown = canvas()->grab().toImage();
+        // On the pyramid, at its edge, and outside.
+        for (const glm::ivec2 pixel : {glm::ivec2(268, 281), glm::ivec2(292, 259), glm::ivec2(300, 285)})
+            EXPECT_EQ(shownColor(shown, pixel), frameColor(pixel)) << pixel.x << ", " << pixel.y;
+    }
+    void expectNothingCut() {
+        for (const QPushButton* button : window.findChildren<QPushButton*>()) {
+            if (!button->isVisible() || button->text().isEmpty()) continue;
+            EXPECT_LE(button->fontMetrics().horizontalAdvance(button->text()), button->width())
+                << '"' << button->text().toStdString() << '"';
+        }
+        for (const QLabel* label : window.findChildren<QLabel*>()) {
+            if (!label->isVisible() || label->text().isEmpty() || label->wordWrap()) continue;
+            if (label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored) continue;
+            EXPECT_LE(label->minimumSizeHint().height(), label->height() + 1)
+                << '"' << label->text().toStdString() << '"';
+        }
+    }
+};
+
+TEST_F(WindowLook, PictureIsTheFrameInEveryTheme) {
+    openPyramid();
+    for (const ThemeId theme : {ThemeId::Light, ThemeId::Dark, ThemeId::Projector}) {
+        Theme::current().set(theme);
+        QTest::qWait(100);
+        expectPictureIsFrame();
+    }
+}
+
+TEST_F(WindowLook, NothingIsCutInAnySizeAndTheme) {
+    openPyramid();
+    document().pick(glm::ivec2(268, 281));
+    for (const QSize size : {QSize(1024, 640), QSize(1280, 720), QSize(1600, 900)}) {
+        for (const ThemeId theme : {ThemeId::Light, ThemeId::Dark, ThemeId::Projector}) {
+            SCOPED_TRACE(testing::Message() << size.width() << " x " << size.height() << ", theme " << int(theme));
+            window.resize(size);
+            Theme::current().set(theme);
+            QTest::qWait(100);
+            EXPECT_EQ(window.size(), size) << "the panels need more room than the window has";
+            expectNothingCut();
+        }
+    }
+}
+
+TEST_F(WindowLook, LargerTextIsLargerAndComesBack) {
+    openPyramid();
+    const double before = Theme::current().scale();
+    press("Ctrl+Shift++");
+    EXPECT_NEAR(Theme::current().scale(), before + 0.05, 1e-9);
+    press("Ctrl+Shift+-");
+    EXPECT_NEAR(Theme::current().scale(), before, 1e-9);
+}
+
+TEST_F(WindowLook, CommandIsFoundByAPartOfItsName) {
+    openPyramid();
+    press("Ctrl+Shift+P");
+    auto* field = find<QLineEdit>("commandField");
+    ASSERT_TRUE(field->isVisible());
+    QTest::keyClicks(field, "z-buf");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_FALSE(field->isVisible());
+    EXPECT_EQ(document().stage(), pipeline::StageId::ZBuffer);
+}
+
+TEST(CommandMatch, PrefersBeginningsThenWordsThenLettersInOrder) {
+    EXPECT_GT(matchQuality("no", "Normals"), matchQuality("no", "Go to north"));
+    EXPECT_GT(matchQuality("pix", "Go to pixel…"), matchQuality("gtp", "Go to pixel…"));
+    EXPECT_GT(matchQuality("gtp", "Go to pixel…"), 0);
+    EXPECT_EQ(matchQuality("xq", "Go to pixel…"), 0);
+}
+
+TEST_F(WindowLook, KeysAreListedAndEscapeClosesTheList) {
+    openPyramid();
+    canvas()->setFocus();
+    QTest::keyClick(canvas(), Qt::Key_H);
+    auto* sheet = find<QWidget>("keySheet");
+    ASSERT_TRUE(sheet->isVisible());
+    QTest::keyClick(sheet, Qt::Key_Escape);
+    EXPECT_FALSE(sheet->isVisible());
+}
+
+}  // namespace
+}  // namespace app

@@ -1,0 +1,118 @@
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/number_field.h"
+#include "app/panels/scene_tree.h"
+#include "app/panels/segmented.h"
+#include "app/panels/value_slider.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+class WindowSettings : public WindowTest {
+protected:
+    double value(const char* key) {
+        const auto setting = findSetting(document().scene(), key);
+        return setting ? setting->get(document().scene()) : NAN;
+    }
+    QImage color() {
+        const auto buffer = *document().frame()->buffer({pipeline::BufferId::Color});
+        const auto& bytes = std::get<std::span<const std::uint8_t>>(buffer.data);
+        return QImage(bytes.data(), int(buffer.columns()), int(buffer.rows()), 3 * qsizetype(buffer.columns()),
+                      QImage::Format_RGB888)
+            .copy();
+    }
+    void select(const char* item) {
+        auto* tree = find<SceneTree>("sceneTree");
+        for (int row = 0; row < tree->count(); ++row)
+            if (tree->item(row)->text() == item)
+                QTest::mouseClick(tree->viewport(), Qt::LeftButton, Qt::NoModifier,
+                                  tree->visualItemRect(tree->item(row)).center());
+        QTest::qWait(20);  // the other controls are built
+    }
+};
+
+TEST_F(WindowSettings, DraggedSliderShowsFramesWhileItMovesAndIsOneStepOfUndo) {
+    openPyramid();
+    const QImage before = color();
+    const double valueBefore = value("material.0.kr");
+    auto* slider = find<ValueSlider>("material.0.kr");
+    QSignalSpy frames(&document(), &Document::frameReady);
+
+    QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, slider->position(0.3).toPoint());
+    QImage last = before;
+    for (const double to : {0.5, 0.7, 0.9}) {
+        QTest::mouseMove(slider, slider->position(to).toPoint());
+        const auto count = frames.count();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return frames.count() > count || !document().busy(); }, 10000));
+        ASSERT_TRUE(waitForFrame());
+        EXPECT_NE(color(), last) << "no new picture at " << to << " while the button is still down";
+        last = color();
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, slider->position(0.9).toPoint());
+    ASSERT_TRUE(waitForFrame());
+
+    EXPECT_NEAR(value("material.0.kr"), 0.9, 0.02);
+    EXPECT_EQ(document().undoStack()->count(), 1);
+    EXPECT_TRUE(document().undoStack()->undoText().startsWith("k_r red 0.2 → 0.9"));
+    press("Ctrl+Z");
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(value("material.0.kr"), valueBefore);
+    EXPECT_EQ(color(), before);
+    press("Ctrl+Shift+Z");
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(color(), last);
+}
+
+TEST_F(WindowSettings, LightIsChangedByANumberAndThePictureOnTheScreenFollows) {
+    openPyramid();
+    const glm::ivec2 pixel(268, 281);  // on the right face
+    const QColor before = shownColor(canvas()->grab().toImage(), pixel);
+    EXPECT_EQ(before, frameColor(pixel));
+    select("light 0");
+    auto* field = window.findChild<NumberField*>("light.0.x");
+    ASSERT_NE(field, nullptr);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "-5");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(value("light.0.x"), -5);
+    const QColor after = shownColor(canvas()->grab().toImage(), pixel);
+    EXPECT_NE(after, before);
+    EXPECT_EQ(after, frameColor(pixel));
+}
+
+TEST_F(WindowSettings, WrongNumberIsRefusedWhereItStands) {
+    openPyramid();
+    auto* field = window.findChild<NumberField*>("material.0.kr");
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "1.5");  // k_r is a fraction
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(value("material.0.kr"), 0.2);
+    EXPECT_FALSE(field->toolTip().isEmpty());
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_EQ(field->text(), "0.2");
+}
+
+TEST_F(WindowSettings, PutBackUndoesTheLastChange) {
+    openPyramid();
+    auto* field = window.findChild<NumberField*>("material.0.n");
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Up);
+    EXPECT_EQ(value("material.0.n"), 9);
+    auto* note = find<QLabel>("lastChange");
+    ASSERT_TRUE(note->isVisible());
+    EXPECT_TRUE(note->text().contains("was 8."));
+    emit note->linkActivated("undo");
+    EXPECT_EQ(value("material.0.n"), 8);
+    EXPECT_FALSE(note->isVisible());
+}
+
+}  // namespace
+}  // namespace app

@@ -1,0 +1,76 @@
+#include <QLineEdit>
+#include <QTest>
+
+#include "app/core/stage_buffer.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/stage_card.h"
+#include "app/panels/stage_strip.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+using WindowStages = WindowTest;
+
+TEST_F(WindowStages, EveryStageShowsItsMainBufferAndBackIsTheSamePicture) {
+    openPyramid();
+    document().setStage(pipeline::StageId::Transform);
+    std::vector<QImage> forth;
+    for (const pipeline::StageId stage : pipeline::kStages) {
+        ASSERT_TRUE(waitForFrame());
+        EXPECT_EQ(document().stage(), stage);
+        EXPECT_EQ(window.views().first().buffer(), mainBuffer(stage, document().scene()));
+        forth.push_back(pictureOnScreen());
+        press("Ctrl+Right");
+    }
+    EXPECT_EQ(document().stage(), pipeline::StageId::Shading);  // the last key had no stage to go to
+    for (std::size_t i = pipeline::kStageCount; i-- > 0;) {
+        ASSERT_TRUE(waitForFrame());
+        EXPECT_EQ(document().stage(), pipeline::kStages[i]);
+        EXPECT_EQ(pictureOnScreen(), forth[i]) << stageInfo(pipeline::kStages[i]).name;
+        press("Ctrl+Left");
+    }
+    for (std::size_t i = 1; i < forth.size(); ++i) EXPECT_NE(forth[i], forth[i - 1]);
+}
+
+TEST_F(WindowStages, KeysGoToAStageFromATextFieldToo) {
+    openPyramid();
+    auto* field = window.findChild<QLineEdit*>("material.0.kr");
+    ASSERT_NE(field, nullptr);
+    field->setFocus();
+    press("Ctrl+Left");
+    EXPECT_EQ(document().stage(), pipeline::StageId::ZBuffer);
+}
+
+TEST_F(WindowStages, ClickOnACardGoesToItsStage) {
+    openPyramid();
+    StageCard& card = find<StageStrip>("stageStrip")->card(pipeline::StageId::ZBuffer);
+    QTest::mouseClick(&card, Qt::LeftButton);
+    EXPECT_EQ(document().stage(), pipeline::StageId::ZBuffer);
+    EXPECT_TRUE(card.isOnShow());
+}
+
+// The pyramid is one convex object: no shadow buffer is needed, and the flat shading needs no
+// vertex normals. Everything else ran.
+TEST_F(WindowStages, CardsTellWhatRanAndWhatWasLeftOut) {
+    openPyramid();
+    StageStrip& strip = *find<StageStrip>("stageStrip");
+    const StageStatus& shadow = strip.card(pipeline::StageId::ShadowBuffer).status();
+    EXPECT_EQ(shadow.state, StageState::LeftOut);
+    EXPECT_TRUE(shadow.reason.contains("convex"));
+    EXPECT_TRUE(shadow.time.isEmpty());
+    EXPECT_EQ(strip.card(pipeline::StageId::Cull).status().counts, "3 of 5 polygons kept");
+
+    const auto exponent = findSetting(document().scene(), "material.0.n");
+    ASSERT_TRUE(exponent);
+    document().change(*exponent, 4);
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(strip.card(pipeline::StageId::ZBuffer).status().state, StageState::Reused);
+    EXPECT_EQ(strip.card(pipeline::StageId::Shading).status().state, StageState::Ran);
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return strip.card(pipeline::StageId::Transform).status().error.endsWith("px"); }, 10000));
+}
+
+}  // namespace
+}  // namespace app
