@@ -42,13 +42,16 @@ void declareProgram(CLI::App& program, const CliHost& host, int& status) {
     for (const Command& command : kCommands) command.declare(program, host, status);
 }
 
-// A full disk shows only when the last byte goes out.
+int couldNotWrite(int error) {
+    fmt::print(stderr, "standard output: could not write: {}\n", std::generic_category().message(error));
+    return kCouldNotWrite;
+}
+
+// What is short enough meets a full disk only here.
 int flushed(int status) {
     errno = 0;
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-    const int error = errno != 0 ? errno : EIO;
-    fmt::print(stderr, "standard output: could not write: {}\n", std::generic_category().message(error));
-    return kCouldNotWrite;
+    return couldNotWrite(errno != 0 ? errno : EIO);
 }
 
 }  // namespace
@@ -77,6 +80,8 @@ int runCli(int argc, const char* const* argv, const CliHost& host) {
         }
         fmt::print(stderr, "shadescope: {}\nRun shadescope --help to see what there is.\n", error.what());
         return kWrongUsage;
+    } catch (const std::system_error& error) {  // fmt::print has no other way to say that it could not
+        return couldNotWrite(error.code().value());
     }
     return flushed(status);
 }

@@ -22,7 +22,7 @@ std::string header(const AnyBuffer& buffer) {
     std::string text =
         std::string("{'descr': '") + kTypes[buffer.data.index()] + "', 'fortran_order': False, 'shape': (";
     for (const std::size_t length : buffer.shape) text += std::to_string(length) + ", ";
-    if (buffer.shape.size() > 1) text.resize(text.size() - 2);  // one dimension keeps its comma
+    text.resize(text.size() - (buffer.shape.size() > 1 ? 2 : 1));  // one dimension keeps its comma
     text += "), }";
     constexpr std::size_t kBefore = 10;  // magic 6, version 2, length 2
     text.append(63 - (kBefore + text.size()) % 64, ' ') += '\n';

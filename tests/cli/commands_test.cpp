@@ -57,8 +57,10 @@ TEST(Program, BadInputIsStatus3WithItsPlace) {
 }
 
 TEST(Program, AFullDiskBehindStandardOutputIsStatus4) {
-    for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"plan", "pyramid"}, {"--help"}, {"inspect", "pyramid", "--pixel", "268,281"}}) {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"plan", "pyramid"},
+                                                      {"plan", "pyramid", "--json"},
+                                                      {"--help"},
+                                                      {"inspect", "pyramid", "--pixel", "268,281"}}) {
         const auto done = test::runInto("/dev/full", arguments);
         EXPECT_EQ(done.status, 4) << arguments[0];
         EXPECT_EQ(done.err, "standard output: could not write: No space left on device\n");
