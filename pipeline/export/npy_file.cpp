@@ -19,11 +19,15 @@ std::size_t elementSize(const AnyBuffer& buffer) {
 // with spaces and ended by a line end so that the numbers begin at a multiple of 64.
 std::string header(const AnyBuffer& buffer) {
     constexpr std::array<const char*, 4> kTypes{"<f4", "<f8", "<i4", "|u1"};
-    std::string text =
-        std::string("{'descr': '") + kTypes[buffer.data.index()] + "', 'fortran_order': False, 'shape': (";
-    for (const std::size_t length : buffer.shape) text += std::to_string(length) + ", ";
-    text.resize(text.size() - (buffer.shape.size() > 1 ? 2 : 1));  // one dimension keeps its comma
-    text += "), }";
+    std::string shape;
+    for (const std::size_t length : buffer.shape) {
+        if (!shape.empty()) shape += ", ";
+        shape += std::to_string(length);
+    }
+    if (buffer.shape.size() == 1) shape += ',';  // a tuple of one keeps its comma
+    std::string text = "{'descr': '";
+    text.append(kTypes[buffer.data.index()]).append("', 'fortran_order': False, 'shape': (");
+    text.append(shape).append("), }");
     constexpr std::size_t kBefore = 10;  // magic 6, version 2, length 2
     text.append(63 - (kBefore + text.size()) % 64, ' ') += '\n';
     std::string bytes("\x93NUMPY\x01\x00", 8);
