@@ -150,6 +150,14 @@ Solid arrow(VectorCode code, double length, double radius, const ShapePlacement&
     return solid;
 }
 
+Solid smallArrow(double length, double radius) {
+    constexpr double kTipLength = 9, kTipHalfWidth = 3.4;  // for a radius of 1
+    const double tip = std::min(kTipLength * radius, length), width = kTipHalfWidth / kTipLength * tip;
+    const double neck = length - tip;
+    const std::array<glm::dvec2, 4> profile{{{radius, 0}, {radius, neck}, {width, neck}, {0, length}}};
+    return turned(profile, 8);
+}
+
 Solid inflated(Solid solid, double distance) {
     // Corners that share a place (a fan's) move together only as far as their normals agree; the
     // gaps are of the order of the distance, and nothing but a rim is drawn of the result.

@@ -40,6 +40,8 @@ double tipLength(VectorCode code, double radius);
 // The arrow of a vector: dashed shaft and tip, `length` pixels from its foot to the end of its
 // tip. N a cone, L a sphere, V a torus, R two bars at 40°, H an octahedron; None has no tip.
 Solid arrow(VectorCode code, double length, double radius, const ShapePlacement& placement);
+// A plain arrow of few triangles along z, for the many normals of a mesh.
+Solid smallArrow(double length, double radius);
 
 // The solid with every point moved outwards by `distance` (of the solid's own units).
 Solid inflated(Solid solid, double distance);

@@ -108,6 +108,22 @@ void placeCaption(PlacedLabel& placed, const ViewFrame& view) {
     placed.at.y = std::clamp(placed.at.y, 12.0, std::max(12.0, view.size.y - 12));
 }
 
+// Captions that lie on each other part upwards and downwards; one at the border stays.
+void partCaptions(std::vector<PlacedLabel>& labels) {
+    const QFontMetricsF metrics(fontOf(Label::Kind::Caption));
+    const auto width = [&](const PlacedLabel& p) { return metrics.horizontalAdvance(toQString(p.label.text)); };
+    const double line = metrics.height();
+    for (PlacedLabel& a : labels)
+        for (PlacedLabel& b : labels) {
+            if (&a <= &b || a.label.kind != Label::Kind::Caption || b.label.kind != Label::Kind::Caption) continue;
+            const glm::dvec2 d = a.at - b.at;
+            if (std::abs(d.x) > (width(a) + width(b)) / 2 + 6 || std::abs(d.y) > line) continue;
+            PlacedLabel& moved = a.atBorder ? b : a;
+            const PlacedLabel& stays = a.atBorder ? a : b;
+            moved.at.y = stays.at.y + (moved.at.y < stays.at.y && stays.at.y > 2 * line ? -line : line);
+        }
+}
+
 void paintBorderMark(QPainter& painter, const PlacedLabel& placed) {
     const ThemeColors& colors = Theme::current().colors();
     const QColor ink = colorOf(placed.label.ink, colors);
@@ -149,6 +165,7 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         result.push_back(placed);
     }
     relax(result, tips, scale);
+    partCaptions(result);
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/core/icons.h"
 #include "app/core/text.h"
@@ -178,8 +179,16 @@ void View3dPanel::wantBuffers() {
 void View3dPanel::takeFrame() {
     const auto& frame = m_document.frame();
     if (!frame) return;
-    m_view->setContent(std::make_shared<const ViewContent>(contentOf(*frame, m_document.pixel())),
-                       std::exchange(m_newScene, false));
+    auto content = std::make_shared<const ViewContent>(contentOf(*frame, m_document.pixel()));
+    const bool newScene = std::exchange(m_newScene, false);
+    if (newScene) {
+        // As many normals as can be told apart; the slider shows more or fewer.
+        constexpr std::size_t kReadable = 250;
+        ViewOptions options = m_view->options();
+        options.everyNormal = int(std::clamp<std::size_t>(content->mesh->polygonNormals.size() / kReadable, 1, 1000));
+        changeOptions(options);
+    }
+    m_view->setContent(std::move(content), newScene);
 }
 
 void View3dPanel::takePixel() {

@@ -40,6 +40,8 @@ void addMeshes(const Frame& frame, const pipeline::Topology& topology, ViewMesh&
     std::ranges::sort(mesh.edges);
     const auto rest = std::ranges::unique(mesh.edges);
     mesh.edges.erase(rest.begin(), rest.end());
+    for (const auto& [a, b] : mesh.edges) mesh.meanEdge += glm::length(mesh.positions[a] - mesh.positions[b]);
+    if (!mesh.edges.empty()) mesh.meanEdge /= double(mesh.edges.size());
 }
 
 // A polygon's normal stands at the mean of its vertices, where flat shading evaluates it.

@@ -70,6 +70,7 @@ struct ViewMesh {
     std::vector<Vec3d> positions;  // of every vertex, as vertices.world
     std::vector<Face> faces;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  // of polygons, each once
+    double meanEdge = 0;                                         // their mean length, world units
     std::vector<NormalArrow> polygonNormals, vertexNormals;      // empty where the frame has none
     Picture picture;                                             // empty before the first pixel is shaded
 };

@@ -12,7 +12,7 @@ enum class NormalsShown { Off, Polygons, Vertices };
 struct ViewOptions {
     NormalsShown normals = NormalsShown::Polygons;
     double normalLength = 40;   // 4 to 400
-    int everyNormal = 1;        // every k-th, k >= 1
+    int everyNormal = 1;        // every k-th, k from 1 to 1000
     double vectorLength = 130;  // 4 to 400
     bool vectors = true, lights = true, eye = true;
     std::array<bool, 6> shown{true, true, true, true, true, true};  // by VectorCode

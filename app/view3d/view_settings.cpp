@@ -18,6 +18,10 @@ constexpr double kShortest = 4, kFactor = 100;
 constexpr int kSteps = 200;
 int stepOf(double length) { return int(std::lround(kSteps * std::log(length / kShortest) / std::log(kFactor))); }
 double lengthOf(int step) { return std::round(kShortest * std::pow(kFactor, double(step) / kSteps)); }
+// Every 1st to every 1000th normal, in the same way.
+constexpr double kSparsest = 1000;
+int stepOfEvery(int every) { return int(std::lround(kSteps * std::log(every) / std::log(kSparsest))); }
+int everyOf(int step) { return int(std::lround(std::pow(kSparsest, double(step) / kSteps))); }
 
 }  // namespace
 
@@ -38,7 +42,8 @@ ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
     grid->addWidget(label, 0, 0);
     grid->addWidget(m_normals, 0, 1, 1, 2);
     m_normalLength = addSlider(tr("Length"), tr("Length of a normal's arrow, 4 to 400 pixels"), 0, kSteps);
-    m_every = addSlider(tr("Every k-th"), tr("Shows every k-th normal, so that a dense mesh stays readable"), 1, 64);
+    m_every =
+        addSlider(tr("Every k-th"), tr("Shows every k-th normal, so that a dense mesh stays readable"), 0, kSteps);
     m_vectorLength =
         addSlider(tr("Vectors"), tr("Length of N, L, V, R and H at the picked point, 4 to 400 pixels"), 0, kSteps);
     connect(m_normals, &QComboBox::currentIndexChanged, this, &ViewSettings::take);
@@ -70,7 +75,7 @@ void ViewSettings::setOptions(const ViewOptions& options) {
     const QSignalBlocker a(m_normals), b(m_normalLength.slider), c(m_every.slider), d(m_vectorLength.slider);
     m_normals->setCurrentIndex(int(options.normals));
     m_normalLength.slider->setValue(stepOf(options.normalLength));
-    m_every.slider->setValue(options.everyNormal);
+    m_every.slider->setValue(stepOfEvery(options.everyNormal));
     m_vectorLength.slider->setValue(stepOf(options.vectorLength));
     showValues();
 }
@@ -78,7 +83,7 @@ void ViewSettings::setOptions(const ViewOptions& options) {
 void ViewSettings::take() {
     m_options.normals = static_cast<NormalsShown>(m_normals->currentIndex());
     m_options.normalLength = lengthOf(m_normalLength.slider->value());
-    m_options.everyNormal = m_every.slider->value();
+    m_options.everyNormal = everyOf(m_every.slider->value());
     m_options.vectorLength = lengthOf(m_vectorLength.slider->value());
     showValues();
     emit changed(m_options);

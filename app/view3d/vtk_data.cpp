@@ -152,7 +152,12 @@ vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, in
     auto directions = vtkSmartPointer<vtkDoubleArray>::New();
     directions->SetNumberOfComponents(3);
     directions->SetName("direction");
-    for (std::size_t i = 0; i < arrows.size(); i += std::size_t(std::max(every, 1))) {
+    // Every k-th by count would fall into step with the rows of a regular mesh; multiples of the
+    // golden ratio, taken where their fraction is below 1/k, never do.
+    constexpr double kGolden = 0.6180339887498949;
+    for (std::size_t i = 0; i < arrows.size(); ++i) {
+        const double multiple = double(i) * kGolden;
+        if ((multiple - std::floor(multiple)) * every >= 1) continue;
         addPoint(*points, arrows[i].base);
         directions->InsertNextTuple3(arrows[i].direction.x, arrows[i].direction.y, arrows[i].direction.z);
     }

@@ -22,7 +22,7 @@ vtkSmartPointer<vtkPolyData> loopData(const ViewMesh& mesh, std::span<const std:
 vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const ThemeColors& colors);
 vtkSmartPointer<vtkPolyData> solidsData(std::span<const InkedSolid> solids, const ThemeColors& colors);
 vtkSmartPointer<vtkPolyData> solidData(const Solid& solid);  // without colours
-// Points with a vector each ("direction"): every k-th arrow, beginning with the first.
+// Points with a vector each ("direction"): one of `every` >= 1 arrows, spread evenly.
 vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, int every);
 vtkSmartPointer<vtkPolyData> pictureQuad(const ViewContent& content);  // with texture coordinates
 vtkSmartPointer<vtkImageData> pictureImage(const Picture& picture);

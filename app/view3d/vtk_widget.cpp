@@ -6,14 +6,24 @@
 #include <vtkOpenGLState.h>
 #include <vtkSmartPointer.h>
 
+#include <QElapsedTimer>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <QTimer>
 #include <cmath>
 
 #include "app/view3d/world_scene.h"
 
 namespace app {
+
+namespace {
+
+constexpr int kSamples = 4;                 // a pixel, where edges are smoothed
+constexpr double kSmoothMilliseconds = 40;  // that a moving view's frame may take with them
+constexpr int kRestMilliseconds = 180;      // without a new view: it rests
+
+}  // namespace
 
 struct VtkWidget::Impl {
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window;
@@ -26,6 +36,8 @@ struct VtkWidget::Impl {
     ThemeColors colors;
     ViewFrame view;
     Drawing drawing;
+    QTimer rest;                    // runs while the view moves
+    double smoothMilliseconds = 0;  // what the last smoothed frame took
     bool contentChanged = true, optionsChanged = true, colorsChanged = true, viewChanged = true;
 };
 
@@ -57,6 +69,9 @@ QString openGlProblem() {
 
 VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), m_impl(std::make_unique<Impl>()) {
     setFormat(viewSurfaceFormat());
+    m_impl->rest.setSingleShot(true);
+    m_impl->rest.setInterval(kRestMilliseconds);
+    connect(&m_impl->rest, &QTimer::timeout, this, [this] { update(); });
 }
 
 VtkWidget::~VtkWidget() {
@@ -92,7 +107,7 @@ void VtkWidget::initializeGL() {
     });
     window->AddObserver(vtkCommand::WindowMakeCurrentEvent, makeCurrent);
     window->AddObserver(vtkCommand::WindowIsCurrentEvent, isCurrent);
-    window->SetMultiSamples(4);
+    window->SetMultiSamples(kSamples);
     window->SetForceMaximumHardwareLineWidth(1);
     window->SetReadyForRendering(true);
     window->SetOwnContext(0);
@@ -122,9 +137,15 @@ void VtkWidget::paintGL() {
 
     // Qt has used the context since the last frame; VTK believes only what it reads anew.
     impl.window->GetState()->Reset();
+    const bool smooth = !impl.rest.isActive() || impl.smoothMilliseconds < kSmoothMilliseconds;
+    impl.window->SetMultiSamples(smooth ? kSamples : 0);
     impl.window->SetSize(width, height);
+    QElapsedTimer timer;
+    timer.start();
     impl.window->Render();
     QOpenGLExtraFunctions* gl = context()->extraFunctions();
+    gl->glFinish();
+    if (smooth) impl.smoothMilliseconds = double(timer.nsecsElapsed()) * 1e-6;
     gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
     gl->glDisable(GL_SCISSOR_TEST);
     impl.window->BlitDisplayFramebuffer(0, 0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -158,6 +179,7 @@ void VtkWidget::setView(const ViewFrame& view, Drawing drawing) {
     m_impl->view = view;
     m_impl->drawing = std::move(drawing);
     m_impl->viewChanged = true;
+    m_impl->rest.start();
     update();
 }
 

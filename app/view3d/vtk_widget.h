@@ -27,6 +27,8 @@ public:
     void setContent(std::shared_ptr<const ViewContent> content, std::vector<InkedLine> ground);
     void setOptions(const ViewOptions& options);
     void setColors(const ThemeColors& colors);
+    // While views follow each other quickly on a machine too slow for it, edges are not smoothed;
+    // they are again when the view rests.
     void setView(const ViewFrame& view, Drawing drawing);
 
 signals:

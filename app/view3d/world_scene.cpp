@@ -136,6 +136,9 @@ void WorldScene::setOptions(const ViewOptions& options) {
         glyphs->mapper->SetInputData(data);
         glyphs->actor->SetVisibility(!arrows.empty());
     }
+    // A rim lifts single arrows off their faces; around hundreds it is clutter, and slow.
+    constexpr vtkIdType kMostRims = 150;
+    if (data->GetNumberOfPoints() > kMostRims) m_normalHalos.actor->VisibilityOff();
 }
 
 void WorldScene::setColors(const ThemeColors& colors) {
@@ -169,6 +172,7 @@ void WorldScene::setView(const ViewFrame& view, const Drawing& drawing, double p
         layer.actor->GetProperty()->SetLineWidth(float(pixels * pixelRatio));
     };
     width(m_edges, kEdgeWidth);
+    fadeEdges(view);
     width(m_ground, kLineWidth);
     width(m_lines, kLineWidth);
     width(m_pickedOuter, kPickedOuter);
@@ -189,11 +193,20 @@ void WorldScene::setView(const ViewFrame& view, const Drawing& drawing, double p
     placeCamera(view);
 }
 
+// Edges closer together than they are wide would cover the faces that they bound.
+void WorldScene::fadeEdges(const ViewFrame& view) {
+    constexpr double kGone = 3, kFull = 14;  // mean length, logical pixels
+    const double pixels = m_content ? m_content->mesh->meanEdge / view.camera.unitsPerPixel(view.size.y) : kFull;
+    const double strength = std::clamp((pixels - kGone) / (kFull - kGone), 0.0, 1.0);
+    m_edges.actor->GetProperty()->SetOpacity(strength);
+    m_edges.actor->SetVisibility(strength > 0);
+}
+
 void WorldScene::scaleNormals(const ViewFrame& view) {
-    // Made in pixels along x, the glyph's own direction.
+    // Made in pixels; a glyph's own direction is x.
     constexpr double kRadius = 1.1;
     const Solid glyph =
-        arrow(VectorCode::N, m_options.normalLength, kRadius, {.along = {1, 0, 0}, .towardsEye = {0, 0, 1}});
+        placed(smallArrow(m_options.normalLength, kRadius), {.along = {1, 0, 0}, .towardsEye = {0, 0, 1}});
     const double scale = view.camera.unitsPerPixel(view.size.y);
     m_normals.mapper->SetSourceData(solidData(glyph));
     m_normalHalos.mapper->SetSourceData(solidData(inflated(glyph, kHalo)));

@@ -47,6 +47,7 @@ private:
     void colorMesh();
     void colorLines();
     void placeCamera(const ViewFrame& view);
+    void fadeEdges(const ViewFrame& view);
     void scaleNormals(const ViewFrame& view);
 
     vtkSmartPointer<vtkRenderer> m_world, m_over;
