@@ -21,7 +21,7 @@ BufferCanvas::BufferCanvas(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
-    followTheme(this, [this] { update(); });
+    followTheme(this, [this] { updateAll(); });
 }
 
 QSize BufferCanvas::sizeHint() const { return m_content.size.isEmpty() ? QSize(320, 240) : m_content.size; }
@@ -75,7 +75,7 @@ void BufferCanvas::place(Placement placement) {
     const bool isNewZoom = placement.zoom != m_placement.zoom;
     m_placement = placement;
     if (isNewZoom) emit zoomChanged(zoom());
-    update();
+    updateAll();
 }
 
 void BufferCanvas::setZoom(double zoom, QPointF anchor) {
@@ -100,7 +100,7 @@ void BufferCanvas::setContent(CanvasContent content) {
     const bool isNewSize = content.size != m_content.size;
     m_content = std::move(content);
     if (isNewSize) fit();
-    update();
+    updateAll();
 }
 
 void BufferCanvas::setPicked(std::optional<QPoint> pixel) {
@@ -124,7 +124,7 @@ void BufferCanvas::setHovered(std::optional<QPoint> pixel) {
 
 void BufferCanvas::setShowEdges(bool show) {
     m_showEdges = show;
-    update();
+    updateAll();
 }
 
 std::optional<QPoint> BufferCanvas::pixelAt(QPointF widget) const {
@@ -134,13 +134,27 @@ std::optional<QPoint> BufferCanvas::pixelAt(QPointF widget) const {
     return pixel;
 }
 
+void BufferCanvas::updateAll() {
+    m_base = {};
+    update();
+}
+
+// The pointer moves far more often than the picture changes, and a picture of many polygons takes time.
 void BufferCanvas::paintEvent(QPaintEvent*) {
+    if (m_base.isNull()) {
+        m_base = QPixmap(size() * devicePixelRatio());
+        m_base.setDevicePixelRatio(devicePixelRatio());
+        QPainter painter(&m_base);
+        paintCanvas(painter, m_content, m_placement, rect(), m_showEdges);
+    }
     QPainter painter(this);
-    paintCanvas(painter, m_content, m_placement, rect(), m_showEdges);
+    painter.drawPixmap(0, 0, m_base);
+    paintMarks(painter, m_content, m_placement, rect());
 }
 
 void BufferCanvas::resizeEvent(QResizeEvent*) {
     if (m_fits) placeFocus();
+    updateAll();
 }
 
 void BufferCanvas::wheelEvent(QWheelEvent* event) {

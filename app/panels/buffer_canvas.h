@@ -1,4 +1,5 @@
 #pragma once
+#include <QPixmap>
 #include <QWidget>
 
 #include "app/panels/buffer_painter.h"
@@ -54,12 +55,14 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void updateAll();  // the marks and what is below them
     void place(Placement placement);
     void placeFocus();
     double fittingZoom() const;
     QPointF anchor() const;
 
     CanvasContent m_content;
+    QPixmap m_base;  // as painted without the marks; null when it has to be painted anew
     Placement m_placement;
     QRectF m_focus;  // what fits
     bool m_fits = true, m_showEdges = false;

@@ -152,7 +152,10 @@ void paintCanvas(QPainter& painter, const CanvasContent& content, const Placemen
         if (placement.zoom >= kEdgeZoom && placement.zoom < kTextZoom) paintCentres(painter, placement, pixels);
         if (placement.zoom >= kTextZoom && content.text) paintTexts(painter, content, placement, pixels);
     }
-    if (content.shapes) paintShapes(painter, *content.shapes, placement.origin, placement.zoom);
+    if (content.shapes) paintShapes(painter, *content.shapes, placement.origin, placement.zoom, visible);
+}
+
+void paintMarks(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible) {
     if (content.hovered && content.hovered != content.picked) {
         painter.setBrush(Qt::NoBrush);
         const QRectF frame(placement.toWidget(*content.hovered), QSizeF(placement.zoom, placement.zoom));

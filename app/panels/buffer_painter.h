@@ -31,9 +31,12 @@ struct Placement {
 
 inline constexpr double kGridZoom = 10, kEdgeZoom = 12, kTextZoom = 56;
 
-// `visible` is the part of the widget to fill.
+// `visible` is the part of the widget to fill. Without the marks of the pointer, which move by
+// themselves.
 void paintCanvas(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible,
                  bool showEdges);
+// The picked and the hovered pixel.
+void paintMarks(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible);
 // The checker that stands for "nothing drawn".
 void paintChecker(QPainter& painter, QRect rect);
 

@@ -144,8 +144,10 @@ void BufferView::refresh() {
     if (!frame) return;  // the first one is on its way
     auto shown = showBuffer(*frame, m_name, kept().channel, kept().range);
     if (!shown) {
+        const QString why = toQString(frame->whyAbsent(m_name));
+        if (m_name.light >= int(frame->scene().lights.size())) return showMessage(why, false);
         const bool comes = kept().forced || whyUseless(frame->scene(), m_name.id).empty();
-        if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(toQString(frame->whyAbsent(m_name))), true);
+        if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(why), true);
         return;
     }
     m_shown = std::move(shown);

@@ -36,14 +36,10 @@ void Loupe::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const QRect inner = rect().adjusted(1, 1, -1, -1);
     if (centre) {
-        CanvasContent part = content;
-        part.text = nullptr;
-        part.hovered.reset();
-        part.picked.reset();
         const QPointF middle = QPointF(*centre) + QPointF(0.5, 0.5);
         const Placement placement{QPointF(inner.center()) + QPointF(0.5, 0.5) - middle * kZoom, kZoom};
         painter.setClipRect(inner);
-        paintCanvas(painter, part, placement, inner, true);
+        paintCanvas(painter, content, placement, inner, true);
         painter.setClipping(false);
         const QRectF frame(placement.toWidget(*centre), QSizeF(kZoom, kZoom));
         painter.setPen(QPen(Qt::black, 4));

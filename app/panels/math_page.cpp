@@ -1,10 +1,10 @@
-// The second half of math_layout.h: lines of an equation below each other.
+#include "app/panels/math_page.h"
+
 #include <QFontMetricsF>
 #include <algorithm>
 
 #include "app/core/text.h"
 #include "app/core/theme.h"
-#include "app/panels/math_layout.h"
 
 namespace app {
 

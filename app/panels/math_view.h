@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/panels/math_layout.h"
+#include "app/panels/math_page.h"
 
 namespace app {
 

@@ -121,7 +121,7 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer,
     return picture;
 }
 
-void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom) {
+void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom, QRectF window) {
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
     painter.save();
@@ -163,7 +163,7 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
     // Words for hundreds of polygons would hide them; of more than a few, those in front have words.
     const bool writes = !picture.isSmall && std::max(picture.shapes.size(), picture.points.size()) <= 200;
     const bool writesAll = picture.shapes.size() <= 6;
-    const QRectF window = QRectF(painter.window()).adjusted(2, 2, -2, -2);
+    window.adjust(2, 2, -2, -2);
     painter.setFont(theme.mono(12));
     const QFontMetricsF metrics(painter.font());
     std::vector<Chip> chips;

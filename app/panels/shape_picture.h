@@ -35,7 +35,8 @@ Qt::BrushStyle hatchOfVerdict(char letter);
 
 ShapePicture shapePicture(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const BufferLook& look);
 
-// Under `zoom` (screen pixels per picture pixel) with the picture's corner at `origin`.
-void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom);
+// Under `zoom` (screen pixels per picture pixel) with the picture's corner at `origin`. What is
+// written stays within `window`.
+void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom, QRectF window);
 
 }  // namespace app

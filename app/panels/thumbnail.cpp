@@ -21,7 +21,7 @@ QImage shapesImage(const pipeline::Frame& frame, const AnyBuffer& buffer, const 
     ShapePicture shapes = shapePicture(frame, buffer, look);
     shapes.isSmall = true;
     const double zoom = size.width() / focus.width();
-    paintShapes(painter, shapes, -focus.topLeft() * zoom, zoom);
+    paintShapes(painter, shapes, -focus.topLeft() * zoom, zoom, image.rect());
     return image;
 }
 
