@@ -131,11 +131,11 @@ QString frameSentence(const pipeline::Frame& frame) {
     const int reused = countOf(frame, Action::Reuse);
     if (ran.isEmpty()) return QStringLiteral("Nothing that a stage reads has changed; all were reused.");
     if (reused == 0) {
-        return QStringLiteral("Frame %1: %2 stages ran in %3, %4 left out.")
+        const int out = countOf(frame, Action::LeaveOut);
+        return QStringLiteral("Frame %1: %2 stages ran in %3%4.")
             .arg(frame.number())
             .arg(ran.size())
-            .arg(milliseconds(frame.milliseconds()))
-            .arg(countOf(frame, Action::LeaveOut));
+            .arg(milliseconds(frame.milliseconds()), out > 0 ? QStringLiteral(", %1 left out").arg(out) : QString());
     }
     const QString who = ran.size() == 1   ? ran.front()
                         : ran.size() == 2 ? ran.join(QStringLiteral(" and "))

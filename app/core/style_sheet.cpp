@@ -37,7 +37,8 @@ QPushButton { background: @raised; color: @text; border: 1px solid @outline; bor
 QPushButton:hover, QToolButton:hover { background: @hover; }
 QPushButton:pressed, QToolButton:pressed { background: @tint; }
 QPushButton:checked { background: @tint; color: @accent; border-color: @accent; }
-QPushButton:disabled, QToolButton:disabled { color: @text3; border-color: @line; }
+QPushButton:disabled, QToolButton:disabled { color: @text3; }
+QPushButton:disabled { border-color: @line; }
 QPushButton[kind="primary"] { background: @fill; color: @onFill; border-color: @fill; }
 QPushButton[kind="link"] { background: transparent; color: @accent; border: 1px solid transparent; padding: 0 2u;
   min-height: 20u; text-align: left; }

@@ -46,7 +46,8 @@ KeySheet::KeySheet(const Actions& actions, QWidget* window) : Popover(window) {
     QString region;
     int row = 0, inColumn = 0;
     const auto add = [&](const QString& place, const QString& what, const QString& keys) {
-        if (!grid || (place != region && inColumn > 11)) {
+        if (!grid || (place != region && inColumn > 12)) {
+            if (grid) grid->setRowStretch(row, 1);
             grid = new QGridLayout;
             columns->addLayout(grid);
             row = inColumn = 0;
@@ -56,7 +57,6 @@ KeySheet::KeySheet(const Actions& actions, QWidget* window) : Popover(window) {
         grid->addWidget(makeLabel(what, "what", this), row, 0);
         grid->addWidget(makeLabel(keys, "keys", this), row++, 1, Qt::AlignRight);
         ++inColumn;
-        grid->setRowStretch(row, 1);
     };
     for (const ActionRow& entry : actionTable()) {
         const QAction* action = actions[entry.id];
@@ -64,6 +64,7 @@ KeySheet::KeySheet(const Actions& actions, QWidget* window) : Popover(window) {
             add(QString(entry.menu).section('/', 0, 0), action->text(), keysText(*action));
     }
     for (const ViewKey& key : kViewKeys) add(key.region, key.what, key.keys);
+    grid->setRowStretch(row, 1);
     followTheme(this, [this, columns] {
         const Theme& theme = Theme::current();
         columns->setContentsMargins(theme.px(24), theme.px(12), theme.px(24), theme.px(20));

@@ -60,6 +60,7 @@ MainWindow::MainWindow() : m_actions(new Actions(this)) {
                 .arg(theme.px(6))
                 .arg(theme.px(4)));
         m_title->setFont(theme.text());
+        m_rail->setIconSize(QSize(theme.px(18), theme.px(18)));
         fitWidth(true);
     });
     qApp->installEventFilter(this);

@@ -11,6 +11,7 @@
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/status_line.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/scene_tree.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
 
@@ -78,7 +79,10 @@ void MainWindow::fitWidth(bool always) {
         widths += dockWidth(isLeft ? 296 : wide ? 456 : 384);
     }
     resizeDocks(docks, widths, Qt::Horizontal);
-    resizeDocks(left, {220, 300, 400}, Qt::Vertical);
+    // The tree shows its rows, the settings a material's; the lesson takes the rest.
+    const int tree = findChild<SceneTree*>()->sizeHint().height() + Theme::current().px(44);
+    const int settings = Theme::current().px(250);
+    resizeDocks(left, {tree, settings, std::max(settings, height() - tree - settings)}, Qt::Vertical);
     enableActions();
 }
 

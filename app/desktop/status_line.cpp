@@ -54,7 +54,7 @@ StatusLine::StatusLine(Document& document, QWidget* parent) : QStatusBar(parent)
         const Theme& theme = Theme::current();
         for (QLabel* label : {m_sentence, m_hovered, m_nan, m_error, m_threads}) {
             label->setFont(theme.text(12));
-            label->setContentsMargins(theme.px(8), 0, theme.px(12), 0);
+            label->setIndent(theme.px(12));
         }
         m_hovered->setFont(theme.mono(12));
         setFixedHeight(theme.px(28));

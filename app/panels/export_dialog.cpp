@@ -127,7 +127,16 @@ QWidget* ExportDialog::makeTarget() {
 
 QWidget* ExportDialog::makeFoot() {
     auto* foot = new QWidget(this);
-    m_command = makeLabel("exportCommand", 2, foot);
+    auto* same = makeLabel("exportSame", 2, foot);
+    same->setText(tr("The same as"));
+    same->setWordWrap(false);
+    m_command = new QLineEdit(foot);
+    m_command->setObjectName("exportCommand");
+    m_command->setAccessibleName(tr("The same as a command"));
+    m_command->setReadOnly(true);
+    auto* command = new QHBoxLayout;
+    command->addWidget(same);
+    command->addWidget(m_command, 1);
     m_message = makeLabel("exportMessage", 1, foot);
     m_progress = new QProgressBar(foot);
     m_progress->setRange(0, 1000);
@@ -153,7 +162,7 @@ QWidget* ExportDialog::makeFoot() {
     row->addWidget(m_export);
     auto* column = new QVBoxLayout(foot);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_command);
+    column->addLayout(command);
     column->addWidget(m_progress);
     column->addLayout(row);
     return foot;
@@ -203,7 +212,8 @@ void ExportDialog::showSummary() {
     const qsizetype more = files.size() - 7;
     m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') +
                      (more > 0 ? tr("\nand %1 more").arg(more) : QString()));
-    m_command->setText(tr("The same as  ") + exportCommand(*sceneToExport(), wanted, m_buffers->isAllChosen()));
+    m_command->setText(exportCommand(*sceneToExport(), wanted, m_buffers->isAllChosen()));
+    m_command->setCursorPosition(0);
     const bool ready = !wanted.buffers.empty() && !wanted.formats.empty() && !m_folder->text().isEmpty() &&
                        m_width->hasAcceptableInput() && m_height->hasAcceptableInput();
     m_export->setEnabled(ready && !m_job);

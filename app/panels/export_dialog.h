@@ -40,7 +40,8 @@ private:
     QList<QPushButton*> m_formats;
     QLineEdit* m_folder;
     QLineEdit *m_width, *m_height;
-    QLabel *m_total, *m_files, *m_command, *m_message;
+    QLabel *m_total, *m_files, *m_message;
+    QLineEdit* m_command;
     QProgressBar* m_progress;
     QPushButton *m_export, *m_cancel, *m_showFolder;
     ExportJob* m_job = nullptr;

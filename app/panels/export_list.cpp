@@ -44,6 +44,7 @@ void ExportList::setFrame(const pipeline::Frame& frame) {
             stage, {toQString(row.name.text()), there ? sizeText(row.bytes) : tr("left out: %1").arg(row.whyNot)});
         const bool checked = there && std::ranges::find(unchecked, row.name) == unchecked.end();
         item->setCheckState(0, checked ? Qt::Checked : Qt::Unchecked);
+        item->setTextAlignment(1, there ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
         item->setToolTip(1, row.whyNot);
         item->setFont(1, there ? theme.mono(12) : theme.text(12));
         if (!there) item->setForeground(1, theme.colors().text2);

@@ -43,7 +43,7 @@ StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m
 
 void StageStrip::setCompact(bool compact) {
     const Theme& theme = Theme::current();
-    layout()->setContentsMargins(theme.px(8), theme.px(2), theme.px(8), theme.px(compact ? 6 : 8));
+    layout()->setContentsMargins(0, theme.px(2), 0, theme.px(compact ? 6 : 8));
     layout()->setSpacing(theme.px(compact ? 6 : 8));
     for (StageCard* card : m_cards) card->setCompact(compact);
     m_frame->setCompact(compact);

@@ -80,10 +80,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 
 QWidget* StartPage::makeLeft() {
     auto* left = new QFrame(this);
+    m_left = left;
     left->setObjectName("startLeft");
     auto* column = new QVBoxLayout(left);
     column->addWidget(makeLabel(QStringLiteral("Shadescope"), 34, 600, 1, left));
-    column->addWidget(makeLabel(tr("See how polygons become a picture,\none step at a time."), 16, 400, 2, left));
+    column->addWidget(makeLabel(tr("See how polygons become a picture, one step at a time."), 16, 400, 2, left));
     auto* open = new QPushButton(tr("Open a file"), left);
     open->setProperty("kind", "primary");
     open->setDefault(true);
@@ -122,7 +123,7 @@ QWidget* StartPage::makeLeft() {
     column->addLayout(foot);
     followTheme(left, [this, left, column, theme, open] {
         const Theme& t = Theme::current();
-        left->setFixedWidth(t.px(t.scale() > 1.1 ? 352 : 440));
+        fitLeft();
         column->setContentsMargins(t.px(40), t.px(48), t.px(40), t.px(24));
         column->setSpacing(t.px(8));
         open->setFont(t.text(13, 500));
@@ -232,6 +233,17 @@ void StartPage::refreshRecent() {
 void StartPage::setDropHint(bool over) {
     m_drop->over = over;
     m_drop->update();
+}
+
+// Narrow windows leave the room to the pictures.
+void StartPage::fitLeft() {
+    const Theme& theme = Theme::current();
+    m_left->setFixedWidth(theme.px(width() < theme.px(1560) ? 352 : 440));
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+    fitLeft();
+    QWidget::resizeEvent(event);
 }
 
 void StartPage::showEvent(QShowEvent* event) {

@@ -36,12 +36,15 @@ signals:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* makeLeft();
     QWidget* makeRight();
+    void fitLeft();
 
     SceneGallery m_gallery;
+    QWidget* m_left = nullptr;
     QVBoxLayout* m_recent = nullptr;
     QWidget* m_lessonHead = nullptr;
     CardGrid* m_lessons = nullptr;

@@ -44,7 +44,7 @@ TEST_F(WindowExport, CommandLineNamesWhatWasChanged) {
     document().change(*findSetting(document().scene(), "material.0.n"), 4);
     ASSERT_TRUE(waitForFrame());
     ExportDialog* dialog = openDialog();
-    const QString command = dialog->findChild<QLabel*>("exportCommand")->text();
+    const QString command = dialog->findChild<QLineEdit*>("exportCommand")->text();
     EXPECT_TRUE(command.contains("shadescope export"));
     EXPECT_TRUE(command.contains("pyramid.scene"));
     EXPECT_TRUE(command.contains("--format npy,png"));
