@@ -26,7 +26,7 @@ struct ShapePlacement {
 };
 Solid placed(Solid solid, const ShapePlacement& placement);
 
-// Pieces of a line, as shares of its length in pixels: where each dash begins and ends.
+// A piece of a line: where it begins and ends, pixels from the line's start.
 struct Dash {
     double begin, end;
 };

@@ -26,7 +26,6 @@ QColor colorOf(Ink ink, const ThemeColors& colors) {
         case Ink::Grid: return colors.line;
         case Ink::Edge: return colors.text2;
         case Ink::Outline: return colors.outline;
-        case Ink::Accent: return colors.accent;
         case Ink::Text: return colors.text;
         case Ink::Hint: return colors.text3;
     }

@@ -11,7 +11,7 @@
 namespace app {
 
 // What a mark is drawn in; the theme gives the colour.
-enum class Ink : unsigned char { N, L, V, R, H, Grid, Edge, Outline, Accent, Text, Hint };
+enum class Ink : unsigned char { N, L, V, R, H, Grid, Edge, Outline, Text, Hint };
 Ink inkOf(VectorCode code);
 QColor colorOf(Ink ink, const ThemeColors& colors);
 QColor mixed(const QColor& a, const QColor& b, double shareOfA);
@@ -22,7 +22,7 @@ struct InkedSolid {
     double unit = 1;  // world units per logical pixel where it stands
 };
 
-// A line, 1 logical pixel times `width` wide. Its ends may fade into the background: 1 full, 0 gone.
+// A line, a little over 1 logical pixel wide. Its ends may fade into the background: 1 full, 0 gone.
 struct InkedLine {
     Vec3d a, b;
     Ink ink = Ink::Edge;
@@ -42,7 +42,6 @@ struct Label {
     std::string text;
     std::string distance;  // ", 719 units away"; for a caption at the border
     Ink ink = Ink::Text;
-    bool main = true;  // false: may be left out where it is crowded
 };
 
 // The light parts of a 3D view: what keeps its size in pixels and so depends on the camera.

@@ -16,6 +16,8 @@ namespace app {
 namespace {
 
 constexpr glm::ivec2 kSize{1280, 960};
+// Letters and lines as large as in a view of 800 × 600: a picture goes onto a slide.
+constexpr double kPixelRatio = 1.6;
 
 struct View {
     const char* file;
@@ -55,11 +57,12 @@ bool savePng(const QImage& image, const std::filesystem::path& file) {
 class ViewRenderer {
 public:
     ViewRenderer(std::shared_ptr<HeadlessWindow> window, std::shared_ptr<const ViewContent> content,
-                 const ViewOptions& options, glm::ivec2 size)
+                 const ViewOptions& options, glm::ivec2 size, double pixelRatio)
         : m_window(std::move(window)),
           m_content(std::move(content)),
           m_options(options),
-          m_size(size),
+          m_size(glm::dvec2(size) / pixelRatio),
+          m_pixelRatio(pixelRatio),
           m_scene(m_window->window()) {
         m_scene.setColors(Theme::current().colors());
         m_scene.setContent(m_content, groundLines(*m_content));
@@ -80,9 +83,10 @@ public:
 
 private:
     QImage paint(const ViewFrame& view, const Drawing& drawing, bool withCube) {
-        m_scene.setView(view, drawing, 1);
+        m_scene.setView(view, drawing, m_pixelRatio);
         QImage image = m_window->render();
         QPainter painter(&image);
+        painter.scale(m_pixelRatio, m_pixelRatio);
         paintOverlay(painter, drawing, view);
         constexpr double kMargin = 12, kCube = 72;
         if (m_content->point) paintLegend(painter, {kMargin, m_size.y - kMargin - legendSize().height()}, m_options);
@@ -94,7 +98,8 @@ private:
     std::shared_ptr<HeadlessWindow> m_window;
     std::shared_ptr<const ViewContent> m_content;
     ViewOptions m_options;
-    glm::ivec2 m_size;
+    glm::dvec2 m_size;  // logical pixels
+    double m_pixelRatio;
     WorldScene m_scene;
 };
 
@@ -104,7 +109,7 @@ pipeline::Result<QImage> renderView(const ViewContent& content, const ViewOption
                                     glm::ivec2 size) {
     const auto window = HeadlessWindow::create(size);
     if (!window) return window.errors();
-    return ViewRenderer(*window, std::make_shared<const ViewContent>(content), options, size).render(preset);
+    return ViewRenderer(*window, std::make_shared<const ViewContent>(content), options, size, 1).render(preset);
 }
 
 pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::Frame& frame,
@@ -115,8 +120,7 @@ pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::
     const auto window = HeadlessWindow::create(kSize);
     if (!window) return window.errors();
     const auto content = std::make_shared<const ViewContent>(contentOf(frame, pixel));
-    // Twice as large as in a window, where the view is a part of the screen.
-    ViewRenderer renderer(*window, content, {.normalLength = 60, .vectorLength = 220}, kSize);
+    ViewRenderer renderer(*window, content, {}, kSize, kPixelRatio);
     std::vector<std::filesystem::path> files;
     pipeline::Errors errors;
     const auto write = [&](const QImage& image, const char* name) {

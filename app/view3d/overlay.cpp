@@ -108,11 +108,19 @@ void placeCaption(PlacedLabel& placed, const ViewFrame& view) {
     placed.at.y = std::clamp(placed.at.y, 12.0, std::max(12.0, view.size.y - 12));
 }
 
-// Captions that lie on each other part upwards and downwards; one at the border stays.
+// Captions make room for letters, upwards; those that lie on each other part upwards and
+// downwards, and one at the border stays.
 void partCaptions(std::vector<PlacedLabel>& labels) {
     const QFontMetricsF metrics(fontOf(Label::Kind::Caption));
     const auto width = [&](const PlacedLabel& p) { return metrics.horizontalAdvance(toQString(p.label.text)); };
     const double line = metrics.height();
+    for (PlacedLabel& caption : labels)
+        for (const PlacedLabel& letter : labels) {
+            if (caption.label.kind != Label::Kind::Caption || letter.label.kind != Label::Kind::Letter) continue;
+            const glm::dvec2 d = glm::abs(caption.at - letter.at);
+            if (!caption.atBorder && d.x < width(caption) / 2 + 8 && d.y < line)
+                caption.at.y = letter.at.y - 1.3 * line;
+        }
     for (PlacedLabel& a : labels)
         for (PlacedLabel& b : labels) {
             if (&a <= &b || a.label.kind != Label::Kind::Caption || b.label.kind != Label::Kind::Caption) continue;
@@ -189,7 +197,10 @@ void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& vi
     painter.setRenderHint(QPainter::Antialiasing);
     if (drawing.point) paintMarker(painter, *drawing.point, view, true);
     if (drawing.foot) paintMarker(painter, *drawing.foot, view, false);
-    for (const PlacedLabel& placed : placeLabels(drawing, view, theme.scale())) {
+    std::vector<PlacedLabel> labels = placeLabels(drawing, view, theme.scale());
+    // Letters over captions.
+    std::ranges::stable_partition(labels, [](const PlacedLabel& p) { return p.label.kind == Label::Kind::Caption; });
+    for (const PlacedLabel& placed : labels) {
         const Label::Kind kind = placed.label.kind;
         if (placed.atBorder) paintBorderMark(painter, placed);
         const bool quiet = kind == Label::Kind::Caption;

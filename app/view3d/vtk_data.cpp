@@ -146,7 +146,7 @@ vtkSmartPointer<vtkPolyData> solidData(const Solid& solid) {
     return data;
 }
 
-vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, int every) {
+vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, int every, std::optional<Vec3d> except) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     auto points = newPoints();
     auto directions = vtkSmartPointer<vtkDoubleArray>::New();
@@ -158,6 +158,8 @@ vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, in
     for (std::size_t i = 0; i < arrows.size(); ++i) {
         const double multiple = double(i) * kGolden;
         if ((multiple - std::floor(multiple)) * every >= 1) continue;
+        // The two points are the same mean, computed in two precisions.
+        if (except && glm::length(arrows[i].base - *except) <= 1e-5 * glm::length(*except)) continue;
         addPoint(*points, arrows[i].base);
         directions->InsertNextTuple3(arrows[i].direction.x, arrows[i].direction.y, arrows[i].direction.z);
     }

@@ -1,5 +1,6 @@
 #pragma once
 #include <QColor>
+#include <optional>
 #include <span>
 
 #include <vtkPolyData.h>
@@ -23,7 +24,8 @@ vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const T
 vtkSmartPointer<vtkPolyData> solidsData(std::span<const InkedSolid> solids, const ThemeColors& colors);
 vtkSmartPointer<vtkPolyData> solidData(const Solid& solid);  // without colours
 // Points with a vector each ("direction"): one of `every` >= 1 arrows, spread evenly.
-vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, int every);
+// None where `except` stands: N of the picked point starts there.
+vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, int every, std::optional<Vec3d> except);
 vtkSmartPointer<vtkPolyData> pictureQuad(const ViewContent& content);  // with texture coordinates
 vtkSmartPointer<vtkImageData> pictureImage(const Picture& picture);
 

@@ -1,7 +1,6 @@
 #pragma once
 #include <QOpenGLWidget>
 #include <QSurfaceFormat>
-#include <functional>
 #include <memory>
 
 #include "app/view3d/drawing.h"

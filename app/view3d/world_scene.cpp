@@ -121,8 +121,8 @@ void WorldScene::setContent(std::shared_ptr<const ViewContent> content, const st
             m_texture->SetInputData(pictureImage(mesh.picture));
         }
         colorMesh();
-        setOptions(m_options);
     }
+    setOptions(m_options);
     colorLines();
 }
 
@@ -131,7 +131,8 @@ void WorldScene::setOptions(const ViewOptions& options) {
     std::span<const NormalArrow> arrows;
     if (m_content && options.normals == NormalsShown::Polygons) arrows = m_content->mesh->polygonNormals;
     if (m_content && options.normals == NormalsShown::Vertices) arrows = m_content->mesh->vertexNormals;
-    const auto data = normalsData(arrows, options.everyNormal);
+    const bool ownNormal = m_content && m_content->foot && options.shows(VectorCode::N);
+    const auto data = normalsData(arrows, options.everyNormal, ownNormal ? m_content->foot : std::nullopt);
     for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) {
         glyphs->mapper->SetInputData(data);
         glyphs->actor->SetVisibility(!arrows.empty());
