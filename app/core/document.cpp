@@ -194,12 +194,14 @@ void Document::requestFrame() {
 
 void Document::takeFrame(FramePtr frame, long ticket) {
     if (ticket < m_oldestValid) return;
+    // Buffers that a panel has asked for are no news.
+    const bool isNews = !m_frame || m_frame->sharedScene() != frame->sharedScene();
     m_frame = std::move(frame);
     m_taken = ticket;
     forgetCheck();
     if (ticket == m_ticket && !m_requestPending) setBusy(false);
     emit frameReady();
-    emit said(frameSentence(*m_frame));
+    if (isNews) emit said(frameSentence(*m_frame));
 }
 
 void Document::takeCheck(const FramePtr& frame, const FrameCheck& check) {

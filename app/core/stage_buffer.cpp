@@ -24,7 +24,8 @@ BufferName secondBuffer(StageId stage, const pipeline::Scene& scene) {
     switch (stage) {
         case StageId::Transform: return {BufferId::VerticesWorld};
         case StageId::Cull: return {BufferId::PolygonId};
-        case StageId::Normals: return {BufferId::Normal};
+        case StageId::Normals:
+            return {scene.settings.shading == pipeline::Shading::Flat ? BufferId::Normal : BufferId::PolygonsNormal};
         case StageId::ShadowBuffer:
             return scene.lights.empty() ? BufferName{BufferId::Color} : BufferName{BufferId::Shadow, 0};
         case StageId::ZBuffer: return {BufferId::Overdraw};

@@ -130,10 +130,9 @@ QString frameSentence(const pipeline::Frame& frame) {
     }
     const int reused = countOf(frame, Action::Reuse);
     if (ran.isEmpty()) return QStringLiteral("Nothing that a stage reads has changed; all were reused.");
-    if (reused == 0) {
+    if (frame.number() == 1) {
         const int out = countOf(frame, Action::LeaveOut);
-        return QStringLiteral("Frame %1: %2 stages ran in %3%4.")
-            .arg(frame.number())
+        return QStringLiteral("%1 stages ran in %2%3.")
             .arg(ran.size())
             .arg(milliseconds(frame.milliseconds()), out > 0 ? QStringLiteral(", %1 left out").arg(out) : QString());
     }
@@ -143,9 +142,10 @@ QString frameSentence(const pipeline::Frame& frame) {
     // The plan's reason is a sentence; here it becomes a clause.
     if (why.endsWith(QLatin1Char('.'))) why.chop(1);
     if (!why.isEmpty()) why[0] = why[0].toLower();
-    return QStringLiteral("%1 ran again because %2; %3.")
-        .arg(who, why,
-             reused == 1 ? QStringLiteral("1 stage was reused") : QStringLiteral("%1 stages were reused").arg(reused));
+    const QString rest = reused == 0   ? QString()
+                         : reused == 1 ? QStringLiteral("; 1 stage was reused")
+                                       : QStringLiteral("; %1 stages were reused").arg(reused);
+    return QStringLiteral("%1 ran again because %2%3.").arg(who, why, rest);
 }
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <QLabel>
 
 #include "app/desktop/actions.h"
+#include "app/desktop/panel_table.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -46,7 +47,7 @@ KeySheet::KeySheet(const Actions& actions, QWidget* window) : Popover(window) {
     QString region;
     int row = 0, inColumn = 0;
     const auto add = [&](const QString& place, const QString& what, const QString& keys) {
-        if (!grid || (place != region && inColumn > 12)) {
+        if (!grid || (place != region && inColumn > 18)) {
             if (grid) grid->setRowStretch(row, 1);
             grid = new QGridLayout;
             columns->addLayout(grid);
@@ -63,6 +64,7 @@ KeySheet::KeySheet(const Actions& actions, QWidget* window) : Popover(window) {
         if (!action->shortcut().isEmpty())
             add(QString(entry.menu).section('/', 0, 0), action->text(), keysText(*action));
     }
+    for (const PanelRow& panel : panelTable()) add("Panels", panel.title, panel.keys);
     for (const ViewKey& key : kViewKeys) add(key.region, key.what, key.keys);
     grid->setRowStretch(row, 1);
     followTheme(this, [this, columns] {

@@ -81,8 +81,9 @@ void MainWindow::fitWidth(bool always) {
     resizeDocks(docks, widths, Qt::Horizontal);
     // The tree shows its rows, the settings a material's; the lesson takes the rest.
     const int tree = findChild<SceneTree*>()->sizeHint().height() + Theme::current().px(44);
-    const int settings = Theme::current().px(250);
-    resizeDocks(left, {tree, settings, std::max(settings, height() - tree - settings)}, Qt::Vertical);
+    const int settings = Theme::current().px(270);
+    const int around = Theme::current().px(190);  // menus, stages, status, gaps
+    resizeDocks(left, {tree, settings, std::max(settings, height() - around - tree - settings)}, Qt::Vertical);
     enableActions();
 }
 

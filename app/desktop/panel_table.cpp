@@ -19,10 +19,10 @@ QWidget* make(Document& document, QWidget* parent) {
 
 std::span<const PanelRow> panelTable() {
     static constexpr auto kTable = std::to_array<PanelRow>({
-        {"scene", "Scene", "cube", "Ctrl+Shift+S", Qt::LeftDockWidgetArea, make<SceneTree>},
-        {"settings", "Settings", "sliders", "Ctrl+Shift+T", Qt::LeftDockWidgetArea, make<SettingsPanel>},
-        {"lesson", "Lesson", "book", "Ctrl+Shift+L", Qt::LeftDockWidgetArea, make<LessonPanel>},
-        {"inspector", "Inspector", "inspector", "Ctrl+I", Qt::RightDockWidgetArea, make<InspectorPanel>},
+        {"scene", "Scene", "cube", "Ctrl+Alt+1", Qt::LeftDockWidgetArea, make<SceneTree>},
+        {"settings", "Settings", "sliders", "Ctrl+Alt+2", Qt::LeftDockWidgetArea, make<SettingsPanel>},
+        {"lesson", "Lesson", "book", "Ctrl+Alt+3", Qt::LeftDockWidgetArea, make<LessonPanel>},
+        {"inspector", "Inspector", "inspector", "Ctrl+Alt+4", Qt::RightDockWidgetArea, make<InspectorPanel>},
     });
     return kTable;
 }

@@ -73,7 +73,7 @@ QString ErrorList::text() const { return m_sentence->text() + QLatin1Char('\n') 
 // As high as its lines, up to eight of them; the rest scrolls.
 void ErrorList::fit() {
     const int lines = std::clamp(m_lines->blockCount(), 1, 8);
-    m_lines->setFixedHeight(lines * QFontMetrics(m_lines->font()).lineSpacing() + Theme::current().px(12));
+    m_lines->setFixedHeight(lines * QFontMetrics(m_lines->font()).lineSpacing() + Theme::current().px(24));
 }
 
 void ErrorList::keyPressEvent(QKeyEvent* event) {

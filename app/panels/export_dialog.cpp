@@ -1,6 +1,5 @@
 #include "app/panels/export_dialog.h"
 
-#include <QCloseEvent>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
@@ -127,9 +126,8 @@ QWidget* ExportDialog::makeTarget() {
 
 QWidget* ExportDialog::makeFoot() {
     auto* foot = new QWidget(this);
-    auto* same = makeLabel("exportSame", 2, foot);
-    same->setText(tr("The same as"));
-    same->setWordWrap(false);
+    auto* same = new QLabel(tr("The same as"), foot);
+    same->setProperty("tone", 2);
     m_command = new QLineEdit(foot);
     m_command->setObjectName("exportCommand");
     m_command->setAccessibleName(tr("The same as a command"));
@@ -209,9 +207,8 @@ void ExportDialog::showSummary() {
                          .arg(wanted.buffers.size())
                          .arg(files.size() + 1)
                          .arg(sizeText(std::uint64_t(bytes))));
-    const qsizetype more = files.size() - 7;
-    m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') +
-                     (more > 0 ? tr("\nand %1 more").arg(more) : QString()));
+    const QString more = files.size() > 7 ? tr("\nand %1 more").arg(files.size() - 7) : QString();
+    m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') + more);
     m_command->setText(exportCommand(*sceneToExport(), wanted, m_buffers->isAllChosen()));
     m_command->setCursorPosition(0);
     const bool ready = !wanted.buffers.empty() && !wanted.formats.empty() && !m_folder->text().isEmpty() &&
@@ -248,11 +245,6 @@ void ExportDialog::finish(const QString& sentence, bool done) {
     m_showFolder->setVisible(done);
     m_cancel->setText(tr("Close"));
     m_export->setEnabled(true);
-}
-
-void ExportDialog::closeEvent(QCloseEvent* event) {
-    if (m_job) m_job->cancel();
-    QDialog::closeEvent(event);
 }
 
 }  // namespace app

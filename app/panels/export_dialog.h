@@ -23,9 +23,6 @@ public:
 
     pipeline::ExportRequest request() const;
 
-protected:
-    void closeEvent(QCloseEvent* event) override;
-
 private:
     QWidget* makeTarget();
     QWidget* makeFoot();

@@ -6,37 +6,18 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "app/core/recent_files.h"
 #include "app/core/text.h"
+#include "app/panels/drop_field.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
 #include "app/panels/start_card.h"
 
 namespace app {
-
-// A dashed box that says that files may be dropped.
-class DropField : public QLabel {
-public:
-    using QLabel::QLabel;
-    bool over = false;
-
-protected:
-    void paintEvent(QPaintEvent* event) override {
-        const ThemeColors& c = Theme::current().colors();
-        QPainter painter(this);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setBrush(over ? c.tint : QColor(Qt::transparent));
-        painter.setPen(QPen(over ? c.accent : c.outline, 1, Qt::DashLine));
-        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), Theme::current().px(6),
-                                Theme::current().px(6));
-        QLabel::paintEvent(event);
-    }
-};
 
 namespace {
 
@@ -230,10 +211,7 @@ void StartPage::refreshRecent() {
     }
 }
 
-void StartPage::setDropHint(bool over) {
-    m_drop->over = over;
-    m_drop->update();
-}
+void StartPage::setDropHint(bool over) { m_drop->setOver(over); }
 
 // Narrow windows leave the room to the pictures.
 void StartPage::fitLeft() {

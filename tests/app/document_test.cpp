@@ -107,6 +107,16 @@ TEST_F(DocumentTest, LastChangeTellsTheValueBefore) {
     EXPECT_FALSE(document.lastChange());
 }
 
+TEST_F(DocumentTest, SaysWhatRanAgainAndWhy) {
+    ASSERT_TRUE(waitForFrame());
+    QSignalSpy said(&document, &Document::said);
+    document.change(setting("material.0.n"), 4);
+    ASSERT_TRUE(waitForFrame());
+    ASSERT_GT(said.count(), 0);
+    // Transform, cull, normals and z-buffer do not read materials; the shadow buffer is left out.
+    EXPECT_EQ(said.last().front().toString(), "Shading ran again because material 0 changed; 4 stages were reused.");
+}
+
 TEST_F(DocumentTest, ErrorsOfTheFrameComeInIdleTime) {
     QSignalSpy ready(&document, &Document::errorsReady);
     ASSERT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0; }, 30000));

@@ -1,9 +1,11 @@
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 
 #include "app/core/theme.h"
+#include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
 #include "app/panels/buffer_canvas.h"
 #include "tests/app/window_fixture.h"
@@ -56,6 +58,17 @@ TEST_F(WindowLook, NothingIsCutInAnySizeAndTheme) {
             expectNothingCut();
         }
     }
+}
+
+TEST_F(WindowLook, ResetBringsClosedPanelsBack) {
+    openPyramid();
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) dock->close();
+    auto* inspector = find<QDockWidget>("inspector");
+    EXPECT_FALSE(inspector->isVisible());
+    window.actions()[ActionId::ResetLayout]->trigger();
+    QTest::qWait(50);
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) EXPECT_TRUE(dock->isVisible());
+    EXPECT_GT(inspector->width(), 300);
 }
 
 TEST_F(WindowLook, LargerTextIsLargerAndComesBack) {
