@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -64,7 +65,7 @@ MainWindow::MainWindow() : m_actions(new Actions(this)) {
         fitWidth(true);
     });
     qApp->installEventFilter(this);
-    resize(1680, 1000);
+    resize(QSize(1680, 1000).boundedTo(screen()->availableSize()));
     showStartPage();
 }
 
@@ -170,9 +171,10 @@ void MainWindow::connectDocument() {
         showTitle();
     });
     connect(&m_document, &Document::failed, this, [this](const pipeline::Errors& errors) {
-        m_errors->report(
-            m_document.hasScene() ? tr("That did not work. The scene before is still open.") : tr("That did not work."),
-            errors);
+        const QString file = errors.empty() ? QString() : QFileInfo(toQString(errors.front().where.file)).fileName();
+        if (file.isEmpty()) return m_errors->report(tr("That cannot be done. Nothing has changed."), errors);
+        const QString still = m_document.hasScene() ? tr(" The scene before is still open.") : QString();
+        m_errors->report(tr("%1 could not be read.").arg(file) + still, errors);
     });
 }
 

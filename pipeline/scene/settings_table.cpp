@@ -306,7 +306,7 @@ constexpr auto kTable = std::to_array<Setting>({
         {"material.#.ks", "k_s specular", "", "Fraction of light that is reflected towards R, in all three colours."},
         kFraction),
     row<OfMaterial, &Material::exponent>(
-        {"material.#.n", "n exponent", "", "Specular exponent: larger is a smaller highlight."}, {0, 10000, 0, 200}, {},
+        {"material.#.n", "n exponent", "", "Specular exponent: larger is a smaller highlight."}, {0, 10000, 0, 64}, {},
         onlySpecular),
 });
 
