@@ -14,7 +14,7 @@ NumberField::NumberField(pipeline::SettingRef setting, QWidget* parent) : QLineE
     setAlignment(Qt::AlignRight);
     followTheme(this, [this] {
         setFont(Theme::current().mono());
-        setFixedWidth(Theme::current().px(68));
+        setFixedWidth(Theme::current().px(62));
     });
     connect(this, &QLineEdit::returnPressed, this, [this] {
         take();

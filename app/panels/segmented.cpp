@@ -6,6 +6,18 @@
 #include "app/panels/follow_theme.h"
 
 namespace app {
+namespace {
+
+QFont segmentFont() { return Theme::current().text(13, 500); }
+int padding() { return Theme::current().px(6); }
+
+}  // namespace
+
+int Segmented::widthFor(const QStringList& choices) {
+    int width = 0;
+    for (const QString& choice : choices) width += QFontMetrics(segmentFont()).horizontalAdvance(choice) + 2 * padding() + 2;
+    return width;
+}
 
 Segmented::Segmented(const QStringList& choices, QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
@@ -18,7 +30,10 @@ Segmented::Segmented(const QStringList& choices, QWidget* parent) : QWidget(pare
         button->setAccessibleName(choices[i]);
         row->addWidget(button, 1);
         m_group.addButton(button, i);
-        followTheme(button, [button] { button->setFont(Theme::current().text(13, 500)); });
+        followTheme(button, [button] {
+            button->setFont(segmentFont());
+            button->setStyleSheet(QStringLiteral("QPushButton { padding: 0 %1px; }").arg(padding()));
+        });
     }
     connect(&m_group, &QButtonGroup::idClicked, this, &Segmented::chosen);
 }

@@ -10,6 +10,9 @@ class Segmented : public QWidget {
 public:
     explicit Segmented(const QStringList& choices, QWidget* parent = nullptr);
 
+    // The width that these choices need side by side.
+    static int widthFor(const QStringList& choices);
+
     void setCurrent(int choice);  // says nothing
     int current() const { return m_group.checkedId(); }
 

@@ -16,6 +16,18 @@ namespace app {
 
 using pipeline::SettingKind;
 
+namespace {
+
+constexpr int kLabelWidth = 84;
+
+// What the left dock leaves beside the labels: its width grows less than the letters.
+int choiceRoom() {
+    const Theme& theme = Theme::current();
+    return int(296 * (0.4 + 0.6 * theme.scale())) - theme.px(kLabelWidth + 46);
+}
+
+}  // namespace
+
 QString labelWithSymbol(const QString& label) {
     static const QRegularExpression symbol("^(\\p{L})(?:_(\\w))?(?: |$)(.*)$",
                                            QRegularExpression::UseUnicodePropertiesOption);
@@ -45,9 +57,11 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
     form.addWidget(m_label, row, 0);
     form.addWidget(m_note, row + 1, 1, 1, 2);
     m_note->setWordWrap(true);
+    m_label->setWordWrap(true);
     m_note->setProperty("tone", 3);
     followTheme(m_label, [this] {
         m_label->setFont(Theme::current().text());
+        m_label->setFixedWidth(Theme::current().px(kLabelWidth));
         m_label->setText(labelWithSymbol(toQString(m_setting.setting->label)));
         m_note->setFont(Theme::current().text(12));
     });
@@ -83,8 +97,8 @@ void SettingRow::addChoice(QGridLayout& form, int row, QWidget* parent) {
     QStringList names;
     for (const std::string_view choice : m_setting.setting->choices) names += choiceName(choice);
     const auto chosen = [this](int choice) { change(choice, Document::Change::Done); };
-    // Up to three short names stand side by side in the dock's width.
-    if (names.size() <= 3 && names.join(QString()).size() <= 22) {
+    // Side by side where the dock at its usual width has room for it, else in a list.
+    if (Segmented::widthFor(names) <= choiceRoom()) {
         auto* segmented = new Segmented(names, parent);
         form.addWidget(segmented, row, 1, 1, 2);
         m_controls = {segmented};

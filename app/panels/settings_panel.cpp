@@ -68,6 +68,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
         m_changed->setFont(theme.text(12));
         m_changed->setMargin(theme.px(8));
         showLastChange();  // its link has the theme's accent in it
+        build();           // what stands side by side depends on the letters' size
     });
 
     connect(m_tabs, &QTabBar::currentChanged, this, &SettingsPanel::build);

@@ -38,7 +38,10 @@ void StartCard::setFoot(const QString& state, const QString& action, double prog
 
 int StartCard::heightForWidth(int width) const {
     const Theme& theme = Theme::current();
-    return m_kind == Kind::Scene ? width * 3 / 4 + theme.px(76) : theme.px(112);
+    const QRect room(0, 0, width - theme.px(24) - 8, 1000);
+    const int words = QFontMetrics(theme.text(12)).boundingRect(room, Qt::TextWordWrap, m_text).height();
+    const int title = theme.px(20), padding = theme.px(28);
+    return words + title + padding + (m_kind == Kind::Scene ? width * 3 / 4 : theme.px(34));
 }
 
 QSize StartCard::sizeHint() const { return {Theme::current().px(240), heightForWidth(Theme::current().px(240))}; }
@@ -125,17 +128,24 @@ int CardGrid::cardWidth(int width) const {
     return (width - (n - 1) * Theme::current().px(10)) / n;
 }
 
+// The card with the most to say decides for all.
+int CardGrid::cardHeight(int width) const {
+    int height = 0;
+    for (const StartCard* card : m_cards) height = std::max(height, card->heightForWidth(cardWidth(width)));
+    return height;
+}
+
 int CardGrid::heightForWidth(int width) const {
     if (m_cards.isEmpty()) return 0;
     const int n = columns(width), rows = (int(m_cards.size()) + n - 1) / n, gap = Theme::current().px(10);
-    return rows * m_cards.front()->heightForWidth(cardWidth(width)) + (rows - 1) * gap;
+    return rows * cardHeight(width) + (rows - 1) * gap;
 }
 
 QSize CardGrid::sizeHint() const { return {Theme::current().px(600), heightForWidth(std::max(width(), 600))}; }
 
 void CardGrid::resizeEvent(QResizeEvent*) {
     if (m_cards.isEmpty()) return;
-    const int n = columns(width()), w = cardWidth(width()), h = m_cards.front()->heightForWidth(w);
+    const int n = columns(width()), w = cardWidth(width()), h = cardHeight(width());
     const int gap = Theme::current().px(10);
     for (int i = 0; i < m_cards.size(); ++i) m_cards[i]->setGeometry((i % n) * (w + gap), (i / n) * (h + gap), w, h);
     setMinimumHeight(heightForWidth(width()));

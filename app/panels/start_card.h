@@ -51,6 +51,7 @@ protected:
 private:
     int columns(int width) const;
     int cardWidth(int width) const;
+    int cardHeight(int width) const;
     QList<StartCard*> m_cards;
     int m_most = 4;
 };

@@ -111,6 +111,7 @@ QWidget* StartPage::makeLeft() {
         open->setMinimumHeight(t.px(32));
         m_drop->setFont(t.text());
         m_drop->setMargin(t.px(16));
+        m_drop->setMinimumHeight(t.px(48));
         theme->setCurrent(int(t.id()));
         left->setStyleSheet(
             QStringLiteral("QFrame#startLeft { background: %1; border: 0; border-right: 1px solid %2; }")
@@ -221,6 +222,7 @@ void StartPage::fitLeft() {
 
 void StartPage::resizeEvent(QResizeEvent* event) {
     fitLeft();
+    m_drop->setVisible(height() >= Theme::current().px(520));
     QWidget::resizeEvent(event);
 }
 

@@ -17,7 +17,7 @@ ValueSlider::ValueSlider(double low, double high, double step, QWidget* parent)
     followTheme(this, [this] { updateGeometry(), update(); });
 }
 
-QSize ValueSlider::sizeHint() const { return {Theme::current().px(64), Theme::current().px(24)}; }
+QSize ValueSlider::sizeHint() const { return {Theme::current().px(48), Theme::current().px(24)}; }
 
 void ValueSlider::setValue(double value) {
     m_value = value;
