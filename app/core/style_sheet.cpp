@@ -52,6 +52,7 @@ QToolButton[kind="segment"], QPushButton[kind="segment"] { background: @raised; 
   border: 1px solid @outline; border-radius: 0; padding: 0 10u; min-height: 22u; }
 QToolButton[kind="segment"]:checked, QPushButton[kind="segment"]:checked { background: @fill; color: @onFill;
   border-color: @fill; }
+QPushButton[kind="segment"]:checked:disabled { background: @hover; color: @text3; border-color: @outline; }
 
 QLineEdit, QComboBox, QAbstractSpinBox, QPlainTextEdit, QTextEdit, QTextBrowser { background: @raised; color: @text;
   border: 1px solid @outline; border-radius: 4u; padding: 0 6u;
