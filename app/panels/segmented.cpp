@@ -15,7 +15,8 @@ int padding() { return Theme::current().px(6); }
 
 int Segmented::widthFor(const QStringList& choices) {
     int width = 0;
-    for (const QString& choice : choices) width += QFontMetrics(segmentFont()).horizontalAdvance(choice) + 2 * padding() + 2;
+    for (const QString& choice : choices)
+        width += QFontMetrics(segmentFont()).horizontalAdvance(choice) + 2 * padding() + 2;
     return width;
 }
 
