@@ -1,10 +1,12 @@
 #pragma once
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include <atomic>
 #include <cstddef>
+#include <optional>
 #include <stop_token>
 
 namespace pipeline {
@@ -14,7 +16,11 @@ class Threads {
 public:
     // count 0: as many as the machine has.
     Threads(int count, std::stop_token stop)
-        : m_arena(count > 0 ? count : oneapi::tbb::task_arena::automatic), m_stop(std::move(stop)) {}
+        : m_arena(count > 0 ? count : oneapi::tbb::task_arena::automatic), m_stop(std::move(stop)) {
+        // Asked for more than the machine has, it gets them all the same: tests compare 7 threads with 1.
+        if (count > oneapi::tbb::info::default_concurrency())
+            m_more.emplace(oneapi::tbb::global_control::max_allowed_parallelism, std::size_t(count));
+    }
 
     // body(begin, end) over [0, count) in pieces of at most grain; one piece runs here and now.
     // Pieces not begun when the request is stopped are dropped.
@@ -34,6 +40,7 @@ public:
     bool stopped() const { return m_stop.stop_requested(); }
 
 private:
+    std::optional<oneapi::tbb::global_control> m_more;
     oneapi::tbb::task_arena m_arena;
     std::stop_token m_stop;
 };
