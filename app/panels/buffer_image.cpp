@@ -20,55 +20,50 @@ namespace {
 
 QRgb rgb(Color8 c) { return qRgb(c.r, c.g, c.b); }
 
-// Colours of one channel. Neighbours are often equal, above all in flat shading.
-template <class T>
-void fillScalar(QImage& image, std::span<const T> numbers, std::size_t channels, std::size_t channel, Palette palette,
-                PaletteRange range, const std::vector<bool>& drawn) {
+// Gives every pixel where something was drawn the colour colorOf(its index), in reading order; the others none.
+template <class ColorOf>
+void fillDrawn(QImage& image, const std::vector<bool>& drawn, ColorOf colorOf) {
     const auto width = std::size_t(image.width());
-    T lastValue{};
-    QRgb lastColor = rgb(paletteColor(palette, 0, range.first, range.last));
     for (int y = 0; y < image.height(); ++y) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
         for (std::size_t x = 0; x < width; ++x) {
             const std::size_t i = std::size_t(y) * width + x;
-            if (!drawn.empty() && !drawn[i]) {
-                line[x] = 0;
-                continue;
-            }
-            const T value = numbers[i * channels + channel];
-            if (value != lastValue) {  // NaN too: it differs from itself
-                lastValue = value;
-                lastColor = rgb(paletteColor(palette, double(value), range.first, range.last));
-            }
-            line[x] = lastColor;
+            line[x] = drawn.empty() || drawn[i] ? colorOf(i) : QRgb(0);
         }
     }
 }
 
+// Colours of one channel. Neighbours are often equal, above all in flat shading.
+template <class T>
+void fillScalar(QImage& image, std::span<const T> numbers, std::size_t channels, std::size_t channel, Palette palette,
+                PaletteRange range, const std::vector<bool>& drawn) {
+    T lastValue{};
+    QRgb lastColor = rgb(paletteColor(palette, 0, range.first, range.last));
+    fillDrawn(image, drawn, [&](std::size_t i) {
+        const T value = numbers[i * channels + channel];
+        if (value != lastValue) {  // NaN too: it differs from itself
+            lastValue = value;
+            lastColor = rgb(paletteColor(palette, double(value), range.first, range.last));
+        }
+        return lastColor;
+    });
+}
+
 template <class T>
 void fillColor(QImage& image, std::span<const T> numbers, PaletteRange range, const std::vector<bool>& drawn) {
-    const auto width = std::size_t(image.width());
     T last[3]{};
     QRgb lastColor = 0;
-    for (int y = 0; y < image.height(); ++y) {
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-        for (std::size_t x = 0; x < width; ++x) {
-            const std::size_t i = std::size_t(y) * width + x;
-            if (!drawn.empty() && !drawn[i]) {
-                line[x] = 0;
-                continue;
-            }
-            const T* v = &numbers[3 * i];
-            if (lastColor == 0 || v[0] != last[0] || v[1] != last[1] || v[2] != last[2]) {
-                std::copy_n(v, 3, last);
-                Color8 color;
-                for (int c = 0; c < 3; ++c)
-                    color[c] = paletteColor(Palette::Color, double(v[c]), range.first, range.last)[c];
-                lastColor = rgb(color);
-            }
-            line[x] = lastColor;
+    fillDrawn(image, drawn, [&](std::size_t i) {
+        const T* v = &numbers[3 * i];
+        if (lastColor == 0 || v[0] != last[0] || v[1] != last[1] || v[2] != last[2]) {
+            std::copy_n(v, 3, last);
+            Color8 color;
+            for (int c = 0; c < 3; ++c)
+                color[c] = paletteColor(Palette::Color, double(v[c]), range.first, range.last)[c];
+            lastColor = rgb(color);
         }
-    }
+        return lastColor;
+    });
 }
 
 bool isDepth(BufferId id) { return id == BufferId::Depth || id == BufferId::ZView || id == BufferId::ShadowBuffer; }
