@@ -77,6 +77,7 @@ ObjectDescription readObjectDescription(const SourceText& source, Errors& errors
     scratch.objects.emplace_back();
     readSettings(scanner, kMaterialKeys, scratch);
     description.material = scratch.objects[0].material;
+    description.material.ambient = description.material.diffuse;  // one coefficient for both in lecture 1
     expectEnd(scanner);
     return description;
 }

@@ -37,6 +37,7 @@ struct MeshFacts {
 struct Mesh {
     std::string file;                         // as the scene names it; empty for a built-in shape
     std::vector<Vec3d> positions;             // object space
+    std::vector<Vec3d> normals;               // per vertex, as the file or shape gives them; empty: none
     std::vector<std::uint32_t> corners;       // vertex of each polygon corner, polygons end to end
     std::vector<std::uint32_t> firstCorner;   // per polygon, and one past the last
     std::vector<TextPosition> polygonPlaces;  // where each polygon stands in `file`; may be empty

@@ -1,27 +1,42 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/core/real.h"
 #include "pipeline/scene/mesh.h"
 #include "pipeline/scene/settings.h"
+#include "pipeline/scene/shape.h"
 
 namespace pipeline {
 
-// Applied in this order: scale, rotation about x, then y, then z, translation.
+// A turn about an axis through the object's origin, as glRotate makes it.
+struct AxisTurn {
+    double angle = 0;     // degrees, counter-clockwise seen from the axis' positive end
+    Vec3d axis{0, 0, 1};  // any length but 0
+    bool operator==(const AxisTurn&) const = default;
+};
+
+// Applied in this order: scale, rotation about x, then y, then z, translation. Where there are
+// turns they take the place of the rotation; like successive calls of glRotate, the last one
+// written is the first one applied.
 struct ObjectTransform {
     Vec3d scale{1.0};
     Vec3d rotation{0.0};     // degrees, counter-clockwise seen from the axis' positive end
     Vec3d translation{0.0};  // world units
+    std::vector<AxisTurn> turns;
     bool operator==(const ObjectTransform&) const = default;
 };
 
+// Reflection coefficients are fractions, 0 to 1 in nature; more or less than that is computed as written.
 struct Material {
-    Vec3d diffuse{0.7};     // k_r, k_g, k_b: fractions of ambient and diffuse light reflected, 0..1
-    Vec3d specular{0.0};    // k_s for red, green and blue; equal in lecture 1's model; 0..1
-    double exponent = 8.0;  // n, >= 0
+    Vec3d diffuse{0.7};     // k_r, k_g, k_b; in lecture 1's model also of ambient light
+    Vec3d specular{0.0};    // k_s for red, green and blue; equal in lecture 1's model
+    double exponent = 8.0;  // n, or s in Blinn-Phong; >= 0
+    Vec3d ambient{0.7};     // k_a of Blinn-Phong and OpenGL; readers take k_d where a file has none
+    Vec3d emission{0.0};    // OpenGL only
     bool operator==(const Material&) const = default;
 };
 
@@ -30,17 +45,34 @@ struct Object {
     std::shared_ptr<const Mesh> mesh;  // never null; compared by identity
     ObjectTransform transform;
     Material material;
+    std::optional<Material> backMaterial;  // of back faces with two-sided lighting; else `material`
+    std::optional<Shape> shape;            // what `mesh` was made of; nothing for one read from a file
     bool operator==(const Object&) const = default;
 };
 
 enum class LightKind : std::uint8_t { AtInfinity, Point };
 
+enum class LightSpace : std::uint8_t { World, Eye };
+
+// What only OpenGL's model reads of a light.
+struct OpenGlLight {
+    Vec3d ambient{0.0};                              // its own part of the ambient light
+    Vec3d specular{1.0};                             // colour of its specular part, instead of `color`
+    double constant = 1, linear = 0, quadratic = 0;  // attenuation 1 / (c + l d + q d²), point lights; >= 0
+    Vec3d spotDirection{0, 0, -1};                   // any length, in the light's space
+    double spotCutoff = 180;                         // degrees, 0..90; 180: no spot
+    double spotExponent = 0;                         // 0..128
+    LightSpace space = LightSpace::World;            // Eye: x right, y up, z towards the viewer
+    bool operator==(const OpenGlLight&) const = default;
+};
+
 struct Light {
     LightKind kind = LightKind::AtInfinity;
-    Vec3d position{0, 0, 1};  // world space; for a light at infinity the direction towards it, any length
-    double intensity = 1.0;   // I_p, >= 0, in the scene's own unit
+    Vec3d position{0, 0, 1};  // for a light at infinity the direction towards it, any length
+    double intensity = 1.0;   // I_p, in the scene's own unit
     Vec3d color{1.0};         // multiplies the intensity
     bool castsShadow = true;
+    OpenGlLight gl;
     bool operator==(const Light&) const = default;
 };
 
@@ -76,6 +108,7 @@ struct Camera {
 struct Scene {
     std::string name;  // for titles: "pyramid.scene"
     std::string file;  // path as given; empty for a built-in scene
+    std::string look;  // what to look at, one sentence; may be empty
     std::vector<Object> objects;
     std::vector<Light> lights;
     AmbientLight ambient;

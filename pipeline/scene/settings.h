@@ -6,7 +6,10 @@ namespace pipeline {
 enum class Precision : std::uint8_t { Float, Double };
 enum class CullMode : std::uint8_t { None, Back };
 enum class Shading : std::uint8_t { Flat, Gouraud, Phong };
-enum class NormalWeight : std::uint8_t { Mean, Area, Angle };
+// The illumination models of the two lectures.
+enum class Model : std::uint8_t { Phong, BlinnPhong, OpenGl };
+// Given: the mesh's own normals where it has them, else Mean.
+enum class NormalWeight : std::uint8_t { Mean, Area, Angle, Given };
 // How z_view becomes the number that the z-buffer stores and compares.
 //   Linear    z_view itself, world units, infinity where nothing was drawn
 //   Float     0 at the near plane, 1 at the far plane, as OpenGL's perspective matrix maps it
@@ -21,6 +24,10 @@ struct Settings {
     Precision precision = Precision::Float;
     CullMode cull = CullMode::Back;
     Shading shading = Shading::Flat;
+    Model model = Model::Phong;
+    double exponentFactor = 1;  // Blinn-Phong: multiplies n; about 4 gives a highlight as wide as Phong's
+    bool localViewer = false;   // OpenGL: V points to the eye; off: along the viewing axis
+    bool twoSided = false;      // OpenGL: back faces are lit with their normal turned round
     NormalWeight normalWeight = NormalWeight::Mean;
     DepthFormat depthFormat = DepthFormat::Linear;
     int shadowSize = 1024;  // texels along a side of a shadow buffer

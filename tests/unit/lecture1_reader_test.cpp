@@ -33,7 +33,7 @@ TEST(LectureOneReader, Object) {
     EXPECT_EQ(object.name, "pyramid");
     EXPECT_EQ(object.mesh->file, "pyramid.des");
     EXPECT_EQ(object.transform, (ObjectTransform{{1.8, 1.0, 1.0}, {0, 0, 0}, {200, 0, 0}}));
-    EXPECT_EQ(object.material, (Material{{0.2, 0.5, 0.9}, {0.4, 0.4, 0.4}, 8}));
+    EXPECT_EQ(object.material, (Material{{0.2, 0.5, 0.9}, {0.4, 0.4, 0.4}, 8, {0.2, 0.5, 0.9}}));
 }
 
 TEST(LectureOneReader, Lights) {
