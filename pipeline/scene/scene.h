@@ -26,7 +26,7 @@ struct ObjectTransform {
     Vec3d scale{1.0};
     Vec3d rotation{0.0};     // degrees, counter-clockwise seen from the axis' positive end
     Vec3d translation{0.0};  // world units
-    std::vector<AxisTurn> turns;
+    std::vector<AxisTurn> turns{};
     bool operator==(const ObjectTransform&) const = default;
 };
 
@@ -45,8 +45,8 @@ struct Object {
     std::shared_ptr<const Mesh> mesh;  // never null; compared by identity
     ObjectTransform transform;
     Material material;
-    std::optional<Material> backMaterial;  // of back faces with two-sided lighting; else `material`
-    std::optional<Shape> shape;            // what `mesh` was made of; nothing for one read from a file
+    std::optional<Material> backMaterial{};  // of back faces with two-sided lighting; else `material`
+    std::optional<Shape> shape{};            // what `mesh` was made of; nothing for one read from a file
     bool operator==(const Object&) const = default;
 };
 
@@ -72,7 +72,7 @@ struct Light {
     double intensity = 1.0;   // I_p, in the scene's own unit
     Vec3d color{1.0};         // multiplies the intensity
     bool castsShadow = true;
-    OpenGlLight gl;
+    OpenGlLight gl{};
     bool operator==(const Light&) const = default;
 };
 
