@@ -1,0 +1,75 @@
+#include "pipeline/formats/line_scanner.h"
+
+#include <algorithm>
+
+#include "pipeline/formats/text_scanner.h"
+
+namespace pipeline {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+
+}  // namespace
+
+LineScanner::LineScanner(std::string_view text, std::string file, Errors& errors)
+    : m_text(text), m_file(std::move(file)), m_errors(errors) {
+    if (text.starts_with(kByteOrderMark)) m_next = kByteOrderMark.size();
+}
+
+bool LineScanner::nextLine() {
+    if (m_next >= m_text.size() || m_errors.size() >= kMaxErrors) return false;
+    m_lineBegin = m_begin = m_end = m_next;
+    m_line = m_nextLine++;
+    m_lineEnd = std::min(m_text.find_first_of("\r\n", m_next), m_text.size());
+    m_next = m_lineEnd + (m_text.substr(m_lineEnd, 2) == "\r\n" ? 2 : 1);
+    return true;
+}
+
+std::string_view LineScanner::next() {
+    while (true) {
+        while (m_end < m_lineEnd && isSpace(m_text[m_end])) ++m_end;
+        const bool continued = m_end + 1 == m_lineEnd && m_text[m_end] == '\\';
+        if (!continued) break;
+        if (!nextLine()) {
+            m_begin = m_end = m_lineEnd;
+            return {};
+        }
+    }
+    if (m_end < m_lineEnd && m_text[m_end] == '#') m_end = m_lineEnd;
+    m_begin = m_end;
+    while (m_end < m_lineEnd && !isSpace(m_text[m_end]) && !(m_text[m_end] == '\\' && m_end + 1 == m_lineEnd)) ++m_end;
+    return m_text.substr(m_begin, m_end - m_begin);
+}
+
+std::string_view LineScanner::rest() {
+    m_begin = m_end;
+    while (m_begin < m_lineEnd && isSpace(m_text[m_begin])) ++m_begin;
+    m_end = m_lineEnd;
+    while (m_end > m_begin && isSpace(m_text[m_end - 1])) --m_end;
+    return m_text.substr(m_begin, m_end - m_begin);
+}
+
+TextPosition LineScanner::place() const {
+    const std::string_view before = m_text.substr(m_lineBegin, m_begin - m_lineBegin);
+    const auto characters =
+        std::ranges::count_if(before, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+    return {m_line, static_cast<int>(characters) + 1};
+}
+
+void LineScanner::refuse(std::string expected) {
+    const std::string_view word = m_text.substr(m_begin, m_end - m_begin);
+    fail(word.empty()             ? "found the end of the line"
+         : word.size() > kMaxWord ? "found a word of " + groupedDigits(word.size()) + " bytes"
+                                  : "found " + quotedInput(word),
+         std::move(expected));
+}
+
+void LineScanner::fail(std::string found, std::string expected) {
+    if (m_errors.size() >= kMaxErrors) return;
+    const TextPosition at = place();
+    m_errors.push_back({{m_file, at.line, at.column}, std::move(found), std::move(expected)});
+}
+
+}  // namespace pipeline

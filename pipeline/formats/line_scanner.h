@@ -1,0 +1,47 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "pipeline/core/result.h"
+#include "pipeline/scene/mesh.h"
+
+namespace pipeline {
+
+// Splits a text into lines, and lines into words, as the model formats in text form are written:
+// white space stands between words, # at the start of a word begins a comment, a backslash at the
+// end of a line continues it. Lines end with LF, CR LF or CR; a byte order mark is skipped.
+class LineScanner {
+public:
+    // Errors are appended to `errors` until there are kMaxErrors. `text` must outlive the scanner.
+    LineScanner(std::string_view text, std::string file, Errors& errors);
+
+    // Goes to the next line; false at the end of the text or when there are enough errors.
+    bool nextLine();
+    // The next word of this line; empty at its end.
+    std::string_view next();
+    // The rest of this line without white space at its ends: names may hold spaces.
+    std::string_view rest();
+
+    // Of the word read last.
+    TextPosition place() const;
+    // Where the next line begins, in bytes.
+    std::size_t nextLineAt() const { return m_next; }
+
+    // Reports the word read last, or the end of the line: found "x4", expected what.
+    void refuse(std::string expected);
+    void fail(std::string found, std::string expected = {});
+
+private:
+    std::string_view m_text;
+    std::string m_file;
+    Errors& m_errors;
+    std::size_t m_next = 0;              // where the next line begins
+    std::size_t m_begin = 0, m_end = 0;  // the word read last
+    std::size_t m_lineEnd = 0;           // of this line as written, without its end mark
+    std::size_t m_lineBegin = 0;
+    int m_line = 0;      // of the word read last
+    int m_nextLine = 1;  // number of the line at m_next
+};
+
+}  // namespace pipeline

@@ -1,0 +1,47 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/formats/model_reader.h"
+
+// What the readers of models share.
+namespace pipeline {
+
+// Coordinates of a model, in its own units: the squares of the stages stay finite.
+inline constexpr double kFarthestVertex = 1e9;
+inline bool isCoordinate(double value) { return value >= -kFarthestVertex && value <= kFarthestVertex; }
+
+// The direction of a vector of any length; nothing for one without length.
+std::optional<Vec3d> unitVector(const Vec3d& vector);
+
+// Adds a polygon of vertices that are known to exist. A vertex that is written twice in a row
+// counts once, and what then has fewer than three corners has no area and is left out.
+// `place` goes to Mesh::polygonPlaces unless its line is 0.
+void addPolygon(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition place = {});
+
+// Leaves out the vertices that no polygon uses; the order of the others stays.
+void dropUnusedVertices(Mesh& mesh);
+
+// "bunny" of "models/bunny.obj", and "bunny.obj".
+std::string stemOf(const std::string& path);
+std::string fileNameOf(const std::string& path);
+
+// A name from a file where a window can show it, else the other one.
+std::string shownName(std::string_view name, const std::string& otherwise);
+
+// Materials of an MTL file (Wavefront, Object Files, 1995, appendix B1):
+//   Kd diffuse, Ka ambient, Ks specular, Ns exponent, Ke emission. The rest, as pictures, is skipped.
+struct NamedMaterial {
+    std::string name;
+    Material material;
+};
+void readMtl(const SourceText& source, std::vector<NamedMaterial>& materials, Errors& errors);
+
+// One function for each format; readModel checks what they promise together.
+// Each object has at least one polygon.
+Result<std::vector<Object>> readObj(const SourceText& source, const FileLoader& load);
+
+}  // namespace pipeline

@@ -1,0 +1,95 @@
+#include "pipeline/formats/model_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <new>
+
+#include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/model_formats.h"
+
+namespace pipeline {
+namespace {
+
+struct ModelFormat {
+    std::string_view extension;
+    Result<std::vector<Object>> (*read)(const SourceText& source, const FileLoader& load);
+};
+
+constexpr ModelFormat kModelFormats[] = {
+    {".obj", readObj},
+};
+
+const ModelFormat* findModelFormat(std::string_view extension) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    for (const ModelFormat& format : kModelFormats)
+        if (std::ranges::equal(format.extension, extension, {}, lower, lower)) return &format;
+    return nullptr;
+}
+
+}  // namespace
+
+bool isModel(std::string_view extension) { return findModelFormat(extension) != nullptr; }
+
+Result<std::vector<Object>> readModel(const SourceText& source, std::string_view extension, const FileLoader& load) {
+    const ModelFormat* format = findModelFormat(extension);
+    if (!format) return Error{{source.name, 0, 0}, "found no model", {}};
+    if (source.text.size() > kMaxFileBytes)
+        return Error{{source.name, 0, 0},
+                     "the file is larger than " + groupedDigits(kMaxFileBytes) + " bytes",
+                     "a smaller file"};
+    try {
+        Result<std::vector<Object>> objects = format->read(source, load);
+        if (objects && objects->empty()) return Error{{source.name, 0, 0}, "found no polygon", "a model with polygons"};
+        return objects;
+    } catch (const std::bad_alloc&) {
+        return Error{{source.name, 0, 0}, "not enough memory to read the model", {}};
+    }
+}
+
+std::optional<Vec3d> unitVector(const Vec3d& vector) {
+    // Scaled first: the square of 1e-200 is 0.
+    const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
+    if (!(largest > 0 && largest <= std::numeric_limits<double>::max())) return {};
+    const Vec3d scaled(vector.x / largest, vector.y / largest, vector.z / largest);
+    return scaled / glm::length(scaled);
+}
+
+void addPolygon(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition place) {
+    if (mesh.firstCorner.empty()) mesh.firstCorner.push_back(0);
+    const std::size_t first = mesh.corners.size();
+    for (const std::uint32_t corner : corners)
+        if (mesh.corners.size() == first || mesh.corners.back() != corner) mesh.corners.push_back(corner);
+    while (mesh.corners.size() > first + 1 && mesh.corners.back() == mesh.corners[first]) mesh.corners.pop_back();
+    if (mesh.corners.size() < first + 3) {
+        mesh.corners.resize(first);
+        return;
+    }
+    mesh.firstCorner.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+    if (place.line > 0) mesh.polygonPlaces.push_back(place);
+}
+
+void dropUnusedVertices(Mesh& mesh) {
+    std::vector<std::uint32_t> number(mesh.positions.size(), 0);
+    for (const std::uint32_t corner : mesh.corners) number[corner] = 1;
+    std::uint32_t used = 0;
+    for (std::size_t i = 0; i < number.size(); ++i) {
+        if (number[i] == 0) continue;
+        mesh.positions[used] = mesh.positions[i];
+        if (!mesh.normals.empty()) mesh.normals[used] = mesh.normals[i];
+        number[i] = used++;
+    }
+    mesh.positions.resize(used);
+    if (!mesh.normals.empty()) mesh.normals.resize(used);
+    for (std::uint32_t& corner : mesh.corners) corner = number[corner];
+}
+
+std::string stemOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+std::string shownName(std::string_view name, const std::string& otherwise) {
+    return name.empty() || name.size() > kMaxWord || !isPrintable(name) ? otherwise : std::string(name);
+}
+
+}  // namespace pipeline

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/line_scanner.h"
+#include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/text_scanner.h"
+
+namespace pipeline {
+namespace {
+
+// What a file may say is what the setting may be.
+std::optional<double> coefficient(LineScanner& scanner, std::string_view what) {
+    const Setting& row = settingRow(what == "Ns" ? "material.#.n" : "material.#.kr");
+    const std::optional<double> value = parseNumber(scanner.next());
+    if (value && *value >= row.min && *value <= row.max) return value;
+    scanner.refuse(fmt::format("{}, {}", what, numberFrom(row.min, row.max)));
+    return {};
+}
+
+// One number stands for all three. "spectral" and "xyz" say a colour in a way that few programs
+// write; it is left as it was.
+void readColor(LineScanner& scanner, std::string_view what, Vec3d& color) {
+    const std::string_view word = LineScanner(scanner).next();
+    if (word == "spectral" || word == "xyz") return;
+    const std::optional<double> red = coefficient(scanner, what);
+    if (!red) return;
+    color = Vec3d(*red);
+    if (LineScanner(scanner).next().empty()) return;
+    const std::optional<double> green = coefficient(scanner, what), blue = coefficient(scanner, what);
+    if (green && blue) color = Vec3d(*red, *green, *blue);
+}
+
+}  // namespace
+
+void readMtl(const SourceText& source, std::vector<NamedMaterial>& materials, Errors& errors) {
+    LineScanner scanner(source.text, source.name, errors);
+    NamedMaterial* current = nullptr;
+    bool ambientGiven = false;
+    while (scanner.nextLine()) {
+        const std::string_view word = scanner.next();
+        if (word == "newmtl") {
+            const std::string_view name = scanner.rest();
+            if (name.empty()) scanner.refuse("the material's name");
+            current = &materials.emplace_back(std::string(name), Material{});
+            ambientGiven = false;
+            continue;
+        }
+        const bool known = word == "Kd" || word == "Ka" || word == "Ks" || word == "Ke" || word == "Ns";
+        if (!known) continue;
+        if (!current) {
+            scanner.refuse("newmtl and a name before the first coefficient");
+            continue;
+        }
+        Material& material = current->material;
+        if (word == "Kd") readColor(scanner, "Kd", material.diffuse);
+        if (word == "Ka") readColor(scanner, "Ka", material.ambient), ambientGiven = true;
+        if (word == "Ks") readColor(scanner, "Ks", material.specular);
+        if (word == "Ke") readColor(scanner, "Ke", material.emission);
+        if (word == "Ns") material.exponent = coefficient(scanner, "Ns").value_or(material.exponent);
+        if (!ambientGiven) material.ambient = material.diffuse;
+    }
+}
+
+}  // namespace pipeline

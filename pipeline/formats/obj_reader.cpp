@@ -1,0 +1,245 @@
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/line_scanner.h"
+#include "pipeline/formats/model_formats.h"
+
+// Wavefront OBJ as its manual describes polygons (Object Files, 1995, appendix B1). Curves,
+// surfaces, points, lines, groups, smoothing groups and texture coordinates are skipped.
+//
+// An own reader: the packaged tinyobjloader takes "nan" and words for 0, lets infinity through, and
+// wraps indices beyond 2^31 around, so that every line had to be checked before it in any case.
+namespace pipeline {
+namespace {
+
+constexpr std::uint32_t kNone = UINT32_MAX;
+
+struct Corner {
+    std::uint32_t position, normal;
+};
+
+// Faces of one `o` with one material.
+struct Group {
+    std::size_t object = 0;  // counts the `o` lines
+    std::string name, material;
+    std::vector<Corner> corners;
+    std::vector<std::uint32_t> firstCorner{0};
+    std::vector<TextPosition> places;
+};
+
+struct ObjFile {
+    std::vector<Vec3d> positions, normals;  // a normal without length is (0, 0, 0)
+    std::vector<NamedMaterial> materials;
+    std::map<std::string, std::size_t, std::less<>> materialOf;  // by name
+    std::vector<Group> groups;
+};
+
+// An index from 1, or from -1 for the last one; returned from 0.
+std::optional<std::uint32_t> readIndex(std::string_view word, std::size_t count) {
+    const bool fromLast = word.starts_with('-');
+    if (fromLast) word.remove_prefix(1);
+    const std::optional<std::uint64_t> index = word.starts_with('+') ? std::nullopt : parseCount(word);
+    if (!index || *index == 0 || *index > count) return {};
+    return static_cast<std::uint32_t>(fromLast ? count - *index : *index - 1);
+}
+
+std::string indexRange(std::string_view what, std::size_t count) {
+    if (count == 0) return fmt::format("a {} before the first index of one", what);
+    return fmt::format("the index of a {} above, 1 to {} or -{} to -1", what, count, count);
+}
+
+class ObjReader {
+public:
+    ObjReader(const SourceText& source, const FileLoader& load, Errors& errors)
+        : m_source(source), m_load(load), m_errors(errors), m_scanner(source.text, source.name, errors) {
+        m_objectName = stemOf(source.name);
+    }
+
+    ObjFile read() {
+        while (m_scanner.nextLine()) {
+            const std::string_view word = m_scanner.next();
+            if (word == "v")
+                readVector("vertex", m_file.positions);
+            else if (word == "vn")
+                readNormal();
+            else if (word == "f" || word == "fo")
+                readFace();
+            else if (word == "o")
+                beginObject(m_scanner.rest());
+            else if (word == "usemtl")
+                useMaterial(m_scanner.rest());
+            else if (word == "mtllib")
+                loadMaterials(m_scanner.rest());
+        }
+        return std::move(m_file);
+    }
+
+private:
+    void readVector(std::string_view what, std::vector<Vec3d>& list) {
+        Vec3d& vector = list.emplace_back(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::optional<double> value = parseNumber(m_scanner.next());
+            if (!value || !isCoordinate(*value))
+                return m_scanner.refuse(fmt::format("{} of {} {}, {}", "xyz"[axis], what, list.size(),
+                                                    numberFrom(-kFarthestVertex, kFarthestVertex)));
+            vector[axis] = *value;
+        }
+    }
+
+    void readNormal() {
+        readVector("normal", m_file.normals);
+        m_file.normals.back() = unitVector(m_file.normals.back()).value_or(Vec3d(0.0));
+    }
+
+    // v, v/vt, v//vn or v/vt/vn. Texture coordinates are not looked at.
+    std::optional<Corner> readCorner(std::string_view word) {
+        const std::size_t slash = word.find('/');
+        const std::optional<std::uint32_t> position = readIndex(word.substr(0, slash), m_file.positions.size());
+        if (!position) {
+            m_scanner.refuse(indexRange("vertex", m_file.positions.size()));
+            return {};
+        }
+        const std::size_t second = slash == std::string_view::npos ? slash : word.find('/', slash + 1);
+        if (second == std::string_view::npos) return Corner{*position, kNone};
+        const std::optional<std::uint32_t> normal = readIndex(word.substr(second + 1), m_file.normals.size());
+        if (!normal) {
+            m_scanner.refuse(fmt::format("after the second slash {}", indexRange("normal", m_file.normals.size())));
+            return {};
+        }
+        return Corner{*position, m_file.normals[*normal] == Vec3d(0.0) ? kNone : *normal};
+    }
+
+    void readFace() {
+        const TextPosition place = m_scanner.place();
+        Group& group = currentGroup();
+        const std::size_t first = group.corners.size();
+        std::size_t written = 0;
+        for (std::string_view word = m_scanner.next(); !word.empty(); word = m_scanner.next(), ++written) {
+            const std::optional<Corner> corner = readCorner(word);
+            if (!corner) {
+                group.corners.resize(first);
+                return;
+            }
+            group.corners.push_back(*corner);
+        }
+        if (written < 3) {
+            m_scanner.refuse("at least three corners in a face");
+            group.corners.resize(first);
+            return;
+        }
+        group.firstCorner.push_back(static_cast<std::uint32_t>(group.corners.size()));
+        group.places.push_back(place);
+    }
+
+    Group& currentGroup() {
+        if (m_group == kNone) {
+            const auto [found, isNew] =
+                m_groupOf.try_emplace({m_object, m_material}, static_cast<std::uint32_t>(m_file.groups.size()));
+            if (isNew) m_file.groups.push_back({m_object, m_objectName, m_material, {}, {0}, {}});
+            m_group = found->second;
+        }
+        return m_file.groups[m_group];
+    }
+
+    void beginObject(std::string_view name) {
+        m_objectName = shownName(name, stemOf(m_source.name));
+        ++m_object;
+        m_group = kNone;
+    }
+
+    void useMaterial(std::string_view name) {
+        // Without a library the names mean nothing, and the model is still a model.
+        if (!m_file.materials.empty() && !m_file.materialOf.contains(name))
+            m_scanner.refuse("the name of a material of the mtllib files");
+        m_material = name;
+        m_group = kNone;
+    }
+
+    // One name with spaces, or several names without.
+    void loadMaterials(std::string_view names) {
+        if (names.empty()) return m_scanner.refuse("the name of a material file");
+        const Errors failed = loadMaterialFile(names);
+        if (failed.empty()) return;
+        if (names.find_first_of(" \t") == std::string_view::npos)
+            return m_scanner.fail(failed[0].found, failed[0].expected);
+        LineScanner words(names, {}, m_errors);
+        words.nextLine();
+        for (std::string_view name = words.next(); !name.empty(); name = words.next()) {
+            const Errors missing = loadMaterialFile(name);
+            if (!missing.empty()) return m_scanner.fail(missing[0].found, missing[0].expected);
+        }
+    }
+
+    // Why the file cannot be loaded; nothing where it can.
+    Errors loadMaterialFile(std::string_view name) {
+        const Result<NamedFile> file = m_load(name);
+        if (!file) return file.errors();
+        const std::size_t known = m_file.materials.size();
+        readMtl({file->text, file->path}, m_file.materials, m_errors);
+        for (std::size_t i = known; i < m_file.materials.size(); ++i)
+            m_file.materialOf.try_emplace(m_file.materials[i].name, i);
+        return {};
+    }
+
+    const SourceText& m_source;
+    const FileLoader& m_load;
+    Errors& m_errors;
+    LineScanner m_scanner;
+    ObjFile m_file;
+    std::string m_objectName, m_material;
+    std::size_t m_object = 0;
+    std::uint32_t m_group = kNone;  // of the next face, once it is known
+    std::map<std::pair<std::size_t, std::string>, std::uint32_t, std::less<>> m_groupOf;
+};
+
+// A position with one normal is one vertex; with another normal it is another one.
+Mesh meshOf(const ObjFile& file, const Group& group) {
+    const bool hasNormals = std::ranges::find(group.corners, kNone, &Corner::normal) == group.corners.end();
+    Mesh mesh;
+    std::unordered_map<std::uint64_t, std::uint32_t> vertexOf;
+    std::vector<std::uint32_t> polygon;
+    for (std::size_t i = 0; i + 1 < group.firstCorner.size(); ++i) {
+        polygon.clear();
+        for (std::size_t k = group.firstCorner[i]; k < group.firstCorner[i + 1]; ++k) {
+            const Corner& corner = group.corners[k];
+            const std::uint64_t key = std::uint64_t{corner.position} << 32 | (hasNormals ? corner.normal : kNone);
+            const auto [vertex, isNew] = vertexOf.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
+            if (isNew) {
+                mesh.positions.push_back(file.positions[corner.position]);
+                if (hasNormals) mesh.normals.push_back(file.normals[corner.normal]);
+            }
+            polygon.push_back(vertex->second);
+        }
+        addPolygon(mesh, polygon, group.places[i]);
+    }
+    return mesh;
+}
+
+}  // namespace
+
+Result<std::vector<Object>> readObj(const SourceText& source, const FileLoader& load) {
+    Errors errors;
+    const ObjFile file = ObjReader(source, load, errors).read();
+    if (!errors.empty()) return errors;
+    std::map<std::size_t, int> groupsOf;
+    for (const Group& group : file.groups) ++groupsOf[group.object];
+    std::vector<Object> objects;
+    for (const Group& group : file.groups) {
+        Mesh mesh = meshOf(file, group);
+        if (mesh.polygonCount() == 0) continue;
+        mesh.file = fileNameOf(source.name);
+        Object& object = objects.emplace_back();
+        object.name = group.name;
+        if (groupsOf[group.object] > 1) object.name += ", " + shownName(group.material, "no material");
+        object.mesh = makeMesh(std::move(mesh));
+        const auto material = file.materialOf.find(group.material);
+        if (material != file.materialOf.end()) object.material = file.materials[material->second].material;
+    }
+    return objects;
+}
+
+}  // namespace pipeline
