@@ -28,6 +28,7 @@ struct ExportOptions {
 std::vector<std::string> formatNames() {
     std::vector<std::string> names;
     for (const pipeline::Exporter& exporter : pipeline::exporterTable()) names.emplace_back(exporter.name);
+    for (const pipeline::FrameExporter& exporter : pipeline::frameExporterTable()) names.emplace_back(exporter.name);
     return names;
 }
 
@@ -43,6 +44,16 @@ std::string wrongUsage(const ExportOptions& options, const CliHost& host) {
     return {};
 }
 
+// Why a chosen format cannot hold this scene, if so.
+std::string refused(const pipeline::Scene& scene, const std::vector<std::string>& formats) {
+    for (const std::string& format : formats) {
+        const pipeline::FrameExporter* exporter = pipeline::findFrameExporter(format);
+        const std::string why = exporter ? exporter->refuses(scene) : std::string();
+        if (!why.empty()) return fmt::format("--format {}: {}", format, why);
+    }
+    return {};
+}
+
 // Buffers asked for by name that no chosen format can hold; the manifest alone would not be read.
 void tellLeftOut(const pipeline::Frame& frame, const pipeline::ExportRequest& request) {
     if (request.buffers.empty()) return;
@@ -50,8 +61,8 @@ void tellLeftOut(const pipeline::Frame& frame, const pipeline::ExportRequest& re
     for (const pipeline::BufferName& buffer : request.buffers) {
         const auto of = [&](const pipeline::PlannedFile& file) { return file.buffer == buffer; };
         const auto written = [&](const pipeline::PlannedFile& file) { return of(file) && !file.file.empty(); };
-        if (std::ranges::any_of(files, written)) continue;
         const auto why = std::ranges::find_if(files, of);
+        if (why == files.end() || std::ranges::any_of(files, written)) continue;  // no format for buffers
         fmt::print(stderr, "{}: no file. {}\n", buffer.text(), why->whyNot);
     }
 }
@@ -65,6 +76,10 @@ int runExport(const ExportOptions& options, const CliHost& host) {
     int status = kDone;
     const auto scene = loadScene(options.scene, status);
     if (!scene) return status;
+    if (const std::string why = refused(*scene, options.formats); !why.empty()) {
+        fmt::print(stderr, "shadescope export: {}\n", why);
+        return kWrongUsage;
+    }
     auto wanted = wantedFrame(*scene, options.frame);
     if (!wanted) {
         printErrors(wanted.errors());

@@ -44,6 +44,20 @@ Result<std::vector<std::string>> writeViews(const ExportRequest& request, const 
     return names;
 }
 
+// The files that hold the whole frame.
+Result<std::vector<WrittenScene>> writeScene(const Frame& frame, const ExportRequest& request, const fs::path& folder) {
+    std::vector<WrittenScene> written;
+    for (const FrameExporter& exporter : frameExporterTable()) {
+        if (std::ranges::find(request.formats, exporter.name) == request.formats.end()) continue;
+        const std::string stem = fs::path(frame.scene().name).stem().string();
+        const std::string file = (stem.empty() ? "scene" : stem) + std::string(exporter.ending);
+        const auto bytes = exporter.write(frame, folder / file);
+        if (!bytes) return bytes.errors();
+        written.push_back({file, &exporter, *bytes});
+    }
+    return written;
+}
+
 // The staging folder's name must not reach the user: they asked for `folder`.
 Errors inFolder(Errors errors, const fs::path& folder) {
     for (Error& error : errors)
@@ -58,6 +72,7 @@ std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& r
     for (const BufferName& name : askedFor(frame, request)) {
         const auto buffer = frame.buffer(name);
         for (const std::string& format : request.formats) {
+            if (findFrameExporter(format)) continue;
             const Exporter* exporter = findExporter(format);
             PlannedFile file{name, format, {}, 0, false, {}};
             if (!exporter)
@@ -107,6 +122,13 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
         done += static_cast<double>(file.bytes);
     }
 
+    const auto whole = writeScene(frame, request, staging.folder());
+    if (!whole) return inFolder(whole.errors(), request.folder);
+    for (const WrittenScene& file : *whole) {
+        summary.files.push_back(file.file);
+        summary.bytes += file.bytes;
+    }
+
     if (!goOn(done / total, request.writeMore ? "views" : kManifest)) return cancelled;
     const auto views = writeViews(request, staging.folder());
     if (!views) return inFolder(views.errors(), request.folder);
@@ -119,9 +141,9 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
 
     ByteFile out(staging.folder() / kManifest);
     // Replacing what is not UTF-8: a file's name may hold any bytes.
-    out.write(
-        manifest(frame, askedFor(frame, request), written, *views).dump(2, ' ', false, Json::error_handler_t::replace) +
-        '\n');
+    out.write(manifest(frame, askedFor(frame, request), written, *whole, *views)
+                  .dump(2, ' ', false, Json::error_handler_t::replace) +
+              '\n');
     const auto bytes = out.close();
     if (!bytes) return inFolder(bytes.errors(), request.folder);
     summary.files.push_back(kManifest);

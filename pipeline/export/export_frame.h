@@ -14,13 +14,13 @@ namespace pipeline {
 struct ExportRequest {
     std::filesystem::path folder;
     std::vector<BufferName> buffers;                 // empty: all that the frame holds
-    std::vector<std::string> formats{"npy", "png"};  // names of exporterTable()
+    std::vector<std::string> formats{"npy", "png"};  // names of exporterTable(), frameExporterTable()
     // Writes more files into the folder it is given, for the same export: pictures of the 3D
     // views. Gives their names. May be empty.
     std::function<Result<std::vector<std::filesystem::path>>(const std::filesystem::path& folder)> writeMore;
 };
 
-// One file of an export, or the reason there is none.
+// One file of a buffer, or the reason there is none.
 struct PlannedFile {
     BufferName buffer;
     std::string format;
@@ -30,7 +30,7 @@ struct PlannedFile {
     std::string whyNot;       // "A picture has pixels, not vertices."
 };
 
-// What an export would write beside manifest.json, in the order in which it would.
+// What an export would write of its buffers, in the order in which it would.
 std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& request);
 
 struct ExportSummary {

@@ -2,10 +2,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "pipeline/buffers/palette.h"
 #include "pipeline/core/result.h"
+#include "pipeline/run/frame.h"
 
 namespace pipeline {
 
@@ -33,6 +35,20 @@ struct Exporter {
 
 std::span<const Exporter> exporterTable();
 const Exporter* findExporter(std::string_view name);  // null where there is none
+
+// A format whose one file holds a whole frame, not one buffer.
+struct FrameExporter {
+    std::string_view name;     // "opengl": for --format
+    std::string_view meaning;  // one sentence
+    std::string_view ending;   // ".gl.c", after the scene's name
+    // Why the format cannot hold a frame of such a scene, or empty.
+    std::string (*refuses)(const Scene& scene);
+    // As Exporter::write.
+    Result<std::uint64_t> (*write)(const Frame& frame, const std::filesystem::path& file);
+};
+
+std::span<const FrameExporter> frameExporterTable();
+const FrameExporter* findFrameExporter(std::string_view name);  // null where there is none
 
 // "could not write: no space left on device", at `file`; reason from errno.
 Error writeError(const std::filesystem::path& file, int errorNumber);

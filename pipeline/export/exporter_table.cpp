@@ -6,6 +6,7 @@
 #include "pipeline/export/csv_file.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/exr_file.h"
+#include "pipeline/export/gl_calls.h"
 #include "pipeline/export/npy_file.h"
 #include "pipeline/export/png_file.h"
 
@@ -40,6 +41,10 @@ constexpr std::array kTable{
              floatPicturesOnly, exrEstimate, false, writeExr},
 };
 
+constexpr std::array kFrameTable{
+    FrameExporter{"opengl", "The OpenGL calls that draw the scene, as a C function.", ".gl.c", glRefuses, writeGlC},
+};
+
 }  // namespace
 
 std::span<const Exporter> exporterTable() { return kTable; }
@@ -47,6 +52,13 @@ std::span<const Exporter> exporterTable() { return kTable; }
 const Exporter* findExporter(std::string_view name) {
     const auto found = std::ranges::find(kTable, name, &Exporter::name);
     return found == kTable.end() ? nullptr : &*found;
+}
+
+std::span<const FrameExporter> frameExporterTable() { return kFrameTable; }
+
+const FrameExporter* findFrameExporter(std::string_view name) {
+    const auto found = std::ranges::find(kFrameTable, name, &FrameExporter::name);
+    return found == kFrameTable.end() ? nullptr : &*found;
 }
 
 Error writeError(const std::filesystem::path& file, int errorNumber) {

@@ -70,7 +70,10 @@ Json absent(const Frame& frame, const std::vector<BufferName>& asked) {
 }  // namespace
 
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
-              const std::vector<std::string>& views) {
+              const std::vector<WrittenScene>& whole, const std::vector<std::string>& views) {
+    Json files = Json::array();
+    for (const WrittenScene& file : whole)
+        files.push_back({{"file", file.file}, {"format", file.exporter->name}, {"bytes", file.bytes}});
     Json described = Json::array();
     for (const WrittenBuffer& buffer : buffers) described.push_back(describe(buffer));
     return {{"program", {{"name", "Shadescope"}, {"version", programVersion()}}},
@@ -83,6 +86,7 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
             {"verdicts", verdicts()},
             {"buffers", described},
             {"absent", absent(frame, asked)},
+            {"files", files},
             {"views", views}};
 }
 

@@ -19,9 +19,16 @@ struct WrittenBuffer {
     std::vector<WrittenFile> files;
 };
 
+// A file of the whole frame.
+struct WrittenScene {
+    std::string file;  // in the export's folder
+    const FrameExporter* exporter;
+    std::uint64_t bytes;
+};
+
 // The text of manifest.json: which program made this of what, with which settings and plan,
 // and what each file holds. `asked` are the buffers that were to be exported.
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
-              const std::vector<std::string>& views);
+              const std::vector<WrittenScene>& whole, const std::vector<std::string>& views);
 
 }  // namespace pipeline

@@ -1,0 +1,240 @@
+#include "pipeline/export/gl_calls.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "pipeline/run/frame_data.h"
+#include "pipeline/scene/topology.h"
+
+namespace pipeline {
+namespace {
+
+using Names = std::vector<std::string_view>;
+using Numbers = std::vector<double>;
+
+constexpr std::array<std::string_view, 8> kLights{"GL_LIGHT0", "GL_LIGHT1", "GL_LIGHT2", "GL_LIGHT3",
+                                                  "GL_LIGHT4", "GL_LIGHT5", "GL_LIGHT6", "GL_LIGHT7"};
+
+class Calls {
+public:
+    std::vector<GlCall> list;
+
+    // The next call begins a step of that name.
+    void step(std::string name) { m_step = std::move(name); }
+    void add(std::string_view function, Names names, Numbers numbers = {}) {
+        list.push_back({function, std::move(names), std::move(numbers), std::exchange(m_step, {})});
+    }
+    void vector(std::string_view function, Vec3d v) { add(function, {}, {v.x, v.y, v.z}); }
+    void color(std::string_view function, Names names, Vec3d c) { add(function, std::move(names), {c.r, c.g, c.b, 1}); }
+    void enable(std::string_view what, bool on) { add(on ? "glEnable" : "glDisable", {what}); }
+
+private:
+    std::string m_step;
+};
+
+void addPicture(const Settings& settings, Calls& calls) {
+    calls.step("The picture, cleared");
+    calls.add("glViewport", {}, {0, 0, double(settings.width), double(settings.height)});
+    calls.add("glClearColor", {}, {0, 0, 0, 1});
+    calls.add("glClear", {"GL_COLOR_BUFFER_BIT", "GL_DEPTH_BUFFER_BIT"});
+    calls.enable("GL_DITHER", false);
+
+    calls.step("Visibility: the z-buffer, back-face culling");
+    calls.enable("GL_DEPTH_TEST", true);
+    calls.add("glDepthFunc", {"GL_LESS"});
+    calls.add("glDepthRange", {}, {0, 1});
+    calls.enable("GL_CULL_FACE", settings.cull == CullMode::Back);
+    calls.add("glCullFace", {"GL_BACK"});
+}
+
+// Screen x = 0 and width, y = height and 0 are the sides of the picture; at z_view = near in perspective.
+void addCamera(const View& view, Calls& calls) {
+    const double distance = view.perspective ? view.near : 1;
+    const glm::dvec2 low = -view.centre / view.scale * distance;
+    const glm::dvec2 high = (glm::dvec2(view.size) - view.centre) / view.scale * distance;
+    calls.step("The projection: left, right, bottom, top, near, far");
+    calls.add("glMatrixMode", {"GL_PROJECTION"});
+    calls.add("glLoadIdentity", {});
+    calls.add(view.perspective ? "glFrustum" : "glOrtho", {}, {low.x, high.x, -high.y, -low.y, view.near, view.far});
+
+    // Columns: what the world's axes and origin are in eye space.
+    const std::array<Vec3d, 3> rows{view.right, view.up, -view.forward};
+    Numbers matrix;
+    for (int column = 0; column < 3; ++column) {
+        for (const Vec3d& row : rows) matrix.push_back(row[column]);
+        matrix.push_back(0);
+    }
+    for (const Vec3d& row : rows) matrix.push_back(-glm::dot(row, view.eye));
+    matrix.push_back(1);
+    calls.step("The camera: x right, y up, z towards the viewer");
+    calls.add("glMatrixMode", {"GL_MODELVIEW"});
+    calls.add("glLoadMatrixd", {}, std::move(matrix));
+}
+
+void addLight(const Light& light, std::size_t k, Calls& calls) {
+    const std::string_view name = kLights[k];
+    const OpenGlLight& gl = light.gl;
+    const bool point = light.kind == LightKind::Point;
+    calls.step(fmt::format("Light {}, {}{}", k, point ? "at a point" : "at infinity",
+                           gl.space == LightSpace::Eye ? ", in eye space" : ""));
+    if (gl.space == LightSpace::Eye) {
+        calls.add("glPushMatrix", {});
+        calls.add("glLoadIdentity", {});
+    }
+    const Vec3d& p = light.position;
+    calls.add("glLightfv", {name, "GL_POSITION"}, {p.x, p.y, p.z, point ? 1.0 : 0.0});
+    calls.add("glLightfv", {name, "GL_SPOT_DIRECTION"}, {gl.spotDirection.x, gl.spotDirection.y, gl.spotDirection.z});
+    if (gl.space == LightSpace::Eye) calls.add("glPopMatrix", {});
+    calls.add("glLightf", {name, "GL_SPOT_CUTOFF"}, {gl.spotCutoff});
+    calls.add("glLightf", {name, "GL_SPOT_EXPONENT"}, {gl.spotExponent});
+    calls.add("glLightf", {name, "GL_CONSTANT_ATTENUATION"}, {gl.constant});
+    calls.add("glLightf", {name, "GL_LINEAR_ATTENUATION"}, {gl.linear});
+    calls.add("glLightf", {name, "GL_QUADRATIC_ATTENUATION"}, {gl.quadratic});
+    calls.color("glLightfv", {name, "GL_AMBIENT"}, light.intensity * gl.ambient);
+    calls.color("glLightfv", {name, "GL_DIFFUSE"}, light.intensity * light.color);
+    calls.color("glLightfv", {name, "GL_SPECULAR"}, light.intensity * gl.specular);
+    calls.enable(name, true);
+}
+
+void addLighting(const Scene& scene, Calls& calls) {
+    const auto truth = [](bool on) -> std::string_view { return on ? "GL_TRUE" : "GL_FALSE"; };
+    calls.step("Lighting, per vertex");
+    calls.add("glShadeModel", {scene.settings.shading == Shading::Flat ? "GL_FLAT" : "GL_SMOOTH"});
+    calls.enable("GL_LIGHTING", true);
+    calls.enable("GL_NORMALIZE", true);
+    calls.color("glLightModelfv", {"GL_LIGHT_MODEL_AMBIENT"}, scene.ambient.intensity * scene.ambient.color);
+    calls.add("glLightModeli", {"GL_LIGHT_MODEL_LOCAL_VIEWER", truth(scene.settings.localViewer)});
+    calls.add("glLightModeli", {"GL_LIGHT_MODEL_TWO_SIDE", truth(scene.settings.twoSided)});
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) addLight(scene.lights[k], k, calls);
+    for (std::size_t k = scene.lights.size(); k < kLights.size(); ++k) calls.enable(kLights[k], false);
+}
+
+void addMaterial(std::string_view face, const Material& material, Calls& calls) {
+    calls.color("glMaterialfv", {face, "GL_AMBIENT"}, material.ambient);
+    calls.color("glMaterialfv", {face, "GL_DIFFUSE"}, material.diffuse);
+    calls.color("glMaterialfv", {face, "GL_SPECULAR"}, material.specular);
+    calls.color("glMaterialfv", {face, "GL_EMISSION"}, material.emission);
+    calls.add("glMaterialf", {face, "GL_SHININESS"}, {material.exponent});
+}
+
+void addTransform(const ObjectTransform& t, Calls& calls) {
+    calls.vector("glTranslated", t.translation);
+    for (const AxisTurn& turn : t.turns)
+        calls.add("glRotated", {}, {turn.angle, turn.axis.x, turn.axis.y, turn.axis.z});
+    if (t.turns.empty()) {
+        if (t.rotation.z != 0) calls.add("glRotated", {}, {t.rotation.z, 0, 0, 1});
+        if (t.rotation.y != 0) calls.add("glRotated", {}, {t.rotation.y, 0, 1, 0});
+        if (t.rotation.x != 0) calls.add("glRotated", {}, {t.rotation.x, 1, 0, 0});
+    }
+    if (t.scale != Vec3d(1)) calls.vector("glScaled", t.scale);
+}
+
+// Whether the pieces of a polygon are the fan from its first corner, as GL_POLYGON draws it.
+bool isFan(const Mesh& mesh, std::size_t polygon) {
+    const auto corners = mesh.polygon(polygon);
+    const std::size_t first = mesh.firstTriangle[polygon];
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+        const auto& v = mesh.triangles[first + i].vertices;
+        if (v[0] != corners[0] || v[1] != corners[i + 1] || v[2] != corners[i + 2]) return false;
+    }
+    return true;
+}
+
+// An object's polygons, with normals of the frame. OpenGL brings a normal to eye space by the
+// inverse transpose of the object's matrix: the transpose undoes that.
+template <class Real>
+class Polygons {
+public:
+    Polygons(const FrameData<Real>& data, const Topology& topology, std::size_t object, bool flat, Calls& calls)
+        : m_normals(*data.normals),
+          m_mesh(*topology.meshes[object]),
+          m_firstVertex(topology.firstVertex[object]),
+          m_firstPolygon(topology.firstPolygon[object]),
+          m_flat(flat),
+          m_calls(calls) {
+        const ObjectMatrix matrix = makeObjectMatrix(data.keys.transform.transforms[object]);
+        m_objectFromWorldNormal = glm::transpose(matrix.linear);
+    }
+
+    void add(std::size_t polygon) {
+        if (isFan(m_mesh, polygon)) return addOutline("GL_POLYGON", polygon, m_mesh.polygon(polygon));
+        // OpenGL leaves open what a concave GL_POLYGON is: its pieces instead.
+        for (std::size_t t = m_mesh.firstTriangle[polygon]; t < m_mesh.firstTriangle[polygon + 1]; ++t)
+            addOutline("GL_POLYGON", polygon, m_mesh.triangles[t].vertices);
+    }
+
+private:
+    void addOutline(std::string_view kind, std::size_t polygon, std::span<const std::uint32_t> corners) {
+        m_calls.add("glBegin", {kind});
+        if (m_flat) addNormal(m_normals.polygon[m_firstPolygon + polygon]);
+        for (const std::uint32_t corner : corners) {
+            if (!m_flat) addNormal(m_normals.vertex[m_firstVertex + corner]);
+            m_calls.vector("glVertex3d", m_mesh.positions[corner]);
+        }
+        m_calls.add("glEnd", {});
+    }
+    void addNormal(Vec3<Real> world) { m_calls.vector("glNormal3d", m_objectFromWorldNormal * Vec3d(world)); }
+
+    const NormalsOutput<Real>& m_normals;
+    const Mesh& m_mesh;
+    std::size_t m_firstVertex, m_firstPolygon;
+    bool m_flat;
+    Calls& m_calls;
+    glm::dmat3 m_objectFromWorldNormal;
+};
+
+template <class Real>
+void addObjects(const Scene& scene, const FrameData<Real>& data, Calls& calls) {
+    const Topology& topology = *data.transform->topology;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        calls.step(fmt::format("Object {}: {}", i, object.name));
+        const bool ownBack = scene.settings.twoSided && object.backMaterial;
+        addMaterial(ownBack ? "GL_FRONT" : "GL_FRONT_AND_BACK", object.material, calls);
+        if (ownBack) addMaterial("GL_BACK", *object.backMaterial, calls);
+        // A mirror turns windings round; what was outside stays outside.
+        calls.add("glFrontFace", {data.transform->mirrored[i] ? "GL_CW" : "GL_CCW"});
+        calls.add("glPushMatrix", {});
+        addTransform(object.transform, calls);
+        Polygons<Real> polygons(data, topology, i, scene.settings.shading == Shading::Flat, calls);
+        for (std::size_t p = 0; p < object.mesh->polygonCount(); ++p) polygons.add(p);
+        calls.add("glPopMatrix", {});
+    }
+}
+
+template <class Real>
+Result<std::vector<GlCall>> callsOf(const Scene& scene, const FrameData<Real>& data) {
+    const bool flat = scene.settings.shading == Shading::Flat;
+    const bool corners = data.transform && data.transform->topology->vertexCount() > 0;
+    if (!data.transform || !data.normals || (!flat && corners && data.normals->vertex.empty()))
+        return Error{{}, fmt::format("OpenGL needs the normals, which this run did not compute"), {}};
+    Calls calls;
+    addPicture(scene.settings, calls);
+    addCamera(data.transform->view, calls);
+    addLighting(scene, calls);
+    addObjects(scene, data, calls);
+    return std::move(calls.list);
+}
+
+}  // namespace
+
+std::string glRefuses(const Scene& scene) {
+    if (scene.settings.model != Model::OpenGl)
+        return "OpenGL's calls draw the illumination model opengl alone: set model to opengl";
+    if (scene.settings.shading == Shading::Phong)
+        return "OpenGL 1.x shades flat or smooth, not per pixel: set shading to flat or gouraud";
+    if (scene.lights.size() > kLights.size())
+        return fmt::format("OpenGL has {} lights, the scene {}", kLights.size(), scene.lights.size());
+    for (const Object& object : scene.objects)
+        if (const Vec3d s = object.transform.scale; s.x == 0 || s.y == 0 || s.z == 0)
+            return fmt::format("{} is scaled by 0, which leaves its normals undefined in OpenGL", object.name);
+    return {};
+}
+
+Result<std::vector<GlCall>> glCalls(const Frame& frame) {
+    if (const std::string refused = glRefuses(frame.scene()); !refused.empty()) return Error{{}, refused, {}};
+    return frame.dataFloat() ? callsOf(frame.scene(), *frame.dataFloat()) : callsOf(frame.scene(), *frame.dataDouble());
+}
+
+}  // namespace pipeline
