@@ -134,6 +134,34 @@ constexpr Setting specular(Words words, Range range) {
     return setting;
 }
 
+// Remakes the mesh of a built-in shape; a mesh that was read from a file stays as it is.
+constexpr Setting tessellation(Words words, Range range, Idle idle) {
+    constexpr auto get = [](const Scene& scene, std::size_t i) {
+        return static_cast<double>(scene.objects[i].shape.value_or(Shape()).tessellation);
+    };
+    constexpr auto set = [](Scene& scene, std::size_t i, double value) {
+        Object& object = scene.objects[i];
+        if (!object.shape || object.shape->tessellation == static_cast<int>(value)) return;
+        object.shape->tessellation = static_cast<int>(value);
+        object.mesh = makeShape(*object.shape);
+    };
+    return {words.key,
+            words.label,
+            words.unit,
+            words.meaning,
+            SettingGroup::Object,
+            SettingKind::Integer,
+            range.min,
+            range.max,
+            range.low,
+            range.high,
+            {},
+            OfObject::count,
+            get,
+            set,
+            idle};
+}
+
 bool spherical(const Scene& scene) { return scene.camera.kind == CameraKind::Spherical; }
 bool orthographic(const Scene& scene) { return scene.camera.projection == ProjectionKind::Orthographic; }
 bool noShadow(const Scene& scene) { return std::ranges::none_of(scene.lights, &Light::castsShadow); }
@@ -164,6 +192,12 @@ std::string_view onlySpecular(const Scene& scene) {
     const bool dull =
         std::ranges::all_of(scene.objects, [](const Object& object) { return object.material.specular == Vec3d(0.0); });
     return dull ? "k_s is 0 in every material." : "";
+}
+
+std::string_view onlyShapes(const Scene& scene) {
+    const bool none =
+        std::ranges::none_of(scene.objects, [](const Object& object) { return object.shape.has_value(); });
+    return none ? "No object is a built-in shape." : "";
 }
 
 constexpr Range kPlace{-kFar, kFar, -1000, 1000};
@@ -294,6 +328,9 @@ constexpr auto kTable = std::to_array<Setting>({
         {"object.#.ty", "Translation y", "world units", "Applied last."}, kPlace),
     component<OfObject, &ObjectTransform::translation, 2>(
         {"object.#.tz", "Translation z", "world units", "Applied last."}, kPlace),
+    tessellation({"object.#.tessellation", "Tessellation", "pieces",
+                  "Pieces along a quarter of a circle, a side or a patch of a built-in shape."},
+                 {1, 256, 1, 64}, onlyShapes),
 
     component<OfMaterial, &Material::diffuse, 0>(
         {"material.#.kr", "k_r red", "", "Fraction of red ambient and diffuse light that is reflected."}, kFraction),
