@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/illumination/phong.h"
+#include "pipeline/illumination/illumination.h"
 #include "pipeline/stages/cull.h"
 
 namespace app {
@@ -24,16 +24,19 @@ glm::vec3 frameBufferColor(Vec3d intensity, double iMax) {
 double maximumIntensity(const pipeline::Scene& scene) {
     std::vector<pipeline::Material> materials;
     for (const pipeline::Object& object : scene.objects) materials.push_back(object.material);
-    return pipeline::maximumIntensity(materials, scene.lights, scene.ambient);
+    return pipeline::maximumIntensity(scene.settings.model, materials, scene.lights, scene.ambient);
 }
 
 // Phong shading evaluates per pixel; a vertex of this view is one such pixel, taken as lit.
-Vec3d intensityAt(const pipeline::Scene& scene, const pipeline::Material& material, Vec3d position, Vec3d normal,
-                  Vec3d towardsEye) {
-    Vec3d sum = pipeline::ambientTerm<double>(scene.ambient, material);
-    for (const pipeline::Light& light : scene.lights) {
-        const auto sample = pipeline::sampleLight<double>(light, material, {position, normal, towardsEye});
-        sum += sample.diffuse + sample.specular;
+Vec3d intensityAt(const pipeline::Scene& scene, const std::vector<pipeline::Light>& lights,
+                  const pipeline::Material& material, Vec3d position, Vec3d normal, Vec3d towardsEye) {
+    const pipeline::Illumination illumination = pipeline::illuminationOf(scene.settings);
+    Vec3d sum = pipeline::emissionTerm<double>(illumination.model, material) +
+                pipeline::ambientTerm<double>(illumination.model, scene.ambient, material);
+    for (const pipeline::Light& light : lights) {
+        const auto sample =
+            pipeline::sampleLight<double>(illumination, light, material, {position, normal, towardsEye});
+        sum += sample.ambient + sample.diffuse + sample.specular;
     }
     return sum;
 }
@@ -54,6 +57,7 @@ void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology
     const auto gouraud = frame.buffer({BufferId::VerticesIntensity});
     const auto normals = frame.buffer({BufferId::VerticesNormal});
     const pipeline::View eye = pipeline::makeView(scene);
+    const std::vector<pipeline::Light> lights = pipeline::lightsInWorldSpace(scene, eye);
 
     for (Face& face : mesh.faces) {
         const auto polygon = static_cast<std::size_t>(face.polygon);
@@ -72,8 +76,8 @@ void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology
             } else if (hasRun && shading == pipeline::Shading::Phong && normals) {
                 const Vec3d position = mesh.positions[vertex];
                 const Vec3d towardsEye = eye.perspective ? pipeline::normalized(eye.eye - position) : -eye.forward;
-                color =
-                    frameBufferColor(intensityAt(scene, material, position, row3(*normals, vertex), towardsEye), iMax);
+                color = frameBufferColor(
+                    intensityAt(scene, lights, material, position, row3(*normals, vertex), towardsEye), iMax);
             } else {
                 color = glm::vec3(material.diffuse);
             }

@@ -28,7 +28,7 @@ std::string depthText(double depth) {
 namespace {
 
 template <class Real>
-LightReport reportLight(std::size_t k, const LightSample<Real>& s, double shadow) {
+LightReport reportLight(std::size_t k, const LightSample<Real>& s, Model model, double shadow) {
     LightReport r{int(k),
                   Vec3d(s.L),
                   Vec3d(s.R),
@@ -37,31 +37,55 @@ LightReport reportLight(std::size_t k, const LightSample<Real>& s, double shadow
                   double(s.rDotV),
                   double(s.nDotH),
                   double(s.specularPower),
+                  double(s.fading),
                   shadow,
+                  Vec3d(s.ambient),
                   shadow * Vec3d(s.diffuse),
                   shadow * Vec3d(s.specular),
+                  Vec3d(s.diffuse) + Vec3d(s.specular),
                   {}};
     if (!(s.nDotL > 0))
         r.note = fmt::format("N·L is not above 0, so light {} adds nothing here.", k);
     else if (shadow == 0)
         r.note = fmt::format("In the shadow of light {}: only the ambient term counts.", k);
-    else if (!(s.rDotV > 0))
+    else if (s.fading == 0)
+        r.note = fmt::format("Outside the spot of light {}, or faded to nothing.", k);
+    else if (model == Model::Phong && !(s.rDotV > 0))
         r.note = fmt::format("R·V is not above 0, so light {} adds no specular part.", k);
     return r;
 }
 
+// OpenGL clamps the colours of polygons and vertices, taken without shadows: the terms shrink alike.
+void clampTerms(Evaluation& e) {
+    for (int c = 0; c < 3; ++c) {
+        double total = e.emission[c] + e.ambient[c];
+        for (const LightReport& light : e.lights) total += light.unshadowed[c];
+        if (total >= 0 && total <= 1) continue;
+        const double share = total > 1 ? 1 / total : 0;
+        e.emission[c] *= share, e.ambient[c] *= share;
+        for (LightReport& light : e.lights) light.diffuse[c] *= share, light.specular[c] *= share;
+        e.clamped = true;
+    }
+}
+
 template <class Real>
-Evaluation evaluate(const FrameData<Real>& data, const Surface<Real>& at, std::size_t object, std::string where,
+Evaluation evaluate(const FrameData<Real>& data, const Surface<Real>& at, const Material& material, std::string where,
                     double weight, const std::vector<double>& shadow) {
     const ShadingInputs& inputs = data.keys.shading;
-    const Material& material = inputs.materials[object];
+    const Model model = inputs.illumination.model;
     Evaluation e{std::move(where), weight, Vec3d(at.position), Vec3d(at.N), Vec3d(at.V), {}, {}, {}};
-    e.ambient = Vec3d(ambientTerm<Real>(inputs.ambient, material));
-    e.intensity = e.ambient;
+    e.emission = Vec3d(emissionTerm<Real>(model, material));
+    e.ambient = Vec3d(ambientTerm<Real>(model, inputs.ambient, material));
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-        e.lights.push_back(reportLight(k, sampleLight(inputs.lights[k], material, at), shadow[k]));
-        e.intensity += e.lights.back().diffuse;
-        e.intensity += e.lights.back().specular;
+        e.lights.push_back(
+            reportLight(k, sampleLight(inputs.illumination, inputs.lights[k], material, at), model, shadow[k]));
+        e.ambient += e.lights.back().ambient;
+    }
+    if (model == Model::OpenGl && inputs.shading != Shading::Phong) clampTerms(e);
+    e.intensity = e.emission + e.ambient;
+    for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
+        e.intensity += e.lights[k].diffuse;
+        e.intensity += e.lights[k].specular;
     }
     return e;
 }
@@ -72,23 +96,29 @@ template <class Real>
 void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Real> b, PixelReport& report) {
     const TransformOutput<Real>& in = *data.transform;
     const Triangle& triangle = in.topology->triangles[triangleId];
-    const std::size_t object = in.topology->polygonObject[triangle.polygon];
+    const ShadingInputs& inputs = data.keys.shading;
+    const ShadingSources<Real> sources = data.shadingSources();
+    const bool back = showsBack(inputs, sources, triangle.polygon);
+    const Material& material = materialOf(inputs, in.topology->polygonObject[triangle.polygon], back);
     switch (data.keys.shading.shading) {
         case Shading::Flat: {
-            const Surface<Real> at = polygonSurface(in, *data.normals, triangle.polygon);
-            report.evaluations.push_back(evaluate(
-                data, at, object, "at the mean of the vertices " + placeText(Vec3d(at.position)), 1, report.shadow));
+            const Surface<Real> at = polygonSurface(inputs, sources, triangle.polygon);
+            const char* where =
+                inputs.illumination.model == Model::OpenGl ? "at the first vertex " : "at the mean of the vertices ";
+            report.evaluations.push_back(
+                evaluate(data, at, material, where + placeText(Vec3d(at.position)), 1, report.shadow));
             break;
         }
         case Shading::Gouraud:
             for (int i = 0; i < 3; ++i) {
-                const Surface<Real> at = vertexSurface(in, *data.normals, triangle.vertices[i]);
-                report.evaluations.push_back(evaluate(
-                    data, at, object, fmt::format("at vertex {}", triangle.vertices[i]), double(b[i]), report.shadow));
+                const Surface<Real> at = vertexSurface(inputs, sources, triangle.vertices[i], back);
+                report.evaluations.push_back(evaluate(data, at, material,
+                                                      fmt::format("at vertex {}", triangle.vertices[i]), double(b[i]),
+                                                      report.shadow));
             }
             break;
         case Shading::Phong:
-            report.evaluations.push_back(evaluate(data, pixelSurface(in, *data.normals, triangleId, b), object,
+            report.evaluations.push_back(evaluate(data, pixelSurface(inputs, sources, triangleId, b), material,
                                                   "at the pixel", 1, report.shadow));
             break;
     }
@@ -98,8 +128,13 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
 void sumUp(PixelReport& report, std::size_t lights) {
     report.diffuse.assign(lights, Vec3d(0));
     report.specular.assign(lights, Vec3d(0));
-    report.ambient = report.evaluations[0].ambient;
+    const Evaluation& first = report.evaluations[0];
+    report.ambient = first.ambient;
+    report.emission = first.emission;
     for (const Evaluation& e : report.evaluations) {
+        // Differences: what is the same at every vertex stays what it is.
+        report.ambient += e.weight * (e.ambient - first.ambient);
+        report.emission += e.weight * (e.emission - first.emission);
         for (std::size_t k = 0; k < lights; ++k) {
             report.diffuse[k] += e.weight * e.lights[k].diffuse;
             report.specular[k] += e.weight * e.lights[k].specular;

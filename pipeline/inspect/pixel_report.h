@@ -32,9 +32,12 @@ struct LightReport {
     int light;
     Vec3d L, R, H;               // world space, unit
     double nDotL, rDotV, nDotH;  // before clamping
-    double specularPower;        // (R·V)^n after clamping, 0 where it does not count
+    double specularPower;        // (R·V)^n or (N·H)^n after clamping, 0 where it does not count
+    double fading;               // OpenGL: attenuation times spot, else 1
     double shadow;               // S
+    Vec3d ambient;               // OpenGL: the light's own ambient part, else 0
     Vec3d diffuse, specular;     // what they add to the intensity, S included
+    Vec3d unshadowed;            // diffuse and specular together for S = 1, before any clamp
     std::string note;            // "N·L is below 0, so light 0 adds nothing here."; may be empty
 };
 
@@ -45,7 +48,8 @@ struct Evaluation {
     double weight = 1;     // barycentric weight in the pixel's intensity
     Vec3d position, N, V;  // world space
     std::vector<LightReport> lights;
-    Vec3d ambient, intensity;
+    Vec3d emission{0.0}, ambient{0.0}, intensity{0.0};
+    bool clamped = false;  // OpenGL: the colour was above 1 (or below 0), and its terms shrank
 };
 
 // Everything known about a pixel, replayed by the pure stages from a frame.

@@ -21,8 +21,10 @@ std::string noShadowAtAll(const Scene& scene, bool darkLightsToo) {
 }
 
 std::string noSpecular(const Scene& scene) {
-    const bool any =
-        std::ranges::any_of(scene.objects, [](const Object& o) { return o.material.specular != Vec3d(0); });
+    const auto shines = [](const Object& o) {
+        return o.material.specular != Vec3d(0) || (o.backMaterial && o.backMaterial->specular != Vec3d(0));
+    };
+    const bool any = std::ranges::any_of(scene.objects, shines);
     return any ? "" : "k_s is 0 in every material.";
 }
 
@@ -47,7 +49,8 @@ Needs needsOf(const Scene& scene, BufferSet wanted) {
     Needs needs;
     needs.evaluateAll = everything || has(BufferId::PolygonsIntensity);
 
-    if (settings.cull == CullMode::None && !has(BufferId::PolygonsVerdict) && !everything)
+    const bool facingNeeded = settings.model == Model::OpenGl && settings.twoSided;  // which side is lit
+    if (settings.cull == CullMode::None && !facingNeeded && !has(BufferId::PolygonsVerdict) && !everything)
         needs.cull.notBecause =
             fmt::format("Off in this scene: cull = none. All {} polygons go on.", polygonCount(scene));
     if (settings.shading == Shading::Flat && !has(BufferId::VerticesNormal) && !has(BufferId::VerticesIntensity) &&
@@ -90,7 +93,9 @@ Needs needsOf(const Scene& scene, BufferSet wanted) {
 
 std::string whyUseless(const Scene& scene, BufferId id) {
     const Needs needs = needsOf(scene, {});
+    const Model model = scene.settings.model;
     const bool lights = !scene.lights.empty();
+    if (bufferInfo(id).perLight && !lights) return "The scene has no light.";
     switch (id) {
         case BufferId::PolygonsVerdict: return needs.cull.notBecause;
         case BufferId::VerticesNormal: return needs.vertexNormals.notBecause;
@@ -98,11 +103,13 @@ std::string whyUseless(const Scene& scene, BufferId id) {
         case BufferId::PolygonsIntensity: return needs.polygonTerms.notBecause;
         case BufferId::VerticesIntensity: return needs.vertexTerms.notBecause;
         case BufferId::HalfwayVector:
-        case BufferId::NDotH: return "Phong's model uses R, not H.";
-        case BufferId::Emission: return "Phong's model has no emission: it is 0 everywhere.";
+        case BufferId::NDotH: return model == Model::Phong ? "Phong's model uses R, not H." : "";
+        case BufferId::ReflectionVector:
+        case BufferId::RDotV: return model == Model::Phong ? "" : "The illumination model uses H, not R.";
+        case BufferId::Emission: return model == Model::OpenGl ? "" : "Only OpenGL's model has emission.";
         case BufferId::Shadow:
             return std::ranges::any_of(scene.lights, &Light::castsShadow) ? "" : "No light casts a shadow.";
-        default: return bufferInfo(id).perLight && !lights ? "The scene has no light." : "";
+        default: return {};
     }
 }
 

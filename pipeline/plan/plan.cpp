@@ -52,6 +52,7 @@ std::string difference(const ShadowBufferInputs& a, const ShadowBufferInputs& b)
 
 std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (a.shading != b.shading) return "The setting shading changed.";
+    if (!(a.illumination == b.illumination)) return "The illumination model changed.";
     if (auto text = firstDifferent(a.materials, b.materials, "Material", "The materials"); !text.empty()) return text;
     if (auto text = firstDifferent(a.lights, b.lights, "Light", "The lights"); !text.empty()) return text;
     if (!(a.ambient == b.ambient)) return "The ambient light changed.";

@@ -47,7 +47,7 @@ struct FrameData {
         return cull ? cull->verdicts : kNone;
     }
     ShadingSources<Real> shadingSources() const {
-        return {*transform, *normals, shadowBuffer.get(), *zBuffer, verdicts()};
+        return {*transform, *normals, shadowBuffer.get(), *zBuffer, cull.get()};
     }
 };
 

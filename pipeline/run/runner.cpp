@@ -151,19 +151,26 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                    {settings.normalWeight, bool(needs.vertexNormals)},
                    {{}, settings.shadowSize},
                    {settings.shading,
+                    illuminationOf(settings),
                     {},
-                    scene.lights,
+                    {},
+                    {},
                     scene.ambient,
                     {settings.shadowBias, settings.shadowBiasValue, settings.shadowFilter},
                     {},
                     bool(needs.polygonTerms),
                     bool(needs.vertexTerms),
                     needs.evaluateAll}};
-    for (const Object& object : scene.objects) keys.shading.materials.push_back(object.material);
+    for (const Object& object : scene.objects) {
+        keys.shading.materials.push_back(object.material);
+        keys.shading.backMaterials.push_back(object.backMaterial.value_or(object.material));
+    }
+    keys.shading.lights = lightsInWorldSpace(scene, keys.transform.view);
+    const std::vector<Light>& lights = keys.shading.lights;
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
         keys.shading.lightCounts.push_back(bool(needs.light[k]));
         if (needs.shadowBuffer[k])
-            keys.shadowBuffer.casters.push_back({true, scene.lights[k].kind, scene.lights[k].position});
+            keys.shadowBuffer.casters.push_back({true, lights[k].kind, lights[k].position});
         else
             keys.shadowBuffer.casters.push_back({});
     }

@@ -41,6 +41,29 @@ void checkLights(const Scene& scene, Errors& errors) {
                               "a direction that is not zero"});
 }
 
+// What OpenGL refuses.
+void checkOpenGl(const Scene& scene, Errors& errors) {
+    if (scene.settings.model != Model::OpenGl) return;
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+        const OpenGlLight& gl = scene.lights[k].gl;
+        if (gl.spotCutoff > 90 && gl.spotCutoff != 180)
+            errors.push_back({{},
+                              fmt::format("light.{}.spot_cutoff is {}", k, shortestText(gl.spotCutoff)),
+                              "an angle from 0 to 90, or 180 for no spot"});
+        if (gl.spotCutoff != 180 && gl.spotDirection == Vec3d(0))
+            errors.push_back(
+                {{}, fmt::format("the spot of light {} points nowhere", k), "a direction that is not zero"});
+    }
+    if (scene.lights.size() > 8)
+        errors.push_back({{}, fmt::format("{} lights", scene.lights.size()), "at most 8 in OpenGL's model"});
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        if (scene.objects[i].material.exponent > 128 ||
+            (scene.objects[i].backMaterial && scene.objects[i].backMaterial->exponent > 128))
+            errors.push_back({{},
+                              fmt::format("material.{}.n is {}", i, shortestText(scene.objects[i].material.exponent)),
+                              "at most 128 in OpenGL's model"});
+}
+
 // No vertex may end up so far away that the squares of the stages overflow.
 void checkExtent(const Scene& scene, Errors& errors) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -87,6 +110,7 @@ Errors checkScene(const Scene& scene) {
     checkRanges(scene, errors);
     checkCamera(scene.camera, errors);
     checkLights(scene, errors);
+    checkOpenGl(scene, errors);
     checkExtent(scene, errors);
     if (errors.empty()) checkMemory(scene, errors);
     if (errors.size() > kMaxErrors) errors.resize(kMaxErrors);

@@ -1,22 +1,22 @@
-#include "pipeline/scene/settings_table.h"
+#include "pipeline/scene/settings_rows.h"
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 
 namespace pipeline {
 
 namespace {
 
-using Names = std::span<const std::string_view>;
-using Idle = std::string_view (*)(const Scene&);
+using namespace settings_rows;
 
 constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
 // In the order of the enumerators.
 constexpr std::array<std::string_view, 2> kPrecision{"float", "double"};
 constexpr std::array<std::string_view, 2> kCull{"none", "back"};
 constexpr std::array<std::string_view, 3> kShading{"flat", "gouraud", "phong"};
-constexpr std::array<std::string_view, 3> kNormalWeight{"mean", "area", "angle"};
+constexpr std::array<std::string_view, 4> kNormalWeight{"mean", "area", "angle", "given"};
+constexpr std::array<std::string_view, 3> kModel{"phong", "blinn-phong", "opengl"};
+constexpr std::array<std::string_view, 2> kLightSpace{"world", "eye"};
 constexpr std::array<std::string_view, 5> kDepthFormat{"linear", "float", "reversed", "fixed16", "fixed24"};
 constexpr std::array<std::string_view, 3> kShadowBias{"automatic", "constant", "slope"};
 constexpr std::array<std::string_view, 2> kCameraKind{"spherical", "look-at"};
@@ -27,105 +27,6 @@ constexpr std::array<std::string_view, 2> kLightKind{"at-infinity", "point"};
 // power) is still a float; likewise for the smallest distances.
 constexpr double kFar = 1e9, kNearest = 1e-9;
 constexpr double kTurns = 1e6;  // degrees
-
-// The parts of a scene that have settings.
-struct OfPicture {
-    static constexpr auto group = SettingGroup::Picture;
-    static auto& part(auto& scene, std::size_t) { return scene.settings; }
-    static std::size_t count(const Scene&) { return 1; }
-};
-struct OfShading : OfPicture {
-    static constexpr auto group = SettingGroup::Shading;
-};
-struct OfDepth : OfPicture {
-    static constexpr auto group = SettingGroup::Depth;
-};
-struct OfShadow : OfPicture {
-    static constexpr auto group = SettingGroup::Shadow;
-};
-struct OfCamera : OfPicture {
-    static constexpr auto group = SettingGroup::Camera;
-    static auto& part(auto& scene, std::size_t) { return scene.camera; }
-};
-struct OfAmbient : OfPicture {
-    static constexpr auto group = SettingGroup::Ambient;
-    static auto& part(auto& scene, std::size_t) { return scene.ambient; }
-};
-struct OfLight {
-    static constexpr auto group = SettingGroup::Light;
-    static auto& part(auto& scene, std::size_t i) { return scene.lights[i]; }
-    static std::size_t count(const Scene& scene) { return scene.lights.size(); }
-};
-struct OfObject {
-    static constexpr auto group = SettingGroup::Object;
-    static auto& part(auto& scene, std::size_t i) { return scene.objects[i].transform; }
-    static std::size_t count(const Scene& scene) { return scene.objects.size(); }
-};
-struct OfMaterial : OfObject {
-    static constexpr auto group = SettingGroup::Material;
-    static auto& part(auto& scene, std::size_t i) { return scene.objects[i].material; }
-};
-
-std::string_view neverIdle(const Scene&) { return {}; }
-
-struct Words {
-    std::string_view key, label, unit, meaning;
-};
-struct Range {
-    double min, max, low, high;
-};
-
-// A number, an integer, a switch or a choice, by the type of the member.
-template <class Of, auto Member>
-constexpr Setting row(Words words, Range range, Names choices = {}, Idle idle = neverIdle) {
-    using Part = std::remove_reference_t<decltype(Of::part(std::declval<Scene&>(), 0))>;
-    using T = std::remove_reference_t<decltype(std::declval<Part&>().*Member)>;
-    constexpr SettingKind kind = std::is_same_v<T, bool> ? SettingKind::Switch
-                                 : std::is_enum_v<T>     ? SettingKind::Choice
-                                 : std::is_integral_v<T> ? SettingKind::Integer
-                                                         : SettingKind::Number;
-    return {words.key,
-            words.label,
-            words.unit,
-            words.meaning,
-            Of::group,
-            kind,
-            range.min,
-            range.max,
-            range.low,
-            range.high,
-            choices,
-            Of::count,
-            [](const Scene& scene, std::size_t i) { return static_cast<double>(Of::part(scene, i).*Member); },
-            [](Scene& scene, std::size_t i, double value) { Of::part(scene, i).*Member = static_cast<T>(value); },
-            idle};
-}
-
-template <class Of, auto Member>
-constexpr Setting choice(Words words, Names choices, Idle idle = neverIdle) {
-    const double last = static_cast<double>(choices.size() - 1);
-    return row<Of, Member>(words, {0, last, 0, last}, choices, idle);
-}
-
-// One component of a vector member.
-template <class Of, auto Member, int axis>
-constexpr Setting component(Words words, Range range, Idle idle = neverIdle) {
-    return {words.key,
-            words.label,
-            words.unit,
-            words.meaning,
-            Of::group,
-            SettingKind::Number,
-            range.min,
-            range.max,
-            range.low,
-            range.high,
-            {},
-            Of::count,
-            [](const Scene& scene, std::size_t i) { return (Of::part(scene, i).*Member)[axis]; },
-            [](Scene& scene, std::size_t i, double value) { (Of::part(scene, i).*Member)[axis] = value; },
-            idle};
-}
 
 // Lecture 1 has one k_s for the three colours.
 constexpr Setting specular(Words words, Range range) {
@@ -199,8 +100,23 @@ std::string_view onlyShapes(const Scene& scene) {
         std::ranges::none_of(scene.objects, [](const Object& object) { return object.shape.has_value(); });
     return none ? "No object is a built-in shape." : "";
 }
+std::string_view onlyBlinnPhong(const Scene& scene) {
+    return scene.settings.model == Model::BlinnPhong ? "" : "Only Blinn-Phong reads it.";
+}
+std::string_view onlyOpenGl(const Scene& scene) {
+    return scene.settings.model == Model::OpenGl ? "" : "Only OpenGL's model reads it.";
+}
+std::string_view onlyFading(const Scene& scene) {
+    if (scene.settings.model != Model::OpenGl) return onlyOpenGl(scene);
+    const bool point = std::ranges::any_of(scene.lights, [](const Light& l) { return l.kind == LightKind::Point; });
+    return point ? "" : "No light stands at a point: nothing fades with distance.";
+}
+std::string_view notInPhong(const Scene& scene) {
+    return scene.settings.model == Model::Phong ? "Phong's model reflects ambient light by k_r, k_g and k_b." : "";
+}
 
 constexpr Range kPlace{-kFar, kFar, -1000, 1000};
+constexpr Range kFading{0, kFar, 0, 2};
 constexpr Range kFraction{0, 1, 0, 1};
 constexpr Range kIntensity{0, kFar, 0, 200};
 constexpr Range kAngle{-kTurns, kTurns, -180, 180};
@@ -210,6 +126,7 @@ constexpr Range kSide{1, 16384, 16, 4096};
 
 using S = Settings;
 using C = Camera;
+using G = OpenGlLight;
 
 constexpr auto kTable = std::to_array<Setting>({
     row<OfPicture, &S::width>({"width", "Width", "pixels", "Columns of the picture."}, kSide),
@@ -267,6 +184,17 @@ constexpr auto kTable = std::to_array<Setting>({
         kPlane),
 
     choice<OfShading, &S::shading>({"shading", "Shading", "", "Where the illumination model is evaluated."}, kShading),
+    choice<OfShading, &S::model>({"model", "Model", "", "The illumination model that is evaluated."}, kModel),
+    row<OfShading, &S::exponentFactor>(
+        {"exponent_factor", "Exponent factor", "",
+         "What Blinn-Phong multiplies the exponent by; 4 gives a highlight about as wide as Phong's."},
+        {0, 1000, 1, 8}, {}, onlyBlinnPhong),
+    row<OfShading, &S::localViewer>(
+        {"local_viewer", "Local viewer", "", "Whether V points to the eye; if not, it points along the viewing axis."},
+        {0, 1, 0, 1}, kSwitch, onlyOpenGl),
+    row<OfShading, &S::twoSided>(
+        {"two_sided", "Two-sided lighting", "", "Whether back faces are lit with their normal turned round."},
+        {0, 1, 0, 1}, kSwitch, onlyOpenGl),
     choice<OfShading, &S::normalWeight>(
         {"normal_weight", "Vertex normals", "", "How the polygons around a vertex are weighted in its normal."},
         kNormalWeight, onlyVertexNormals),
@@ -312,6 +240,41 @@ constexpr auto kTable = std::to_array<Setting>({
     component<OfLight, &Light::color, 2>({"light.#.blue", "I_p blue", "", "Blue part of the light."}, kFraction),
     row<OfLight, &Light::castsShadow>({"light.#.shadow", "Casts a shadow", "", "Whether polygons can hide the light."},
                                       {0, 1, 0, 1}, kSwitch),
+    component<OfOpenGlLight, &G::ambient, 0>(
+        {"light.#.ambient_red", "Ambient red", "", "Its own part of the ambient light."}, kFraction, onlyOpenGl),
+    component<OfOpenGlLight, &G::ambient, 1>(
+        {"light.#.ambient_green", "Ambient green", "", "Its own part of the ambient light."}, kFraction, onlyOpenGl),
+    component<OfOpenGlLight, &G::ambient, 2>(
+        {"light.#.ambient_blue", "Ambient blue", "", "Its own part of the ambient light."}, kFraction, onlyOpenGl),
+    component<OfOpenGlLight, &G::specular, 0>(
+        {"light.#.specular_red", "Specular red", "", "Colour of its specular part."}, kFraction, onlyOpenGl),
+    component<OfOpenGlLight, &G::specular, 1>(
+        {"light.#.specular_green", "Specular green", "", "Colour of its specular part."}, kFraction, onlyOpenGl),
+    component<OfOpenGlLight, &G::specular, 2>(
+        {"light.#.specular_blue", "Specular blue", "", "Colour of its specular part."}, kFraction, onlyOpenGl),
+    row<OfOpenGlLight, &G::constant>({"light.#.constant", "Constant attenuation", "", "c of 1 / (c + l d + q d²)."},
+                                     kFading, {}, onlyFading),
+    row<OfOpenGlLight, &G::linear>(
+        {"light.#.linear", "Linear attenuation", "1 / world units", "l of 1 / (c + l d + q d²)."}, kFading, {},
+        onlyFading),
+    row<OfOpenGlLight, &G::quadratic>(
+        {"light.#.quadratic", "Quadratic attenuation", "1 / world units²", "q of 1 / (c + l d + q d²)."}, kFading, {},
+        onlyFading),
+    component<OfOpenGlLight, &G::spotDirection, 0>(
+        {"light.#.spot_x", "Spot direction x", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyOpenGl),
+    component<OfOpenGlLight, &G::spotDirection, 1>(
+        {"light.#.spot_y", "Spot direction y", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyOpenGl),
+    component<OfOpenGlLight, &G::spotDirection, 2>(
+        {"light.#.spot_z", "Spot direction z", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyOpenGl),
+    row<OfOpenGlLight, &G::spotCutoff>(
+        {"light.#.spot_cutoff", "Spot cut-off", "degrees", "Half the angle of the spot's cone; 180 is no spot."},
+        {0, 180, 0, 90}, {}, onlyOpenGl),
+    row<OfOpenGlLight, &G::spotExponent>(
+        {"light.#.spot_exponent", "Spot exponent", "", "How much the spot fades towards its edge."}, {0, 128, 0, 128},
+        {}, onlyOpenGl),
+    choice<OfOpenGlLight, &G::space>(
+        {"light.#.space", "Space", "", "Whether the light stands in the world or moves with the eye."}, kLightSpace,
+        onlyOpenGl),
 
     component<OfObject, &ObjectTransform::scale, 0>({"object.#.sx", "Scale x", "", "Applied first."}, kScale),
     component<OfObject, &ObjectTransform::scale, 1>({"object.#.sy", "Scale y", "", "Applied first."}, kScale),
@@ -345,6 +308,30 @@ constexpr auto kTable = std::to_array<Setting>({
     row<OfMaterial, &Material::exponent>(
         {"material.#.n", "n exponent", "", "Specular exponent: larger is a smaller highlight."}, {0, 10000, 0, 64}, {},
         onlySpecular),
+    component<OfMaterial, &Material::specular, 0>(
+        {"material.#.ksr", "k_s red", "", "Fraction of light of this colour reflected in the highlight."}, kFraction,
+        neverIdle),
+    component<OfMaterial, &Material::specular, 1>(
+        {"material.#.ksg", "k_s green", "", "Fraction of light of this colour reflected in the highlight."}, kFraction,
+        neverIdle),
+    component<OfMaterial, &Material::specular, 2>(
+        {"material.#.ksb", "k_s blue", "", "Fraction of light of this colour reflected in the highlight."}, kFraction,
+        neverIdle),
+    component<OfMaterial, &Material::ambient, 0>(
+        {"material.#.kar", "k_a red", "", "Fraction of ambient light of this colour that is reflected."}, kFraction,
+        notInPhong),
+    component<OfMaterial, &Material::ambient, 1>(
+        {"material.#.kag", "k_a green", "", "Fraction of ambient light of this colour that is reflected."}, kFraction,
+        notInPhong),
+    component<OfMaterial, &Material::ambient, 2>(
+        {"material.#.kab", "k_a blue", "", "Fraction of ambient light of this colour that is reflected."}, kFraction,
+        notInPhong),
+    component<OfMaterial, &Material::emission, 0>(
+        {"material.#.ker", "Emission red", "", "What the material gives off by itself."}, kFraction, onlyOpenGl),
+    component<OfMaterial, &Material::emission, 1>(
+        {"material.#.keg", "Emission green", "", "What the material gives off by itself."}, kFraction, onlyOpenGl),
+    component<OfMaterial, &Material::emission, 2>(
+        {"material.#.keb", "Emission blue", "", "What the material gives off by itself."}, kFraction, onlyOpenGl),
 });
 
 }  // namespace

@@ -55,6 +55,7 @@ void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
         const Vec3<Real> normal = out.polygon[polygon];
         for (std::size_t i = 0; i < corners.size(); ++i) {
             switch (inputs.weight) {
+                case NormalWeight::Given:
                 case NormalWeight::Mean: out.vertex[corners[i]] += normal; break;
                 case NormalWeight::Area: out.vertex[corners[i]] += out.weighted[polygon]; break;
                 case NormalWeight::Angle: out.vertex[corners[i]] += cornerAngle(in, corners, i) * normal; break;
@@ -63,9 +64,12 @@ void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
             if (standIn == Vec3<Real>(0)) standIn = normal;
         }
     }
+    const std::vector<Vec3d>& given = topology.meshes[object]->normals;
+    const bool asGiven = inputs.weight == NormalWeight::Given && !given.empty();
     for (std::size_t i = 0; i < first.size(); ++i) {
         Vec3<Real>& normal = out.vertex[firstVertex + i];
-        normal = normalized(normal);
+        const Vec3<Real> own = asGiven ? Vec3<Real>(normalized(in.normalMatrix[object] * given[i])) : Vec3<Real>(0);
+        normal = own != Vec3<Real>(0) ? own : normalized(normal);
         if (normal == Vec3<Real>(0) && first[i] != Vec3<Real>(0)) {
             normal = first[i];
             ++out.vanishing;

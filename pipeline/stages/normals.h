@@ -33,8 +33,8 @@ template <class Real>
 void polygonNormals(const TransformOutput<Real>& in, std::size_t begin, std::size_t end, NormalsOutput<Real>& out);
 
 // All vertices of one object, from the polygons around each: the mean of the unit normals (lecture
-// 1), or weighted by area or by the angle at the vertex; normalised. A vertex of no polygon gets
-// (0, 0, 0).
+// 1), or weighted by area or by the angle at the vertex; normalised. Or as the mesh gives them; the
+// mean again where it gives none. A vertex of no polygon gets (0, 0, 0).
 template <class Real>
 void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
                    NormalsOutput<Real>& out);

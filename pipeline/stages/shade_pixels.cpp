@@ -4,40 +4,77 @@
 namespace pipeline {
 namespace {
 
+// A pixel on its way to a colour.
+template <class Real>
+struct Pixel {
+    const Triangle& triangle;
+    Vec3<Real> barycentric;
+    const Material& material;
+    bool back;  // the polygon shows its back, and is lit from there
+    Surface<Real> surface;
+};
+
+template <class Real>
+const typename ShadingOutput<Real>::Elements& vertexElements(const ShadingOutput<Real>& out, bool back) {
+    return back ? out.verticesBack : out.vertices;
+}
+
 // A light's terms and, where somebody wants to see them, its vectors, at one pixel.
 template <class Real>
 LightSample<Real> lightAtPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in,
-                               const ShadingOutput<Real>& out, std::size_t k, const Triangle& triangle,
-                               Vec3<Real> barycentric, const Surface<Real>& surface, const Material& material,
-                               bool vectors) {
+                               const ShadingOutput<Real>& out, std::size_t k, const Pixel<Real>& pixel, bool vectors) {
     const std::size_t lights = inputs.lights.size();
+    const auto sample = [&](const Surface<Real>& at) {
+        return sampleLight(inputs.illumination, inputs.lights[k], pixel.material, at);
+    };
     switch (inputs.shading) {
-        case Shading::Phong: return sampleLight(inputs.lights[k], material, surface);
+        case Shading::Phong: return sample(pixel.surface);
         case Shading::Flat: {
             LightSample<Real> s{};
-            if (vectors)
-                s = sampleLight(inputs.lights[k], material, polygonSurface(in.transform, in.normals, triangle.polygon));
-            const LightTerms<Real>& terms = out.polygons.terms[triangle.polygon * lights + k];
+            if (vectors) s = sample(polygonSurface(inputs, in, pixel.triangle.polygon));
+            const LightTerms<Real>& terms = out.polygons.terms[pixel.triangle.polygon * lights + k];
             s.diffuse = terms.diffuse, s.specular = terms.specular;
             return s;
         }
         case Shading::Gouraud: {
             LightSample<Real> s{};
             for (int i = 0; i < 3; ++i) {
-                const std::uint32_t vertex = triangle.vertices[i];
-                const LightTerms<Real>& terms = out.vertices.terms[vertex * lights + k];
-                s.diffuse += barycentric[i] * terms.diffuse;
-                s.specular += barycentric[i] * terms.specular;
+                const Real weight = pixel.barycentric[i];
+                const std::uint32_t vertex = pixel.triangle.vertices[i];
+                const LightTerms<Real>& terms = vertexElements(out, pixel.back).terms[vertex * lights + k];
+                s.diffuse += weight * terms.diffuse;
+                s.specular += weight * terms.specular;
                 if (!vectors) continue;
-                const LightSample<Real> v =
-                    sampleLight(inputs.lights[k], material, vertexSurface(in.transform, in.normals, vertex));
-                s.L += barycentric[i] * v.L, s.R += barycentric[i] * v.R, s.H += barycentric[i] * v.H;
-                s.nDotL += barycentric[i] * v.nDotL;
-                s.rDotV += barycentric[i] * v.rDotV;
-                s.nDotH += barycentric[i] * v.nDotH;
+                const LightSample<Real> v = sample(vertexSurface(inputs, in, vertex, pixel.back));
+                s.L += weight * v.L, s.R += weight * v.R, s.H += weight * v.H;
+                s.nDotL += weight * v.nDotL;
+                s.rDotV += weight * v.rDotV;
+                s.nDotH += weight * v.nDotH;
             }
             s.L = normalized(s.L), s.R = normalized(s.R), s.H = normalized(s.H);
             return s;
+        }
+    }
+    return {};
+}
+
+// Emission and ambient light at one pixel; in Phong shading without the lights' own ambient parts.
+template <class Real>
+BaseTerms<Real> baseAtPixel(const ShadingInputs& inputs, const ShadingOutput<Real>& out, const Pixel<Real>& pixel) {
+    switch (inputs.shading) {
+        case Shading::Phong: {
+            const Model model = inputs.illumination.model;
+            return {emissionTerm<Real>(model, pixel.material),
+                    ambientTerm<Real>(model, inputs.ambient, pixel.material)};
+        }
+        case Shading::Flat: return out.polygons.base[pixel.triangle.polygon];
+        case Shading::Gouraud: {
+            const std::vector<BaseTerms<Real>>& base = vertexElements(out, pixel.back).base;
+            const auto& v = pixel.triangle.vertices;
+            const BaseTerms<Real>&a = base[v[0]], &b = base[v[1]], &c = base[v[2]];
+            const Vec3<Real> weights = pixel.barycentric;
+            return {a.emission + weights.y * (b.emission - a.emission) + weights.z * (c.emission - a.emission),
+                    a.ambient + weights.y * (b.ambient - a.ambient) + weights.z * (c.ambient - a.ambient)};
         }
     }
     return {};
@@ -80,10 +117,10 @@ Surface<Real> shownSurface(const ShadingInputs& inputs, const ShadingSources<Rea
                            Vec3<Real> barycentric, bool wanted) {
     const Triangle& corners = in.transform.topology->triangles[triangle];
     if (inputs.shading == Shading::Phong || (wanted && inputs.shading == Shading::Gouraud))
-        return pixelSurface(in.transform, in.normals, triangle, barycentric);
+        return pixelSurface(inputs, in, triangle, barycentric);
     const Vec3<Real> position = interpolated(in.transform.world, corners.vertices, barycentric);
     if (!wanted) return {position, Vec3<Real>(0), Vec3<Real>(0)};
-    const Surface<Real> polygon = polygonSurface(in.transform, in.normals, corners.polygon);
+    const Surface<Real> polygon = polygonSurface(inputs, in, corners.polygon);
     return {position, polygon.N, polygon.V};
 }
 
@@ -93,6 +130,7 @@ template <class Real>
 void shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile, ShadingOutput<Real>& out) {
     const Topology& topology = *in.transform.topology;
     const bool vectors = wantsVectors(out), surfaces = wantsSurface(out);
+    std::vector<LightSample<Real>> samples(inputs.lights.size());
     for (int y = tile.min.y; y < tile.max.y; ++y) {
         for (int x = tile.min.x; x < tile.max.x; ++x) {
             const std::size_t at = in.zBuffer.triangle.offset({x, y});
@@ -100,22 +138,29 @@ void shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Ti
             if (id == kNoTriangle) continue;
             const Triangle& triangle = topology.triangles[id];
             const Vec3<Real> barycentric = in.zBuffer.barycentric.pixels[at];
-            const Material& material = inputs.materials[topology.polygonObject[triangle.polygon]];
-            const Surface<Real> surface = shownSurface(inputs, in, id, barycentric, surfaces);
+            const bool back = showsBack(inputs, in, triangle.polygon);
+            const Material& material = materialOf(inputs, topology.polygonObject[triangle.polygon], back);
+            const Pixel<Real> pixel{triangle, barycentric, material, back,
+                                    shownSurface(inputs, in, id, barycentric, surfaces)};
             const Writer<Real> write{out, at};
-            write.put(BufferId::Position, surface.position);
-            write.put(BufferId::Normal, surface.N);
-            write.put(BufferId::ViewVector, surface.V);
+            write.put(BufferId::Position, pixel.surface.position);
+            write.put(BufferId::Normal, pixel.surface.N);
+            write.put(BufferId::ViewVector, pixel.surface.V);
 
-            const Vec3<Real> ambient = ambientTerm<Real>(inputs.ambient, material);
-            write.put(BufferId::Ambient, ambient);
-            // One fixed order, so that the terms' buffers sum to the intensity to the last bit.
-            Vec3<Real> intensity = ambient;
+            BaseTerms<Real> base = baseAtPixel(inputs, out, pixel);
             for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
                 if (!inputs.lightCounts[k]) continue;
-                const LightSample<Real> s =
-                    lightAtPixel(inputs, in, out, k, triangle, barycentric, surface, material, vectors);
-                const Real shadow = shadowAt(inputs, in, k, triangle.polygon, surface.position);
+                const LightSample<Real>& s = samples[k] = lightAtPixel(inputs, in, out, k, pixel, vectors);
+                if (inputs.shading == Shading::Phong) base.ambient += s.ambient;
+            }
+            write.put(BufferId::Emission, base.emission);
+            write.put(BufferId::Ambient, base.ambient);
+            // One fixed order, so that the terms' buffers sum to the intensity to the last bit.
+            Vec3<Real> intensity = base.emission + base.ambient;
+            for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
+                if (!inputs.lightCounts[k]) continue;
+                const LightSample<Real>& s = samples[k];
+                const Real shadow = shadowAt(inputs, in, k, triangle.polygon, pixel.surface.position);
                 const Vec3<Real> diffuse = shadow * s.diffuse, specular = shadow * s.specular;
                 intensity += diffuse;
                 intensity += specular;

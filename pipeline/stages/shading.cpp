@@ -2,43 +2,65 @@
 
 namespace pipeline {
 
+namespace {
+
+// OpenGL's infinite viewer looks along the viewing axis from everywhere.
 template <class Real>
-Surface<Real> polygonSurface(const TransformOutput<Real>& in, const NormalsOutput<Real>& normals, std::size_t polygon) {
-    const Topology::Corners corners = in.topology->corners(polygon);
+Vec3<Real> viewVector(const ShadingInputs& inputs, const View& view, Vec3<Real> position) {
+    if (inputs.illumination.model == Model::OpenGl && !inputs.illumination.localViewer)
+        return -Vec3<Real>(view.forward);
+    return towardsEye(view, position);
+}
+
+}  // namespace
+
+template <class Real>
+Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t polygon) {
+    const std::vector<Vec3<Real>>& world = in.transform.world;
+    const Topology::Corners corners = in.transform.topology->corners(polygon);
     // Relative to the first corner, so that the mean keeps its digits far from the origin.
-    const Vec3<Real> origin = in.world[corners[0]];
-    Vec3<Real> sum(0);
-    for (std::size_t i = 1; i < corners.size(); ++i) sum += in.world[corners[i]] - origin;
-    const Vec3<Real> mean = origin + sum / Real(corners.size());
-    return {mean, normals.polygon[polygon], towardsEye(in.view, mean)};
+    Vec3<Real> at = world[corners[0]];
+    if (inputs.illumination.model != Model::OpenGl) {
+        Vec3<Real> sum(0);
+        for (std::size_t i = 1; i < corners.size(); ++i) sum += world[corners[i]] - at;
+        at += sum / Real(corners.size());
+    }
+    const Vec3<Real> normal = in.normals.polygon[polygon];
+    return {at, showsBack(inputs, in, polygon) ? -normal : normal, viewVector(inputs, in.transform.view, at)};
 }
 
 template <class Real>
-Surface<Real> vertexSurface(const TransformOutput<Real>& in, const NormalsOutput<Real>& normals, std::size_t vertex) {
-    const Vec3<Real> position = in.world[vertex];
-    return {position, normals.vertex[vertex], towardsEye(in.view, position)};
+Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t vertex,
+                            bool back) {
+    const Vec3<Real> position = in.transform.world[vertex], normal = in.normals.vertex[vertex];
+    return {position, back ? -normal : normal, viewVector(inputs, in.transform.view, position)};
 }
 
 template <class Real>
-Surface<Real> pixelSurface(const TransformOutput<Real>& in, const NormalsOutput<Real>& normals, std::uint32_t triangle,
+Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
                            Vec3<Real> barycentric) {
-    const auto& v = in.topology->triangles[triangle].vertices;
-    const Vec3<Real> position = interpolated(in.world, v, barycentric);
-    const Vec3<Real> normal = normals.vertex.empty() ? normals.polygon[in.topology->triangles[triangle].polygon]
-                                                     : normalized(interpolated(normals.vertex, v, barycentric));
-    return {position, normal, towardsEye(in.view, position)};
+    const auto& v = in.transform.topology->triangles[triangle].vertices;
+    const std::uint32_t polygon = in.transform.topology->triangles[triangle].polygon;
+    const Vec3<Real> position = interpolated(in.transform.world, v, barycentric);
+    const Vec3<Real> normal = in.normals.vertex.empty() ? in.normals.polygon[polygon]
+                                                        : normalized(interpolated(in.normals.vertex, v, barycentric));
+    return {position, showsBack(inputs, in, polygon) ? -normal : normal,
+            viewVector(inputs, in.transform.view, position)};
 }
 
 template <class Real>
 ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted) {
     ShadingOutput<Real> out;
-    out.iMax = maximumIntensity(inputs.materials, inputs.lights, inputs.ambient);
+    out.iMax = maximumIntensity(inputs.illumination.model, inputs.materials, inputs.lights, inputs.ambient);
     const auto makeRoom = [&](auto& elements, std::size_t count) {
+        elements.base.resize(count);
         elements.terms.resize(count * inputs.lights.size());
         elements.intensity.resize(count);
     };
     if (inputs.polygonTerms) makeRoom(out.polygons, in.transform.topology->polygonCount());
     if (inputs.vertexTerms) makeRoom(out.vertices, in.transform.topology->vertexCount());
+    if (inputs.vertexTerms && inputs.illumination.twoSided)
+        makeRoom(out.verticesBack, in.transform.topology->vertexCount());
 
     const glm::ivec2 size = in.transform.view.size;
     wanted.set(index(BufferId::Intensity));
@@ -60,19 +82,43 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
 
 namespace {
 
+// Scales an element's terms down to a colour in [0, 1].
+template <class Real>
+void clampElement(std::size_t i, std::size_t lights, typename ShadingOutput<Real>::Elements& out) {
+    for (int c = 0; c < 3; ++c) {
+        Real& total = out.intensity[i][c];
+        if (total >= 0 && total <= 1) continue;
+        const Real share = total > 1 ? 1 / total : Real(0);
+        out.base[i].emission[c] *= share;
+        out.base[i].ambient[c] *= share;
+        for (std::size_t k = 0; k < lights; ++k) {
+            out.terms[i * lights + k].diffuse[c] *= share;
+            out.terms[i * lights + k].specular[c] *= share;
+        }
+        total = total > 1 ? Real(1) : Real(0);
+    }
+}
+
 template <class Real>
 void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Material& material, std::size_t i,
                   typename ShadingOutput<Real>::Elements& out) {
+    const Model model = inputs.illumination.model;
     const std::size_t lights = inputs.lights.size();
-    Vec3<Real> intensity = ambientTerm<Real>(inputs.ambient, material);
+    BaseTerms<Real> base{emissionTerm<Real>(model, material), ambientTerm<Real>(model, inputs.ambient, material)};
     for (std::size_t k = 0; k < lights; ++k) {
         if (!inputs.lightCounts[k]) continue;
-        const LightSample<Real> sample = sampleLight(inputs.lights[k], material, at);
+        const LightSample<Real> sample = sampleLight(inputs.illumination, inputs.lights[k], material, at);
         out.terms[i * lights + k] = {sample.diffuse, sample.specular};
-        intensity += sample.diffuse;
-        intensity += sample.specular;
+        base.ambient += sample.ambient;
+    }
+    out.base[i] = base;
+    Vec3<Real> intensity = base.emission + base.ambient;
+    for (std::size_t k = 0; k < lights; ++k) {
+        intensity += out.terms[i * lights + k].diffuse;
+        intensity += out.terms[i * lights + k].specular;
     }
     out.intensity[i] = intensity;
+    if (model == Model::OpenGl) clampElement<Real>(i, lights, out);
 }
 
 }  // namespace
@@ -81,9 +127,10 @@ template <class Real>
 void shadePolygons(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin, std::size_t end,
                    ShadingOutput<Real>& out) {
     for (std::size_t i = begin; i < end; ++i) {
-        if (!inputs.evaluateAll && !in.verdicts.empty() && !goesOn(in.verdicts[i])) continue;
-        const Material& material = inputs.materials[in.transform.topology->polygonObject[i]];
-        shadeElement(inputs, polygonSurface(in.transform, in.normals, i), material, i, out.polygons);
+        if (!inputs.evaluateAll && !in.goesOn(i)) continue;
+        const Material& material =
+            materialOf(inputs, in.transform.topology->polygonObject[i], showsBack(inputs, in, i));
+        shadeElement(inputs, polygonSurface(inputs, in, i), material, i, out.polygons);
     }
 }
 
@@ -91,8 +138,10 @@ template <class Real>
 void shadeVertices(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin, std::size_t end,
                    ShadingOutput<Real>& out) {
     for (std::size_t i = begin; i < end; ++i) {
-        const Material& material = inputs.materials[in.transform.topology->objectOfVertex(i)];
-        shadeElement(inputs, vertexSurface(in.transform, in.normals, i), material, i, out.vertices);
+        const std::size_t object = in.transform.topology->objectOfVertex(i);
+        shadeElement(inputs, vertexSurface(inputs, in, i, false), inputs.materials[object], i, out.vertices);
+        if (!inputs.illumination.twoSided) continue;
+        shadeElement(inputs, vertexSurface(inputs, in, i, true), inputs.backMaterials[object], i, out.verticesBack);
     }
 }
 
@@ -101,7 +150,8 @@ Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::
               Vec3<Real> position) {
     const Light& light = inputs.lights[k];
     if (!light.castsShadow) return 1;
-    const Vec3<Real> normal = in.normals.polygon[polygon];
+    const Vec3<Real> front = in.normals.polygon[polygon];
+    const Vec3<Real> normal = showsBack(inputs, in, polygon) ? -front : front;
     if (!(glm::dot(normal, towardsLight(light, position)) > 0)) return 0;
     if (!in.shadow || !in.shadow->lights[k]) return 1;
     return shadowFactor(*in.shadow->lights[k], inputs.shadow, position, normal);
@@ -117,16 +167,15 @@ Color8 frameBufferValue(Vec3d intensity, double iMax) {
     return value;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                              \
-    template Surface<Real> polygonSurface(const TransformOutput<Real>&, const NormalsOutput<Real>&, std::size_t); \
-    template Surface<Real> vertexSurface(const TransformOutput<Real>&, const NormalsOutput<Real>&, std::size_t);  \
-    template Surface<Real> pixelSurface(const TransformOutput<Real>&, const NormalsOutput<Real>&, std::uint32_t,  \
-                                        Vec3<Real>);                                                              \
-    template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);    \
-    template void shadePolygons(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t,      \
-                                ShadingOutput<Real>&);                                                            \
-    template void shadeVertices(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t,      \
-                                ShadingOutput<Real>&);                                                            \
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                   \
+    template Surface<Real> polygonSurface(const ShadingInputs&, const ShadingSources<Real>&, std::size_t);             \
+    template Surface<Real> vertexSurface(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, bool);        \
+    template Surface<Real> pixelSurface(const ShadingInputs&, const ShadingSources<Real>&, std::uint32_t, Vec3<Real>); \
+    template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);         \
+    template void shadePolygons(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t,           \
+                                ShadingOutput<Real>&);                                                                 \
+    template void shadeVertices(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t,           \
+                                ShadingOutput<Real>&);                                                                 \
     template Real shadowAt(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::uint32_t, Vec3<Real>);
 SHADESCOPE_INSTANTIATE(float)
 SHADESCOPE_INSTANTIATE(double)

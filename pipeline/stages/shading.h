@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "pipeline/buffers/buffer_table.h"
-#include "pipeline/illumination/phong.h"
+#include "pipeline/illumination/illumination.h"
 #include "pipeline/illumination/shadow_factor.h"
 #include "pipeline/stages/interpolate.h"
 #include "pipeline/stages/normals.h"
@@ -16,8 +16,10 @@ namespace pipeline {
 
 struct ShadingInputs {
     Shading shading;
-    std::vector<Material> materials;  // per object
-    std::vector<Light> lights;
+    Illumination illumination;
+    std::vector<Material> materials;      // per object
+    std::vector<Material> backMaterials;  // per object
+    std::vector<Light> lights;            // in world space
     AmbientLight ambient;
     ShadowSettings shadow;
     std::vector<bool> lightCounts;   // per light: false where the plan leaves it out
@@ -31,16 +33,24 @@ template <class Real>
 struct LightTerms {
     Vec3<Real> diffuse, specular;
 };
+// What is there without any shadow.
+template <class Real>
+struct BaseTerms {
+    Vec3<Real> emission, ambient;
+};
 
 template <class Real>
 struct ShadingOutput {
     double iMax = 0;  // the intensity that 255 stands for
-    // Per polygon and per vertex; empty when not asked for.
+    // Per polygon and per vertex; empty when not asked for. OpenGL clamps these intensities to
+    // [0, 1]; the terms of one that is clamped are scaled alike, so that they still sum to it.
     struct Elements {
+        std::vector<BaseTerms<Real>> base;
         std::vector<LightTerms<Real>> terms;  // lights side by side: [i * lights + k]
         std::vector<Vec3<Real>> intensity;    // unshadowed (S = 1), before scaling by iMax
     };
     Elements polygons, vertices;
+    Elements verticesBack;  // as seen from behind; empty without two-sided lighting
 
     // Per pixel, by buffer and light (0 where the buffer is not per light); empty when not wanted.
     std::array<std::vector<Buffer2D<Vec3<Real>>>, kBufferCount> vectors;
@@ -55,14 +65,25 @@ struct ShadingSources {
     const NormalsOutput<Real>& normals;
     const ShadowBufferOutput<Real>* shadow;  // null where the plan leaves it out
     const ZBufferOutput<Real>& zBuffer;
-    const std::vector<Verdict>& verdicts;  // empty where culling is left out
+    const CullOutput* cull;  // null where culling is left out
+
+    bool goesOn(std::size_t polygon) const { return !cull || pipeline::goesOn(cull->verdicts[polygon]); }
 };
+
+// Whether a polygon is lit from behind: two-sided lighting turns its normal round.
+template <class Real>
+bool showsBack(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t polygon) {
+    return inputs.illumination.twoSided && in.cull && in.cull->signedAreas[polygon] < 0;
+}
+inline const Material& materialOf(const ShadingInputs& inputs, std::size_t object, bool back) {
+    return back ? inputs.backMaterials[object] : inputs.materials[object];
+}
 
 // wanted: which per-pixel buffers to leave beside intensity and color.
 template <class Real>
 ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted);
 
-// Polygons [begin, end), each at the mean of its vertices; vertices [begin, end).
+// Polygons [begin, end); vertices [begin, end).
 template <class Real>
 void shadePolygons(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin, std::size_t end,
                    ShadingOutput<Real>& out);
@@ -74,14 +95,15 @@ void shadeVertices(const ShadingInputs& inputs, const ShadingSources<Real>& in, 
 template <class Real>
 void shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile, ShadingOutput<Real>& out);
 
-// Where a polygon or vertex is evaluated, and where a pixel is.
+// Where a polygon is evaluated: at the mean of its vertices, in OpenGL's model at the first of them.
 template <class Real>
-Surface<Real> polygonSurface(const TransformOutput<Real>& in, const NormalsOutput<Real>& normals, std::size_t polygon);
+Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t polygon);
+// A vertex, seen from the front or from behind.
 template <class Real>
-Surface<Real> vertexSurface(const TransformOutput<Real>& in, const NormalsOutput<Real>& normals, std::size_t vertex);
+Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t vertex, bool back);
 // Normals are interpolated and renormalised when the normals stage left vertex normals.
 template <class Real>
-Surface<Real> pixelSurface(const TransformOutput<Real>& in, const NormalsOutput<Real>& normals, std::uint32_t triangle,
+Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
                            Vec3<Real> barycentric);
 
 // S of light k at a surface point of a polygon. A polygon that faces away from a casting light

@@ -1,6 +1,10 @@
 #include "pipeline/stages/transform.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "pipeline/core/angles.h"
+#include "pipeline/core/numerics.h"
 
 namespace pipeline {
 
@@ -19,6 +23,17 @@ ObjectMatrix makeObjectMatrix(const ObjectTransform& t) {
 
 Vec3d toWorld(const ObjectMatrix& matrix, Vec3d position) { return matrix.linear * position + matrix.translation; }
 
+glm::dmat3 normalMatrix(const ObjectMatrix& matrix) {
+    // Scaled by a power of two first: products of two entries stay in range.
+    double largest = 0;
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, largestComponent(matrix.linear[c]));
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    const glm::dmat3 m = matrix.linear * std::ldexp(1.0, -exponent);
+    const double sign = matrix.mirrors ? -1 : 1;
+    return {sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])};
+}
+
 TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology) {
     TransformInputs inputs{std::move(topology), {}, makeView(scene), scene.settings.depthFormat};
     for (const Object& object : scene.objects) inputs.transforms.push_back(object.transform);
@@ -31,7 +46,11 @@ TransformOutput<Real> prepareTransform(const TransformInputs& inputs) {
     out.topology = inputs.topology;
     out.view = inputs.view;
     out.depthFormat = inputs.depthFormat;
-    for (const ObjectTransform& t : inputs.transforms) out.mirrored.push_back(makeObjectMatrix(t).mirrors);
+    for (const ObjectTransform& t : inputs.transforms) {
+        const ObjectMatrix matrix = makeObjectMatrix(t);
+        out.mirrored.push_back(matrix.mirrors);
+        out.normalMatrix.push_back(normalMatrix(matrix));
+    }
     const std::size_t count = inputs.topology->vertexCount();
     out.world.resize(count);
     out.viewSpace.resize(count);

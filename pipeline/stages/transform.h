@@ -20,6 +20,10 @@ struct ObjectMatrix {
 ObjectMatrix makeObjectMatrix(const ObjectTransform& transform);
 Vec3d toWorld(const ObjectMatrix& matrix, Vec3d position);
 
+// Takes a normal of the object to the same side of the surface in world space, at some length: the
+// matrix of cofactors, |M| times the inverse transpose, without its division.
+glm::dmat3 normalMatrix(const ObjectMatrix& matrix);
+
 // What the stage depends on, compared to find out whether it has to run again.
 struct TransformInputs {
     std::shared_ptr<const Topology> topology;  // compared by identity
@@ -36,6 +40,7 @@ struct TransformOutput {
     View view;
     DepthFormat depthFormat = DepthFormat::Linear;
     std::vector<std::uint8_t> mirrored;        // per object
+    std::vector<glm::dmat3> normalMatrix;      // per object: cofactors, which hold for a flattened object too
     std::vector<Vec3<Real>> world, viewSpace;  // per vertex
     // Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is not in front of
     // the near plane: it has no place on the screen, and no infinity may stand in for one.

@@ -15,7 +15,7 @@ constexpr Vec3d kUp{0, 0, 1};
 const Material kMatter{{0.2, 0.5, 0.9}, Vec3d(0.4), 8};
 
 LightSample<double> sample(Vec3d towards, Vec3d eye, Material material = kMatter) {
-    return sampleLight<double>({LightKind::AtInfinity, towards, 100, Vec3d(1), true}, material,
+    return sampleLight<double>({}, {LightKind::AtInfinity, towards, 100, Vec3d(1), true}, material,
                                {Vec3d(0), kUp, normalized(eye)});
 }
 
@@ -74,7 +74,7 @@ TEST(PhongModel, ThePowerHoldsAtAnyExponent) {
 
 TEST(PhongModel, ALightInTheSurfacePointAddsNothing) {
     const Light light{LightKind::Point, {1, 2, 3}, 100, Vec3d(1), true};
-    const LightSample<double> s = sampleLight<double>(light, kMatter, {{1, 2, 3}, kUp, kUp});
+    const LightSample<double> s = sampleLight<double>({}, light, kMatter, {{1, 2, 3}, kUp, kUp});
     EXPECT_EQ(s.L, Vec3d(0));
     EXPECT_EQ(s.diffuse + s.specular, Vec3d(0));
 }
@@ -107,7 +107,7 @@ TEST(FrameBuffer, TheMaximumIntensityTakesTheLargestCoefficients) {
     const std::vector<Material> materials{{{0.2, 0.5, 0.9}, Vec3d(0.4), 8}, {Vec3d(0.1), Vec3d(0.7), 1}};
     const std::vector<Light> lights{{LightKind::AtInfinity, kUp, 100, Vec3d(1), true},
                                     {LightKind::AtInfinity, kUp, 10, {0.5, 0.25, 0}, true}};
-    EXPECT_NEAR(maximumIntensity(materials, lights, {50, Vec3d(1)}), 45 + 160 + 8, 1e-12);
+    EXPECT_NEAR(maximumIntensity(Model::Phong, materials, lights, {50, Vec3d(1)}), 45 + 160 + 8, 1e-12);
 }
 
 Scene litSphere(Shading shading) {

@@ -1,0 +1,37 @@
+#include "pipeline/illumination/illumination.h"
+
+#include <algorithm>
+
+namespace pipeline {
+
+Illumination illuminationOf(const Settings& settings) {
+    return {settings.model, settings.exponentFactor, settings.localViewer, settings.twoSided};
+}
+
+std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view) {
+    std::vector<Light> lights = scene.lights;
+    if (scene.settings.model != Model::OpenGl) return lights;
+    const auto turned = [&](Vec3d v) { return v.x * view.right + v.y * view.up - v.z * view.forward; };
+    for (Light& light : lights) {
+        if (light.gl.space == LightSpace::World) continue;
+        light.position = turned(light.position) + (light.kind == LightKind::Point ? view.eye : Vec3d(0));
+        light.gl.spotDirection = turned(light.gl.spotDirection);
+        light.gl.space = LightSpace::World;
+    }
+    return lights;
+}
+
+double maximumIntensity(Model model, const std::vector<Material>& materials, const std::vector<Light>& lights,
+                        const AmbientLight& ambient) {
+    if (model != Model::Phong) return 1;
+    double diffuse = 0, specular = 0;
+    for (const Material& material : materials) {
+        diffuse = std::max(diffuse, largestComponent(material.diffuse));
+        specular = std::max(specular, largestComponent(material.specular));
+    }
+    double maximum = diffuse * ambient.intensity * largestComponent(ambient.color);
+    for (const Light& light : lights) maximum += light.intensity * largestComponent(light.color) * (diffuse + specular);
+    return maximum;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,54 @@
+#pragma once
+#include "pipeline/illumination/blinn_phong.h"
+#include "pipeline/illumination/opengl.h"
+#include "pipeline/illumination/phong.h"
+#include "pipeline/stages/view.h"
+
+namespace pipeline {
+
+// The illumination model that a scene asks for, with the settings that it reads.
+struct Illumination {
+    Model model = Model::Phong;
+    double exponentFactor = 1;  // Blinn-Phong
+    bool localViewer = false;   // OpenGL
+    bool twoSided = false;      // OpenGL
+    bool operator==(const Illumination&) const = default;
+};
+Illumination illuminationOf(const Settings& settings);
+
+// A scene's lights, those of OpenGL's model that stand in eye space (x right, y up, z towards the
+// viewer) brought to world space.
+std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view);
+
+// What one light adds at a surface point.
+template <class Real>
+LightSample<Real> sampleLight(const Illumination& illumination, const Light& light, const Material& material,
+                              const Surface<Real>& at) {
+    LightSample<Real> s = directionsOf(light, at);
+    switch (illumination.model) {
+        case Model::Phong: addPhong(light, material, at, s); break;
+        case Model::BlinnPhong: addBlinnPhong(light, material, illumination.exponentFactor, at, s); break;
+        case Model::OpenGl: addOpenGl(light, material, at, s); break;
+    }
+    return s;
+}
+
+// Lecture 1 reflects ambient light by k_d, the other models by a coefficient of its own.
+template <class Real>
+Vec3<Real> ambientTerm(Model model, const AmbientLight& ambient, const Material& material) {
+    return Vec3<Real>(ambient.intensity * ambient.color) *
+           Vec3<Real>(model == Model::Phong ? material.diffuse : material.ambient);
+}
+
+template <class Real>
+Vec3<Real> emissionTerm(Model model, const Material& material) {
+    return model == Model::OpenGl ? Vec3<Real>(material.emission) : Vec3<Real>(0);
+}
+
+// What a frame buffer value of 255 stands for: in lecture 1's model the formula with every dot
+// product 1 and every reflection coefficient at its maximum over the materials and the three
+// colours; 1 in the others, whose colours are meant to lie in [0, 1].
+double maximumIntensity(Model model, const std::vector<Material>& materials, const std::vector<Light>& lights,
+                        const AmbientLight& ambient);
+
+}  // namespace pipeline

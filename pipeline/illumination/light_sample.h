@@ -1,0 +1,46 @@
+#pragma once
+#include "pipeline/core/numerics.h"
+#include "pipeline/scene/scene.h"
+
+namespace pipeline {
+
+// What the illumination models have in common.
+
+template <class Real>
+struct Surface {  // where a light is evaluated; world space, N and V unit
+    Vec3<Real> position, N, V;
+};
+
+// Everything about one light at one surface point. Directions are unit vectors in world space, or
+// (0, 0, 0) where they are not defined: a point light in the surface point itself, H when L = −V.
+template <class Real>
+struct LightSample {
+    Vec3<Real> L, R, H;
+    Real nDotL, rDotV, nDotH;               // −1..1, not clamped
+    Real specularPower;                     // (R·V)^n or (N·H)^s, 0 where it does not count
+    Real fading = 1;                        // OpenGL: attenuation times spot, else 1
+    Vec3<Real> ambient, diffuse, specular;  // what the light adds, before its shadow factor
+};
+
+template <class Real>
+Vec3<Real> towardsLight(const Light& light, Vec3<Real> position) {
+    return light.kind == LightKind::Point ? normalized(Vec3<Real>(light.position) - position)
+                                          : normalized(Vec3<Real>(light.position));
+}
+
+// The directions and dot products, with nothing added yet.
+// R = 2 (N·L) N − L, the law of reflection; H = (L + V) / |L + V|.
+template <class Real>
+LightSample<Real> directionsOf(const Light& light, const Surface<Real>& at) {
+    LightSample<Real> s{};
+    s.fading = 1;
+    s.L = towardsLight(light, at.position);
+    s.nDotL = glm::dot(at.N, s.L);
+    s.R = 2 * s.nDotL * at.N - s.L;
+    s.H = normalized(s.L + at.V);
+    s.rDotV = glm::dot(s.R, at.V);
+    s.nDotH = glm::dot(at.N, s.H);
+    return s;
+}
+
+}  // namespace pipeline

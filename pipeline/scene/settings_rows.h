@@ -1,0 +1,117 @@
+#pragma once
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include "pipeline/scene/settings_table.h"
+
+// How a row of the table of settings is made from a member of the scene; settings_table.cpp alone
+// reads it.
+namespace pipeline::settings_rows {
+
+using Names = std::span<const std::string_view>;
+using Idle = std::string_view (*)(const Scene&);
+
+// The parts of a scene that have settings.
+struct OfPicture {
+    static constexpr auto group = SettingGroup::Picture;
+    static auto& part(auto& scene, std::size_t) { return scene.settings; }
+    static std::size_t count(const Scene&) { return 1; }
+};
+struct OfShading : OfPicture {
+    static constexpr auto group = SettingGroup::Shading;
+};
+struct OfDepth : OfPicture {
+    static constexpr auto group = SettingGroup::Depth;
+};
+struct OfShadow : OfPicture {
+    static constexpr auto group = SettingGroup::Shadow;
+};
+struct OfCamera : OfPicture {
+    static constexpr auto group = SettingGroup::Camera;
+    static auto& part(auto& scene, std::size_t) { return scene.camera; }
+};
+struct OfAmbient : OfPicture {
+    static constexpr auto group = SettingGroup::Ambient;
+    static auto& part(auto& scene, std::size_t) { return scene.ambient; }
+};
+struct OfLight {
+    static constexpr auto group = SettingGroup::Light;
+    static auto& part(auto& scene, std::size_t i) { return scene.lights[i]; }
+    static std::size_t count(const Scene& scene) { return scene.lights.size(); }
+};
+struct OfOpenGlLight : OfLight {
+    static auto& part(auto& scene, std::size_t i) { return scene.lights[i].gl; }
+};
+struct OfObject {
+    static constexpr auto group = SettingGroup::Object;
+    static auto& part(auto& scene, std::size_t i) { return scene.objects[i].transform; }
+    static std::size_t count(const Scene& scene) { return scene.objects.size(); }
+};
+struct OfMaterial : OfObject {
+    static constexpr auto group = SettingGroup::Material;
+    static auto& part(auto& scene, std::size_t i) { return scene.objects[i].material; }
+};
+
+inline std::string_view neverIdle(const Scene&) { return {}; }
+
+struct Words {
+    std::string_view key, label, unit, meaning;
+};
+struct Range {
+    double min, max, low, high;
+};
+
+// A number, an integer, a switch or a choice, by the type of the member.
+template <class Of, auto Member>
+constexpr Setting row(Words words, Range range, Names choices = {}, Idle idle = neverIdle) {
+    using Part = std::remove_reference_t<decltype(Of::part(std::declval<Scene&>(), 0))>;
+    using T = std::remove_reference_t<decltype(std::declval<Part&>().*Member)>;
+    constexpr SettingKind kind = std::is_same_v<T, bool> ? SettingKind::Switch
+                                 : std::is_enum_v<T>     ? SettingKind::Choice
+                                 : std::is_integral_v<T> ? SettingKind::Integer
+                                                         : SettingKind::Number;
+    return {words.key,
+            words.label,
+            words.unit,
+            words.meaning,
+            Of::group,
+            kind,
+            range.min,
+            range.max,
+            range.low,
+            range.high,
+            choices,
+            Of::count,
+            [](const Scene& scene, std::size_t i) { return static_cast<double>(Of::part(scene, i).*Member); },
+            [](Scene& scene, std::size_t i, double value) { Of::part(scene, i).*Member = static_cast<T>(value); },
+            idle};
+}
+
+template <class Of, auto Member>
+constexpr Setting choice(Words words, Names choices, Idle idle = neverIdle) {
+    const double last = static_cast<double>(choices.size() - 1);
+    return row<Of, Member>(words, {0, last, 0, last}, choices, idle);
+}
+
+// One component of a vector member.
+template <class Of, auto Member, int axis>
+constexpr Setting component(Words words, Range range, Idle idle = neverIdle) {
+    return {words.key,
+            words.label,
+            words.unit,
+            words.meaning,
+            Of::group,
+            SettingKind::Number,
+            range.min,
+            range.max,
+            range.low,
+            range.high,
+            {},
+            Of::count,
+            [](const Scene& scene, std::size_t i) { return (Of::part(scene, i).*Member)[axis]; },
+            [](Scene& scene, std::size_t i, double value) { (Of::part(scene, i).*Member)[axis] = value; },
+            idle};
+}
+
+}  // namespace pipeline::settings_rows
