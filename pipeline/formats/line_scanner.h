@@ -25,7 +25,9 @@ public:
 
     // Of the word read last.
     TextPosition place() const;
-    // Where the next line begins, in bytes.
+    int line() const { return m_line; }
+    // Bytes before what follows the word read last, and before the next line.
+    std::size_t at() const { return m_end; }
     std::size_t nextLineAt() const { return m_next; }
 
     // Reports the word read last, or the end of the line: found "x4", expected what.

@@ -43,5 +43,7 @@ void readMtl(const SourceText& source, std::vector<NamedMaterial>& materials, Er
 // One function for each format; readModel checks what they promise together.
 // Each object has at least one polygon.
 Result<std::vector<Object>> readObj(const SourceText& source, const FileLoader& load);
+Result<std::vector<Object>> readPly(const SourceText& source, const FileLoader& load);
+Result<std::vector<Object>> readStl(const SourceText& source, const FileLoader& load);
 
 }  // namespace pipeline

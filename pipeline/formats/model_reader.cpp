@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <new>
 
 #include "pipeline/formats/lecture_values.h"
@@ -19,6 +18,8 @@ struct ModelFormat {
 
 constexpr ModelFormat kModelFormats[] = {
     {".obj", readObj},
+    {".ply", readPly},
+    {".stl", readStl},
 };
 
 const ModelFormat* findModelFormat(std::string_view extension) {
@@ -51,7 +52,7 @@ Result<std::vector<Object>> readModel(const SourceText& source, std::string_view
 std::optional<Vec3d> unitVector(const Vec3d& vector) {
     // Scaled first: the square of 1e-200 is 0.
     const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
-    if (!(largest > 0 && largest <= std::numeric_limits<double>::max())) return {};
+    if (!(largest > 0) || !std::isfinite(vector.x + vector.y + vector.z)) return {};
     const Vec3d scaled(vector.x / largest, vector.y / largest, vector.z / largest);
     return scaled / glm::length(scaled);
 }

@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/core/text.h"
+#include "pipeline/formats/bytes.h"
+#include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/ply_header.h"
+
+// PLY (G. Turk, The PLY Polygon File Format, 1994): vertices with or without normals, and faces.
+// Colours, other properties and other elements are skipped.
+namespace pipeline {
+namespace {
+
+// The numbers after the header, whatever form they are written in.
+class PlyBody {
+public:
+    PlyBody(const SourceText& source, PlyForm form, LineScanner& scanner, Errors& errors)
+        : m_source(source), m_form(form), m_scanner(scanner), m_errors(errors) {
+        m_at = std::min(scanner.nextLineAt(), source.text.size());
+    }
+
+    bool isText() const { return m_form == PlyForm::Text; }
+
+    // Whether the rest of the file has room for so many rows of at least so many words and bytes.
+    bool hasRoom(std::size_t rows, std::size_t words, std::size_t bytes) const {
+        const std::size_t left = m_source.text.size() - std::min(m_at, m_source.text.size());
+        // A word and what parts it from the next take two bytes.
+        return isText() ? rows <= (left + 1) / (2 * words) : rows <= left / bytes;
+    }
+
+    // Nothing where the file ends or a word is no number; that is reported.
+    std::optional<double> next(PlyType type, std::string_view what) {
+        if (isText()) return nextWord(what);
+        if (!hasBytes(m_source.text, m_at, byteCount(type))) {
+            fail(fmt::format("the file ends after {} bytes", groupedDigits(m_source.text.size())), std::string(what));
+            return {};
+        }
+        m_valueAt = m_at;
+        m_at += byteCount(type);
+        return m_value = read(type);
+    }
+
+    // Reports the number read last.
+    void refuse(std::string expected) {
+        if (isText()) return m_scanner.refuse(std::move(expected));
+        fail(fmt::format("found {} at byte {}", shortestText(m_value), groupedDigits(m_valueAt)), std::move(expected));
+    }
+    void fail(std::string found, std::string expected) {
+        if (m_errors.size() < kMaxErrors)
+            m_errors.push_back({{m_source.name, 0, 0}, std::move(found), std::move(expected)});
+    }
+    // The line suffices: a row is one, and counting columns would take quadratic time where it is not.
+    TextPosition place() const { return isText() ? TextPosition{m_scanner.line(), 1} : TextPosition{}; }
+
+private:
+    std::optional<double> nextWord(std::string_view what) {
+        std::string_view word = m_scanner.next();
+        while (word.empty() && m_scanner.nextLine()) word = m_scanner.next();
+        m_at = m_scanner.at();
+        const std::optional<double> value = parseNumber(word);
+        if (!value) {
+            if (word.empty())
+                m_scanner.fail("found the end of the file", std::string(what));
+            else
+                m_scanner.refuse(std::string(what));
+        }
+        return value;
+    }
+
+    double read(PlyType type) const {
+        const std::endian order = m_form == PlyForm::BigEndian ? std::endian::big : std::endian::little;
+        switch (type) {
+            case PlyType::Int8: return numberAt<std::int8_t>(m_source.text, m_valueAt);
+            case PlyType::Uint8: return numberAt<std::uint8_t>(m_source.text, m_valueAt);
+            case PlyType::Int16: return numberAt<std::int16_t>(m_source.text, m_valueAt, order);
+            case PlyType::Uint16: return numberAt<std::uint16_t>(m_source.text, m_valueAt, order);
+            case PlyType::Int32: return numberAt<std::int32_t>(m_source.text, m_valueAt, order);
+            case PlyType::Uint32: return numberAt<std::uint32_t>(m_source.text, m_valueAt, order);
+            case PlyType::Float: return numberAt<float>(m_source.text, m_valueAt, order);
+            case PlyType::Double: return numberAt<double>(m_source.text, m_valueAt, order);
+        }
+        return 0;
+    }
+
+    const SourceText& m_source;
+    PlyForm m_form;
+    LineScanner& m_scanner;
+    Errors& m_errors;
+    std::size_t m_at = 0;  // the next byte
+    std::size_t m_valueAt = 0;
+    double m_value = 0;
+};
+
+struct Row {
+    double values[6] = {};  // x, y, z and the normal
+    std::vector<std::uint32_t> corners;
+};
+
+bool isWhole(double value, double end) { return value >= 0 && value < end && value == std::floor(value); }
+
+bool readList(PlyBody& body, const PlyProperty& property, std::size_t vertexCount, Row& row) {
+    const std::optional<double> count = body.next(property.countType, "the length of a list");
+    if (!count) return false;
+    const bool whole = isWhole(*count, 4294967296.0);
+    if (!whole || !body.hasRoom(static_cast<std::size_t>(*count), 1, byteCount(property.type))) {
+        body.refuse("the length of a list that the file has room for");
+        return false;
+    }
+    const auto length = static_cast<std::size_t>(*count);
+    const bool isCorners = property.role == PlyRole::Corners;
+    if (isCorners) row.corners.clear();
+    for (std::size_t k = 0; k < length; ++k) {
+        const std::optional<double> value = body.next(property.type, "a number");
+        if (!value) return false;
+        if (!isCorners) continue;
+        if (!isWhole(*value, double(vertexCount))) {
+            body.refuse(vertexCount == 0 ? "no corner: there are no vertices"
+                                         : fmt::format("a vertex index from 0 to {}", vertexCount - 1));
+            return false;
+        }
+        row.corners.push_back(static_cast<std::uint32_t>(*value));
+    }
+    return true;
+}
+
+// False when the rest of the file cannot be made sense of.
+bool readRow(PlyBody& body, const PlyElement& element, std::size_t index, std::size_t vertexCount, Row& row) {
+    for (const PlyProperty& property : element.properties) {
+        if (property.isList) {
+            if (!readList(body, property, vertexCount, row)) return false;
+            continue;
+        }
+        const std::optional<double> value = body.next(property.type, "a number");
+        if (!value) return false;
+        if (property.role == PlyRole::Other) continue;
+        row.values[static_cast<std::size_t>(property.role)] = *value;
+        if (!isCoordinate(*value)) {
+            body.refuse(
+                fmt::format("a coordinate of vertex {}, {}", index, numberFrom(-kFarthestVertex, kFarthestVertex)));
+            return false;
+        }
+    }
+    return true;
+}
+
+bool checkRoom(PlyBody& body, const PlyElement& element, std::size_t fileSize) {
+    std::size_t bytes = 0;
+    for (const PlyProperty& property : element.properties)
+        bytes += byteCount(property.isList ? property.countType : property.type);
+    const bool fits = element.count == 0 ||
+                      (body.hasRoom(element.count, element.properties.size(), bytes) && element.count <= kMaxVertices);
+    if (!fits)
+        body.fail(fmt::format("{} elements {} announced, the file ends after {} bytes", groupedDigits(element.count),
+                              quotedInput(element.name), groupedDigits(fileSize)),
+                  {});
+    return fits;
+}
+
+void readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, Mesh& mesh) {
+    bool normalsKnown = true;
+    Row row;
+    for (const PlyElement& element : header.elements) {
+        if (!checkRoom(body, element, fileSize)) return;
+        const bool isVertex = element.name == "vertex", isFace = element.name == "face";
+        const bool hasNormals =
+            isVertex && std::ranges::count_if(element.properties, [](const PlyProperty& property) {
+                            return property.role >= PlyRole::NormalX && property.role <= PlyRole::NormalZ;
+                        }) == 3;
+        if (isVertex) normalsKnown = hasNormals;
+        if (isVertex) mesh.positions.reserve(element.count);
+        for (std::size_t i = 0; i < element.count; ++i) {
+            if (!readRow(body, element, i, mesh.positions.size(), row)) return;
+            if (isVertex) mesh.positions.emplace_back(row.values[0], row.values[1], row.values[2]);
+            if (hasNormals) {
+                const std::optional<Vec3d> normal = unitVector({row.values[3], row.values[4], row.values[5]});
+                normalsKnown = normalsKnown && normal;
+                mesh.normals.push_back(normal.value_or(Vec3d(0.0)));
+            }
+            if (isFace) addPolygon(mesh, row.corners, body.place());
+        }
+    }
+    if (!normalsKnown) mesh.normals.clear();
+}
+
+}  // namespace
+
+Result<std::vector<Object>> readPly(const SourceText& source, const FileLoader&) {
+    Errors errors;
+    LineScanner scanner(source.text, source.name, errors);
+    const PlyHeader header = readPlyHeader(scanner);
+    if (!errors.empty()) return errors;
+    Mesh mesh;
+    PlyBody body(source, header.form, scanner, errors);
+    readElements(body, header, source.text.size(), mesh);
+    if (!errors.empty()) return errors;
+    std::vector<Object> objects;
+    if (mesh.polygonCount() == 0) return objects;
+    dropUnusedVertices(mesh);
+    mesh.file = fileNameOf(source.name);
+    Object& object = objects.emplace_back();
+    object.name = stemOf(source.name);
+    object.mesh = makeMesh(std::move(mesh));
+    return objects;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,163 @@
+#include <array>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "pipeline/core/text.h"
+#include "pipeline/formats/bytes.h"
+#include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/line_scanner.h"
+#include "pipeline/formats/model_formats.h"
+
+// STL in both forms (3D Systems, StereoLithography Interface Specification, 1989). The normals of
+// the facets are not read: they say nothing that the corners' order does not say.
+namespace pipeline {
+namespace {
+
+constexpr std::size_t kHeader = 80, kFirstFacet = 84, kFacet = 50;  // bytes
+
+struct PositionHash {
+    std::size_t operator()(const std::array<double, 3>& p) const {
+        std::size_t hash = 0;
+        for (const double x : p) hash = (hash ^ std::hash<double>{}(x)) * 0x9E3779B97F4A7C15u;
+        return hash ^ hash >> 32;
+    }
+};
+
+// Every facet of an STL file brings its own corners. Equal ones become one vertex, so that the
+// mesh of a closed surface is closed.
+class WeldedMesh {
+public:
+    std::uint32_t vertex(const std::array<double, 3>& p) {
+        // Adding 0 makes -0 the same as 0.
+        const std::array<double, 3> key{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0};
+        const auto [found, isNew] = m_vertexOf.try_emplace(key, static_cast<std::uint32_t>(m_mesh.positions.size()));
+        if (isNew) m_mesh.positions.emplace_back(key[0], key[1], key[2]);
+        return found->second;
+    }
+    Mesh& mesh() { return m_mesh; }
+
+private:
+    Mesh m_mesh;
+    std::unordered_map<std::array<double, 3>, std::uint32_t, PositionHash> m_vertexOf;
+};
+
+void addObject(WeldedMesh& welded, const SourceText& source, std::string name, std::vector<Object>& objects) {
+    dropUnusedVertices(welded.mesh());
+    welded.mesh().file = fileNameOf(source.name);
+    if (welded.mesh().polygonCount() > 0) {
+        Object& object = objects.emplace_back();
+        object.name = std::move(name);
+        object.mesh = makeMesh(std::move(welded.mesh()));
+    }
+    welded = {};
+}
+
+Result<std::vector<Object>> readBinary(const SourceText& source) {
+    const std::string_view bytes = source.text;
+    if (bytes.size() < kFirstFacet)
+        return Error{{source.name, 0, 0},
+                     fmt::format("the file ends after {} bytes", bytes.size()),
+                     "an STL file: \"solid\", or 84 bytes before the first facet"};
+    const std::size_t count = numberAt<std::uint32_t>(bytes, kHeader);
+    if (count > (bytes.size() - kFirstFacet) / kFacet)
+        return Error{{source.name, 0, 0},
+                     fmt::format("{} facets announced, the file ends after {} bytes", groupedDigits(count),
+                                 groupedDigits(bytes.size())),
+                     {}};
+    Errors errors;
+    WeldedMesh welded;
+    for (std::size_t i = 0; i < count && errors.size() < kMaxErrors; ++i) {
+        std::array<std::uint32_t, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::array<double, 3> p{};
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                // The facet's normal comes first, 12 bytes.
+                const std::size_t at = kFirstFacet + i * kFacet + 12 + k * 12 + axis * 4;
+                p[axis] = numberAt<float>(bytes, at);
+                if (isCoordinate(p[axis])) continue;
+                errors.push_back({{source.name, 0, 0},
+                                  fmt::format("facet {}, corner {}: {} is {} at byte {}", i, k, "xyz"[axis],
+                                              shortestText(p[axis]), groupedDigits(at)),
+                                  numberFrom(-kFarthestVertex, kFarthestVertex)});
+                p[axis] = 0;
+                if (errors.size() == kMaxErrors) return errors;
+            }
+            corners[k] = welded.vertex(p);
+        }
+        addPolygon(welded.mesh(), corners);
+    }
+    if (!errors.empty()) return errors;
+    std::vector<Object> objects;
+    addObject(welded, source, stemOf(source.name), objects);
+    return objects;
+}
+
+std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedMesh& welded) {
+    std::array<double, 3> p{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::optional<double> value = parseNumber(scanner.next());
+        if (!value || !isCoordinate(*value)) {
+            scanner.refuse(
+                fmt::format("{} of a vertex, {}", "xyz"[axis], numberFrom(-kFarthestVertex, kFarthestVertex)));
+            return {};
+        }
+        p[axis] = *value;
+    }
+    return welded.vertex(p);
+}
+
+Result<std::vector<Object>> readText(const SourceText& source) {
+    Errors errors;
+    LineScanner scanner(source.text, source.name, errors);
+    std::vector<Object> objects;
+    std::string name = stemOf(source.name);
+    WeldedMesh welded;
+    std::vector<std::uint32_t> corners;
+    TextPosition place;
+    bool ended = false;
+    while (scanner.nextLine()) {
+        const std::string_view word = scanner.next();
+        if (word.empty()) continue;
+        ended = word == "endsolid";
+        if (word == "solid") {
+            name = shownName(scanner.rest(), stemOf(source.name));
+        } else if (word == "facet") {
+            place = scanner.place();
+        } else if (word == "outer") {
+            corners.clear();
+        } else if (word == "vertex") {
+            if (const std::optional<std::uint32_t> vertex = readVertex(scanner, welded)) corners.push_back(*vertex);
+        } else if (word == "endloop") {
+            if (corners.size() < 3 && errors.empty()) scanner.fail("a loop of fewer than three vertices", "three");
+            addPolygon(welded.mesh(), corners, place);
+        } else if (ended) {
+            addObject(welded, source, name, objects);
+        } else if (word != "endfacet") {
+            scanner.refuse("solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
+        }
+    }
+    if (!ended && errors.empty()) scanner.fail("found the end of the file", "endsolid");
+    if (!errors.empty()) return errors;
+    return objects;
+}
+
+// Some programs begin a binary file with "solid" as well; its size gives it away.
+bool isBinary(std::string_view bytes) {
+    const bool hasSize = bytes.size() >= kFirstFacet &&
+                         (bytes.size() - kFirstFacet) / kFacet == numberAt<std::uint32_t>(bytes, kHeader) &&
+                         (bytes.size() - kFirstFacet) % kFacet == 0;
+    Errors none;
+    LineScanner scanner(bytes, {}, none);
+    std::string_view word;
+    while (word.empty() && scanner.nextLine()) word = scanner.next();
+    return hasSize || word != "solid" || bytes.substr(0, 512).find('\0') != std::string_view::npos;
+}
+
+}  // namespace
+
+Result<std::vector<Object>> readStl(const SourceText& source, const FileLoader&) {
+    return isBinary(source.text) ? readBinary(source) : readText(source);
+}
+
+}  // namespace pipeline

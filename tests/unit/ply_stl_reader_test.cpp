@@ -1,0 +1,220 @@
+// PLY and STL: what small files written by hand become, and what wrong ones get.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "pipeline/formats/model_reader.h"
+
+namespace pipeline {
+namespace {
+
+Result<NamedFile> noFiles(std::string_view) { return Error{{}, "no such file", {}}; }
+
+std::vector<Object> objectsOf(std::string_view text, std::string_view extension) {
+    const Result<std::vector<Object>> objects = readModel({text, "m"}, extension, noFiles);
+    EXPECT_TRUE(objects) << (objects ? "" : format(objects.errors()));
+    return objects ? *objects : std::vector<Object>{};
+}
+
+std::string errorsOf(std::string_view text, std::string_view extension) {
+    const Result<std::vector<Object>> objects = readModel({text, "m"}, extension, noFiles);
+    return objects ? "" : format(objects.errors());
+}
+
+std::vector<std::uint32_t> polygon(const Object& object, std::size_t i) {
+    const auto corners = object.mesh->polygon(i);
+    return {corners.begin(), corners.end()};
+}
+
+template <class T>
+std::string bytesOf(T value, bool reversed = false) {
+    std::string bytes(sizeof(T), '\0');
+    std::memcpy(bytes.data(), &value, sizeof(T));
+    return reversed ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+}
+
+using Indices = std::vector<std::uint32_t>;
+const std::vector<Vec3d> kSquare{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+
+std::string plyHeader(std::string_view form) {
+    return fmt::format(
+        "ply\nformat {} 1.0\ncomment by hand\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n",
+        form);
+}
+const std::string kPlyData = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+
+std::string binaryPly(bool big) {
+    std::string text = plyHeader(big ? "binary_big_endian" : "binary_little_endian");
+    for (const Vec3d& p : kSquare)
+        for (int axis = 0; axis < 3; ++axis) text += bytesOf(static_cast<float>(p[axis]), big);
+    text += '\4';
+    for (const std::int32_t index : {0, 1, 2, 3}) text += bytesOf(index, big);
+    return text;
+}
+
+std::string withReplaced(std::string text, std::string_view old, std::string_view with) {
+    text.replace(text.find(old), old.size(), with);
+    return text;
+}
+
+TEST(PlyReader, QuadInAllThreeForms) {
+    for (const std::string& text : {plyHeader("ascii") + kPlyData, binaryPly(false), binaryPly(true)}) {
+        const auto objects = objectsOf(text, ".ply");
+        ASSERT_EQ(objects.size(), 1u);
+        EXPECT_EQ(objects[0].mesh->positions, kSquare);
+        ASSERT_EQ(objects[0].mesh->polygonCount(), 1u);
+        EXPECT_EQ(polygon(objects[0], 0), (Indices{0, 1, 2, 3}));
+        EXPECT_TRUE(objects[0].mesh->normals.empty());
+    }
+    const auto places = objectsOf(plyHeader("ascii") + kPlyData, ".ply")[0].mesh->polygonPlaces;
+    EXPECT_EQ(places, (std::vector<TextPosition>{{15, 1}}));
+}
+
+TEST(PlyReader, LineEndsAndMissingNewline) {
+    std::string text = plyHeader("ascii") + kPlyData;
+    text.pop_back();
+    EXPECT_EQ(errorsOf(text, ".ply"), "");
+    std::string windows = "\xEF\xBB\xBF";
+    for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
+    EXPECT_EQ(errorsOf(windows, ".ply"), "");
+}
+
+TEST(PlyReader, NormalsAreMadeUnit) {
+    const std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double nx\nproperty double ny\nproperty double nz\n"
+        "property uchar red\nproperty double x\nproperty double y\nproperty double z\n"
+        "element face 1\nproperty list uchar uint vertex_index\nelement edge 1\nproperty int v\nend_header\n";
+    const auto objects = objectsOf(header + "0 0 2 255 0 0 0\n0 3 4 0 1 0 0\n1 0 0 7 1 1 0\n3 0 1 2\n9", ".ply");
+    EXPECT_EQ(objects[0].mesh->normals, (std::vector<Vec3d>{{0, 0, 1}, {0, 0.6, 0.8}, {1, 0, 0}}));
+    EXPECT_EQ(objects[0].mesh->positions, (std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+    const auto without = objectsOf(header + "0 0 0 255 0 0 0\n0 3 4 0 1 0 0\n1 0 0 7 1 1 0\n3 0 1 2\n9", ".ply");
+    EXPECT_TRUE(without[0].mesh->normals.empty()) << "one of them has no direction";
+}
+
+TEST(PlyReader, IndexOutOfRange) {
+    for (const char* index : {"4", "-1", "2147483648", "9223372036854775808", "1.5"})
+        EXPECT_EQ(
+            errorsOf(withReplaced(plyHeader("ascii") + kPlyData, "4 0 1 2 3", fmt::format("3 0 1 {}", index)), ".ply"),
+            fmt::format("m:15:7: found \"{}\", expected a vertex index from 0 to 3\n", index));
+    std::string binary = binaryPly(false);
+    binary.replace(binary.size() - 4, 4, bytesOf(std::int32_t{-1}));
+    // The header has 185 bytes, then come 4 * 12 + 1 + 3 * 4.
+    ASSERT_EQ(plyHeader("binary_little_endian").size(), 185u);
+    EXPECT_EQ(errorsOf(binary, ".ply"), "m: found -1 at byte 246, expected a vertex index from 0 to 3\n");
+}
+
+TEST(PlyReader, CoordinateThatIsNone) {
+    EXPECT_EQ(errorsOf(withReplaced(plyHeader("ascii") + kPlyData, "1 1 0\n", "1 1e10 0\n"), ".ply"),
+              "m:13:3: found \"1e10\", expected a coordinate of vertex 2, a number from -1e9 to 1e9\n");
+    EXPECT_EQ(errorsOf(withReplaced(plyHeader("ascii") + kPlyData, "1 1 0\n", "1 nan 0\n"), ".ply"),
+              "m:13:3: found \"nan\", expected a number\n");
+    std::string binary = binaryPly(false);
+    binary.replace(185 + 12, 4, bytesOf(std::numeric_limits<float>::quiet_NaN()));
+    EXPECT_EQ(errorsOf(binary, ".ply"),
+              "m: found nan at byte 197, expected a coordinate of vertex 1, a number from -1e9 to 1e9\n");
+}
+
+TEST(PlyReader, MoreAnnouncedThanThereIs) {
+    EXPECT_EQ(errorsOf(withReplaced(plyHeader("ascii") + kPlyData, "vertex 4", "vertex 4294967295"), ".ply"),
+              "m: 4 294 967 295 elements \"vertex\" announced, the file ends after 213 bytes\n");
+    EXPECT_EQ(errorsOf(withReplaced(binaryPly(false), "vertex 4", "vertex 18446744073709551615"), ".ply"),
+              "m: 18 446 744 073 709 551 615 elements \"vertex\" announced, the file ends after 269 bytes\n");
+    EXPECT_EQ(errorsOf(binaryPly(false).substr(0, 241), ".ply"),
+              "m: found 4 at byte 233, expected the length of a list that the file has room for\n");
+    EXPECT_EQ(errorsOf(plyHeader("ascii") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1", ".ply"),
+              "m:15:1: found \"4\", expected the length of a list that the file has room for\n");
+}
+
+TEST(PlyReader, HeadersThatAreWrong) {
+    const std::string text = plyHeader("ascii") + kPlyData;
+    EXPECT_EQ(errorsOf("plx\n", ".ply"), "m:1:1: found \"plx\", expected ply\n");
+    EXPECT_EQ(errorsOf("ply", ".ply"), "m:1:1: found the end of the file, expected end_header\n");
+    EXPECT_EQ(errorsOf(withReplaced(text, "ascii", "text"), ".ply"),
+              "m:2:8: found \"text\", expected ascii, binary_little_endian or binary_big_endian\n"
+              "m:10:1: found \"end_header\", expected format before end_header\n");
+    EXPECT_EQ(errorsOf(withReplaced(text, "float y", "real y"), ".ply"),
+              "m:6:10: found \"real\", expected a number's type, as float or int\n");
+    EXPECT_EQ(errorsOf(withReplaced(text, "float z", "float w"), ".ply"),
+              "m:10:1: found no element vertex with x, y, z\n");
+    EXPECT_EQ(errorsOf(withReplaced(text, "list uchar int", "list float int"), ".ply"),
+              "m:9:15: found \"float\", expected a whole number's type, as uchar or int\n");
+}
+
+std::string binaryStl(const std::vector<std::array<Vec3d, 3>>& facets, std::uint32_t announced) {
+    std::string text(80, ' ');
+    text += bytesOf(announced);
+    for (const auto& facet : facets) {
+        text += std::string(12, '\0');
+        for (const Vec3d& p : facet)
+            for (int axis = 0; axis < 3; ++axis) text += bytesOf(static_cast<float>(p[axis]));
+        text += std::string(2, '\0');
+    }
+    return text;
+}
+
+// A tetrahedron, faces outward.
+const Vec3d kA{0, 0, 0}, kB{1, 0, 0}, kC{0, 1, 0}, kD{0, 0, 1};
+const std::vector<std::array<Vec3d, 3>> kTetrahedron{{kA, kC, kB}, {kA, kB, kD}, {kA, kD, kC}, {kB, kC, kD}};
+
+std::string textStl() {
+    std::string text = "solid part one\n";
+    for (const auto& facet : kTetrahedron) {
+        text += "  facet normal 0 0 0\n    outer loop\n";
+        for (const Vec3d& p : facet) text += fmt::format("      vertex {} {} {}\n", p.x, p.y, p.z);
+        text += "    endloop\n  endfacet\n";
+    }
+    return text + "endsolid part one\n";
+}
+
+TEST(StlReader, TetrahedronIsWeldedAndClosed) {
+    std::string solid = binaryStl(kTetrahedron, 4);
+    solid.replace(0, 5, "solid");
+    for (const std::string& text : {textStl(), binaryStl(kTetrahedron, 4), solid}) {
+        const auto objects = objectsOf(text, ".stl");
+        ASSERT_EQ(objects.size(), 1u);
+        // In the order in which the facets bring them.
+        EXPECT_EQ(objects[0].mesh->positions, (std::vector<Vec3d>{kA, kC, kB, kD}));
+        EXPECT_EQ(polygon(objects[0], 1), (Indices{0, 2, 3}));
+        EXPECT_TRUE(objects[0].mesh->facts.closed);
+        EXPECT_TRUE(objects[0].mesh->facts.convex);
+    }
+    EXPECT_EQ(objectsOf(textStl(), ".stl")[0].name, "part one");
+    EXPECT_EQ(objectsOf(textStl() + textStl(), ".stl").size(), 2u) << "one object for each solid";
+}
+
+TEST(StlReader, MinusZeroIsZero) {
+    const std::string text = withReplaced(textStl(), "vertex 0 0 0", "vertex -0 0 -0.0");
+    EXPECT_TRUE(objectsOf(text, ".stl")[0].mesh->facts.closed);
+}
+
+TEST(StlReader, BinaryFilesThatAreWrong) {
+    EXPECT_EQ(errorsOf(binaryStl(kTetrahedron, 4294967295u), ".stl"),
+              "m: 4 294 967 295 facets announced, the file ends after 284 bytes\n");
+    EXPECT_EQ(errorsOf(binaryStl(kTetrahedron, 4).substr(0, 283), ".stl"),
+              "m: 4 facets announced, the file ends after 283 bytes\n");
+    EXPECT_EQ(errorsOf(std::string(20, '\xFF'), ".stl"),
+              "m: the file ends after 20 bytes, expected an STL file: \"solid\", or 84 bytes before the first facet\n");
+    auto facets = kTetrahedron;
+    facets[1][2].y = std::numeric_limits<double>::quiet_NaN();
+    // 84 + 50 + 12 + 2 * 12 + 4
+    EXPECT_EQ(errorsOf(binaryStl(facets, 4), ".stl"),
+              "m: facet 1, corner 2: y is nan at byte 174, expected a number from -1e9 to 1e9\n");
+    EXPECT_EQ(errorsOf(binaryStl({}, 0), ".stl"), "m: found no polygon, expected a model with polygons\n");
+}
+
+TEST(StlReader, TextFilesThatAreWrong) {
+    EXPECT_EQ(errorsOf(withReplaced(textStl(), "vertex 0 1 0", "vertex 0 inf 0"), ".stl"),
+              "m:5:16: found \"inf\", expected y of a vertex, a number from -1e9 to 1e9\n");
+    EXPECT_EQ(errorsOf(withReplaced(textStl(), "      vertex 0 1 0\n", ""), ".stl"),
+              "m:6:5: a loop of fewer than three vertices, expected three\n");
+    EXPECT_EQ(errorsOf("solid\nfacet normal 0 0 1\n", ".stl"), "m:2:1: found the end of the file, expected endsolid\n");
+    EXPECT_EQ(errorsOf("solid\nfacets\nendsolid", ".stl"),
+              "m:2:1: found \"facets\", expected solid, facet, outer loop, vertex, endloop, endfacet or endsolid\n");
+}
+
+}  // namespace
+}  // namespace pipeline
