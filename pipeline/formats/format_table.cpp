@@ -4,13 +4,21 @@
 #include <array>
 
 #include "pipeline/formats/lecture_formats.h"
+#include "pipeline/formats/model_reader.h"
+#include "pipeline/formats/model_scene.h"
 
 namespace pipeline {
 namespace {
 
+// Models are known by their extension alone: a binary one may begin with any bytes.
+bool hasNoMark(std::string_view) { return false; }
+
 constexpr auto kFormats = std::to_array<Format>({
     {"scene description", ".scene", looksLikeLectureScene, readLectureScene},
     {"object description", ".des", looksLikeLectureObject, readLectureObject},
+    {"Wavefront model", ".obj", hasNoMark, readModelScene},
+    {"polygon file", ".ply", hasNoMark, readModelScene},
+    {"stereolithography file", ".stl", hasNoMark, readModelScene},
 });
 
 bool sameLetters(std::string_view a, std::string_view b) {
@@ -27,7 +35,7 @@ const Format* findFormat(std::string_view start, std::string_view extension) {
     const Format* named = nullptr;
     for (const Format& format : kFormats) {
         const bool fits = format.looksLike(start), isNamed = sameLetters(format.extension, extension);
-        if (fits && isNamed) return &format;
+        if (isNamed && (fits || isModel(extension))) return &format;
         if (fits && !first) first = &format;
         if (isNamed) named = &format;
     }

@@ -19,11 +19,11 @@ struct Format {
 };
 std::span<const Format> formatTable();
 
-// Contents decide; the extension, in any case, where several formats or none could begin like
+// A model's extension decides. Else contents do; the extension, in any case, where several formats or none could begin like
 // that. Null where that settles nothing either.
 const Format* findFormat(std::string_view start, std::string_view extension);
 
-// "a scene description (.scene) or an object description (.des)"
+// "a scene description (.scene), an object description (.des) or …"
 std::string knownFormats();
 
 }  // namespace pipeline

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/model_scene.h"
 
 namespace pipeline {
 namespace {
@@ -90,28 +90,12 @@ Result<Scene> readLectureObject(const SourceText& source, const FileLoader&) {
     Mesh& mesh = description.mesh;
     mesh.file = file.filename().string();
 
-    Vec3d low = mesh.positions.front(), high = low;
-    for (const Vec3d& p : mesh.positions) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    const Vec3d center = 0.5 * (low + high);
-    const double halfDiagonal = glm::length(high - center);
-    const double radius = halfDiagonal > 0 ? halfDiagonal : 1;
-
     Scene scene;
     Object& object = scene.objects.emplace_back();
     object.name = file.stem().string();
     object.mesh = makeMesh(std::move(mesh));
     object.material = description.material;
-    object.transform.translation = -center;
-    // Four radii away, a sphere's outline appears at d / sqrt(4² - 1) from the picture's centre;
-    // it is to fill four fifths of the picture's height.
-    scene.camera.rho = 4 * radius;
-    scene.camera.screenDistance = 0.8 * scene.settings.height / 2 * std::sqrt(15.0);
-    // Beside the eye: from the example's direction the two sides of a cube would look alike.
-    scene.lights.push_back({.position = {500, 200, 600}, .intensity = 100});
-    scene.ambient.intensity = 50;
+    showAll(scene);
     return scene;
 }
 

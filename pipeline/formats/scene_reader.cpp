@@ -3,6 +3,7 @@
 #include <new>
 
 #include "pipeline/formats/format_table.h"
+#include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/text_scanner.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -31,7 +32,7 @@ Result<Scene> readUnchecked(const std::filesystem::path& file) {
     if (!text) return text.errors();
     const Format* format = findFormat(*text, file.extension().string());
     if (!format) return refused({name, 0, 0}, "found no scene");
-    if (!format->looksLike(*text) && beginsWithEndlessWord(*text))
+    if (!isModel(format->extension) && !format->looksLike(*text) && beginsWithEndlessWord(*text))
         return refused({name, 1, 1}, "found a word of more than " + groupedDigits(kMaxWord) + " bytes");
     if (text->size() == kStart) text = readFile(file);
     if (!text) return text.errors();

@@ -214,8 +214,40 @@ TEST_F(SceneReader, ContentsDecideTheFormatAndTheExtensionWhereTheyDoNot) {
     EXPECT_EQ(findFormat("x y z", ".SCENE")->extension, ".scene");
     EXPECT_EQ(findFormat("x y z", ".txt"), nullptr);
     const fs::path file = write("a.txt", "x y z");
-    EXPECT_EQ(errorsOf(readScene(file)),
-              "a.txt: found no scene, expected a scene description (.scene) or an object description (.des)\n");
+    EXPECT_EQ(errorsOf(readScene(file)), "a.txt: found no scene, expected " + knownFormats() + "\n");
+}
+
+TEST_F(SceneReader, ModelOpensAsAScene) {
+    // A box of 2, 4 and 4 around (1, 2, 2): half its diagonal is 3, the eye is four times as far.
+    const std::string square = "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 4\n";
+    const Result<Scene> scene = readScene(write("m.OBJ", square + "o a\nf 1 2 3\no b\nf 1 3 4\n"));
+    ASSERT_TRUE(scene) << format(scene.errors());
+    ASSERT_EQ(scene->objects.size(), 2u);
+    for (const Object& object : scene->objects) EXPECT_EQ(object.transform.translation, Vec3d(-1, -2, -2));
+    EXPECT_DOUBLE_EQ(scene->camera.rho, 12);
+    EXPECT_EQ(scene->lights.size(), 1u);
+    EXPECT_EQ(scene->settings.shading, Shading::Flat);
+
+    const Result<Scene> smooth = readScene(write("n.obj", square + "vn 0 0 1\nf 1//1 2//1 3//1\n"));
+    ASSERT_TRUE(smooth) << format(smooth.errors());
+    EXPECT_EQ(smooth->settings.shading, Shading::Phong);
+}
+
+TEST_F(SceneReader, ModelMayBeginWithAnyBytes) {
+    // The header of a binary STL file is free: here as an object description, and as one endless word.
+    for (const std::string& start : {std::string(kTriangle), std::string(80, 'x')}) {
+        std::string stl = start;
+        stl.resize(84, ' ');
+        stl.replace(80, 4, std::string("\0\x02\0\0", 4));  // 512 facets, all zero
+        stl.resize(84 + 50 * 512, '\0');
+        EXPECT_EQ(errorsOf(readScene(write("m.stl", stl))),
+                  "m.stl: found no polygon, expected a model with polygons\n");
+    }
+}
+
+TEST_F(SceneReader, ModelNamesFilesBesideIt) {
+    EXPECT_EQ(errorsOf(readScene(write("m.obj", "mtllib ../x.mtl\n"))),
+              "m.obj:1:8: \"../x.mtl\" leaves the scene's folder; put the file beside the scene\n");
 }
 
 // Kilobytes that this process has held at most.
@@ -238,8 +270,7 @@ TEST_F(SceneReader, HundredMegabytesOfDigitsAreNotEvenRead) {
     const long before = peakMemory();
     const auto begin = std::chrono::steady_clock::now();
     EXPECT_EQ(errorsOf(readScene(digits)),
-              "digits.scene:1:1: found a word of more than 4 096 bytes, expected a scene description (.scene) or an "
-              "object description (.des)\n");
+              "digits.scene:1:1: found a word of more than 4 096 bytes, expected " + knownFormats() + "\n");
     EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 1);
     EXPECT_LT(peakMemory() - before, 10'000);
 }
