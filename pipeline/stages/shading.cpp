@@ -9,6 +9,8 @@ template <class Real>
 Vec3<Real> viewVector(const ShadingInputs& inputs, const View& view, Vec3<Real> position) {
     if (inputs.illumination.model == Model::OpenGl && !inputs.illumination.localViewer)
         return -Vec3<Real>(view.forward);
+    // OpenGL's local viewer stands at the eye also where the view is orthographic.
+    if (inputs.illumination.model == Model::OpenGl) return normalized(Vec3<Real>(view.eye) - position);
     return towardsEye(view, position);
 }
 
@@ -149,7 +151,8 @@ template <class Real>
 Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t k, std::uint32_t polygon,
               Vec3<Real> position) {
     const Light& light = inputs.lights[k];
-    if (!light.castsShadow) return 1;
+    // OpenGL has no shadows: only the normal it is given says what a light reaches.
+    if (inputs.illumination.model == Model::OpenGl || !light.castsShadow) return 1;
     const Vec3<Real> front = in.normals.polygon[polygon];
     const Vec3<Real> normal = showsBack(inputs, in, polygon) ? -front : front;
     if (!(glm::dot(normal, towardsLight(light, position)) > 0)) return 0;
