@@ -10,6 +10,7 @@ namespace pipeline {
 namespace {
 
 constexpr const char* kChannels[]{"r", "g", "b"};
+constexpr const char* kColors[]{"red", "green", "blue"};
 
 struct Writer {
     const Scene& scene;
@@ -17,7 +18,21 @@ struct Writer {
     int c;
     std::vector<EquationLine> lines;
 
-    const Material& material() const { return scene.objects[std::size_t(report.object)].material; }
+    const Material& material() const {
+        const Object& object = scene.objects[std::size_t(report.object)];
+        return report.back && object.backMaterial ? *object.backMaterial : object.material;
+    }
+    Model model() const { return scene.settings.model; }
+    double exponent() const {
+        return material().exponent * (model() == Model::BlinnPhong ? scene.settings.exponentFactor : 1);
+    }
+    double ambientCoefficient() const {
+        return model() == Model::Phong ? material().diffuse[c] : material().ambient[c];
+    }
+    double specularIntensity(std::size_t k) const {
+        const Light& light = scene.lights[k];
+        return light.intensity * light.gl.specular[c];
+    }
     std::string materialKey(std::string_view name) const { return fmt::format("material.{}.{}", report.object, name); }
     // L, R, N·L carry the light's index only where there are several.
     Formula indexed(VectorCode code, std::string_view buffer, int light) const {
@@ -29,6 +44,7 @@ struct Writer {
     }
     Formula L(int k) const { return indexed(VectorCode::L, "light_vector", k); }
     Formula R(int k) const { return indexed(VectorCode::R, "reflection_vector", k); }
+    Formula H(int k) const { return indexed(VectorCode::H, "halfway_vector", k); }
     Formula N() const { return vector(VectorCode::N, "normal"); }
     Formula V() const { return vector(VectorCode::V, "view_vector"); }
     Formula intensity() const { return sub("I", kChannels[c], "intensity"); }
@@ -49,22 +65,32 @@ struct Writer {
     void weighted();
 };
 
-// I_b = k_b I_a + S_0 I_0 [ k_b (N·L) + k_s (R·V)^n ]
+// Phong:        I_b = k_b I_a + S_0 I_0 [ k_b (N·L) + k_s (R·V)^n ]
+// Blinn-Phong:  I_b = k_a I_a + S_0 I_0 [ k_b (N·L) + k_s (N·H)^n ]
+// OpenGL:       I_b = k_e + k_a I_a + F_0 [ k_a a_0 + S_0 ( d_0 k_b (N·L) + s_0 k_s (N·H)^n ) ]
 void Writer::symbols(std::string remark) {
     const std::string channel = kChannels[c], kd = materialKey("k" + channel);
-    std::vector<Formula> parts{intensity(), text("="), sub("k", channel, kd), sub("I", "a", "ambient.intensity")};
+    const bool phong = model() == Model::Phong, gl = model() == Model::OpenGl;
+    const Formula ka = phong ? sub("k", channel, kd) : sub("k", "a", materialKey("ka" + channel));
+    std::vector<Formula> parts{intensity(), text("=")};
+    if (gl) parts.insert(parts.end(), {sub("k", "e", "emission"), text("+")});
+    parts.insert(parts.end(), {ka, sub("I", "a", "ambient.intensity")});
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        const std::string index = std::to_string(k);
+        const std::string index = std::to_string(k), light = "light." + index + ".";
+        const Formula highlight =
+            power(phong ? dot(R(int(k)), V()) : dot(N(), H(int(k))), symbol("n", materialKey("n")));
+        const Formula ks = sub("k", "s", materialKey(phong ? "ks" : "ks" + channel));
         parts.push_back(text("+"));
-        parts.push_back(sub("S", index, "shadow." + index));
-        parts.push_back(sub("I", index, "light." + index + ".intensity"));
-        parts.push_back(text("["));
-        parts.push_back(sub("k", channel, kd));
-        parts.push_back(dot(N(), L(int(k))));
-        parts.push_back(text("+"));
-        parts.push_back(sub("k", "s", materialKey("ks")));
-        parts.push_back(power(dot(R(int(k)), V()), symbol("n", materialKey("n"))));
-        parts.push_back(text("]"));
+        if (gl) {
+            parts.insert(parts.end(),
+                         {sub("F", index), text("["), ka, sub("a", index, light + "ambient_" + kColors[c]), text("+"),
+                          sub("S", index, "shadow." + index), text("("), sub("d", index, light + "intensity"),
+                          sub("k", channel, kd), dot(N(), L(int(k))), text("+"),
+                          sub("s", index, light + "specular_" + kColors[c]), ks, highlight, text(")"), text("]")});
+            continue;
+        }
+        parts.insert(parts.end(), {sub("S", index, "shadow." + index), sub("I", index, light + "intensity"), text("["),
+                                   sub("k", channel, kd), dot(N(), L(int(k))), text("+"), ks, highlight, text("]")});
     }
     add("symbols", std::move(parts), std::move(remark));
 }
@@ -72,27 +98,39 @@ void Writer::symbols(std::string remark) {
 // = 0.9·50 + 1·100 [ 0.9·0.7746 + 0.4·0.3974^8 ]; what a clamp or a factor 0 removes is struck.
 void Writer::numbers(const Evaluation& e) {
     const std::string kd = shortest(material().diffuse[c]), ks = shortest(material().specular[c]);
-    std::vector<Formula> parts{text("="), text(kd + "·" + shortest(ambientIntensity()))};
+    const bool phong = model() == Model::Phong, gl = model() == Model::OpenGl;
+    const std::string ka = shortest(ambientCoefficient());
+    std::vector<Formula> parts{text("=")};
+    if (gl) parts.insert(parts.end(), {text(shortest(material().emission[c])), text("+")});
+    parts.push_back(text(ka + "·" + shortest(ambientIntensity())));
     for (const LightReport& light : e.lights) {
         const auto k = std::size_t(light.light);
         Formula shadow = text(shortest(light.shadow), fmt::format("shadow.{}", k));
+        if (light.shadow == 0) shadow = struck(shadow);
         parts.push_back(text("+"));
-        parts.push_back(light.shadow == 0 ? struck(shadow) : shadow);
-        parts.push_back(text("·" + shortest(lightIntensity(k))));
-        parts.push_back(text("["));
-        parts.push_back(text(kd + "·"));
+        if (gl) {
+            const double own = scene.lights[k].intensity * scene.lights[k].gl.ambient[c];
+            parts.insert(parts.end(),
+                         {text(fixed(light.fading, 4)), text("["), text(ka + "·" + shortest(own)), text("+"),
+                          std::move(shadow), text("("), text(shortest(lightIntensity(k)) + "·" + kd + "·")});
+        } else {
+            parts.insert(parts.end(),
+                         {std::move(shadow), text("·" + shortest(lightIntensity(k))), text("["), text(kd + "·")});
+        }
         Formula cosine = text(fixed(light.nDotL, 4), fmt::format("n_dot_l.{}", k));
         if (light.nDotL > 0)
             parts.push_back(cosine);
         else
             parts.insert(parts.end(), {struck(cosine), text("0")});
         parts.push_back(text("+"));
-        parts.push_back(text(ks + "·"));
-        Formula mirror = text(fixed(light.rDotV, 4), fmt::format("r_dot_v.{}", k));
-        if (light.nDotL > 0 && light.rDotV > 0)
-            parts.push_back(power(std::move(mirror), text(shortest(material().exponent), materialKey("n"))));
+        parts.push_back(text(gl ? shortest(specularIntensity(k)) + "·" + ks + "·" : ks + "·"));
+        const double lobe = phong ? light.rDotV : light.nDotH;
+        Formula mirror = text(fixed(lobe, 4), fmt::format("{}.{}", phong ? "r_dot_v" : "n_dot_h", k));
+        if (light.nDotL > 0 && (lobe > 0 || (gl && exponent() == 0)))
+            parts.push_back(power(std::move(mirror), text(shortest(exponent()), materialKey("n"))));
         else
             parts.insert(parts.end(), {struck(mirror), text("0")});
+        if (gl) parts.push_back(text(")"));
         parts.push_back(text("]"));
     }
     add("numbers", std::move(parts));
@@ -100,7 +138,9 @@ void Writer::numbers(const Evaluation& e) {
 
 // = 45.000 + 69.714 + 0.025 = 114.739
 void Writer::result(const Evaluation& e) {
-    std::vector<Formula> parts{text("="), text(fixed(e.ambient[c], 3), "ambient")};
+    std::vector<Formula> parts{text("=")};
+    if (model() == Model::OpenGl) parts.insert(parts.end(), {text(fixed(e.emission[c], 3), "emission"), text("+")});
+    parts.push_back(text(fixed(e.ambient[c], 3), "ambient"));
     for (const LightReport& light : e.lights) {
         parts.insert(parts.end(),
                      {text("+"), text(fixed(light.diffuse[c], 3), fmt::format("diffuse.{}", light.light))});
@@ -108,7 +148,7 @@ void Writer::result(const Evaluation& e) {
                      {text("+"), text(fixed(light.specular[c], 3), fmt::format("specular.{}", light.light))});
     }
     parts.insert(parts.end(), {text("="), text(fixed(e.intensity[c], 3), "intensity")});
-    add("result", std::move(parts));
+    add("result", std::move(parts), e.clamped ? "clamped to [0, 1] before it is interpolated" : "");
 }
 
 std::string components(Vec3d v) {
@@ -128,6 +168,17 @@ void Writer::rows(const Evaluation& e) {
              text(fixed(light.nDotL, 4))},
             degrees(light.nDotL));
         if (!hasSpecular() || !(light.nDotL > 0)) {
+            if (!light.note.empty()) add("note", {text(light.note)});
+            continue;
+        }
+        if (model() != Model::Phong) {
+            add("row", {H(k), text("="),
+                        fraction(row({L(k), text("+"), V()}), row({text("|"), L(k), text("+"), V(), text("|")})),
+                        text("="), text(components(light.H))});
+            add("row",
+                {N(), text("·"), H(k), text("="), text(components(e.N)), text("·"), text(components(light.H)),
+                 text("="), text(fixed(light.nDotH, 4))},
+                degrees(light.nDotH));
             if (!light.note.empty()) add("note", {text(light.note)});
             continue;
         }

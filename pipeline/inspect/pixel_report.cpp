@@ -183,6 +183,7 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
     report.position = Vec3d(position);
     if (!data.shading) return;
 
+    report.back = showsBack(data.keys.shading, data.shadingSources(), std::size_t(report.polygon));
     const std::size_t lights = data.keys.shading.lights.size();
     for (std::size_t k = 0; k < lights; ++k)
         report.shadow.push_back(

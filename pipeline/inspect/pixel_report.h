@@ -58,6 +58,7 @@ struct PixelReport {
     Color8 color;
     bool covered = false;
     int polygon = -1, object = -1;            // over all objects; object's index
+    bool back = false;                        // lit from behind, with the back material
     std::array<int, 3> vertices{-1, -1, -1};  // of the triangle, over all objects
     Vec3d barycentric{0.0};
     Vec3d position{0.0};  // world space

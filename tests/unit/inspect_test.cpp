@@ -118,5 +118,27 @@ TEST(PixelReport, ItsFragmentsExplainTheWinner) {
     }
 }
 
+// Whatever the model: the evaluation that the report shows sums to what the frame holds, also where
+// OpenGL clamps a colour, and the equation speaks of the vector that the model uses.
+TEST(PixelReport, OfEveryModelSumsUp) {
+    for (Model model : {Model::Phong, Model::BlinnPhong, Model::OpenGl}) {
+        for (double intensity : {0.4, 3.0}) {
+            Scene scene = test::pyramid();
+            scene.settings.model = model, scene.settings.precision = Precision::Double;
+            scene.lights[0].intensity = intensity, scene.ambient.intensity = 0.5;
+            scene.lights[0].gl.ambient = Vec3d(0.1);
+            scene.objects[0].material.emission = Vec3d(0.125);
+            const FramePtr frame = test::frameOf(scene);
+            const PixelReport report = inspectPixel(*frame, {268, 281});
+            ASSERT_TRUE(report.covered);
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(report.evaluations[0].intensity[c], report.intensity[c], 1e-14) << int(model);
+            const std::string symbols = toText(equation(*frame, report, 0)[0].formula);
+            EXPECT_EQ(symbols.find("H") != std::string::npos, model != Model::Phong) << symbols;
+            EXPECT_EQ(symbols.find("k_e") != std::string::npos, model == Model::OpenGl) << symbols;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace pipeline
