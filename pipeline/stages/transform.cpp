@@ -8,6 +8,19 @@
 
 namespace pipeline {
 
+namespace {
+
+// glRotate's matrix: c I + (1 - c) a aᵀ + s [a]×, with the unit axis a.
+// OpenGL 2.1 specification, section 2.11.2.
+glm::dmat3 aboutAxis(const AxisTurn& turn) {
+    const double s = sinDegrees(turn.angle), c = cosDegrees(turn.angle);
+    const Vec3d a = normalized(turn.axis);
+    const glm::dmat3 cross{{0, a.z, -a.y}, {-a.z, 0, a.x}, {a.y, -a.x, 0}};  // glm takes columns
+    return c * glm::dmat3(1.0) + (1 - c) * glm::outerProduct(a, a) + s * cross;
+}
+
+}  // namespace
+
 ObjectMatrix makeObjectMatrix(const ObjectTransform& t) {
     const Vec3d sin{sinDegrees(t.rotation.x), sinDegrees(t.rotation.y), sinDegrees(t.rotation.z)};
     const Vec3d cos{cosDegrees(t.rotation.x), cosDegrees(t.rotation.y), cosDegrees(t.rotation.z)};
@@ -16,9 +29,12 @@ ObjectMatrix makeObjectMatrix(const ObjectTransform& t) {
     const glm::dmat3 aboutX{{1, 0, 0}, {0, cos.x, sin.x}, {0, -sin.x, cos.x}};
     const glm::dmat3 aboutY{{cos.y, 0, -sin.y}, {0, 1, 0}, {sin.y, 0, cos.y}};
     const glm::dmat3 aboutZ{{cos.z, sin.z, 0}, {-sin.z, cos.z, 0}, {0, 0, 1}};
+    glm::dmat3 rotation = aboutZ * aboutY * aboutX;
+    if (!t.turns.empty()) rotation = glm::dmat3(1.0);
+    for (const AxisTurn& turn : t.turns) rotation = rotation * aboutAxis(turn);
     // The sign of the determinant from the factors: their product may underflow.
     const bool mirrors = (t.scale.x < 0) != ((t.scale.y < 0) != (t.scale.z < 0));
-    return {aboutZ * aboutY * aboutX * scale, t.translation, mirrors};
+    return {rotation * scale, t.translation, mirrors};
 }
 
 Vec3d toWorld(const ObjectMatrix& matrix, Vec3d position) { return matrix.linear * position + matrix.translation; }

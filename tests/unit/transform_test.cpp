@@ -36,6 +36,18 @@ TEST(Transform, ScalesThenTurnsAboutXYZThenMoves) {
     expectNear(toWorld(m, {0, 1, 0}), {10, 23, 30}, 1e-15);
 }
 
+// Lecture 1's cube: glRotate(20, 1,0,0), then glRotate(20, 0,1,0), so M = Rx Ry: with s = sin 20°, c = cos 20°
+// Ry (1,0,0) = (c,0,-s), and Rx takes that to (c, s·s, -s·c); Ry leaves y, and Rx (0,1,0) = (0, c, s).
+// The rotation does not count any more, and the axis' length does not matter.
+TEST(Transform, TurnsAreAppliedLikeCallsOfGlRotate) {
+    const double s = std::sin(0.3490658503988659), c = std::cos(0.3490658503988659);
+    ObjectTransform cube{{2, 2, 2}, {45, 45, 45}, {0, 0, -3}};
+    cube.turns = {{20, {1, 0, 0}}, {20, {0, 7, 0}}};
+    const ObjectMatrix m = makeObjectMatrix(cube);
+    expectNear(toWorld(m, {0.5, 0, 0}), {c, s * s, -s * c - 3}, 1e-15);
+    expectNear(toWorld(m, {0, 0.5, 0}), {0, c, s - 3}, 1e-15);
+}
+
 TEST(Transform, AMirrorIsKnownByItsSign) {
     EXPECT_FALSE(makeObjectMatrix({{1, 1, 1}, {}, {}}).mirrors);
     EXPECT_TRUE(makeObjectMatrix({{-1, 1, 1}, {}, {}}).mirrors);
