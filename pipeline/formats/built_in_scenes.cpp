@@ -3,21 +3,41 @@
 #include <array>
 #include <string_view>
 
+#include "pipeline/formats/scene_folder.h"
+#include "pipeline/formats/toml_scene.h"
+
 namespace pipeline {
 namespace {
 
 namespace fs = std::filesystem;
 
+// title and look are empty where the file gives them.
 struct Row {
-    std::string_view name, title, look;
+    std::string_view name, extension, title = {}, look = {};
 };
-// Each is resources/scenes/NAME.scene. The first is the one to begin with.
-constexpr std::array<Row, 3> kScenes{{
-    {"pyramid", "Pyramid", "The lecture's example: five polygons, of which the picture needs two."},
-    {"box_over_plane", "Box over a floor", "The shadow lies beside the box, for the light comes from the side."},
-    {"two_pyramids", "Two pyramids",
+// Each is a file of resources/scenes. The first is the one to begin with.
+constexpr auto kScenes = std::to_array<Row>({
+    {"pyramid", ".scene", "Pyramid", "The lecture's example: five polygons, of which the picture needs two."},
+    {"box_over_plane", ".scene", "Box over a floor",
+     "The shadow lies beside the box, for the light comes from the side."},
+    {"two_pyramids", ".scene", "Two pyramids",
      "Where the near pyramid stands before the far one, the z-buffer keeps the nearer."},
-}};
+    {"lambert", ".toml"},
+    {"reflection_law", ".toml"},
+    {"flat_gouraud_phong", ".toml"},
+    {"highlight_exponents", ".toml"},
+    {"vertex_normals", ".toml"},
+    {"ambient", ".toml"},
+    {"coloured_lights", ".toml"},
+    {"near_plane", ".toml"},
+    {"intersecting_polygons", ".toml"},
+    {"cyclic_overlap", ".toml"},
+    {"z_fighting", ".toml"},
+    {"concave_polygon", ".toml"},
+    {"point_light_shadow", ".toml"},
+    {"shadow_bias", ".toml"},
+    {"teapot", ".toml"},
+});
 
 }  // namespace
 
@@ -34,9 +54,18 @@ fs::path resourceFolder() {
 std::vector<BuiltInScene> builtInScenes() {
     const fs::path folder = resourceFolder() / "scenes";
     std::vector<BuiltInScene> scenes;
-    for (const Row& row : kScenes)
-        scenes.push_back({std::string(row.name), std::string(row.title), std::string(row.look),
-                          folder / (std::string(row.name) + ".scene")});
+    for (const Row& row : kScenes) {
+        BuiltInScene& scene = scenes.emplace_back();
+        scene.name = row.name;
+        scene.title = row.title;
+        scene.look = row.look;
+        scene.file = folder / (scene.name + std::string(row.extension));
+        if (!row.title.empty()) continue;
+        const Result<std::string> text = readFile(scene.file, kMaxTomlBytes);
+        const SceneTitle given = text ? readTomlTitle(*text) : SceneTitle();
+        scene.title = given.title.empty() ? scene.name : given.title;
+        scene.look = given.look;
+    }
     return scenes;
 }
 

@@ -6,6 +6,7 @@
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/model_scene.h"
+#include "pipeline/formats/toml_scene.h"
 
 namespace pipeline {
 namespace {
@@ -16,6 +17,7 @@ bool hasNoMark(std::string_view) { return false; }
 constexpr auto kFormats = std::to_array<Format>({
     {"scene description", ".scene", looksLikeLectureScene, readLectureScene},
     {"object description", ".des", looksLikeLectureObject, readLectureObject},
+    {"TOML scene", ".toml", looksLikeTomlScene, readTomlScene},
     {"Wavefront model", ".obj", hasNoMark, readModelScene},
     {"polygon file", ".ply", hasNoMark, readModelScene},
     {"stereolithography file", ".stl", hasNoMark, readModelScene},

@@ -47,7 +47,7 @@ Result<Scene> readScene(const std::filesystem::path& file) {
         Result<Scene> result = readUnchecked(file);
         if (!result) return inFile(result.errors(), name);
         Scene scene = std::move(result).value();
-        scene.name = file.filename().string();
+        if (scene.name.empty()) scene.name = file.filename().string();
         scene.file = name;
         const Errors errors = checkScene(scene);
         if (!errors.empty()) return inFile(errors, name);

@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 install(TARGETS shadescope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY resources/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope)
 install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lessons
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.scene" PATTERN "*.des")
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.scene" PATTERN "*.toml" PATTERN "*.des")
 if(SHADESCOPE_WINDOW)
   set(desktop ${PROJECT_SOURCE_DIR}/resources/desktop)
   install(FILES ${desktop}/shadescope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)

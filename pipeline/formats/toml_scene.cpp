@@ -1,0 +1,341 @@
+#include "pipeline/formats/toml_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "pipeline/core/text.h"
+#include "pipeline/formats/lecture_formats.h"
+#include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/model_reader.h"
+#include "pipeline/formats/toml_values.h"
+
+namespace pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxObjects = 65536, kMaxLights = 4096;
+constexpr double kMaxFactor = 1e9;  // of attenuation, as other intensities
+
+using Parts = Vec3d& (*)(Scene&, std::size_t);
+
+// Vectors. Each component has the range of a setting; colours may be one number, a grey.
+struct VectorKey {
+    std::string_view prefix, key, range;
+    bool isColor;
+    Parts parts;
+};
+constexpr auto kVectors = std::to_array<VectorKey>({
+    {"camera.", "eye", "camera.eye_x", false, [](Scene& s, std::size_t) -> Vec3d& { return s.camera.eye; }},
+    {"camera.", "target", "camera.target_x", false, [](Scene& s, std::size_t) -> Vec3d& { return s.camera.target; }},
+    {"camera.", "up", "camera.up_x", false, [](Scene& s, std::size_t) -> Vec3d& { return s.camera.up; }},
+    {"ambient.", "color", "ambient.red", true, [](Scene& s, std::size_t) -> Vec3d& { return s.ambient.color; }},
+    {"light.#.", "position", "light.#.x", false,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].position; }},
+    {"light.#.", "color", "light.#.red", true, [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].color; }},
+    {"light.#.", "ambient", "light.#.red", true,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.ambient; }},
+    {"light.#.", "specular", "light.#.red", true,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.specular; }},
+    {"light.#.", "spot_direction", "light.#.x", false,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.spotDirection; }},
+    {"object.#.", "scale", "object.#.sx", false,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].transform.scale; }},
+    {"object.#.", "rotation", "object.#.rx", false,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].transform.rotation; }},
+    {"object.#.", "translation", "object.#.tx", false,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].transform.translation; }},
+    {"material.#.", "diffuse", "material.#.kr", true,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.diffuse; }},
+    {"material.#.", "specular", "material.#.kr", true,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.specular; }},
+    {"material.#.", "ambient", "material.#.kr", true,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.ambient; }},
+    {"material.#.", "emission", "material.#.kr", true,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.emission; }},
+});
+
+constexpr std::array<std::string_view, 4> kTopKeys{"title", "look", "light", "object"};
+constexpr std::array<std::string_view, 1> kLightKeys{"attenuation"};
+constexpr std::array<std::string_view, 7> kObjectKeys{"name",  "shape",    "mesh",         "model",
+                                                      "turns", "material", "back_material"};
+
+// Stands for a component that the file has not given.
+constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
+void fillIn(Vec3d& value, Vec3d with) {
+    for (int k = 0; k < 3; ++k)
+        if (std::isnan(value[k])) value[k] = with[k];
+}
+
+class TomlSceneReader {
+public:
+    TomlSceneReader(const SourceText& source, const FileLoader& load)
+        : m_source(source), m_load(load), m_values(source.name) {}
+
+    Result<Scene> read(const toml::table& top) {
+        readTable(top, "", 0, kTopKeys);
+        if (const toml::node* node = top.get("title")) m_scene.name = m_values.text(*node, "title").value_or("");
+        if (const toml::node* node = top.get("look")) m_scene.look = m_values.text(*node, "look").value_or("");
+        if (const toml::node* node = top.get("light"))
+            for (const toml::table* light : m_values.tables(*node, "light", kMaxLights)) readLight(*light);
+        if (const toml::node* node = top.get("object"))
+            for (const toml::table* object : m_values.tables(*node, "object", kMaxObjects)) readObject(*object);
+        if (m_scene.objects.empty()) m_values.fail({}, "the scene has no object", "at least one [[object]]");
+        const Errors errors = m_values.errors();
+        if (!errors.empty()) return errors;
+        nameObjects();
+        return std::move(m_scene);
+    }
+
+private:
+    // The settings and vectors of one table; `others` are read by the caller.
+    void readTable(const toml::table& table, const std::string& prefix, std::size_t index,
+                   std::span<const std::string_view> others) {
+        for (const auto& [key, node] : table) {
+            const std::string_view name = key.str();
+            if (std::ranges::find(others, name) != others.end()) continue;
+            const std::string wanted = prefix + std::string(name);
+            const std::string path = shown(wanted, index);
+            const auto rows = settingsTable();
+            const auto vector =
+                std::ranges::find_if(kVectors, [&](const VectorKey& v) { return v.prefix == prefix && v.key == name; });
+            const auto row = std::ranges::find(rows, std::string_view(wanted), &Setting::key);
+            if (vector != kVectors.end())
+                readVector(node, path, *vector, index);
+            else if (row != rows.end())
+                m_values.setting(node, path, *row, m_scene, index);
+            else if (prefix.empty() && isGroup(wanted)) {
+                if (const toml::table* group = m_values.table(node, path)) readTable(*group, wanted + '.', 0, {});
+            } else
+                m_values.unknown(key, path, knownKeys(prefix, others));
+        }
+    }
+
+    void readVector(const toml::node& node, const std::string& path, const VectorKey& vector, std::size_t index) {
+        const Setting& range = settingRow(vector.range);
+        Vec3d& parts = vector.parts(m_scene, index);
+        if (vector.isColor && !node.is_array()) {
+            if (const auto grey = m_values.number(node, path, range.min, range.max)) parts = Vec3d(*grey);
+        } else if (const auto values = m_values.numbers(node, path, 3, range.min, range.max)) {
+            parts = {(*values)[0], (*values)[1], (*values)[2]};
+        }
+    }
+
+    void readLight(const toml::table& table) {
+        const std::size_t index = m_scene.lights.size();
+        m_scene.lights.emplace_back().gl.specular = Vec3d(kNotGiven);
+        readTable(table, "light.#.", index, kLightKeys);
+        Light& light = m_scene.lights[index];
+        fillIn(light.gl.specular, light.color);
+        const auto path = [&](std::string_view key) { return fmt::format("light.{}.{}", index, key); };
+        if (const toml::node* node = table.get("attenuation"))
+            if (const auto c = m_values.numbers(*node, path("attenuation"), 3, 0, kMaxFactor))
+                light.gl.constant = (*c)[0], light.gl.linear = (*c)[1], light.gl.quadratic = (*c)[2];
+    }
+
+    void readObject(const toml::table& table) {
+        const std::size_t first = m_scene.objects.size();
+        const std::string path = fmt::format("object.{}", first);
+        addObjects(table, path);
+        for (std::size_t i = first; i < m_scene.objects.size(); ++i) {
+            readTable(table, "object.#.", i, kObjectKeys);
+            Object& object = m_scene.objects[i];
+            if (object.shape) object.mesh = shapeMesh(*object.shape);
+            if (const toml::node* node = table.get("name"))
+                object.name = m_values.text(*node, path + ".name").value_or("");
+            if (const toml::node* node = table.get("turns")) readTurns(*node, path + ".turns", object.transform);
+            if (const toml::node* node = table.get("material")) readMaterial(*node, path + ".material", i);
+            if (const toml::node* node = table.get("back_material")) {
+                const Material front = m_scene.objects[i].material;
+                readMaterial(*node, path + ".back_material", i);
+                m_scene.objects[i].backMaterial = std::exchange(m_scene.objects[i].material, front);
+            }
+            m_vertices += m_scene.objects[i].mesh->positions.size();
+            m_triangles += m_scene.objects[i].mesh->triangles.size();
+        }
+        if (m_vertices > kMaxVertices || m_triangles > kMaxTriangles)
+            m_values.fail(table.source(), "all objects up to this one have too many vertices or triangles",
+                          fmt::format("at most {} of each", groupedDigits(kMaxVertices)));
+    }
+
+    // One object, or those of a model.
+    void addObjects(const toml::table& table, const std::string& path) {
+        const toml::node* shape = table.get("shape");
+        const toml::node* mesh = table.get("mesh");
+        const toml::node* model = table.get("model");
+        if ((shape ? 1 : 0) + (mesh ? 1 : 0) + (model ? 1 : 0) != 1)
+            m_values.fail(table.source(), fmt::format("{} has none or several of shape, mesh and model", path),
+                          "one of them");
+        else if (model)
+            addModel(*model, path + ".model");
+        if (model) return;
+        Object& object = m_scene.objects.emplace_back();
+        object.mesh = std::make_shared<const Mesh>();
+        if (shape) {
+            std::vector<std::string_view> kinds;
+            for (std::size_t k = 0; k < kShapeCount; ++k) kinds.push_back(name(static_cast<ShapeKind>(k)));
+            if (const auto kind = m_values.choice(*shape, path + ".shape", kinds)) {
+                object.name = kinds[*kind];
+                object.shape = Shape{static_cast<ShapeKind>(*kind)};
+            }
+        } else if (mesh) {
+            readMesh(*mesh, path + ".mesh", object);
+        }
+    }
+
+    void readMesh(const toml::node& node, const std::string& path, Object& object) {
+        const auto file = m_values.text(node, path);
+        const auto loaded = file ? load(node, *file) : std::nullopt;
+        if (!loaded) return;
+        Errors errors;
+        ObjectDescription description = readObjectDescription({loaded->text, loaded->path}, errors);
+        m_values.add(errors);
+        if (!errors.empty()) return;
+        description.mesh.file = *file;
+        object.name = fs::path(*file).stem().string();
+        object.mesh = makeMesh(std::move(description.mesh));
+        object.material = description.material;
+    }
+
+    void addModel(const toml::node& node, const std::string& path) {
+        const auto file = m_values.text(node, path);
+        const auto loaded = file ? load(node, *file) : std::nullopt;
+        if (!loaded) return;
+        const std::string extension = fs::path(*file).extension().string();
+        if (!isModel(extension)) return m_values.refuse(node, path, "a model, such as an .obj file");
+        Result<std::vector<Object>> objects = readModel({loaded->text, loaded->path}, extension, m_load);
+        if (!objects) return m_values.add(objects.errors());
+        for (const Object& object : *objects) m_scene.objects.push_back(object);
+    }
+
+    std::optional<NamedFile> load(const toml::node& node, const std::string& file) {
+        Result<NamedFile> loaded = m_load(file);
+        if (loaded) return std::move(loaded).value();
+        for (const Error& error : loaded.errors()) m_values.fail(node.source(), error.found, error.expected);
+        return {};
+    }
+
+    void readTurns(const toml::node& node, const std::string& path, ObjectTransform& transform) {
+        const Setting& angles = settingRow("object.#.rx");
+        const toml::array* turns = node.as_array();
+        if (!turns) return m_values.refuse(node, path, "an array of turns [angle, x, y, z]");
+        transform.turns.clear();
+        for (const toml::node& turn : *turns) {
+            const auto v = m_values.numbers(turn, path, 4, angles.min, angles.max);
+            if (!v) continue;
+            const Vec3d axis{(*v)[1], (*v)[2], (*v)[3]};
+            if (axis == Vec3d(0.0)) m_values.fail(turn.source(), "the axis of a turn is (0, 0, 0)", "a direction");
+            transform.turns.push_back({(*v)[0], axis});
+        }
+    }
+
+    void readMaterial(const toml::node& node, const std::string& path, std::size_t index) {
+        const toml::table* table = m_values.table(node, path);
+        if (!table) return;
+        const Material before = m_scene.objects[index].material;
+        m_scene.objects[index].material.ambient = Vec3d(kNotGiven);
+        readTable(*table, "material.#.", index, {});
+        Material& material = m_scene.objects[index].material;
+        fillIn(material.ambient, material.diffuse == before.diffuse ? before.ambient : material.diffuse);
+    }
+
+    std::shared_ptr<const Mesh> shapeMesh(const Shape& shape) {
+        auto& mesh = m_shapes[{shape.kind, shape.tessellation}];
+        if (!mesh) mesh = makeShape(shape);
+        return mesh;
+    }
+
+    // Two objects of one name are "sphere" and "sphere 2".
+    void nameObjects() {
+        std::set<std::string> taken;
+        std::map<std::string, int> uses;
+        for (Object& object : m_scene.objects) {
+            const std::string stem = object.name;
+            while (!taken.insert(object.name).second) object.name = stem + ' ' + std::to_string(++uses[stem] + 1);
+        }
+    }
+
+    static std::string shown(std::string key, std::size_t index) {
+        if (const auto hash = key.find('#'); hash != key.npos) key.replace(hash, 1, std::to_string(index));
+        return key;
+    }
+
+    static bool isGroup(const std::string& name) {
+        return std::ranges::any_of(settingsTable(), [&](const Setting& row) {
+            return row.key.starts_with(name + '.') && row.key.find('#') == row.key.npos;
+        });
+    }
+
+    static std::vector<std::string> knownKeys(const std::string& prefix, std::span<const std::string_view> others) {
+        std::vector<std::string> keys(others.begin(), others.end());
+        for (const VectorKey& vector : kVectors)
+            if (vector.prefix == prefix) keys.emplace_back(vector.key);
+        for (const Setting& row : settingsTable()) {
+            if (!row.key.starts_with(prefix)) continue;
+            const std::string rest(row.key.substr(prefix.size()));
+            if (rest.find('#') == rest.npos) keys.push_back(prefix.empty() ? rest.substr(0, rest.find('.')) : rest);
+        }
+        return keys;
+    }
+
+    const SourceText& m_source;
+    const FileLoader& m_load;
+    TomlValues m_values;
+    Scene m_scene;
+    std::size_t m_vertices = 0, m_triangles = 0;
+    std::map<std::pair<ShapeKind, int>, std::shared_ptr<const Mesh>> m_shapes;
+};
+
+}  // namespace
+
+Result<Scene> readTomlScene(const SourceText& source, const FileLoader& load) {
+    if (source.text.size() > kMaxTomlBytes)
+        return Error{{source.name, 0, 0},
+                     fmt::format("the file is larger than {} bytes", groupedDigits(kMaxTomlBytes)),
+                     "a smaller file"};
+    const toml::parse_result parsed = toml::parse(source.text);
+    if (!parsed) {
+        const toml::source_position at = parsed.error().source().begin;
+        return Error{{source.name, static_cast<int>(at.line), static_cast<int>(at.column)},
+                     fmt::format("this is not TOML: {}", parsed.error().description()),
+                     {}};
+    }
+    return TomlSceneReader(source, load).read(parsed.table());
+}
+
+bool looksLikeTomlScene(std::string_view start) {
+    if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
+    while (!start.empty()) {
+        const std::size_t end = std::min(start.find('\n'), start.size());
+        std::string_view line = start.substr(0, end);
+        start.remove_prefix(std::min(end + 1, start.size()));
+        const std::size_t first = line.find_first_not_of(" \t\r");
+        if (first == line.npos || line[first] == '#') continue;
+        line.remove_prefix(first);
+        if (line[0] == '[') return true;
+        const auto isKey = [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+                   c == '.';
+        };
+        const auto keyEnd = std::ranges::find_if_not(line, isKey);
+        const std::size_t length = static_cast<std::size_t>(keyEnd - line.begin());
+        const std::size_t next = line.find_first_not_of(" \t", length);
+        return length > 0 && next != line.npos && line[next] == '=';
+    }
+    return false;
+}
+
+SceneTitle readTomlTitle(std::string_view text) {
+    const toml::parse_result parsed = toml::parse(text);
+    if (!parsed) return {};
+    return {parsed.table()["title"].value_or(std::string()), parsed.table()["look"].value_or(std::string())};
+}
+
+}  // namespace pipeline

@@ -1,0 +1,153 @@
+#include "pipeline/formats/toml_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "pipeline/core/text.h"
+
+namespace pipeline {
+namespace {
+
+std::string described(const toml::node& node) {
+    if (const auto* value = node.as_string()) return inQuotes(value->get());
+    if (const auto* value = node.as_integer()) return fmt::format("{}", value->get());
+    if (const auto* value = node.as_floating_point())
+        return std::isfinite(value->get()) ? shortestText(value->get()) : "not finite";
+    if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
+    if (node.is_array()) return "an array";
+    if (node.is_table()) return "a table";
+    return "a date or a time";
+}
+
+std::string oneOf(std::span<const std::string_view> choices) {
+    std::string text;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (i > 0) text += i + 1 == choices.size() ? " or " : ", ";
+        text += fmt::format("\"{}\"", choices[i]);
+    }
+    return text;
+}
+
+std::optional<double> finite(const toml::node& node) {
+    if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+    const auto* real = node.as_floating_point();
+    return real && std::isfinite(real->get()) ? std::optional(real->get()) : std::nullopt;
+}
+
+std::string range(double min, double max) { return fmt::format("{} to {}", shortestText(min), shortestText(max)); }
+
+}  // namespace
+
+std::optional<double> TomlValues::number(const toml::node& node, const std::string& path, double min, double max) {
+    const std::optional<double> value = finite(node);
+    if (value && *value >= min && *value <= max) return value;
+    refuse(node, path, fmt::format("a number from {}", range(min, max)));
+    return {};
+}
+
+std::optional<std::string> TomlValues::text(const toml::node& node, const std::string& path) {
+    if (const auto* value = node.as_string()) return value->get();
+    refuse(node, path, "a string");
+    return {};
+}
+
+std::optional<std::size_t> TomlValues::choice(const toml::node& node, const std::string& path,
+                                              std::span<const std::string_view> choices) {
+    const auto* value = node.as_string();
+    const auto found = value ? std::ranges::find(choices, std::string_view(value->get())) : choices.end();
+    if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
+    refuse(node, path, oneOf(choices));
+    return {};
+}
+
+std::optional<std::vector<double>> TomlValues::numbers(const toml::node& node, const std::string& path,
+                                                       std::size_t count, double min, double max) {
+    const toml::array* array = node.as_array();
+    if (!array || array->size() != count) {
+        const std::string found = array ? fmt::format("{} is an array of {}", path, array->size())
+                                        : fmt::format("{} is {}", path, described(node));
+        fail(node.source(), found, fmt::format("an array of {} numbers from {}", count, range(min, max)));
+        return {};
+    }
+    std::vector<double> values;
+    for (const toml::node& element : *array)
+        if (const auto value = number(element, path, min, max)) values.push_back(*value);
+    return values.size() == count ? std::optional(values) : std::nullopt;
+}
+
+const toml::table* TomlValues::table(const toml::node& node, const std::string& path) {
+    if (!node.is_table()) refuse(node, path, "a table");
+    return node.as_table();
+}
+
+std::vector<const toml::table*> TomlValues::tables(const toml::node& node, const std::string& path, std::size_t most) {
+    const toml::array* array = node.as_array();
+    if (!array || array->size() > most) {
+        fail(node.source(),
+             array ? fmt::format("{} {}s", array->size(), path) : fmt::format("{} is {}", path, described(node)),
+             fmt::format("at most {} tables [[{}]]", most, path));
+        return {};
+    }
+    std::vector<const toml::table*> found;
+    for (const toml::node& element : *array)
+        if (const toml::table* one = table(element, path)) found.push_back(one);
+    return found;
+}
+
+void TomlValues::setting(const toml::node& node, const std::string& path, const Setting& row, Scene& scene,
+                         std::size_t index) {
+    switch (row.kind) {
+        case SettingKind::Choice:
+            if (const auto value = choice(node, path, row.choices)) row.set(scene, index, static_cast<double>(*value));
+            return;
+        case SettingKind::Switch:
+            if (const auto* value = node.as_boolean())
+                row.set(scene, index, value->get() ? 1 : 0);
+            else
+                refuse(node, path, "true or false");
+            return;
+        case SettingKind::Integer: {
+            const std::optional<double> value = finite(node);
+            if (value && *value == std::trunc(*value) && *value >= row.min && *value <= row.max)
+                row.set(scene, index, *value);
+            else
+                refuse(node, path, fmt::format("a whole number from {}", range(row.min, row.max)));
+            return;
+        }
+        case SettingKind::Number:
+            if (const auto value = number(node, path, row.min, row.max)) row.set(scene, index, *value);
+            return;
+    }
+}
+
+void TomlValues::unknown(const toml::key& key, const std::string& path, std::span<const std::string> known) {
+    fail(key.source(),
+         fmt::format("no key {}; the nearest is {}", inQuotes(path), inQuotes(nearest(key.str(), known))));
+}
+
+void TomlValues::refuse(const toml::node& node, const std::string& path, std::string expected) {
+    fail(node.source(), fmt::format("{} is {}", path, described(node)), std::move(expected));
+}
+
+void TomlValues::fail(const toml::source_region& where, std::string found, std::string expected) {
+    const SourceLocation place{m_file, static_cast<int>(where.begin.line), static_cast<int>(where.begin.column)};
+    m_errors.emplace_back(place, std::move(found), std::move(expected));
+}
+
+Errors TomlValues::errors() const {
+    Errors sorted = m_errors;
+    // Tables are kept by name, not by place. Errors in other files come after those in this one.
+    std::ranges::stable_sort(sorted, {}, [&](const Error& error) {
+        const bool other = error.where.file != m_file;
+        return std::tuple(other, other ? 0 : error.where.line, other ? 0 : error.where.column);
+    });
+    const auto repeated = std::ranges::unique(sorted);
+    sorted.erase(repeated.begin(), repeated.end());
+    if (sorted.size() > kMaxErrors) sorted.resize(kMaxErrors);
+    return sorted;
+}
+
+}  // namespace pipeline

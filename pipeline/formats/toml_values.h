@@ -1,0 +1,49 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include "pipeline/core/result.h"
+#include "pipeline/scene/settings_table.h"
+
+// Values of a TOML scene, each checked against the range of its setting.
+namespace pipeline {
+
+// Collects what is wrong with the values of one file.
+class TomlValues {
+public:
+    explicit TomlValues(std::string file) : m_file(std::move(file)) {}
+
+    // `path` names the value in messages: "light.0.color".
+    std::optional<double> number(const toml::node& node, const std::string& path, double min, double max);
+    std::optional<std::string> text(const toml::node& node, const std::string& path);
+    // The index of the choice.
+    std::optional<std::size_t> choice(const toml::node& node, const std::string& path,
+                                      std::span<const std::string_view> choices);
+    // Exactly `count` numbers of an array.
+    std::optional<std::vector<double>> numbers(const toml::node& node, const std::string& path, std::size_t count,
+                                               double min, double max);
+    const toml::table* table(const toml::node& node, const std::string& path);
+    // [[name]], each of them a table.
+    std::vector<const toml::table*> tables(const toml::node& node, const std::string& path, std::size_t most);
+    void setting(const toml::node& node, const std::string& path, const Setting& row, Scene& scene, std::size_t index);
+
+    void unknown(const toml::key& key, const std::string& path, std::span<const std::string> known);
+    void refuse(const toml::node& node, const std::string& path, std::string expected);
+    void fail(const toml::source_region& where, std::string found, std::string expected = {});
+    void add(const Errors& errors) { m_errors.insert(m_errors.end(), errors.begin(), errors.end()); }
+
+    // In the order of the file, each once, at most kMaxErrors.
+    Errors errors() const;
+
+private:
+    std::string m_file;
+    Errors m_errors;
+};
+
+}  // namespace pipeline
