@@ -37,11 +37,13 @@ void paintMark(QPainter& painter, FragmentVerdict verdict, QPointF centre) {
     painter.setBrush(Qt::NoBrush);
     switch (verdict) {
         case FragmentVerdict::WonStays:
+        case FragmentVerdict::PaintedLast:
             painter.setPen(Qt::NoPen);
             painter.setBrush(c.run);
             painter.drawEllipse(centre, 4.5, 4.5);
             break;
         case FragmentVerdict::Overwritten:
+        case FragmentVerdict::PaintedOver:
             painter.setPen(QPen(c.reused, 1.6));
             painter.drawEllipse(centre, 3.7, 3.7);
             break;

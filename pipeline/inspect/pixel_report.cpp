@@ -14,6 +14,8 @@ std::string_view name(FragmentVerdict verdict) {
         case FragmentVerdict::WonStays: return "won, stays";
         case FragmentVerdict::Overwritten: return "overwritten";
         case FragmentVerdict::NotNearer: return "not nearer";
+        case FragmentVerdict::PaintedLast: return "painted last, stays";
+        case FragmentVerdict::PaintedOver: return "painted over";
     }
     return {};
 }
@@ -150,14 +152,20 @@ void reportFragments(const FrameData<Real>& data, PixelReport& report) {
         if (record[i].won) lastWon = i;
     const bool reversed = data.transform->depthFormat == DepthFormat::Reversed;
     for (std::size_t i = 0; i < record.size(); ++i) {
-        const FragmentRecord<Real>& f = record[i];
+        const FragmentRecord& f = record[i];
+        const int polygon = int(data.transform->topology->triangles[f.triangle].polygon);
+        if (data.keys.zBuffer.visibility != Visibility::ZBuffer) {
+            report.fragments.push_back({polygon, f.depth, f.stored,
+                                        i == lastWon ? FragmentVerdict::PaintedLast : FragmentVerdict::PaintedOver,
+                                        depthText(f.depth)});
+            continue;
+        }
         const FragmentVerdict verdict = !f.won         ? FragmentVerdict::NotNearer
                                         : i == lastWon ? FragmentVerdict::WonStays
                                                        : FragmentVerdict::Overwritten;
         const std::string_view sign = f.won ? (reversed ? ">" : "<") : (reversed ? "≤" : "≥");
-        report.fragments.push_back(
-            {int(data.transform->topology->triangles[f.triangle].polygon), double(f.depth), double(f.stored), verdict,
-             fmt::format("{} {} {}", depthText(double(f.depth)), sign, depthText(double(f.stored)))});
+        report.fragments.push_back({polygon, f.depth, f.stored, verdict,
+                                    fmt::format("{} {} {}", depthText(f.depth), sign, depthText(f.stored))});
     }
     for (std::uint32_t polygon : culledAt(data, report.pixel))
         report.culled.push_back({int(polygon), letter(data.cull->verdicts[polygon]), data.cull->reason(polygon)});

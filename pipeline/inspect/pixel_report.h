@@ -10,7 +10,7 @@
 
 namespace pipeline {
 
-enum class FragmentVerdict : unsigned char { WonStays, Overwritten, NotNearer };
+enum class FragmentVerdict : unsigned char { WonStays, Overwritten, NotNearer, PaintedLast, PaintedOver };
 std::string_view name(FragmentVerdict verdict);  // "won, stays" …
 
 // One polygon's arrival at a pixel, in the order it was drawn.
@@ -18,7 +18,7 @@ struct FragmentReport {
     int polygon;
     double depth, stored;  // compared: the new one, and what the z-buffer held before (+inf: nothing)
     FragmentVerdict verdict;
-    std::string text;  // "671.4539 < +∞", "759.8211 ≥ 688.8116"
+    std::string text;  // "671.4539 < +∞", "759.8211 ≥ 688.8116"; where no depths are compared "671.4539"
 };
 
 // A polygon that would have covered the pixel but was dropped before.

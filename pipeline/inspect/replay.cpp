@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "pipeline/stages/painter.h"
+
 namespace pipeline {
 namespace {
 
@@ -26,11 +28,27 @@ TriangleBins<Real> piecesAt(const FrameData<Real>& data, glm::ivec2 pixel, Keep 
     return pieces;
 }
 
+// The order is a matter of all triangles, not only of those that cover the pixel.
+template <class Real>
+std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, glm::ivec2 pixel) {
+    const TransformOutput<Real>& in = *data.transform;
+    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, data.verdicts());
+    const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.viewSpace, bins, data.keys.zBuffer.split);
+    std::vector<std::uint32_t> pieces(order.pieces.size());
+    std::iota(pieces.begin(), pieces.end(), 0u);
+    const Tile tile{pixel, pixel + 1};
+    ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, in.depthFormat);
+    std::vector<FragmentRecord> record;
+    paint<Real>(in.view, bins, order, pieces, tile, scratch, &record);
+    return record;
+}
+
 }  // namespace
 
 template <class Real>
-std::vector<FragmentRecord<Real>> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel) {
+std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel) {
     const std::vector<Verdict>& verdicts = data.verdicts();
+    if (data.keys.zBuffer.visibility == Visibility::Painter) return replayPainter(data, pixel);
     const TriangleBins<Real> pieces =
         piecesAt(data, pixel, [&](std::uint32_t polygon) { return verdicts.empty() || goesOn(verdicts[polygon]); });
     std::vector<std::uint32_t> order(pieces.triangles.size());
@@ -38,7 +56,7 @@ std::vector<FragmentRecord<Real>> replayPixel(const FrameData<Real>& data, glm::
     const Tile tile{pixel, pixel + 1};
     const DepthFormat format = data.transform->depthFormat;
     ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, format);
-    std::vector<FragmentRecord<Real>> record;
+    std::vector<FragmentRecord> record;
     zBuffer<Real>(data.transform->view, format, pieces, order, tile, scratch, &record);
     return record;
 }
@@ -56,8 +74,8 @@ std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixe
     return polygons;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                            \
-    template std::vector<FragmentRecord<Real>> replayPixel(const FrameData<Real>&, glm::ivec2); \
+#define SHADESCOPE_INSTANTIATE(Real)                                                      \
+    template std::vector<FragmentRecord> replayPixel(const FrameData<Real>&, glm::ivec2); \
     template std::vector<std::uint32_t> culledAt(const FrameData<Real>&, glm::ivec2);
 SHADESCOPE_INSTANTIATE(float)
 SHADESCOPE_INSTANTIATE(double)

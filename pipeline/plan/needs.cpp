@@ -102,6 +102,13 @@ std::string whyUseless(const Scene& scene, BufferId id) {
         case BufferId::ShadowBuffer: return needs.shadowBuffers.notBecause;
         case BufferId::PolygonsIntensity: return needs.polygonTerms.notBecause;
         case BufferId::VerticesIntensity: return needs.vertexTerms.notBecause;
+        case BufferId::Depth:
+            switch (scene.settings.visibility) {
+                case Visibility::ZBuffer: return "";
+                case Visibility::Painter: return "The painter's algorithm compares no depths.";
+                case Visibility::Outlines: return "Outlines compare no depths.";
+            }
+            return "";
         case BufferId::HalfwayVector:
         case BufferId::NDotH: return model == Model::Phong ? "Phong's model uses R, not H." : "";
         case BufferId::ReflectionVector:

@@ -50,6 +50,11 @@ std::string difference(const ShadowBufferInputs& a, const ShadowBufferInputs& b)
     return firstDifferent(a.casters, b.casters, "Light", "The lights");
 }
 
+std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
+    if (a.visibility != b.visibility) return "The setting visibility changed.";
+    return a == b ? "" : "The setting split changed.";
+}
+
 std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (a.shading != b.shading) return "The setting shading changed.";
     if (!(a.illumination == b.illumination)) return "The illumination model changed.";
@@ -113,6 +118,22 @@ std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& ne
                 fmt::format("{} {}, {:.1f} MB", faces, faces == 1 ? "pass" : "passes", bytes / 1e6));
         }
     }
+    if (stage == StageId::ZBuffer) {
+        const Settings& s = scene.settings;
+        const bool sorts = s.visibility == Visibility::Painter;
+        const std::string noOrder =
+            s.visibility == Visibility::ZBuffer ? "The z-buffer needs no order." : "Nothing hides anything.";
+        const std::string noTest = s.visibility == Visibility::ZBuffer ? ""
+                                   : sorts                             ? "The painter's algorithm compares no depths."
+                                                                       : "Outlines compare no depths.";
+        add("depth test", {noTest}, "Of all fragments at a pixel the nearest stays.", "a comparison a fragment");
+        add("sort", {sorts ? "" : noOrder}, "Polygons are painted from the farthest to the nearest.", "a sort");
+        add("split",
+            {!sorts    ? noOrder
+             : s.split ? ""
+                       : "Off in this scene: split = off."},
+            "Polygons may intersect, or overlap in a cycle.", "comparisons of pairs");
+    }
     if (stage == StageId::Shading) {
         for (std::size_t k = 0; k < lights; ++k) {
             add(fmt::format("light {}", k), needs.light[k], "It shines.", "an evaluation a point");
@@ -175,7 +196,7 @@ Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& b
     decide(Cull, needs.cull, changed(&StageKeys::cull), {Transform});
     decide(Normals, always, changed(&StageKeys::normals), {Transform});
     decide(StageId::ShadowBuffer, needs.shadowBuffers, changed(&StageKeys::shadowBuffer), {Transform});
-    decide(ZBuffer, always, "", {Transform, Cull});
+    decide(ZBuffer, always, changed(&StageKeys::zBuffer), {Transform, Cull});
     std::string shading = changed(&StageKeys::shading);
     if (shading.empty() && past.keys && !shadingCovers(past.wanted, request.wanted))
         shading = "Other buffers are asked for.";

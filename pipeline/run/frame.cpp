@@ -1,6 +1,7 @@
 #include "pipeline/run/frame.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "pipeline/run/frame_data.h"
 
@@ -48,6 +49,18 @@ AnyBuffer ids(const BufferName& name, const FrameData<Real>& data) {
         values[i] = std::int32_t(name.id == BufferId::PolygonId ? polygon : topology.polygonObject[polygon]);
     }
     return own(name, {std::size_t(seen.size.y), std::size_t(seen.size.x)}, std::move(values));
+}
+
+// In float where that holds what is stored, or where the run is in float; 32 bits of fixed point need a double.
+template <class Real>
+std::optional<AnyBuffer> depth(const BufferName& name, const FrameData<Real>& data) {
+    if (data.keys.zBuffer.visibility != Visibility::ZBuffer) return {};
+    const DepthFormat format = data.transform->depthFormat;
+    if (format == DepthFormat::Linear) return view(name, data.zBuffer->zView, data.zBuffer);
+    const Buffer2D<double>& stored = data.zBuffer->depth;
+    if (std::is_same_v<Real, double> || format == DepthFormat::Fixed32) return view(name, stored, data.zBuffer);
+    return own(name, {std::size_t(stored.size.y), std::size_t(stored.size.x)},
+               std::vector<float>(stored.pixels.begin(), stored.pixels.end()));
 }
 
 // The faces of a light one after the other.
@@ -105,8 +118,7 @@ std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& dat
             if (data.normals->vertex.empty()) return {};
             return view(name, data.normals->vertex, data.normals);
         case BufferId::ShadowBuffer: return shadowDepth(name, data);
-        case Depth:
-            return view(name, data.zBuffer->depth.empty() ? data.zBuffer->zView : data.zBuffer->depth, data.zBuffer);
+        case Depth: return depth(name, data);
         case ZView: return view(name, data.zBuffer->zView, data.zBuffer);
         case ObjectId:
         case PolygonId: return ids(name, data);

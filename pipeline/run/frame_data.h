@@ -15,6 +15,7 @@ struct StageKeys {
     CullInputs cull;
     NormalsInputs normals;
     ShadowBufferInputs shadowBuffer;
+    ZBufferInputs zBuffer;
     ShadingInputs shading;
 };
 StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<const Topology> topology);

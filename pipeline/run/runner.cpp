@@ -7,6 +7,7 @@
 
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/parallel.h"
+#include "pipeline/stages/painter.h"
 
 namespace pipeline {
 namespace {
@@ -66,10 +67,21 @@ std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBuff
 }
 
 template <class Real>
-std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const TransformOutput<Real>& in,
+std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs, const TransformOutput<Real>& in,
                                                       const std::vector<Verdict>& verdicts, Threads& threads) {
     auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
     const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, verdicts);
+    if (inputs.visibility == Visibility::Painter) {
+        const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.viewSpace, bins, inputs.split);
+        const auto tiles = binPieces(bins, order);
+        threads.forRange(tiles.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t tile = begin; tile < end; ++tile)
+                paint<Real>(in.view, bins, order, tiles[tile], bins.tile(tile), *out);
+        });
+        out->note = fmt::format("; {} triangles in order, {} split", order.pieces.size() - order.splits, order.splits);
+        if (order.unordered > 0) out->note += fmt::format(", {} out of order at the limit", order.unordered);
+        return out;
+    }
     threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile)
             zBuffer(in.view, in.depthFormat, bins, bins.bins[tile], bins.tile(tile), *out);
@@ -121,7 +133,9 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
             long long arrived = 0, won = 0;
             for (std::int32_t n : data.zBuffer->overdraw.pixels) arrived += n;
             for (std::int32_t n : data.zBuffer->depthWrites.pixels) won += n;
-            return fmt::format("{} fragments, {} won", arrived, won);
+            return fmt::format("{} fragments, {} {}{}", arrived, won,
+                               data.keys.zBuffer.visibility == Visibility::ZBuffer ? "won" : "written",
+                               data.zBuffer->note);
         }
         case StageId::Shading: {
             const auto seen =
@@ -150,6 +164,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                    {settings.cull},
                    {settings.normalWeight, bool(needs.vertexNormals)},
                    {{}, settings.shadowSize},
+                   {settings.visibility, settings.split},
                    {settings.shading,
                     illuminationOf(settings),
                     {},
@@ -231,7 +246,8 @@ private:
               [&] { return runNormals(data.keys.normals, *data.transform, threads); });
         stage(StageId::ShadowBuffer, &Data::shadowBuffer,
               [&] { return runShadowBuffer(data.keys.shadowBuffer, *data.transform, threads); });
-        stage(StageId::ZBuffer, &Data::zBuffer, [&] { return runZBuffer(*data.transform, data.verdicts(), threads); });
+        stage(StageId::ZBuffer, &Data::zBuffer,
+              [&] { return runZBuffer(data.keys.zBuffer, *data.transform, data.verdicts(), threads); });
         stage(StageId::Shading, &Data::shading,
               [&] { return runShading(data.keys.shading, data.shadingSources(), request.wanted, threads); });
         result = std::move(made);

@@ -14,8 +14,14 @@ enum class NormalWeight : std::uint8_t { Mean, Area, Angle, Given };
 //   Linear    z_view itself, world units, infinity where nothing was drawn
 //   Float     0 at the near plane, 1 at the far plane, as OpenGL's perspective matrix maps it
 //   Reversed  1 at the near plane, 0 at the far plane
-//   Fixed16, Fixed24   Float rounded to a multiple of 1 / (2^bits - 1)
-enum class DepthFormat : std::uint8_t { Linear, Float, Reversed, Fixed16, Fixed24 };
+//   Fixed16, Fixed24, Fixed32   the same, rounded to a multiple of 1 / (2^bits - 1)
+// Float and Reversed are 32-bit floats in every precision.
+enum class DepthFormat : std::uint8_t { Linear, Float, Reversed, Fixed16, Fixed24, Fixed32 };
+// How it is decided what is seen.
+//   ZBuffer   the nearest fragment of every pixel
+//   Painter   polygons are painted from the farthest to the nearest
+//   Outlines  the edges of every polygon, in the order of the polygons: nothing hides
+enum class Visibility : std::uint8_t { ZBuffer, Painter, Outlines };
 enum class ShadowBias : std::uint8_t { Automatic, Constant, Slope };
 
 // How a scene is rendered. Every member has a row in settings_table.cpp.
@@ -29,6 +35,8 @@ struct Settings {
     bool localViewer = false;   // OpenGL: V points to the eye; off: along the viewing axis
     bool twoSided = false;      // OpenGL: back faces are lit with their normal turned round
     NormalWeight normalWeight = NormalWeight::Mean;
+    Visibility visibility = Visibility::ZBuffer;
+    bool split = true;  // Painter: polygons that intersect or overlap in a cycle are split
     DepthFormat depthFormat = DepthFormat::Linear;
     int shadowSize = 1024;  // texels along a side of a shadow buffer
     ShadowBias shadowBias = ShadowBias::Automatic;

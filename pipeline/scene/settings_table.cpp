@@ -17,7 +17,8 @@ constexpr std::array<std::string_view, 3> kShading{"flat", "gouraud", "phong"};
 constexpr std::array<std::string_view, 4> kNormalWeight{"mean", "area", "angle", "given"};
 constexpr std::array<std::string_view, 3> kModel{"phong", "blinn-phong", "opengl"};
 constexpr std::array<std::string_view, 2> kLightSpace{"world", "eye"};
-constexpr std::array<std::string_view, 5> kDepthFormat{"linear", "float", "reversed", "fixed16", "fixed24"};
+constexpr std::array<std::string_view, 6> kDepthFormat{"linear", "float", "reversed", "fixed16", "fixed24", "fixed32"};
+constexpr std::array<std::string_view, 2> kVisibility{"z-buffer", "painter"};
 constexpr std::array<std::string_view, 3> kShadowBias{"automatic", "constant", "slope"};
 constexpr std::array<std::string_view, 2> kCameraKind{"spherical", "look-at"};
 constexpr std::array<std::string_view, 2> kProjection{"perspective", "orthographic"};
@@ -83,6 +84,12 @@ std::string_view onlyLookAtOrthographic(const Scene& scene) {
 }
 std::string_view onlyVertexNormals(const Scene& scene) {
     return scene.settings.shading == Shading::Flat ? "Flat shading needs polygon normals only." : "";
+}
+std::string_view onlyZBuffer(const Scene& scene) {
+    return scene.settings.visibility == Visibility::ZBuffer ? "" : "Without a z-buffer no depth is stored.";
+}
+std::string_view onlyPainter(const Scene& scene) {
+    return scene.settings.visibility == Visibility::Painter ? "" : "Only the painter's algorithm splits polygons.";
 }
 std::string_view onlyShadow(const Scene& scene) { return noShadow(scene) ? "No light casts a shadow." : ""; }
 std::string_view onlyBias(const Scene& scene) {
@@ -200,8 +207,15 @@ constexpr auto kTable = std::to_array<Setting>({
         kNormalWeight, onlyVertexNormals),
 
     choice<OfDepth, &S::cull>({"cull", "Cull", "", "Which polygons are dropped by the way they face."}, kCull),
+    choice<OfDepth, &S::visibility>({"visibility", "Visibility", "",
+                                     "What decides which polygon is seen: depths compared at every pixel, or the "
+                                     "order in which polygons are painted."},
+                                    kVisibility),
+    row<OfDepth, &S::split>({"split", "Split polygons", "",
+                             "Whether the painter's algorithm splits polygons that intersect or overlap in a cycle."},
+                            {0, 1, 0, 1}, kSwitch, onlyPainter),
     choice<OfDepth, &S::depthFormat>({"depth_format", "Depth format", "", "What the z-buffer stores and compares."},
-                                     kDepthFormat),
+                                     kDepthFormat, onlyZBuffer),
 
     row<OfShadow, &S::shadowSize>({"shadow.size", "Shadow buffer", "texels", "Texels along a side of a shadow buffer."},
                                   {1, 8192, 16, 4096}, {}, onlyShadow),

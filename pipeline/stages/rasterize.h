@@ -81,7 +81,9 @@ struct RasterTriangle {
     std::array<Real, 3> w;              // 1/z_view in perspective, z_view in orthographic projection
     std::array<Vec3<Real>, 3> weights;  // each corner's weights over the corners of triangle `id`
     Real inverseArea2;                  // 1 / area2()
-    std::uint32_t id;                   // index into Topology::triangles
+    std::array<double, 3> exactW;       // w before it was rounded to Real
+    double exactInverseArea2;
+    std::uint32_t id;  // index into Topology::triangles
 };
 
 // Clips a triangle, projects and snaps it (in double, so that a corner falls on the same grid point
@@ -92,12 +94,12 @@ template <class Real, class Emit>
 std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& corners, std::uint32_t id, Emit emit) {
     const ClippedTriangle clipped = clipTriangle(view, {Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2])});
     std::array<glm::i64vec2, 9> snapped;
-    std::array<Real, 9> w;
+    std::array<double, 9> w;
     for (std::size_t i = 0; i < clipped.count; ++i) {
         const Vec3d v = clipped.corners[i].view;
         const double spread = view.perspective ? v.z : 1;
         snapped[i] = snap({view.centre.x + view.scale.x * v.x / spread, view.centre.y - view.scale.y * v.y / spread});
-        w[i] = Real(view.perspective ? 1 / v.z : v.z);
+        w[i] = view.perspective ? 1 / v.z : v.z;
     }
     std::int64_t signedArea2 = 0;
     for (std::size_t k = 2; k < clipped.count; ++k) {
@@ -113,10 +115,12 @@ std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& co
         RasterTriangle<Real> out;
         for (std::size_t i = 0; i < 3; ++i) {
             out.snapped.corners[i] = snapped[order[i]];
-            out.w[i] = w[order[i]];
+            out.w[i] = Real(w[order[i]]);
+            out.exactW[i] = w[order[i]];
             out.weights[i] = Vec3<Real>(clipped.corners[order[i]].weights);
         }
-        out.inverseArea2 = Real(1 / std::abs(double(area2)));
+        out.exactInverseArea2 = 1 / std::abs(double(area2));
+        out.inverseArea2 = Real(out.exactInverseArea2);
         out.id = id;
         emit(out);
     }
@@ -143,6 +147,13 @@ Fragment<Real> interpolate(const RasterTriangle<Real>& t, const std::array<std::
     const Real b1 = perspective ? l1 * t.w[1] * z : l1, b2 = perspective ? l2 * t.w[2] * z : l2;
     const Vec3<Real> weights = t.weights[0] + b1 * (t.weights[1] - t.weights[0]) + b2 * (t.weights[2] - t.weights[0]);
     return {z, perspective ? w : Real(0), weights};
+}
+
+// w of a fragment, in double whatever Real is: what the depth formats encode.
+template <class Real>
+double interpolateW(const RasterTriangle<Real>& t, const std::array<std::int64_t, 3>& e) {
+    const double l1 = double(e[1]) * t.exactInverseArea2, l2 = double(e[2]) * t.exactInverseArea2;
+    return t.exactW[0] + l1 * (t.exactW[1] - t.exactW[0]) + l2 * (t.exactW[2] - t.exactW[0]);
 }
 
 }  // namespace pipeline

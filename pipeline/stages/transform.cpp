@@ -83,7 +83,7 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
     const View& view = inputs.view;
     const Vec3<Real> eye(view.eye), right(view.right), up(view.up), forward(view.forward);
     const Vec2<Real> scale(view.scale), centre(view.centre);
-    const DepthCode<Real> depth(view, inputs.depthFormat);
+    const DepthCode depth(view, inputs.depthFormat);
     const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
 
@@ -98,7 +98,7 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
         if (view.perspective && v.z < Real(view.near)) continue;
         const Real spread = view.perspective ? v.z : Real(1);
         const Vec3<Real> screen{centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread,
-                                depth.encode(v.z, 1 / v.z)};
+                                Real(depth.encode(double(v.z), 1 / double(v.z)))};
         // Too far off the picture for Real to say where: no place on the screen either.
         if (std::isfinite(screen.x) && std::isfinite(screen.y)) out.screen[first + i] = screen;
     }

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "pipeline/buffers/buffer2d.h"
@@ -14,32 +15,47 @@ namespace pipeline {
 inline constexpr std::uint32_t kNoTriangle = ~0u;  // nothing was drawn
 inline constexpr std::int32_t kNothing = -1;       // the same, in object_id and polygon_id
 
+struct ZBufferInputs {
+    Visibility visibility = Visibility::ZBuffer;
+    bool split = true;  // Painter
+    bool operator==(const ZBufferInputs&) const = default;
+};
+
 template <class Real>
 struct ZBufferOutput {
     glm::ivec2 origin{0};                // the pixel that stands first; (0, 0) but for a replay
-    Buffer2D<Real> depth;                // as stored; empty in format Linear, where it is zView
+    Buffer2D<double> depth;              // as stored, exactly; empty in format Linear, where it is zView
     Buffer2D<Real> zView;                // world units; +infinity where nothing was drawn
     Buffer2D<std::uint32_t> triangle;    // index into Topology::triangles; kNoTriangle
     Buffer2D<Vec3<Real>> barycentric;    // perspective-correct weights over that triangle's corners
     Buffer2D<std::int32_t> overdraw;     // fragments that arrived
     Buffer2D<std::int32_t> depthWrites;  // fragments that won
+    std::string note;                    // what the painter's order took; may be empty
 };
 template <class Real>
 ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format);
 
 // One arrival, for a replay that records.
-template <class Real>
 struct FragmentRecord {
     std::uint32_t triangle;
     glm::ivec2 pixel;
-    Real depth, stored;  // the two depths compared: the new one, and the one stored before
+    double depth, stored;  // the new depth, and the one stored before; without a z-buffer z_view
     bool won;
 };
+
+// A fragment takes the pixel.
+template <class Real>
+void writeFragment(ZBufferOutput<Real>& out, std::size_t at, std::uint32_t triangle, const Fragment<Real>& fragment) {
+    out.zView.pixels[at] = fragment.z;
+    out.triangle.pixels[at] = triangle;
+    out.barycentric.pixels[at] = fragment.barycentric;
+    ++out.depthWrites.pixels[at];
+}
 
 // Draws the triangles of `order`, indices into bins.triangles, into one tile. A fragment wins when it is strictly
 // nearer than what is stored: on a tie the one drawn first stays.
 template <class Real>
 void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bins, std::span<const std::uint32_t> order,
-             Tile tile, ZBufferOutput<Real>& out, std::vector<FragmentRecord<Real>>* record = nullptr);
+             Tile tile, ZBufferOutput<Real>& out, std::vector<FragmentRecord>* record = nullptr);
 
 }  // namespace pipeline

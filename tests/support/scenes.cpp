@@ -55,7 +55,7 @@ Scene randomScene(unsigned seed) {
     scene.settings.shadowSize = 64;
     scene.settings.shading = Shading(random() % 3);
     scene.settings.cull = CullMode(random() % 2);
-    scene.settings.depthFormat = DepthFormat(random() % 5);
+    scene.settings.depthFormat = DepthFormat(random() % 6);
     scene.camera.kind = CameraKind::LookAt;
     scene.camera.eye = inBox(random, 6) + Vec3d(0, 0, 3);
     scene.camera.projection = random() % 4 == 0 ? ProjectionKind::Orthographic : ProjectionKind::Perspective;
@@ -89,7 +89,7 @@ void changeSomething(Scene& scene, std::mt19937& random) {
             break;
         case 9: settings.shading = Shading(random() % 3); break;
         case 10: settings.cull = CullMode(random() % 2); break;
-        case 11: settings.depthFormat = DepthFormat(random() % 5); break;
+        case 11: settings.depthFormat = DepthFormat(random() % 6); break;
         case 12: scene.camera.eye = inBox(random, 6) + Vec3d(0, 0, 4); break;
         case 13: settings.normalWeight = NormalWeight(random() % 3); break;
         case 14: settings.width = 60 + int(random() % 60); break;

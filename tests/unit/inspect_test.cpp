@@ -86,7 +86,9 @@ TEST(PixelReport, AgreesWithTheFramesBuffers) {
                 ASSERT_EQ(r.polygon, ids.value(column, row));
                 ASSERT_EQ(double(r.fragments.size()), came.value(column, row));
                 if (!r.covered) continue;
-                ASSERT_EQ(r.depth, depth.value(column, row));
+                // The report has what is stored; the buffer rounds it to float where it is exported so.
+                const bool rounded = std::string_view(depth.dtype()) == "float32";
+                ASSERT_EQ(rounded ? double(float(r.depth)) : r.depth, depth.value(column, row));
                 Vec3d sum = r.ambient;
                 for (std::size_t k = 0; k < r.diffuse.size(); ++k) sum += r.diffuse[k] + r.specular[k];
                 for (int c = 0; c < 3; ++c) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/stages/depth.h"
 #include "tests/support/scenes.h"
@@ -74,19 +76,70 @@ TEST(ZBuffer, APolygonAtOneDepthHasThatDepthExactly) {
 TEST(Depth, EncodesAsTheFormulasSay) {
     View view;
     view.near = 1, view.far = 100;
-    const auto d = [&](DepthFormat format) { return DepthCode<double>(view, format).encode(10, 0.1); };
+    const auto d = [&](DepthFormat format) { return DepthCode(view, format).encode(10, 0.1); };
     EXPECT_EQ(d(DepthFormat::Linear), 10);
-    EXPECT_NEAR(d(DepthFormat::Float), 10.0 / 11, 1e-15);
-    EXPECT_NEAR(d(DepthFormat::Reversed), 1.0 / 11, 1e-15);
+    EXPECT_EQ(d(DepthFormat::Float), 0x0.e8ba2fp0);  // 10/11 to 24 bits: 15252014.55 / 2^24
+    EXPECT_EQ(d(DepthFormat::Reversed), double(1.0f / 11));
     EXPECT_EQ(d(DepthFormat::Fixed16), 59577.0 / 65535);
     EXPECT_EQ(d(DepthFormat::Fixed24), 15252014.0 / 16777215);
+    EXPECT_EQ(d(DepthFormat::Fixed32), 3904515723.0 / 4294967295);
     view.perspective = false;
-    EXPECT_NEAR(d(DepthFormat::Float), 1.0 / 11, 1e-15);
-    EXPECT_NEAR(d(DepthFormat::Reversed), 10.0 / 11, 1e-15);
+    EXPECT_EQ(d(DepthFormat::Float), double(1.0f / 11));
+    EXPECT_EQ(d(DepthFormat::Reversed), double(10.0f / 11));
+}
+
+// The width of a bin at z, from the bound of d that z falls in (numerics: z_k = f n / (f - d_k (f - n))): half a bin
+// apart two planes share a depth or not, a bin and more apart they never do.
+TEST(Depth, BinsAreAsWideAsTheFormulasSay) {
+    View view;
+    view.near = 1, view.far = 100;
+    for (const auto& [format, bits] : {std::pair(DepthFormat::Fixed16, 16), std::pair(DepthFormat::Fixed24, 24),
+                                       std::pair(DepthFormat::Fixed32, 32)}) {
+        const DepthCode code(view, format);
+        const double levels = std::ldexp(1.0, bits) - 1;
+        for (double z : {1.5, 10.0, 70.0}) {
+            const double width = z * z * 99 / (100 * levels);
+            EXPECT_NE(code.encode(z, 1 / z), code.encode(z + 1.01 * width, 1 / (z + 1.01 * width))) << bits << ' ' << z;
+            // The plane in the middle of a bin: a third of a bin to either side it is still the same.
+            const double k = std::round(code.encode(z, 1 / z) * levels);
+            const double middle = 100 / (100 - k / levels * 99);
+            EXPECT_EQ(code.encode(middle - width / 3, 1 / (middle - width / 3)),
+                      code.encode(middle + width / 3, 1 / (middle + width / 3)))
+                << bits << ' ' << z;
+        }
+    }
+    // Standard float near d = 1: a spacing of 2^-24, z² 2^-24 / n.
+    const DepthCode standard(view, DepthFormat::Float);
+    const double width = 70 * 70 * 0x1p-24 * 99 / 100;
+    EXPECT_NE(standard.encode(70, 1.0 / 70), standard.encode(70 + 1.01 * width, 1 / (70 + 1.01 * width)));
+    // d changes by one spacing of 2^-24 over a width: over three of them, by three.
+    EXPECT_NEAR(standard.encode(70 + 3 * width, 1 / (70 + 3 * width)) - standard.encode(70, 1.0 / 70), 3 * 0x1p-24,
+                0x1.1p-24);
+    // Reversed with a far plane that counts for nothing: between 2^-24 z and 2^-23 z at every distance.
+    view.far = 1e9;
+    const DepthCode reversed(view, DepthFormat::Reversed);
+    for (double z = 1.5; z < 1000; z *= 1.7) {
+        const double next = z * (1 + 1.01 * 0x1p-23), d = reversed.encode(z, 1 / z);
+        EXPECT_NE(d, reversed.encode(next, 1 / next)) << z;
+        const double spacing = double(float(d) - std::nextafter(float(d), 0.0f));
+        EXPECT_GE(spacing / d, 0.999 * 0x1p-24) << z;
+    }
+}
+
+// A float run keeps what the format can tell apart: a bin at z = 8 is 64 · 99/100 / 2^bits wide, so planes at 8 and
+// 8 + 2^-20 (both floats) lie 65 bins of 32 bits apart, but in one bin of 24 bits: there the first drawn stays.
+TEST(Depth, ThirtyTwoBitsTellApartWhatTwentyFourCannot) {
+    Scene scene = facing({{5, 8 + 0x1p-20}, {5, 8}});
+    scene.settings.depthFormat = DepthFormat::Fixed32;
+    EXPECT_EQ(picture(scene).find('a'), std::string::npos);
+    EXPECT_STREQ(test::frameOf(scene)->buffer({BufferId::Depth})->dtype(), "float64");
+    scene.settings.depthFormat = DepthFormat::Fixed24;
+    EXPECT_EQ(picture(scene).find('b'), std::string::npos);
+    EXPECT_STREQ(test::frameOf(scene)->buffer({BufferId::Depth})->dtype(), "float32");
 }
 
 TEST(Depth, EveryFormatPutsTheNearerInFront) {
-    for (int format = 0; format < 5; ++format) {
+    for (int format = 0; format < 6; ++format) {
         Scene scene = facing({{37.5, 50}, {5, 10}, {37.5, 60}});
         scene.settings.depthFormat = DepthFormat(format);
         EXPECT_EQ(picture(scene), R"(

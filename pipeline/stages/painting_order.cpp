@@ -1,0 +1,233 @@
+// Newell, Newell and Sancha's order.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "pipeline/stages/painter.h"
+
+namespace pipeline {
+namespace {
+
+constexpr double kRoundoff = 0x1p-53;
+
+DepthPlane planeOf(const PaintTriangle& t) {
+    const auto& c = t.snapped.corners;
+    const glm::dvec2 a(c[1] - c[0]), b(c[2] - c[0]);
+    const double area2 = double(t.snapped.area2()), da = t.depth[1] - t.depth[0], db = t.depth[2] - t.depth[0];
+    DepthPlane plane;
+    plane.origin = glm::dvec2(c[0]);
+    plane.depth = t.depth[0];
+    plane.depthBound = std::max({std::abs(t.depth[0]), std::abs(t.depth[1]), std::abs(t.depth[2])});
+    plane.slope = {(da * b.y - db * a.y) / area2, (db * a.x - da * b.x) / area2};
+    plane.slopeBound = {(std::abs(da * b.y) + std::abs(db * a.y)) / area2,
+                        (std::abs(db * a.x) + std::abs(da * b.x)) / area2};
+    return plane;
+}
+
+struct Piece {
+    PaintPiece piece;
+    std::vector<glm::dvec2> outline;  // clockwise as seen, sub-pixels
+    glm::dvec2 low, high;
+    double nearest, farthest;
+    bool waits = false;  // stands in the stack
+};
+
+// P is behind Q where both are seen, before it, or both; or they are not seen in the same place, or lie in one plane.
+enum class Relation { Free, Behind, InFront, Mixed };
+
+// The part of a convex outline where value(p) >= 0.
+template <class Value>
+std::vector<glm::dvec2> cutOutline(const std::vector<glm::dvec2>& in, Value value) {
+    std::vector<glm::dvec2> out;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        const glm::dvec2 a = in[i], b = in[(i + 1) % in.size()];
+        const double fa = value(a), fb = value(b);
+        if (fa >= 0) out.push_back(a);
+        if ((fa >= 0) != (fb >= 0)) out.push_back(a + fa / (fa - fb) * (b - a));
+    }
+    return out;
+}
+
+bool separated(const SnappedTriangle& a, const SnappedTriangle& b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const EdgeFunction edge(a.corners[i], a.corners[(i + 1) % 3]);
+        if (std::ranges::all_of(b.corners, [&](const glm::i64vec2& p) { return edge.at(p) <= 0; })) return true;
+    }
+    return false;
+}
+
+class Newell {
+public:
+    Newell(std::span<const PaintTriangle> triangles, PaintingOrder& out) : m_triangles(triangles), m_out(out) {
+        for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+            const auto& c = triangles[i].snapped.corners;
+            add({{i, {}}, {glm::dvec2(c[0]), glm::dvec2(c[1]), glm::dvec2(c[2])}, {}, {}, 0, 0});
+        }
+        m_limit = kMaxPiecesPerTriangle * triangles.size() + kMaxExtraPieces;
+    }
+
+    void run() {
+        while (!m_stack.empty() || !m_rest.empty()) {
+            if (m_stack.empty()) push(m_rest.begin()->second);
+            const std::uint32_t p = m_stack.back();
+            const Conflict conflict = firstConflict(p);
+            if (conflict.relation == Relation::Free || !resolve(p, conflict)) {
+                m_out.unordered += conflict.relation != Relation::Free;
+                m_out.pieces.push_back(m_pieces[p].piece);
+                m_stack.pop_back();
+            }
+        }
+    }
+
+private:
+    struct Conflict {
+        Relation relation = Relation::Free;
+        std::uint32_t with = 0;
+    };
+
+    void add(Piece piece) {
+        const DepthPlane& plane = m_out.planes[piece.piece.triangle];
+        piece.low = piece.high = piece.outline[0];
+        piece.nearest = piece.farthest = plane.at(piece.outline[0]);
+        for (const glm::dvec2& p : piece.outline) {
+            piece.low = glm::min(piece.low, p), piece.high = glm::max(piece.high, p);
+            piece.nearest = std::min(piece.nearest, plane.at(p) - plane.error(p));
+            piece.farthest = std::max(piece.farthest, plane.at(p) + plane.error(p));
+        }
+        m_pieces.push_back(std::move(piece));
+        await(std::uint32_t(m_pieces.size() - 1));
+    }
+    void await(std::uint32_t p) {
+        m_pieces[p].waits = false;
+        m_rest.insert({-m_pieces[p].farthest, p});
+    }
+    void push(std::uint32_t p) {
+        m_rest.erase({-m_pieces[p].farthest, p});
+        m_pieces[p].waits = true;
+        m_stack.push_back(p);
+    }
+
+    // How far triangle a is behind triangle b at p: 1, -1, or 0 where rounding does not let one tell.
+    int behind(std::uint32_t a, std::uint32_t b, glm::dvec2 p) const {
+        const DepthPlane &planeA = m_out.planes[a], &planeB = m_out.planes[b];
+        const double difference = planeA.at(p) - planeB.at(p), error = planeA.error(p) + planeB.error(p);
+        return difference > error ? 1 : difference < -error ? -1 : 0;
+    }
+    Relation over(std::uint32_t a, std::uint32_t b, const std::vector<glm::dvec2>& outline) const {
+        bool back = false, front = false;
+        for (const glm::dvec2& p : outline) {
+            const int side = behind(a, b, p);
+            back |= side > 0, front |= side < 0;
+        }
+        return back && front ? Relation::Mixed : back ? Relation::Behind : front ? Relation::InFront : Relation::Free;
+    }
+    Relation relation(const Piece& p, const Piece& q) {
+        const std::uint32_t a = p.piece.triangle, b = q.piece.triangle;
+        if (a == b || p.low.x >= q.high.x || q.low.x >= p.high.x || p.low.y >= q.high.y || q.low.y >= p.high.y)
+            return Relation::Free;
+        if (p.nearest >= q.farthest) return Relation::Behind;
+        if (q.nearest >= p.farthest) return Relation::InFront;
+        const SnappedTriangle &s = m_triangles[a].snapped, &t = m_triangles[b].snapped;
+        if (separated(s, t) || separated(t, s)) return Relation::Free;
+        std::vector<glm::dvec2> common = p.outline;
+        for (std::size_t i = 0; i < q.outline.size() && !common.empty(); ++i) {
+            const glm::dvec2 from = q.outline[i], along = q.outline[(i + 1) % q.outline.size()] - from;
+            common =
+                cutOutline(common, [&](glm::dvec2 x) { return along.x * (x.y - from.y) - along.y * (x.x - from.x); });
+        }
+        return over(a, b, common);
+    }
+
+    // Something that p must not be painted before.
+    Conflict firstConflict(std::uint32_t p) {
+        const auto conflicts = [&](std::uint32_t q) {
+            if (++m_compared > kMaxComparisons) return Relation::Free;
+            const Relation r = relation(m_pieces[p], m_pieces[q]);
+            return r == Relation::Behind ? Relation::Free : r;
+        };
+        for (const std::uint32_t q : m_stack)
+            if (q != p)
+                if (const Relation r = conflicts(q); r != Relation::Free) return {r, q};
+        for (const auto& [farthest, q] : m_rest) {
+            if (-farthest <= m_pieces[p].nearest) break;
+            if (const Relation r = conflicts(q); r != Relation::Free) return {r, q};
+        }
+        if (m_compared > kMaxComparisons) ++m_out.unordered;
+        return {};
+    }
+
+    // Splits p, which stands in the stack no more afterwards, by the plane of triangle b.
+    bool split(std::uint32_t p, std::uint32_t b) {
+        const Piece whole = m_pieces[p];
+        const std::uint32_t a = whole.piece.triangle;
+        if (a == b || m_pieces.size() + 2 > m_limit || over(a, b, whole.outline) != Relation::Mixed) return false;
+        if (std::ranges::any_of(whole.piece.cuts, [&](const PaintPiece::Cut& cut) { return cut.by == b; }))
+            return false;
+        const auto difference = [&](glm::dvec2 x) { return m_out.planes[a].at(x) - m_out.planes[b].at(x); };
+        Piece back = whole, front = whole;
+        back.outline = cutOutline(whole.outline, difference);
+        front.outline = cutOutline(whole.outline, [&](glm::dvec2 x) { return -difference(x); });
+        if (back.outline.size() < 3 || front.outline.size() < 3) return false;
+        back.piece.cuts.push_back({b, true});
+        front.piece.cuts.push_back({b, false});
+        std::erase(m_stack, p);
+        add(std::move(back));
+        add(std::move(front));
+        ++m_out.splits;
+        return true;
+    }
+
+    bool resolve(std::uint32_t p, const Conflict& conflict) {
+        const std::uint32_t q = conflict.with;
+        if (conflict.relation == Relation::Mixed) return split(p, m_pieces[q].piece.triangle);
+        if (!m_pieces[q].waits) {
+            push(q);
+            return true;
+        }
+        // From q upwards each waits for the next, and p for q: some member crosses another's plane, for else
+        // the planes would order them all.
+        const auto first = std::ranges::find(m_stack, q) - m_stack.begin();
+        const std::vector<std::uint32_t> cycle(m_stack.begin() + first, m_stack.end());
+        for (auto one = cycle.rbegin(); one != cycle.rend(); ++one)
+            for (const std::uint32_t other : cycle)
+                if (split(*one, m_pieces[other].piece.triangle)) {
+                    for (const std::uint32_t member : cycle)
+                        if (member != *one) await(member);
+                    m_stack.resize(std::size_t(first));
+                    return true;
+                }
+        return false;
+    }
+
+    std::span<const PaintTriangle> m_triangles;
+    PaintingOrder& m_out;
+    std::vector<Piece> m_pieces;
+    std::set<std::pair<double, std::uint32_t>> m_rest;  // the farthest first
+    std::vector<std::uint32_t> m_stack;                 // each but the last waits for the next
+    std::size_t m_limit = 0, m_compared = 0;
+};
+
+}  // namespace
+
+double DepthPlane::error(glm::dvec2 p) const {
+    return 8 * kRoundoff *
+           (depthBound + slopeBound.x * std::abs(p.x - origin.x) + slopeBound.y * std::abs(p.y - origin.y));
+}
+
+PaintingOrder paintingOrder(std::span<const PaintTriangle> triangles, bool split) {
+    PaintingOrder out;
+    for (const PaintTriangle& t : triangles) out.planes.push_back(planeOf(t));
+    if (split) {
+        Newell(triangles, out).run();
+        return out;
+    }
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) out.pieces.push_back({i, {}});
+    std::ranges::stable_sort(out.pieces, [&](const PaintPiece& a, const PaintPiece& b) {
+        const PaintTriangle &s = triangles[a.triangle], &t = triangles[b.triangle];
+        return s.mean != t.mean ? s.mean > t.mean : s.polygon < t.polygon;
+    });
+    return out;
+}
+
+}  // namespace pipeline
