@@ -1,0 +1,59 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "pipeline/stages/painter.h"
+
+// What painting_order.cpp compares: the planes and outlines of pieces in the picture. It alone reads it.
+namespace pipeline::painting {
+
+inline constexpr double kRoundoff = 0x1p-53;
+
+inline DepthPlane planeOf(const PaintTriangle& t) {
+    const auto& c = t.snapped.corners;
+    const glm::dvec2 a(c[1] - c[0]), b(c[2] - c[0]);
+    const double area2 = double(t.snapped.area2()), da = t.depth[1] - t.depth[0], db = t.depth[2] - t.depth[0];
+    DepthPlane plane;
+    plane.origin = glm::dvec2(c[0]);
+    plane.depth = t.depth[0];
+    plane.depthBound = std::max({std::abs(t.depth[0]), std::abs(t.depth[1]), std::abs(t.depth[2])});
+    plane.slope = {(da * b.y - db * a.y) / area2, (db * a.x - da * b.x) / area2};
+    plane.slopeBound = {(std::abs(da * b.y) + std::abs(db * a.y)) / area2,
+                        (std::abs(db * a.x) + std::abs(da * b.x)) / area2};
+    return plane;
+}
+
+struct Piece {
+    PaintPiece piece;
+    std::vector<glm::dvec2> outline;  // clockwise as seen, sub-pixels
+    glm::dvec2 low, high;
+    double nearest, farthest;
+    bool waits = false;  // stands in the stack
+};
+
+// P is behind Q where both are seen, before it, or both; or they are not seen in the same place, or lie in one plane.
+enum class Relation { Free, Behind, InFront, Mixed };
+
+// The part of a convex outline where value(p) >= 0.
+template <class Value>
+std::vector<glm::dvec2> cutOutline(const std::vector<glm::dvec2>& in, Value value) {
+    std::vector<glm::dvec2> out;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        const glm::dvec2 a = in[i], b = in[(i + 1) % in.size()];
+        const double fa = value(a), fb = value(b);
+        if (fa >= 0) out.push_back(a);
+        if ((fa >= 0) != (fb >= 0)) out.push_back(a + fa / (fa - fb) * (b - a));
+    }
+    return out;
+}
+
+inline bool separated(const SnappedTriangle& a, const SnappedTriangle& b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const EdgeFunction edge(a.corners[i], a.corners[(i + 1) % 3]);
+        if (std::ranges::all_of(b.corners, [&](const glm::i64vec2& p) { return edge.at(p) <= 0; })) return true;
+    }
+    return false;
+}
+
+}  // namespace pipeline::painting
