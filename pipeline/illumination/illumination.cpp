@@ -5,7 +5,9 @@
 namespace pipeline {
 
 Illumination illuminationOf(const Settings& settings) {
-    return {settings.model, settings.exponentFactor, settings.localViewer, settings.twoSided};
+    const bool openGl = settings.model == Model::OpenGl, blinn = settings.model == Model::BlinnPhong;
+    return {settings.model, blinn ? settings.exponentFactor : 1.0, openGl && settings.localViewer,
+            openGl && settings.twoSided};
 }
 
 std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view) {

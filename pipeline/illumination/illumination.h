@@ -6,7 +6,8 @@
 
 namespace pipeline {
 
-// The illumination model that a scene asks for, with the settings that it reads.
+// The illumination model that a scene asks for, with the settings that it reads; what it does not
+// read keeps its neutral value here, so that no stage has to ask again.
 struct Illumination {
     Model model = Model::Phong;
     double exponentFactor = 1;  // Blinn-Phong

@@ -63,13 +63,16 @@ Scene randomScene(unsigned seed) {
     for (unsigned i = 0; i < 1 + seed % 4; ++i) scene.objects.push_back(randomObject(random));
     for (unsigned i = 0; i < random() % 4; ++i) scene.lights.push_back(randomLight(random));
     scene.ambient.intensity = between(random, 0, 50);
+    scene.settings.model = Model(seed % 3);
+    scene.settings.twoSided = seed % 2 == 0;
+    for (Object& object : scene.objects) object.material.emission = Vec3d(0.1 * (seed % 5));
     return scene;
 }
 
 void changeSomething(Scene& scene, std::mt19937& random) {
     Settings& settings = scene.settings;
     Object& object = scene.objects[random() % scene.objects.size()];
-    switch (random() % 16) {
+    switch (random() % 19) {
         case 0: object.material = randomMaterial(random); break;
         case 1: object.transform.translation = inBox(random, 2); break;
         case 2: object.transform.scale.z = -object.transform.scale.z; break;
@@ -92,7 +95,10 @@ void changeSomething(Scene& scene, std::mt19937& random) {
         case 11: settings.depthFormat = DepthFormat(random() % 6); break;
         case 12: scene.camera.eye = inBox(random, 6) + Vec3d(0, 0, 4); break;
         case 13: settings.normalWeight = NormalWeight(random() % 3); break;
-        case 14: settings.width = 60 + int(random() % 60); break;
+        case 14: settings.model = Model(random() % 3); break;
+        case 15: settings.twoSided = !settings.twoSided; break;
+        case 16: settings.visibility = Visibility(random() % 2); break;
+        case 17: settings.width = 60 + int(random() % 60); break;
         default: settings.shadowFilter = int(random() % 3); break;
     }
 }

@@ -89,7 +89,7 @@ TEST(PixelReport, AgreesWithTheFramesBuffers) {
                 // The report has what is stored; the buffer rounds it to float where it is exported so.
                 const bool rounded = std::string_view(depth.dtype()) == "float32";
                 ASSERT_EQ(rounded ? double(float(r.depth)) : r.depth, depth.value(column, row));
-                Vec3d sum = r.ambient;
+                Vec3d sum = r.emission + r.ambient;
                 for (std::size_t k = 0; k < r.diffuse.size(); ++k) sum += r.diffuse[k] + r.specular[k];
                 for (int c = 0; c < 3; ++c) {
                     ASSERT_EQ(r.intensity[c], intensity.value(column, row, c));
