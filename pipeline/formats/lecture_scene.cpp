@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <set>
 
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/object_names.h"
 
 namespace pipeline {
 namespace {
@@ -30,7 +30,7 @@ public:
         readAll();
         if (m_errors.empty()) checkSize();
         if (!m_errors.empty()) return m_errors;
-        nameObjects();
+        tellApart(m_scene.objects);
         return std::move(m_scene);
     }
 
@@ -102,16 +102,6 @@ private:
         error.found = "all objects together have " + groupedDigits(vertices) + " vertices and " +
                       groupedDigits(triangles) + " triangles";
         error.expected = "at most " + groupedDigits(kMaxVertices) + " of each";
-    }
-
-    // Two objects of one file are "pyramid" and "pyramid 2".
-    void nameObjects() {
-        std::set<std::string> taken;
-        std::map<std::string, int> uses;
-        for (Object& object : m_scene.objects) {
-            const std::string stem = object.name;
-            while (!taken.insert(object.name).second) object.name = stem + ' ' + std::to_string(++uses[stem] + 1);
-        }
     }
 
     const SourceText& m_source;

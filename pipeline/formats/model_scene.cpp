@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_reader.h"
 
 namespace pipeline {
@@ -38,8 +37,7 @@ Result<Scene> readModelScene(const SourceText& source, const FileLoader& load) {
     const auto hasNormals = [](const Object& object) { return !object.mesh->normals.empty(); };
     if (std::ranges::any_of(scene.objects, hasNormals)) {
         scene.settings.shading = Shading::Phong;
-        const auto given = static_cast<double>(NormalWeight::Given);
-        if (settingRow("normal_weight").max >= given) scene.settings.normalWeight = NormalWeight::Given;
+        scene.settings.normalWeight = NormalWeight::Given;
     }
     showAll(scene);
     return scene;

@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "pipeline/core/text.h"
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_reader.h"
+#include "pipeline/formats/object_names.h"
 #include "pipeline/formats/toml_values.h"
 
 namespace pipeline {
@@ -90,7 +90,7 @@ public:
         if (m_scene.objects.empty()) m_values.fail({}, "the scene has no object", "at least one [[object]]");
         const Errors errors = m_values.errors();
         if (!errors.empty()) return errors;
-        nameObjects();
+        tellApart(m_scene.objects);
         return std::move(m_scene);
     }
 
@@ -250,16 +250,6 @@ private:
         auto& mesh = m_shapes[{shape.kind, shape.tessellation}];
         if (!mesh) mesh = makeShape(shape);
         return mesh;
-    }
-
-    // Two objects of one name are "sphere" and "sphere 2".
-    void nameObjects() {
-        std::set<std::string> taken;
-        std::map<std::string, int> uses;
-        for (Object& object : m_scene.objects) {
-            const std::string stem = object.name;
-            while (!taken.insert(object.name).second) object.name = stem + ' ' + std::to_string(++uses[stem] + 1);
-        }
     }
 
     static std::string shown(std::string key, std::size_t index) {

@@ -7,8 +7,11 @@
 namespace pipeline {
 namespace {
 
+constexpr const char* kNoShadowsInOpenGl = "OpenGL's model knows no shadows.";
+
 // One sentence for all lights when they agree, else one for each.
 std::string noShadowAtAll(const Scene& scene, bool darkLightsToo) {
+    if (scene.settings.model == Model::OpenGl) return kNoShadowsInOpenGl;
     const auto casts = [&](const Light& light) { return light.castsShadow && (darkLightsToo || light.intensity > 0); };
     if (std::ranges::none_of(scene.lights, casts)) return "No light casts a shadow.";
     // A convex object shadows only the polygons that face away, which are dark without a look-up;
@@ -73,7 +76,9 @@ Needs needsOf(const Scene& scene, BufferSet wanted) {
             specular.notBecause = counts.notBecause;
         else if (!dull.empty() && !everything)
             specular.notBecause = dull;
-        if (!light.castsShadow)
+        if (settings.model == Model::OpenGl)
+            shadow.notBecause = kNoShadowsInOpenGl;  // nobody would look it up, not even with everything forced in
+        else if (!light.castsShadow)
             shadow.notBecause = "It casts no shadow.";
         else if (everything)
             shadow.notBecause.clear();
@@ -103,18 +108,15 @@ std::string whyUseless(const Scene& scene, BufferId id) {
         case BufferId::PolygonsIntensity: return needs.polygonTerms.notBecause;
         case BufferId::VerticesIntensity: return needs.vertexTerms.notBecause;
         case BufferId::Depth:
-            switch (scene.settings.visibility) {
-                case Visibility::ZBuffer: return "";
-                case Visibility::Painter: return "The painter's algorithm compares no depths.";
-                case Visibility::Outlines: return "Outlines compare no depths.";
-            }
-            return "";
+            return scene.settings.visibility == Visibility::Painter ? "The painter's algorithm compares no depths."
+                                                                    : "";
         case BufferId::HalfwayVector:
         case BufferId::NDotH: return model == Model::Phong ? "Phong's model uses R, not H." : "";
         case BufferId::ReflectionVector:
         case BufferId::RDotV: return model == Model::Phong ? "" : "The illumination model uses H, not R.";
         case BufferId::Emission: return model == Model::OpenGl ? "" : "Only OpenGL's model has emission.";
         case BufferId::Shadow:
+            if (model == Model::OpenGl) return kNoShadowsInOpenGl;
             return std::ranges::any_of(scene.lights, &Light::castsShadow) ? "" : "No light casts a shadow.";
         default: return {};
     }

@@ -121,17 +121,11 @@ std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& ne
     if (stage == StageId::ZBuffer) {
         const Settings& s = scene.settings;
         const bool sorts = s.visibility == Visibility::Painter;
-        const std::string noOrder =
-            s.visibility == Visibility::ZBuffer ? "The z-buffer needs no order." : "Nothing hides anything.";
-        const std::string noTest = s.visibility == Visibility::ZBuffer ? ""
-                                   : sorts                             ? "The painter's algorithm compares no depths."
-                                                                       : "Outlines compare no depths.";
-        add("depth test", {noTest}, "Of all fragments at a pixel the nearest stays.", "a comparison a fragment");
-        add("sort", {sorts ? "" : noOrder}, "Polygons are painted from the farthest to the nearest.", "a sort");
-        add("split",
-            {!sorts    ? noOrder
-             : s.split ? ""
-                       : "Off in this scene: split = off."},
+        const std::string noOrder = sorts ? "" : "The z-buffer needs no order.";
+        add("depth test", {whyUseless(scene, BufferId::Depth)}, "Of all fragments at a pixel the nearest stays.",
+            "a comparison a fragment");
+        add("sort", {noOrder}, "Polygons are painted from the farthest to the nearest.", "a sort");
+        add("split", {sorts && !s.split ? "Off in this scene: split = off." : noOrder},
             "Polygons may intersect, or overlap in a cycle.", "comparisons of pairs");
     }
     if (stage == StageId::Shading) {

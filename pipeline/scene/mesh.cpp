@@ -290,12 +290,9 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
         mesh.facts.degenerate += !polygon.hasArea();
         mesh.facts.nonPlanar += !isPlanar(polygon);
         const std::span<const std::uint32_t> corners = mesh.polygon(i);
-        for (const glm::uvec3& piece : pieces) {
-            Triangle triangle{{corners[piece.x], corners[piece.y], corners[piece.z]}, static_cast<std::uint32_t>(i), 0};
-            for (int k = 0; k < 3; ++k)
-                if (piece[(k + 1) % 3] == (piece[k] + 1) % corners.size()) triangle.outline |= std::uint8_t(1 << k);
-            mesh.triangles.push_back(triangle);
-        }
+        for (const glm::uvec3& piece : pieces)
+            mesh.triangles.push_back(
+                {{corners[piece.x], corners[piece.y], corners[piece.z]}, static_cast<std::uint32_t>(i)});
         mesh.firstTriangle.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
     }
     mesh.facts.closed = isClosed(mesh);

@@ -19,8 +19,6 @@ struct TextPosition {  // from 1; 0 where nothing is known
 struct Triangle {
     std::uint32_t vertices[3];
     std::uint32_t polygon;  // within the mesh
-    // Bit i: the edge from vertices[i] to the next one is an edge of the polygon.
-    std::uint8_t outline = 0;
 };
 
 // What makeMesh found out about a mesh. The plan leaves work out on the strength of it,

@@ -20,8 +20,7 @@ enum class DepthFormat : std::uint8_t { Linear, Float, Reversed, Fixed16, Fixed2
 // How it is decided what is seen.
 //   ZBuffer   the nearest fragment of every pixel
 //   Painter   polygons are painted from the farthest to the nearest
-//   Outlines  the edges of every polygon, in the order of the polygons: nothing hides
-enum class Visibility : std::uint8_t { ZBuffer, Painter, Outlines };
+enum class Visibility : std::uint8_t { ZBuffer, Painter };
 enum class ShadowBias : std::uint8_t { Automatic, Constant, Slope };
 
 // How a scene is rendered. Every member has a row in settings_table.cpp.

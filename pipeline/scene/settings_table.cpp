@@ -91,9 +91,12 @@ std::string_view onlyZBuffer(const Scene& scene) {
 std::string_view onlyPainter(const Scene& scene) {
     return scene.settings.visibility == Visibility::Painter ? "" : "Only the painter's algorithm splits polygons.";
 }
-std::string_view onlyShadow(const Scene& scene) { return noShadow(scene) ? "No light casts a shadow." : ""; }
+std::string_view onlyShadow(const Scene& scene) {
+    if (scene.settings.model == Model::OpenGl) return "OpenGL's model knows no shadows.";
+    return noShadow(scene) ? "No light casts a shadow." : "";
+}
 std::string_view onlyBias(const Scene& scene) {
-    if (noShadow(scene)) return onlyShadow(scene);
+    if (!onlyShadow(scene).empty()) return onlyShadow(scene);
     return scene.settings.shadowBias == ShadowBias::Automatic ? "Bias is automatic; choose constant to change it." : "";
 }
 std::string_view onlySpecular(const Scene& scene) {

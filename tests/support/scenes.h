@@ -53,6 +53,26 @@ inline std::shared_ptr<const Mesh> box(Vec3d a, Vec3d b) {
                 {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
 }
 
+// The cube of lecture 1's sample code for OpenGL, with its light, material, translation and turns.
+// The lecture leaves the projection open.
+inline Scene openGlCube() {
+    Scene scene;
+    scene.name = "cube";
+    scene.settings.model = Model::OpenGl;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, 0, 0}, scene.camera.target = {0, 0, -1}, scene.camera.up = {0, 1, 0};
+    scene.camera.near = 1, scene.camera.far = 10;
+    Object cube{"cube", box(Vec3d(-0.5), Vec3d(0.5)), {}, {{0, 0.7, 0}, Vec3d(1), 20, {0, 0.7, 0}}};
+    cube.transform.translation = {0, 0, -3};
+    cube.transform.turns = {{20, {1, 0, 0}}, {20, {0, 1, 0}}};
+    scene.objects.push_back(cube);
+    Light light{LightKind::AtInfinity, {1, 1, 1}, 1, Vec3d(0.5), true};
+    light.gl.ambient = Vec3d(0.3), light.gl.specular = Vec3d(0);
+    scene.lights.push_back(light);
+    scene.ambient.intensity = 0.2;
+    return scene;
+}
+
 // A closed sphere of quads and triangles around the origin.
 inline std::shared_ptr<const Mesh> sphere(double radius, int rings, int segments) {
     std::vector<Vec3d> positions{{0, 0, radius}};

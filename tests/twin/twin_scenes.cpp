@@ -3,7 +3,6 @@
 #include <cmath>
 #include <random>
 
-#include "pipeline/core/angles.h"
 #include "tests/support/scenes.h"
 
 namespace twin {
@@ -56,19 +55,8 @@ Scene openBox() {
 }  // namespace
 
 Scene lectureCube() {
-    Scene scene = empty();
-    // Turned about y, then about x: of its own rotations an object does the one about x first.
-    const double s = sinDegrees(20), c = cosDegrees(20);
-    Mesh turned = *test::box(Vec3d(-0.5), Vec3d(0.5));
-    for (Vec3d& p : turned.positions) p = {c * p.x + s * p.z, p.y, c * p.z - s * p.x};
-    Object cube{"cube", makeMesh(std::move(turned)), {}, {}};
-    cube.transform.translation = {0, 0, -3};
-    cube.transform.rotation = {20, 0, 0};
-    cube.material = {{0, 0.7, 0}, Vec3d(1), 20, {0, 0.7, 0}};
-    scene.objects.push_back(cube);
-    Light light{LightKind::AtInfinity, {1, 1, 1}, 1, Vec3d(0.5), true};
-    light.gl.ambient = Vec3d(0.3), light.gl.specular = Vec3d(0);
-    scene.lights.push_back(light);
+    Scene scene = test::openGlCube();
+    scene.settings = empty().settings;
     return scene;
 }
 

@@ -19,7 +19,7 @@ protected:
     void SetUp() override {
         std::string whyNot;
         m_gl = GlContext::make(whyNot);
-        if (!m_gl) GTEST_SKIP() << "not compared with OpenGL: " << whyNot;
+        ASSERT_TRUE(m_gl) << "not compared with OpenGL: " << whyNot;
     }
 
     void expectTheSamePicture(const std::string& name, const Scene& scene) {

@@ -11,25 +11,9 @@
 namespace pipeline {
 namespace {
 
-// Lecture 1's sample code: one cube, one light at infinity.
 Scene lectureCube() {
-    Scene scene;
-    scene.name = "cube.toml";
-    scene.settings.model = Model::OpenGl;
-    scene.settings.shading = Shading::Flat;
+    Scene scene = test::openGlCube();
     scene.settings.width = 64, scene.settings.height = 48;
-    scene.camera.kind = CameraKind::LookAt;
-    scene.camera.eye = {0, 0, 0}, scene.camera.target = {0, 0, -1}, scene.camera.up = {0, 1, 0};
-    scene.camera.near = 1, scene.camera.far = 10;
-    Object cube{"cube", test::box(Vec3d(-0.5), Vec3d(0.5)), {}, {}};
-    cube.transform.translation = {0, 0, -3};
-    cube.transform.turns = {{20, {1, 0, 0}}, {20, {0, 1, 0}}};
-    cube.material = {{0, 0.7, 0}, Vec3d(1), 20, {0, 0.7, 0}};
-    scene.objects.push_back(cube);
-    Light light{LightKind::AtInfinity, {1, 1, 1}, 1, Vec3d(0.5), false};
-    light.gl.ambient = Vec3d(0.3), light.gl.specular = Vec3d(0);
-    scene.lights.push_back(light);
-    scene.ambient.intensity = 0.2;
     return scene;
 }
 
