@@ -1,0 +1,72 @@
+#include "pipeline/scene/settings_idle.h"
+
+#include <algorithm>
+
+namespace pipeline::settings_idle {
+
+namespace {
+
+bool spherical(const Scene& scene) { return scene.camera.kind == CameraKind::Spherical; }
+bool orthographic(const Scene& scene) { return scene.camera.projection == ProjectionKind::Orthographic; }
+bool noShadow(const Scene& scene) { return std::ranges::none_of(scene.lights, &Light::castsShadow); }
+
+}  // namespace
+
+std::string_view onlySpherical(const Scene& scene) {
+    return spherical(scene) ? "" : "The camera is look-at; choose spherical to change it.";
+}
+std::string_view onlyLookAt(const Scene& scene) {
+    return spherical(scene) ? "The camera is spherical; choose look-at to change it." : "";
+}
+std::string_view onlyLookAtPerspective(const Scene& scene) {
+    if (spherical(scene)) return onlyLookAt(scene);
+    return orthographic(scene) ? "The projection is orthographic; choose perspective to change it." : "";
+}
+std::string_view onlyLookAtOrthographic(const Scene& scene) {
+    if (spherical(scene)) return onlyLookAt(scene);
+    return orthographic(scene) ? "" : "The projection is perspective; choose orthographic to change it.";
+}
+std::string_view onlyVertexNormals(const Scene& scene) {
+    return scene.settings.shading == Shading::Flat ? "Flat shading needs polygon normals only." : "";
+}
+std::string_view onlyZBuffer(const Scene& scene) {
+    return scene.settings.visibility == Visibility::ZBuffer ? "" : "Without a z-buffer no depth is stored.";
+}
+std::string_view onlyPainter(const Scene& scene) {
+    return scene.settings.visibility == Visibility::Painter ? "" : "Only the painter's algorithm splits polygons.";
+}
+std::string_view onlyShadow(const Scene& scene) {
+    if (scene.settings.model == Model::OpenGl) return "OpenGL's model knows no shadows.";
+    return noShadow(scene) ? "No light casts a shadow." : "";
+}
+std::string_view onlyBias(const Scene& scene) {
+    if (!onlyShadow(scene).empty()) return onlyShadow(scene);
+    return scene.settings.shadowBias == ShadowBias::Automatic ? "Bias is automatic; choose constant to change it." : "";
+}
+std::string_view onlySpecular(const Scene& scene) {
+    const bool dull =
+        std::ranges::all_of(scene.objects, [](const Object& object) { return object.material.specular == Vec3d(0.0); });
+    return dull ? "k_s is 0 in every material." : "";
+}
+
+std::string_view onlyShapes(const Scene& scene) {
+    const bool none =
+        std::ranges::none_of(scene.objects, [](const Object& object) { return object.shape.has_value(); });
+    return none ? "No object is a built-in shape." : "";
+}
+std::string_view onlyBlinnPhong(const Scene& scene) {
+    return scene.settings.model == Model::BlinnPhong ? "" : "Only Blinn-Phong reads it.";
+}
+std::string_view onlyOpenGl(const Scene& scene) {
+    return scene.settings.model == Model::OpenGl ? "" : "Only OpenGL's model reads it.";
+}
+std::string_view onlyFading(const Scene& scene) {
+    if (scene.settings.model != Model::OpenGl) return onlyOpenGl(scene);
+    const bool point = std::ranges::any_of(scene.lights, [](const Light& l) { return l.kind == LightKind::Point; });
+    return point ? "" : "No light stands at a point: nothing fades with distance.";
+}
+std::string_view notInPhong(const Scene& scene) {
+    return scene.settings.model == Model::Phong ? "Phong's model reflects ambient light by k_r, k_g and k_b." : "";
+}
+
+}  // namespace pipeline::settings_idle

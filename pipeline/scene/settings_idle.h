@@ -1,0 +1,26 @@
+#pragma once
+#include <string_view>
+
+#include "pipeline/scene/scene.h"
+
+// Why a setting has no effect in a scene, one sentence, or empty; the table of settings names one
+// of these in every row that needs it.
+namespace pipeline::settings_idle {
+
+std::string_view onlySpherical(const Scene& scene);
+std::string_view onlyLookAt(const Scene& scene);
+std::string_view onlyLookAtPerspective(const Scene& scene);
+std::string_view onlyLookAtOrthographic(const Scene& scene);
+std::string_view onlyVertexNormals(const Scene& scene);
+std::string_view onlyZBuffer(const Scene& scene);
+std::string_view onlyPainter(const Scene& scene);
+std::string_view onlyShadow(const Scene& scene);
+std::string_view onlyBias(const Scene& scene);
+std::string_view onlySpecular(const Scene& scene);
+std::string_view onlyShapes(const Scene& scene);
+std::string_view onlyBlinnPhong(const Scene& scene);
+std::string_view onlyOpenGl(const Scene& scene);
+std::string_view onlyFading(const Scene& scene);
+std::string_view notInPhong(const Scene& scene);
+
+}  // namespace pipeline::settings_idle
