@@ -1,6 +1,7 @@
 #include "pipeline/scene/settings_idle.h"
 #include "pipeline/scene/settings_rows.h"
 
+#include <algorithm>
 #include <array>
 
 namespace pipeline {
