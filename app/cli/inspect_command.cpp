@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/export/json.h"
+#include "pipeline/export/table_json.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/run/runner.h"
 
@@ -15,20 +17,39 @@ namespace {
 
 struct InspectOptions {
     SceneArgument scene;
-    std::string pixel;
+    std::string pixel, table;
+    std::string format = "text";
     int threads = 0;
     bool json = false;
 };
+
+pipeline::FramePtr frameOf(std::shared_ptr<const pipeline::Scene> scene, const InspectOptions& options) {
+    pipeline::FrameRequest request;
+    request.threads = options.threads;
+    return runFrame(std::move(scene), request, nullptr);
+}
+
+int printTable(std::shared_ptr<const pipeline::Scene> scene, const InspectOptions& options) {
+    const auto id = pipeline::findTable(options.table).value();  // CLI11 has checked both words
+    const auto format = std::ranges::find(pipeline::kTableFormats, options.format);
+    const auto write = [](std::string_view text) { fmt::print("{}", text); };
+    const pipeline::SceneTable table = sceneTable(frameOf(std::move(scene), options), id);
+    const std::vector<std::uint32_t> rows = allRows(table);
+    if (options.json)
+        writeTableJson(table, rows, write);
+    else
+        writeTable(table, rows, pipeline::TableFormat(format - pipeline::kTableFormats.begin()), write);
+    return kDone;
+}
 
 int runInspect(const InspectOptions& options) {
     int status = kDone;
     const auto scene = loadScene(options.scene, status);
     if (!scene) return status;
+    if (!options.table.empty()) return printTable(scene, options);
     const auto pixel = pixelIn(*scene, options.pixel);
     if (!pixel) return kWrongUsage;
-    pipeline::FrameRequest request;
-    request.threads = options.threads;
-    const pipeline::FramePtr frame = runFrame(scene, request, nullptr);
+    const pipeline::FramePtr frame = frameOf(scene, options);
     const pipeline::PixelReport report = inspectPixel(*frame, *pixel);
     if (options.json)
         fmt::print("{}\n", toJson(*frame, report).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
@@ -42,13 +63,25 @@ int runInspect(const InspectOptions& options) {
 void declareInspect(CLI::App& program, const CliHost&, int& status) {
     const auto options = std::make_shared<InspectOptions>();
     CLI::App* command =
-        program.add_subcommand("inspect", "Print everything known about a pixel, its equation included");
+        program.add_subcommand("inspect", "Print everything known about a pixel, its equation included, or a table");
     declareSceneArgument(*command, options->scene);
-    command->add_option("--pixel", options->pixel, "Column and row, from 0 at the top left")
-        ->required()
-        ->type_name("X,Y");
+    CLI::Option_group* what = command->add_option_group("what");
+    what->add_option("--pixel", options->pixel, "Column and row, from 0 at the top left")->type_name("X,Y");
+    std::vector<std::string> tables;
+    for (std::size_t i = 0; i < pipeline::kTableCount; ++i) tables.emplace_back(name(pipeline::TableId(i)));
+    CLI::Option* table =
+        what->add_option("--table", options->table, "An array of the scene: " + CLI::detail::join(tables, ", "))
+            ->type_name("TABLE")
+            ->check(CLI::IsMember(tables));
+    what->require_option(1);
+    const std::vector<std::string> formats(pipeline::kTableFormats.begin(), pipeline::kTableFormats.end());
+    CLI::Option* format =
+        command->add_option("--format", options->format, "How to write the table: " + CLI::detail::join(formats, ", "))
+            ->type_name("FORMAT")
+            ->check(CLI::IsMember(formats))
+            ->needs(table);
     declareThreads(*command, options->threads);
-    command->add_flag("--json", options->json, "Print JSON");
+    command->add_flag("--json", options->json, "Print JSON")->excludes(format);
     command->callback([options, &status] { status = runInspect(*options); });
 }
 

@@ -121,6 +121,35 @@ TEST(Inspect, RefusesAPixelOutsideThePicture) {
     EXPECT_EQ(run({"inspect", "pyramid", "--pixel", "639,479"}).status, 0);
 }
 
+TEST(Inspect, PrintsATableInEveryFormat) {
+    const auto text = run({"inspect", "pyramid", "--table", "polygons"});
+    EXPECT_EQ(text.status, 0);
+    EXPECT_TRUE(has(text.out, "back-facing")) << text.out;
+    EXPECT_TRUE(has(text.out, "114.739"));
+    const auto csv = run({"inspect", "pyramid", "--table", "objects", "--format", "csv"});
+    EXPECT_TRUE(csv.out.starts_with("i,name,num_pts,w_pts,num_polys,polys,kr,kg,kb,ks,n,")) << csv.out;
+    EXPECT_TRUE(has(csv.out, "0,pyramid,5,0 to 4,5,0 to 4,0.2,0.5,0.9,0.4,8,"));
+    EXPECT_TRUE(has(run({"inspect", "pyramid", "--table", "lights", "--format", "markdown"}).out, "| Lx |"));
+    EXPECT_TRUE(has(run({"inspect", "pyramid", "--table", "vertices", "--format", "latex"}).out, "\\end{tabular}"));
+    const Json json = Json::parse(run({"inspect", "pyramid", "--table", "lights", "--json"}).out);
+    EXPECT_EQ(json["columns"][2]["lecture"], "Lx");
+    EXPECT_EQ(json["rows"][0][2], 500);
+}
+
+TEST(Inspect, WantsAPixelOrATable) {
+    for (const std::vector<std::string>& wrong :
+         {std::vector<std::string>{"inspect", "pyramid"},
+          {"inspect", "pyramid", "--table", "pixels"},
+          {"inspect", "pyramid", "--table", "lights", "--pixel", "1,1"},
+          {"inspect", "pyramid", "--pixel", "1,1", "--format", "csv"},
+          {"inspect", "pyramid", "--table", "lights", "--format", "xml"},
+          {"inspect", "pyramid", "--table", "lights", "--format", "csv", "--json"}}) {
+        const auto done = run(wrong);
+        EXPECT_EQ(done.status, 2) << wrong.back();
+        EXPECT_EQ(done.out, "") << wrong.back();
+    }
+}
+
 TEST(Bench, MeasuresEveryStageThatRuns) {
     const auto done = run({"bench", "pyramid", "--json", "--repeat", "7", "--warm-up", "1", "--threads", "1"});
     ASSERT_EQ(done.status, 0) << done.err;
