@@ -14,6 +14,7 @@
 #include "app/desktop/view_area.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/follow_theme.h"
+#include "pipeline/formats/format_table.h"
 #include "pipeline/formats/scene_reader.h"
 
 namespace app {
@@ -23,6 +24,13 @@ constexpr std::array kStageActions{ActionId::Transform,    ActionId::Cull,    Ac
                                    ActionId::ShadowBuffer, ActionId::ZBuffer, ActionId::Shading};
 constexpr std::array kThemeActions{ActionId::DarkTheme, ActionId::LightTheme, ActionId::ProjectorTheme};
 constexpr std::array kChannelActions{ActionId::RedChannel, ActionId::GreenChannel, ActionId::BlueChannel};
+
+// Everything that can be read, then any file.
+QString fileFilters() {
+    QStringList patterns;
+    for (const pipeline::Format& format : pipeline::formatTable()) patterns << u'*' + toQString(format.extension);
+    return MainWindow::tr("Scenes and models (%1);;All files (*)").arg(patterns.join(u' '));
+}
 
 }  // namespace
 
@@ -114,8 +122,7 @@ void MainWindow::enableActions() {
 }
 
 void MainWindow::chooseFile() {
-    const QString file =
-        QFileDialog::getOpenFileName(this, tr("Open a file"), QString(), tr("Scenes (*.scene);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(this, tr("Open a file"), QString(), fileFilters());
     if (!file.isEmpty()) openFile(file);
 }
 

@@ -21,6 +21,8 @@ constexpr auto kFormats = std::to_array<Format>({
     {"Wavefront model", ".obj", hasNoMark, readModelScene},
     {"polygon file", ".ply", hasNoMark, readModelScene},
     {"stereolithography file", ".stl", hasNoMark, readModelScene},
+    {"glTF model", ".gltf", hasNoMark, readModelScene},
+    {"binary glTF model", ".glb", hasNoMark, readModelScene},
 });
 
 bool sameLetters(std::string_view a, std::string_view b) {

@@ -41,9 +41,9 @@ struct NamedMaterial {
 void readMtl(const SourceText& source, std::vector<NamedMaterial>& materials, Errors& errors);
 
 // One function for each format; readModel checks what they promise together.
-// Each object has at least one polygon.
-Result<std::vector<Object>> readObj(const SourceText& source, const FileLoader& load);
-Result<std::vector<Object>> readPly(const SourceText& source, const FileLoader& load);
-Result<std::vector<Object>> readStl(const SourceText& source, const FileLoader& load);
+Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load);
+Result<LoadedModel> readPly(const SourceText& source, const FileLoader& load);
+Result<LoadedModel> readStl(const SourceText& source, const FileLoader& load);
+Result<LoadedModel> readGltf(const SourceText& source, const FileLoader& load);  // .gltf and .glb
 
 }  // namespace pipeline

@@ -13,13 +13,11 @@ namespace {
 
 struct ModelFormat {
     std::string_view extension;
-    Result<std::vector<Object>> (*read)(const SourceText& source, const FileLoader& load);
+    Result<LoadedModel> (*read)(const SourceText& source, const FileLoader& load);
 };
 
 constexpr ModelFormat kModelFormats[] = {
-    {".obj", readObj},
-    {".ply", readPly},
-    {".stl", readStl},
+    {".obj", readObj}, {".ply", readPly}, {".stl", readStl}, {".gltf", readGltf}, {".glb", readGltf},
 };
 
 const ModelFormat* findModelFormat(std::string_view extension) {
@@ -33,7 +31,7 @@ const ModelFormat* findModelFormat(std::string_view extension) {
 
 bool isModel(std::string_view extension) { return findModelFormat(extension) != nullptr; }
 
-Result<std::vector<Object>> readModel(const SourceText& source, std::string_view extension, const FileLoader& load) {
+Result<LoadedModel> readModel(const SourceText& source, std::string_view extension, const FileLoader& load) {
     const ModelFormat* format = findModelFormat(extension);
     if (!format) return Error{{source.name, 0, 0}, "found no model", {}};
     if (source.text.size() > kMaxFileBytes)
@@ -41,9 +39,10 @@ Result<std::vector<Object>> readModel(const SourceText& source, std::string_view
                      "the file is larger than " + groupedDigits(kMaxFileBytes) + " bytes",
                      "a smaller file"};
     try {
-        Result<std::vector<Object>> objects = format->read(source, load);
-        if (objects && objects->empty()) return Error{{source.name, 0, 0}, "found no polygon", "a model with polygons"};
-        return objects;
+        Result<LoadedModel> model = format->read(source, load);
+        if (model && model->objects.empty())
+            return Error{{source.name, 0, 0}, "found no polygon", "a model with polygons"};
+        return model;
     } catch (const std::bad_alloc&) {
         return Error{{source.name, 0, 0}, "not enough memory to read the model", {}};
     }

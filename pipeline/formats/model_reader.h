@@ -15,7 +15,12 @@ namespace pipeline {
 // Whether a file of this extension (".obj", in any case) is a model.
 bool isModel(std::string_view extension);
 
-// The objects of a model. Files that it names (materials, glTF buffers) come from `load`.
-Result<std::vector<Object>> readModel(const SourceText& source, std::string_view extension, const FileLoader& load);
+struct LoadedModel {
+    std::vector<Object> objects;    // each has at least one polygon
+    std::vector<Remark> remarks{};  // about what the file has and the reader leaves out
+};
+
+// Files that the model names (materials, glTF buffers) come from `load`.
+Result<LoadedModel> readModel(const SourceText& source, std::string_view extension, const FileLoader& load);
 
 }  // namespace pipeline

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "pipeline/formats/model_reader.h"
+#include "pipeline/formats/object_names.h"
 
 namespace pipeline {
 
@@ -29,11 +30,12 @@ void showAll(Scene& scene) {
 }
 
 Result<Scene> readModelScene(const SourceText& source, const FileLoader& load) {
-    Result<std::vector<Object>> objects =
-        readModel(source, std::filesystem::path(source.name).extension().string(), load);
-    if (!objects) return objects.errors();
+    Result<LoadedModel> model = readModel(source, std::filesystem::path(source.name).extension().string(), load);
+    if (!model) return model.errors();
     Scene scene;
-    scene.objects = std::move(objects).value();
+    scene.objects = std::move(model).value().objects;
+    scene.remarks = std::move(model).value().remarks;
+    tellApart(scene.objects);
     const auto hasNormals = [](const Object& object) { return !object.mesh->normals.empty(); };
     if (std::ranges::any_of(scene.objects, hasNormals)) {
         scene.settings.shading = Shading::Phong;

@@ -221,25 +221,25 @@ Mesh meshOf(const ObjFile& file, const Group& group) {
 
 }  // namespace
 
-Result<std::vector<Object>> readObj(const SourceText& source, const FileLoader& load) {
+Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
     Errors errors;
     const ObjFile file = ObjReader(source, load, errors).read();
     if (!errors.empty()) return errors;
     std::map<std::size_t, int> groupsOf;
     for (const Group& group : file.groups) ++groupsOf[group.object];
-    std::vector<Object> objects;
+    LoadedModel model;
     for (const Group& group : file.groups) {
         Mesh mesh = meshOf(file, group);
         if (mesh.polygonCount() == 0) continue;
         mesh.file = fileNameOf(source.name);
-        Object& object = objects.emplace_back();
+        Object& object = model.objects.emplace_back();
         object.name = group.name;
         if (groupsOf[group.object] > 1) object.name += ", " + shownName(group.material, "no material");
         object.mesh = makeMesh(std::move(mesh));
         const auto material = file.materialOf.find(group.material);
         if (material != file.materialOf.end()) object.material = file.materials[material->second].material;
     }
-    return objects;
+    return model;
 }
 
 }  // namespace pipeline

@@ -187,7 +187,7 @@ void readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, 
 
 }  // namespace
 
-Result<std::vector<Object>> readPly(const SourceText& source, const FileLoader&) {
+Result<LoadedModel> readPly(const SourceText& source, const FileLoader&) {
     Errors errors;
     LineScanner scanner(source.text, source.name, errors);
     const PlyHeader header = readPlyHeader(scanner);
@@ -196,14 +196,14 @@ Result<std::vector<Object>> readPly(const SourceText& source, const FileLoader&)
     PlyBody body(source, header.form, scanner, errors);
     readElements(body, header, source.text.size(), mesh);
     if (!errors.empty()) return errors;
-    std::vector<Object> objects;
-    if (mesh.polygonCount() == 0) return objects;
+    LoadedModel model;
+    if (mesh.polygonCount() == 0) return model;
     dropUnusedVertices(mesh);
     mesh.file = fileNameOf(source.name);
-    Object& object = objects.emplace_back();
+    Object& object = model.objects.emplace_back();
     object.name = stemOf(source.name);
     object.mesh = makeMesh(std::move(mesh));
-    return objects;
+    return model;
 }
 
 }  // namespace pipeline

@@ -53,7 +53,7 @@ void addObject(WeldedMesh& welded, const SourceText& source, std::string name, s
     welded = {};
 }
 
-Result<std::vector<Object>> readBinary(const SourceText& source) {
+Result<LoadedModel> readBinary(const SourceText& source) {
     const std::string_view bytes = source.text;
     if (bytes.size() < kFirstFacet)
         return Error{{source.name, 0, 0},
@@ -88,9 +88,9 @@ Result<std::vector<Object>> readBinary(const SourceText& source) {
         addPolygon(welded.mesh(), corners);
     }
     if (!errors.empty()) return errors;
-    std::vector<Object> objects;
-    addObject(welded, source, stemOf(source.name), objects);
-    return objects;
+    LoadedModel model;
+    addObject(welded, source, stemOf(source.name), model.objects);
+    return model;
 }
 
 std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedMesh& welded) {
@@ -107,10 +107,10 @@ std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedMesh& welded
     return welded.vertex(p);
 }
 
-Result<std::vector<Object>> readText(const SourceText& source) {
+Result<LoadedModel> readText(const SourceText& source) {
     Errors errors;
     LineScanner scanner(source.text, source.name, errors);
-    std::vector<Object> objects;
+    LoadedModel model;
     std::string name = stemOf(source.name);
     WeldedMesh welded;
     std::vector<std::uint32_t> corners;
@@ -132,14 +132,14 @@ Result<std::vector<Object>> readText(const SourceText& source) {
             if (corners.size() < 3 && errors.empty()) scanner.fail("a loop of fewer than three vertices", "three");
             addPolygon(welded.mesh(), corners, place);
         } else if (ended) {
-            addObject(welded, source, name, objects);
+            addObject(welded, source, name, model.objects);
         } else if (word != "endfacet") {
             scanner.refuse("solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
         }
     }
     if (!ended && errors.empty()) scanner.fail("found the end of the file", "endsolid");
     if (!errors.empty()) return errors;
-    return objects;
+    return model;
 }
 
 // Some programs begin a binary file with "solid" as well; its size gives it away.
@@ -156,7 +156,7 @@ bool isBinary(std::string_view bytes) {
 
 }  // namespace
 
-Result<std::vector<Object>> readStl(const SourceText& source, const FileLoader&) {
+Result<LoadedModel> readStl(const SourceText& source, const FileLoader&) {
     return isBinary(source.text) ? readBinary(source) : readText(source);
 }
 

@@ -210,9 +210,14 @@ private:
         if (!loaded) return;
         const std::string extension = fs::path(*file).extension().string();
         if (!isModel(extension)) return m_values.refuse(node, path, "a model, such as an .obj file");
-        Result<std::vector<Object>> objects = readModel({loaded->text, loaded->path}, extension, m_load);
-        if (!objects) return m_values.add(objects.errors());
-        for (const Object& object : *objects) m_scene.objects.push_back(object);
+        // What a model names stands beside the model.
+        const FileLoader beside = [&, folder = fs::path(*file).parent_path()](std::string_view name) {
+            return m_load((folder / name).string());
+        };
+        const Result<LoadedModel> model = readModel({loaded->text, loaded->path}, extension, beside);
+        if (!model) return m_values.add(model.errors());
+        std::ranges::copy(model->objects, std::back_inserter(m_scene.objects));
+        std::ranges::copy(model->remarks, std::back_inserter(m_scene.remarks));
     }
 
     std::optional<NamedFile> load(const toml::node& node, const std::string& file) {

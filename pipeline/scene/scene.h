@@ -7,6 +7,7 @@
 
 #include "pipeline/core/real.h"
 #include "pipeline/scene/mesh.h"
+#include "pipeline/scene/remark.h"
 #include "pipeline/scene/settings.h"
 #include "pipeline/scene/shape.h"
 
@@ -114,6 +115,7 @@ struct Scene {
     AmbientLight ambient;
     Camera camera;
     Settings settings;
+    std::vector<Remark> remarks{};  // of its readers, about what they left out
     bool operator==(const Scene&) const = default;
 };
 

@@ -20,14 +20,14 @@ FileLoader filesOf(std::map<std::string, std::string, std::less<>> files) {
 }
 
 std::vector<Object> objectsOf(std::string_view text, const FileLoader& load = filesOf({})) {
-    const Result<std::vector<Object>> objects = readModel({text, "m.obj"}, ".obj", load);
-    EXPECT_TRUE(objects) << (objects ? "" : format(objects.errors()));
-    return objects ? *objects : std::vector<Object>{};
+    const Result<LoadedModel> model = readModel({text, "m.obj"}, ".obj", load);
+    EXPECT_TRUE(model) << (model ? "" : format(model.errors()));
+    return model ? model->objects : std::vector<Object>{};
 }
 
 std::string errorsOf(std::string_view text, const FileLoader& load = filesOf({})) {
-    const Result<std::vector<Object>> objects = readModel({text, "m.obj"}, ".obj", load);
-    return objects ? "" : format(objects.errors());
+    const Result<LoadedModel> model = readModel({text, "m.obj"}, ".obj", load);
+    return model ? "" : format(model.errors());
 }
 
 std::vector<std::uint32_t> polygon(const Object& object, std::size_t i) {
@@ -171,9 +171,9 @@ TEST(ObjReader, MaterialFileOutsideTheFolder) {
 TEST(ObjReader, ManyErrorsEnd) {
     std::string text = kSquare;
     for (int i = 0; i < 100; ++i) text += "f 1 2 9\n";
-    const Result<std::vector<Object>> objects = readModel({text, "m.obj"}, ".obj", filesOf({}));
-    ASSERT_FALSE(objects);
-    EXPECT_EQ(objects.errors().size(), kMaxErrors);
+    const Result<LoadedModel> model = readModel({text, "m.obj"}, ".obj", filesOf({}));
+    ASSERT_FALSE(model);
+    EXPECT_EQ(model.errors().size(), kMaxErrors);
 }
 
 TEST(ModelReader, ExtensionsInAnyCase) {

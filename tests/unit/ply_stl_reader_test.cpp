@@ -14,14 +14,14 @@ namespace {
 Result<NamedFile> noFiles(std::string_view) { return Error{{}, "no such file", {}}; }
 
 std::vector<Object> objectsOf(std::string_view text, std::string_view extension) {
-    const Result<std::vector<Object>> objects = readModel({text, "m"}, extension, noFiles);
-    EXPECT_TRUE(objects) << (objects ? "" : format(objects.errors()));
-    return objects ? *objects : std::vector<Object>{};
+    const Result<LoadedModel> model = readModel({text, "m"}, extension, noFiles);
+    EXPECT_TRUE(model) << (model ? "" : format(model.errors()));
+    return model ? model->objects : std::vector<Object>{};
 }
 
 std::string errorsOf(std::string_view text, std::string_view extension) {
-    const Result<std::vector<Object>> objects = readModel({text, "m"}, extension, noFiles);
-    return objects ? "" : format(objects.errors());
+    const Result<LoadedModel> model = readModel({text, "m"}, extension, noFiles);
+    return model ? "" : format(model.errors());
 }
 
 std::vector<std::uint32_t> polygon(const Object& object, std::size_t i) {

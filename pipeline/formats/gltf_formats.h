@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "pipeline/core/real.h"
+#include "pipeline/formats/gltf_value.h"
+#include "pipeline/scene/scene.h"
+
+// What the parts of the reader of glTF share (Khronos Group, glTF 2.0 Specification, 2021).
+namespace pipeline {
+
+// glTF has +y up, our world +z.
+inline Vec3d fromYUp(const Vec3d& v) { return {v.x, 0.0 - v.z, v.y}; }
+
+// A node that draws a mesh.
+struct GltfInstance {
+    GltfValue node, mesh;
+    glm::dmat4 toWorld;  // +y up
+};
+
+// The nodes of the file's scene, parents before children. The nodes must be a tree of at most 1024
+// levels; what is not as it must be is reported.
+std::vector<GltfInstance> instancesOf(GltfFile& file);
+
+// metallic-roughness as coefficients (appendix B.2): k_d = baseColor (1 - metallic),
+// k_s = 0.04 (1 - metallic) + baseColor metallic, and for n the Blinn-Phong exponent 2 / α² - 2 that
+// matches a microfacet roughness α = roughness² (B. Karis, Real Shading in Unreal Engine 4, 2013;
+// B. Walter et al., Microfacet Models for Refraction through Rough Surfaces, 2007), within 1 to 10 000.
+Material readGltfMaterial(const GltfValue& material);
+
+}  // namespace pipeline

@@ -1,0 +1,251 @@
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "pipeline/formats/gltf_accessor.h"
+#include "pipeline/formats/gltf_formats.h"
+#include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/model_formats.h"
+
+// glTF 2.0 (Khronos Group, glTF 2.0 Specification, 2021): the triangles of a scene's nodes, their
+// normals, and the factors of their materials.
+//
+// An own reader on a JSON parser: the packaged tinygltf recurses as deep as a file nests.
+namespace pipeline {
+namespace {
+
+constexpr std::size_t kMaxObjects = 65536;
+
+enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
+
+struct VertexHash {
+    std::size_t operator()(const std::array<double, 6>& v) const {
+        std::size_t hash = 0;
+        for (const double x : v) hash = (hash ^ std::hash<double>{}(x)) * 0x9E3779B97F4A7C15u;
+        return hash ^ hash >> 32;
+    }
+};
+
+// Corners of the triangle `i` (section 3.7.2.1). Every other one of a strip is turned round, so that all face alike.
+std::array<std::size_t, 3> cornersOf(std::uint64_t mode, std::size_t i) {
+    if (mode == kStrip) return {i, i + 1 + i % 2, i + 2 - i % 2};
+    if (mode == kFan) return {i + 1, i + 2, 0};
+    return {3 * i, 3 * i + 1, 3 * i + 2};
+}
+
+class GltfReader {
+public:
+    GltfReader(GltfFile& file, const FileLoader& load) : m_file(file), m_buffers(load) {}
+
+    std::vector<Object> read() {
+        checkHead();
+        if (!m_file.errors.empty()) return {};
+        const std::vector<GltfInstance> instances = instancesOf(m_file);
+        for (const GltfInstance& instance : instances) {
+            if (m_file.errors.size() >= kMaxErrors) break;
+            const GltfValue primitives = instance.mesh["primitives"];
+            if (!primitives.isThere()) primitives.refuse("an array of primitives");
+            for (std::size_t k = 0; k < primitives.size(); ++k)
+                readPrimitive(instance, primitives.at(k), primitives.size() > 1);
+        }
+        return std::move(m_objects);
+    }
+
+private:
+    void checkHead() {
+        const GltfValue top(m_file), asset = top["asset"];
+        for (const GltfValue& version : {asset["version"], asset["minVersion"]}) {
+            const auto text = version.text();
+            const bool needed = version.pointer() == "/asset/version";
+            if ((!text && needed && !version.isThere()) || (text && !text->starts_with("2.")))
+                version.refuse("\"2.0\"");
+        }
+        const GltfValue required = top["extensionsRequired"], used = top["extensionsUsed"];
+        std::vector<std::string_view> known{"KHR_mesh_quantization"};
+        for (std::size_t i = 0; i < required.size(); ++i)
+            if (const auto name = required.at(i).text(); name && std::ranges::find(known, *name) == known.end())
+                required.at(i).refuse("an extension that is read, KHR_mesh_quantization");
+        for (std::size_t i = 0; i < used.size(); ++i)
+            if (const auto name = used.at(i).text(); name && std::ranges::find(known, *name) == known.end())
+                remark(m_file, fmt::format("The extension {} is not read.", quotedInput(*name)));
+            else if (name)
+                m_quantized = true;
+        if (top["animations"].isThere()) remark(m_file, "Animations are not read; every node stays as it is written.");
+        if (top["cameras"].isThere()) remark(m_file, "Cameras are not read.");
+    }
+
+    void readPrimitive(const GltfInstance& instance, const GltfValue& primitive, bool hasTwins) {
+        const auto mode = primitive["mode"].isThere() ? primitive["mode"].whole(0, 6) : std::optional<std::uint64_t>(4);
+        if (!mode) return;
+        if (*mode < kTriangles) return remark(m_file, "Points and lines are not read.");
+        if (primitive["targets"].isThere())
+            remark(m_file, "Morph targets are not read; the mesh stays as it is written.");
+        const GltfValue attributes = primitive["attributes"];
+        for (const char* key : {"COLOR_0", "TEXCOORD_0"})
+            if (attributes[key].isThere()) remark(m_file, "Colours and picture coordinates of vertices are not read.");
+        const GltfValue positionIndex = attributes["POSITION"];
+        // Without positions the specification has nothing drawn.
+        if (!positionIndex.isThere()) return remark(m_file, "A primitive without positions is left out.");
+        const auto position = accessorAt(positionIndex, "VEC3", m_buffers);
+        if (!position || !hasRoomFor(primitive, position->count) || !isVectorType(positionIndex, *position, false))
+            return;
+        const auto corners = readCorners(primitive["indices"], position->count);
+        if (!corners) return;
+        const std::size_t count =
+            *mode == kTriangles ? corners->size() / 3 : corners->size() - std::min<std::size_t>(2, corners->size());
+        if (corners->size() < 3 || (*mode == kTriangles && corners->size() % 3 != 0))
+            return primitive.fail(fmt::format("{} has {} corners", primitive.pointer(), groupedDigits(corners->size())),
+                                  *mode == kTriangles ? "a multiple of three" : "at least three");
+        const auto positions = readVectors(m_file, *position);
+        const auto normals = readNormals(attributes["NORMAL"], position->count);
+        if (!positions || !normals) return;
+        const auto vertices = placed(instance, *positions, *normals);
+        if (!vertices) return;
+        addObject(instance, primitive, hasTwins, [&](Mesh& mesh) {
+            const bool mirrored = glm::determinant(glm::dmat3(instance.toWorld)) < 0;
+            std::unordered_map<std::array<double, 6>, std::uint32_t, VertexHash> vertexOf;
+            for (std::size_t i = 0; i < count; ++i) {
+                std::array<std::size_t, 3> triangle = cornersOf(*mode, i);
+                if (mirrored) std::swap(triangle[1], triangle[2]);
+                std::array<std::uint32_t, 3> polygon{};
+                for (std::size_t k = 0; k < 3; ++k)
+                    polygon[k] = weld(mesh, *vertices, (*corners)[triangle[k]], vertexOf);
+                addPolygon(mesh, polygon);
+            }
+            dropUnusedVertices(mesh);
+        });
+    }
+
+    // In the world, +z up.
+    struct Vertices {
+        std::vector<Vec3d> positions, normals;
+    };
+
+    std::optional<Vertices> placed(const GltfInstance& instance, const std::vector<Vec3d>& positions,
+                                   const std::vector<Vec3d>& normals) {
+        Vertices vertices;
+        for (const Vec3d& p : positions) {
+            vertices.positions.push_back(fromYUp(Vec3d(instance.toWorld * glm::dvec4(p, 1))) + 0.0);
+            const Vec3d& there = vertices.positions.back();
+            if (isCoordinate(there.x) && isCoordinate(there.y) && isCoordinate(there.z)) continue;
+            instance.node.fail(fmt::format("{} moves a vertex to ({:.3g}, {:.3g}, {:.3g})", instance.node.pointer(),
+                                           there.x, there.y, there.z),
+                               numberFrom(-kFarthestVertex, kFarthestVertex));
+            return {};
+        }
+        // The cofactors are the inverse transpose but for a factor, and exist for a flat node as well.
+        const glm::dmat3 m(instance.toWorld);
+        const double side = glm::determinant(m) < 0 ? -1 : 1;
+        const glm::dmat3 cofactors(side * glm::cross(m[1], m[2]), side * glm::cross(m[2], m[0]),
+                                   side * glm::cross(m[0], m[1]));
+        for (const Vec3d& n : normals) {
+            const auto unit = unitVector(fromYUp(cofactors * n));
+            if (!unit) {
+                remark(m_file, "Some normals have no length; the normals of their object are not used.");
+                vertices.normals.clear();
+                break;
+            }
+            vertices.normals.push_back(*unit);
+        }
+        return vertices;
+    }
+
+    // Vertices that differ in nothing that is read are one, so that a closed surface is closed.
+    static std::uint32_t weld(Mesh& mesh, const Vertices& vertices, std::uint32_t vertex,
+                              std::unordered_map<std::array<double, 6>, std::uint32_t, VertexHash>& vertexOf) {
+        const Vec3d& p = vertices.positions[vertex];
+        const Vec3d n = vertices.normals.empty() ? Vec3d(0.0) : vertices.normals[vertex];
+        const auto [found, isNew] =
+            vertexOf.try_emplace({p.x, p.y, p.z, n.x, n.y, n.z}, static_cast<std::uint32_t>(mesh.positions.size()));
+        if (isNew) {
+            mesh.positions.push_back(p);
+            if (!vertices.normals.empty()) mesh.normals.push_back(n);
+        }
+        return found->second;
+    }
+
+    void addObject(const GltfInstance& instance, const GltfValue& primitive, bool hasTwins, auto fill) {
+        Mesh mesh;
+        fill(mesh);
+        if (mesh.polygonCount() == 0) return;
+        if (m_objects.size() == kMaxObjects)
+            return primitive.fail(fmt::format("more than {} objects", groupedDigits(kMaxObjects)));
+        mesh.file = fileNameOf(m_file.name);
+        Object& object = m_objects.emplace_back();
+        object.mesh = makeMesh(std::move(mesh));
+        const GltfValue materialIndex = primitive["material"];
+        const auto material = materialIndex.element("materials");
+        if (material) object.material = readGltfMaterial(*material);
+        const std::string otherwise = shownName(instance.mesh["name"].text().value_or(""), stemOf(m_file.name));
+        object.name = shownName(instance.node["name"].text().value_or(""), otherwise);
+        if (hasTwins)
+            object.name += ", " + shownName(material ? (*material)["name"].text().value_or("") : "", "no material");
+    }
+
+    // Primitives may name the same vertices again and again; what they amount to is limited.
+    bool hasRoomFor(const GltfValue& primitive, std::size_t count) {
+        m_elements += count;
+        if (m_elements <= kMaxVertices) return true;
+        primitive.fail(fmt::format("up to {} the file has {} vertices and corners", primitive.pointer(),
+                                   groupedDigits(m_elements)),
+                       fmt::format("at most {}", groupedDigits(kMaxVertices)));
+        return false;
+    }
+
+    // Sections 3.7.2.1 and, for integers, KHR_mesh_quantization.
+    bool isVectorType(const GltfValue& attribute, const GltfAccessor& accessor, bool isNormal) const {
+        const bool whole = accessor.componentType >= 5120 && accessor.componentType <= 5123;
+        const bool isSigned = accessor.componentType == 5120 || accessor.componentType == 5122;
+        if (accessor.componentType == 5126) return true;
+        if (m_quantized && whole && (!isNormal || (isSigned && accessor.normalized))) return true;
+        attribute.fail(fmt::format("{}/componentType is {}", accessor.pointer, accessor.componentType),
+                       fmt::format("5126 for {}", attribute.pointer()));
+        return false;
+    }
+
+    // The corners as vertices; without indices every vertex is one.
+    std::optional<std::vector<std::uint32_t>> readCorners(const GltfValue& index, std::size_t vertexCount) {
+        if (index.isThere()) {
+            const auto accessor = accessorAt(index, "SCALAR", m_buffers);
+            if (!accessor || !hasRoomFor(index, accessor->count)) return {};
+            return readIndices(m_file, *accessor, vertexCount);
+        }
+        std::vector<std::uint32_t> corners(vertexCount);
+        for (std::size_t i = 0; i < vertexCount; ++i) corners[i] = static_cast<std::uint32_t>(i);
+        return corners;
+    }
+
+    // Empty where the primitive has none.
+    std::optional<std::vector<Vec3d>> readNormals(const GltfValue& index, std::size_t vertexCount) {
+        if (!index.isThere()) return std::vector<Vec3d>{};
+        const auto accessor = accessorAt(index, "VEC3", m_buffers);
+        if (!accessor || !isVectorType(index, *accessor, true)) return {};
+        if (accessor->count != vertexCount) {
+            index.fail(fmt::format("{}/count is {}", accessor->pointer, groupedDigits(accessor->count)),
+                       fmt::format("{}, as many as positions", groupedDigits(vertexCount)));
+            return {};
+        }
+        return readVectors(m_file, *accessor);
+    }
+
+    GltfFile& m_file;
+    GltfBuffers m_buffers;
+    bool m_quantized = false;
+    std::size_t m_elements = 0;  // read so far
+    std::vector<Object> m_objects;
+};
+
+}  // namespace
+
+Result<LoadedModel> readGltf(const SourceText& source, const FileLoader& load) {
+    Result<GltfFile> parsed = parseGltf(source);
+    if (!parsed) return parsed.errors();
+    GltfFile file = std::move(parsed).value();
+    std::vector<Object> objects = GltfReader(file, load).read();
+    if (!file.errors.empty()) return file.errors;
+    return LoadedModel{std::move(objects), std::move(file.remarks)};
+}
+
+}  // namespace pipeline

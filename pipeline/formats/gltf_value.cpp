@@ -1,0 +1,254 @@
+#include "pipeline/formats/gltf_value.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/core/text.h"
+#include "pipeline/formats/bytes.h"
+#include "pipeline/formats/lecture_values.h"
+
+namespace pipeline {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kMaxDepth = 64, kMaxValues = std::size_t{1} << 22;
+constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;  // "glTF", "JSON", "BIN"
+constexpr std::size_t kHeader = 12, kChunkHeader = 8;                                          // bytes
+
+// Where the parser stops; it has no other way to say so without an exception.
+class PlaceOfError : public nlohmann::json_sax<Json> {
+public:
+    std::size_t bytesRead = 0;
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_object(std::size_t) override { return true; }
+    bool key(string_t&) override { return true; }
+    bool end_object() override { return true; }
+    bool start_array(std::size_t) override { return true; }
+    bool end_array() override { return true; }
+    bool parse_error(std::size_t position, const std::string&, const Json::exception&) override {
+        bytesRead = position;
+        return false;
+    }
+};
+
+TextPosition positionOf(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, byte);
+    const std::size_t lineBegin = before.rfind('\n') == before.npos ? 0 : before.rfind('\n') + 1;
+    const auto isCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+    return {1 + static_cast<int>(std::ranges::count(before, '\n')),
+            1 + static_cast<int>(std::ranges::count_if(before.substr(lineBegin), isCharacter))};
+}
+
+// `offset`: where the JSON stands in a .glb, whose lines mean nothing.
+Error notJson(const SourceText& source, std::string_view json, std::size_t byte, std::string found,
+              std::string expected = {}) {
+    if (json.size() == source.text.size()) {
+        const TextPosition place = positionOf(json, byte);
+        return {{source.name, place.line, place.column}, std::move(found), std::move(expected)};
+    }
+    const std::size_t offset = static_cast<std::size_t>(json.data() - source.text.data());
+    return {
+        {source.name, 0, 0}, fmt::format("{} at byte {}", found, groupedDigits(offset + byte)), std::move(expected)};
+}
+
+// Brackets and commas outside of strings tell the depth and the number of values.
+std::optional<Error> checkNesting(const SourceText& source, std::string_view json) {
+    std::size_t depth = 0, values = 1;
+    bool inString = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (inString) {
+            if (c == '\\') ++i;
+            if (c == '"') inString = false;
+        } else if (c == '"') {
+            inString = true;
+        } else if (c == '[' || c == '{') {
+            ++values;
+            if (++depth > kMaxDepth)
+                return notJson(source, json, i, fmt::format("JSON nests more than {} deep", kMaxDepth));
+        } else if (c == ']' || c == '}') {
+            if (depth > 0) --depth;
+        } else if (c == ',' && ++values > kMaxValues) {
+            return notJson(source, json, i, fmt::format("JSON has more than {} values", groupedDigits(kMaxValues)));
+        }
+    }
+    return {};
+}
+
+struct Chunks {
+    std::string_view json;
+    std::optional<std::string_view> binary;
+};
+
+Result<Chunks> chunksOf(const SourceText& source) {
+    const auto wrong = [&](std::string found, std::string expected = {}) {
+        return Error{{source.name, 0, 0}, std::move(found), std::move(expected)};
+    };
+    const std::string_view bytes = source.text;
+    if (!hasBytes(bytes, 0, kHeader)) return wrong(fmt::format("the file ends after {} bytes", bytes.size()));
+    if (const auto version = numberAt<std::uint32_t>(bytes, 4); version != 2)
+        return wrong(fmt::format("the file is of version {} of binary glTF", version), "version 2");
+    const std::size_t length = numberAt<std::uint32_t>(bytes, 8);
+    if (length > bytes.size())
+        return wrong(fmt::format("{} bytes announced, the file ends after {}", groupedDigits(length),
+                                 groupedDigits(bytes.size())));
+    Chunks chunks;
+    std::size_t at = kHeader;
+    for (int count = 0; length - std::min(at, length) >= kChunkHeader && count < 2; ++count) {
+        const std::size_t size = numberAt<std::uint32_t>(bytes, at);
+        const auto type = numberAt<std::uint32_t>(bytes, at + 4);
+        at += kChunkHeader;
+        if (size > length - at)
+            return wrong(fmt::format("a chunk of {} bytes announced at byte {}, the file ends after {}",
+                                     groupedDigits(size), groupedDigits(at - kChunkHeader), groupedDigits(length)));
+        if (count == 0 && type != kJsonChunk) break;
+        if (count == 0) chunks.json = bytes.substr(at, size);
+        if (count == 1 && type == kBinChunk) chunks.binary = bytes.substr(at, size);
+        at += size;
+    }
+    if (!chunks.json.data()) return wrong("the file's first chunk is not JSON", "a JSON chunk");
+    return chunks;
+}
+
+// A value for a message, short whatever it is.
+std::string shown(const Json& value) {
+    if (value.is_string()) return quotedInput(value.get_ref<const std::string&>());
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return fmt::format("an array of {}", value.size());
+    if (value.is_number_float()) return shortestText(value.get<double>());
+    return value.dump();
+}
+
+}  // namespace
+
+Result<GltfFile> parseGltf(const SourceText& source) {
+    Chunks chunks{source.text, {}};
+    if (hasBytes(source.text, 0, 4) && numberAt<std::uint32_t>(source.text, 0) == kMagic) {
+        const Result<Chunks> found = chunksOf(source);
+        if (!found) return found.errors();
+        chunks = *found;
+    }
+    if (const auto error = checkNesting(source, chunks.json)) return *error;
+    GltfFile file{source.name, Json::parse(chunks.json, nullptr, false), chunks.binary};
+    if (file.json.is_discarded()) {
+        PlaceOfError place;
+        Json::sax_parse(chunks.json, &place);
+        const std::size_t byte = std::min(place.bytesRead, chunks.json.size() + 1);
+        const bool atEnd = byte == 0 || byte > chunks.json.size();
+        return notJson(source, chunks.json, byte == 0 ? 0 : byte - 1,
+                       atEnd ? "the JSON ends too early" : "this is not JSON");
+    }
+    if (!file.json.is_object())
+        return notJson(source, chunks.json, 0, fmt::format("the JSON is {}", shown(file.json)), "an object");
+    return file;
+}
+
+void remark(GltfFile& file, std::string text) {
+    Remark remark{file.name, std::move(text)};
+    if (std::ranges::find(file.remarks, remark) == file.remarks.end()) file.remarks.push_back(std::move(remark));
+}
+
+GltfValue GltfValue::operator[](std::string_view key) const {
+    std::string pointer = fmt::format("{}/{}", m_pointer, key);
+    if (!m_json) return {*m_file, nullptr, std::move(pointer)};
+    if (!m_json->is_object()) {
+        refuse("an object");
+        return {*m_file, nullptr, std::move(pointer)};
+    }
+    const auto found = m_json->find(key);
+    return {*m_file, found == m_json->end() ? nullptr : &*found, std::move(pointer)};
+}
+
+std::size_t GltfValue::size() const {
+    if (!m_json) return 0;
+    if (m_json->is_array()) return m_json->size();
+    refuse("an array");
+    return 0;
+}
+
+GltfValue GltfValue::at(std::size_t index) const {
+    return {*m_file, &(*m_json)[index], fmt::format("{}/{}", m_pointer, index)};
+}
+
+std::optional<std::uint64_t> GltfValue::whole(std::uint64_t min, std::uint64_t max) const {
+    if (!m_json) return {};
+    if (m_json->is_number_unsigned())
+        if (const auto value = m_json->get<std::uint64_t>(); value >= min && value <= max) return value;
+    refuse(fmt::format("a whole number from {} to {}", groupedDigits(min), groupedDigits(max)));
+    return {};
+}
+
+std::optional<double> GltfValue::number(double min, double max) const {
+    if (!m_json) return {};
+    if (m_json->is_number())
+        if (const auto value = m_json->get<double>(); value >= min && value <= max) return value;
+    refuse(numberFrom(min, max));
+    return {};
+}
+
+bool GltfValue::numbers(std::span<double> values, double min, double max) const {
+    if (!m_json) return true;
+    if (!m_json->is_array() || m_json->size() != values.size()) {
+        refuse(fmt::format("an array of {} numbers", values.size()));
+        return false;
+    }
+    std::vector<double> read;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::optional<double> value = at(i).number(min, max);
+        if (!value) return false;
+        read.push_back(*value);
+    }
+    std::ranges::copy(read, values.begin());
+    return true;
+}
+
+std::optional<std::string_view> GltfValue::text() const {
+    if (!m_json) return {};
+    if (m_json->is_string()) return std::string_view(m_json->get_ref<const std::string&>());
+    refuse("a string");
+    return {};
+}
+
+std::optional<bool> GltfValue::truth() const {
+    if (!m_json) return {};
+    if (m_json->is_boolean()) return m_json->get<bool>();
+    refuse("true or false");
+    return {};
+}
+
+std::optional<GltfValue> GltfValue::element(std::string_view list) const {
+    if (!m_json) return {};
+    const GltfValue elements = GltfValue(*m_file)[list];
+    const std::size_t count = elements.size();
+    if (m_json->is_number_unsigned() && m_json->get<std::uint64_t>() < count)
+        return elements.at(m_json->get<std::size_t>());
+    refuse(count == 0 ? fmt::format("no index: there are no {}", list)
+                      : fmt::format("an index of {}, 0 to {}", list, count - 1));
+    return {};
+}
+
+void GltfValue::refuse(std::string expected) const {
+    fail(m_json ? fmt::format("{} is {}", m_pointer.empty() ? "the JSON" : m_pointer.c_str(), shown(*m_json))
+                : fmt::format("{} is missing", m_pointer),
+         std::move(expected));
+}
+
+void GltfValue::fail(std::string found, std::string expected) const {
+    Error error{{m_file->name, 0, 0}, std::move(found), std::move(expected)};
+    Errors& errors = m_file->errors;
+    // What several places look at is reported once.
+    if (errors.size() < kMaxErrors && std::ranges::find(errors, error) == errors.end())
+        errors.push_back(std::move(error));
+}
+
+}  // namespace pipeline

@@ -1,0 +1,247 @@
+// glTF: the shapes, places and materials that files stand for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "pipeline/formats/model_reader.h"
+#include "tests/support/gltf_files.h"
+
+namespace pipeline {
+namespace {
+
+using test::bytesOf, test::dataUri, test::fileOf, test::filesOf, test::Parts, test::squareParts;
+
+LoadedModel modelOf(const std::string& text, std::string_view extension = ".gltf") {
+    const Result<LoadedModel> model = readModel({text, "m"}, extension, filesOf({}));
+    EXPECT_TRUE(model) << (model ? "" : format(model.errors()));
+    return model ? *model : LoadedModel{};
+}
+
+using Place = std::array<double, 3>;
+// Polygons as their corners' places, each from its smallest corner on, so that the order does not count.
+std::multiset<std::vector<Place>> polygonsOf(const Object& object) {
+    std::multiset<std::vector<Place>> polygons;
+    for (std::size_t i = 0; i < object.mesh->polygonCount(); ++i) {
+        std::vector<Place> places;
+        for (const std::uint32_t corner : object.mesh->polygon(i)) {
+            const Vec3d& p = object.mesh->positions[corner];
+            places.push_back({p.x, p.y, p.z});
+        }
+        std::ranges::rotate(places, std::ranges::min_element(places));
+        polygons.insert(places);
+    }
+    return polygons;
+}
+
+// The square with other corners, indices and mode.
+std::string drawn(int mode, const std::string& positions, const std::string& indices) {
+    Parts parts = squareParts();
+    const std::size_t corners = positions.size() / 12;
+    parts["accessors"] = fmt::format(
+        R"([{{"bufferView": 0, "componentType": 5126, "count": {}, "type": "VEC3"}},
+            {{"bufferView": 1, "componentType": 5121, "count": {}, "type": "SCALAR"}}])",
+        corners, indices.size());
+    parts["bufferViews"] =
+        fmt::format(R"([{{"buffer": 0, "byteLength": {0}}}, {{"buffer": 0, "byteOffset": {0}, "byteLength": {1}}}])",
+                    positions.size(), indices.size());
+    parts["buffers"] = fmt::format(R"([{{"byteLength": {}, "uri": "{}"}}])", positions.size() + indices.size(),
+                                   dataUri(positions + indices));
+    parts["meshes"] =
+        fmt::format(R"([{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": 1, "mode": {}}}]}}])", mode);
+    return fileOf(parts);
+}
+
+// Corners in the file's plane z = 0, which is our y = 0, seen from -y: x to the right, z up.
+const std::string kZigzag = bytesOf<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0});
+
+std::string indicesOf(std::initializer_list<std::uint8_t> indices) { return bytesOf<std::uint8_t>(indices); }
+
+TEST(GltfShapes, StripAndFanFaceAsTheirFirstTriangle) {
+    // Counter-clockwise as seen: (0,0) (1,0) (0,1), then (1,0) (1,1) (0,1), then (0,1) (1,1) (0,2).
+    const std::multiset<std::vector<Place>> strip{
+        {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}, {1, 0, 1}}, {{0, 0, 1}, {1, 0, 1}, {0, 0, 2}}};
+    EXPECT_EQ(polygonsOf(modelOf(drawn(5, kZigzag, indicesOf({0, 1, 2, 3, 4}))).objects.at(0)), strip);
+    const std::multiset<std::vector<Place>> fan{{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, {{0, 0, 0}, {1, 0, 1}, {0, 0, 2}}};
+    EXPECT_EQ(polygonsOf(modelOf(drawn(6, kZigzag, indicesOf({0, 1, 3, 4}))).objects.at(0)), fan);
+    // A strip goes round a corner by triangles without area, which are left out.
+    EXPECT_EQ(modelOf(drawn(5, kZigzag, indicesOf({0, 1, 2, 2, 1, 3}))).objects.at(0).mesh->polygonCount(), 2u);
+}
+
+TEST(GltfShapes, PointsAndLinesAreLeftOut) {
+    for (const int mode : {0, 1, 2, 3}) {
+        const Result<LoadedModel> model =
+            readModel({drawn(mode, kZigzag, indicesOf({0, 1, 2})), "m"}, ".gltf", filesOf({}));
+        ASSERT_FALSE(model);
+        EXPECT_EQ(format(model.errors()), "m: found no polygon, expected a model with polygons\n");
+    }
+}
+
+TEST(GltfShapes, NodesMoveTurnScaleAndMirror) {
+    // Their file's x, y, z; a quarter turn about the file's y takes x to -z, which is our +y.
+    const auto corner = [](const std::string& node, std::uint32_t i) {
+        const LoadedModel model = modelOf(fileOf("nodes", "[" + node + "]"));
+        return model.objects.at(0).mesh->positions.at(i);
+    };
+    EXPECT_EQ(corner(R"({"mesh": 0, "translation": [1, 2, 3]})", 0), Vec3d(1, -3, 2));
+    EXPECT_EQ(corner(R"({"mesh": 0, "scale": [2, 3, 4], "translation": [1, 0, 0]})", 2), Vec3d(3, 0, 3));
+    EXPECT_EQ(corner(R"({"mesh": 0, "matrix": [2,0,0,0, 0,3,0,0, 0,0,4,0, 5,6,7,1]})", 2), Vec3d(7, -7, 9));
+    const Vec3d turned = corner(R"({"mesh": 0, "rotation": [0, 0.7071067811865476, 0, 0.7071067811865476]})", 1);
+    EXPECT_NEAR(glm::length(turned - Vec3d(0, 1, 0)), 0, 1e-15);
+    // A quaternion of any length turns as one of length 1.
+    const Vec3d unscaled = corner(R"({"mesh": 0, "rotation": [0, 0.5, 0, 0.5]})", 1);
+    EXPECT_NEAR(glm::length(unscaled - Vec3d(0, 1, 0)), 0, 1e-15);
+    EXPECT_EQ(corner(R"({"mesh": 0, "rotation": [0, 0, 0, 0]})", 1), Vec3d(1, 0, 0));
+    // The parent's transform comes last: scaled, then moved.
+    EXPECT_EQ(
+        polygonsOf(modelOf(fileOf("nodes", R"([{"children": [1], "translation": [1, 0, 0]},
+                                                     {"mesh": 0, "scale": [2, 2, 2]}])"))
+                       .objects.at(0)),
+        (std::multiset<std::vector<Place>>{{{1, 0, 0}, {3, 0, 0}, {3, 0, 2}}, {{1, 0, 0}, {3, 0, 2}, {1, 0, 2}}}));
+}
+
+TEST(GltfShapes, MirroredNodeKeepsItsOutside) {
+    Parts parts = squareParts();
+    parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 2}, "indices": 1}]}])";
+    parts["nodes"] = R"([{"mesh": 0, "scale": [-1, 1, 1]}])";
+    const LoadedModel model = modelOf(fileOf(parts));
+    const Mesh& mesh = *model.objects.at(0).mesh;
+    EXPECT_EQ(polygonsOf(model.objects[0]), (std::multiset<std::vector<Place>>{{{-1, 0, 0}, {0, 0, 0}, {-1, 0, 1}},
+                                                                               {{-1, 0, 1}, {0, 0, 0}, {0, 0, 1}}}));
+    // The square still faces -y, as its normals say.
+    for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
+        const auto at = [&](std::size_t k) { return mesh.positions[mesh.polygon(i)[k]]; };
+        EXPECT_LT(glm::cross(at(1) - at(0), at(2) - at(0)).y, 0);
+    }
+    EXPECT_EQ(mesh.normals, std::vector<Vec3d>(4, Vec3d(0, -1, 0)));
+}
+
+TEST(GltfShapes, NormalsOfASlantedNodeAreInverseTransposed) {
+    // The normal (1, 0, 1) / √2 under a scale of (1, 1, 1/2) becomes (1, 0, 2) / √5, ours (1, -2, 0) / √5.
+    Parts parts = squareParts();
+    const std::string slanted = bytesOf<float>({1, 0, 1, 1, 0, 1, 1, 0, 1, 1, 0, 1});
+    parts["buffers"] =
+        fmt::format(R"([{{"byteLength": 108, "uri": "{}"}}])", dataUri(test::kSquare + test::kIndices + slanted));
+    parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 2}, "indices": 1}]}])";
+    parts["nodes"] = R"([{"mesh": 0, "scale": [1, 1, 0.5]}])";
+    const Vec3d normal = modelOf(fileOf(parts)).objects.at(0).mesh->normals.at(0);
+    EXPECT_NEAR(glm::length(normal - Vec3d(1, -2, 0) / std::sqrt(5.0)), 0, 1e-15);
+}
+
+TEST(GltfShapes, DeepTreesAndTooDeepOnes) {
+    const auto chain = [](int levels) {
+        std::string nodes;
+        for (int i = 0; i + 1 < levels; ++i)
+            nodes += fmt::format(R"({{"children": [{}], "translation": [1, 0, 0]}}, )", i + 1);
+        return fileOf("nodes", "[" + nodes + R"({"mesh": 0}])");
+    };
+    EXPECT_EQ(modelOf(chain(1000)).objects.at(0).mesh->positions[0], Vec3d(999, 0, 0));
+    const Result<LoadedModel> tooDeep = readModel({chain(1100), "m"}, ".gltf", filesOf({}));
+    ASSERT_FALSE(tooDeep);
+    EXPECT_EQ(format(tooDeep.errors()), "m: /nodes/1024 stands below 1024 others, expected at most 1024 levels\n");
+}
+
+TEST(GltfShapes, SameMeshAgainAndAgainIsLimited) {
+    // 65 536 instances are as many objects as a scene can have; one more is refused.
+    std::string nodes, roots;
+    for (int i = 0; i <= 65536; ++i) {
+        nodes += R"({"mesh": 0},)";
+        roots += fmt::format("{},", i);
+    }
+    Parts parts = squareParts();
+    parts["nodes"] = "[" + nodes.substr(0, nodes.size() - 1) + "]";
+    parts["scenes"] = R"([{"nodes": [)" + roots.substr(0, roots.size() - 1) + "]}]";
+    const Result<LoadedModel> model = readModel({fileOf(parts), "m"}, ".gltf", filesOf({}));
+    ASSERT_FALSE(model);
+    EXPECT_EQ(format(model.errors()), "m: more than 65 536 objects\n");
+}
+
+TEST(GltfShapes, BoxIsThatOfAnObjFile) {
+    std::string obj, indices, positions;
+    for (int i = 0; i < 8; ++i) {  // x, y, z of ours; the file's are x, z, -y
+        const float x = float(i & 1), y = float(i >> 1 & 1), z = float(i >> 2);
+        obj += fmt::format("v {} {} {}\n", x, y, z);
+        positions += bytesOf<float>({x, z, -y});
+    }
+    for (const std::array<int, 4>& side :
+         {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+        for (const int k : {1, 2}) {
+            obj += fmt::format("f {} {} {}\n", side[0] + 1, side[std::size_t(k)] + 1, side[std::size_t(k) + 1] + 1);
+            for (const int corner : {side[0], side[std::size_t(k)], side[std::size_t(k) + 1]})
+                indices += static_cast<char>(corner);
+        }
+    const LoadedModel fromObj = modelOf(obj, ".obj"), fromGltf = modelOf(drawn(4, positions, indices));
+    EXPECT_EQ(polygonsOf(fromObj.objects.at(0)), polygonsOf(fromGltf.objects.at(0)));
+    EXPECT_TRUE(fromGltf.objects[0].mesh->facts.closed);
+    EXPECT_TRUE(fromGltf.objects[0].mesh->facts.convex);
+}
+
+TEST(GltfShapes, VerticesThatDifferInNothingThatIsReadAreOne) {
+    // Two triangles with six vertices of their own: a square with four.
+    const std::string six = bytesOf<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0});
+    EXPECT_EQ(modelOf(drawn(4, six, indicesOf({0, 1, 2, 3, 4, 5}))).objects.at(0).mesh->positions.size(), 4u);
+}
+
+TEST(GltfShapes, QuantizedPositions) {
+    Parts parts = squareParts();
+    parts["extensionsUsed"] = parts["extensionsRequired"] = R"(["KHR_mesh_quantization"])";
+    parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0}}]}])";
+    parts["accessors"] =
+        R"([{"bufferView": 0, "componentType": 5120, "count": 3, "type": "VEC3", "normalized": true}])";
+    parts["bufferViews"] = R"([{"buffer": 0, "byteLength": 12, "byteStride": 4}])";
+    const std::string bytes = bytesOf<std::int8_t>({0, 0, 0, 99, 127, 0, 0, 99, -128, 127, 0, 99});
+    parts["buffers"] = fmt::format(R"([{{"byteLength": 12, "uri": "{}"}}])", dataUri(bytes));
+    EXPECT_EQ(modelOf(fileOf(parts)).objects.at(0).mesh->positions,
+              (std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {-1, 0, 1}}));
+    // Without the extension positions are floats.
+    parts["extensionsUsed"] = parts["extensionsRequired"] = "";
+    const Result<LoadedModel> model = readModel({fileOf(parts), "m"}, ".gltf", filesOf({}));
+    ASSERT_FALSE(model);
+    EXPECT_EQ(format(model.errors()),
+              "m: /accessors/0/componentType is 5120, expected 5126 for /meshes/0/primitives/0/attributes/POSITION\n");
+}
+
+TEST(GltfShapes, MaterialsByTheManualsFormulas) {
+    Parts parts = squareParts();
+    parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}])";
+    parts["materials"] = R"([{"name": "red", "emissiveFactor": [0, 0, 0.5], "pbrMetallicRoughness":
+        {"baseColorFactor": [1, 0.5, 0, 1], "metallicFactor": 0.5, "roughnessFactor": 0.5}}])";
+    const Material material = modelOf(fileOf(parts)).objects.at(0).material;
+    EXPECT_EQ(material.diffuse, Vec3d(0.5, 0.25, 0));
+    EXPECT_EQ(material.specular, Vec3d(0.52, 0.27, 0.02));  // 0.04 / 2 + baseColor / 2
+    EXPECT_EQ(material.ambient, Vec3d(1, 0.5, 0));
+    EXPECT_EQ(material.emission, Vec3d(0, 0, 0.5));
+    EXPECT_EQ(material.exponent, 30);  // α = 1/4: 2 · 16 - 2
+    for (const auto& [roughness, exponent] : {std::pair{"0", 10000.0}, {"0.01", 10000.0}, {"1", 1.0}}) {
+        parts["materials"] = fmt::format(R"([{{"pbrMetallicRoughness": {{"roughnessFactor": {}}}}}])", roughness);
+        EXPECT_EQ(modelOf(fileOf(parts)).objects.at(0).material.exponent, exponent);
+    }
+}
+
+TEST(GltfShapes, RemarksAboutWhatIsNotRead) {
+    Parts parts = squareParts();
+    parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 0}, "indices": 1, "material": 0,
+                                           "targets": [{}]}, {"attributes": {"POSITION": 0}, "mode": 0}]}])";
+    parts["nodes"] = R"([{"mesh": 0, "skin": 0}])";
+    parts["materials"] = R"([{"doubleSided": true, "normalTexture": {"index": 0}, "emissiveTexture": {"index": 0}}])";
+    parts["extensionsUsed"] = R"(["KHR_lights_punctual"])";
+    parts["animations"] = "[]";
+    parts["cameras"] = "[]";
+    const LoadedModel model = modelOf(fileOf(parts));
+    std::set<std::string> starts;
+    for (const Remark& remark : model.remarks) {
+        EXPECT_EQ(remark.about, "m");
+        starts.insert(remark.text.substr(0, remark.text.find(' ', remark.text.find(' ') + 1)));
+    }
+    EXPECT_EQ(starts,
+              (std::set<std::string>{"A material", "Animations are", "Cameras are", "Colours and", "Morph targets",
+                                     "Pictures on", "Points and", "Skins are", "The extension"}));
+    EXPECT_EQ(model.remarks.size(), starts.size());  // the two pictures have one remark
+}
+
+}  // namespace
+}  // namespace pipeline
