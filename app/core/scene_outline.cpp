@@ -45,7 +45,9 @@ std::vector<OutlineRow> outline(const Scene& scene) {
     }
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const pipeline::Light& light = scene.lights[i];
-        const QString kind = light.kind == pipeline::LightKind::Point ? "point" : "at infinity";
+        const QString kind = light.kind == pipeline::LightKind::AtInfinity ? "at infinity"
+                             : light.kind == pipeline::LightKind::Area     ? "area"
+                                                                           : "point";
         rows.push_back({{Kind::Light, i}, QStringLiteral("light %1").arg(i), kind + ", " + number(light.intensity)});
     }
     rows.push_back({{Kind::Ambient, 0}, "ambient light", number(scene.ambient.intensity)});

@@ -78,6 +78,7 @@ void addLights(const pipeline::Scene& scene, ViewContent& content) {
             mark.caption += ", at infinity";
         } else {
             mark.position = light.position;
+            if (light.kind == pipeline::LightKind::Area) mark.caption += ", centre of an area";
         }
         content.lights.push_back(mark);
     }

@@ -16,13 +16,13 @@ namespace pipeline {
 struct AnyBuffer {
     BufferName name;
     const BufferInfo* info = nullptr;
-    std::vector<std::size_t> shape;  // {H, W}, {H, W, 3}, {V, 3}, {P}, {6, h, w}
+    std::vector<std::size_t> shape;  // {H, W}, {H, W, 3}, {V, 3}, {P}, {6, h, w}, samples · 6 for an area light
     std::variant<std::span<const float>, std::span<const double>, std::span<const std::int32_t>,
                  std::span<const std::uint8_t>>
         data;
     std::shared_ptr<const void> owner;
 
-    std::size_t rows() const;     // of the picture: H; 6 h for the six faces of a point light; V; P
+    std::size_t rows() const;     // of the picture: H; faces · h where a light has several; V; P
     std::size_t columns() const;  // W; 1 for vertices and polygons
     int channels() const { return info->channels; }
     std::size_t count() const;  // numbers in all

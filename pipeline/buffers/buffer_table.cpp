@@ -38,7 +38,9 @@ constexpr std::array<BufferInfo, kBufferCount> kTable{{
      "Unit normals of the vertices.", P::Direction, 0},
 
     {B::ShadowBuffer, "shadow_buffer", S::ShadowBuffer, D::Texel, E::Real, 1, true, "world units", "light",
-     "Z': the distance from the light to the nearest polygon.", P::Sequential, kInfinity},
+     "Z': the distance from the light to the nearest polygon; six faces for a point light and for each sample of an "
+     "area light, one after the other.",
+     P::Sequential, kInfinity},
 
     {B::Depth, "depth", S::ZBuffer, D::Pixel, E::Real, 1, false, "as stored", "screen",
      "What the z-buffer holds, in the chosen format.", P::Sequential, kInfinity},

@@ -75,9 +75,11 @@ void addCamera(const View& view, Calls& calls) {
 void addLight(const Light& light, std::size_t k, Calls& calls) {
     const std::string_view name = kLights[k];
     const OpenGlLight& gl = light.gl;
-    const bool point = light.kind == LightKind::Point;
-    calls.step(fmt::format("Light {}, {}{}", k, point ? "at a point" : "at infinity",
-                           gl.space == LightSpace::Eye ? ", in eye space" : ""));
+    const bool point = light.kind != LightKind::AtInfinity;
+    const char* kind = light.kind == LightKind::Area ? "an area light, which OpenGL knows as a point alone"
+                       : point                       ? "at a point"
+                                                     : "at infinity";
+    calls.step(fmt::format("Light {}, {}{}", k, kind, gl.space == LightSpace::Eye ? ", in eye space" : ""));
     if (gl.space == LightSpace::Eye) {
         calls.add("glPushMatrix", {});
         calls.add("glLoadIdentity", {});

@@ -132,6 +132,7 @@ Json toJson(const Frame& frame, const PixelReport& report) {
                      {"z_view", report.zView},
                      {"depth", report.depth},
                      {"shadow", report.shadow},
+                     {"shadow_places", report.shadowPlaces},
                      {"ambient", toJson(report.ambient)},
                      {"diffuse", vectorsToJson(report.diffuse)},
                      {"specular", vectorsToJson(report.specular)},

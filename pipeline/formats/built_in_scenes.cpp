@@ -35,6 +35,7 @@ constexpr auto kScenes = std::to_array<Row>({
     {"z_fighting", ".toml"},
     {"concave_polygon", ".toml"},
     {"point_light_shadow", ".toml"},
+    {"soft_shadow", ".toml"},
     {"shadow_bias", ".toml"},
     {"teapot", ".toml"},
 });

@@ -46,6 +46,8 @@ constexpr auto kVectors = std::to_array<VectorKey>({
      [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.specular; }},
     {"light.#.", "spot_direction", "light.#.x", false,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.spotDirection; }},
+    {"light.#.", "facing", "light.#.facing_x", false,
+     [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].area.facing; }},
     {"object.#.", "scale", "object.#.sx", false,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].transform.scale; }},
     {"object.#.", "rotation", "object.#.rx", false,

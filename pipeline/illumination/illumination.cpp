@@ -16,7 +16,7 @@ std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view) {
     const auto turned = [&](Vec3d v) { return v.x * view.right + v.y * view.up - v.z * view.forward; };
     for (Light& light : lights) {
         if (light.gl.space == LightSpace::World) continue;
-        light.position = turned(light.position) + (light.kind == LightKind::Point ? view.eye : Vec3d(0));
+        light.position = turned(light.position) + (light.kind == LightKind::AtInfinity ? Vec3d(0) : view.eye);
         light.gl.spotDirection = turned(light.gl.spotDirection);
         light.gl.space = LightSpace::World;
     }

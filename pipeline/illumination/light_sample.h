@@ -22,10 +22,15 @@ struct LightSample {
     Vec3<Real> ambient, diffuse, specular;  // what the light adds, before its shadow factor
 };
 
+// L for a light that stands at `place`, at infinity in that direction.
+template <class Real>
+Vec3<Real> towardsLight(LightKind kind, Vec3d place, Vec3<Real> position) {
+    return kind == LightKind::AtInfinity ? normalized(Vec3<Real>(place)) : normalized(Vec3<Real>(place) - position);
+}
+// Of an area light towards its centre: the rectangle counts in the shadow factor alone.
 template <class Real>
 Vec3<Real> towardsLight(const Light& light, Vec3<Real> position) {
-    return light.kind == LightKind::Point ? normalized(Vec3<Real>(light.position) - position)
-                                          : normalized(Vec3<Real>(light.position));
+    return towardsLight(light.kind, light.position, position);
 }
 
 // The directions and dot products, with nothing added yet.

@@ -11,11 +11,11 @@ namespace pipeline {
 // Colours are clamped to 1 soon after; up to here products with intensities stay finite.
 inline constexpr double kBrightest = 1e18;
 
-// 1 / (c + l d + q d²) for a point light at distance d, world units; 1 for a light at infinity.
+// 1 / (c + l d + q d²) at distance d from the light, world units; 1 for a light at infinity.
 // 0 where the denominator is not above 0: nothing says how bright the light is there.
 template <class Real>
 Real attenuation(const Light& light, Vec3<Real> position) {
-    if (light.kind != LightKind::Point) return 1;
+    if (light.kind == LightKind::AtInfinity) return 1;
     const Real d = glm::length(Vec3<Real>(light.position) - position);
     const Real denominator = Real(light.gl.constant) + d * (Real(light.gl.linear) + d * Real(light.gl.quadratic));
     return denominator > 0 ? std::min(1 / denominator, Real(kBrightest)) : Real(0);

@@ -48,8 +48,7 @@ ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& 
 }
 
 template <class Real>
-Real shadowFactor(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
-                  Vec3<Real> normal) {
+int litTexels(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position, Vec3<Real> normal) {
     const ShadowTest<Real> test = shadowTest(light, settings, position, normal);
     const Buffer2D<Real>& depth = light.depth[test.face];
     const int r = settings.filter;
@@ -60,11 +59,19 @@ Real shadowFactor(const LightView<Real>& light, const ShadowSettings& settings, 
             if (!inside || !(test.z > depth.at({x, y}) + test.bias)) ++lit;
         }
     }
-    return Real(lit) / Real((2 * r + 1) * (2 * r + 1));
+    return lit;
+}
+
+template <class Real>
+Real shadowFactor(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
+                  Vec3<Real> normal) {
+    return Real(litTexels(light, settings, position, normal)) / Real(filteredTexels(settings));
 }
 
 template ShadowTest<float> shadowTest(const LightView<float>&, const ShadowSettings&, Vec3<float>, Vec3<float>);
 template ShadowTest<double> shadowTest(const LightView<double>&, const ShadowSettings&, Vec3<double>, Vec3<double>);
+template int litTexels(const LightView<float>&, const ShadowSettings&, Vec3<float>, Vec3<float>);
+template int litTexels(const LightView<double>&, const ShadowSettings&, Vec3<double>, Vec3<double>);
 template float shadowFactor(const LightView<float>&, const ShadowSettings&, Vec3<float>, Vec3<float>);
 template double shadowFactor(const LightView<double>&, const ShadowSettings&, Vec3<double>, Vec3<double>);
 

@@ -31,8 +31,15 @@ template <class Real>
 ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
                             Vec3<Real> normal);
 
-// S: 1 lit, 0 in shadow, between with filtering.
+// Of the texels that filtering looks at, how many see the point lit.
 // W. Reeves, D. Salesin, R. Cook, "Rendering antialiased shadows with depth maps", SIGGRAPH 1987.
+constexpr int filteredTexels(const ShadowSettings& settings) {
+    return (2 * settings.filter + 1) * (2 * settings.filter + 1);
+}
+template <class Real>
+int litTexels(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position, Vec3<Real> normal);
+
+// Their share: 1 lit, 0 in shadow, between with filtering.
 template <class Real>
 Real shadowFactor(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position, Vec3<Real> normal);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "pipeline/inspect/replay.h"
+#include "pipeline/scene/area_light.h"
 
 namespace pipeline {
 
@@ -30,7 +31,7 @@ std::string depthText(double depth) {
 namespace {
 
 template <class Real>
-LightReport reportLight(std::size_t k, const LightSample<Real>& s, Model model, double shadow) {
+LightReport reportLight(std::size_t k, const Light& light, const LightSample<Real>& s, Model model, double shadow) {
     LightReport r{int(k),
                   Vec3d(s.L),
                   Vec3d(s.R),
@@ -49,11 +50,14 @@ LightReport reportLight(std::size_t k, const LightSample<Real>& s, Model model, 
     if (!(s.nDotL > 0))
         r.note = fmt::format("N·L is not above 0, so light {} adds nothing here.", k);
     else if (shadow == 0)
-        r.note = fmt::format("In the shadow of light {}: only the ambient term counts.", k);
+        r.note = fmt::format("In the {} of light {}: only the ambient term counts.",
+                             light.kind == LightKind::Area ? "umbra" : "shadow", k);
     else if (s.fading == 0)
         r.note = fmt::format("Outside the spot of light {}, or faded to nothing.", k);
     else if (model == Model::Phong && !(s.rDotV > 0))
         r.note = fmt::format("R·V is not above 0, so light {} adds no specular part.", k);
+    else if (shadow < 1 && light.kind == LightKind::Area)
+        r.note = fmt::format("In the penumbra of light {}: part of it is seen.", k);
     return r;
 }
 
@@ -79,8 +83,8 @@ Evaluation evaluate(const FrameData<Real>& data, const Surface<Real>& at, const 
     e.emission = Vec3d(emissionTerm<Real>(model, material));
     e.ambient = Vec3d(ambientTerm<Real>(model, inputs.ambient, material));
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-        e.lights.push_back(
-            reportLight(k, sampleLight(inputs.illumination, inputs.lights[k], material, at), model, shadow[k]));
+        e.lights.push_back(reportLight(
+            k, inputs.lights[k], sampleLight(inputs.illumination, inputs.lights[k], material, at), model, shadow[k]));
         e.ambient += e.lights.back().ambient;
     }
     if (model == Model::OpenGl && inputs.shading != Shading::Phong) clampTerms(e);
@@ -196,6 +200,9 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
     for (std::size_t k = 0; k < lights; ++k)
         report.shadow.push_back(
             double(shadowAt(data.keys.shading, data.shadingSources(), k, std::uint32_t(report.polygon), position)));
+    if (data.keys.shading.illumination.model != Model::OpenGl)
+        for (std::size_t k = 0; k < lights; ++k)
+            report.shadowPlaces.push_back(shadowPlace(data.keys.shading.lights[k], report.shadow[k]));
     evaluateAll(data, triangle, b, report);
     sumUp(report, lights);
     report.iMax = data.shading->iMax;

@@ -64,7 +64,8 @@ struct PixelReport {
     Vec3d position{0.0};  // world space
     double zView = 0, depth = 0;
     std::vector<Evaluation> evaluations;
-    std::vector<double> shadow;  // S_k at the pixel, per light
+    std::vector<double> shadow;             // S_k at the pixel, per light
+    std::vector<std::string> shadowPlaces;  // "lit", "penumbra (S = 0.44)", "umbra"; empty where the model knows none
     Vec3d ambient{0.0}, emission{0.0}, intensity{0.0};
     std::vector<Vec3d> diffuse, specular;  // per light, at the pixel, S_k included
     double iMax = 0;

@@ -25,6 +25,8 @@ void addWhy(std::string& out, const Frame& frame, const PixelReport& r) {
     out += fmt::format("  position     {} world\n", triple(r.position, 7));
     out += fmt::format("  z_view       {}\n", depthText(r.zView));
     if (r.depth != r.zView) out += fmt::format("  depth        {:.9g}\n", r.depth);
+    for (std::size_t k = 0; k < r.shadowPlaces.size(); ++k)
+        out += fmt::format("  light {:<7}{}\n", k, r.shadowPlaces[k]);
 }
 
 void addEquations(std::string& out, const Frame& frame, const PixelReport& r) {

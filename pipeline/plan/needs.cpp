@@ -16,6 +16,7 @@ std::string noShadowAtAll(const Scene& scene, bool darkLightsToo) {
     if (std::ranges::none_of(scene.lights, casts)) return "No light casts a shadow.";
     // A convex object shadows only the polygons that face away, which are dark without a look-up;
     // the closed-form bias never shadows a plane by itself. Any other bias may: that is a lesson.
+    // Each sample of an area light is a point light in this, and facing is asked sample by sample.
     if (scene.objects.size() == 1 && scene.objects[0].mesh->facts.convex &&
         scene.settings.shadowBias == ShadowBias::Automatic)
         return "The only object is convex: it cannot shadow itself.";

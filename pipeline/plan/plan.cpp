@@ -4,6 +4,7 @@
 
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/scene/area_light.h"
 
 namespace pipeline {
 
@@ -112,7 +113,7 @@ std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& ne
     if (stage == StageId::ShadowBuffer) {
         const double texels = double(scene.settings.shadowSize) * scene.settings.shadowSize;
         for (std::size_t k = 0; k < lights; ++k) {
-            const int faces = scene.lights[k].kind == LightKind::Point ? 6 : 1;
+            const int faces = sampleGrid(scene.lights[k]).count() * shadowFacesPerSample(scene.lights[k].kind);
             const double bytes = texels * faces * (scene.settings.precision == Precision::Double ? 8 : 4);
             add(fmt::format("light {}", k), needs.shadowBuffer[k], "It casts a shadow.",
                 fmt::format("{} {}, {:.1f} MB", faces, faces == 1 ? "pass" : "passes", bytes / 1e6));

@@ -63,18 +63,22 @@ std::optional<AnyBuffer> depth(const BufferName& name, const FrameData<Real>& da
                std::vector<float>(stored.pixels.begin(), stored.pixels.end()));
 }
 
-// The faces of a light one after the other.
+// The faces of a light one after the other, sample by sample.
 template <class Real>
 std::optional<AnyBuffer> shadowDepth(const BufferName& name, const FrameData<Real>& data) {
     const auto& lights = data.shadowBuffer->lights;
     const auto k = std::size_t(name.light);
-    if (k >= lights.size() || !lights[k]) return {};
-    const std::vector<Buffer2D<Real>>& faces = lights[k]->depth;
-    if (faces.size() == 1) return view(name, faces[0], data.shadowBuffer);
+    if (k >= lights.size() || lights[k].empty()) return {};
+    const std::vector<Buffer2D<Real>>& first = lights[k][0].depth;
+    if (lights[k].size() == 1 && first.size() == 1) return view(name, first[0], data.shadowBuffer);
+    const std::size_t faces = lights[k].size() * first.size();
     std::vector<Real> values;
-    for (const Buffer2D<Real>& face : faces) values.insert(values.end(), face.pixels.begin(), face.pixels.end());
-    const glm::ivec2 size = faces[0].size;
-    return own(name, {faces.size(), std::size_t(size.y), std::size_t(size.x)}, std::move(values));
+    values.reserve(faces * first[0].pixels.size());
+    for (const LightView<Real>& sample : lights[k])
+        for (const Buffer2D<Real>& face : sample.depth)
+            values.insert(values.end(), face.pixels.begin(), face.pixels.end());
+    const glm::ivec2 size = first[0].size;
+    return own(name, {faces, std::size_t(size.y), std::size_t(size.x)}, std::move(values));
 }
 
 template <class Real>

@@ -7,6 +7,7 @@
 
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/parallel.h"
+#include "pipeline/scene/area_light.h"
 #include "pipeline/stages/painter.h"
 
 namespace pipeline {
@@ -19,7 +20,7 @@ double millisecondsSince(Clock::time_point start) {
 }
 
 // Enough work for one piece that handing it out does not show.
-constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1;
+constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1, kSampleGrain = 1;
 
 template <class Real>
 std::shared_ptr<const TransformOutput<Real>> runTransform(const TransformInputs& inputs, Threads& threads) {
@@ -54,15 +55,19 @@ template <class Real>
 std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBufferInputs& inputs,
                                                                 const TransformOutput<Real>& in, Threads& threads) {
     auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in));
-    for (std::optional<LightView<Real>>& light : out->lights) {
-        for (std::size_t face = 0; light && face < light->faces.size() && !threads.stopped(); ++face) {
-            const TriangleBins<Real> bins = binForLight(in, light->faces[face]);
-            threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t tile = begin; tile < end; ++tile)
-                    shadowBuffer(light->faces[face], bins, tile, light->depth[face]);
-            });
-        }
-    }
+    const auto drawFace = [&](LightView<Real>& light, std::size_t face) {
+        const TriangleBins<Real> bins = binForLight(in, light.faces[face]);
+        threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t tile = begin; tile < end; ++tile)
+                shadowBuffer(light.faces[face], bins, tile, light.depth[face]);
+        });
+    };
+    for (std::vector<LightView<Real>>& samples : out->lights)
+        threads.forRange(samples.size(), kSampleGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                for (std::size_t face = 0; face < samples[i].faces.size() && !threads.stopped(); ++face)
+                    drawFace(samples[i], face);
+        });
     return out;
 }
 
@@ -126,7 +131,8 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
                                                  : "; " + plural(data.normals->vertex.size(), "vertex normal"));
         case StageId::ShadowBuffer: {
             std::size_t faces = 0;
-            for (const auto& light : data.shadowBuffer->lights) faces += light ? light->faces.size() : 0;
+            for (const auto& samples : data.shadowBuffer->lights)
+                for (const LightView<Real>& sample : samples) faces += sample.faces.size();
             return plural(faces, "shadow buffer") + fmt::format(" of {}²", data.keys.shadowBuffer.size);
         }
         case StageId::ZBuffer: {
@@ -185,7 +191,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
         keys.shading.lightCounts.push_back(bool(needs.light[k]));
         if (needs.shadowBuffer[k])
-            keys.shadowBuffer.casters.push_back({true, lights[k].kind, lights[k].position});
+            keys.shadowBuffer.casters.push_back({lights[k].kind, samplePlaces(lights[k])});
         else
             keys.shadowBuffer.casters.push_back({});
     }

@@ -51,7 +51,7 @@ struct Object {
     bool operator==(const Object&) const = default;
 };
 
-enum class LightKind : std::uint8_t { AtInfinity, Point };
+enum class LightKind : std::uint8_t { AtInfinity, Point, Area };
 
 enum class LightSpace : std::uint8_t { World, Eye };
 
@@ -67,6 +67,14 @@ struct OpenGlLight {
     bool operator==(const OpenGlLight&) const = default;
 };
 
+// What only an area light has: a rectangle around its position; pipeline/scene/area_light.h says how it lies.
+struct AreaLight {
+    Vec3d facing{0, 0, -1};        // world space, any length but 0: across the rectangle
+    double width = 1, height = 1;  // world units, >= 0
+    int samples = 4;               // along each side
+    bool operator==(const AreaLight&) const = default;
+};
+
 struct Light {
     LightKind kind = LightKind::AtInfinity;
     Vec3d position{0, 0, 1};  // for a light at infinity the direction towards it, any length
@@ -74,6 +82,7 @@ struct Light {
     Vec3d color{1.0};         // multiplies the intensity
     bool castsShadow = true;
     OpenGlLight gl{};
+    AreaLight area{};
     bool operator==(const Light&) const = default;
 };
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/core/text.h"
+#include "pipeline/scene/area_light.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace pipeline {
@@ -39,6 +40,9 @@ void checkLights(const Scene& scene, Errors& errors) {
             errors.push_back({{},
                               fmt::format("light {} is at infinity in the direction (0, 0, 0)", k),
                               "a direction that is not zero"});
+        else if (scene.lights[k].kind == LightKind::Area && scene.lights[k].area.facing == Vec3d(0.0))
+            errors.push_back(
+                {{}, fmt::format("area light {} faces the direction (0, 0, 0)", k), "a direction that is not zero"});
 }
 
 // What OpenGL refuses.
@@ -78,6 +82,10 @@ void checkExtent(const Scene& scene, Errors& errors) {
     }
 }
 
+int shadowFaces(const Light& light) { return sampleGrid(light).count() * shadowFacesPerSample(light.kind); }
+// Several faces are kept one by one, and once more side by side where the buffer is asked for.
+int handedOut(int faces) { return faces > 1 ? 2 * faces : faces; }
+
 // Bytes of every buffer of the specification; the plan may need far fewer, an export of all needs them.
 double memoryEstimate(const Scene& scene) {
     const double real = scene.settings.precision == Precision::Double ? 8 : 4;
@@ -87,7 +95,7 @@ double memoryEstimate(const Scene& scene) {
     double bytes = pixels * (real * 23 + 4 * 4 + 3);  // two ids, two counts; color
     for (const Light& light : scene.lights) {
         bytes += pixels * real * 19;  // three vectors, two terms 5 · 3; three dot products; S
-        if (light.castsShadow) bytes += texels * real * (light.kind == LightKind::Point ? 6 : 1);
+        if (light.castsShadow) bytes += texels * real * handedOut(shadowFaces(light));
     }
     return bytes;
 }
@@ -96,11 +104,18 @@ void checkMemory(const Scene& scene, Errors& errors) {
     const double bytes = memoryEstimate(scene);
     if (bytes <= kMemoryLimit) return;
     const Settings& s = scene.settings;
-    errors.push_back(
-        {{},
-         fmt::format("the buffers of a {} × {} picture with {} lights and shadow buffers of {} × {} take {:.1f} GiB",
-                     s.width, s.height, scene.lights.size(), s.shadowSize, s.shadowSize, bytes / kMemoryLimit * 4),
-         "at most 4 GiB; make the picture smaller"});
+    int faces = 0;
+    for (const Light& light : scene.lights) faces += light.castsShadow ? shadowFaces(light) : 0;
+    Scene hard = scene;
+    for (Light& light : hard.lights) light.area.samples = 1;
+    const bool softShadows = memoryEstimate(hard) <= kMemoryLimit;
+    errors.push_back({{},
+                      fmt::format("the buffers of a {} × {} picture with {} lights and {} shadow buffers of {} × {} "
+                                  "take {:.1f} GiB",
+                                  s.width, s.height, scene.lights.size(), faces, s.shadowSize, s.shadowSize,
+                                  bytes / kMemoryLimit * 4),
+                      softShadows ? "at most 4 GiB; make shadow.size or the samples of the area lights smaller"
+                                  : "at most 4 GiB; make the picture smaller"});
 }
 
 }  // namespace

@@ -39,6 +39,11 @@ std::string_view onlyShadow(const Scene& scene) {
     if (scene.settings.model == Model::OpenGl) return "OpenGL's model knows no shadows.";
     return noShadow(scene) ? "No light casts a shadow." : "";
 }
+std::string_view onlyArea(const Scene& scene) {
+    if (!onlyShadow(scene).empty()) return onlyShadow(scene);
+    const bool any = std::ranges::any_of(scene.lights, [](const Light& l) { return l.kind == LightKind::Area; });
+    return any ? "" : "No light is an area light.";
+}
 std::string_view onlyBias(const Scene& scene) {
     if (!onlyShadow(scene).empty()) return onlyShadow(scene);
     return scene.settings.shadowBias == ShadowBias::Automatic ? "Bias is automatic; choose constant to change it." : "";
@@ -62,7 +67,8 @@ std::string_view onlyOpenGl(const Scene& scene) {
 }
 std::string_view onlyFading(const Scene& scene) {
     if (scene.settings.model != Model::OpenGl) return onlyOpenGl(scene);
-    const bool point = std::ranges::any_of(scene.lights, [](const Light& l) { return l.kind == LightKind::Point; });
+    const bool point =
+        std::ranges::any_of(scene.lights, [](const Light& l) { return l.kind != LightKind::AtInfinity; });
     return point ? "" : "No light stands at a point: nothing fades with distance.";
 }
 std::string_view notInPhong(const Scene& scene) {

@@ -43,6 +43,9 @@ struct OfLight {
 struct OfOpenGlLight : OfLight {
     static auto& part(auto& scene, std::size_t i) { return scene.lights[i].gl; }
 };
+struct OfAreaLight : OfLight {
+    static auto& part(auto& scene, std::size_t i) { return scene.lights[i].area; }
+};
 struct OfObject {
     static constexpr auto group = SettingGroup::Object;
     static auto& part(auto& scene, std::size_t i) { return scene.objects[i].transform; }

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 2> kVisibility{"z-buffer", "painter"};
 constexpr std::array<std::string_view, 3> kShadowBias{"automatic", "constant", "slope"};
 constexpr std::array<std::string_view, 2> kCameraKind{"spherical", "look-at"};
 constexpr std::array<std::string_view, 2> kProjection{"perspective", "orthographic"};
-constexpr std::array<std::string_view, 2> kLightKind{"at-infinity", "point"};
+constexpr std::array<std::string_view, 3> kLightKind{"at-infinity", "point", "area"};
 
 // World units. With coordinates up to here a normal's squared length (an edge to the fourth
 // power) is still a float; likewise for the smallest distances.
@@ -67,6 +67,7 @@ constexpr Setting tessellation(Words words, Range range, Idle idle) {
 }
 
 constexpr Range kPlace{-kFar, kFar, -1000, 1000};
+constexpr Range kToward{-kFar, kFar, -1, 1};
 constexpr Range kFading{0, kFar, 0, 2};
 constexpr Range kFraction{0, 1, 0, 1};
 constexpr Range kIntensity{0, kFar, 0, 200};
@@ -78,6 +79,7 @@ constexpr Range kSide{1, 16384, 16, 4096};
 using S = Settings;
 using C = Camera;
 using G = OpenGlLight;
+using A = AreaLight;
 
 constexpr auto kTable = std::to_array<Setting>({
     row<OfPicture, &S::width>({"width", "Width", "pixels", "Columns of the picture."}, kSide),
@@ -184,7 +186,8 @@ constexpr auto kTable = std::to_array<Setting>({
                                                   kFraction),
 
     choice<OfLight, &Light::kind>(
-        {"light.#.kind", "Light", "", "At infinity, where every point sees it in the same direction, or at a point."},
+        {"light.#.kind", "Light", "",
+         "At infinity, where every point sees it in the same direction, at a point, or a rectangle around a point."},
         kLightKind),
     component<OfLight, &Light::position, 0>(
         {"light.#.x", "L x", "world units", "Place of, or direction to, the light."}, kPlace),
@@ -198,6 +201,21 @@ constexpr auto kTable = std::to_array<Setting>({
     component<OfLight, &Light::color, 2>({"light.#.blue", "I_p blue", "", "Blue part of the light."}, kFraction),
     row<OfLight, &Light::castsShadow>({"light.#.shadow", "Casts a shadow", "", "Whether polygons can hide the light."},
                                       {0, 1, 0, 1}, kSwitch),
+    row<OfAreaLight, &A::width>({"light.#.width", "Width", "world units",
+                                 "Side of an area light that runs across world z, or along x where it faces along z."},
+                                {0, kFar, 0, 10}, {}, onlyArea),
+    row<OfAreaLight, &A::height>({"light.#.height", "Height", "world units", "The other side of an area light."},
+                                 {0, kFar, 0, 10}, {}, onlyArea),
+    component<OfAreaLight, &A::facing, 0>(
+        {"light.#.facing_x", "Facing x", "", "Direction across an area light's rectangle."}, kToward, onlyArea),
+    component<OfAreaLight, &A::facing, 1>(
+        {"light.#.facing_y", "Facing y", "", "Direction across an area light's rectangle."}, kToward, onlyArea),
+    component<OfAreaLight, &A::facing, 2>(
+        {"light.#.facing_z", "Facing z", "", "Direction across an area light's rectangle."}, kToward, onlyArea),
+    row<OfAreaLight, &A::samples>(
+        {"light.#.samples", "Samples", "along a side",
+         "Sample points along each side of an area light, each with shadow buffers of its own; 1 is a hard shadow."},
+        {1, 16, 1, 8}, {}, onlyArea),
     component<OfOpenGlLight, &G::ambient, 0>(
         {"light.#.ambient_red", "Ambient red", "", "Its own part of the ambient light."}, kFraction, onlyOpenGl),
     component<OfOpenGlLight, &G::ambient, 1>(

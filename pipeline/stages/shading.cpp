@@ -1,5 +1,7 @@
 #include "pipeline/stages/shading.h"
 
+#include "pipeline/scene/area_light.h"
+
 namespace pipeline {
 
 namespace {
@@ -155,9 +157,18 @@ Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::
     if (inputs.illumination.model == Model::OpenGl || !light.castsShadow) return 1;
     const Vec3<Real> front = in.normals.polygon[polygon];
     const Vec3<Real> normal = showsBack(inputs, in, polygon) ? -front : front;
-    if (!(glm::dot(normal, towardsLight(light, position)) > 0)) return 0;
-    if (!in.shadow || !in.shadow->lights[k]) return 1;
-    return shadowFactor(*in.shadow->lights[k], inputs.shadow, position, normal);
+    const bool looksUp = in.shadow && !in.shadow->lights[k].empty();
+    const SampleGrid grid = sampleGrid(light);
+    const AreaSides sides = sidesOf(light);
+    // Counts, and one division: samples that all say the same leave what one of them says, to the last bit.
+    const int texels = filteredTexels(inputs.shadow);
+    int lit = 0;
+    for (int i = 0; i < grid.count(); ++i) {
+        const Vec3<Real> L = towardsLight(light.kind, samplePlace(light, grid, sides, i), position);
+        if (!(glm::dot(normal, L) > 0)) continue;
+        lit += looksUp ? litTexels(in.shadow->lights[k][std::size_t(i)], inputs.shadow, position, normal) : texels;
+    }
+    return Real(lit) / Real(grid.count() * texels);
 }
 
 Color8 frameBufferValue(Vec3d intensity, double iMax) {

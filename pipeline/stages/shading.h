@@ -106,7 +106,8 @@ template <class Real>
 Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
                            Vec3<Real> barycentric);
 
-// S of light k at a surface point of a polygon. A polygon that faces away from a casting light
+// S of light k at a surface point of a polygon: of an area light the mean over its samples, which
+// shine like point lights. A polygon that faces away from a casting light, or from a sample of one,
 // shadows itself, whatever its interpolated normal says: no look-up.
 template <class Real>
 Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t k, std::uint32_t polygon,

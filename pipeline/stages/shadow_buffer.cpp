@@ -93,17 +93,18 @@ ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, c
     ShadowBufferOutput<Real> out;
     out.lights.resize(inputs.casters.size());
     for (std::size_t k = 0; k < inputs.casters.size(); ++k) {
-        const ShadowBufferInputs::Caster& caster = inputs.casters[k];
-        if (!caster.casts) continue;
-        LightView<Real>& light = out.lights[k].emplace();
-        light.faces = caster.kind == LightKind::Point
-                          ? sixFaces(caster.position, inputs.size, in)
-                          : std::vector<View>{fitAtInfinity(caster.position, inputs.size, in)};
-        for (const View& face : light.faces) light.depth.emplace_back(face.size, std::numeric_limits<Real>::infinity());
-        // A difference, three products and two sums, on either side of the comparison.
-        Real largest = Real(largestComponent(light.faces[0].eye));
-        for (const Vec3<Real>& world : in.world) largest = std::max(largest, largestComponent(world));
-        light.rounding = 16 * std::numeric_limits<Real>::epsilon() * largest;
+        for (const Vec3d place : inputs.casters[k].places) {
+            LightView<Real>& light = out.lights[k].emplace_back();
+            light.faces = inputs.casters[k].kind == LightKind::AtInfinity
+                              ? std::vector<View>{fitAtInfinity(place, inputs.size, in)}
+                              : sixFaces(place, inputs.size, in);
+            for (const View& face : light.faces)
+                light.depth.emplace_back(face.size, std::numeric_limits<Real>::infinity());
+            // A difference, three products and two sums, on either side of the comparison.
+            Real largest = Real(largestComponent(light.faces[0].eye));
+            for (const Vec3<Real>& world : in.world) largest = std::max(largest, largestComponent(world));
+            light.rounding = 16 * std::numeric_limits<Real>::epsilon() * largest;
+        }
     }
     return out;
 }

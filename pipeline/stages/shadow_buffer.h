@@ -1,5 +1,4 @@
 #pragma once
-#include <optional>
 #include <vector>
 
 #include "pipeline/buffers/buffer2d.h"
@@ -12,12 +11,11 @@ namespace pipeline {
 // L. Williams, "Casting curved shadows on curved surfaces", SIGGRAPH 1978.
 
 struct ShadowBufferInputs {
-    // Per light: whether it gets a shadow buffer, and where it stands. The intensity of a light
-    // does not matter here, so changing it keeps the buffer.
+    // Per light: where it stands, for an area light each of its samples; nothing where it gets no
+    // shadow buffer. The intensity of a light does not matter here, so changing it keeps the buffer.
     struct Caster {
-        bool casts = false;
         LightKind kind = LightKind::AtInfinity;
-        Vec3d position{0.0};
+        std::vector<Vec3d> places{};
         bool operator==(const Caster&) const = default;
     };
     std::vector<Caster> casters;
@@ -26,7 +24,8 @@ struct ShadowBufferInputs {
 };
 
 // A light as a camera: one orthographic view for a light at infinity, fitted to the scene's
-// bounds; six perspective views along +x, −x, +y, −y, +z, −z for a point light.
+// bounds; six perspective views along +x, −x, +y, −y, +z, −z for a point light
+// and for each sample of an area light.
 template <class Real>
 struct LightView {
     std::vector<View> faces;
@@ -36,7 +35,8 @@ struct LightView {
 
 template <class Real>
 struct ShadowBufferOutput {
-    std::vector<std::optional<LightView<Real>>> lights;  // per light
+    // Per light: none where it gets no shadow buffer, one for each sample of an area light, else one.
+    std::vector<std::vector<LightView<Real>>> lights;
 };
 
 template <class Real>

@@ -61,7 +61,8 @@ TEST_P(SameBits, ScaledByAPowerOfTwo) {
         const double factor = std::ldexp(1.0, k);
         Scene scaled = scene;
         for (Object& object : scaled.objects) object.transform.scale *= factor, object.transform.translation *= factor;
-        for (Light& light : scaled.lights) light.position *= factor;
+        for (Light& light : scaled.lights)
+            light.position *= factor, light.area.width *= factor, light.area.height *= factor;
         scaled.camera.eye *= factor, scaled.camera.target *= factor, scaled.camera.height *= factor;
         ASSERT_EQ(test::firstDifference(*plain, *test::frameOf(scaled), compared), "") << "2^" << k;
     }

@@ -23,7 +23,9 @@ Material randomMaterial(std::mt19937& random) {
 
 Light randomLight(std::mt19937& random) {
     Light light;
-    light.kind = coin(random) ? LightKind::Point : LightKind::AtInfinity;
+    light.kind = LightKind(random() % 3);
+    light.area = {inBox(random, 1), between(random, 0, 2), coin(random) ? between(random, 0, 2) : 0,
+                  1 + int(random() % 3)};
     light.position = 4.0 * inBox(random, 1) + Vec3d(0, 0, 5);
     light.intensity = random() % 4 == 0 ? 0 : between(random, 0, 100);
     light.castsShadow = coin(random);
