@@ -26,6 +26,7 @@ constexpr auto kScenes = std::to_array<Row>({
     {"reflection_law", ".toml"},
     {"flat_gouraud_phong", ".toml"},
     {"highlight_exponents", ".toml"},
+    {"phong_blinn", ".toml"},
     {"vertex_normals", ".toml"},
     {"ambient", ".toml"},
     {"coloured_lights", ".toml"},
@@ -38,6 +39,7 @@ constexpr auto kScenes = std::to_array<Row>({
     {"soft_shadow", ".toml"},
     {"shadow_bias", ".toml"},
     {"teapot", ".toml"},
+    {"gl_cube", ".toml"},
 });
 
 }  // namespace
