@@ -6,8 +6,11 @@ namespace pipeline {
 
 Illumination illuminationOf(const Settings& settings) {
     const bool openGl = settings.model == Model::OpenGl, blinn = settings.model == Model::BlinnPhong;
-    return {settings.model, blinn ? settings.exponentFactor : 1.0, openGl && settings.localViewer,
-            openGl && settings.twoSided};
+    return {settings.model,
+            blinn ? settings.exponentFactor : 1.0,
+            openGl && settings.localViewer,
+            openGl && settings.twoSided,
+            {}};
 }
 
 std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view) {
@@ -31,8 +34,13 @@ double maximumIntensity(Model model, const std::vector<Material>& materials, con
         diffuse = std::max(diffuse, largestComponent(material.diffuse));
         specular = std::max(specular, largestComponent(material.specular));
     }
-    double maximum = diffuse * ambient.intensity * largestComponent(ambient.color);
-    for (const Light& light : lights) maximum += light.intensity * largestComponent(light.color) * (diffuse + specular);
+    // Colour by colour: a red and a green light never add up in one of them.
+    double maximum = 0;
+    for (int c = 0; c < 3; ++c) {
+        double sum = diffuse * ambient.intensity * ambient.color[c];
+        for (const Light& light : lights) sum += light.intensity * light.color[c] * (diffuse + specular);
+        maximum = std::max(maximum, sum);
+    }
     return maximum;
 }
 

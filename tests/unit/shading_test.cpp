@@ -110,6 +110,14 @@ TEST(FrameBuffer, TheMaximumIntensityTakesTheLargestCoefficients) {
     EXPECT_NEAR(maximumIntensity(Model::Phong, materials, lights, {50, Vec3d(1)}), 45 + 160 + 8, 1e-12);
 }
 
+// Lights of one colour each: in red 0.5·10 + 100, in green 0.5·10 + 120, in blue 0.5·10; never their sum.
+TEST(FrameBuffer, ColouredLightsDoNotAddUpInTheMaximumIntensity) {
+    const std::vector<Material> materials{{Vec3d(0.5), Vec3d(0.5), 8}};
+    const std::vector<Light> lights{{LightKind::AtInfinity, kUp, 100, {1, 0, 0}, true},
+                                    {LightKind::AtInfinity, kUp, 120, {0, 1, 0}, true}};
+    EXPECT_NEAR(maximumIntensity(Model::Phong, materials, lights, {10, Vec3d(1)}), 125, 1e-12);
+}
+
 Scene litSphere(Shading shading) {
     Scene scene = test::pyramid();
     scene.objects[0].mesh = test::sphere(150, 12, 16);
