@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "pipeline/core/real.h"
 
@@ -35,6 +36,15 @@ Real powerOfCosine(Vec3<Real> a, Vec3<Real> b, Real exponent) {
     const Real q = glm::dot(difference, difference) / 2;
     if (!(q < 1)) return 0;
     return std::exp(exponent * std::log1p(-q));
+}
+
+// Whether powerOfCosine is certain to round to 0, without its exponential: −log1p(−q) >= q, and
+// exp(x) is 0 below −103.98 in float, −745.14 in double (half the smallest number above 0).
+template <class Real>
+bool powerVanishes(Vec3<Real> a, Vec3<Real> b, Real exponent) {
+    constexpr Real kZero = std::numeric_limits<Real>::digits == 24 ? Real(105) : Real(750);
+    const Vec3<Real> difference = a - b;
+    return exponent * (glm::dot(difference, difference) / 2) > kZero;
 }
 
 // The angle between two vectors of any length, radians. acos of a dot product reads 0 below

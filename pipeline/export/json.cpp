@@ -57,20 +57,38 @@ Json equationToJson(const Frame& frame, const PixelReport& report, int channel) 
 
 Json toJson(const Vec3d& vector) { return {vector.x, vector.y, vector.z}; }
 
+namespace {
+
+Json ruleJson(std::optional<Rule> rule) { return rule ? Json(name(*rule)) : Json(); }
+
+}  // namespace
+
 Json toJson(const Plan& plan) {
     Json steps = Json::array();
     for (const PlanStep& step : plan) {
         Json parts = Json::array();
         for (const PlanPart& part : step.parts)
-            parts.push_back(
-                {{"part", part.name}, {"action", name(part.action)}, {"why", part.why}, {"saves", part.saves}});
+            parts.push_back({{"part", part.name},
+                             {"action", name(part.action)},
+                             {"why", part.why},
+                             {"saves", part.saves},
+                             {"rule", ruleJson(part.rule)}});
         steps.push_back({{"stage", stageInfo(step.stage).name},
                          {"action", name(step.action)},
                          {"why", step.why},
                          {"saves", step.saves},
+                         {"rule", ruleJson(step.rule)},
                          {"parts", parts}});
     }
     return steps;
+}
+
+Json toJson(const std::vector<Tally>& tallies) {
+    Json json = Json::array();
+    for (const Tally& tally : tallies)
+        json.push_back(
+            {{"what", tally.what}, {"done", tally.done}, {"left_out", tally.leftOut}, {"rule", ruleJson(tally.rule)}});
+    return json;
 }
 
 Json settingsToJson(const Scene& scene) {

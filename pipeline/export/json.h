@@ -12,6 +12,7 @@ using Json = nlohmann::ordered_json;
 
 // One object a stage: stage, action, why, saves, parts.
 Json toJson(const Plan& plan);
+Json toJson(const std::vector<Tally>& tallies);
 // Every setting of a scene: key to number, true or false, or the name of a choice.
 Json settingsToJson(const Scene& scene);
 // The scene's name and files, with their SHA-256 where they can be read.

@@ -14,8 +14,10 @@ Json runTimes(const Frame& frame) {
     Json stages = Json::array();
     for (const StageId stage : kStages) {
         const StageRun& run = frame.run(stage);
-        stages.push_back(
-            {{"stage", stageInfo(stage).name}, {"milliseconds", run.milliseconds}, {"counts", run.counts}});
+        stages.push_back({{"stage", stageInfo(stage).name},
+                          {"milliseconds", run.milliseconds},
+                          {"counts", run.counts},
+                          {"tallies", toJson(run.tallies)}});
     }
     return stages;
 }

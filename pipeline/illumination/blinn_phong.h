@@ -11,12 +11,12 @@ namespace pipeline {
 // that about 4 n gives a highlight as wide as Phong's with n.
 template <class Real>
 void addBlinnPhong(const Light& light, const Material& material, double exponentFactor, const Surface<Real>& at,
-                   LightSample<Real>& s) {
+                   const LightDetail& detail, LightSample<Real>& s) {
     if (!(s.nDotL > 0)) return;
     const Vec3<Real> intensity(light.intensity * light.color);
     s.diffuse = intensity * Vec3<Real>(material.diffuse) * s.nDotL;
-    if (!(s.nDotH > 0) || material.specular == Vec3d(0)) return;
-    s.specularPower = powerOfCosine(at.N, s.H, Real(exponentFactor * material.exponent));
+    if (!(s.nDotH > 0) || (!detail.dull && material.specular == Vec3d(0))) return;
+    raise(at.N, s.H, Real(exponentFactor * material.exponent), detail, s);
     s.specular = intensity * Vec3<Real>(material.specular) * s.specularPower;
 }
 

@@ -13,6 +13,7 @@ struct Illumination {
     double exponentFactor = 1;  // Blinn-Phong
     bool localViewer = false;   // OpenGL
     bool twoSided = false;      // OpenGL
+    LightDetail detail{};
     bool operator==(const Illumination&) const = default;
 };
 Illumination illuminationOf(const Settings& settings);
@@ -21,15 +22,18 @@ Illumination illuminationOf(const Settings& settings);
 // viewer) brought to world space.
 std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view);
 
-// What one light adds at a surface point.
+// What one light adds at a surface point. attenuated: see addOpenGl.
 template <class Real>
 LightSample<Real> sampleLight(const Illumination& illumination, const Light& light, const Material& material,
-                              const Surface<Real>& at) {
-    LightSample<Real> s = directionsOf(light, at);
+                              const Surface<Real>& at, bool attenuated = true) {
+    const LightDetail& detail = illumination.detail;
+    const bool phong = illumination.model == Model::Phong, dull = !detail.dull && material.specular == Vec3d(0);
+    LightSample<Real> s =
+        directionsOf(light, at, detail.reflection || (phong && !dull), detail.halfway || (!phong && !dull));
     switch (illumination.model) {
-        case Model::Phong: addPhong(light, material, at, s); break;
-        case Model::BlinnPhong: addBlinnPhong(light, material, illumination.exponentFactor, at, s); break;
-        case Model::OpenGl: addOpenGl(light, material, at, s); break;
+        case Model::Phong: addPhong(light, material, at, detail, s); break;
+        case Model::BlinnPhong: addBlinnPhong(light, material, illumination.exponentFactor, at, detail, s); break;
+        case Model::OpenGl: addOpenGl(light, material, at, detail, attenuated, s); break;
     }
     return s;
 }
@@ -48,7 +52,7 @@ Vec3<Real> emissionTerm(Model model, const Material& material) {
 
 // What a frame buffer value of 255 stands for: in lecture 1's model the formula with every dot
 // product 1 and every reflection coefficient at its maximum over the materials and the three
-// colours; 1 in the others, whose colours are meant to lie in [0, 1].
+// colours, for the colour of light for which that is most; 1 in the others, whose colours are meant to lie in [0, 1].
 double maximumIntensity(Model model, const std::vector<Material>& materials, const std::vector<Light>& lights,
                         const AmbientLight& ambient);
 

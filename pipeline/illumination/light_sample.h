@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+
 #include "pipeline/core/numerics.h"
 #include "pipeline/scene/scene.h"
 
@@ -11,13 +13,26 @@ struct Surface {  // where a light is evaluated; world space, N and V unit
     Vec3<Real> position, N, V;
 };
 
+// What of a light is computed beyond what its terms need. All of it by default; the plan leaves
+// parts out (pipeline/scene/rules.h), which changes no term.
+struct LightDetail {
+    bool reflection = true, halfway = true;  // R and R·V, H and N·H where the model does not read them
+    bool dull = true;                        // the power where k_s is 0
+    bool vanishing = true;                   // the power where its result is rounded to 0
+    bool operator==(const LightDetail&) const = default;
+};
+
+// What became of the power of the specular term.
+enum class Power : std::uint8_t { None, Computed, Vanished };
+
 // Everything about one light at one surface point. Directions are unit vectors in world space, or
 // (0, 0, 0) where they are not defined: a point light in the surface point itself, H when L = −V.
 template <class Real>
 struct LightSample {
     Vec3<Real> L, R, H;
-    Real nDotL, rDotV, nDotH;               // −1..1, not clamped
-    Real specularPower;                     // (R·V)^n or (N·H)^s, 0 where it does not count
+    Real nDotL, rDotV, nDotH;  // −1..1, not clamped
+    Real specularPower;        // (R·V)^n or (N·H)^s, 0 where it does not count
+    Power power = Power::None;
     Real fading = 1;                        // OpenGL: attenuation times spot, else 1
     Vec3<Real> ambient, diffuse, specular;  // what the light adds, before its shadow factor
 };
@@ -33,19 +48,31 @@ Vec3<Real> towardsLight(const Light& light, Vec3<Real> position) {
     return towardsLight(light.kind, light.position, position);
 }
 
-// The directions and dot products, with nothing added yet.
+// The directions and dot products, with nothing added yet; R and H where they are asked for.
 // R = 2 (N·L) N − L, the law of reflection; H = (L + V) / |L + V|.
 template <class Real>
-LightSample<Real> directionsOf(const Light& light, const Surface<Real>& at) {
+LightSample<Real> directionsOf(const Light& light, const Surface<Real>& at, bool reflection, bool halfway) {
     LightSample<Real> s{};
     s.fading = 1;
     s.L = towardsLight(light, at.position);
     s.nDotL = glm::dot(at.N, s.L);
-    s.R = 2 * s.nDotL * at.N - s.L;
-    s.H = normalized(s.L + at.V);
-    s.rDotV = glm::dot(s.R, at.V);
-    s.nDotH = glm::dot(at.N, s.H);
+    if (reflection) {
+        s.R = 2 * s.nDotL * at.N - s.L;
+        s.rDotV = glm::dot(s.R, at.V);
+    }
+    if (halfway) {
+        s.H = normalized(s.L + at.V);
+        s.nDotH = glm::dot(at.N, s.H);
+    }
     return s;
+}
+
+// (a·b)^exponent into the sample.
+template <class Real>
+void raise(Vec3<Real> a, Vec3<Real> b, Real exponent, const LightDetail& detail, LightSample<Real>& s) {
+    const bool vanishes = !detail.vanishing && powerVanishes(a, b, exponent);
+    s.power = vanishes ? Power::Vanished : Power::Computed;
+    s.specularPower = vanishes ? Real(0) : powerOfCosine(a, b, exponent);
 }
 
 }  // namespace pipeline

@@ -31,15 +31,20 @@ Real spotFactor(const Light& light, Vec3<Real> L) {
 }
 
 // The specular part counts where N·L > 0, whatever N·H is; with exponent 0 it is then 1.
+// attenuated: false where the light's attenuation is known to be 1 everywhere.
 template <class Real>
-void addOpenGl(const Light& light, const Material& material, const Surface<Real>& at, LightSample<Real>& s) {
-    s.fading = attenuation(light, at.position) * spotFactor(light, s.L);
+void addOpenGl(const Light& light, const Material& material, const Surface<Real>& at, const LightDetail& detail,
+               bool attenuated, LightSample<Real>& s) {
+    s.fading = (attenuated ? attenuation(light, at.position) : Real(1)) * spotFactor(light, s.L);
     const Real strength = s.fading * Real(light.intensity);
     s.ambient = strength * Vec3<Real>(light.gl.ambient) * Vec3<Real>(material.ambient);
     if (!(s.nDotL > 0)) return;
     s.diffuse = strength * Vec3<Real>(light.color) * Vec3<Real>(material.diffuse) * s.nDotL;
-    if (material.specular == Vec3d(0)) return;
-    s.specularPower = material.exponent == 0 ? Real(1) : powerOfCosine(at.N, s.H, Real(material.exponent));
+    if (!detail.dull && material.specular == Vec3d(0)) return;
+    if (material.exponent == 0)
+        s.specularPower = 1;
+    else
+        raise(at.N, s.H, Real(material.exponent), detail, s);
     s.specular = strength * Vec3<Real>(light.gl.specular) * Vec3<Real>(material.specular) * s.specularPower;
 }
 

@@ -9,12 +9,13 @@ namespace pipeline {
 // A light counts only where N·L > 0, its specular part only where also R·V > 0: the rule, not an
 // optimisation, since 0 times something infinite would not be 0.
 template <class Real>
-void addPhong(const Light& light, const Material& material, const Surface<Real>& at, LightSample<Real>& s) {
+void addPhong(const Light& light, const Material& material, const Surface<Real>& at, const LightDetail& detail,
+              LightSample<Real>& s) {
     if (!(s.nDotL > 0)) return;
     const Vec3<Real> intensity(light.intensity * light.color);
     s.diffuse = intensity * Vec3<Real>(material.diffuse) * s.nDotL;
-    if (!(s.rDotV > 0) || material.specular == Vec3d(0)) return;
-    s.specularPower = powerOfCosine(s.R, at.V, Real(material.exponent));
+    if (!(s.rDotV > 0) || (!detail.dull && material.specular == Vec3d(0))) return;
+    raise(s.R, at.V, Real(material.exponent), detail, s);
     s.specular = intensity * Vec3<Real>(material.specular) * s.specularPower;
 }
 

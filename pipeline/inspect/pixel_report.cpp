@@ -75,9 +75,8 @@ void clampTerms(Evaluation& e) {
 }
 
 template <class Real>
-Evaluation evaluate(const FrameData<Real>& data, const Surface<Real>& at, const Material& material, std::string where,
+Evaluation evaluate(const ShadingInputs& inputs, const Surface<Real>& at, const Material& material, std::string where,
                     double weight, const std::vector<double>& shadow) {
-    const ShadingInputs& inputs = data.keys.shading;
     const Model model = inputs.illumination.model;
     Evaluation e{std::move(where), weight, Vec3d(at.position), Vec3d(at.N), Vec3d(at.V), {}, {}, {}};
     e.emission = Vec3d(emissionTerm<Real>(model, material));
@@ -102,29 +101,29 @@ template <class Real>
 void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Real> b, PixelReport& report) {
     const TransformOutput<Real>& in = *data.transform;
     const Triangle& triangle = in.topology->triangles[triangleId];
-    const ShadingInputs& inputs = data.keys.shading;
+    const ShadingInputs inputs = withAllVectors(data.keys.shading);
     const ShadingSources<Real> sources = data.shadingSources();
     const bool back = showsBack(inputs, sources, triangle.polygon);
     const Material& material = materialOf(inputs, in.topology->polygonObject[triangle.polygon], back);
-    switch (data.keys.shading.shading) {
+    switch (inputs.shading) {
         case Shading::Flat: {
             const Surface<Real> at = polygonSurface(inputs, sources, triangle.polygon);
             const char* where =
                 inputs.illumination.model == Model::OpenGl ? "at the first vertex " : "at the mean of the vertices ";
             report.evaluations.push_back(
-                evaluate(data, at, material, where + placeText(Vec3d(at.position)), 1, report.shadow));
+                evaluate(inputs, at, material, where + placeText(Vec3d(at.position)), 1, report.shadow));
             break;
         }
         case Shading::Gouraud:
             for (int i = 0; i < 3; ++i) {
                 const Surface<Real> at = vertexSurface(inputs, sources, triangle.vertices[i], back);
-                report.evaluations.push_back(evaluate(data, at, material,
+                report.evaluations.push_back(evaluate(inputs, at, material,
                                                       fmt::format("at vertex {}", triangle.vertices[i]), double(b[i]),
                                                       report.shadow));
             }
             break;
         case Shading::Phong:
-            report.evaluations.push_back(evaluate(data, pixelSurface(inputs, sources, triangleId, b), material,
+            report.evaluations.push_back(evaluate(inputs, pixelSurface(inputs, sources, triangleId, b), material,
                                                   "at the pixel", 1, report.shadow));
             break;
     }

@@ -109,7 +109,7 @@ std::optional<double> largestIntensity(const Frame& frame) {
 }
 
 bool evaluatesAll(const Frame& frame) {
-    return ofData(frame, [](const auto& data) { return data.keys.shading.evaluateAll; });
+    return ofData(frame, [](const auto& data) { return data.keys.shading.parts.hiddenPolygons; });
 }
 
 int lengthDecimals(const Frame& frame) {

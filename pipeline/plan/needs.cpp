@@ -4,33 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/plan/shadow_reach.h"
+
 namespace pipeline {
 namespace {
 
 constexpr const char* kNoShadowsInOpenGl = "OpenGL's model knows no shadows.";
-
-// One sentence for all lights when they agree, else one for each.
-std::string noShadowAtAll(const Scene& scene, bool darkLightsToo) {
-    if (scene.settings.model == Model::OpenGl) return kNoShadowsInOpenGl;
-    const auto casts = [&](const Light& light) { return light.castsShadow && (darkLightsToo || light.intensity > 0); };
-    if (std::ranges::none_of(scene.lights, casts)) return "No light casts a shadow.";
-    // A convex object shadows only the polygons that face away, which are dark without a look-up;
-    // the closed-form bias never shadows a plane by itself. Any other bias may: that is a lesson.
-    // Each sample of an area light is a point light in this, and facing is asked sample by sample.
-    if (scene.objects.size() == 1 && scene.objects[0].mesh->facts.convex &&
-        scene.settings.shadowBias == ShadowBias::Automatic)
-        return "The only object is convex: it cannot shadow itself.";
-    if (scene.objects.empty()) return "The scene has no object.";
-    return {};
-}
-
-std::string noSpecular(const Scene& scene) {
-    const auto shines = [](const Object& o) {
-        return o.material.specular != Vec3d(0) || (o.backMaterial && o.backMaterial->specular != Vec3d(0));
-    };
-    const bool any = std::ranges::any_of(scene.objects, shines);
-    return any ? "" : "k_s is 0 in every material.";
-}
+constexpr const char* kDark = "Its intensity is 0.";
 
 std::size_t polygonCount(const Scene& scene) {
     std::size_t count = 0;
@@ -38,67 +18,168 @@ std::size_t polygonCount(const Scene& scene) {
     return count;
 }
 
+// Whether a coefficient is above or below 0 in any material, fronts and backs.
+template <class Coefficient>
+bool anyMaterial(const Scene& scene, Coefficient reflects) {
+    return std::ranges::any_of(scene.objects, [&](const Object& o) {
+        return reflects(o.material) || (o.backMaterial && reflects(*o.backMaterial));
+    });
+}
+bool shines(const Material& material) { return material.specular != Vec3d(0); }
+
+bool anyWanted(BufferSet wanted, std::initializer_list<BufferId> ids) {
+    return std::ranges::any_of(ids, [&](BufferId id) { return wanted[index(id)]; });
+}
 bool anyPerLight(BufferSet wanted) {
     return std::ranges::any_of(bufferTable(), [&](const BufferInfo& info) {
         return info.perLight && info.stage == StageId::Shading && wanted[index(info.id)];
     });
 }
 
+// What decides all needs of one scene.
+struct Decision {
+    const Scene& scene;
+    BufferSet wanted;
+    RuleSet rules;
+
+    // Left out for the reason where the rule is in force, else needed. An empty reason: needed.
+    Need unless(Rule rule, std::string reason) const {
+        if (!rules[index(rule)] || reason.empty()) return {};
+        return {std::move(reason), rule};
+    }
+    bool has(BufferId id) const { return wanted[index(id)]; }
+    Model model() const { return scene.settings.model; }
+
+    Need cull() const {
+        const bool facing = model() == Model::OpenGl && scene.settings.twoSided;  // which side is lit
+        if (scene.settings.cull != CullMode::None || facing || has(BufferId::PolygonsVerdict)) return {};
+        return unless(Rule::Culling,
+                      fmt::format("Off in this scene: cull = none. All {} polygons go on.", polygonCount(scene)));
+    }
+    Need vertexNormals() const {
+        const bool read =
+            scene.settings.shading != Shading::Flat || has(BufferId::VerticesNormal) || bool(vertexTerms());
+        return unless(Rule::VertexNormals, read ? "" : "Flat shading needs polygon normals only.");
+    }
+    Need polygonTerms() const {
+        const bool read = scene.settings.shading == Shading::Flat || has(BufferId::PolygonsIntensity);
+        return unless(Rule::PolygonTerms, read ? "" : "Only flat shading evaluates polygons.");
+    }
+    Need vertexTerms() const {
+        const bool read = scene.settings.shading == Shading::Gouraud || has(BufferId::VerticesIntensity);
+        return unless(Rule::VertexTerms, read ? "" : "Only Gouraud shading evaluates vertices.");
+    }
+    Need light(const Light& light) const {
+        if (anyPerLight(wanted)) return {};
+        if (light.intensity == 0) return unless(Rule::DarkLight, kDark);
+        const bool reflected = anyMaterial(scene, [&](const Material& m) {
+            return m.diffuse != Vec3d(0) || shines(m) ||
+                   (model() == Model::OpenGl && m.ambient * light.gl.ambient != Vec3d(0));
+        });
+        return unless(Rule::Unreflected, reflected ? "" : "No material reflects any of it.");
+    }
+    Need specular(const Need& light) const {
+        if (!light) return light;
+        return unless(Rule::Specular, anyMaterial(scene, shines) ? "" : "k_s is 0 in every material.");
+    }
+    Need attenuation(const Light& light, const Need& counts) const {
+        if (!counts) return counts;
+        if (model() != Model::OpenGl) return {"Only OpenGL's model has attenuation.", {}};
+        if (light.kind == LightKind::AtInfinity) return {"A light at infinity is as bright everywhere.", {}};
+        const bool one = light.gl.constant == 1 && light.gl.linear == 0 && light.gl.quadratic == 0;
+        return unless(Rule::Attenuation, one ? "It is 1 at every distance." : "");
+    }
+    Need shadow(const Light& light, const Need& counts) const {
+        if (has(BufferId::ShadowBuffer)) return {};
+        if (model() == Model::OpenGl) return {kNoShadowsInOpenGl, {}};
+        if (!light.castsShadow) return {"It casts no shadow.", {}};
+        if (!counts) return counts;
+        if (scene.objects.empty()) return {"The scene has no object.", {}};
+        if (const Need need = unless(Rule::ConvexShadow, whyNoSelfShadow(scene)); !need) return need;
+        return unless(Rule::DistantShadow, whyNoShadowBetween(scene, light));
+    }
+    // One sentence for all lights when they agree.
+    Need shadowBuffers(const std::vector<Need>& each) const {
+        if (std::ranges::any_of(each, [](const Need& need) { return bool(need); })) return {};
+        const bool same = std::ranges::all_of(each, [&](const Need& n) { return n.notBecause == each[0].notBecause; });
+        const bool casts = std::ranges::any_of(scene.lights, &Light::castsShadow);
+        if (each.empty() || !casts) return {"No light casts a shadow.", {}};
+        if (same && each[0].rule != Rule::DarkLight) return each[0];
+        return {"No light needs one.", each[0].rule};
+    }
+    Need ambient() const {
+        // A coefficient below 0 would make a term of −0, whose sign a buffer shows.
+        const bool negative = anyMaterial(scene, [](const Material& m) {
+            return glm::any(glm::lessThan(m.diffuse, Vec3d(0))) || glm::any(glm::lessThan(m.ambient, Vec3d(0)));
+        });
+        const bool dark = scene.ambient.intensity == 0 || scene.ambient.color == Vec3d(0);
+        return unless(Rule::Ambient, dark && !negative ? "The ambient light is 0." : "");
+    }
+    Need viewVector(bool specular) const {
+        if (has(BufferId::ViewVector) || anyWanted(wanted, {BufferId::RDotV, BufferId::NDotH, BufferId::HalfwayVector}))
+            return {};
+        return unless(Rule::ViewVector, specular ? "" : "No specular term reads it.");
+    }
+    Need position(const Needs& needs) const {
+        const bool perPixel = scene.settings.shading == Shading::Phong;
+        const auto near = [](const Light& l) { return l.kind != LightKind::AtInfinity; };
+        const bool read =
+            anyWanted(wanted, {BufferId::Position, BufferId::ViewVector}) || bool(needs.shadowBuffers) ||
+            (perPixel && bool(needs.viewVector)) ||
+            std::ranges::any_of(scene.lights, [&](const Light& l) { return near(l) && (perPixel || l.castsShadow); });
+        return unless(Rule::Position, read ? "" : "No light and nobody reads it.");
+    }
+    // R and H: what the model does not read, and in a scene without specular terms neither.
+    Need direction(bool ofModel, bool specular, std::initializer_list<BufferId> readers, const char* other) const {
+        if (anyWanted(wanted, readers) || (ofModel && specular)) return {};
+        return unless(Rule::Directions, ofModel ? "No specular term reads it." : other);
+    }
+    Need reflection(bool specular) const {
+        return direction(model() == Model::Phong, specular, {BufferId::ReflectionVector, BufferId::RDotV},
+                         "The illumination model uses H.");
+    }
+    Need halfway(bool specular) const {
+        return direction(model() != Model::Phong, specular, {BufferId::HalfwayVector, BufferId::NDotH},
+                         "Phong's model uses R.");
+    }
+};
+
 }  // namespace
 
 Needs needsOf(const Scene& scene, BufferSet wanted) {
-    const Settings& settings = scene.settings;
-    const auto has = [&](BufferId id) { return wanted[index(id)]; };
-    const bool everything = !settings.leaveOut;
     Needs needs;
-    needs.evaluateAll = everything || has(BufferId::PolygonsIntensity);
-
-    const bool facingNeeded = settings.model == Model::OpenGl && settings.twoSided;  // which side is lit
-    if (settings.cull == CullMode::None && !facingNeeded && !has(BufferId::PolygonsVerdict) && !everything)
-        needs.cull.notBecause =
-            fmt::format("Off in this scene: cull = none. All {} polygons go on.", polygonCount(scene));
-    if (settings.shading == Shading::Flat && !has(BufferId::VerticesNormal) && !has(BufferId::VerticesIntensity) &&
-        !everything)
-        needs.vertexNormals.notBecause = "Flat shading needs polygon normals only.";
-    if (settings.shading != Shading::Flat && !has(BufferId::PolygonsIntensity))
-        needs.polygonTerms.notBecause = "Only flat shading evaluates polygons.";
-    if (settings.shading != Shading::Gouraud && !has(BufferId::VerticesIntensity))
-        needs.vertexTerms.notBecause = "Only Gouraud shading evaluates vertices.";
-
-    const bool shadowAsked = has(BufferId::ShadowBuffer);
-    const bool shadowFactors = anyPerLight(wanted);  // somebody looks at S itself, also of a light that is dark
-    const std::string noShadow = noShadowAtAll(scene, shadowFactors), dull = noSpecular(scene);
-    bool anyBuffer = false;
-    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        const Light& light = scene.lights[k];
-        Need shadow, counts, specular;
-        if (light.intensity == 0 && !shadowFactors && !everything) counts.notBecause = "Its intensity is 0.";
-        if (!counts)
-            specular.notBecause = counts.notBecause;
-        else if (!dull.empty() && !everything)
-            specular.notBecause = dull;
-        if (settings.model == Model::OpenGl)
-            shadow.notBecause = kNoShadowsInOpenGl;  // nobody would look it up, not even with everything forced in
-        else if (!light.castsShadow)
-            shadow.notBecause = "It casts no shadow.";
-        else if (everything)
-            shadow.notBecause.clear();
-        else if (!noShadow.empty())
-            shadow.notBecause = noShadow;
-        else if (light.intensity == 0 && !shadowFactors)
-            shadow.notBecause = "Its intensity is 0.";
-        if (shadowAsked) shadow.notBecause.clear();
-        anyBuffer = anyBuffer || shadow;
-        needs.shadowBuffer.push_back(shadow);
-        needs.light.push_back(counts);
-        needs.specular.push_back(specular);
+    needs.rules = rulesOf(scene.settings);
+    needs.buffers = wanted;
+    // A shadow buffer is not made for its own sake: its light decides.
+    if (!needs.rules[index(Rule::UnreadBuffers)])
+        needs.buffers.set().set(index(BufferId::ShadowBuffer), wanted[index(BufferId::ShadowBuffer)]);
+    const Decision decide{scene, needs.buffers, needs.rules};
+    needs.cull = decide.cull();
+    needs.vertexNormals = decide.vertexNormals();
+    needs.polygonTerms = decide.polygonTerms();
+    needs.vertexTerms = decide.vertexTerms();
+    needs.hiddenPolygons = !needs.rules[index(Rule::HiddenPolygons)] || decide.has(BufferId::PolygonsIntensity);
+    needs.hiddenVertices = !needs.rules[index(Rule::HiddenVertices)] || decide.has(BufferId::VerticesIntensity);
+    bool specular = false;
+    for (const Light& light : scene.lights) {
+        needs.light.push_back(decide.light(light));
+        needs.specular.push_back(decide.specular(needs.light.back()));
+        needs.attenuation.push_back(decide.attenuation(light, needs.light.back()));
+        needs.shadowBuffer.push_back(decide.shadow(light, needs.light.back()));
+        specular = specular || needs.specular.back();
     }
-    if (!anyBuffer) needs.shadowBuffers.notBecause = noShadow.empty() ? "No light casts a shadow." : noShadow;
+    needs.shadowBuffers = decide.shadowBuffers(needs.shadowBuffer);
+    needs.ambient = decide.ambient();
+    needs.viewVector = decide.viewVector(specular);
+    needs.position = decide.position(needs);
+    needs.reflection = decide.reflection(specular);
+    needs.halfway = decide.halfway(specular);
     return needs;
 }
 
-std::string whyUseless(const Scene& scene, BufferId id) {
-    const Needs needs = needsOf(scene, {});
+namespace {
+
+std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
     const Model model = scene.settings.model;
     const bool lights = !scene.lights.empty();
     if (bufferInfo(id).perLight && !lights) return "The scene has no light.";
@@ -123,9 +204,14 @@ std::string whyUseless(const Scene& scene, BufferId id) {
     }
 }
 
+}  // namespace
+
+std::string whyUseless(const Scene& scene, BufferId id) { return whyUseless(scene, needsOf(scene, {}), id); }
+
 BufferSet usefulBuffers(const Scene& scene) {
+    const Needs needs = needsOf(scene, {});
     BufferSet set;
-    for (const BufferInfo& info : bufferTable()) set[index(info.id)] = whyUseless(scene, info.id).empty();
+    for (const BufferInfo& info : bufferTable()) set[index(info.id)] = whyUseless(scene, needs, info.id).empty();
     return set;
 }
 

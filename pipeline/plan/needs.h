@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,18 +10,23 @@
 namespace pipeline {
 
 // What a scene and the buffers asked for need of each stage, and why not the rest. Every reason
-// here leaves the picture the same, bit for bit; `leave_out = off` turns them all off.
+// here leaves the picture the same, bit for bit.
 
-// Empty text: needed. Else the reason it is left out, one sentence.
+// Empty text: needed. Else the reason it is left out, one sentence, and the rule that says so;
+// no rule where there is nothing that could be done ("The light casts no shadow.").
 struct Need {
-    std::string notBecause;
+    std::string notBecause{};
+    std::optional<Rule> rule{};
     explicit operator bool() const { return notBecause.empty(); }
 };
 
 struct Needs {
-    Need cull, vertexNormals, shadowBuffers, polygonTerms, vertexTerms;
-    std::vector<Need> shadowBuffer, light, specular;  // per light
-    bool evaluateAll = false;                         // polygons that culling dropped are evaluated too
+    Need cull, vertexNormals, shadowBuffers, polygonTerms, vertexTerms, ambient, position, viewVector;
+    Need reflection, halfway;                                      // R and H
+    std::vector<Need> shadowBuffer, light, specular, attenuation;  // per light
+    bool hiddenPolygons = false, hiddenVertices = false;           // what culling dropped is evaluated too
+    BufferSet buffers;                                             // those that are made
+    RuleSet rules;                                                 // in force
 };
 Needs needsOf(const Scene& scene, BufferSet wanted);
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/plan/plan_parts.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/runner.h"
-#include "pipeline/scene/area_light.h"
 
 namespace pipeline {
 
@@ -53,7 +53,8 @@ std::string difference(const ShadowBufferInputs& a, const ShadowBufferInputs& b)
 
 std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
     if (a.visibility != b.visibility) return "The setting visibility changed.";
-    return a == b ? "" : "The setting split changed.";
+    if (a.split != b.split) return "The setting split changed.";
+    return a == b ? "" : "The rule of clipping was switched.";
 }
 
 std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
@@ -63,7 +64,7 @@ std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (auto text = firstDifferent(a.lights, b.lights, "Light", "The lights"); !text.empty()) return text;
     if (!(a.ambient == b.ambient)) return "The ambient light changed.";
     if (!(a.shadow == b.shadow)) return "The settings of the shadow test changed.";
-    return a == b ? "" : "Other buffers are asked for.";
+    return a == b ? "" : "Other parts of it are needed.";
 }
 
 struct Before {
@@ -83,7 +84,7 @@ Before lookBack(const Scene& scene, const FramePtr& before) {
     };
     read(before->dataFloat());
     read(before->dataDouble());
-    out.wanted = before->wanted();
+    out.wanted = before->made();
     out.number = before->number();
     return out;
 }
@@ -97,53 +98,15 @@ bool shadingCovers(BufferSet have, BufferSet wanted) {
     return true;
 }
 
-std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& needs, Action action) {
-    std::vector<PlanPart> parts;
-    const auto add = [&](std::string part, const Need& need, std::string why, std::string saves) {
-        const bool left = !need;
-        parts.push_back({std::move(part), left ? Action::LeaveOut : action, left ? need.notBecause : std::move(why),
-                         left ? std::move(saves) : ""});
-    };
-    const std::size_t lights = scene.lights.size();
-    if (stage == StageId::Normals) {
-        parts.push_back({"polygon normals", action, "Every stage after this one reads them.", ""});
-        add("vertex normals", needs.vertexNormals, "Normals are interpolated, or asked for.",
-            "a pass over the vertices");
-    }
-    if (stage == StageId::ShadowBuffer) {
-        const double texels = double(scene.settings.shadowSize) * scene.settings.shadowSize;
-        for (std::size_t k = 0; k < lights; ++k) {
-            const int faces = sampleGrid(scene.lights[k]).count() * shadowFacesPerSample(scene.lights[k].kind);
-            const double bytes = texels * faces * (scene.settings.precision == Precision::Double ? 8 : 4);
-            add(fmt::format("light {}", k), needs.shadowBuffer[k], "It casts a shadow.",
-                fmt::format("{} {}, {:.1f} MB", faces, faces == 1 ? "pass" : "passes", bytes / 1e6));
-        }
-    }
-    if (stage == StageId::ZBuffer) {
-        const Settings& s = scene.settings;
-        const bool sorts = s.visibility == Visibility::Painter;
-        const std::string noOrder = sorts ? "" : "The z-buffer needs no order.";
-        add("depth test", {whyUseless(scene, BufferId::Depth)}, "Of all fragments at a pixel the nearest stays.",
-            "a comparison a fragment");
-        add("sort", {noOrder}, "Polygons are painted from the farthest to the nearest.", "a sort");
-        add("split", {sorts && !s.split ? "Off in this scene: split = off." : noOrder},
-            "Polygons may intersect, or overlap in a cycle.", "comparisons of pairs");
-    }
-    if (stage == StageId::Shading) {
-        for (std::size_t k = 0; k < lights; ++k) {
-            add(fmt::format("light {}", k), needs.light[k], "It shines.", "an evaluation a point");
-            add(fmt::format("specular of light {}", k), needs.specular[k], "A material has k_s above 0.",
-                "a power a point");
-        }
-    }
-    return parts;
-}
-
 }  // namespace
 
 Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& before) {
     const Needs needs = needsOf(scene, request.wanted);
-    const StageKeys keys = stageKeys(scene, needs, topologyOf(scene, before));
+    return makePlan(scene, request, needs, stageKeys(scene, needs, topologyOf(scene, before)), before);
+}
+
+Plan makePlan(const Scene& scene, const FrameRequest& request, const Needs& needs, const StageKeys& keys,
+              const FramePtr& before) {
     const Before past = lookBack(scene, before);
     const auto changed = [&](auto member) { return past.keys ? difference(past.keys->*member, keys.*member) : ""; };
     const std::string reused = fmt::format("Nothing that this stage reads has changed since frame {}.", past.number);
@@ -166,6 +129,7 @@ Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& b
         } else if (!need) {
             step.action = Action::LeaveOut;
             step.why = need.notBecause;
+            step.rule = need.rule;
         } else if (!had || !difference.empty() || because != stage) {
             step.action = Action::Run;
             step.why = !difference.empty() ? difference
@@ -193,7 +157,7 @@ Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& b
     decide(StageId::ShadowBuffer, needs.shadowBuffers, changed(&StageKeys::shadowBuffer), {Transform});
     decide(ZBuffer, always, changed(&StageKeys::zBuffer), {Transform, Cull});
     std::string shading = changed(&StageKeys::shading);
-    if (shading.empty() && past.keys && !shadingCovers(past.wanted, request.wanted))
+    if (shading.empty() && past.keys && !shadingCovers(past.wanted, needs.buffers))
         shading = "Other buffers are asked for.";
     decide(StageId::Shading, always, shading, {ZBuffer, Normals, StageId::ShadowBuffer, Transform, Cull});
     return plan;

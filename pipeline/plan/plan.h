@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,10 @@ struct PlanPart {
     std::string name;  // "vertex normals", "light 0", "specular of light 1"
     Action action;
     std::string why;    // one sentence
-    std::string saves;  // when left out: "1 pass, 1 buffer of 4.2 MB"; may be empty
+    std::string saves;  // when left out: "1 pass, 4.2 MB"; may be empty
+    // The rule that leaves it out, or that leaves out some of it while it runs; nothing where the
+    // scene has no such part at all.
+    std::optional<Rule> rule{};
 };
 
 struct PlanStep {
@@ -25,6 +29,7 @@ struct PlanStep {
     Action action;
     std::string why;  // one sentence: "Material 0 changed.", "No light casts a shadow."
     std::string saves;
+    std::optional<Rule> rule{};
     std::vector<PlanPart> parts;
 };
 

@@ -13,10 +13,19 @@
 
 namespace pipeline {
 
+// How often something was done in a stage, or left out by a rule.
+struct Tally {
+    std::string_view what;  // "shadow look-ups"
+    long long done = 0, leftOut = 0;
+    std::optional<Rule> rule{};  // nothing where no rule leaves it out
+    bool operator==(const Tally&) const = default;
+};
+
 // What happened in a stage when it last ran.
 struct StageRun {
     double milliseconds = 0;
     std::string counts;  // "5 vertices", "3 of 5 polygons kept"
+    std::vector<Tally> tallies;
 };
 
 // What is asked of a frame beside the scene.
@@ -38,8 +47,9 @@ public:
     const std::shared_ptr<const Scene>& sharedScene() const { return m_scene; }
     const Plan& plan() const { return m_plan; }
     const StageRun& run(StageId stage) const { return m_runs[index(stage)]; }
-    double milliseconds() const { return m_milliseconds; }  // wall clock of this frame alone
-    long number() const { return m_number; }                // counts from 1 along a chain of frames
+    double milliseconds() const { return m_milliseconds; }          // wall clock of this frame alone
+    double planMilliseconds() const { return m_planMilliseconds; }  // of that, for deciding what to do
+    long number() const { return m_number; }                        // counts from 1 along a chain of frames
     StageId until() const { return m_until; }
 
     // The buffer, or nothing where the plan left it out or its stage has not run.
@@ -60,6 +70,7 @@ public:
     const std::shared_ptr<const FrameData<double>>& dataDouble() const { return m_double; }
 
     BufferSet wanted() const { return m_wanted; }  // the request's
+    BufferSet made() const { return m_made; }      // more than those where the plan leaves none out
     const Topology& topology() const { return *m_topology; }
 
 private:
@@ -68,10 +79,10 @@ private:
     std::shared_ptr<const Topology> m_topology;
     Plan m_plan;
     std::array<StageRun, kStageCount> m_runs;
-    double m_milliseconds = 0;
+    double m_milliseconds = 0, m_planMilliseconds = 0;
     long m_number = 0;
     StageId m_until = StageId::Shading;
-    BufferSet m_wanted;
+    BufferSet m_wanted, m_made;
     std::shared_ptr<const FrameData<float>> m_float;  // one of the two
     std::shared_ptr<const FrameData<double>> m_double;
 };

@@ -20,6 +20,10 @@ struct StageKeys {
 };
 StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<const Topology> topology);
 
+// The plan for inputs that are decided already.
+Plan makePlan(const Scene& scene, const FrameRequest& request, const Needs& needs, const StageKeys& keys,
+              const FramePtr& before);
+
 // The stages' outputs, each immutable and shared by every frame that it holds for; null where the
 // plan left the stage out.
 template <class Real>

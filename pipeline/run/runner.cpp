@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/parallel.h"
@@ -73,9 +74,15 @@ std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBuff
 
 template <class Real>
 std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs, const TransformOutput<Real>& in,
-                                                      const std::vector<Verdict>& verdicts, Threads& threads) {
+                                                      const CullOutput* cull, Threads& threads) {
     auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
-    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, verdicts);
+    std::span<const Verdict> verdicts;
+    if (cull) verdicts = cull->verdicts;
+    std::span<const std::uint8_t> inside;
+    if (cull && !inputs.clipAll) inside = cull->inside;
+    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, verdicts, inside);
+    out->clipped = bins.clipped, out->unclipped = bins.unclipped;
+    for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
     if (inputs.visibility == Visibility::Painter) {
         const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.viewSpace, bins, inputs.split);
         const auto tiles = binPieces(bins, order);
@@ -98,14 +105,26 @@ template <class Real>
 std::shared_ptr<const ShadingOutput<Real>> runShading(const ShadingInputs& inputs, const ShadingSources<Real>& in,
                                                       BufferSet wanted, Threads& threads) {
     auto out = std::make_shared<ShadingOutput<Real>>(prepareShading(inputs, in, wanted));
+    std::mutex mutex;
+    const auto add = [&](const ShadingCounts& counts) {  // once a piece: the lock does not show
+        const std::scoped_lock lock(mutex);
+        out->counts += counts;
+    };
     threads.forRange(out->polygons.intensity.size(), kPolygonGrain,
-                     [&](std::size_t begin, std::size_t end) { shadePolygons(inputs, in, begin, end, *out); });
+                     [&](std::size_t begin, std::size_t end) { add(shadePolygons(inputs, in, begin, end, *out)); });
     threads.forRange(out->vertices.intensity.size(), kVertexGrain,
-                     [&](std::size_t begin, std::size_t end) { shadeVertices(inputs, in, begin, end, *out); });
-    const glm::ivec2 size = in.transform.view.size;
-    constexpr std::size_t kRows = 16;
-    threads.forRange(std::size_t(size.y), kRows, [&](std::size_t begin, std::size_t end) {
-        shadePixels(inputs, in, Tile{{0, int(begin)}, {size.x, int(end)}}, *out);
+                     [&](std::size_t begin, std::size_t end) { add(shadeVertices(inputs, in, begin, end, *out)); });
+    const std::vector<std::uint8_t>& drawn = in.zBuffer.tileIsDrawn;
+    threads.forRange(drawn.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) {
+            if (inputs.parts.emptyTiles || drawn[tile]) {
+                ShadingCounts counts = shadePixels(inputs, in, tileOf(in.transform.view.size, tile), *out);
+                ++counts.tiles;
+                add(counts);
+            } else {
+                add({.emptyTiles = 1});
+            }
+        }
     });
     return out;
 }
@@ -152,6 +171,20 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
     return {};
 }
 
+template <class Real>
+std::vector<Tally> talliesOf(StageId stage, const FrameData<Real>& data) {
+    if (stage == StageId::ZBuffer)
+        return {{"triangles clipped", data.zBuffer->clipped, data.zBuffer->unclipped, Rule::Clipping}};
+    if (stage != StageId::Shading) return {};
+    const ShadingCounts& n = data.shading->counts;
+    return {{"polygons evaluated", n.polygons, n.hiddenPolygons, Rule::HiddenPolygons},
+            {"vertices evaluated", n.vertices, n.hiddenVertices, Rule::HiddenVertices},
+            {"light evaluations", n.evaluations, 0, {}},
+            {"powers", n.powers, n.vanished, Rule::VanishingPower},
+            {"shadow look-ups", n.lookups, n.idleLookups, Rule::ShadowLookup},
+            {"tiles", n.tiles, n.emptyTiles, Rule::EmptyTiles}};
+}
+
 }  // namespace
 
 std::shared_ptr<const Topology> topologyOf(const Scene& scene, const FramePtr& before) {
@@ -164,13 +197,32 @@ std::shared_ptr<const Topology> topologyOf(const Scene& scene, const FramePtr& b
     return std::make_shared<const Topology>(makeTopology(std::move(meshes)));
 }
 
+namespace {
+
+bool without(const Needs& needs, Rule rule) { return !needs.rules[index(rule)]; }
+
+ShadingParts shadingParts(const Needs& needs) {
+    ShadingParts parts;
+    for (const Need& need : needs.light) parts.lights.push_back(bool(need));
+    for (const Need& need : needs.attenuation) parts.attenuation.push_back(bool(need));
+    parts.polygonTerms = bool(needs.polygonTerms), parts.vertexTerms = bool(needs.vertexTerms);
+    parts.hiddenPolygons = needs.hiddenPolygons, parts.hiddenVertices = needs.hiddenVertices;
+    parts.ambient = bool(needs.ambient);
+    parts.position = bool(needs.position), parts.viewVector = bool(needs.viewVector);
+    parts.idleLookups = without(needs, Rule::ShadowLookup);
+    parts.emptyTiles = without(needs, Rule::EmptyTiles);
+    return parts;
+}
+
+}  // namespace
+
 StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<const Topology> topology) {
     const Settings& settings = scene.settings;
     StageKeys keys{transformInputs(scene, std::move(topology)),
                    {settings.cull},
                    {settings.normalWeight, bool(needs.vertexNormals)},
                    {{}, settings.shadowSize},
-                   {settings.visibility, settings.split},
+                   {settings.visibility, settings.split, without(needs, Rule::Clipping)},
                    {settings.shading,
                     illuminationOf(settings),
                     {},
@@ -178,10 +230,9 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                     {},
                     scene.ambient,
                     {settings.shadowBias, settings.shadowBiasValue, settings.shadowFilter},
-                    {},
-                    bool(needs.polygonTerms),
-                    bool(needs.vertexTerms),
-                    needs.evaluateAll}};
+                    shadingParts(needs)}};
+    keys.shading.illumination.detail = {bool(needs.reflection), bool(needs.halfway), without(needs, Rule::Specular),
+                                        without(needs, Rule::VanishingPower)};
     for (const Object& object : scene.objects) {
         keys.shading.materials.push_back(object.material);
         keys.shading.backMaterials.push_back(object.backMaterial.value_or(object.material));
@@ -189,7 +240,6 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
     keys.shading.lights = lightsInWorldSpace(scene, keys.transform.view);
     const std::vector<Light>& lights = keys.shading.lights;
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        keys.shading.lightCounts.push_back(bool(needs.light[k]));
         if (needs.shadowBuffer[k])
             keys.shadowBuffer.casters.push_back({lights[k].kind, samplePlaces(lights[k])});
         else
@@ -204,16 +254,22 @@ public:
     static FramePtr run(std::shared_ptr<const Scene> scene, const FrameRequest& request, const FramePtr& before) {
         const Clock::time_point start = Clock::now();
         auto frame = std::make_shared<Frame>();
-        frame->m_plan = makePlan(*scene, request, before);
         frame->m_topology = topologyOf(*scene, before);
+        const Clock::time_point decides = Clock::now();
+        const Needs needs = needsOf(*scene, request.wanted);
+        StageKeys keys = stageKeys(*scene, needs, frame->m_topology);
+        frame->m_plan = makePlan(*scene, request, needs, keys, before);
+        frame->m_made = needs.buffers;
+        frame->m_planMilliseconds = millisecondsSince(decides);
         frame->m_number = before ? before->m_number + 1 : 1;
         frame->m_until = request.until;
         frame->m_wanted = request.wanted;
         frame->m_scene = std::move(scene);
-        const bool done =
-            frame->m_scene->settings.precision == Precision::Float
-                ? runStages(*frame, request, before, before ? before->m_float : nullptr, frame->m_float)
-                : runStages(*frame, request, before, before ? before->m_double : nullptr, frame->m_double);
+        const bool done = frame->m_scene->settings.precision == Precision::Float
+                              ? runStages(*frame, request, std::move(keys), before, before ? before->m_float : nullptr,
+                                          frame->m_float)
+                              : runStages(*frame, request, std::move(keys), before, before ? before->m_double : nullptr,
+                                          frame->m_double);
         if (!done) return nullptr;
         frame->m_milliseconds = millisecondsSince(start);
         return frame;
@@ -221,14 +277,13 @@ public:
 
 private:
     template <class Real>
-    static bool runStages(Frame& frame, const FrameRequest& request, const FramePtr& before,
+    static bool runStages(Frame& frame, const FrameRequest& request, StageKeys keys, const FramePtr& before,
                           const std::shared_ptr<const FrameData<Real>>& old,
                           std::shared_ptr<const FrameData<Real>>& result) {
         Threads threads(request.threads, request.stop);
-        const Scene& scene = *frame.m_scene;
         auto made = std::make_shared<FrameData<Real>>();
         FrameData<Real>& data = *made;
-        data.keys = stageKeys(scene, needsOf(scene, request.wanted), frame.m_topology);
+        data.keys = std::move(keys);
 
         // Carries out the plan for one stage: runs it, takes what the frame before has, or neither.
         const auto stage = [&](StageId id, auto member, auto compute) {
@@ -243,7 +298,9 @@ private:
             const Clock::time_point start = Clock::now();
             data.*member = compute();
             frame.m_runs[index(id)].milliseconds = millisecondsSince(start);
-            if (!threads.stopped()) frame.m_runs[index(id)].counts = countsOf(id, data);
+            if (threads.stopped()) return;
+            frame.m_runs[index(id)].counts = countsOf(id, data);
+            frame.m_runs[index(id)].tallies = talliesOf(id, data);
         };
         using Data = FrameData<Real>;
         stage(StageId::Transform, &Data::transform, [&] { return runTransform<Real>(data.keys.transform, threads); });
@@ -253,9 +310,9 @@ private:
         stage(StageId::ShadowBuffer, &Data::shadowBuffer,
               [&] { return runShadowBuffer(data.keys.shadowBuffer, *data.transform, threads); });
         stage(StageId::ZBuffer, &Data::zBuffer,
-              [&] { return runZBuffer(data.keys.zBuffer, *data.transform, data.verdicts(), threads); });
+              [&] { return runZBuffer(data.keys.zBuffer, *data.transform, data.cull.get(), threads); });
         stage(StageId::Shading, &Data::shading,
-              [&] { return runShading(data.keys.shading, data.shadingSources(), request.wanted, threads); });
+              [&] { return runShading(data.keys.shading, data.shadingSources(), frame.m_made, threads); });
         result = std::move(made);
         return !threads.stopped();
     }

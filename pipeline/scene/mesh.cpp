@@ -295,6 +295,9 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
                 {{corners[piece.x], corners[piece.y], corners[piece.z]}, static_cast<std::uint32_t>(i)});
         mesh.firstTriangle.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
     }
+    if (!mesh.positions.empty()) mesh.facts.low = mesh.facts.high = mesh.positions[0];
+    for (const Vec3d& p : mesh.positions)
+        mesh.facts.low = glm::min(mesh.facts.low, p), mesh.facts.high = glm::max(mesh.facts.high, p);
     mesh.facts.closed = isClosed(mesh);
     mesh.facts.convex = isConvex(mesh, polygon);
     return std::make_shared<const Mesh>(std::move(mesh));

@@ -24,11 +24,12 @@ struct Triangle {
 // What makeMesh found out about a mesh. The plan leaves work out on the strength of it,
 // so each fact is true only where it is certain.
 struct MeshFacts {
-    bool closed = false;  // every edge is used once in each direction
-    bool convex = false;  // closed, and no vertex lies outside the plane of a polygon
-    int nonPlanar = 0;    // polygons with a vertex off the plane of the others
-    int concave = 0;      // polygons with a corner that turns the other way
-    int degenerate = 0;   // polygons without area
+    bool closed = false;        // every edge is used once in each direction
+    bool convex = false;        // closed, and no vertex lies outside the plane of a polygon
+    int nonPlanar = 0;          // polygons with a vertex off the plane of the others
+    int concave = 0;            // polygons with a corner that turns the other way
+    int degenerate = 0;         // polygons without area
+    Vec3d low{0.0}, high{0.0};  // the box around all vertices, object space; 0 without vertices
 };
 
 // Polygons with any number of vertices >= 3, counter-clockwise seen from outside.

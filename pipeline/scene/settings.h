@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
 
+#include "pipeline/scene/rules.h"
+
 namespace pipeline {
 
 enum class Precision : std::uint8_t { Float, Double };
@@ -41,8 +43,12 @@ struct Settings {
     ShadowBias shadowBias = ShadowBias::Automatic;
     double shadowBiasValue = 0;  // Constant: world units; Slope: factor of the closed-form bias
     int shadowFilter = 0;        // percentage-closer filtering over (2r+1)^2 texels
-    bool leaveOut = true;        // false forces everything in; the picture is the same
+    bool leaveOut = true;        // false switches every rule off: everything runs, the picture is the same
+    RuleSet rules = RuleSet().set();
     bool operator==(const Settings&) const = default;
 };
+
+// The rules that are in force.
+inline RuleSet rulesOf(const Settings& settings) { return settings.leaveOut ? settings.rules : RuleSet(); }
 
 }  // namespace pipeline

@@ -75,4 +75,8 @@ std::string_view notInPhong(const Scene& scene) {
     return scene.settings.model == Model::Phong ? "Phong's model reflects ambient light by k_r, k_g and k_b." : "";
 }
 
+std::string_view onlyLeavingOut(const Scene& scene) {
+    return scene.settings.leaveOut ? "" : "Nothing is left out: leave_out = off.";
+}
+
 }  // namespace pipeline::settings_idle

@@ -23,5 +23,6 @@ std::string_view onlyBlinnPhong(const Scene& scene);
 std::string_view onlyOpenGl(const Scene& scene);
 std::string_view onlyFading(const Scene& scene);
 std::string_view notInPhong(const Scene& scene);
+std::string_view onlyLeavingOut(const Scene& scene);
 
 }  // namespace pipeline::settings_idle

@@ -27,6 +27,9 @@ struct OfDepth : OfPicture {
 struct OfShadow : OfPicture {
     static constexpr auto group = SettingGroup::Shadow;
 };
+struct OfLeavingOut : OfPicture {
+    static constexpr auto group = SettingGroup::LeavingOut;
+};
 struct OfCamera : OfPicture {
     static constexpr auto group = SettingGroup::Camera;
     static auto& part(auto& scene, std::size_t) { return scene.camera; }

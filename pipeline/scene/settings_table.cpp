@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace pipeline {
 
@@ -81,13 +82,10 @@ using C = Camera;
 using G = OpenGlLight;
 using A = AreaLight;
 
-constexpr auto kTable = std::to_array<Setting>({
+constexpr auto kSceneTable = std::to_array<Setting>({
     row<OfPicture, &S::width>({"width", "Width", "pixels", "Columns of the picture."}, kSide),
     row<OfPicture, &S::height>({"height", "Height", "pixels", "Rows of the picture."}, kSide),
     choice<OfPicture, &S::precision>({"precision", "Precision", "", "What the stages compute in."}, kPrecision),
-    row<OfPicture, &S::leaveOut>({"leave_out", "Leave out what is not needed", "",
-                                  "Whether the plan leaves out what cannot change the picture."},
-                                 {0, 1, 0, 1}, kSwitch),
 
     choice<OfCamera, &C::kind>(
         {"camera.kind", "Camera", "", "On a sphere around the world's origin, or from an eye towards a target."},
@@ -308,13 +306,36 @@ constexpr auto kTable = std::to_array<Setting>({
         {"material.#.keg", "Emission green", "", "What the material gives off by itself."}, kFraction, onlyOpenGl),
     component<OfMaterial, &Material::emission, 2>(
         {"material.#.keb", "Emission blue", "", "What the material gives off by itself."}, kFraction, onlyOpenGl),
+
+    row<OfLeavingOut, &S::leaveOut>({"leave_out", "Leave out what is not needed", "",
+                                     "Whether the plan leaves out what cannot change the picture."},
+                                    {0, 1, 0, 1}, kSwitch),
 });
+
+// One switch for each rule by which something is left out.
+template <std::size_t rule>
+constexpr Setting ruleSwitch() {
+    Setting setting = row<OfLeavingOut, &S::leaveOut>({kRules[rule].key, kRules[rule].label, "", kRules[rule].when},
+                                                      {0, 1, 0, 1}, kSwitch, onlyLeavingOut);
+    setting.get = [](const Scene& scene, std::size_t) { return scene.settings.rules[rule] ? 1.0 : 0.0; };
+    setting.set = [](Scene& scene, std::size_t, double value) { scene.settings.rules[rule] = value != 0; };
+    return setting;
+}
+
+template <std::size_t... rules>
+constexpr auto withRules(std::index_sequence<rules...>) {
+    std::array<Setting, kSceneTable.size() + sizeof...(rules)> table{};
+    std::copy(kSceneTable.begin(), kSceneTable.end(), table.begin());
+    ((table[kSceneTable.size() + rules] = ruleSwitch<rules>()), ...);
+    return table;
+}
+constexpr auto kTable = withRules(std::make_index_sequence<kRuleCount>());
 
 }  // namespace
 
 std::string_view name(SettingGroup group) {
-    constexpr std::array<std::string_view, 9> kNames{"Picture", "Camera", "Shading", "Depth",   "Shadow",
-                                                     "Ambient", "Light",  "Object",  "Material"};
+    constexpr std::array<std::string_view, 10> kNames{"Picture", "Camera", "Shading", "Depth",    "Shadow",
+                                                      "Ambient", "Light",  "Object",  "Material", "Leaving out"};
     return kNames[static_cast<std::size_t>(group)];
 }
 

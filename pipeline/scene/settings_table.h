@@ -12,7 +12,18 @@ namespace pipeline {
 enum class SettingKind : std::uint8_t { Number, Integer, Switch, Choice };
 
 // Where a setting stands in the window and in the manual.
-enum class SettingGroup : std::uint8_t { Picture, Camera, Shading, Depth, Shadow, Ambient, Light, Object, Material };
+enum class SettingGroup : std::uint8_t {
+    Picture,
+    Camera,
+    Shading,
+    Depth,
+    Shadow,
+    Ambient,
+    Light,
+    Object,
+    Material,
+    LeavingOut
+};
 std::string_view name(SettingGroup group);
 
 // One row makes the --set key, the control in the window, the line of the manifest and of the

@@ -4,7 +4,7 @@ namespace pipeline {
 
 template <class Real>
 TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> positions,
-                                std::span<const Verdict> verdicts) {
+                                std::span<const Verdict> verdicts, std::span<const std::uint8_t> inside) {
     TriangleBins<Real> out;
     out.size = view.size;
     out.tiles = (view.size + kTileSize - 1) / kTileSize;
@@ -23,14 +23,17 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
         const Triangle& triangle = topology.triangles[t];
         if (!verdicts.empty() && !goesOn(verdicts[triangle.polygon])) continue;
         const auto& v = triangle.vertices;
-        setUpTriangle<Real>(view, {positions[v[0]], positions[v[1]], positions[v[2]]}, std::uint32_t(t), addToBins);
+        const bool whole = !inside.empty() && inside[triangle.polygon] != 0;
+        ++(whole ? out.unclipped : out.clipped);
+        setUpTriangle<Real>(view, {positions[v[0]], positions[v[1]], positions[v[2]]}, std::uint32_t(t), addToBins,
+                            whole);
     }
     return out;
 }
 
 template TriangleBins<float> binTriangles(const Topology&, const View&, std::span<const Vec3<float>>,
-                                          std::span<const Verdict>);
+                                          std::span<const Verdict>, std::span<const std::uint8_t>);
 template TriangleBins<double> binTriangles(const Topology&, const View&, std::span<const Vec3<double>>,
-                                           std::span<const Verdict>);
+                                           std::span<const Verdict>, std::span<const std::uint8_t>);
 
 }  // namespace pipeline

@@ -11,6 +11,13 @@ namespace pipeline {
 
 inline constexpr int kTileSize = 64;  // pixels
 
+// Tile i of a picture, row by row.
+inline Tile tileOf(glm::ivec2 picture, std::size_t i) {
+    const int columns = (picture.x + kTileSize - 1) / kTileSize;
+    const glm::ivec2 at{int(i) % columns, int(i) / columns};
+    return {at * kTileSize, glm::min((at + 1) * kTileSize, picture)};
+}
+
 // The triangles that go on, set up in polygon order, and which of them touch which tile of a
 // view's picture. Tiles are what threads share out; within a tile the drawing order is kept.
 template <class Real>
@@ -19,16 +26,15 @@ struct TriangleBins {
     glm::ivec2 size{0};                            // of the picture, pixels
     glm::ivec2 tiles{0};                           // columns, rows
     std::vector<std::vector<std::uint32_t>> bins;  // per tile, row by row: indices into `triangles`
+    long long clipped = 0, unclipped = 0;          // triangles that went through the clipper; that did not
 
-    Tile tile(std::size_t i) const {
-        const glm::ivec2 at{int(i) % tiles.x, int(i) / tiles.x};
-        return {at * kTileSize, glm::min((at + 1) * kTileSize, size)};
-    }
+    Tile tile(std::size_t i) const { return tileOf(size, i); }
 };
 
 // positions: per vertex, in the view's space. verdicts: per polygon, or empty when all go on.
+// inside: per polygon, whether it is known to need no clipping; empty when all are sent through it.
 template <class Real>
 TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> positions,
-                                std::span<const Verdict> verdicts);
+                                std::span<const Verdict> verdicts, std::span<const std::uint8_t> inside = {});
 
 }  // namespace pipeline

@@ -49,7 +49,7 @@ void cutBy(const View& view, Plane plane, ClippedTriangle& t) {
 
 }  // namespace
 
-ClippedTriangle clipTriangle(const View& view, const std::array<Vec3d, 3>& corners) {
+ClippedTriangle wholeTriangle(const std::array<Vec3d, 3>& corners) {
     ClippedTriangle t;
     t.count = 3;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -57,6 +57,11 @@ ClippedTriangle clipTriangle(const View& view, const std::array<Vec3d, 3>& corne
         t.corners[i].weights = Vec3d(0);
         t.corners[i].weights[int(i)] = 1;
     }
+    return t;
+}
+
+ClippedTriangle clipTriangle(const View& view, const std::array<Vec3d, 3>& corners) {
+    ClippedTriangle t = wholeTriangle(corners);
     // Near first: behind the eye the side planes mean nothing.
     for (Plane plane : {Plane::Near, Plane::Far, Plane::Left, Plane::Right, Plane::Top, Plane::Bottom})
         if (t.count > 0) cutBy(view, plane, t);

@@ -38,5 +38,7 @@ struct ClippedTriangle {
 // point, bit for bit, whichever way round they run along it. Always in double: at a near plane a
 // millionth of the scene away, a cut in float would keep four bits.
 ClippedTriangle clipTriangle(const View& view, const std::array<Vec3d, 3>& corners);
+// The same for a triangle that is known to lie inside all planes.
+ClippedTriangle wholeTriangle(const std::array<Vec3d, 3>& corners);
 
 }  // namespace pipeline

@@ -33,7 +33,8 @@ std::string CullOutput::reason(std::size_t polygon) const {
 }
 
 CullOutput prepareCull(std::size_t polygons) {
-    return {std::vector<Verdict>(polygons, Verdict::Kept), std::vector<double>(polygons, 0.0)};
+    return {std::vector<Verdict>(polygons, Verdict::Kept), std::vector<double>(polygons, 0.0),
+            std::vector<std::uint8_t>(polygons, 0)};
 }
 
 namespace {
@@ -42,18 +43,22 @@ __extension__ using Int128 = __int128;  // a polygon of a million corners overfl
 
 constexpr Plane kPlanes[kPlaneCount]{Plane::Near, Plane::Far, Plane::Left, Plane::Right, Plane::Top, Plane::Bottom};
 
-// The first plane that has all corners outside, as a verdict; Kept when there is none. `cut` tells
-// whether near or far runs through the polygon.
+struct Crossed {
+    bool depth = false;  // near or far runs through the polygon
+    bool any = false;    // or a side of the picture
+};
+
+// The first plane that has all corners outside, as a verdict; Kept when there is none.
 template <class Real>
-Verdict outside(const TransformOutput<Real>& in, const Topology::Corners& corners, bool& cut) {
+Verdict outside(const TransformOutput<Real>& in, const Topology::Corners& corners, Crossed& crossed) {
     const glm::dvec2 picture = glm::dvec2(in.view.size) / 2.0;
-    cut = false;
     for (Plane plane : kPlanes) {
         std::size_t out = 0;
         for (std::size_t i = 0; i < corners.size(); ++i)
             out += signedDistance(in.view, plane, Vec3d(in.viewSpace[corners[i]]), picture) < 0;
         if (out == corners.size()) return Verdict(std::size_t(Verdict::OutsideNear) + std::size_t(plane));
-        if (out > 0 && (plane == Plane::Near || plane == Plane::Far)) cut = true;
+        crossed.any = crossed.any || out > 0;
+        crossed.depth = crossed.depth || (out > 0 && (plane == Plane::Near || plane == Plane::Far));
     }
     return Verdict::Kept;
 }
@@ -83,8 +88,9 @@ template <class Real>
 void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
           CullOutput& out) {
     for (std::size_t polygon = begin; polygon < end; ++polygon) {
-        bool cut = false;
-        Verdict verdict = outside(in, in.topology->corners(polygon), cut);
+        Crossed crossed;
+        Verdict verdict = outside(in, in.topology->corners(polygon), crossed);
+        out.inside[polygon] = verdict == Verdict::Kept && !crossed.any;
         double area = 0;
         if (verdict == Verdict::Kept) {
             const ScreenArea screen = screenArea(in, polygon);
@@ -93,7 +99,7 @@ void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t
                 verdict = Verdict::Degenerate;
             else if (area < 0 && inputs.mode == CullMode::Back)
                 verdict = Verdict::BackFacing;
-            else if (cut)
+            else if (crossed.depth)
                 verdict = Verdict::Clipped;
         }
         out.verdicts[polygon] = verdict;

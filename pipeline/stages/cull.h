@@ -35,6 +35,7 @@ struct CullOutput {
     // Per polygon, px²; positive for a front face (counter-clockwise as seen, mirroring undone).
     // Of the part inside near, far and guard band; computed on snapped corners, exact.
     std::vector<double> signedAreas;
+    std::vector<std::uint8_t> inside{};  // per polygon: neither a plane nor the picture's border runs through it
     // "back-facing, signed area −1 991.6 px²"
     std::string reason(std::size_t polygon) const;
 };

@@ -89,10 +89,12 @@ struct RasterTriangle {
 // Clips a triangle, projects and snaps it (in double, so that a corner falls on the same grid point
 // whether or not its triangle was cut), and calls emit(RasterTriangle) for each piece with area.
 // Returns the sum of the pieces' signed areas, 1/65536 px², positive for a front face
-// (counter-clockwise as seen).
+// (counter-clockwise as seen). inside: the triangle is known to need no clipping.
 template <class Real, class Emit>
-std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& corners, std::uint32_t id, Emit emit) {
-    const ClippedTriangle clipped = clipTriangle(view, {Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2])});
+std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& corners, std::uint32_t id, Emit emit,
+                           bool inside = false) {
+    const std::array<Vec3d, 3> exact{Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2])};
+    const ClippedTriangle clipped = inside ? wholeTriangle(exact) : clipTriangle(view, exact);
     std::array<glm::i64vec2, 9> snapped;
     std::array<double, 9> w;
     for (std::size_t i = 0; i < clipped.count; ++i) {

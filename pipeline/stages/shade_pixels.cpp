@@ -1,5 +1,5 @@
 // The per-pixel half of stage 6.
-#include "pipeline/stages/shading.h"
+#include "pipeline/stages/shading_terms.h"
 
 namespace pipeline {
 namespace {
@@ -25,7 +25,7 @@ LightSample<Real> lightAtPixel(const ShadingInputs& inputs, const ShadingSources
                                const ShadingOutput<Real>& out, std::size_t k, const Pixel<Real>& pixel, bool vectors) {
     const std::size_t lights = inputs.lights.size();
     const auto sample = [&](const Surface<Real>& at) {
-        return sampleLight(inputs.illumination, inputs.lights[k], pixel.material, at);
+        return sampleLight(inputs.illumination, inputs.lights[k], pixel.material, at, inputs.parts.attenuation[k]);
     };
     switch (inputs.shading) {
         case Shading::Phong: return sample(pixel.surface);
@@ -62,11 +62,7 @@ LightSample<Real> lightAtPixel(const ShadingInputs& inputs, const ShadingSources
 template <class Real>
 BaseTerms<Real> baseAtPixel(const ShadingInputs& inputs, const ShadingOutput<Real>& out, const Pixel<Real>& pixel) {
     switch (inputs.shading) {
-        case Shading::Phong: {
-            const Model model = inputs.illumination.model;
-            return {emissionTerm<Real>(model, pixel.material),
-                    ambientTerm<Real>(model, inputs.ambient, pixel.material)};
-        }
+        case Shading::Phong: return baseTerms<Real>(inputs, pixel.material);
         case Shading::Flat: return out.polygons.base[pixel.triangle.polygon];
         case Shading::Gouraud: {
             const std::vector<BaseTerms<Real>>& base = vertexElements(out, pixel.back).base;
@@ -118,7 +114,8 @@ Surface<Real> shownSurface(const ShadingInputs& inputs, const ShadingSources<Rea
     const Triangle& corners = in.transform.topology->triangles[triangle];
     if (inputs.shading == Shading::Phong || (wanted && inputs.shading == Shading::Gouraud))
         return pixelSurface(inputs, in, triangle, barycentric);
-    const Vec3<Real> position = interpolated(in.transform.world, corners.vertices, barycentric);
+    const Vec3<Real> position =
+        inputs.parts.position ? interpolated(in.transform.world, corners.vertices, barycentric) : Vec3<Real>(0);
     if (!wanted) return {position, Vec3<Real>(0), Vec3<Real>(0)};
     const Surface<Real> polygon = polygonSurface(inputs, in, corners.polygon);
     return {position, polygon.N, polygon.V};
@@ -127,9 +124,12 @@ Surface<Real> shownSurface(const ShadingInputs& inputs, const ShadingSources<Rea
 }  // namespace
 
 template <class Real>
-void shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile, ShadingOutput<Real>& out) {
+ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile,
+                          ShadingOutput<Real>& out) {
     const Topology& topology = *in.transform.topology;
     const bool vectors = wantsVectors(out), surfaces = wantsSurface(out);
+    const bool everyShadow = inputs.parts.idleLookups || !out.scalars[index(BufferId::Shadow)].empty();
+    ShadingCounts counts;
     std::vector<LightSample<Real>> samples(inputs.lights.size());
     for (int y = tile.min.y; y < tile.max.y; ++y) {
         for (int x = tile.min.x; x < tile.max.x; ++x) {
@@ -149,18 +149,24 @@ void shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Ti
 
             BaseTerms<Real> base = baseAtPixel(inputs, out, pixel);
             for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-                if (!inputs.lightCounts[k]) continue;
+                if (!inputs.parts.lights[k]) continue;
                 const LightSample<Real>& s = samples[k] = lightAtPixel(inputs, in, out, k, pixel, vectors);
-                if (inputs.shading == Shading::Phong) base.ambient += s.ambient;
+                if (inputs.shading != Shading::Phong) continue;
+                base.ambient += s.ambient;
+                count(s, counts);
             }
             write.put(BufferId::Emission, base.emission);
             write.put(BufferId::Ambient, base.ambient);
             // One fixed order, so that the terms' buffers sum to the intensity to the last bit.
-            Vec3<Real> intensity = base.emission + base.ambient;
+            Vec3<Real> intensity = sumOf(base);
             for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-                if (!inputs.lightCounts[k]) continue;
+                if (!inputs.parts.lights[k]) continue;
                 const LightSample<Real>& s = samples[k];
-                const Real shadow = shadowAt(inputs, in, k, triangle.polygon, pixel.surface.position);
+                const bool idle = s.diffuse == Vec3<Real>(0) && s.specular == Vec3<Real>(0);
+                const bool lookUp = everyShadow || !idle;
+                const Real shadow =
+                    lookUp ? shadowAt(inputs, in, k, triangle.polygon, pixel.surface.position) : Real(1);
+                if (in.shadow && !in.shadow->lights[k].empty()) ++(lookUp ? counts.lookups : counts.idleLookups);
                 const Vec3<Real> diffuse = shadow * s.diffuse, specular = shadow * s.specular;
                 intensity += diffuse;
                 intensity += specular;
@@ -178,9 +184,10 @@ void shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Ti
             out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax);
         }
     }
+    return counts;
 }
 
-template void shadePixels(const ShadingInputs&, const ShadingSources<float>&, Tile, ShadingOutput<float>&);
-template void shadePixels(const ShadingInputs&, const ShadingSources<double>&, Tile, ShadingOutput<double>&);
+template ShadingCounts shadePixels(const ShadingInputs&, const ShadingSources<float>&, Tile, ShadingOutput<float>&);
+template ShadingCounts shadePixels(const ShadingInputs&, const ShadingSources<double>&, Tile, ShadingOutput<double>&);
 
 }  // namespace pipeline

@@ -45,12 +45,35 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
                            Vec3<Real> barycentric) {
     const auto& v = in.transform.topology->triangles[triangle].vertices;
     const std::uint32_t polygon = in.transform.topology->triangles[triangle].polygon;
-    const Vec3<Real> position = interpolated(in.transform.world, v, barycentric);
+    const Vec3<Real> position =
+        inputs.parts.position ? interpolated(in.transform.world, v, barycentric) : Vec3<Real>(0);
     const Vec3<Real> normal = in.normals.vertex.empty() ? in.normals.polygon[polygon]
                                                         : normalized(interpolated(in.normals.vertex, v, barycentric));
     return {position, showsBack(inputs, in, polygon) ? -normal : normal,
-            viewVector(inputs, in.transform.view, position)};
+            inputs.parts.viewVector ? viewVector(inputs, in.transform.view, position) : Vec3<Real>(0)};
 }
+
+ShadingInputs withAllVectors(ShadingInputs inputs) {
+    inputs.parts.position = inputs.parts.viewVector = true;
+    inputs.illumination.detail.reflection = inputs.illumination.detail.halfway = true;
+    return inputs;
+}
+
+namespace {
+
+// The vertices of the polygons that go on.
+template <class Real>
+void markSeen(const ShadingSources<Real>& in, std::vector<std::uint8_t>& seen) {
+    const Topology& topology = *in.transform.topology;
+    seen.assign(topology.vertexCount(), 0);
+    for (std::size_t polygon = 0; polygon < topology.polygonCount(); ++polygon) {
+        if (!in.goesOn(polygon)) continue;
+        const Topology::Corners corners = topology.corners(polygon);
+        for (std::size_t i = 0; i < corners.size(); ++i) seen[corners[i]] = 1;
+    }
+}
+
+}  // namespace
 
 template <class Real>
 ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted) {
@@ -61,10 +84,11 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
         elements.terms.resize(count * inputs.lights.size());
         elements.intensity.resize(count);
     };
-    if (inputs.polygonTerms) makeRoom(out.polygons, in.transform.topology->polygonCount());
-    if (inputs.vertexTerms) makeRoom(out.vertices, in.transform.topology->vertexCount());
-    if (inputs.vertexTerms && inputs.illumination.twoSided)
+    if (inputs.parts.polygonTerms) makeRoom(out.polygons, in.transform.topology->polygonCount());
+    if (inputs.parts.vertexTerms) makeRoom(out.vertices, in.transform.topology->vertexCount());
+    if (inputs.parts.vertexTerms && inputs.illumination.twoSided)
         makeRoom(out.verticesBack, in.transform.topology->vertexCount());
+    if (inputs.parts.vertexTerms && !inputs.parts.hiddenVertices && in.cull) markSeen(in, out.vertexIsSeen);
 
     const glm::ivec2 size = in.transform.view.size;
     wanted.set(index(BufferId::Intensity));
@@ -82,71 +106,6 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
     }
     out.color = {size, Color8(0)};
     return out;
-}
-
-namespace {
-
-// Scales an element's terms down to a colour in [0, 1].
-template <class Real>
-void clampElement(std::size_t i, std::size_t lights, typename ShadingOutput<Real>::Elements& out) {
-    for (int c = 0; c < 3; ++c) {
-        Real& total = out.intensity[i][c];
-        if (total >= 0 && total <= 1) continue;
-        const Real share = total > 1 ? 1 / total : Real(0);
-        out.base[i].emission[c] *= share;
-        out.base[i].ambient[c] *= share;
-        for (std::size_t k = 0; k < lights; ++k) {
-            out.terms[i * lights + k].diffuse[c] *= share;
-            out.terms[i * lights + k].specular[c] *= share;
-        }
-        total = total > 1 ? Real(1) : Real(0);
-    }
-}
-
-template <class Real>
-void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Material& material, std::size_t i,
-                  typename ShadingOutput<Real>::Elements& out) {
-    const Model model = inputs.illumination.model;
-    const std::size_t lights = inputs.lights.size();
-    BaseTerms<Real> base{emissionTerm<Real>(model, material), ambientTerm<Real>(model, inputs.ambient, material)};
-    for (std::size_t k = 0; k < lights; ++k) {
-        if (!inputs.lightCounts[k]) continue;
-        const LightSample<Real> sample = sampleLight(inputs.illumination, inputs.lights[k], material, at);
-        out.terms[i * lights + k] = {sample.diffuse, sample.specular};
-        base.ambient += sample.ambient;
-    }
-    out.base[i] = base;
-    Vec3<Real> intensity = base.emission + base.ambient;
-    for (std::size_t k = 0; k < lights; ++k) {
-        intensity += out.terms[i * lights + k].diffuse;
-        intensity += out.terms[i * lights + k].specular;
-    }
-    out.intensity[i] = intensity;
-    if (model == Model::OpenGl) clampElement<Real>(i, lights, out);
-}
-
-}  // namespace
-
-template <class Real>
-void shadePolygons(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin, std::size_t end,
-                   ShadingOutput<Real>& out) {
-    for (std::size_t i = begin; i < end; ++i) {
-        if (!inputs.evaluateAll && !in.goesOn(i)) continue;
-        const Material& material =
-            materialOf(inputs, in.transform.topology->polygonObject[i], showsBack(inputs, in, i));
-        shadeElement(inputs, polygonSurface(inputs, in, i), material, i, out.polygons);
-    }
-}
-
-template <class Real>
-void shadeVertices(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin, std::size_t end,
-                   ShadingOutput<Real>& out) {
-    for (std::size_t i = begin; i < end; ++i) {
-        const std::size_t object = in.transform.topology->objectOfVertex(i);
-        shadeElement(inputs, vertexSurface(inputs, in, i, false), inputs.materials[object], i, out.vertices);
-        if (!inputs.illumination.twoSided) continue;
-        shadeElement(inputs, vertexSurface(inputs, in, i, true), inputs.backMaterials[object], i, out.verticesBack);
-    }
 }
 
 template <class Real>
@@ -186,10 +145,6 @@ Color8 frameBufferValue(Vec3d intensity, double iMax) {
     template Surface<Real> vertexSurface(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, bool);        \
     template Surface<Real> pixelSurface(const ShadingInputs&, const ShadingSources<Real>&, std::uint32_t, Vec3<Real>); \
     template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);         \
-    template void shadePolygons(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t,           \
-                                ShadingOutput<Real>&);                                                                 \
-    template void shadeVertices(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t,           \
-                                ShadingOutput<Real>&);                                                                 \
     template Real shadowAt(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::uint32_t, Vec3<Real>);
 SHADESCOPE_INSTANTIATE(float)
 SHADESCOPE_INSTANTIATE(double)

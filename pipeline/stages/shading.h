@@ -14,6 +14,31 @@ namespace pipeline {
 // Stage 6: the illumination of what is seen, and the frame buffer. Deferred: the z-buffer has
 // decided, so each pixel is shaded once, and every quantity on the way can be kept.
 
+// What of the stage is carried out. All of it by default; the plan leaves parts out
+// (pipeline/scene/rules.h), which changes nothing that is asked for.
+struct ShadingParts {
+    std::vector<bool> lights{};       // per light: evaluated
+    std::vector<bool> attenuation{};  // per light: computed
+    bool polygonTerms = true, vertexTerms = true;
+    bool hiddenPolygons = true, hiddenVertices = true;  // also what culling dropped is evaluated
+    bool ambient = true;
+    bool position = true, viewVector = true;  // of a pixel's surface
+    bool idleLookups = true;                  // S also where the terms that it multiplies are 0
+    bool emptyTiles = true;                   // also tiles in which nothing was drawn
+    bool operator==(const ShadingParts&) const = default;
+};
+
+// What was done and what was not, in counts that no clock disturbs.
+struct ShadingCounts {
+    long long evaluations = 0;                   // of a light at a point
+    long long polygons = 0, hiddenPolygons = 0;  // evaluated; left out
+    long long vertices = 0, hiddenVertices = 0;  // likewise, and so on
+    long long powers = 0, vanished = 0;
+    long long lookups = 0, idleLookups = 0;
+    long long tiles = 0, emptyTiles = 0;
+    ShadingCounts& operator+=(const ShadingCounts& more);
+};
+
 struct ShadingInputs {
     Shading shading;
     Illumination illumination;
@@ -22,9 +47,7 @@ struct ShadingInputs {
     std::vector<Light> lights;            // in world space
     AmbientLight ambient;
     ShadowSettings shadow;
-    std::vector<bool> lightCounts;   // per light: false where the plan leaves it out
-    bool polygonTerms, vertexTerms;  // evaluate per polygon (flat needs it), per vertex (Gouraud does)
-    bool evaluateAll;                // also polygons that culling dropped
+    ShadingParts parts{};
     bool operator==(const ShadingInputs&) const = default;
 };
 
@@ -56,6 +79,9 @@ struct ShadingOutput {
     std::array<std::vector<Buffer2D<Vec3<Real>>>, kBufferCount> vectors;
     std::array<std::vector<Buffer2D<Real>>, kBufferCount> scalars;
     Buffer2D<Color8> color;
+
+    std::vector<std::uint8_t> vertexIsSeen;  // by a polygon that goes on; empty where all are evaluated
+    ShadingCounts counts;                    // the sum over all calls below
 };
 
 // What shading reads of the stages before it.
@@ -83,17 +109,17 @@ inline const Material& materialOf(const ShadingInputs& inputs, std::size_t objec
 template <class Real>
 ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted);
 
-// Polygons [begin, end); vertices [begin, end).
+// Polygons [begin, end); vertices [begin, end); the pixels of one tile. Pieces may run at the same
+// time; each returns what it did, for `counts`.
 template <class Real>
-void shadePolygons(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin, std::size_t end,
-                   ShadingOutput<Real>& out);
+ShadingCounts shadePolygons(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin,
+                            std::size_t end, ShadingOutput<Real>& out);
 template <class Real>
-void shadeVertices(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin, std::size_t end,
-                   ShadingOutput<Real>& out);
-
-// The pixels of one tile.
+ShadingCounts shadeVertices(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin,
+                            std::size_t end, ShadingOutput<Real>& out);
 template <class Real>
-void shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile, ShadingOutput<Real>& out);
+ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile,
+                          ShadingOutput<Real>& out);
 
 // Where a polygon is evaluated: at the mean of its vertices, in OpenGL's model at the first of them.
 template <class Real>
@@ -105,6 +131,8 @@ Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Re
 template <class Real>
 Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
                            Vec3<Real> barycentric);
+// The same inputs with every vector of a surface and of a light computed: for those who look.
+ShadingInputs withAllVectors(ShadingInputs inputs);
 
 // S of light k at a surface point of a polygon: of an area light the mean over its samples, which
 // shine like point lights. A polygon that faces away from a casting light, or from a sample of one,

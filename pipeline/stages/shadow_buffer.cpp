@@ -6,15 +6,16 @@
 #include "pipeline/core/numerics.h"
 
 namespace pipeline {
-namespace {
 
-// Any right-handed pair of axes across `forward`, chosen by the axis least aligned with it.
+// Chosen by the axis least aligned with it.
 void placeAxes(View& view) {
     const Vec3d f = glm::abs(view.forward);
     const Vec3d axis = f.z <= f.x && f.z <= f.y ? Vec3d(0, 0, 1) : f.y <= f.x ? Vec3d(0, 1, 0) : Vec3d(1, 0, 0);
     view.right = normalized(glm::cross(view.forward, axis));
     view.up = glm::cross(view.right, view.forward);
 }
+
+namespace {
 
 struct Bounds {
     Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};

@@ -39,6 +39,9 @@ struct ShadowBufferOutput {
     std::vector<std::vector<LightView<Real>>> lights;
 };
 
+// Gives a view whose `forward` is set a right-handed pair of axes across it: the sides of the texels.
+void placeAxes(View& view);
+
 template <class Real>
 ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in);
 

@@ -17,20 +17,23 @@ inline constexpr std::int32_t kNothing = -1;       // the same, in object_id and
 
 struct ZBufferInputs {
     Visibility visibility = Visibility::ZBuffer;
-    bool split = true;  // Painter
+    bool split = true;    // Painter
+    bool clipAll = true;  // also polygons that culling found whole in the picture
     bool operator==(const ZBufferInputs&) const = default;
 };
 
 template <class Real>
 struct ZBufferOutput {
-    glm::ivec2 origin{0};                // the pixel that stands first; (0, 0) but for a replay
-    Buffer2D<double> depth;              // as stored, exactly; empty in format Linear, where it is zView
-    Buffer2D<Real> zView;                // world units; +infinity where nothing was drawn
-    Buffer2D<std::uint32_t> triangle;    // index into Topology::triangles; kNoTriangle
-    Buffer2D<Vec3<Real>> barycentric;    // perspective-correct weights over that triangle's corners
-    Buffer2D<std::int32_t> overdraw;     // fragments that arrived
-    Buffer2D<std::int32_t> depthWrites;  // fragments that won
-    std::string note;                    // what the painter's order took; may be empty
+    glm::ivec2 origin{0};                   // the pixel that stands first; (0, 0) but for a replay
+    Buffer2D<double> depth;                 // as stored, exactly; empty in format Linear, where it is zView
+    Buffer2D<Real> zView;                   // world units; +infinity where nothing was drawn
+    Buffer2D<std::uint32_t> triangle;       // index into Topology::triangles; kNoTriangle
+    Buffer2D<Vec3<Real>> barycentric;       // perspective-correct weights over that triangle's corners
+    Buffer2D<std::int32_t> overdraw;        // fragments that arrived
+    Buffer2D<std::int32_t> depthWrites;     // fragments that won
+    std::string note;                       // what the painter's order took; may be empty
+    std::vector<std::uint8_t> tileIsDrawn;  // per tile of kTileSize, row by row: whether a triangle touches it
+    long long clipped = 0, unclipped = 0;   // triangles that went through the clipper; that did not
 };
 template <class Real>
 ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format);

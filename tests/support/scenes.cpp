@@ -18,7 +18,7 @@ bool coin(std::mt19937& random) { return random() % 2 == 0; }
 Material randomMaterial(std::mt19937& random) {
     return {{between(random, 0, 1), between(random, 0, 1), between(random, 0, 1)},
             coin(random) ? Vec3d(0) : Vec3d(between(random, 0, 1)),
-            between(random, 0, 60)};
+            random() % 4 == 0 ? between(random, 60, 1e6) : between(random, 0, 60)};
 }
 
 Light randomLight(std::mt19937& random) {
@@ -65,6 +65,7 @@ Scene randomScene(unsigned seed) {
     for (unsigned i = 0; i < 1 + seed % 4; ++i) scene.objects.push_back(randomObject(random));
     for (unsigned i = 0; i < random() % 4; ++i) scene.lights.push_back(randomLight(random));
     scene.ambient.intensity = between(random, 0, 50);
+    if (seed % 5 == 0) scene.ambient.intensity = 0;
     scene.settings.model = Model(seed % 3);
     scene.settings.twoSided = seed % 2 == 0;
     for (Object& object : scene.objects) object.material.emission = Vec3d(0.1 * (seed % 5));
@@ -74,7 +75,7 @@ Scene randomScene(unsigned seed) {
 void changeSomething(Scene& scene, std::mt19937& random) {
     Settings& settings = scene.settings;
     Object& object = scene.objects[random() % scene.objects.size()];
-    switch (random() % 19) {
+    switch (random() % 20) {
         case 0: object.material = randomMaterial(random); break;
         case 1: object.transform.translation = inBox(random, 2); break;
         case 2: object.transform.scale.z = -object.transform.scale.z; break;
@@ -100,7 +101,8 @@ void changeSomething(Scene& scene, std::mt19937& random) {
         case 14: settings.model = Model(random() % 3); break;
         case 15: settings.twoSided = !settings.twoSided; break;
         case 16: settings.visibility = Visibility(random() % 2); break;
-        case 17: settings.width = 60 + int(random() % 60); break;
+        case 17: settings.rules.flip(random() % kRuleCount); break;
+        case 18: settings.width = 60 + int(random() % 60); break;
         default: settings.shadowFilter = int(random() % 3); break;
     }
 }

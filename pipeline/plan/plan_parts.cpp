@@ -1,0 +1,138 @@
+#include "pipeline/plan/plan_parts.h"
+
+#include <fmt/format.h>
+
+#include "pipeline/scene/area_light.h"
+
+namespace pipeline {
+namespace {
+
+struct Parts {
+    const Scene& scene;
+    const Needs& needs;
+    Action action;
+    std::vector<PlanPart> parts{};
+
+    void runs(std::string part, std::string why) { parts.push_back({std::move(part), action, std::move(why), "", {}}); }
+    void add(std::string part, const Need& need, std::string why, std::string saves) {
+        if (need)
+            runs(std::move(part), std::move(why));
+        else
+            parts.push_back(
+                {std::move(part), Action::LeaveOut, need.notBecause, need.rule ? std::move(saves) : "", need.rule});
+    }
+    // What a rule decides element by element while the stage runs; the run counts it.
+    void within(std::string part, Rule rule, std::string where, std::string why) {
+        const bool inForce = needs.rules[index(rule)];
+        parts.push_back({std::move(part), action, inForce ? std::move(where) : std::move(why), "",
+                         inForce ? std::optional(rule) : std::nullopt});
+    }
+};
+
+double bytesOf(const Scene& scene, double numbers) {
+    return numbers * (scene.settings.precision == Precision::Double ? 8 : 4);
+}
+
+void shadowParts(Parts& out) {
+    const Scene& scene = out.scene;
+    const double texels = double(scene.settings.shadowSize) * scene.settings.shadowSize;
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+        const int faces = sampleGrid(scene.lights[k]).count() * shadowFacesPerSample(scene.lights[k].kind);
+        out.add(fmt::format("light {}", k), out.needs.shadowBuffer[k], "It casts a shadow.",
+                fmt::format("{} {}, {:.1f} MB", faces, faces == 1 ? "pass" : "passes",
+                            bytesOf(scene, texels * faces) / 1e6));
+    }
+}
+
+void zBufferParts(Parts& out) {
+    const Settings& settings = out.scene.settings;
+    const bool sorts = settings.visibility == Visibility::Painter;
+    const std::string noOrder = sorts ? "" : "The z-buffer needs no order.";
+    out.within("clipping", Rule::Clipping, "Only of polygons that culling did not find whole in the picture.",
+               "Of every polygon.");
+    out.add("depth test", {sorts ? "The painter's algorithm compares no depths." : "", {}},
+            "Of all fragments at a pixel the nearest stays.", "");
+    out.add("sort", {noOrder, {}}, "Polygons are painted from the farthest to the nearest.", "");
+    out.add("split", {sorts && !settings.split ? "Off in this scene: split = off." : noOrder, {}},
+            "Polygons may intersect, or overlap in a cycle.", "");
+}
+
+void shadingParts(Parts& out) {
+    const Needs& needs = out.needs;
+    const Model model = out.scene.settings.model;
+    out.add("polygon terms", needs.polygonTerms, "Flat shading, or somebody, reads them.", "a pass over the polygons");
+    out.add("vertex terms", needs.vertexTerms, "Gouraud shading, or somebody, reads them.", "a pass over the vertices");
+    if (needs.polygonTerms && needs.cull)
+        out.within("hidden polygons", Rule::HiddenPolygons, "Not those that culling dropped.",
+                   "Also those that culling dropped.");
+    if (needs.vertexTerms && needs.cull)
+        out.within("hidden vertices", Rule::HiddenVertices, "Not those of which culling dropped every polygon.",
+                   "Also those of which culling dropped every polygon.");
+    out.add("ambient term", needs.ambient, "There is ambient light.", "a product a point");
+    for (std::size_t k = 0; k < needs.light.size(); ++k) {
+        out.add(fmt::format("light {}", k), needs.light[k], "It shines.", "an evaluation a point");
+        out.add(fmt::format("specular of light {}", k), needs.specular[k], "A material has k_s above 0.",
+                "a power a point");
+        if (model == Model::OpenGl)
+            out.add(fmt::format("attenuation of light {}", k), needs.attenuation[k], "It fades with distance.",
+                    "a distance and a division a point");
+    }
+    if (!needs.light.empty()) {
+        out.add("R", needs.reflection, "The illumination model, or somebody, reads it.", "a vector a point and light");
+        out.add("H", needs.halfway, "The illumination model, or somebody, reads it.",
+                "a normalisation a point and light");
+        out.within("powers", Rule::VanishingPower, "Not where the result is certain to round to 0.",
+                   "Also where the result rounds to 0.");
+    }
+    out.add("V at a pixel", needs.viewVector, "A specular term, or somebody, reads it.", "a normalisation a pixel");
+    out.add("position at a pixel", needs.position, "A light, a shadow, V or somebody reads it.",
+            "an interpolation a pixel");
+    if (needs.shadowBuffers)
+        out.within("shadow look-up", Rule::ShadowLookup, "Not where the terms that it would multiply are 0.",
+                   "At every pixel.");
+    out.within("tiles", Rule::EmptyTiles, "Not those in which nothing was drawn.", "All of them.");
+}
+
+// The buffers of shading that nobody reads, and their size.
+void bufferParts(Parts& out) {
+    if (!out.needs.rules[index(Rule::UnreadBuffers)]) return out.runs("buffers", "All of them.");
+    const Settings& settings = out.scene.settings;
+    int unread = 0;
+    double numbers = 0;
+    for (const BufferInfo& info : bufferTable()) {
+        if (info.stage != StageId::Shading || info.domain != Domain::Pixel || info.element != Element::Real ||
+            info.id == BufferId::Intensity || out.needs.buffers[index(info.id)])
+            continue;
+        const int count = info.perLight ? int(out.scene.lights.size()) : 1;
+        unread += count;
+        numbers += double(count) * info.channels * settings.width * settings.height;
+    }
+    if (unread == 0) return out.runs("buffers", "All of them are asked for.");
+    out.parts.push_back({fmt::format("{} {}", unread, unread == 1 ? "buffer" : "buffers"), Action::LeaveOut,
+                         "Nobody asks for them.", fmt::format("{:.1f} MB", bytesOf(out.scene, numbers) / 1e6),
+                         Rule::UnreadBuffers});
+}
+
+}  // namespace
+
+std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& needs, Action action) {
+    Parts out{scene, needs, action};
+    switch (stage) {
+        case StageId::Transform:
+        case StageId::Cull: break;
+        case StageId::Normals:
+            out.runs("polygon normals", "Every stage after this one reads them.");
+            out.add("vertex normals", needs.vertexNormals, "Normals are interpolated, or asked for.",
+                    "a pass over the vertices");
+            break;
+        case StageId::ShadowBuffer: shadowParts(out); break;
+        case StageId::ZBuffer: zBufferParts(out); break;
+        case StageId::Shading:
+            shadingParts(out);
+            bufferParts(out);
+            break;
+    }
+    return std::move(out.parts);
+}
+
+}  // namespace pipeline

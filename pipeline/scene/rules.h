@@ -1,0 +1,79 @@
+#pragma once
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <string_view>
+
+namespace pipeline {
+
+// What the pipeline may leave out of a frame. A rule is allowed only where it cannot change a bit
+// of what is asked for: it removes work whose result nobody reads, or terms that are exactly 0.
+// Whatever is only nearly right is an approximation, and a setting of its own instead.
+enum class Rule : std::uint8_t {
+    Culling,
+    VertexNormals,
+    PolygonTerms,
+    VertexTerms,
+    HiddenPolygons,
+    HiddenVertices,
+    DarkLight,
+    Unreflected,
+    ConvexShadow,
+    DistantShadow,
+    ShadowLookup,
+    Clipping,
+    EmptyTiles,
+    Position,
+    ViewVector,
+    Directions,
+    Specular,
+    VanishingPower,
+    Attenuation,
+    Ambient,
+    UnreadBuffers,
+};
+inline constexpr std::size_t kRuleCount = 21;
+constexpr std::size_t index(Rule rule) { return static_cast<std::size_t>(rule); }
+
+using RuleSet = std::bitset<kRuleCount>;
+
+struct RuleInfo {
+    std::string_view key;    // of its switch among the settings: "rule.specular"
+    std::string_view label;  // for a control
+    std::string_view when;   // what is left out and exactly when, one sentence
+};
+
+// In the order of the enumerators.
+inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
+    {"rule.culling", "Culling", "Leaves culling out where it drops nothing and nobody reads its verdicts."},
+    {"rule.vertex_normals", "Vertex normals", "Leaves vertex normals out where only polygon normals are read."},
+    {"rule.polygon_terms", "Polygon terms", "Evaluates polygons only in flat shading, or where somebody reads them."},
+    {"rule.vertex_terms", "Vertex terms", "Evaluates vertices only in Gouraud shading, or where somebody reads them."},
+    {"rule.hidden_polygons", "Hidden polygons", "Leaves the evaluation of polygons out that culling dropped."},
+    {"rule.hidden_vertices", "Hidden vertices",
+     "Leaves the evaluation of vertices out all of whose polygons culling dropped."},
+    {"rule.dark_light", "Dark light", "Leaves a light of intensity 0 out, with its shadow buffer."},
+    {"rule.unreflected", "Unreflected light", "Leaves a light out of which no material reflects any part."},
+    {"rule.convex_shadow", "Convex object",
+     "Leaves the shadow buffers out where the only object is convex, which cannot shadow itself."},
+    {"rule.distant_shadow", "Distant objects",
+     "Leaves the shadow buffer of a light at infinity out where all objects are convex and, seen from the light, "
+     "apart."},
+    {"rule.shadow_lookup", "Shadow look-up", "Leaves a look-up out where the terms that it would multiply are 0."},
+    {"rule.clipping", "Clipping", "Leaves clipping out for polygons that culling found whole in the picture."},
+    {"rule.empty_tiles", "Empty tiles", "Leaves the tiles of the picture out in which nothing was drawn."},
+    {"rule.position", "Position", "Leaves the position of a pixel's surface out where no light and nobody reads it."},
+    {"rule.view_vector", "View vector", "Leaves V of a pixel out where there is no specular term to read it."},
+    {"rule.directions", "R and H", "Leaves of R and H out what the illumination model does not read."},
+    {"rule.specular", "Specular term", "Leaves the specular term of a light out where k_s is 0."},
+    {"rule.vanishing_power", "Vanishing power",
+     "Leaves the power out so far from the highlight that its result is rounded to 0."},
+    {"rule.attenuation", "Attenuation", "Leaves the attenuation of a light out that is 1 at every distance."},
+    {"rule.ambient", "Ambient term", "Leaves the ambient term out where there is no ambient light to reflect."},
+    {"rule.unread_buffers", "Unread buffers", "Leaves buffers out that nobody asks for."},
+}};
+constexpr const RuleInfo& ruleInfo(Rule rule) { return kRules[index(rule)]; }
+// "specular": the key without its group.
+constexpr std::string_view name(Rule rule) { return ruleInfo(rule).key.substr(5); }
+
+}  // namespace pipeline

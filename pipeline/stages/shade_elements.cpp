@@ -1,0 +1,106 @@
+// The part of stage 6 that evaluates polygons and vertices.
+#include "pipeline/stages/shading_terms.h"
+
+namespace pipeline {
+
+ShadingCounts& ShadingCounts::operator+=(const ShadingCounts& more) {
+    evaluations += more.evaluations;
+    polygons += more.polygons, hiddenPolygons += more.hiddenPolygons;
+    vertices += more.vertices, hiddenVertices += more.hiddenVertices;
+    powers += more.powers, vanished += more.vanished;
+    lookups += more.lookups, idleLookups += more.idleLookups;
+    tiles += more.tiles, emptyTiles += more.emptyTiles;
+    return *this;
+}
+
+namespace {
+
+// Scales an element's terms down to a colour in [0, 1].
+template <class Real>
+void clampElement(std::size_t i, std::size_t lights, typename ShadingOutput<Real>::Elements& out) {
+    for (int c = 0; c < 3; ++c) {
+        Real& total = out.intensity[i][c];
+        if (total >= 0 && total <= 1) continue;
+        const Real share = total > 1 ? 1 / total : Real(0);
+        out.base[i].emission[c] *= share;
+        out.base[i].ambient[c] *= share;
+        for (std::size_t k = 0; k < lights; ++k) {
+            out.terms[i * lights + k].diffuse[c] *= share;
+            out.terms[i * lights + k].specular[c] *= share;
+        }
+        total = total > 1 ? Real(1) : Real(0);
+    }
+}
+
+template <class Real>
+void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Material& material, std::size_t i,
+                  typename ShadingOutput<Real>::Elements& out, ShadingCounts& counts) {
+    const Model model = inputs.illumination.model;
+    const std::size_t lights = inputs.lights.size();
+    BaseTerms<Real> base = baseTerms<Real>(inputs, material);
+    for (std::size_t k = 0; k < lights; ++k) {
+        if (!inputs.parts.lights[k]) continue;
+        const LightSample<Real> sample =
+            sampleLight(inputs.illumination, inputs.lights[k], material, at, inputs.parts.attenuation[k]);
+        count(sample, counts);
+        out.terms[i * lights + k] = {sample.diffuse, sample.specular};
+        base.ambient += sample.ambient;
+    }
+    out.base[i] = base;
+    Vec3<Real> intensity = sumOf(base);
+    for (std::size_t k = 0; k < lights; ++k) {
+        intensity += out.terms[i * lights + k].diffuse;
+        intensity += out.terms[i * lights + k].specular;
+    }
+    out.intensity[i] = intensity;
+    if (model == Model::OpenGl) clampElement<Real>(i, lights, out);
+}
+
+}  // namespace
+
+template <class Real>
+ShadingCounts shadePolygons(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin,
+                            std::size_t end, ShadingOutput<Real>& out) {
+    ShadingCounts counts;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (!inputs.parts.hiddenPolygons && !in.goesOn(i)) {
+            ++counts.hiddenPolygons;
+            continue;
+        }
+        ++counts.polygons;
+        const Material& material =
+            materialOf(inputs, in.transform.topology->polygonObject[i], showsBack(inputs, in, i));
+        shadeElement(inputs, polygonSurface(inputs, in, i), material, i, out.polygons, counts);
+    }
+    return counts;
+}
+
+template <class Real>
+ShadingCounts shadeVertices(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t begin,
+                            std::size_t end, ShadingOutput<Real>& out) {
+    ShadingCounts counts;
+    for (std::size_t i = begin; i < end; ++i) {
+        if (!out.vertexIsSeen.empty() && !out.vertexIsSeen[i]) {
+            ++counts.hiddenVertices;
+            continue;
+        }
+        ++counts.vertices;
+        const std::size_t object = in.transform.topology->objectOfVertex(i);
+        shadeElement(inputs, vertexSurface(inputs, in, i, false), inputs.materials[object], i, out.vertices, counts);
+        if (!inputs.illumination.twoSided) continue;
+        shadeElement(inputs, vertexSurface(inputs, in, i, true), inputs.backMaterials[object], i, out.verticesBack,
+                     counts);
+    }
+    return counts;
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                  \
+    template ShadingCounts shadePolygons(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t, \
+                                         ShadingOutput<Real>&);                                                       \
+    template ShadingCounts shadeVertices(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t, \
+                                         ShadingOutput<Real>&);
+SHADESCOPE_INSTANTIATE(float)
+SHADESCOPE_INSTANTIATE(double)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline

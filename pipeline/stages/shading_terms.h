@@ -1,0 +1,29 @@
+#pragma once
+#include "pipeline/stages/shading.h"
+
+// What the halves of stage 6 share: elements (polygons, vertices) and pixels.
+namespace pipeline {
+
+// Emission and ambient light; 0 for what the plan leaves out.
+template <class Real>
+BaseTerms<Real> baseTerms(const ShadingInputs& inputs, const Material& material) {
+    const Model model = inputs.illumination.model;
+    return {emissionTerm<Real>(model, material),
+            inputs.parts.ambient ? ambientTerm<Real>(model, inputs.ambient, material) : Vec3<Real>(0)};
+}
+
+// Where a sum of intensities begins. From +0, a term that is 0 changes no bit, whatever its sign:
+// that is why a light which adds nothing may be left out.
+template <class Real>
+Vec3<Real> sumOf(const BaseTerms<Real>& base) {
+    return Vec3<Real>(0) + base.emission + base.ambient;
+}
+
+template <class Real>
+void count(const LightSample<Real>& sample, ShadingCounts& counts) {
+    ++counts.evaluations;
+    counts.powers += sample.power == Power::Computed;
+    counts.vanished += sample.power == Power::Vanished;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,39 @@
+// Leaving out changes no bit: 1,000 random scenes with all rules, with none, with one alone and with all but one.
+#include <gtest/gtest.h>
+
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+constexpr unsigned kScenes = 1000, kShards = 20;
+
+class LeavingOut : public testing::TestWithParam<unsigned> {};
+INSTANTIATE_TEST_SUITE_P(Shards, LeavingOut, testing::Range(0u, kShards));
+
+BufferSet someBuffers(unsigned seed) {
+    std::mt19937 random(seed);
+    BufferSet set = setOf({BufferId::Color, BufferId::Intensity});
+    for (std::size_t i = 0; i < kBufferCount; ++i)
+        if (random() % 8 == 0) set.set(i);
+    return set;
+}
+
+TEST_P(LeavingOut, ChangesNoBit) {
+    for (unsigned seed = GetParam(); seed < kScenes; seed += kShards) {
+        Scene scene = test::randomScene(seed);
+        const Rule rule = Rule(seed % kRuleCount);
+        const BufferSet wanted = seed % 4 == 0 ? setOf({BufferId::Color, BufferId::Intensity}) : someBuffers(seed);
+        const FramePtr all = test::frameOf(scene, wanted);
+        const auto differs = [&](RuleSet rules) {
+            scene.settings.rules = rules;
+            return test::firstDifference(*all, *test::frameOf(scene, wanted), wanted);
+        };
+        ASSERT_EQ(differs({}), "") << "seed " << seed << " without any rule";
+        ASSERT_EQ(differs(RuleSet().set(index(rule))), "") << "seed " << seed << " with " << name(rule) << " alone";
+        ASSERT_EQ(differs(RuleSet().set().reset(index(rule))), "") << "seed " << seed << " without " << name(rule);
+    }
+}
+
+}  // namespace
+}  // namespace pipeline
