@@ -7,9 +7,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/leave_out_bench.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/core/sample.h"
 #include "pipeline/export/json.h"
+#include "pipeline/formats/scene_reader.h"
 #include "pipeline/run/runner.h"
 
 namespace app {
@@ -20,7 +22,7 @@ struct BenchOptions {
     SceneArgument scene;
     FrameArgument frame{{"color"}, {}, 0};
     int warmups = 3, repeats = 20;
-    bool json = false;
+    bool json = false, leaveOut = false;
 };
 
 // Milliseconds of every repetition.
@@ -109,7 +111,49 @@ void printJson(const Times& times, const BenchOptions& options) {
     fmt::print("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
 }
 
+// The scene that is named, or every built-in one.
+int runLeaveOutBench(const BenchOptions& options) {
+    const Interrupt interrupt;
+    std::vector<std::string> names{options.scene.scene};
+    if (options.scene.scene.empty()) {
+        names.clear();
+        for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) names.push_back(scene.name);
+    }
+    pipeline::Json rows = pipeline::Json::array();
+    if (!options.json) printLeaveOutHead();
+    for (const std::string& name : names) {
+        SceneArgument argument = options.scene;
+        argument.scene = name;
+        int status = kDone;
+        const auto scene = loadScene(argument, status);
+        if (!scene) return status;
+        const auto wanted = wantedFrame(*scene, options.frame);
+        if (!wanted) {
+            printErrors(wanted.errors());
+            return kWrongUsage;
+        }
+        LeaveOutOptions measured{wanted->request, options.warmups, options.repeats};
+        measured.request.stop = interrupt.token();
+        const auto times = measureLeavingOut(*scene, measured);
+        if (!times) {
+            fmt::print(stderr, "Cancelled.\n");
+            return kInterrupted;
+        }
+        if (options.json)
+            rows.push_back(leaveOutJson(*times));
+        else
+            printLeaveOutRow(*times);
+    }
+    if (options.json) fmt::print("{}\n", rows.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+    return kDone;
+}
+
 int runBench(const BenchOptions& options) {
+    if (options.leaveOut) return runLeaveOutBench(options);
+    if (options.scene.scene.empty()) {
+        fmt::print(stderr, "SCENE is required; only --leave-out takes every built-in scene without it.\n");
+        return kWrongUsage;
+    }
     const Interrupt interrupt;
     int status = kDone;
     const auto scene = loadScene(options.scene, status);
@@ -137,6 +181,7 @@ void declareBench(CLI::App& program, const CliHost&, int& status) {
     CLI::App* command =
         program.add_subcommand("bench", "Measure the time of every stage and the frame, and the memory");
     declareSceneArgument(*command, options->scene);
+    command->get_option("SCENE")->required(false);
     declareFrameArgument(*command, options->frame);
     command->add_option("--repeat", options->repeats, "Frames that are measured")
         ->type_name("N")
@@ -146,6 +191,8 @@ void declareBench(CLI::App& program, const CliHost&, int& status) {
         ->type_name("N")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
+    command->add_flag("--leave-out", options->leaveOut,
+                      "Compare leaving out with running everything, in turns; without SCENE for every built-in scene");
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &status] { status = runBench(*options); });
 }

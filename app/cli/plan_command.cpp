@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/export/json.h"
 #include "pipeline/plan/needs.h"
@@ -17,11 +18,28 @@ namespace {
 struct PlanOptions {
     SceneArgument scene;
     FrameArgument frame;
-    bool json = false;
+    bool json = false, counts = false;
 };
 
-std::string reason(const std::string& why, const std::string& saves) {
-    return saves.empty() ? why : fmt::format("{} Saves {}.", why, saves);
+// "k_s is 0 in every material. Saves a power a point. [specular]"
+std::string reason(const auto& row) {
+    std::string text = row.saves.empty() ? row.why : fmt::format("{} Saves {}.", row.why, row.saves);
+    if (row.rule) text += fmt::format(" [{}]", name(*row.rule));
+    return text;
+}
+
+// What the stages did, and what rules left out while they ran.
+void printCounts(const pipeline::Frame& frame) {
+    fmt::print("\nCounts\n");
+    for (const pipeline::StageId stage : pipeline::kStages) {
+        if (!frame.run(stage).counts.empty())
+            fmt::print("{} {:<22} {}\n", index(stage) + 1, stageInfo(stage).name, frame.run(stage).counts);
+        for (const pipeline::Tally& tally : frame.run(stage).tallies) {
+            fmt::print("    {:<20} {}", tally.what, tally.done);
+            if (tally.leftOut > 0) fmt::print(", {} left out [{}]", tally.leftOut, name(*tally.rule));
+            fmt::print("\n");
+        }
+    }
 }
 
 // Buffers that are not there after this plan, with the reason.
@@ -35,7 +53,9 @@ std::vector<std::pair<std::string, std::string>> buffersLeftOut(const pipeline::
     return left;
 }
 
-void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted) {
+// frame: nothing where none was run.
+void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted,
+               const pipeline::Frame* frame) {
     const pipeline::Settings& settings = scene.settings;
     const auto choice = [&](const char* key) {
         const auto ref = findSetting(scene, key).value();
@@ -45,20 +65,27 @@ void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const W
                choice("shading"));
     for (const pipeline::PlanStep& step : plan) {
         fmt::print("{} {:<22} {:<9} {}\n", index(step.stage) + 1, stageInfo(step.stage).name, name(step.action),
-                   reason(step.why, step.saves));
+                   reason(step));
         for (const pipeline::PlanPart& part : step.parts)
-            fmt::print("    {:<20} {:<9} {}\n", part.name, name(part.action), reason(part.why, part.saves));
+            fmt::print("    {:<20} {:<9} {}\n", part.name, name(part.action), reason(part));
     }
     const auto left = buffersLeftOut(scene, wanted);
     if (!left.empty()) fmt::print("\nBuffers left out unless asked for by name\n");
     for (const auto& [buffer, why] : left) fmt::print("    {:<20} {}\n", buffer, why);
+    if (frame) printCounts(*frame);
 }
 
-void printJson(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted) {
+void printJson(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted,
+               const pipeline::Frame* frame) {
     pipeline::Json left = pipeline::Json::array();
     for (const auto& [buffer, why] : buffersLeftOut(scene, wanted)) left.push_back({{"name", buffer}, {"why", why}});
-    const pipeline::Json json{
+    pipeline::Json json{
         {"scene", sceneToJson(scene)}, {"settings", settingsToJson(scene)}, {"plan", toJson(plan)}, {"absent", left}};
+    if (frame)
+        for (const pipeline::StageId stage : pipeline::kStages) {
+            json["plan"][index(stage)]["counts"] = frame->run(stage).counts;
+            json["plan"][index(stage)]["tallies"] = toJson(frame->run(stage).tallies);
+        }
     fmt::print("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
 }
 
@@ -71,8 +98,19 @@ int runPlan(const PlanOptions& options) {
         printErrors(wanted.errors());
         return kWrongUsage;
     }
-    const pipeline::Plan plan = makePlan(*scene, wanted->request, nullptr);
-    (options.json ? printJson : printPlan)(*scene, plan, *wanted);
+    if (!options.counts) {
+        (options.json ? printJson : printPlan)(*scene, makePlan(*scene, wanted->request, nullptr), *wanted, nullptr);
+        return kDone;
+    }
+    const Interrupt interrupt;
+    pipeline::FrameRequest request = wanted->request;
+    request.stop = interrupt.token();
+    const pipeline::FramePtr frame = runFrame(scene, request, nullptr);
+    if (!frame) {
+        fmt::print(stderr, "Cancelled.\n");
+        return kInterrupted;
+    }
+    (options.json ? printJson : printPlan)(*scene, frame->plan(), *wanted, frame.get());
     return kDone;
 }
 
@@ -83,6 +121,7 @@ void declarePlan(CLI::App& program, const CliHost&, int& status) {
     CLI::App* command = program.add_subcommand("plan", "Print what will run, what is left out, and why");
     declareSceneArgument(*command, options->scene);
     declareFrameArgument(*command, options->frame);
+    command->add_flag("--counts", options->counts, "Run the frame, and print what it did and left out in counts");
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &status] { status = runPlan(*options); });
 }

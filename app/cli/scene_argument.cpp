@@ -51,6 +51,7 @@ pipeline::Result<Scene> applySettings(Scene scene, const SceneArgument& argument
         if (!changed) return changed.errors();
         scene = std::move(changed).value();
     }
+    if (argument.noLeaveOut) scene.settings.leaveOut = false;
     return scene;
 }
 
@@ -62,6 +63,7 @@ void declareSceneArgument(CLI::App& command, SceneArgument& argument) {
     command.add_option("--set", argument.set, "Change a setting of the scene; may be repeated; plan --json lists them")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    command.add_flag("--no-leave-out", argument.noLeaveOut, "Run everything, also what the scene does not need");
 }
 
 std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, int& status) {

@@ -13,11 +13,12 @@ class App;
 
 namespace app {
 
-// What every command on a scene takes: SCENE, --set, --size.
+// What every command on a scene takes: SCENE, --set, --size, --no-leave-out.
 struct SceneArgument {
     std::string scene;
     std::vector<std::string> set;  // KEY=VALUE, applied in order
     std::string size;              // WxH; empty: the scene's
+    bool noLeaveOut = false;       // everything runs
 };
 
 void declareSceneArgument(CLI::App& command, SceneArgument& argument);

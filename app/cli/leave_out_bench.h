@@ -1,0 +1,31 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "pipeline/export/json.h"
+#include "pipeline/run/frame.h"
+
+namespace app {
+
+// What leaving out saves in one scene: frames with every rule and without any in turns, so that
+// whatever else the machine does disturbs both alike.
+struct LeaveOutTimes {
+    std::vector<double> with, without;           // milliseconds of each repetition
+    std::vector<double> deciding;                // of those `with`, for the plan
+    pipeline::FramePtr withFrame, withoutFrame;  // the last of each
+};
+
+struct LeaveOutOptions {
+    pipeline::FrameRequest request;
+    int warmups = 3, repeats = 20;
+};
+
+// Nothing when interrupted.
+std::optional<LeaveOutTimes> measureLeavingOut(const pipeline::Scene& scene, const LeaveOutOptions& options);
+
+// One row a scene, with a line of heads before the first.
+void printLeaveOutHead();
+void printLeaveOutRow(const LeaveOutTimes& times);
+pipeline::Json leaveOutJson(const LeaveOutTimes& times);
+
+}  // namespace app
