@@ -43,14 +43,16 @@ QString countsText(const std::string& counts, const std::vector<PlanPart>& parts
     QString line = withGroups(toQString(counts));
     QStringList absent;
     for (const PlanPart& part : parts)
-        if (part.action == Action::LeaveOut && !line.contains(toQString(part.name))) absent += toQString(part.name);
+        if (part.action == Action::LeaveOut && part.rule && !line.contains(toQString(part.name)))
+            absent += toQString(part.name);
     if (absent.isEmpty()) return line;
     if (!line.isEmpty()) line += QStringLiteral("; ");
     return line + (absent.size() == 1 ? QStringLiteral("%1 left out").arg(absent.front())
                                       : QStringLiteral("%1 parts left out").arg(absent.size()));
 }
 
-QString tooltipText(const pipeline::StageInfo& stage, const PlanStep& step, const StageStatus& status) {
+QString tooltipText(const pipeline::StageInfo& stage, const PlanStep& step, const pipeline::StageRun& run,
+                    const StageStatus& status) {
     QString html =
         QStringLiteral("<b>%1</b>, %2<br>%3").arg(toQString(stage.label), word(status.state), toQString(stage.summary));
     if (!step.why.empty()) html += QStringLiteral("<br>%1").arg(toQString(step.why).toHtmlEscaped());
@@ -60,6 +62,10 @@ QString tooltipText(const pipeline::StageInfo& stage, const PlanStep& step, cons
                     .arg(toQString(part.name).toHtmlEscaped(), word(stateOf(part.action)),
                          toQString(part.why).toHtmlEscaped());
     }
+    for (const pipeline::Tally& tally : run.tallies)
+        if (tally.done + tally.leftOut > 0)
+            html += QStringLiteral("<br>%1 %2, %3 left out")
+                        .arg(count(tally.done), toQString(tally.what), count(tally.leftOut));
     return html;
 }
 
@@ -96,7 +102,7 @@ std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Frame
         const PlanStep& step = frame->plan()[index(id)];
         status.state = stateOf(step.action);
         status.reason = toQString(step.why);
-        status.tooltip = tooltipText(stage, step, status);
+        status.tooltip = tooltipText(stage, step, frame->run(id), status);
         if (step.action == Action::LeaveOut) continue;
         status.time = milliseconds(frame->run(id).milliseconds);
         status.error = errors[index(id)] ? errorOf(*errors[index(id)]) : QStringLiteral("…");

@@ -44,7 +44,7 @@ std::string whyNoSelfShadow(const Scene& scene) {
 std::string whyNoShadowBetween(const Scene& scene, const Light& light) {
     const Settings& settings = scene.settings;
     if (light.kind != LightKind::AtInfinity || settings.shadowBias != ShadowBias::Automatic ||
-        scene.objects.size() > kMostObjects || !allConvex(scene))
+        scene.objects.size() < 2 || scene.objects.size() > kMostObjects || !allConvex(scene))
         return {};
     View axes;
     axes.forward = -normalized(light.position);

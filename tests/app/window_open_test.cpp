@@ -34,7 +34,7 @@ TEST_F(WindowOpen, BeginsOnTheStartPageWithPicturesOfTheScenes) {
     // The pipeline computes the picture: lecture 1's pyramid is bluer than it is red.
     const auto isBlue = [&] {
         const QImage shown = card->grab().toImage();
-        const QColor middle = shown.pixelColor(shown.width() / 2, shown.height() / 2 - 30);
+        const QColor middle = shown.pixelColor(shown.width() / 2, shown.height() / 4);
         return middle.blue() > 100 && middle.red() < 60;
     };
     EXPECT_TRUE(QTest::qWaitFor(isBlue, 10000));

@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/cli/run_program.h"
+
+namespace {
+
+using Json = nlohmann::json;
+using test::run;
+
+std::string countsOf(const std::string& scene) {
+    const auto done = run({"plan", scene, "--buffers", "color", "--counts"});
+    EXPECT_EQ(done.status, 0) << done.err;
+    const auto at = done.out.find("Counts\n");
+    return scene + "\n" + (at == done.out.npos ? done.out : done.out.substr(at + 7));
+}
+
+// The counters of scenes of every kind, exact: whoever changes what the pipeline does sees it here.
+// A change that is meant goes into counts.txt.
+TEST(LeaveOut, CountersAreTheGoldenOnes) {
+    std::ifstream file(SHADESCOPE_COUNTS);
+    ASSERT_TRUE(file);
+    std::ostringstream golden;
+    golden << file.rdbuf();
+    std::string counts;
+    for (const char* scene :
+         {"pyramid", "two_pyramids", "lambert", "highlight_exponents", "point_light_shadow", "near_plane", "gl_cube"})
+        counts += countsOf(scene) + "\n";
+    EXPECT_EQ(counts, golden.str());
+}
+
+TEST(LeaveOut, NoLeaveOutRunsEverything) {
+    const Json json = Json::parse(run({"plan", "pyramid", "--no-leave-out", "--json"}).out);
+    for (const Json& stage : json["plan"]) EXPECT_EQ(stage["action"], "runs") << stage["stage"];
+}
+
+TEST(LeaveOut, ThePlanNamesTheRule) {
+    const Json json = Json::parse(run({"plan", "pyramid", "--json"}).out);
+    EXPECT_EQ(json["plan"][3]["rule"], "convex_shadow");
+    const Json off = Json::parse(run({"plan", "pyramid", "--json", "--set", "rule.convex_shadow=off"}).out);
+    EXPECT_EQ(off["plan"][3]["action"], "runs");
+}
+
+TEST(LeaveOut, BenchComparesInOneRun) {
+    const auto done = run({"bench", "--leave-out", "pyramid", "--repeat", "2", "--warm-up", "0", "--json"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const Json json = Json::parse(done.out);
+    ASSERT_EQ(json.size(), 1u);
+    // Three of five polygons face the eye; without leaving out, five vertices are evaluated beside all five.
+    EXPECT_EQ(json[0]["counters"]["light evaluations"]["with"], 3);
+    EXPECT_EQ(json[0]["counters"]["light evaluations"]["without"], 10);
+    EXPECT_GT(json[0]["buffer_megabytes"]["without"], json[0]["buffer_megabytes"]["with"]);
+    const auto table = run({"bench", "--leave-out", "--repeat", "1", "--warm-up", "0", "--size", "64x48"});
+    EXPECT_NE(table.out.find("Teapot"), std::string::npos) << table.out;
+    EXPECT_EQ(run({"bench"}).status, 2);
+}
+
+}  // namespace
