@@ -26,9 +26,14 @@ Comparison comparisonOf(const FragmentReport& fragment) {
 }
 
 QColor culledColor(char letter) {
-    // The stops stand in the order kept, back-facing, degenerate, outside, clipped.
+    // The stops stand in the order kept, back-facing, degenerate, outside, clipped, wholly transparent.
     const auto stops = paletteStops(pipeline::Palette::Verdict);
-    const std::size_t i = letter == 'B' ? 1 : letter == 'D' ? 2 : letter == 'O' ? 3 : letter == 'C' ? 4 : 0;
+    const std::size_t i = letter == 'B'   ? 1
+                          : letter == 'D' ? 2
+                          : letter == 'O' ? 3
+                          : letter == 'C' ? 4
+                          : letter == 'T' ? 5
+                                          : 0;
     return {stops[i].r, stops[i].g, stops[i].b};
 }
 

@@ -80,6 +80,7 @@ Qt::BrushStyle hatchOfVerdict(char letter) {
         case 'D': return Qt::Dense6Pattern;
         case 'C': return Qt::FDiagPattern;
         case 'O': return Qt::CrossPattern;
+        case 'T': return Qt::DiagCrossPattern;
         default: return Qt::NoBrush;
     }
 }

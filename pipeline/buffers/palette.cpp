@@ -20,8 +20,8 @@ constexpr std::array kSlope{hex(0x0b3c6f), hex(0x3f7fb5), hex(0x9cc3df), hex(0xf
                             hex(0xe9b68a), hex(0xc0703a), hex(0x7a3209)};
 constexpr std::array kEight{hex(0x80b6ce), hex(0xfbdfb3), hex(0x2ca069), hex(0xe1a6ab),
                             hex(0x927ad4), hex(0x7c8118), hex(0x9ef0f1), hex(0x9f8396)};
-constexpr std::array kVerdict{hex(0x5e9a98), hex(0xc18d62), hex(0x927deb), hex(0xc7d3fa), hex(0xeede5c)};
-constexpr std::string_view kVerdictLetters = "KBDOC";
+constexpr std::array kVerdict{hex(0x5e9a98), hex(0xc18d62), hex(0x927deb), hex(0xc7d3fa), hex(0xeede5c), hex(0xf6b7cf)};
+constexpr std::string_view kVerdictLetters = "KBDOCT";
 
 constexpr Color8 kNan = hex(0xff00c8), kWhite = hex(0xffffff), kBlack = hex(0x000000);
 
@@ -69,7 +69,7 @@ PaletteRange fittingRange(const AnyBuffer& buffer, const BufferStatistics& found
     const BufferInfo& info = *buffer.info;
     switch (info.palette) {
         case Palette::Sequential: {
-            if (info.id == BufferId::Shadow) return {1, 0};
+            if (info.id == BufferId::Shadow || info.id == BufferId::Transmittance) return {1, 0};
             const bool reversed = info.id == BufferId::Depth && format == DepthFormat::Reversed;
             const bool nearIsLess = std::isinf(info.neutral) && !reversed;
             return nearIsLess ? PaletteRange{found.min, found.max} : PaletteRange{found.max, found.min};

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "pipeline/run/frame_data.h"
 #include "pipeline/scene/topology.h"
+#include "pipeline/stages/translucent.h"
 
 namespace pipeline {
 namespace {
@@ -26,7 +29,9 @@ public:
         list.push_back({function, std::move(names), std::move(numbers), std::exchange(m_step, {})});
     }
     void vector(std::string_view function, Vec3d v) { add(function, {}, {v.x, v.y, v.z}); }
-    void color(std::string_view function, Names names, Vec3d c) { add(function, std::move(names), {c.r, c.g, c.b, 1}); }
+    void color(std::string_view function, Names names, Vec3d c, double alpha = 1) {
+        add(function, std::move(names), {c.r, c.g, c.b, alpha});
+    }
     void enable(std::string_view what, bool on) { add(on ? "glEnable" : "glDisable", {what}); }
 
 private:
@@ -114,7 +119,8 @@ void addLighting(const Scene& scene, Calls& calls) {
 
 void addMaterial(std::string_view face, const Material& material, Calls& calls) {
     calls.color("glMaterialfv", {face, "GL_AMBIENT"}, material.ambient);
-    calls.color("glMaterialfv", {face, "GL_DIFFUSE"}, material.diffuse);
+    // The alpha of a lit colour is that of the diffuse coefficient alone.
+    calls.color("glMaterialfv", {face, "GL_DIFFUSE"}, material.diffuse, opacity(material));
     calls.color("glMaterialfv", {face, "GL_SPECULAR"}, material.specular);
     calls.color("glMaterialfv", {face, "GL_EMISSION"}, material.emission);
     calls.add("glMaterialf", {face, "GL_SHININESS"}, {material.exponent});
@@ -186,23 +192,72 @@ private:
     glm::dmat3 m_objectFromWorldNormal;
 };
 
+// Polygons of object i, as numbers within it.
+template <class Real>
+void addObject(const Scene& scene, const FrameData<Real>& data, std::size_t i, std::span<const std::uint32_t> polygons,
+               Calls& calls) {
+    const Object& object = scene.objects[i];
+    calls.step(fmt::format("Object {}: {}", i, object.name));
+    const bool ownBack = scene.settings.twoSided && object.backMaterial;
+    addMaterial(ownBack ? "GL_FRONT" : "GL_FRONT_AND_BACK", object.material, calls);
+    if (ownBack) addMaterial("GL_BACK", *object.backMaterial, calls);
+    // A mirror turns windings round; what was outside stays outside.
+    calls.add("glFrontFace", {data.transform->mirrored[i] ? "GL_CW" : "GL_CCW"});
+    calls.add("glPushMatrix", {});
+    addTransform(object.transform, calls);
+    Polygons<Real> drawing(data, *data.transform->topology, i, scene.settings.shading == Shading::Flat, calls);
+    for (const std::uint32_t polygon : polygons) drawing.add(polygon);
+    calls.add("glPopMatrix", {});
+}
+
+// Lecture 2's order: after the opaque surfaces, by the mean depth of the polygons, the farthest first.
+template <class Real>
+void addTranslucent(const Scene& scene, const FrameData<Real>& data, const std::vector<std::uint8_t>& drawn,
+                    Calls& calls) {
+    const Topology& topology = *data.transform->topology;
+    std::vector<std::uint32_t> polygons;
+    std::vector<double> mean(drawn.size());
+    for (std::uint32_t p = 0; p < drawn.size(); ++p) {
+        if (!drawn[p]) continue;
+        polygons.push_back(p);
+        const Topology::Corners corners = topology.corners(p);
+        for (std::size_t i = 0; i < corners.size(); ++i) mean[p] += double(data.transform->viewSpace[corners[i]].z);
+        mean[p] /= double(corners.size());
+    }
+    if (polygons.empty()) return;
+    std::ranges::stable_sort(polygons, [&](std::uint32_t a, std::uint32_t b) { return mean[a] > mean[b]; });
+    calls.step("Translucent surfaces, the farthest polygon first: wrong where polygons overlap in a cycle or cross");
+    calls.enable("GL_BLEND", true);
+    calls.add("glBlendFunc", {"GL_SRC_ALPHA", "GL_ONE_MINUS_SRC_ALPHA"});
+    calls.add("glDepthMask", {"GL_FALSE"});
+    for (auto first = polygons.begin(); first != polygons.end();) {
+        const std::uint32_t object = topology.polygonObject[*first];
+        const auto last =
+            std::find_if(first, polygons.end(), [&](std::uint32_t p) { return topology.polygonObject[p] != object; });
+        std::for_each(first, last, [&](std::uint32_t& p) { p -= topology.firstPolygon[object]; });
+        addObject(scene, data, object, {first, last}, calls);
+        first = last;
+    }
+    calls.step("Opaque again");
+    calls.add("glDepthMask", {"GL_TRUE"});
+    calls.enable("GL_BLEND", false);
+}
+
 template <class Real>
 void addObjects(const Scene& scene, const FrameData<Real>& data, Calls& calls) {
     const Topology& topology = *data.transform->topology;
+    const std::vector<std::uint8_t>& transparent = data.transform->transparent;
+    const std::vector<TranslucentSides> sides = translucentSides(scene);
+    const auto drawn = drawnIn(Pass::Opaque, topology, transparent, sides, data.cull.get());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const Object& object = scene.objects[i];
-        calls.step(fmt::format("Object {}: {}", i, object.name));
-        const bool ownBack = scene.settings.twoSided && object.backMaterial;
-        addMaterial(ownBack ? "GL_FRONT" : "GL_FRONT_AND_BACK", object.material, calls);
-        if (ownBack) addMaterial("GL_BACK", *object.backMaterial, calls);
-        // A mirror turns windings round; what was outside stays outside.
-        calls.add("glFrontFace", {data.transform->mirrored[i] ? "GL_CW" : "GL_CCW"});
-        calls.add("glPushMatrix", {});
-        addTransform(object.transform, calls);
-        Polygons<Real> polygons(data, topology, i, scene.settings.shading == Shading::Flat, calls);
-        for (std::size_t p = 0; p < object.mesh->polygonCount(); ++p) polygons.add(p);
-        calls.add("glPopMatrix", {});
+        std::vector<std::uint32_t> polygons(scene.objects[i].mesh->polygonCount());
+        std::iota(polygons.begin(), polygons.end(), 0u);
+        if (!drawn.empty()) std::erase_if(polygons, [&](auto p) { return !drawn[topology.firstPolygon[i] + p]; });
+        // What remains to be drawn of an object is nothing where all of it is translucent.
+        if (drawn.empty() || !polygons.empty()) addObject<Real>(scene, data, i, polygons, calls);
     }
+    if (!sides.empty())
+        addTranslucent(scene, data, drawnIn(Pass::Translucent, topology, transparent, sides, data.cull.get()), calls);
 }
 
 template <class Real>

@@ -163,6 +163,17 @@ Json toJson(const Frame& frame, const PixelReport& report) {
                        {"g", equationToJson(frame, report, 1)},
                        {"b", equationToJson(frame, report, 2)}}}});
     }
+    Json layers = Json::array();
+    for (const LayerReport& layer : report.layers)
+        layers.push_back({{"polygon", layer.polygon},
+                          {"z_view", layer.zView},
+                          {"alpha", layer.alpha},
+                          {"intensity", toJson(layer.intensity)},
+                          {"composed", toJson(layer.composed)}});
+    json["layers"] = layers;
+    json["transmittance"] = report.transmittance;
+    json["translucent"] = toJson(report.translucent);
+    json["composed"] = toJson(report.composed);
     json["fragments"] = fragments;
     json["culled"] = culled;
     return json;

@@ -33,6 +33,8 @@ constexpr auto kScenes = std::to_array<Row>({
     {"near_plane", ".toml"},
     {"intersecting_polygons", ".toml"},
     {"cyclic_overlap", ".toml"},
+    {"translucent", ".toml"},
+    {"translucent_cycle", ".toml"},
     {"z_fighting", ".toml"},
     {"concave_polygon", ".toml"},
     {"point_light_shadow", ".toml"},

@@ -33,7 +33,7 @@ std::string fileNameOf(const std::string& path);
 std::string shownName(std::string_view name, const std::string& otherwise);
 
 // Materials of an MTL file (Wavefront, Object Files, 1995, appendix B1):
-//   Kd diffuse, Ka ambient, Ks specular, Ns exponent, Ke emission. The rest, as pictures, is skipped.
+//   Kd diffuse, Ka ambient, Ks specular, Ns exponent, Ke emission, d opacity, Tr 1 - d. The rest, as pictures, is skipped.
 struct NamedMaterial {
     std::string name;
     Material material;

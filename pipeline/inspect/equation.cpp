@@ -47,7 +47,9 @@ struct Writer {
     Formula H(int k) const { return indexed(VectorCode::H, "halfway_vector", k); }
     Formula N() const { return vector(VectorCode::N, "normal"); }
     Formula V() const { return vector(VectorCode::V, "view_vector"); }
-    Formula intensity() const { return sub("I", kChannels[c], "intensity"); }
+    // Under layers it is the opaque surface's, which has no buffer; C is what the layers make of it.
+    Formula intensity() const { return sub("I", kChannels[c], report.layers.empty() ? "intensity" : ""); }
+    Formula composed() const { return report.layers.empty() ? intensity() : sub("C", kChannels[c], "intensity"); }
 
     void add(std::string role, std::vector<Formula> parts, std::string remark = {}) {
         lines.push_back({std::move(role), row(std::move(parts)), std::move(remark)});
@@ -61,6 +63,7 @@ struct Writer {
     void numbers(const Evaluation& e);
     void result(const Evaluation& e);
     void rows(const Evaluation& e);
+    void layers();
     void frameBuffer();
     void weighted();
 };
@@ -192,7 +195,21 @@ void Writer::rows(const Evaluation& e) {
     }
 }
 
+// C = 0.25·114.739 + 20.000 = 48.685
+void Writer::layers() {
+    if (report.layers.empty()) return;
+    const std::size_t count = report.layers.size();
+    add("symbols",
+        {composed(), text("="), sub("t", "layers", "transmittance"), intensity(), text("+"),
+         sub("C", "layers", "translucent")},
+        fmt::format("{} translucent {} over the surface", count, count == 1 ? "layer" : "layers"));
+    add("result", {text("="), text(fixed(report.transmittance, 4) + "·" + fixed(report.intensity[c], 3)), text("+"),
+                   text(fixed(report.translucent[c], 3), "translucent"), text("="),
+                   text(fixed(report.composed[c], 3), "intensity")});
+}
+
 void Writer::frameBuffer() {
+    layers();
     const Formula value = text(std::to_string(int(report.color[c])), "color");
     Formula name = script(text("FB"), text(kChannels[c]), row({}), "color");
     if (!(report.iMax > 0)) {
@@ -202,11 +219,11 @@ void Writer::frameBuffer() {
     const auto rounded = [](Formula top, Formula bottom) {
         return row({text("round("), text("255"), text("·"), fraction(std::move(top), std::move(bottom)), text(")")});
     };
-    const double share = report.intensity[c] / report.iMax;
+    const double share = report.composed[c] / report.iMax;
     const std::string remark = share > 1 ? "above I_max: clamped to 1" : share < 0 ? "below 0: clamped to 0" : "";
     add("frame buffer",
-        {std::move(name), text("="), rounded(intensity(), sub("I", "max")), text("="),
-         rounded(text(fixed(report.intensity[c], 3)), text(shortest(report.iMax))), text("="), value},
+        {std::move(name), text("="), rounded(composed(), sub("I", "max")), text("="),
+         rounded(text(fixed(report.composed[c], 3)), text(shortest(report.iMax))), text("="), value},
         remark);
 }
 

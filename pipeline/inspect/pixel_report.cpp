@@ -174,12 +174,45 @@ void reportFragments(const FrameData<Real>& data, PixelReport& report) {
         report.culled.push_back({int(polygon), letter(data.cull->verdicts[polygon]), data.cull->reason(polygon)});
 }
 
+// The opaque surface's intensity, and what the layers over it make of it.
+template <class Real>
+void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size_t at, PixelReport& report) {
+    const ShadingInputs& inputs = data.keys.shading;
+    const ShadingSources<Real> sources = data.shadingSources();
+    const Topology& topology = *data.transform->topology;
+    std::vector<LightSample<Real>> samples(inputs.lights.size());
+    ShadingCounts counts;
+    const auto intensityOf = [&](std::uint32_t id, Vec3<Real> b) {
+        return surfaceIntensity(inputs, sources, *data.shading, id, b, samples, counts);
+    };
+    Vec3<Real> opaque(0), added(0);
+    Real left = 1;
+    if (triangle != kNoTriangle) opaque = intensityOf(triangle, data.zBuffer->barycentric.pixels[at]);
+    for (const Layer<Real>& layer : replayLayers(data, report.pixel)) {
+        const std::uint32_t polygon = topology.triangles[layer.triangle].polygon;
+        const Real a =
+            Real(opacity(materialOf(inputs, topology.polygonObject[polygon], showsBack(inputs, sources, polygon))));
+        const Vec3<Real> intensity = intensityOf(layer.triangle, layer.barycentric);
+        added = a * intensity + (1 - a) * added;
+        left = (1 - a) * left;
+        report.layers.push_back(
+            {int(polygon), double(layer.zView), double(a), Vec3d(intensity), Vec3d(left * opaque + added)});
+    }
+    report.intensity = Vec3d(opaque);
+    report.transmittance = double(left);
+    report.translucent = Vec3d(added);
+    report.composed = Vec3d(data.shading->vectors[index(BufferId::Intensity)][0].pixels[at]);
+    report.color = data.shading->color.pixels[at];
+    report.iMax = data.shading->iMax;
+}
+
 template <class Real>
 void fill(const FrameData<Real>& data, PixelReport& report) {
     if (!data.zBuffer) return;
     reportFragments(data, report);
     const std::size_t at = data.zBuffer->zView.offset(report.pixel);
     const std::uint32_t triangle = data.zBuffer->triangle.pixels[at];
+    if (data.shading) reportLayers(data, triangle, at, report);
     if (triangle == kNoTriangle) return;
     const Topology& topology = *data.transform->topology;
     const Vec3<Real> b = data.zBuffer->barycentric.pixels[at];
@@ -204,9 +237,6 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
             report.shadowPlaces.push_back(shadowPlace(data.keys.shading.lights[k], report.shadow[k]));
     evaluateAll(data, triangle, b, report);
     sumUp(report, lights);
-    report.iMax = data.shading->iMax;
-    report.intensity = Vec3d(data.shading->vectors[index(BufferId::Intensity)][0].pixels[at]);
-    report.color = data.shading->color.pixels[at];
 }
 
 }  // namespace

@@ -28,6 +28,15 @@ struct CulledReport {
     std::string reason;  // "back-facing, signed area −1 991.6 px²"
 };
 
+// A translucent surface over the pixel, in the order in which they are laid over it.
+struct LayerReport {
+    int polygon;
+    double zView;     // world units
+    double alpha;     // its opacity, 0 to 1
+    Vec3d intensity;  // its own, before it is laid over what is behind
+    Vec3d composed;   // afterwards: alpha · intensity + (1 − alpha) · what was there
+};
+
 struct LightReport {
     int light;
     Vec3d L, R, H;               // world space, unit
@@ -66,7 +75,11 @@ struct PixelReport {
     std::vector<Evaluation> evaluations;
     std::vector<double> shadow;             // S_k at the pixel, per light
     std::vector<std::string> shadowPlaces;  // "lit", "penumbra (S = 0.44)", "umbra"; empty where the model knows none
-    Vec3d ambient{0.0}, emission{0.0}, intensity{0.0};
+    Vec3d ambient{0.0}, emission{0.0};
+    Vec3d intensity{0.0};  // of the opaque surface: the sum of its terms
+    std::vector<LayerReport> layers;
+    double transmittance = 1;  // composed = transmittance · intensity + translucent, which the frame buffer scales
+    Vec3d translucent{0.0}, composed{0.0};
     std::vector<Vec3d> diffuse, specular;  // per light, at the pixel, S_k included
     double iMax = 0;
     std::vector<FragmentReport> fragments;

@@ -1,6 +1,7 @@
 #include "pipeline/inspect/replay.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "pipeline/stages/painter.h"
@@ -28,11 +29,18 @@ TriangleBins<Real> piecesAt(const FrameData<Real>& data, glm::ivec2 pixel, Keep 
     return pieces;
 }
 
+template <class Real>
+std::vector<std::uint8_t> opaquePolygons(const FrameData<Real>& data) {
+    const TransformOutput<Real>& in = *data.transform;
+    return drawnIn(Pass::Opaque, *in.topology, in.transparent, data.keys.zBuffer.translucent, data.cull.get());
+}
+
 // The order is a matter of all triangles, not only of those that cover the pixel.
 template <class Real>
 std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, glm::ivec2 pixel) {
     const TransformOutput<Real>& in = *data.transform;
-    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, data.verdicts());
+    const TriangleBins<Real> bins =
+        binTriangles<Real>(*in.topology, in.view, in.viewSpace, data.verdicts(), {}, opaquePolygons(data));
     const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.viewSpace, bins, data.keys.zBuffer.split);
     std::vector<std::uint32_t> pieces(order.pieces.size());
     std::iota(pieces.begin(), pieces.end(), 0u);
@@ -49,8 +57,10 @@ template <class Real>
 std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel) {
     const std::vector<Verdict>& verdicts = data.verdicts();
     if (data.keys.zBuffer.visibility == Visibility::Painter) return replayPainter(data, pixel);
-    const TriangleBins<Real> pieces =
-        piecesAt(data, pixel, [&](std::uint32_t polygon) { return verdicts.empty() || goesOn(verdicts[polygon]); });
+    const std::vector<std::uint8_t> drawn = opaquePolygons(data);
+    const TriangleBins<Real> pieces = piecesAt(data, pixel, [&](std::uint32_t polygon) {
+        return (verdicts.empty() || goesOn(verdicts[polygon])) && (drawn.empty() || drawn[polygon]);
+    });
     std::vector<std::uint32_t> order(pieces.triangles.size());
     std::iota(order.begin(), order.end(), 0u);
     const Tile tile{pixel, pixel + 1};
@@ -59,6 +69,17 @@ std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 
     std::vector<FragmentRecord> record;
     zBuffer<Real>(data.transform->view, format, pieces, order, tile, scratch, &record);
     return record;
+}
+
+template <class Real>
+std::vector<Layer<Real>> replayLayers(const FrameData<Real>& data, glm::ivec2 pixel) {
+    const ShadingInputs& inputs = data.keys.shading;
+    if (!data.shading || !inputs.layers.drawn) return {};
+    const LayerBins<Real> layers = binLayers(inputs, data.shadingSources());
+    const glm::ivec2 tile = pixel / kTileSize;
+    const std::size_t i = std::size_t(tile.y) * std::size_t(layers.bins.tiles.x) + std::size_t(tile.x);
+    return *layersIn<Real>(inputs, data.shadingSources(), layers, layers.order[i], {pixel, pixel + 1},
+                           std::numeric_limits<std::size_t>::max());
 }
 
 template <class Real>
@@ -76,6 +97,7 @@ std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixe
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                      \
     template std::vector<FragmentRecord> replayPixel(const FrameData<Real>&, glm::ivec2); \
+    template std::vector<Layer<Real>> replayLayers(const FrameData<Real>&, glm::ivec2);   \
     template std::vector<std::uint32_t> culledAt(const FrameData<Real>&, glm::ivec2);
 SHADESCOPE_INSTANTIATE(float)
 SHADESCOPE_INSTANTIATE(double)

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "pipeline/run/frame_data.h"
+#include "pipeline/stages/translucent.h"
 
 namespace pipeline {
 
@@ -9,6 +10,10 @@ namespace pipeline {
 // that pixel alone, with recording on. Nothing is stored for it in a normal run.
 template <class Real>
 std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel);
+
+// The layers of translucent surfaces over one pixel, in the order in which they are laid over it.
+template <class Real>
+std::vector<Layer<Real>> replayLayers(const FrameData<Real>& data, glm::ivec2 pixel);
 
 // The polygons that would have reached the pixel had culling kept them.
 template <class Real>

@@ -43,6 +43,20 @@ void addEquations(std::string& out, const Frame& frame, const PixelReport& r) {
     }
 }
 
+// What was there, then each layer and what there is afterwards.
+void addLayers(std::string& out, const PixelReport& r) {
+    if (r.layers.empty()) return;
+    out += fmt::format("\nlayers: {} laid over {}\n", r.layers.size(), triple(r.intensity));
+    for (std::size_t i = 0; i < r.layers.size(); ++i) {
+        const LayerReport& layer = r.layers[i];
+        out +=
+            fmt::format("  {}  polygon {}  z_view {}  α = {:.6g}  I = {}  α I + (1 − α) C = {}\n", i + 1, layer.polygon,
+                        depthText(layer.zView), layer.alpha, triple(layer.intensity), triple(layer.composed));
+    }
+    out += fmt::format("  intensity = {:.6g} · {} + {} = {}\n", r.transmittance, triple(r.intensity),
+                       triple(r.translucent), triple(r.composed));
+}
+
 void addFragments(std::string& out, const PixelReport& r) {
     out += fmt::format("\nfragments: {} came\n", r.fragments.size());
     for (std::size_t i = 0; i < r.fragments.size(); ++i)
@@ -59,11 +73,13 @@ std::string toText(const Frame& frame, const PixelReport& r) {
     std::string out = fmt::format("pixel {}, {}: color {} {} {}\n", r.pixel.x, r.pixel.y, int(r.color.r),
                                   int(r.color.g), int(r.color.b));
     if (!r.covered) {
-        out += "  background: nothing was drawn here\n";
+        out +=
+            r.layers.empty() ? "  background: nothing was drawn here\n" : "  background, behind translucent surfaces\n";
     } else {
         addWhy(out, frame, r);
         addEquations(out, frame, r);
     }
+    addLayers(out, r);
     addFragments(out, r);
     return out;
 }

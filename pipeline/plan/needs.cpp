@@ -5,16 +5,27 @@
 #include <fmt/format.h>
 
 #include "pipeline/plan/shadow_reach.h"
+#include "pipeline/scene/opacity.h"
 
 namespace pipeline {
 namespace {
 
 constexpr const char* kNoShadowsInOpenGl = "OpenGL's model knows no shadows.";
 constexpr const char* kDark = "Its intensity is 0.";
+constexpr const char* kAllOpaque = "Every surface is opaque.";
 
 std::size_t polygonCount(const Scene& scene) {
     std::size_t count = 0;
     for (const Object& object : scene.objects) count += object.mesh->polygonCount();
+    return count;
+}
+
+std::size_t translucentTriangles(const Scene& scene) {
+    const std::vector<TranslucentSides> sides = translucentSides(scene);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < sides.size(); ++i)
+        if ((sides[i].front || sides[i].back) && !isTransparent(scene.objects[i], scene.settings))
+            count += scene.objects[i].mesh->triangles.size();
     return count;
 }
 
@@ -142,6 +153,14 @@ struct Decision {
         return direction(model() != Model::Phong, specular, {BufferId::HalfwayVector, BufferId::NDotH},
                          "Phong's model uses R.");
     }
+    Need layers() const { return unless(Rule::TranslucentPass, translucentTriangles(scene) > 0 ? "" : kAllOpaque); }
+    Need layerSort(const Need& layers) const {
+        if (scene.settings.translucency == Translucency::Polygons)
+            return {"Off in this scene: translucency = polygons.", {}};
+        if (!layers) return layers;
+        const bool single = translucentTriangles(scene) == 1;
+        return unless(Rule::LayerSort, single ? "There is one translucent triangle: no pixel has two layers." : "");
+    }
 };
 
 }  // namespace
@@ -174,6 +193,8 @@ Needs needsOf(const Scene& scene, BufferSet wanted) {
     needs.position = decide.position(needs);
     needs.reflection = decide.reflection(specular);
     needs.halfway = decide.halfway(specular);
+    needs.layers = decide.layers();
+    needs.layerSort = decide.layerSort(needs.layers);
     return needs;
 }
 
@@ -196,6 +217,9 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
         case BufferId::NDotH: return model == Model::Phong ? "Phong's model uses R, not H." : "";
         case BufferId::ReflectionVector:
         case BufferId::RDotV: return model == Model::Phong ? "" : "The illumination model uses H, not R.";
+        case BufferId::Translucent:
+        case BufferId::Transmittance:
+        case BufferId::Layers: return translucentTriangles(scene) == 0 ? kAllOpaque : "";
         case BufferId::Emission: return model == Model::OpenGl ? "" : "Only OpenGL's model has emission.";
         case BufferId::Shadow:
             if (model == Model::OpenGl) return kNoShadowsInOpenGl;

@@ -23,6 +23,7 @@ struct Need {
 struct Needs {
     Need cull, vertexNormals, shadowBuffers, polygonTerms, vertexTerms, ambient, position, viewVector;
     Need reflection, halfway;                                      // R and H
+    Need layers, layerSort;                                        // of translucent polygons
     std::vector<Need> shadowBuffer, light, specular, attenuation;  // per light
     bool hiddenPolygons = false, hiddenVertices = false;           // what culling dropped is evaluated too
     BufferSet buffers;                                             // those that are made

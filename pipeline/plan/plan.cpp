@@ -33,6 +33,7 @@ std::string difference(const TransformInputs& a, const TransformInputs& b) {
     if (a.topology != b.topology) return "The objects changed.";
     if (auto text = firstDifferent(a.transforms, b.transforms, "The transform of object", "The objects"); !text.empty())
         return text;
+    if (a.transparent != b.transparent) return "Other objects are wholly transparent.";
     if (a.depthFormat != b.depthFormat) return "The depth format changed.";
     if (a.view.size != b.view.size) return "The picture's size changed.";
     return a == b ? "" : "The camera changed.";
@@ -53,6 +54,7 @@ std::string difference(const ShadowBufferInputs& a, const ShadowBufferInputs& b)
 
 std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
     if (a.visibility != b.visibility) return "The setting visibility changed.";
+    if (a.translucent != b.translucent) return "Other objects are translucent.";
     if (a.split != b.split) return "The setting split changed.";
     return a == b ? "" : "The rule of clipping was switched.";
 }
@@ -64,6 +66,7 @@ std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (auto text = firstDifferent(a.lights, b.lights, "Light", "The lights"); !text.empty()) return text;
     if (!(a.ambient == b.ambient)) return "The ambient light changed.";
     if (!(a.shadow == b.shadow)) return "The settings of the shadow test changed.";
+    if (!(a.layers == b.layers)) return "The layers of translucent surfaces changed.";
     return a == b ? "" : "Other parts of it are needed.";
 }
 

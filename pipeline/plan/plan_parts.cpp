@@ -91,6 +91,8 @@ void shadingParts(Parts& out) {
         out.within("shadow look-up", Rule::ShadowLookup, "Not where the terms that it would multiply are 0.",
                    "At every pixel.");
     out.within("tiles", Rule::EmptyTiles, "Not those in which nothing was drawn.", "All of them.");
+    out.add("translucent pass", needs.layers, "A material has alpha below 1.", "a pass over the tiles");
+    out.add("sort of layers", needs.layerSort, "Layers are put in order by depth at every pixel.", "a sort a tile");
 }
 
 // The buffers of shading that nobody reads, and their size.

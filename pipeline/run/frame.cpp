@@ -90,6 +90,10 @@ std::optional<AnyBuffer> shaded(const BufferName& name, const FrameData<Real>& d
         return view(name, {std::size_t(b.size.y), std::size_t(b.size.x), 3}, &b.pixels[0].x, 3 * b.pixels.size(),
                     data.shading);
     }
+    if (name.id == BufferId::Layers) {
+        if (out.layers.empty()) return {};
+        return view(name, out.layers, data.shading);
+    }
     if (name.id == BufferId::PolygonsIntensity || name.id == BufferId::VerticesIntensity) {
         const auto& elements = name.id == BufferId::PolygonsIntensity ? out.polygons : out.vertices;
         if (elements.intensity.empty()) return {};

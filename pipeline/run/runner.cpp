@@ -10,6 +10,7 @@
 #include "pipeline/run/parallel.h"
 #include "pipeline/scene/area_light.h"
 #include "pipeline/stages/painter.h"
+#include "pipeline/stages/translucent.h"
 
 namespace pipeline {
 namespace {
@@ -80,7 +81,9 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
     if (cull) verdicts = cull->verdicts;
     std::span<const std::uint8_t> inside;
     if (cull && !inputs.clipAll) inside = cull->inside;
-    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, verdicts, inside);
+    const std::vector<std::uint8_t> drawn =
+        drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, cull);
+    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, verdicts, inside, drawn);
     out->clipped = bins.clipped, out->unclipped = bins.unclipped;
     for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
     if (inputs.visibility == Visibility::Painter) {
@@ -126,6 +129,11 @@ std::shared_ptr<const ShadingOutput<Real>> runShading(const ShadingInputs& input
             }
         }
     });
+    if (!inputs.layers.drawn || threads.stopped()) return out;
+    const LayerBins<Real> layers = binLayers(inputs, in);
+    threads.forRange(layers.order.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) add(drawLayers(inputs, in, layers, tile, *out));
+    });
     return out;
 }
 
@@ -165,7 +173,9 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
         case StageId::Shading: {
             const auto seen =
                 std::ranges::count_if(data.zBuffer->triangle.pixels, [](std::uint32_t t) { return t != kNoTriangle; });
-            return plural(seen, "pixel") + " shaded";
+            std::string text = plural(seen, "pixel") + " shaded";
+            if (data.keys.shading.layers.drawn) text += "; " + plural(data.shading->counts.layers, "layer");
+            return text;
         }
     }
     return {};
@@ -222,7 +232,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                    {settings.cull},
                    {settings.normalWeight, bool(needs.vertexNormals)},
                    {{}, settings.shadowSize},
-                   {settings.visibility, settings.split, without(needs, Rule::Clipping)},
+                   {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene)},
                    {settings.shading,
                     illuminationOf(settings),
                     {},
@@ -233,6 +243,9 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                     shadingParts(needs)}};
     keys.shading.illumination.detail = {bool(needs.reflection), bool(needs.halfway), without(needs, Rule::Specular),
                                         without(needs, Rule::VanishingPower)};
+    if (needs.layers)
+        keys.shading.layers = {true, bool(needs.layerSort), settings.translucency,
+                               settings.visibility == Visibility::ZBuffer, keys.zBuffer.translucent};
     for (const Object& object : scene.objects) {
         keys.shading.materials.push_back(object.material);
         keys.shading.backMaterials.push_back(object.backMaterial.value_or(object.material));
@@ -307,8 +320,11 @@ private:
         stage(StageId::Cull, &Data::cull, [&] { return runCull(data.keys.cull, *data.transform, threads); });
         stage(StageId::Normals, &Data::normals,
               [&] { return runNormals(data.keys.normals, *data.transform, threads); });
-        stage(StageId::ShadowBuffer, &Data::shadowBuffer,
-              [&] { return runShadowBuffer(data.keys.shadowBuffer, *data.transform, threads); });
+        stage(StageId::ShadowBuffer, &Data::shadowBuffer, [&] {
+            const TransformOutput<Real>& in = *data.transform;
+            if (in.transparent.empty()) return runShadowBuffer(data.keys.shadowBuffer, in, threads);
+            return runShadowBuffer(data.keys.shadowBuffer, withoutTransparent(in), threads);
+        });
         stage(StageId::ZBuffer, &Data::zBuffer,
               [&] { return runZBuffer(data.keys.zBuffer, *data.transform, data.cull.get(), threads); });
         stage(StageId::Shading, &Data::shading,

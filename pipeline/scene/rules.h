@@ -31,8 +31,10 @@ enum class Rule : std::uint8_t {
     Attenuation,
     Ambient,
     UnreadBuffers,
+    TranslucentPass,
+    LayerSort,
 };
-inline constexpr std::size_t kRuleCount = 21;
+inline constexpr std::size_t kRuleCount = 23;
 constexpr std::size_t index(Rule rule) { return static_cast<std::size_t>(rule); }
 
 using RuleSet = std::bitset<kRuleCount>;
@@ -71,6 +73,8 @@ inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
     {"rule.attenuation", "Attenuation", "Leaves the attenuation of a light out that is 1 at every distance."},
     {"rule.ambient", "Ambient term", "Leaves the ambient term out where there is no ambient light to reflect."},
     {"rule.unread_buffers", "Unread buffers", "Leaves buffers out that nobody asks for."},
+    {"rule.translucent_pass", "Translucent pass", "Leaves the pass over translucent polygons out where there is none."},
+    {"rule.layer_sort", "Sort of layers", "Leaves the sort of layers out where one triangle alone is translucent."},
 }};
 constexpr const RuleInfo& ruleInfo(Rule rule) { return kRules[index(rule)]; }
 // "specular": the key without its group.

@@ -38,6 +38,7 @@ struct Material {
     double exponent = 8.0;  // n, or s in Blinn-Phong; >= 0
     Vec3d ambient{0.7};     // k_a of Blinn-Phong and OpenGL; readers take k_d where a file has none
     Vec3d emission{0.0};    // OpenGL only
+    double alpha = 1.0;     // 1 opaque, 0 as if the object were not there; beyond [0, 1] as the nearer of the two
     bool operator==(const Material&) const = default;
 };
 

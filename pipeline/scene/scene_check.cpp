@@ -92,7 +92,8 @@ double memoryEstimate(const Scene& scene) {
     const double pixels = double(scene.settings.width) * double(scene.settings.height);
     const double texels = double(scene.settings.shadowSize) * double(scene.settings.shadowSize);
     // depth, z_view 2; barycentric, position, normal, view_vector, ambient, emission, intensity 7 · 3
-    double bytes = pixels * (real * 23 + 4 * 4 + 3);  // two ids, two counts; color
+    // translucent and transmittance 4
+    double bytes = pixels * (real * 27 + 5 * 4 + 3);  // two ids, three counts; color
     for (const Light& light : scene.lights) {
         bytes += pixels * real * 19;  // three vectors, two terms 5 · 3; three dot products; S
         if (light.castsShadow) bytes += texels * real * handedOut(shadowFaces(light));

@@ -23,6 +23,10 @@ enum class DepthFormat : std::uint8_t { Linear, Float, Reversed, Fixed16, Fixed2
 //   ZBuffer   the nearest fragment of every pixel
 //   Painter   polygons are painted from the farthest to the nearest
 enum class Visibility : std::uint8_t { ZBuffer, Painter };
+// In which order translucent surfaces are laid over what is behind them.
+//   Exact     by depth, at every pixel
+//   Polygons  by the mean depth of the polygons, the farthest first
+enum class Translucency : std::uint8_t { Exact, Polygons };
 enum class ShadowBias : std::uint8_t { Automatic, Constant, Slope };
 
 // How a scene is rendered. Every member has a row in settings_table.cpp.
@@ -39,6 +43,7 @@ struct Settings {
     Visibility visibility = Visibility::ZBuffer;
     bool split = true;  // Painter: polygons that intersect or overlap in a cycle are split
     DepthFormat depthFormat = DepthFormat::Linear;
+    Translucency translucency = Translucency::Exact;
     int shadowSize = 1024;  // texels along a side of a shadow buffer
     ShadowBias shadowBias = ShadowBias::Automatic;
     double shadowBiasValue = 0;  // Constant: world units; Slope: factor of the closed-form bias

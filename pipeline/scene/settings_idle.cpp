@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pipeline/scene/opacity.h"
+
 namespace pipeline::settings_idle {
 
 namespace {
@@ -34,6 +36,9 @@ std::string_view onlyZBuffer(const Scene& scene) {
 }
 std::string_view onlyPainter(const Scene& scene) {
     return scene.settings.visibility == Visibility::Painter ? "" : "Only the painter's algorithm splits polygons.";
+}
+std::string_view onlyTranslucent(const Scene& scene) {
+    return translucentSides(scene).empty() ? "Every surface is opaque: set a material's alpha below 1." : "";
 }
 std::string_view onlyShadow(const Scene& scene) {
     if (scene.settings.model == Model::OpenGl) return "OpenGL's model knows no shadows.";

@@ -14,6 +14,7 @@ std::string_view onlyLookAtOrthographic(const Scene& scene);
 std::string_view onlyVertexNormals(const Scene& scene);
 std::string_view onlyZBuffer(const Scene& scene);
 std::string_view onlyPainter(const Scene& scene);
+std::string_view onlyTranslucent(const Scene& scene);
 std::string_view onlyShadow(const Scene& scene);
 std::string_view onlyArea(const Scene& scene);
 std::string_view onlyBias(const Scene& scene);

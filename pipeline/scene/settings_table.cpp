@@ -22,6 +22,7 @@ constexpr std::array<std::string_view, 3> kModel{"phong", "blinn-phong", "opengl
 constexpr std::array<std::string_view, 2> kLightSpace{"world", "eye"};
 constexpr std::array<std::string_view, 6> kDepthFormat{"linear", "float", "reversed", "fixed16", "fixed24", "fixed32"};
 constexpr std::array<std::string_view, 2> kVisibility{"z-buffer", "painter"};
+constexpr std::array<std::string_view, 2> kTranslucency{"exact", "polygons"};
 constexpr std::array<std::string_view, 3> kShadowBias{"automatic", "constant", "slope"};
 constexpr std::array<std::string_view, 2> kCameraKind{"spherical", "look-at"};
 constexpr std::array<std::string_view, 2> kProjection{"perspective", "orthographic"};
@@ -160,6 +161,10 @@ constexpr auto kSceneTable = std::to_array<Setting>({
                             {0, 1, 0, 1}, kSwitch, onlyPainter),
     choice<OfDepth, &S::depthFormat>({"depth_format", "Depth format", "", "What the z-buffer stores and compares."},
                                      kDepthFormat, onlyZBuffer),
+    choice<OfDepth, &S::translucency>(
+        {"translucency", "Translucent surfaces", "",
+         "What puts the layers over a pixel in order: their depths there, or the mean depths of their polygons."},
+        kTranslucency, onlyTranslucent),
 
     row<OfShadow, &S::shadowSize>({"shadow.size", "Shadow buffer", "texels", "Texels along a side of a shadow buffer."},
                                   {1, 8192, 16, 4096}, {}, onlyShadow),
@@ -300,6 +305,11 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     component<OfMaterial, &Material::ambient, 2>(
         {"material.#.kab", "k_a blue", "", "Fraction of ambient light of this colour that is reflected."}, kFraction,
         notInPhong),
+    row<OfMaterial, &Material::alpha>(
+        {"material.#.alpha", "α opacity", "",
+         "How much the surface hides: 1 all that is behind it, 0 nothing, as if the object were not there; a value "
+         "beyond [0, 1] acts as the nearer of the two."},
+        {-kFar, kFar, 0, 1}),
     component<OfMaterial, &Material::emission, 0>(
         {"material.#.ker", "Emission red", "", "What the material gives off by itself."}, kFraction, onlyOpenGl),
     component<OfMaterial, &Material::emission, 1>(

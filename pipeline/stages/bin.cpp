@@ -4,7 +4,8 @@ namespace pipeline {
 
 template <class Real>
 TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> positions,
-                                std::span<const Verdict> verdicts, std::span<const std::uint8_t> inside) {
+                                std::span<const Verdict> verdicts, std::span<const std::uint8_t> inside,
+                                std::span<const std::uint8_t> drawn) {
     TriangleBins<Real> out;
     out.size = view.size;
     out.tiles = (view.size + kTileSize - 1) / kTileSize;
@@ -22,6 +23,7 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
     for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
         const Triangle& triangle = topology.triangles[t];
         if (!verdicts.empty() && !goesOn(verdicts[triangle.polygon])) continue;
+        if (!drawn.empty() && !drawn[triangle.polygon]) continue;
         const auto& v = triangle.vertices;
         const bool whole = !inside.empty() && inside[triangle.polygon] != 0;
         ++(whole ? out.unclipped : out.clipped);
@@ -32,8 +34,10 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
 }
 
 template TriangleBins<float> binTriangles(const Topology&, const View&, std::span<const Vec3<float>>,
-                                          std::span<const Verdict>, std::span<const std::uint8_t>);
+                                          std::span<const Verdict>, std::span<const std::uint8_t>,
+                                          std::span<const std::uint8_t>);
 template TriangleBins<double> binTriangles(const Topology&, const View&, std::span<const Vec3<double>>,
-                                           std::span<const Verdict>, std::span<const std::uint8_t>);
+                                           std::span<const Verdict>, std::span<const std::uint8_t>,
+                                           std::span<const std::uint8_t>);
 
 }  // namespace pipeline

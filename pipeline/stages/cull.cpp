@@ -18,11 +18,12 @@ std::string_view name(Verdict verdict) {
         "outside the top plane",
         "outside the bottom plane",
         "clipped",
+        "wholly transparent",
     };
     return kNames[std::size_t(verdict)];
 }
 
-char letter(Verdict verdict) { return "KBDOOOOOOC"[std::size_t(verdict)]; }
+char letter(Verdict verdict) { return "KBDOOOOOOCT"[std::size_t(verdict)]; }
 
 std::string CullOutput::reason(std::size_t polygon) const {
     const Verdict verdict = verdicts[polygon];
@@ -88,13 +89,18 @@ template <class Real>
 void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
           CullOutput& out) {
     for (std::size_t polygon = begin; polygon < end; ++polygon) {
+        const std::uint32_t object = in.topology->polygonObject[polygon];
+        if (!in.transparent.empty() && in.transparent[object]) {
+            out.verdicts[polygon] = Verdict::Transparent;
+            continue;
+        }
         Crossed crossed;
         Verdict verdict = outside(in, in.topology->corners(polygon), crossed);
         out.inside[polygon] = verdict == Verdict::Kept && !crossed.any;
         double area = 0;
         if (verdict == Verdict::Kept) {
             const ScreenArea screen = screenArea(in, polygon);
-            area = in.mirrored[in.topology->polygonObject[polygon]] ? -screen.signedArea : screen.signedArea;
+            area = in.mirrored[object] ? -screen.signedArea : screen.signedArea;
             if (!screen.covers)
                 verdict = Verdict::Degenerate;
             else if (area < 0 && inputs.mode == CullMode::Back)

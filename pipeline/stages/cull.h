@@ -18,11 +18,12 @@ enum class Verdict : std::uint8_t {
     OutsideRight,
     OutsideTop,
     OutsideBottom,
-    Clipped,  // kept, and cut by the near or the far plane
+    Clipped,      // kept, and cut by the near or the far plane
+    Transparent,  // its object's opacity is 0
 };
-inline constexpr std::size_t kVerdictCount = 10;
+inline constexpr std::size_t kVerdictCount = 11;
 std::string_view name(Verdict verdict);  // "back-facing", "outside the left plane"
-char letter(Verdict verdict);            // K, B, D, O, C
+char letter(Verdict verdict);            // K, B, D, O, C, T
 constexpr bool goesOn(Verdict v) { return v == Verdict::Kept || v == Verdict::Clipped; }
 
 struct CullInputs {

@@ -10,6 +10,7 @@ ShadingCounts& ShadingCounts::operator+=(const ShadingCounts& more) {
     powers += more.powers, vanished += more.vanished;
     lookups += more.lookups, idleLookups += more.idleLookups;
     tiles += more.tiles, emptyTiles += more.emptyTiles;
+    layers += more.layers;
     return *this;
 }
 

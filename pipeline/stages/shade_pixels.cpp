@@ -1,4 +1,6 @@
 // The per-pixel half of stage 6.
+#include <algorithm>
+
 #include "pipeline/stages/shading_terms.h"
 
 namespace pipeline {
@@ -13,11 +15,6 @@ struct Pixel {
     bool back;  // the polygon shows its back, and is lit from there
     Surface<Real> surface;
 };
-
-template <class Real>
-const typename ShadingOutput<Real>::Elements& vertexElements(const ShadingOutput<Real>& out, bool back) {
-    return back ? out.verticesBack : out.vertices;
-}
 
 // A light's terms and, where somebody wants to see them, its vectors, at one pixel.
 template <class Real>
@@ -47,9 +44,7 @@ LightSample<Real> lightAtPixel(const ShadingInputs& inputs, const ShadingSources
                 if (!vectors) continue;
                 const LightSample<Real> v = sample(vertexSurface(inputs, in, vertex, pixel.back));
                 s.L += weight * v.L, s.R += weight * v.R, s.H += weight * v.H;
-                s.nDotL += weight * v.nDotL;
-                s.rDotV += weight * v.rDotV;
-                s.nDotH += weight * v.nDotH;
+                s.nDotL += weight * v.nDotL, s.rDotV += weight * v.rDotV, s.nDotH += weight * v.nDotH;
             }
             s.L = normalized(s.L), s.R = normalized(s.R), s.H = normalized(s.H);
             return s;
@@ -79,31 +74,27 @@ BaseTerms<Real> baseAtPixel(const ShadingInputs& inputs, const ShadingOutput<Rea
 // Writes into buffers that are there, and nowhere else.
 template <class Real>
 struct Writer {
-    ShadingOutput<Real>& out;
+    ShadingOutput<Real>* out;  // null: of a layer nothing but the intensity is asked for
     std::size_t at;
     void put(BufferId id, Vec3<Real> value, std::size_t k = 0) const {
-        auto& buffers = out.vectors[index(id)];
-        if (!buffers.empty()) buffers[k].pixels[at] = value;
+        if (out && !out->vectors[index(id)].empty()) out->vectors[index(id)][k].pixels[at] = value;
     }
     void put(BufferId id, Real value, std::size_t k = 0) const {
-        auto& buffers = out.scalars[index(id)];
-        if (!buffers.empty()) buffers[k].pixels[at] = value;
+        if (out && !out->scalars[index(id)].empty()) out->scalars[index(id)][k].pixels[at] = value;
     }
 };
 
+// What somebody who looks wants to have beside the intensity.
+struct Wanted {
+    bool vectors = false, surfaces = false, everyShadow = false;
+};
 template <class Real>
-bool wantsVectors(const ShadingOutput<Real>& out) {
+Wanted wantedOf(const ShadingOutput<Real>& out) {
     using enum BufferId;
-    for (BufferId id : {LightVector, ReflectionVector, HalfwayVector})
-        if (!out.vectors[index(id)].empty()) return true;
-    for (BufferId id : {NDotL, RDotV, NDotH})
-        if (!out.scalars[index(id)].empty()) return true;
-    return false;
-}
-
-template <class Real>
-bool wantsSurface(const ShadingOutput<Real>& out) {
-    return !out.vectors[index(BufferId::Normal)].empty() || !out.vectors[index(BufferId::ViewVector)].empty();
+    const auto there = [&](BufferId id) { return !out.vectors[index(id)].empty() || !out.scalars[index(id)].empty(); };
+    const auto any = [&](std::initializer_list<BufferId> ids) { return std::ranges::any_of(ids, there); };
+    return {any({LightVector, ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH}), any({Normal, ViewVector}),
+            any({Shadow})};
 }
 
 // Where the pixel's surface is, and the N and V that its colour was computed with; those only where
@@ -121,14 +112,59 @@ Surface<Real> shownSurface(const ShadingInputs& inputs, const ShadingSources<Rea
     return {position, polygon.N, polygon.V};
 }
 
+template <class Real>
+Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, const ShadingOutput<Real>& out,
+                 std::uint32_t id, Vec3<Real> barycentric, Wanted wanted, std::vector<LightSample<Real>>& samples,
+                 const Writer<Real>& write, ShadingCounts& counts) {
+    const Triangle& triangle = in.transform.topology->triangles[id];
+    const bool back = showsBack(inputs, in, triangle.polygon);
+    const Material& material = materialOf(inputs, in.transform.topology->polygonObject[triangle.polygon], back);
+    const Pixel<Real> pixel{triangle, barycentric, material, back,
+                            shownSurface(inputs, in, id, barycentric, wanted.surfaces)};
+    write.put(BufferId::Position, pixel.surface.position);
+    write.put(BufferId::Normal, pixel.surface.N);
+    write.put(BufferId::ViewVector, pixel.surface.V);
+    BaseTerms<Real> base = baseAtPixel(inputs, out, pixel);
+    for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
+        if (!inputs.parts.lights[k]) continue;
+        const LightSample<Real>& s = samples[k] = lightAtPixel(inputs, in, out, k, pixel, wanted.vectors);
+        if (inputs.shading != Shading::Phong) continue;
+        base.ambient += s.ambient;
+        count(s, counts);
+    }
+    write.put(BufferId::Emission, base.emission);
+    write.put(BufferId::Ambient, base.ambient);
+    // One fixed order, so that the terms' buffers sum to the intensity to the last bit.
+    Vec3<Real> intensity = sumOf(base);
+    for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
+        if (!inputs.parts.lights[k]) continue;
+        const LightSample<Real>& s = samples[k];
+        const bool idle = s.diffuse == Vec3<Real>(0) && s.specular == Vec3<Real>(0);
+        const bool lookUp = inputs.parts.idleLookups || wanted.everyShadow || !idle;
+        const Real shadow = lookUp ? shadowAt(inputs, in, k, triangle.polygon, pixel.surface.position) : Real(1);
+        if (in.shadow && !in.shadow->lights[k].empty()) ++(lookUp ? counts.lookups : counts.idleLookups);
+        const Vec3<Real> diffuse = shadow * s.diffuse, specular = shadow * s.specular;
+        intensity += diffuse;
+        intensity += specular;
+        write.put(BufferId::Shadow, shadow, k);
+        write.put(BufferId::Diffuse, diffuse, k);
+        write.put(BufferId::Specular, specular, k);
+        write.put(BufferId::LightVector, s.L, k);
+        write.put(BufferId::ReflectionVector, s.R, k);
+        write.put(BufferId::HalfwayVector, s.H, k);
+        write.put(BufferId::NDotL, s.nDotL, k);
+        write.put(BufferId::RDotV, s.rDotV, k);
+        write.put(BufferId::NDotH, s.nDotH, k);
+    }
+    return intensity;
+}
+
 }  // namespace
 
 template <class Real>
 ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile,
                           ShadingOutput<Real>& out) {
-    const Topology& topology = *in.transform.topology;
-    const bool vectors = wantsVectors(out), surfaces = wantsSurface(out);
-    const bool everyShadow = inputs.parts.idleLookups || !out.scalars[index(BufferId::Shadow)].empty();
+    const Wanted wanted = wantedOf(out);
     ShadingCounts counts;
     std::vector<LightSample<Real>> samples(inputs.lights.size());
     for (int y = tile.min.y; y < tile.max.y; ++y) {
@@ -136,58 +172,29 @@ ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real
             const std::size_t at = in.zBuffer.triangle.offset({x, y});
             const std::uint32_t id = in.zBuffer.triangle.pixels[at];
             if (id == kNoTriangle) continue;
-            const Triangle& triangle = topology.triangles[id];
-            const Vec3<Real> barycentric = in.zBuffer.barycentric.pixels[at];
-            const bool back = showsBack(inputs, in, triangle.polygon);
-            const Material& material = materialOf(inputs, topology.polygonObject[triangle.polygon], back);
-            const Pixel<Real> pixel{triangle, barycentric, material, back,
-                                    shownSurface(inputs, in, id, barycentric, surfaces)};
-            const Writer<Real> write{out, at};
-            write.put(BufferId::Position, pixel.surface.position);
-            write.put(BufferId::Normal, pixel.surface.N);
-            write.put(BufferId::ViewVector, pixel.surface.V);
-
-            BaseTerms<Real> base = baseAtPixel(inputs, out, pixel);
-            for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-                if (!inputs.parts.lights[k]) continue;
-                const LightSample<Real>& s = samples[k] = lightAtPixel(inputs, in, out, k, pixel, vectors);
-                if (inputs.shading != Shading::Phong) continue;
-                base.ambient += s.ambient;
-                count(s, counts);
-            }
-            write.put(BufferId::Emission, base.emission);
-            write.put(BufferId::Ambient, base.ambient);
-            // One fixed order, so that the terms' buffers sum to the intensity to the last bit.
-            Vec3<Real> intensity = sumOf(base);
-            for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-                if (!inputs.parts.lights[k]) continue;
-                const LightSample<Real>& s = samples[k];
-                const bool idle = s.diffuse == Vec3<Real>(0) && s.specular == Vec3<Real>(0);
-                const bool lookUp = everyShadow || !idle;
-                const Real shadow =
-                    lookUp ? shadowAt(inputs, in, k, triangle.polygon, pixel.surface.position) : Real(1);
-                if (in.shadow && !in.shadow->lights[k].empty()) ++(lookUp ? counts.lookups : counts.idleLookups);
-                const Vec3<Real> diffuse = shadow * s.diffuse, specular = shadow * s.specular;
-                intensity += diffuse;
-                intensity += specular;
-                write.put(BufferId::Shadow, shadow, k);
-                write.put(BufferId::Diffuse, diffuse, k);
-                write.put(BufferId::Specular, specular, k);
-                write.put(BufferId::LightVector, s.L, k);
-                write.put(BufferId::ReflectionVector, s.R, k);
-                write.put(BufferId::HalfwayVector, s.H, k);
-                write.put(BufferId::NDotL, s.nDotL, k);
-                write.put(BufferId::RDotV, s.rDotV, k);
-                write.put(BufferId::NDotH, s.nDotH, k);
-            }
-            write.put(BufferId::Intensity, intensity);
+            const Vec3<Real> intensity = shade(inputs, in, out, id, in.zBuffer.barycentric.pixels[at], wanted, samples,
+                                               Writer<Real>{&out, at}, counts);
+            out.vectors[index(BufferId::Intensity)][0].pixels[at] = intensity;
             out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax);
         }
     }
     return counts;
 }
 
-template ShadingCounts shadePixels(const ShadingInputs&, const ShadingSources<float>&, Tile, ShadingOutput<float>&);
-template ShadingCounts shadePixels(const ShadingInputs&, const ShadingSources<double>&, Tile, ShadingOutput<double>&);
+template <class Real>
+Vec3<Real> surfaceIntensity(const ShadingInputs& inputs, const ShadingSources<Real>& in, const ShadingOutput<Real>& out,
+                            std::uint32_t triangle, Vec3<Real> barycentric, std::vector<LightSample<Real>>& samples,
+                            ShadingCounts& counts) {
+    return shade(inputs, in, out, triangle, barycentric, {}, samples, Writer<Real>{nullptr, 0}, counts);
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                   \
+    template ShadingCounts shadePixels(const ShadingInputs&, const ShadingSources<Real>&, Tile, ShadingOutput<Real>&); \
+    template Vec3<Real> surfaceIntensity(const ShadingInputs&, const ShadingSources<Real>&,                            \
+                                         const ShadingOutput<Real>&, std::uint32_t, Vec3<Real>,                        \
+                                         std::vector<LightSample<Real>>&, ShadingCounts&);
+SHADESCOPE_INSTANTIATE(float)
+SHADESCOPE_INSTANTIATE(double)
+#undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

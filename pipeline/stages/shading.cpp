@@ -78,7 +78,10 @@ void markSeen(const ShadingSources<Real>& in, std::vector<std::uint8_t>& seen) {
 template <class Real>
 ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted) {
     ShadingOutput<Real> out;
-    out.iMax = maximumIntensity(inputs.illumination.model, inputs.materials, inputs.lights, inputs.ambient);
+    std::vector<Material> seen = inputs.materials;
+    for (std::size_t i = 0; i < in.transform.transparent.size(); ++i)
+        if (in.transform.transparent[i]) seen[i].diffuse = seen[i].specular = Vec3d(0);
+    out.iMax = maximumIntensity(inputs.illumination.model, seen, inputs.lights, inputs.ambient);
     const auto makeRoom = [&](auto& elements, std::size_t count) {
         elements.base.resize(count);
         elements.terms.resize(count * inputs.lights.size());
@@ -105,6 +108,7 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
         }
     }
     out.color = {size, Color8(0)};
+    if (wanted[index(BufferId::Layers)]) out.layers = {size, 0};
     return out;
 }
 

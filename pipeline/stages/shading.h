@@ -36,7 +36,18 @@ struct ShadingCounts {
     long long powers = 0, vanished = 0;
     long long lookups = 0, idleLookups = 0;
     long long tiles = 0, emptyTiles = 0;
+    long long layers = 0;  // of translucent surfaces over all pixels
     ShadingCounts& operator+=(const ShadingCounts& more);
+};
+
+// How translucent polygons are laid over the opaque ones; see translucent.h.
+struct LayerInputs {
+    bool drawn = false;  // false where the plan leaves them out
+    bool sorted = true;  // Exact: false where no pixel can have two layers
+    Translucency order = Translucency::Exact;
+    bool depthStored = true;                // layers are compared with the z-buffer's depth; else with z_view
+    std::vector<TranslucentSides> sides{};  // per object; empty when everything is opaque
+    bool operator==(const LayerInputs&) const = default;
 };
 
 struct ShadingInputs {
@@ -48,6 +59,7 @@ struct ShadingInputs {
     AmbientLight ambient;
     ShadowSettings shadow;
     ShadingParts parts{};
+    LayerInputs layers{};
     bool operator==(const ShadingInputs&) const = default;
 };
 
@@ -79,6 +91,7 @@ struct ShadingOutput {
     std::array<std::vector<Buffer2D<Vec3<Real>>>, kBufferCount> vectors;
     std::array<std::vector<Buffer2D<Real>>, kBufferCount> scalars;
     Buffer2D<Color8> color;
+    Buffer2D<std::int32_t> layers;  // empty when not wanted
 
     std::vector<std::uint8_t> vertexIsSeen;  // by a polygon that goes on; empty where all are evaluated
     ShadingCounts counts;                    // the sum over all calls below
@@ -120,6 +133,13 @@ ShadingCounts shadeVertices(const ShadingInputs& inputs, const ShadingSources<Re
 template <class Real>
 ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile,
                           ShadingOutput<Real>& out);
+
+// The intensity of a triangle at a pixel, before it is scaled; the same bits as shadePixels writes. `out` holds the
+// polygons and vertices that have been shaded, `samples` room for one entry per light.
+template <class Real>
+Vec3<Real> surfaceIntensity(const ShadingInputs& inputs, const ShadingSources<Real>& in, const ShadingOutput<Real>& out,
+                            std::uint32_t triangle, Vec3<Real> barycentric, std::vector<LightSample<Real>>& samples,
+                            ShadingCounts& counts);
 
 // Where a polygon is evaluated: at the mean of its vertices, in OpenGL's model at the first of them.
 template <class Real>

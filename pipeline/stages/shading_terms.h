@@ -12,6 +12,12 @@ BaseTerms<Real> baseTerms(const ShadingInputs& inputs, const Material& material)
             inputs.parts.ambient ? ambientTerm<Real>(model, inputs.ambient, material) : Vec3<Real>(0)};
 }
 
+// Vertices as seen from the front or from behind.
+template <class Real>
+const typename ShadingOutput<Real>::Elements& vertexElements(const ShadingOutput<Real>& out, bool back) {
+    return back ? out.verticesBack : out.vertices;
+}
+
 // Where a sum of intensities begins. From +0, a term that is 0 changes no bit, whatever its sign:
 // that is why a light which adds nothing may be left out.
 template <class Real>

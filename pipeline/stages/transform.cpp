@@ -5,6 +5,7 @@
 
 #include "pipeline/core/angles.h"
 #include "pipeline/core/numerics.h"
+#include "pipeline/scene/opacity.h"
 
 namespace pipeline {
 
@@ -51,7 +52,8 @@ glm::dmat3 normalMatrix(const ObjectMatrix& matrix) {
 }
 
 TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology) {
-    TransformInputs inputs{std::move(topology), {}, makeView(scene), scene.settings.depthFormat};
+    TransformInputs inputs{
+        std::move(topology), {}, makeView(scene), scene.settings.depthFormat, transparentObjects(scene)};
     for (const Object& object : scene.objects) inputs.transforms.push_back(object.transform);
     return inputs;
 }
@@ -62,6 +64,7 @@ TransformOutput<Real> prepareTransform(const TransformInputs& inputs) {
     out.topology = inputs.topology;
     out.view = inputs.view;
     out.depthFormat = inputs.depthFormat;
+    out.transparent = inputs.transparent;
     for (const ObjectTransform& t : inputs.transforms) {
         const ObjectMatrix matrix = makeObjectMatrix(t);
         out.mirrored.push_back(matrix.mirrors);

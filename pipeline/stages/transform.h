@@ -30,6 +30,7 @@ struct TransformInputs {
     std::vector<ObjectTransform> transforms;   // per object
     View view;
     DepthFormat depthFormat;
+    std::vector<std::uint8_t> transparent{};  // per object, 1 where it is as if not there; empty when none is
     bool operator==(const TransformInputs&) const = default;
 };
 TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology);
@@ -40,6 +41,7 @@ struct TransformOutput {
     View view;
     DepthFormat depthFormat = DepthFormat::Linear;
     std::vector<std::uint8_t> mirrored;        // per object
+    std::vector<std::uint8_t> transparent;     // per object, 1 where it is as if not there; empty when none is
     std::vector<glm::dmat3> normalMatrix;      // per object: cofactors, which hold for a flattened object too
     std::vector<Vec3<Real>> world, viewSpace;  // per vertex
     // Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is not in front of

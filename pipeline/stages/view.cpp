@@ -6,6 +6,7 @@
 
 #include "pipeline/core/angles.h"
 #include "pipeline/core/numerics.h"
+#include "pipeline/scene/opacity.h"
 #include "pipeline/stages/transform.h"
 
 namespace pipeline {
@@ -40,6 +41,7 @@ void placeLookAt(const Camera& camera, View& view) {
 void chooseRange(const Scene& scene, View& view) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
     for (const Object& object : scene.objects) {
+        if (isTransparent(object, scene.settings)) continue;
         const ObjectMatrix matrix = makeObjectMatrix(object.transform);
         for (const Vec3d& position : object.mesh->positions) {
             const double z = glm::dot(view.forward, toWorld(matrix, position) - view.eye);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/buffers/buffer2d.h"
+#include "pipeline/scene/opacity.h"
 #include "pipeline/stages/bin.h"
 
 namespace pipeline {
@@ -17,8 +18,9 @@ inline constexpr std::int32_t kNothing = -1;       // the same, in object_id and
 
 struct ZBufferInputs {
     Visibility visibility = Visibility::ZBuffer;
-    bool split = true;    // Painter
-    bool clipAll = true;  // also polygons that culling found whole in the picture
+    bool split = true;                            // Painter
+    bool clipAll = true;                          // also polygons that culling found whole in the picture
+    std::vector<TranslucentSides> translucent{};  // per object: what stage 6 draws later; empty when nothing
     bool operator==(const ZBufferInputs&) const = default;
 };
 

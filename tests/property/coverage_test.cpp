@@ -82,6 +82,7 @@ TEST(Coverage, AClosedMeshLeavesNoHoleAndNoOverlap) {
         scene.objects.resize(1);
         scene.objects[0].mesh = test::sphere(1, 3 + int(seed % 20), 3 + int(seed % 31));
         scene.objects[0].transform.translation = Vec3d(0);
+        scene.objects[0].material.alpha = 1;
         scene.settings.cull = CullMode::None;
         scene.settings.width = 320, scene.settings.height = 240;
         scene.settings.precision = seed % 2 ? Precision::Float : Precision::Double;

@@ -106,21 +106,31 @@ TEST_P(SameBits, NoBufferHoldsANumberThatIsNone) {
 }
 
 // The terms' buffers sum to the intensity to the last bit, in the order emission, ambient, then each
-// light's diffuse and specular.
+// light's diffuse and specular; and what translucent surfaces leave of the sum, with what they add.
 TEST_P(SameBits, TheTermsSumToTheIntensity) {
     const Scene scene = test::randomScene(GetParam());
     const FramePtr frame = test::frameOf(scene);
     const AnyBuffer intensity = *frame->buffer({BufferId::Intensity}), ambient = *frame->buffer({BufferId::Ambient});
     const AnyBuffer emission = *frame->buffer({BufferId::Emission});
     const AnyBuffer seen = *frame->buffer({BufferId::ObjectId});
+    const AnyBuffer translucent = *frame->buffer({BufferId::Translucent});
+    const AnyBuffer left = *frame->buffer({BufferId::Transmittance}), layers = *frame->buffer({BufferId::Layers});
     for (std::size_t i = 0; i < intensity.count(); ++i) {
-        if (seen.flat(i / 3) < 0) continue;
+        if (seen.flat(i / 3) < 0) {
+            ASSERT_EQ(translucent.flat(i), intensity.flat(i)) << i;
+            continue;
+        }
         float sum = float(emission.flat(i)) + float(ambient.flat(i));
         for (int k = 0; k < int(scene.lights.size()); ++k) {
             sum += float(frame->buffer({BufferId::Diffuse, k})->flat(i));
             sum += float(frame->buffer({BufferId::Specular, k})->flat(i));
         }
-        ASSERT_EQ(sum, float(intensity.flat(i))) << i;
+        if (layers.flat(i / 3) == 0) {
+            ASSERT_EQ(left.flat(i / 3), 1) << i;
+            ASSERT_EQ(translucent.flat(i), 0) << i;
+        }
+        const float rest = float(left.flat(i / 3)) * sum;
+        ASSERT_EQ(rest + float(translucent.flat(i)), float(intensity.flat(i))) << i;
     }
 }
 

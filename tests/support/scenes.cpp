@@ -69,13 +69,16 @@ Scene randomScene(unsigned seed) {
     scene.settings.model = Model(seed % 3);
     scene.settings.twoSided = seed % 2 == 0;
     for (Object& object : scene.objects) object.material.emission = Vec3d(0.1 * (seed % 5));
+    if (seed / 4 % 2 == 1)  // half of them: some objects translucent, or wholly transparent, or beyond [0, 1]
+        for (Object& object : scene.objects) object.material.alpha = between(random, -0.2, 1.4);
+    scene.settings.translucency = Translucency(seed / 8 % 2);
     return scene;
 }
 
 void changeSomething(Scene& scene, std::mt19937& random) {
     Settings& settings = scene.settings;
     Object& object = scene.objects[random() % scene.objects.size()];
-    switch (random() % 20) {
+    switch (random() % 23) {
         case 0: object.material = randomMaterial(random); break;
         case 1: object.transform.translation = inBox(random, 2); break;
         case 2: object.transform.scale.z = -object.transform.scale.z; break;
@@ -102,7 +105,10 @@ void changeSomething(Scene& scene, std::mt19937& random) {
         case 15: settings.twoSided = !settings.twoSided; break;
         case 16: settings.visibility = Visibility(random() % 2); break;
         case 17: settings.rules.flip(random() % kRuleCount); break;
-        case 18: settings.width = 60 + int(random() % 60); break;
+        case 18: object.material.alpha = double(random() % 5) / 4; break;
+        case 19: object.material.alpha = between(random, 0, 1); break;
+        case 20: settings.translucency = Translucency(random() % 2); break;
+        case 21: settings.width = 60 + int(random() % 60); break;
         default: settings.shadowFilter = int(random() % 3); break;
     }
 }

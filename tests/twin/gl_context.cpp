@@ -19,6 +19,7 @@ const std::map<std::string_view, GLenum> kEnums{
 #define SHADESCOPE_NAME(name) {#name, name}
     SHADESCOPE_NAME(GL_AMBIENT),
     SHADESCOPE_NAME(GL_BACK),
+    SHADESCOPE_NAME(GL_BLEND),
     SHADESCOPE_NAME(GL_CCW),
     SHADESCOPE_NAME(GL_COLOR_BUFFER_BIT),
     SHADESCOPE_NAME(GL_CONSTANT_ATTENUATION),
@@ -49,6 +50,7 @@ const std::map<std::string_view, GLenum> kEnums{
     SHADESCOPE_NAME(GL_LINEAR_ATTENUATION),
     SHADESCOPE_NAME(GL_MODELVIEW),
     SHADESCOPE_NAME(GL_NORMALIZE),
+    SHADESCOPE_NAME(GL_ONE_MINUS_SRC_ALPHA),
     SHADESCOPE_NAME(GL_POLYGON),
     SHADESCOPE_NAME(GL_POSITION),
     SHADESCOPE_NAME(GL_PROJECTION),
@@ -59,6 +61,7 @@ const std::map<std::string_view, GLenum> kEnums{
     SHADESCOPE_NAME(GL_SPOT_CUTOFF),
     SHADESCOPE_NAME(GL_SPOT_DIRECTION),
     SHADESCOPE_NAME(GL_SPOT_EXPONENT),
+    SHADESCOPE_NAME(GL_SRC_ALPHA),
     SHADESCOPE_NAME(GL_TRUE),
 #undef SHADESCOPE_NAME
 };
@@ -85,6 +88,8 @@ const std::map<std::string_view, std::function<void(const Arguments&)>> kFunctio
      }},
     {"glClearColor", [](const Arguments& a) { glClearColor(a.f[0], a.f[1], a.f[2], a.f[3]); }},
     {"glCullFace", [](const Arguments& a) { glCullFace(a.name(0)); }},
+    {"glBlendFunc", [](const Arguments& a) { glBlendFunc(a.name(0), a.name(1)); }},
+    {"glDepthMask", [](const Arguments& a) { glDepthMask(GLboolean(a.name(0))); }},
     {"glDepthFunc", [](const Arguments& a) { glDepthFunc(a.name(0)); }},
     {"glDepthRange", [](const Arguments& a) { glDepthRange(a.d[0], a.d[1]); }},
     {"glDisable", [](const Arguments& a) { glDisable(a.name(0)); }},
@@ -156,6 +161,8 @@ private:
         int polygon = 0;
         bool within = false;
         for (const GlCall& call : calls) {
+            // object and polygon are those of the opaque surfaces.
+            if (identify && call.function == "glEnable" && call.names[0] == "GL_BLEND") break;
             const bool begins = call.function == "glBegin", ends = call.function == "glEnd";
             if (identify && begins) {
                 ++polygon;

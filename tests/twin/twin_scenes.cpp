@@ -52,6 +52,21 @@ Scene openBox() {
     return scene;
 }
 
+// Two panes that reach beyond the picture on all sides: the ball's outline is the only edge in it.
+Scene panesBeforeBall() {
+    Scene scene = ball();
+    scene.settings.translucency = Translucency::Polygons;
+    for (int i = 0; i < 2; ++i) {
+        Object pane{"pane", test::mesh({{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}, {{0, 1, 2, 3}}), {}, {}};
+        pane.transform.translation = {0, 0, -1.5 - 0.7 * i};
+        pane.transform.rotation = {3, 4.0 * i, 0};
+        pane.material = {{0.9, 0.2 + 0.5 * i, 0.1}, Vec3d(0.2), 10, {0.5, 0.4, 0.9}};
+        pane.material.alpha = i == 0 ? 0.3 : 0.6;
+        scene.objects.push_back(pane);  // the nearer one first
+    }
+    return scene;
+}
+
 }  // namespace
 
 Scene lectureCube() {
@@ -127,6 +142,7 @@ std::vector<NamedScene> featureScenes() {
     add("BackMaterial", openBox(), [](Scene& s) {
         s.objects[0].backMaterial = Material{{0.1, 0.8, 0.2}, Vec3d(0.9), 60, {0.3, 0.1, 0.1}, {0, 0, 0.2}};
     });
+    add("Translucent", panesBeforeBall(), [](Scene&) {});
     add("MirroredTwoSided", openBox(), [](Scene& s) {
         s.objects[0].transform.scale = {-1, 1, 0.8};
         s.objects[0].backMaterial = Material{{0.1, 0.8, 0.2}, Vec3d(0.9), 60, {0.3, 0.1, 0.1}};

@@ -11,38 +11,14 @@ namespace pipeline {
 namespace {
 
 // Section 5 of the specification, name by name, with one light.
-constexpr const char* kSpecification[] = {"vertices.world",
-                                          "vertices.view",
-                                          "vertices.screen",
-                                          "vertices.normal",
-                                          "vertices.intensity",
-                                          "polygons.verdict",
-                                          "polygons.normal",
-                                          "polygons.intensity",
-                                          "depth",
-                                          "z_view",
-                                          "object_id",
-                                          "polygon_id",
-                                          "barycentric",
-                                          "position",
-                                          "normal",
-                                          "view_vector",
-                                          "light_vector.0",
-                                          "reflection_vector.0",
-                                          "halfway_vector.0",
-                                          "n_dot_l.0",
-                                          "r_dot_v.0",
-                                          "n_dot_h.0",
-                                          "ambient",
-                                          "diffuse.0",
-                                          "specular.0",
-                                          "emission",
-                                          "intensity",
-                                          "shadow.0",
-                                          "shadow_buffer.0",
-                                          "overdraw",
-                                          "depth_writes",
-                                          "color"};
+constexpr const char* kSpecification[] = {
+    "vertices.world", "vertices.view", "vertices.screen", "vertices.normal", "vertices.intensity", "polygons.verdict",
+    "polygons.normal", "polygons.intensity", "depth", "z_view", "object_id", "polygon_id", "barycentric", "position",
+    "normal", "view_vector", "light_vector.0", "reflection_vector.0", "halfway_vector.0", "n_dot_l.0", "r_dot_v.0",
+    "n_dot_h.0", "ambient", "diffuse.0", "specular.0", "emission", "intensity", "shadow.0", "shadow_buffer.0",
+    "overdraw", "depth_writes", "color",
+    // Of the specification's translucent surfaces.
+    "translucent", "transmittance", "layers"};
 
 TEST(BufferTable, HasEveryBufferOfTheSpecificationAndNoOther) {
     std::set<std::string> expected(std::begin(kSpecification), std::end(kSpecification)), found;
@@ -76,7 +52,11 @@ TEST(BufferTable, NeutralValuesAreThoseOfTheSpecification) {
         if (distance)
             EXPECT_TRUE(std::isinf(info.neutral) && info.neutral > 0) << info.name;
         else
-            EXPECT_EQ(info.neutral, id ? -1 : info.id == BufferId::Shadow ? 1 : 0) << info.name;
+            EXPECT_EQ(info.neutral, id                                   ? -1
+                                    : info.id == BufferId::Shadow        ? 1
+                                    : info.id == BufferId::Transmittance ? 1
+                                                                         : 0)
+                << info.name;
     }
 }
 

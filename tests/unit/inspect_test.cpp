@@ -92,7 +92,7 @@ TEST(PixelReport, AgreesWithTheFramesBuffers) {
                 Vec3d sum = r.emission + r.ambient;
                 for (std::size_t k = 0; k < r.diffuse.size(); ++k) sum += r.diffuse[k] + r.specular[k];
                 for (int c = 0; c < 3; ++c) {
-                    ASSERT_EQ(r.intensity[c], intensity.value(column, row, c));
+                    ASSERT_EQ(r.composed[c], intensity.value(column, row, c));
                     ASSERT_NEAR(sum[c], r.intensity[c], 1e-4 * (1 + std::abs(sum[c]))) << seed << ' ' << x << ' ' << y;
                 }
             }

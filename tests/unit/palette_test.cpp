@@ -45,6 +45,7 @@ TEST(Palette, VerdictsTakeTheColourOfTheirLetter) {
     EXPECT_EQ(color(Verdict::OutsideLeft), "#C7D3FA");
     EXPECT_EQ(color(Verdict::OutsideFar), "#C7D3FA");
     EXPECT_EQ(color(Verdict::Clipped), "#EEDE5C");
+    EXPECT_EQ(color(Verdict::Transparent), "#F6B7CF");
 }
 
 TEST(Palette, WhatIsNotFiniteIsSeen) {

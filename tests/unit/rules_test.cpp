@@ -183,6 +183,15 @@ const std::vector<Case>& cases() {
          },
          [](S& s) { s.ambient.intensity = 1e-300; }},
         {Rule::UnreadBuffers, boxScene, [](S&) {}, {}, test::everyBuffer()},
+        {Rule::TranslucentPass, boxScene, [](S& s) { s.objects[0].material.alpha = 1 - 1e-12; }},
+        {Rule::LayerSort,
+         [] {
+             S s = boxScene();
+             s.objects[0].mesh = test::mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+             s.objects[0].material.alpha = 0.5;
+             return s;
+         },
+         [](S& s) { s.objects.push_back(s.objects[0]); }},
     };
     return kCases;
 }

@@ -88,9 +88,9 @@ TEST(SettingsTable, TessellationRemakesAShapeAndLeavesOtherMeshes) {
 
 TEST(SettingsTable, ACompleteSceneValueIsCovered) {
     // All that a scene holds beside names, meshes, turns and back materials.
-    // Settings 18; camera 2 + 5 + 9 + 2 + near, far; ambient 4; light 9, its area 6, of OpenGL's model 15 more;
-    // object 10; material: k_d 3, k_s 1 + 3, n, k_a 3, emission 3; one switch a rule.
-    const std::size_t expected = 18 + 20 + 4 + 2 * (9 + 6 + 15) + 10 + 14 + kRuleCount;
+    // Settings 19; camera 2 + 5 + 9 + 2 + near, far; ambient 4; light 9, its area 6, of OpenGL's model 15 more;
+    // object 10; material: k_d 3, k_s 1 + 3, n, k_a 3, emission 3, alpha; one switch a rule.
+    const std::size_t expected = 19 + 20 + 4 + 2 * (9 + 6 + 15) + 10 + 15 + kRuleCount;
     EXPECT_EQ(settingsOf(twoLights()).size(), expected);
 }
 
@@ -204,12 +204,12 @@ TEST(CheckScene, RefusesWhatNoSingleSettingCan) {
 TEST(CheckScene, RefusesAPictureThatDoesNotFit) {
     Scene scene = twoLights();
     scene.settings.width = scene.settings.height = 16384;
-    // 2^28 pixels of (23 + 2 · 19) · 4 + 19 = 263 bytes are 65.75 GiB; two shadow buffers of
+    // 2^28 pixels of (27 + 2 · 19) · 4 + 23 = 283 bytes are 70.75 GiB; two shadow buffers of
     // 1024² floats add 8 MiB.
     const Errors errors = checkScene(scene);
     ASSERT_EQ(errors.size(), 1u);
     EXPECT_NE(errors[0].found.find("16384 × 16384"), std::string::npos);
-    EXPECT_NE(errors[0].found.find("take 65.8 GiB"), std::string::npos) << errors[0].found;
+    EXPECT_NE(errors[0].found.find("take 70.8 GiB"), std::string::npos) << errors[0].found;
 }
 
 }  // namespace
