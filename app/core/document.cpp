@@ -63,9 +63,11 @@ void Document::setScene(Scene scene) {
     forgetCheck();
     m_pixel.reset();
     m_hovered.reset();
+    m_selection.reset();
     m_oldestValid = m_ticket + 1;
     emit sceneOpened();
     emit pixelChanged();
+    emit selectionChanged();
     emit hoverChanged();
     emit sceneChanged();
     emit said(tr("%1 is open.").arg(QString::fromStdString(m_scene->name)));
@@ -112,6 +114,7 @@ void Document::replace(Scene scene, const QString& text) {
 void Document::setSceneValue(std::shared_ptr<const Scene> scene) {
     m_scene = std::move(scene);
     pick(m_pixel);  // the picture may have become smaller
+    select(m_selection);
     emit sceneChanged();
     requestFrameSoon();
 }
@@ -138,7 +141,15 @@ void Document::pick(std::optional<glm::ivec2> pixel) {
         *pixel = glm::clamp(*pixel, glm::ivec2(0), glm::ivec2(m_scene->settings.width, m_scene->settings.height) - 1);
     if (pixel == m_pixel) return;
     m_pixel = pixel;
+    if (pixel) select(std::nullopt);
     emit pixelChanged();
+}
+
+void Document::select(std::optional<Selection> selection) {
+    if (selection && !(hasScene() && isIn(*m_scene, *selection))) selection.reset();
+    if (selection == m_selection) return;
+    m_selection = selection;
+    emit selectionChanged();
 }
 
 void Document::hover(std::optional<glm::ivec2> pixel) {

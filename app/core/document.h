@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/core/frame_worker.h"
+#include "app/core/selection.h"
 #include "pipeline/core/result.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/settings_table.h"
@@ -36,6 +37,8 @@ public:
     bool busy() const { return m_busy; }  // a frame is being computed
     pipeline::StageId stage() const { return m_stage; }
     std::optional<glm::ivec2> pixel() const { return m_pixel; }
+    // What is selected beside the pixel; picking a pixel forgets it.
+    const std::optional<Selection>& selection() const { return m_selection; }
     std::optional<glm::ivec2> hovered() const { return m_hovered; }
     int channel() const { return m_channel; }  // 0 r, 1 g, 2 b: for the equation
     // Per stage, once computed (in idle time, after each frame); nothing before.
@@ -61,7 +64,8 @@ public:
     void setStage(pipeline::StageId stage);
     void nextStage();
     void previousStage();
-    void pick(std::optional<glm::ivec2> pixel);  // clamped to the picture
+    void pick(std::optional<glm::ivec2> pixel);       // clamped to the picture
+    void select(std::optional<Selection> selection);  // nothing where the scene has no such thing
     void hover(std::optional<glm::ivec2> pixel);
     void setChannel(int channel);
     // The buffers that `who` shows. What nobody wants is not computed. Forgotten with `who`.
@@ -74,6 +78,7 @@ signals:
     void errorsReady();  // errors() and nanCount() are those of frame()
     void stageChanged();
     void pixelChanged();
+    void selectionChanged();
     void hoverChanged();
     void channelChanged();
     void busyChanged(bool busy);  // a frame is being computed
@@ -95,6 +100,7 @@ private:
     pipeline::FramePtr m_frame;
     pipeline::StageId m_stage = pipeline::StageId::Shading;
     std::optional<glm::ivec2> m_pixel, m_hovered;
+    std::optional<Selection> m_selection;
     int m_channel = 2;
     FrameCheck m_check;
     bool m_checked = false;

@@ -139,6 +139,7 @@ void MainWindow::makeDocks() {
         addDockWidget(row.area, dock);
         m_docks += dock;
         if (row.area == Qt::LeftDockWidgetArea) m_leftDocks += dock;
+        if (row.area != Qt::BottomDockWidgetArea) m_sideDocks += dock;
         QAction* toggle = dock->toggleViewAction();
         toggle->setShortcut(QKeySequence(row.keys));
         toggle->setIcon(app::icon(row.icon));

@@ -81,7 +81,7 @@ private:
     LessonPanel* m_lessons;
     QToolBar* m_rail;
     QMenu* m_recent;
-    QList<PanelDock*> m_leftDocks, m_docks;
+    QList<PanelDock*> m_leftDocks, m_sideDocks, m_docks;  // each a part of the next
     CommandPalette* m_palette;
     KeySheet* m_keys;
     PixelField* m_pixelField;

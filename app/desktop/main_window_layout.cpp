@@ -66,13 +66,13 @@ void MainWindow::fitWidth(bool always) {
     if (!always && now == m_width) return;
     m_width = now;
     const bool wide = now == Width::Wide;
-    for (PanelDock* dock : m_docks) dock->setVisible(m_leftDocks.contains(dock) ? wide : now != Width::Narrow);
+    for (PanelDock* dock : m_sideDocks) dock->setVisible(m_leftDocks.contains(dock) ? wide : now != Width::Narrow);
     m_rail->setVisible(!wide);
     m_views->setSecond(wide && height() >= 900);
     m_views->setThumbnails(!low);
     QList<QDockWidget*> docks, left;
     QList<int> widths;
-    for (PanelDock* dock : m_docks) {
+    for (PanelDock* dock : m_sideDocks) {
         const bool isLeft = m_leftDocks.contains(dock);
         docks += dock;
         if (isLeft) left += dock;
@@ -92,7 +92,11 @@ void MainWindow::resetLayout() {
     for (PanelDock* dock : m_docks) {
         dock->setFloating(false);
         removeDockWidget(dock);
-        addDockWidget(m_leftDocks.contains(dock) ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea, dock);
+        const bool isSide = m_sideDocks.contains(dock), isLeft = m_leftDocks.contains(dock);
+        addDockWidget(isLeft   ? Qt::LeftDockWidgetArea
+                      : isSide ? Qt::RightDockWidgetArea
+                               : Qt::BottomDockWidgetArea,
+                      dock);
     }
     m_views->resetSizes();
     fitWidth(true);

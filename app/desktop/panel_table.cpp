@@ -6,6 +6,7 @@
 #include "app/panels/lesson_panel.h"
 #include "app/panels/scene_tree.h"
 #include "app/panels/settings_panel.h"
+#include "app/panels/tables_panel.h"
 
 namespace app {
 namespace {
@@ -23,6 +24,7 @@ std::span<const PanelRow> panelTable() {
         {"settings", "Settings", "sliders", "Ctrl+Alt+2", Qt::LeftDockWidgetArea, make<SettingsPanel>},
         {"lesson", "Lesson", "book", "Ctrl+Alt+3", Qt::LeftDockWidgetArea, make<LessonPanel>},
         {"inspector", "Inspector", "inspector", "Ctrl+Alt+4", Qt::RightDockWidgetArea, make<InspectorPanel>},
+        {"tables", "Tables", "grid", "Ctrl+Alt+5", Qt::BottomDockWidgetArea, make<TablesPanel>},
     });
     return kTable;
 }

@@ -19,7 +19,7 @@ struct PanelRow {
     QWidget* (*make)(Document& document, QWidget* parent);
 };
 
-// Left docks from top to bottom, then right ones.
+// Left docks from top to bottom, then right ones; those at the bottom are shown when asked for.
 std::span<const PanelRow> panelTable();
 
 }  // namespace app

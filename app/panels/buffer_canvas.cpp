@@ -122,6 +122,11 @@ void BufferCanvas::setHovered(std::optional<QPoint> pixel) {
     update();
 }
 
+void BufferCanvas::setMarked(std::vector<QPolygonF> outlines) {
+    m_content.marked = std::move(outlines);
+    update();
+}
+
 void BufferCanvas::setShowEdges(bool show) {
     m_showEdges = show;
     updateAll();

@@ -18,6 +18,7 @@ public:
     const CanvasContent& content() const { return m_content; }
     void setPicked(std::optional<QPoint> pixel);  // moves into view what is not
     void setHovered(std::optional<QPoint> pixel);
+    void setMarked(std::vector<QPolygonF> outlines);
     void setShowEdges(bool show);
     bool showsEdges() const { return m_showEdges; }
 

@@ -156,6 +156,16 @@ void paintCanvas(QPainter& painter, const CanvasContent& content, const Placemen
 }
 
 void paintMarks(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (const QPolygonF& outline : content.marked) {
+        QPolygonF polygon;
+        for (const QPointF& p : outline) polygon << placement.toWidget(p);
+        paintDouble(painter, 2, 4, [&] {
+            polygon.size() == 1 ? painter.drawEllipse(polygon[0], 6, 6) : painter.drawPolygon(polygon);
+        });
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
     if (content.hovered && content.hovered != content.picked) {
         painter.setBrush(Qt::NoBrush);
         const QRectF frame(placement.toWidget(*content.hovered), QSizeF(placement.zoom, placement.zoom));

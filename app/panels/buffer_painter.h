@@ -19,6 +19,7 @@ struct CanvasContent {
     std::vector<QPolygonF> edges;               // outlines over the image
     std::function<QStringList(int, int)> text;  // lines written into a pixel that is large enough
     std::optional<QPoint> picked, hovered;
+    std::vector<QPolygonF> marked;  // outlines of what is selected; a single corner is a vertex
 };
 
 // Where the picture stands: its corner in the widget, and device-independent pixels per picture pixel.

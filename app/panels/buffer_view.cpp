@@ -81,6 +81,7 @@ void BufferView::observe() {
     connect(&m_document, &Document::sceneChanged, this, &BufferView::want);
     connect(&m_document, &Document::pixelChanged, this, &BufferView::showPixels);
     connect(&m_document, &Document::hoverChanged, this, &BufferView::showPixels);
+    connect(&m_document, &Document::selectionChanged, this, &BufferView::markSelection);
     connect(&m_document, &Document::busyChanged, this, [this](bool busy) {
         if (busy) return m_slow.start();
         m_slow.stop();
@@ -157,7 +158,14 @@ void BufferView::refresh() {
     m_notice->setText(m_shown->empty.isEmpty() ? m_shown->notice : m_shown->empty);
     m_notice->setVisible(!m_notice->text().isEmpty());
     setAccessibleDescription(m_shown->description);
+    markSelection();
     showPixels();
+}
+
+void BufferView::markSelection() {
+    const auto& frame = m_document.frame();
+    const bool marks = frame && m_document.selection() && standsOnPicture();
+    m_canvas->setMarked(marks ? outlinesOf(*frame, *m_document.selection()) : std::vector<QPolygonF>());
 }
 
 QString BufferView::message() const { return m_stack->currentWidget() == m_page ? m_message->text() : QString(); }

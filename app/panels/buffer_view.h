@@ -58,6 +58,7 @@ private:
     void refresh();
     void showMessage(const QString& text, bool canCompute);
     void showPixels();
+    void markSelection();
     void nudge(QPoint by);
     bool standsOnPicture() const;
     QString readout(QPoint pixel) const;

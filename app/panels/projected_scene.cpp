@@ -1,5 +1,7 @@
 #include "app/panels/projected_scene.h"
 
+#include <algorithm>
+
 #include "pipeline/stages/cull.h"
 
 namespace app {
@@ -53,6 +55,23 @@ std::vector<QPolygonF> outlinesOf(const std::vector<ProjectedPolygon>& polygons,
     for (const ProjectedPolygon& polygon : polygons)
         if (all || polygon.goesOn) outlines.push_back(polygon.corners);
     return outlines;
+}
+
+std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const Selection& selection) {
+    if (selection.kind == Selection::Kind::Light || !isIn(frame.scene(), selection)) return {};
+    QRectF around;
+    for (const ProjectedPolygon& polygon : projectPolygons(frame)) {
+        const auto number = std::size_t(polygon.polygon);
+        if (selection.kind == Selection::Kind::Polygon && number == selection.index) return {polygon.corners};
+        if (selection.kind == Selection::Kind::Object && polygon.goesOn &&
+            frame.placeOf(polygon.polygon).object == selection.index)
+            around |= polygon.corners.boundingRect();
+        if (selection.kind == Selection::Kind::Vertex)
+            if (const auto v = std::ranges::find(polygon.vertices, int(selection.index)); v != polygon.vertices.end())
+                return {QPolygonF{polygon.corners[v - polygon.vertices.begin()]}};
+    }
+    if (around.isEmpty()) return {};
+    return {QPolygonF{around.topLeft(), around.topRight(), around.bottomRight(), around.bottomLeft()}};
 }
 
 int nearestPolygonAt(const std::vector<ProjectedPolygon>& polygons, QPointF at) {

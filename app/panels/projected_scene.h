@@ -2,6 +2,7 @@
 #include <QPolygonF>
 #include <vector>
 
+#include "app/core/selection.h"
 #include "pipeline/run/frame.h"
 
 namespace app {
@@ -23,6 +24,10 @@ std::vector<ProjectedPolygon> projectPolygons(const pipeline::Frame& frame);
 std::vector<QPolygonF> outlinesOf(const std::vector<ProjectedPolygon>& polygons, bool all);
 // The smallest rectangle of the picture around outlines, with some air; empty where they are outside.
 QRectF focusOn(const std::vector<QPolygonF>& outlines, QSize picture);
+
+// Where the selected thing stands in the picture: a polygon's outline, a rectangle around an
+// object's polygons that go on, a vertex as a single point; nothing for what is behind the eye.
+std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const Selection& selection);
 
 // The one whose outline is drawn over the others at a point (pixels), or -1.
 int nearestPolygonAt(const std::vector<ProjectedPolygon>& polygons, QPointF at);

@@ -89,12 +89,24 @@ SceneTree::SceneTree(Document& document, QWidget* parent) : QListWidget(parent),
         setCurrentRow(material == m_rows.end() ? 0 : int(material - m_rows.begin()));
     });
     connect(&document, &Document::sceneChanged, this, &SceneTree::rebuild);
+    connect(&document, &Document::selectionChanged, this, &SceneTree::followSelection);
     if (document.hasScene()) rebuild();
 }
 
 QSize SceneTree::sizeHint() const {
     const int rows = std::clamp(int(m_rows.size()), 6, 12);
     return {Theme::current().px(200), rows * Theme::current().px(24) + Theme::current().px(8)};
+}
+
+// An object or a light that is selected elsewhere shows its settings.
+void SceneTree::followSelection() {
+    const auto& selection = m_document.selection();
+    if (!selection) return;
+    const bool isLight = selection->kind == Selection::Kind::Light;
+    if (!isLight && selection->kind != Selection::Kind::Object) return;
+    const SceneItem item{isLight ? SceneItem::Kind::Light : SceneItem::Kind::Object, selection->index};
+    const auto row = std::ranges::find(m_rows, item, &OutlineRow::item);
+    if (row != m_rows.end()) setCurrentRow(int(row - m_rows.begin()));
 }
 
 // Keeps the selection where the rows stand for the same things as before.

@@ -19,6 +19,7 @@ signals:
 
 private:
     void rebuild();
+    void followSelection();
 
     Document& m_document;
     std::vector<OutlineRow> m_rows;

@@ -1,0 +1,50 @@
+#pragma once
+#include <QAbstractTableModel>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "pipeline/inspect/table_text.h"
+
+namespace app {
+
+// A scene table as an item model. It reads the cells that are looked at and no others; sorting
+// keeps an order of rows and leaves the table as it is.
+class TableModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    // Columns, rows and order stay where the new table has as many of them under the same names.
+    void setTable(pipeline::SceneTable table);
+    void clear();
+    const pipeline::SceneTable& table() const { return m_table; }
+
+    // Where a row of the table stands, and back.
+    std::uint32_t rowAt(int place) const {
+        return m_order.empty() ? std::uint32_t(place) : m_order[std::size_t(place)];
+    }
+    int placeOf(std::uint32_t row) const;
+    // The rows at these places as text with a line of headings; in the order on show.
+    QString text(std::vector<int> places, pipeline::TableFormat format) const;
+    // Why columns are empty: "N x, N y: Flat shading needs polygon normals only."
+    QString remarks() const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    // Column -1: the table's own order.
+    void sort(int column, Qt::SortOrder order) override;
+
+private:
+    bool isNumeric(int column) const;
+
+    pipeline::SceneTable m_table;
+    std::vector<std::uint32_t> m_order;  // row at each place; empty: the table's own order
+    std::vector<bool> m_numeric;         // per column
+    int m_sorted = -1;
+    Qt::SortOrder m_direction = Qt::AscendingOrder;
+};
+
+}  // namespace app

@@ -1,0 +1,45 @@
+#pragma once
+#include <QTableView>
+#include <QWidget>
+
+#include "app/core/document.h"
+#include "app/core/table_model.h"
+
+class QLabel;
+
+namespace app {
+
+// One table of the scene: what belongs to the whole above it, why columns are empty below. A click on
+// a heading sorts; a row that is chosen is selected in every view; rows are copied as text.
+class TablePage : public QWidget {
+    Q_OBJECT
+public:
+    TablePage(Document& document, pipeline::TableId table, QWidget* parent = nullptr);
+
+    TableModel& model() { return *m_model; }
+    QTableView& view() { return *m_view; }
+    // Copies the chosen rows, with their headings.
+    void copy(pipeline::TableFormat format);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void build();
+    void refresh();   // another frame
+    void markRows();  // another selection or pixel
+    void fitColumns();
+    void choose(int place);
+    void showMenu(QPoint at);
+    std::vector<int> chosenPlaces() const;
+
+    Document& m_document;
+    pipeline::TableId m_table;
+    TableModel* m_model;
+    QTableView* m_view;
+    QLabel *m_facts, *m_remarks;
+    pipeline::FramePtr m_shown;
+    bool m_marks = false;  // the selection is being shown, not made
+};
+
+}  // namespace app

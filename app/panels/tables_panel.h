@@ -1,0 +1,17 @@
+#pragma once
+#include <QTabWidget>
+
+#include "app/panels/table_page.h"
+
+namespace app {
+
+// Lecture 1's arrays: objects, polygons, vertices and lights of the frame on show.
+class TablesPanel : public QTabWidget {
+    Q_OBJECT
+public:
+    explicit TablesPanel(Document& document, QWidget* parent = nullptr);
+    TablePage& page(pipeline::TableId table) { return *static_cast<TablePage*>(widget(int(table))); }
+    QSize sizeHint() const override;
+};
+
+}  // namespace app
