@@ -35,6 +35,7 @@ struct Label {
         Letter,   // of a vector, beside its tip, away from `foot`
         Axis,     // x, y, z
         Note,     // an angle, in the middle of what it measures
+        Plane,    // words beside a corner, away from `foot`
         Caption,  // of a mark; at the border with its distance where the mark lies outside the view
     };
     Kind kind = Kind::Letter;
@@ -56,6 +57,7 @@ struct Drawing {
     };
     std::optional<Marker> point;  // what the picked pixel shows
     std::optional<Marker> foot;   // where the vectors start
+    std::optional<Vec3d> vertex;  // what is selected
 };
 
 // The view that a drawing is made for.

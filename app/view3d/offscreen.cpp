@@ -77,7 +77,7 @@ public:
     // "At the point"; from then on the window shows `point` in place of the world.
     QImage renderPoint(std::shared_ptr<const ViewContent> point) {
         m_scene.setContent(point, {});
-        const ViewFrame view{pointCamera(ViewPreset::Iso, *point, m_size, false), m_size};
+        const ViewFrame view{pointCamera(ViewPreset::Iso, *point, {}, m_size, false), m_size};
         return paint(view, drawPoint(*point, m_options, view), false);
     }
 

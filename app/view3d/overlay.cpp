@@ -34,7 +34,8 @@ QFont fontOf(Label::Kind kind) {
             font.setItalic(true);
             return font;
         }
-        case Label::Kind::Note: return theme.mono(12);
+        case Label::Kind::Note:
+        case Label::Kind::Plane: return theme.mono(12);
         case Label::Kind::Caption: break;
     }
     return theme.text(12);
@@ -169,6 +170,12 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         const glm::dvec2 foot = project(view.camera, view.size, label.foot).at;
         placed.mark = p.at;
         placed.at = label.kind == Label::Kind::Note ? p.at : p.at + kBeyondTip * scale * unit(p.at - foot, {0, -1});
+        if (label.kind == Label::Kind::Plane) {
+            const double width = QFontMetricsF(fontOf(label.kind)).horizontalAdvance(toQString(label.text));
+            placed.at.x += (p.at.x < foot.x ? -0.5 : 0.5) * width;
+            placed.at.x = std::clamp(placed.at.x, width / 2 + 8, std::max(width / 2 + 8, view.size.x - width / 2 - 8));
+            placed.at.y = std::clamp(placed.at.y, 12.0, std::max(12.0, view.size.y - 12));
+        }
         if (label.kind == Label::Kind::Letter) tips.push_back(p.at);
         result.push_back(placed);
     }
@@ -197,6 +204,7 @@ void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& vi
     painter.setRenderHint(QPainter::Antialiasing);
     if (drawing.point) paintMarker(painter, *drawing.point, view, true);
     if (drawing.foot) paintMarker(painter, *drawing.foot, view, false);
+    if (drawing.vertex) paintProbe(painter, *drawing.vertex, view);
     std::vector<PlacedLabel> labels = placeLabels(drawing, view, theme.scale());
     // Letters over captions.
     std::ranges::stable_partition(labels, [](const PlacedLabel& p) { return p.label.kind == Label::Kind::Caption; });

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "app/core/numbers.h"
 #include "pipeline/core/numerics.h"
 
 namespace app {
@@ -63,6 +64,9 @@ public:
             dotted(L->direction, L->direction + V->direction, Ink::H);
             dotted(V->direction, L->direction + V->direction, Ink::H);
         }
+        const VectorArrow *anyL = find(m_content, VectorCode::L), *anyN = find(m_content, VectorCode::N);
+        if (m_options.projection && anyL && anyN) projection(anyN->direction, anyL->direction);
+        if (m_options.reflection && anyL && anyN) reflection(anyN->direction, anyL->direction, R != nullptr);
         m_drawing.foot = Drawing::Marker{Vec3d(0.0), false};
         return std::move(m_drawing);
     }
@@ -139,6 +143,69 @@ private:
                                     .ink = Ink::Text});
     }
 
+    void note(Vec3d at, std::string text, Ink ink, Vec3d foot) {
+        m_drawing.labels.push_back(
+            {.kind = Label::Kind::Plane, .at = at, .foot = foot, .text = std::move(text), .distance = {}, .ink = ink});
+    }
+    // What a construction says, line by line under the point, where no vector stands.
+    void caption(std::string text) {
+        constexpr double kFirst = 20, kNext = 17;  // logical pixels
+        const double down = (kFirst + kNext * m_captions++) * Theme::current().scale();
+        const Vec3d at = -down * m_view.camera.unitsPerPixel(m_view.size.y) * m_view.camera.up;
+        m_drawing.labels.push_back({.kind = Label::Kind::Note,
+                                    .at = at,
+                                    .foot = {},
+                                    .text = std::move(text),
+                                    .distance = {},
+                                    .ink = Ink::Text});
+    }
+
+    // The part of L along N, and the rest of it at a right angle.
+    void projection(Vec3d N, Vec3d L) {
+        const double nDotL = glm::dot(N, L);
+        const Vec3d along = nDotL * N, across = L - along;
+        strong(Vec3d(0.0), along, Ink::L);
+        dashed(L, along, Ink::Text);
+        caption("(N·L)N = " + dotProduct(nDotL).toStdString() + " N");
+        caption("L − (N·L)N, across N");
+        const Vec3d side = pipeline::normalized(across);
+        if (side == Vec3d(0.0)) return;
+        const double corner = std::min(0.07, glm::length(across) / 2);
+        const Vec3d down = (nDotL > 0 ? -corner : corner) * N;
+        line(along + corner * side, along + corner * side + down, Ink::Text);
+        line(along + down, along + corner * side + down, Ink::Text);
+    }
+
+    // Twice that part, less L: the rhombus of L and R.
+    void reflection(Vec3d N, Vec3d L, bool hasR) {
+        const double nDotL = glm::dot(N, L);
+        if (!(nDotL > 0)) return caption("N·L is not above 0: nothing is mirrored");
+        const Vec3d twice = 2 * nDotL * N, R = twice - L;
+        dashed(Vec3d(0.0), twice, Ink::N);
+        dashed(L, twice, Ink::R);
+        dashed(twice, R, Ink::L);
+        if (!hasR) dashed(Vec3d(0.0), R, Ink::R);
+        note(twice, "2(N·L)N = " + dotProduct(2 * nDotL).toStdString() + " N", Ink::Text, twice - N);
+        const Vec3d middle = (twice + R) / 2.0;
+        note(middle, "−L", Ink::L, middle - (R - L));
+        caption("R = 2(N·L)N − L");
+    }
+
+    void dashed(Vec3d from, Vec3d to, Ink ink) {
+        const double unit = m_view.camera.unitsPerPixel(m_view.size.y), length = glm::length(to - from);
+        const double step = 10 * unit;
+        if (!(length > 0) || !(step > length / 2000)) return;
+        const Vec3d along = (to - from) / length;
+        for (double s = 0; s < length; s += step)
+            m_drawing.solids.push_back(
+                {ink, tube(from + s * along, from + std::min(s + 0.6 * step, length) * along, 0.9 * unit, 8), unit});
+    }
+
+    void strong(Vec3d from, Vec3d to, Ink ink) {
+        const double unit = m_view.camera.unitsPerPixel(m_view.size.y);
+        if (glm::length(to - from) > 0) m_drawing.solids.push_back({ink, tube(from, to, 3.4 * unit, 10), unit});
+    }
+
     void dotted(Vec3d from, Vec3d to, Ink ink) {
         const double step = 5 * m_view.camera.unitsPerPixel(m_view.size.y), length = glm::length(to - from);
         if (!(length > 0) || !(step > length / 2000)) return;
@@ -150,6 +217,7 @@ private:
     const ViewContent& m_content;
     const ViewOptions& m_options;
     const ViewFrame& m_view;
+    int m_captions = 0;
     Drawing m_drawing;
 };
 
@@ -197,7 +265,8 @@ Drawing drawPoint(const ViewContent& content, const ViewOptions& options, const 
     return PointPainter(content, options, view).take();
 }
 
-OrbitCamera pointCamera(ViewPreset preset, const ViewContent& content, glm::dvec2 size, bool orthographic) {
+OrbitCamera pointCamera(ViewPreset preset, const ViewContent& content, const ViewOptions& options, glm::dvec2 size,
+                        bool orthographic) {
     OrbitCamera camera;
     camera.orthographic = orthographic;
     const VectorArrow* V = find(content, VectorCode::V);
@@ -207,10 +276,13 @@ OrbitCamera pointCamera(ViewPreset preset, const ViewContent& content, glm::dvec
         case ViewPreset::Top: lookAlong(camera, {0, 0, -1}); break;
         case ViewPreset::Eye: lookAlong(camera, V ? -V->direction : Vec3d(0, 0, -1)); break;
         case ViewPreset::Iso:
+        case ViewPreset::Outside:
         case ViewPreset::Everything: lookAlong(camera, -towardsReader(content)); break;
     }
     std::vector<Vec3d> points{{0, 0, 1.12}};
     for (int i = 0; i < kAround; ++i) points.push_back(onSphere(90, 2 * kPi * i / kAround));
+    const VectorArrow *L = find(content, VectorCode::L), *N = find(content, VectorCode::N);
+    if (L && N && options.reflection) points.push_back(1.06 * 2 * glm::dot(N->direction, L->direction) * N->direction);
     frame(camera, points, size, 0.09);
     return camera;
 }

@@ -14,11 +14,13 @@ namespace app {
 std::shared_ptr<const ViewContent> pointContent(const ViewContent& content);
 
 // Vectors, circles at 30° and 60°, the angles of N·L and R·V as arcs with degrees, and, dotted, how
-// R comes from L (through N), or H from L and V where R is not shown.
+// R comes from L (through N), or H from L and V where R is not shown. With the options, dashed: the
+// projection (N·L)N of L on N with its right angle, and the law of reflection R = 2(N·L)N − L.
 Drawing drawPoint(const ViewContent& content, const ViewOptions& options, const ViewFrame& view);
 
 // Iso and Everything are turned so that L and V stand farthest apart on the screen; Eye looks
 // along V, Top along N, Front and Side across it.
-OrbitCamera pointCamera(ViewPreset preset, const ViewContent& content, glm::dvec2 size, bool orthographic);
+OrbitCamera pointCamera(ViewPreset preset, const ViewContent& content, const ViewOptions& options, glm::dvec2 size,
+                        bool orthographic);
 
 }  // namespace app

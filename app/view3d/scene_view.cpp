@@ -16,7 +16,7 @@ namespace app {
 namespace {
 
 constexpr double kDegreesPerPixel = 0.4, kKeyStep = 5, kWheelStep = 1.15, kClickSlop = 4;
-constexpr int kFlightMilliseconds = 250;
+constexpr int kFlightMilliseconds = 250, kZoomOutMilliseconds = 1200;
 
 Vec3d directionOf(CubeFace face) {
     switch (face) {
@@ -95,9 +95,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
         lookAlong(camera, directionOf(face));
         frame(camera, sceneExtent(*m_content, m_options), viewFrame().size);
         m_touched = true;
-        flyTo(camera);
+        flyTo(camera, kFlightMilliseconds);
     });
-    m_flight.setDuration(kFlightMilliseconds);
     m_flight.setStartValue(0.0);
     m_flight.setEndValue(1.0);
     m_flight.setEasingCurve(QEasingCurve::OutCubic);
@@ -151,6 +150,7 @@ void SceneView::setOptions(const ViewOptions& options) {
     if (options == m_options) return;
     m_options = options;
     if (m_vtk) m_vtk->setOptions(options);
+    if (m_space == ViewSpace::Point) frameIfUntouched();  // a construction may reach out of the hemisphere
     refresh();
 }
 
@@ -166,17 +166,30 @@ void SceneView::setCamera(const OrbitCamera& camera) {
 OrbitCamera SceneView::cameraOf(ViewPreset preset) const {
     return m_space == ViewSpace::World
                ? presetCamera(preset, *m_content, m_options, viewFrame().size, m_camera.orthographic)
-               : pointCamera(preset, *m_point, viewFrame().size, m_camera.orthographic);
+               : pointCamera(preset, *m_point, m_options, viewFrame().size, m_camera.orthographic);
 }
 
 void SceneView::go(ViewPreset preset) {
     if (!shown()) return;
     m_touched = preset != ViewPreset::Iso;
-    flyTo(cameraOf(preset));
+    flyTo(cameraOf(preset), kFlightMilliseconds);
 }
 
-void SceneView::flyTo(const OrbitCamera& camera) {
+void SceneView::zoomOut() {
+    if (m_space != ViewSpace::World || !m_content) return;
+    ViewOptions options = m_options;
+    options.eye = options.frustum = true;
+    setOptions(options);
+    emit optionsChanged();
+    m_touched = true;
+    OrbitCamera outside = cameraOf(ViewPreset::Outside);
+    m_camera = cameraOf(ViewPreset::Eye);
+    flyTo(outside, kZoomOutMilliseconds);
+}
+
+void SceneView::flyTo(const OrbitCamera& camera, int milliseconds) {
     m_flight.stop();
+    m_flight.setDuration(milliseconds);
     m_from = m_camera;
     m_to = camera;
     m_flight.start();
@@ -338,6 +351,7 @@ bool SceneView::keyAction(int key) {
         case Qt::Key_R: go(ViewPreset::Iso); return true;
         case Qt::Key_0: go(ViewPreset::Eye); return true;
         case Qt::Key_A: go(ViewPreset::Everything); return true;
+        case Qt::Key_Z: zoomOut(); return true;
         case Qt::Key_5: setOrthographic(!m_camera.orthographic); return true;
         case Qt::Key_Left: turn(-kKeyStep, 0); return true;
         case Qt::Key_Right: turn(kKeyStep, 0); return true;

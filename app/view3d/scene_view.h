@@ -17,7 +17,7 @@ enum class ViewSpace { World, Point };
 
 // A 3D view with its camera: what VTK renders, letters and legend over it, mouse and keys.
 // Left drag orbits, middle or Shift+left drag pans, the wheel zooms to the cursor; a click gives
-// the ray under it. Keys: 1 front, 3 side, 7 top, 9 iso, 0 from the eye, 5 orthographic,
+// the ray under it. Keys: 1 front, 3 side, 7 top, 9 iso, 0 from the eye, Z out of it, 5 orthographic,
 // R the first view again, A everything; arrows orbit, + and − zoom.
 class SceneView : public QWidget {
     Q_OBJECT
@@ -41,6 +41,8 @@ public:
     const OrbitCamera& camera() const { return m_camera; }
     void setCamera(const OrbitCamera& camera);
     void go(ViewPreset preset);  // in 250 ms, or at once where motion is not wanted
+    // From the scene's own eye out of it, until its frustum is seen whole.
+    void zoomOut();
     void setOrthographic(bool orthographic);
     ViewFrame viewFrame() const;
     const Drawing& drawing() const { return m_drawing; }
@@ -76,7 +78,7 @@ private:
         return m_space == ViewSpace::World ? m_content : m_point;
     }
     OrbitCamera cameraOf(ViewPreset preset) const;
-    void flyTo(const OrbitCamera& camera);
+    void flyTo(const OrbitCamera& camera, int milliseconds);
     bool keyAction(int key);
     Ray rayAt(QPointF position) const;
 

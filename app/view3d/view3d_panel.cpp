@@ -40,6 +40,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(&document, &Document::sceneChanged, this, &View3dPanel::wantBuffers);
     connect(&document, &Document::frameReady, this, &View3dPanel::takeFrame);
     connect(&document, &Document::pixelChanged, this, &View3dPanel::takePixel);
+    connect(&document, &Document::selectionChanged, this, &View3dPanel::takeSelection);
     connect(&document, &Document::hoverChanged, this, &View3dPanel::takeHover);
     connect(&Theme::current(), &Theme::changed, this, &View3dPanel::applyTheme);
     setSpace(ViewSpace::World);
@@ -103,10 +104,11 @@ void View3dPanel::buildHeader() {
     menu->addSeparator();
     addView(tr("From the eye\t0"), ViewPreset::Eye);
     addView(tr("Everything, the eye too\tA"), ViewPreset::Everything);
+    connect(menu->addAction(tr("Zoom out of the eye\tZ")), &QAction::triggered, m_view, &SceneView::zoomOut);
     cameras->setMenu(menu);
     cameras->setPopupMode(QToolButton::InstantPopup);
 
-    QToolButton* more = addMenuButton("sliders", tr("Arrows"), tr("Length and number of the arrows"));
+    QToolButton* more = addMenuButton("sliders", tr("Arrows and aids"), tr("Arrows, bounds, frustum, constructions"));
     auto* settings = new ViewSettings(more);
     connect(settings, &ViewSettings::changed, this, &View3dPanel::changeOptions);
     connect(more, &QToolButton::clicked, this, [this, more, settings] {
@@ -179,7 +181,8 @@ void View3dPanel::wantBuffers() {
 void View3dPanel::takeFrame() {
     const auto& frame = m_document.frame();
     if (!frame) return;
-    auto content = std::make_shared<const ViewContent>(contentOf(*frame, m_document.pixel()));
+    const auto content = std::make_shared<const ViewContent>(
+        withSelection(contentOf(*frame, m_document.pixel()), *frame, m_document.selection()));
     const bool newScene = std::exchange(m_newScene, false);
     if (newScene) {
         // As many normals as can be told apart; the slider shows more or fewer.
@@ -188,7 +191,7 @@ void View3dPanel::takeFrame() {
         options.everyNormal = int(std::clamp<std::size_t>(content->mesh->polygonNormals.size() / kReadable, 1, 1000));
         changeOptions(options);
     }
-    m_view->setContent(std::move(content), newScene);
+    m_view->setContent(content, newScene);
 }
 
 void View3dPanel::takePixel() {
@@ -196,6 +199,13 @@ void View3dPanel::takePixel() {
     if (!frame || !m_view->content()) return;
     m_view->setContent(std::make_shared<const ViewContent>(withPixel(*m_view->content(), *frame, m_document.pixel())),
                        false);
+}
+
+void View3dPanel::takeSelection() {
+    const auto& frame = m_document.frame();
+    if (!frame || !m_view->content()) return;
+    m_view->setContent(
+        std::make_shared<const ViewContent>(withSelection(*m_view->content(), *frame, m_document.selection())), false);
 }
 
 void View3dPanel::takeHover() {

@@ -31,6 +31,7 @@ private:
     void wantBuffers();
     void takeFrame();
     void takePixel();
+    void takeSelection();
     void takeHover();
     void pick(const Ray& ray);
     void hover(const Ray& ray);

@@ -29,6 +29,13 @@ void addMeshes(const Frame& frame, const pipeline::Topology& topology, ViewMesh&
         mesh.positions.push_back(row3(*world, i));
         bounds.add(mesh.positions.back());
     }
+    for (std::size_t i = 0; i + 1 < topology.firstVertex.size(); ++i) {
+        const auto points =
+            std::span<const Vec3d>(mesh.positions)
+                .subspan(topology.firstVertex[i], topology.firstVertex[i + 1] - topology.firstVertex[i]);
+        const auto box = pipeline::boundingBox(points);
+        mesh.objects.push_back(box ? ObjectBounds{*box, *pipeline::boundingSphere(points)} : ObjectBounds{});
+    }
     mesh.faces.reserve(topology.triangles.size());
     for (const pipeline::Triangle& t : topology.triangles)
         mesh.faces.push_back({{t.vertices[0], t.vertices[1], t.vertices[2]}, {}, std::int32_t(t.polygon)});
@@ -53,12 +60,14 @@ void addNormals(const Frame& frame, const pipeline::Topology& topology, ViewMesh
             Vec3d sum{0.0};
             for (std::size_t i = 0; i < corners.size(); ++i) sum += mesh.positions[corners[i]];
             const Vec3d normal = row3(*normals, p);
+            mesh.polygonNormalColors.emplace_back((normal + 1.0) / 2.0);
             if (finite(normal) && normal != Vec3d(0.0))
                 mesh.polygonNormals.push_back({sum / double(corners.size()), glm::normalize(normal)});
         }
     if (const auto normals = frame.buffer({BufferId::VerticesNormal}))
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
             const Vec3d normal = row3(*normals, v);
+            mesh.vertexNormalColors.emplace_back((normal + 1.0) / 2.0);
             if (finite(normal) && normal != Vec3d(0.0))
                 mesh.vertexNormals.push_back({mesh.positions[v], glm::normalize(normal)});
         }
@@ -191,6 +200,26 @@ ViewContent withPixel(const ViewContent& content, const Frame& frame, std::optio
     result.pickedLoop.clear();
     result.vectors.clear();
     if (pixel) addPixel(frame, *pixel, pipeline::makeTopology(pipeline::meshesOf(frame.scene())), result);
+    return result;
+}
+
+ViewContent withSelection(const ViewContent& content, const Frame& frame, const std::optional<Selection>& selection) {
+    ViewContent result = content;
+    result.markedLoop.clear();
+    result.markedBox.reset();
+    result.markedVertex.reset();
+    const ViewMesh& mesh = *content.mesh;
+    if (!selection || mesh.positions.empty() || !isIn(frame.scene(), *selection)) return result;
+    switch (selection->kind) {
+        case Selection::Kind::Polygon: {
+            const auto corners = frame.topology().corners(selection->index);
+            for (std::size_t i = 0; i < corners.size(); ++i) result.markedLoop.push_back(corners[i]);
+            break;
+        }
+        case Selection::Kind::Object: result.markedBox = mesh.objects[selection->index].box; break;
+        case Selection::Kind::Vertex: result.markedVertex = mesh.positions[selection->index]; break;
+        case Selection::Kind::Light: break;
+    }
     return result;
 }
 

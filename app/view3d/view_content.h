@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/selection.h"
 #include "app/view3d/orbit_camera.h"
+#include "pipeline/inspect/bounds.h"
 #include "pipeline/inspect/formula.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/run/frame.h"
@@ -59,6 +61,12 @@ struct Bounds {
     std::array<Vec3d, 8> corners() const;
 };
 
+// Lecture 2's bounds of an object.
+struct ObjectBounds {
+    pipeline::BoundingBox box;
+    pipeline::BoundingSphere sphere;
+};
+
 // The frame buffer, for the picture plane. Row 0 on top.
 struct Picture {
     glm::ivec2 size{0};
@@ -72,7 +80,10 @@ struct ViewMesh {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  // of polygons, each once
     double meanEdge = 0;                                         // their mean length, world units
     std::vector<NormalArrow> polygonNormals, vertexNormals;      // empty where the frame has none
-    Picture picture;                                             // empty before the first pixel is shaded
+    // Unit normals as colours, (N + 1) / 2: per polygon, and per vertex where the frame has those.
+    std::vector<glm::vec3> polygonNormalColors, vertexNormalColors;
+    std::vector<ObjectBounds> objects;  // per object; empty where the frame has no vertices
+    Picture picture;                    // empty before the first pixel is shaded
 };
 
 struct ViewContent {
@@ -89,6 +100,12 @@ struct ViewContent {
     std::int32_t pickedPolygon = -1;
     std::vector<std::uint32_t> pickedLoop;  // its vertices in order
     std::vector<VectorArrow> vectors;
+
+    // What is selected beside the pixel.
+    std::vector<std::uint32_t> markedLoop;           // a polygon's vertices in order
+    std::optional<pipeline::BoundingBox> markedBox;  // of an object
+    std::optional<Vec3d> markedVertex;
+    const std::vector<std::uint32_t>& outlinedLoop() const { return markedLoop.empty() ? pickedLoop : markedLoop; }
 };
 
 // Reads from the frame whatever of these buffers it has: vertices.world, polygons.verdict,
@@ -96,6 +113,9 @@ struct ViewContent {
 ViewContent contentOf(const pipeline::Frame& frame, std::optional<glm::ivec2> pixel);
 // The same content with another picked pixel; `frame` is the one that it was made of.
 ViewContent withPixel(const ViewContent& content, const pipeline::Frame& frame, std::optional<glm::ivec2> pixel);
+// The same content with another thing marked.
+ViewContent withSelection(const ViewContent& content, const pipeline::Frame& frame,
+                          const std::optional<Selection>& selection);
 // Those that this scene's shading leaves; vertex normals beside them where the view shows them.
 pipeline::BufferSet contentBuffers(const pipeline::Scene& scene, bool vertexNormals);
 

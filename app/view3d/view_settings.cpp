@@ -1,5 +1,6 @@
 #include "app/view3d/view_settings.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -46,7 +47,23 @@ ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
         addSlider(tr("Every k-th"), tr("Shows every k-th normal, so that a dense mesh stays readable"), 0, kSteps);
     m_vectorLength =
         addSlider(tr("Vectors"), tr("Length of N, L, V, R and H at the picked point, 4 to 400 pixels"), 0, kSteps);
+    m_faces = new QComboBox(this);
+    m_faces->addItems({tr("As shaded"), tr("Normals as RGB")});
+    m_faces->setAccessibleName(tr("Faces"));
+    m_faces->setToolTip(tr("Colours of the faces: the frame buffer's, or (N + 1) / 2 as red, green and blue"));
+    auto* faces = new QLabel(tr("Faces"), this);
+    faces->setBuddy(m_faces);
+    grid->addWidget(faces, grid->rowCount(), 0);
+    grid->addWidget(m_faces, grid->rowCount() - 1, 1, 1, 2);
+    addHeading(tr("In world space"));
+    addSwitch(tr("Bounding boxes"), tr("The smallest box along the axes around each object"), &ViewOptions::boxes);
+    addSwitch(tr("Bounding spheres"), tr("A small sphere around each object"), &ViewOptions::spheres);
+    addSwitch(tr("Frustum"), tr("What the scene's camera sees, from its near to its far plane"), &ViewOptions::frustum);
+    addHeading(tr("At the point"));
+    addSwitch(tr("Projection of L on N"), tr("(N·L)N, and the rest of L at a right angle"), &ViewOptions::projection);
+    addSwitch(tr("Law of reflection"), tr("R = 2(N·L)N − L as its construction"), &ViewOptions::reflection);
     connect(m_normals, &QComboBox::currentIndexChanged, this, &ViewSettings::take);
+    connect(m_faces, &QComboBox::currentIndexChanged, this, &ViewSettings::take);
     setOptions({});
 }
 
@@ -70,13 +87,36 @@ ViewSettings::Row ViewSettings::addSlider(const QString& name, const QString& ti
     return result;
 }
 
+void ViewSettings::addHeading(const QString& words) {
+    auto* grid = static_cast<QGridLayout*>(layout());
+    auto* label = new QLabel(words, this);
+    label->setProperty("tone", "3");
+    label->setFont(Theme::current().text(12));
+    grid->addWidget(label, grid->rowCount(), 0, 1, 3);
+}
+
+void ViewSettings::addSwitch(const QString& name, const QString& tip, bool ViewOptions::*shown) {
+    auto* grid = static_cast<QGridLayout*>(layout());
+    auto* box = new QCheckBox(name, this);
+    box->setToolTip(tip);
+    grid->addWidget(box, grid->rowCount(), 0, 1, 3);
+    connect(box, &QCheckBox::toggled, this, &ViewSettings::take);
+    m_switches.emplace_back(box, shown);
+}
+
 void ViewSettings::setOptions(const ViewOptions& options) {
     m_options = options;
-    const QSignalBlocker a(m_normals), b(m_normalLength.slider), c(m_every.slider), d(m_vectorLength.slider);
+    const QSignalBlocker a(m_normals), b(m_normalLength.slider), c(m_every.slider), d(m_vectorLength.slider),
+        e(m_faces);
     m_normals->setCurrentIndex(int(options.normals));
     m_normalLength.slider->setValue(stepOf(options.normalLength));
     m_every.slider->setValue(stepOfEvery(options.everyNormal));
     m_vectorLength.slider->setValue(stepOf(options.vectorLength));
+    m_faces->setCurrentIndex(int(options.faces));
+    for (const auto& [box, shown] : m_switches) {
+        const QSignalBlocker quiet(box);
+        box->setChecked(options.*shown);
+    }
     showValues();
 }
 
@@ -85,6 +125,8 @@ void ViewSettings::take() {
     m_options.normalLength = lengthOf(m_normalLength.slider->value());
     m_options.everyNormal = everyOf(m_every.slider->value());
     m_options.vectorLength = lengthOf(m_vectorLength.slider->value());
+    m_options.faces = static_cast<FacesShown>(m_faces->currentIndex());
+    for (const auto& [box, shown] : m_switches) m_options.*shown = box->isChecked();
     showValues();
     emit changed(m_options);
 }

@@ -1,15 +1,20 @@
 #pragma once
 #include <QWidget>
 
+#include <utility>
+#include <vector>
+
 #include "app/view3d/view_options.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QSlider;
 
 namespace app {
 
-// The small popup of a 3D view: which normals, how long, how many; how long the vectors.
+// The small popup of a 3D view: which normals, how long, how many; how long the vectors; bounds,
+// frustum, constructions.
 class ViewSettings : public QWidget {
     Q_OBJECT
 public:
@@ -25,11 +30,14 @@ private:
         QLabel* value;
     };
     Row addSlider(const QString& name, const QString& tip, int low, int high);
+    void addSwitch(const QString& name, const QString& tip, bool ViewOptions::*shown);
+    void addHeading(const QString& words);
     void take();
     void showValues();
 
     ViewOptions m_options;
-    QComboBox* m_normals;
+    QComboBox *m_normals, *m_faces;
+    std::vector<std::pair<QCheckBox*, bool ViewOptions::*>> m_switches;
     Row m_normalLength{}, m_every{}, m_vectorLength{};
 };
 

@@ -44,16 +44,24 @@ vtkIdType addPoint(vtkPoints& points, Vec3d p) { return points.InsertNextPoint(p
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, double strength, const ThemeColors& colors) {
+vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, FacesShown shown, double strength,
+                                       const ThemeColors& colors) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     auto points = newPoints();
     auto rgb = newColors();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
+    const auto colorAt = [&](const Face& face, std::size_t corner) {
+        if (shown == FacesShown::Normals && !mesh.vertexNormalColors.empty())
+            return toColor(mesh.vertexNormalColors[face.vertices[corner]]);
+        if (shown == FacesShown::Normals && !mesh.polygonNormalColors.empty())
+            return toColor(mesh.polygonNormalColors[std::size_t(face.polygon)]);
+        return face.shaded ? toColor(face.colors[corner]) : colors.hover;
+    };
     for (const Face& face : mesh.faces) {
         vtkIdType ids[3];
         for (std::size_t i = 0; i < 3; ++i) {
             ids[i] = addPoint(*points, mesh.positions[face.vertices[i]]);
-            addColor(*rgb, mixed(face.shaded ? toColor(face.colors[i]) : colors.hover, colors.view, strength));
+            addColor(*rgb, mixed(colorAt(face, i), colors.view, strength));
         }
         cells->InsertNextCell(3, ids);
     }

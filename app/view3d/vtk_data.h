@@ -8,6 +8,7 @@
 
 #include "app/view3d/drawing.h"
 #include "app/view3d/view_content.h"
+#include "app/view3d/view_options.h"
 
 class vtkImageData;
 
@@ -17,7 +18,9 @@ namespace app {
 // array of unsigned bytes, one a point.
 
 // Three points a face, so that neighbours may differ in colour. `strength` as ViewContent::faceStrength.
-vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, double strength, const ThemeColors& colors);
+// By normals: those of the vertices where there are any, else of the polygons.
+vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, FacesShown shown, double strength,
+                                       const ThemeColors& colors);
 vtkSmartPointer<vtkPolyData> edgesData(const ViewMesh& mesh);
 vtkSmartPointer<vtkPolyData> loopData(const ViewMesh& mesh, std::span<const std::uint32_t> loop);
 vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const ThemeColors& colors);

@@ -1,5 +1,7 @@
 #include "app/view3d/world_drawing.h"
 
+#include "app/view3d/aids_drawing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -91,6 +93,7 @@ public:
             for (const LightMark& light : m_content.lights)
                 light.atInfinity ? raysAtInfinity(light) : pointLight(light);
         if (m_options.eye) eye();
+        aids();
         axes();
         return std::move(m_drawing);
     }
@@ -181,6 +184,18 @@ private:
                                     .text = light.caption,
                                     .distance = unitsAway(glm::length(light.position - reference())),
                                     .ink = Ink::L});
+    }
+
+    void aids() {
+        auto& lines = m_drawing.lines;
+        for (const ObjectBounds& bounds : m_content.mesh->objects) {
+            if (m_options.boxes) addBox(bounds.box, Ink::Text, lines);
+            if (m_options.spheres) addSphere(bounds.sphere, Ink::Edge, m_view.camera, lines);
+        }
+        if (m_content.markedBox) addBox(*m_content.markedBox, Ink::Text, lines);
+        m_drawing.vertex = m_content.markedVertex;
+        const bool fromEye = glm::length(m_content.eye.eye - m_view.camera.position()) < 1e-6 * m_view.camera.distance;
+        if (m_options.frustum && !fromEye) addFrustum(m_content.eye, m_drawing);
     }
 
     // What distances are measured from.
@@ -321,6 +336,18 @@ OrbitCamera presetCamera(ViewPreset preset, const ViewContent& content, const Vi
         case ViewPreset::Front: lookAlong(camera, {0, 1, 0}); break;
         case ViewPreset::Side: lookAlong(camera, {-1, 0, 0}); break;
         case ViewPreset::Top: lookAlong(camera, {0, 0, -1}); break;
+        case ViewPreset::Outside: {
+            // From behind the eye, beside and above it, and as upright as it is.
+            const pipeline::View& eye = content.eye;
+            camera.forward = glm::normalize(eye.forward - 0.8 * eye.right - 0.4 * eye.up);
+            camera.right = glm::normalize(glm::cross(camera.forward, eye.up));
+            camera.up = glm::cross(camera.right, camera.forward);
+            std::vector<Vec3d> points = everythingExtent(content, options);
+            const auto corners = frustumCorners(eye);
+            points.insert(points.end(), corners.begin(), corners.end());
+            frame(camera, points, size, 0.11);
+            return camera;
+        }
         default: {
             const Vec3d towardsEye = content.eye.perspective ? content.eye.eye - centre : -content.eye.forward;
             // Far to the side, the eye's frustum and the scene stand next to each other.

@@ -22,9 +22,9 @@ std::vector<Vec3d> sceneExtent(const ViewContent& content, const ViewOptions& op
 // Beside them the eye with its picture plane and the point lights.
 std::vector<Vec3d> everythingExtent(const ViewContent& content, const ViewOptions& options);
 
-// The named views. Iso looks from beside the scene's own eye, so that the vectors towards it are
+// The named views. Outside stands behind the scene's own eye and shows its frustum whole. Iso looks from beside the scene's own eye, so that the vectors towards it are
 // seen from the side and the faces that it sees are seen.
-enum class ViewPreset { Front, Side, Top, Iso, Eye, Everything };
+enum class ViewPreset { Front, Side, Top, Iso, Eye, Everything, Outside };
 OrbitCamera presetCamera(ViewPreset preset, const ViewContent& content, const ViewOptions& options, glm::dvec2 size,
                          bool orthographic);
 

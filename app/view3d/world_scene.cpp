@@ -111,7 +111,7 @@ void WorldScene::setContent(std::shared_ptr<const ViewContent> content, const st
     m_groundLines = ground;
     static const ViewMesh kNone;
     const ViewMesh& mesh = m_content ? *m_content->mesh : kNone;
-    const auto loop = m_content ? std::span(m_content->pickedLoop) : std::span<const std::uint32_t>();
+    const auto loop = m_content ? std::span(m_content->outlinedLoop()) : std::span<const std::uint32_t>();
     m_pickedOuter.mapper->SetInputData(loopData(mesh, loop));
     m_pickedInner.mapper->SetInputData(loopData(mesh, loop));
     if (!sameMesh) {
@@ -127,7 +127,9 @@ void WorldScene::setContent(std::shared_ptr<const ViewContent> content, const st
 }
 
 void WorldScene::setOptions(const ViewOptions& options) {
+    const bool otherFaces = options.faces != m_options.faces;
     m_options = options;
+    if (otherFaces) colorMesh();
     std::span<const NormalArrow> arrows;
     if (m_content && options.normals == NormalsShown::Polygons) arrows = m_content->mesh->polygonNormals;
     if (m_content && options.normals == NormalsShown::Vertices) arrows = m_content->mesh->vertexNormals;
@@ -156,14 +158,15 @@ void WorldScene::setColors(const ThemeColors& colors) {
 
 void WorldScene::colorMesh() {
     if (!m_colors.view.isValid()) return;
-    m_faces.mapper->SetInputData(m_content ? facesData(*m_content->mesh, m_content->faceStrength, m_colors)
-                                           : vtkSmartPointer<vtkPolyData>::New());
+    m_faces.mapper->SetInputData(m_content
+                                     ? facesData(*m_content->mesh, m_options.faces, m_content->faceStrength, m_colors)
+                                     : vtkSmartPointer<vtkPolyData>::New());
 }
 
 void WorldScene::colorLines() {
     if (!m_colors.view.isValid()) return;
     m_ground.mapper->SetInputData(linesData(m_groundLines, m_colors));
-    const bool picked = m_content && m_content->pickedPolygon >= 0;
+    const bool picked = m_content && !m_content->outlinedLoop().empty();
     setColor(*m_edges.actor, mixed(m_colors.text2, m_colors.view, picked ? kRestStrength : 1));
 }
 

@@ -288,7 +288,7 @@ TEST(View3dPoint, TheHemisphereHasNUpAndTheEquationsAngles) {
     EXPECT_NEAR(handed(*point), handed(content), 1e-6);
 
     const glm::dvec2 size{500, 400};
-    const app::ViewFrame view{app::pointCamera(app::ViewPreset::Iso, *point, size, false), size};
+    const app::ViewFrame view{app::pointCamera(app::ViewPreset::Iso, *point, {}, size, false), size};
     std::vector<std::string> notes;
     for (const app::Label& label : app::drawPoint(*point, {}, view).labels)
         if (label.kind == app::Label::Kind::Note) notes.push_back(label.text);
@@ -305,7 +305,7 @@ TEST(View3dPoint, EveryTipIsInsideTheView) {
     ASSERT_TRUE(point);
     for (const glm::dvec2 size : {glm::dvec2(500, 400), glm::dvec2(300, 600)})
         for (const bool orthographic : {false, true}) {
-            const app::OrbitCamera camera = app::pointCamera(app::ViewPreset::Iso, *point, size, orthographic);
+            const app::OrbitCamera camera = app::pointCamera(app::ViewPreset::Iso, *point, {}, size, orthographic);
             for (const VectorArrow& v : point->vectors) {
                 const auto at = app::project(camera, size, v.direction).at;
                 EXPECT_TRUE(at.x > 0 && at.y > 0 && at.x < size.x && at.y < size.y);

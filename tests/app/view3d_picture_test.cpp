@@ -155,3 +155,11 @@ TEST(View3dPicture, AFolderThatIsNotThereIsReported) {
     ASSERT_FALSE(files);
     EXPECT_EQ(files.errors().front().where.file, "/nowhere/at/all/world.png");
 }
+
+// Polygon 2 has N = (0, 2, 1)/√5: (N + 1)/2 is (0.5, 0.947, 0.724), in bytes (128, 242, 185).
+TEST(View3dPicture, NormalsAsColours) {
+    const ViewContent content = pyramidContent({});
+    const QImage image =
+        render(content, ViewPreset::Iso, {.normals = app::NormalsShown::Off, .faces = app::FacesShown::Normals});
+    EXPECT_GT(countNear(image, place(content, {335, 125, 50}), 4, QColor(128, 242, 185)), 70);
+}

@@ -1,9 +1,12 @@
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
 
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/inspector_panel.h"
+#include "app/panels/tables_panel.h"
+#include "app/view3d/scene_view.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -32,6 +35,30 @@ TEST_F(WindowPick, InspectorFollowsThePickedPixel) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return inspector->report()->pixel == glm::ivec2(329, 250); }));
     const auto& color = inspector->report()->color;
     EXPECT_EQ(QColor(color.r, color.g, color.b), frameColor({329, 250}));
+}
+
+TEST_F(WindowPick, ARowOfATableIsMarkedInEveryView) {
+    openPyramid();
+    auto* dock = find<QDockWidget>("tables");
+    EXPECT_FALSE(dock->isVisible());
+    press("Ctrl+Alt+5");
+    ASSERT_TRUE(dock->isVisible());
+    auto* panel = find<TablesPanel>("tablesPanel");
+    TablePage& page = panel->page(pipeline::TableId::Polygons);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page.model().rowCount() == 5; }));
+    const QPoint row = page.view().visualRect(page.model().index(1, 0)).center();
+    QTest::mouseClick(page.view().viewport(), Qt::LeftButton, Qt::NoModifier, row);
+    ASSERT_EQ(document().selection(), (Selection{Selection::Kind::Polygon, 1}));
+    ASSERT_EQ(canvas()->content().marked.size(), 1u);
+    EXPECT_EQ(canvas()->content().marked[0].size(), 3);
+    // Vertex 1 of the pyramid stands at (226.67, 286.67) in the picture.
+    EXPECT_NEAR(canvas()->content().marked[0][0].x(), 226.67, 0.01);
+    EXPECT_NEAR(canvas()->content().marked[0][0].y(), 286.67, 0.01);
+    const auto& content = find<SceneView>("sceneView")->content();
+    EXPECT_EQ(content->markedLoop, (std::vector<std::uint32_t>{1, 2, 4}));
+    QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier, onCanvas({268, 281}));
+    EXPECT_FALSE(document().selection());
+    EXPECT_TRUE(canvas()->content().marked.empty());
 }
 
 TEST_F(WindowPick, GoToPixelTakesTwoNumbersInsideThePicture) {
