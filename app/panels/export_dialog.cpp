@@ -15,9 +15,9 @@
 
 #include "app/core/export_job.h"
 #include "app/core/text.h"
+#include "app/panels/export_formats.h"
 #include "app/panels/export_list.h"
 #include "app/panels/follow_theme.h"
-#include "pipeline/export/exporter.h"
 #include "pipeline/plan/needs.h"
 
 namespace app {
@@ -78,19 +78,9 @@ QWidget* ExportDialog::makeTarget() {
     where->addWidget(choose);
     form->addRow(tr("Folder"), where);
 
-    auto* formats = new QHBoxLayout;
-    formats->setSpacing(0);
-    for (const pipeline::Exporter& exporter : pipeline::exporterTable()) {
-        auto* button = new QPushButton(toQString(exporter.name), right);
-        button->setCheckable(true);
-        button->setChecked(exporter.name == "npy" || exporter.name == "png");
-        button->setProperty("kind", "segment");
-        button->setToolTip(toQString(exporter.meaning));
-        connect(button, &QPushButton::toggled, this, &ExportDialog::showSummary);
-        formats->addWidget(button, 1);
-        m_formats += button;
-    }
-    form->addRow(tr("Formats"), formats);
+    m_formats = new ExportFormats(m_document.scene(), right);
+    connect(m_formats, &ExportFormats::changed, this, &ExportDialog::showSummary);
+    form->addRow(tr("Formats"), m_formats);
 
     auto* size = new QHBoxLayout;
     const auto makeSide = [&](int value, const char* name) {
@@ -175,9 +165,7 @@ void ExportDialog::showFrame() {
 pipeline::ExportRequest ExportDialog::request() const {
     pipeline::ExportRequest request;
     request.folder = m_folder->text().toStdString();
-    request.formats.clear();
-    for (const QPushButton* button : m_formats)
-        if (button->isChecked()) request.formats.push_back(button->text().toStdString());
+    request.formats = m_formats->chosen();
     request.buffers = m_buffers->chosen();
     return request;
 }
@@ -196,7 +184,7 @@ void ExportDialog::showSummary() {
     const double scale =
         double(m_width->text().toInt()) * m_height->text().toInt() / (double(settings.width) * settings.height);
     double bytes = 0;
-    QStringList files;
+    QStringList files = m_formats->sceneFiles();
     for (const pipeline::PlannedFile& file : plannedFiles(*m_document.frame(), wanted)) {
         if (file.file.empty()) continue;
         const bool pixels = pipeline::bufferInfo(file.buffer.id).domain == pipeline::Domain::Pixel;

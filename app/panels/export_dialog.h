@@ -11,6 +11,7 @@ class QPushButton;
 
 namespace app {
 
+class ExportFormats;
 class ExportJob;
 class ExportList;
 
@@ -34,7 +35,7 @@ private:
 
     Document& m_document;
     ExportList* m_buffers;
-    QList<QPushButton*> m_formats;
+    ExportFormats* m_formats;
     QLineEdit* m_folder;
     QLineEdit *m_width, *m_height;
     QLabel *m_total, *m_files, *m_message;

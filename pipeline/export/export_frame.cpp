@@ -49,8 +49,7 @@ Result<std::vector<WrittenScene>> writeScene(const Frame& frame, const ExportReq
     std::vector<WrittenScene> written;
     for (const FrameExporter& exporter : frameExporterTable()) {
         if (std::ranges::find(request.formats, exporter.name) == request.formats.end()) continue;
-        const std::string stem = fs::path(frame.scene().name).stem().string();
-        const std::string file = (stem.empty() ? "scene" : stem) + std::string(exporter.ending);
+        const std::string file = sceneFileName(frame.scene().name, exporter);
         const auto bytes = exporter.write(frame, folder / file);
         if (!bytes) return bytes.errors();
         written.push_back({file, &exporter, *bytes});

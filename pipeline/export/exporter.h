@@ -49,6 +49,8 @@ struct FrameExporter {
 
 std::span<const FrameExporter> frameExporterTable();
 const FrameExporter* findFrameExporter(std::string_view name);  // null where there is none
+// "pyramid.gl.c" of the scene "pyramid.scene".
+std::string sceneFileName(const std::string& scene, const FrameExporter& exporter);
 
 // "could not write: no space left on device", at `file`; reason from errno.
 Error writeError(const std::filesystem::path& file, int errorNumber);

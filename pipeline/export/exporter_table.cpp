@@ -61,6 +61,12 @@ const FrameExporter* findFrameExporter(std::string_view name) {
     return found == kFrameTable.end() ? nullptr : &*found;
 }
 
+std::string sceneFileName(const std::string& scene, const FrameExporter& exporter) {
+    std::string file = std::filesystem::path(scene).stem().string();
+    if (file.empty()) file = "scene";
+    return file.append(exporter.ending);
+}
+
 Error writeError(const std::filesystem::path& file, int errorNumber) {
     return {{file.string()}, "could not write: " + std::generic_category().message(errorNumber), {}};
 }

@@ -1,3 +1,4 @@
+#include <QCheckBox>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
@@ -50,6 +51,33 @@ TEST_F(WindowExport, CommandLineNamesWhatWasChanged) {
     EXPECT_TRUE(command.contains("--format npy,png"));
     EXPECT_TRUE(command.contains("--set material.0.n=4"));
     EXPECT_FALSE(command.contains("--buffers"));  // all of them, as the command takes by itself
+}
+
+TEST_F(WindowExport, SaysWhyASceneHasNoOpenGlCalls) {
+    openPyramid();
+    ExportDialog* dialog = openDialog();
+    auto* calls = dialog->findChild<QCheckBox*>("format:opengl");
+    ASSERT_NE(calls, nullptr);
+    EXPECT_FALSE(calls->isEnabled());
+    EXPECT_TRUE(calls->toolTip().contains("set model to opengl")) << calls->toolTip().toStdString();
+}
+
+TEST_F(WindowExport, WritesTheOpenGlCalls) {
+    openPyramid();
+    document().change(*findSetting(document().scene(), "model"), 2);  // opengl
+    ASSERT_TRUE(waitForFrame());
+    ExportDialog* dialog = openDialog();
+    ASSERT_NE(dialog, nullptr);
+    auto* calls = dialog->findChild<QCheckBox*>("format:opengl");
+    ASSERT_TRUE(calls->isEnabled());
+    calls->click();
+    EXPECT_TRUE(dialog->findChild<QLineEdit*>("exportCommand")->text().contains("--format npy,png,opengl"));
+    QTest::mouseClick(dialog->findChild<QPushButton*>("exportStart"), Qt::LeftButton);
+    auto* message = dialog->findChild<QLabel*>("exportMessage");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return message->text().contains("in the folder"); }, 60000));
+    QFile file(folder.filePath("out/pyramid.gl.c"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readAll().contains("glBegin("));
 }
 
 TEST_F(WindowExport, CancelledExportLeavesNothing) {
