@@ -212,9 +212,28 @@ void MainWindow::showTitle() {
     setWindowTitle(name.isEmpty() ? QStringLiteral("Shadescope") : name + QStringLiteral(" – Shadescope"));
 }
 
+// A file may be dropped anywhere: a text field, which would take its name as words, leaves it to the window.
+bool MainWindow::dropsHere(QObject* watched, QEvent& event) {
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    if (!widget || widget == this || widget->window() != this) return false;
+    switch (event.type()) {
+        case QEvent::DragEnter:
+        case QEvent::DragMove:
+        case QEvent::Drop: break;
+        default: return false;
+    }
+    auto& drop = static_cast<QDropEvent&>(event);
+    if (!widget->acceptDrops() || !drop.mimeData()->hasUrls()) return false;
+    if (event.type() == QEvent::DragEnter) dragEnterEvent(static_cast<QDragEnterEvent*>(&event));
+    if (event.type() == QEvent::DragMove) drop.acceptProposedAction();
+    if (event.type() == QEvent::Drop) dropEvent(&drop);
+    return true;
+}
+
 // "Ctrl+←" and "Ctrl+→" go to a stage from anywhere, also from a text field that would take them.
 // At the first and the last stage they do nothing else instead.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (dropsHere(watched, *event)) return true;
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
     if (isKey && m_width && isActiveWindow()) {
         const auto* key = static_cast<QKeyEvent*>(event);
@@ -233,9 +252,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QMainWindow::closeEvent(event);
 }
 
+// Whatever is dropped is answered: what cannot be opened, with the reason.
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    const QList<QUrl> urls = event->mimeData()->urls();
-    if (urls.size() != 1 || !urls.front().isLocalFile()) return;
+    if (!event->mimeData()->hasUrls()) return;
     event->acceptProposedAction();
     m_start->setDropHint(true);
 }
@@ -245,7 +264,15 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { m_start->setDropHint(false);
 void MainWindow::dropEvent(QDropEvent* event) {
     m_start->setDropHint(false);
     event->acceptProposedAction();
-    openFile(event->mimeData()->urls().front().toLocalFile());
+    const QList<QUrl> urls = event->mimeData()->urls();
+    const auto refuse = [this](const QString& found, const QString& expected) {
+        emit m_document.failed({{{}, found.toStdString(), expected.toStdString()}});
+    };
+    if (urls.size() != 1) return refuse(tr("%1 files were dropped").arg(urls.size()), tr("one scene or model"));
+    if (!urls.front().isLocalFile())
+        return refuse(tr("%1 is no file of this machine").arg(urls.front().toDisplayString()),
+                      tr("a file; save it first"));
+    openFile(urls.front().toLocalFile());
 }
 
 }  // namespace app

@@ -56,6 +56,7 @@ private:
     void showTitle();
     void showLessons();
     void showScene();
+    bool dropsHere(QObject* watched, QEvent& event);
     // main_window_actions.cpp: what the actions do, and when they can
     void connectActions();
     void enableActions();

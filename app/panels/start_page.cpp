@@ -81,7 +81,7 @@ QWidget* StartPage::makeLeft() {
     m_recent->setSpacing(2);
     column->addLayout(m_recent);
     column->addStretch(1);
-    m_drop = new DropField(tr("Drop a scene file here."), left);
+    m_drop = new DropField(tr("Drop a scene or a model here."), left);
     column->addWidget(m_drop);
     column->addSpacing(8);
     auto* theme = new Segmented({tr("Dark"), tr("Light"), tr("Projector")}, left);

@@ -2,6 +2,7 @@
 #include <QFile>
 #include <QMimeData>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QTest>
 
 #include "app/panels/error_list.h"
@@ -14,9 +15,9 @@ namespace app {
 namespace {
 
 // As a file manager drops it.
-void drop(QWidget& window, const QString& file) {
+void drop(QWidget& window, const QList<QUrl>& files) {
     QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(file)});
+    data.setUrls(files);
     const QPoint at(400, 400);
     QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&window, &enter);
@@ -24,6 +25,7 @@ void drop(QWidget& window, const QString& file) {
     QDropEvent event(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&window, &event);
 }
+void drop(QWidget& window, const QString& file) { drop(window, QList{QUrl::fromLocalFile(file)}); }
 
 using WindowOpen = WindowTest;
 
@@ -53,6 +55,50 @@ TEST_F(WindowOpen, DroppedFileOpens) {
     drop(window, resourceScene("pyramid.scene"));
     ASSERT_TRUE(document().hasScene());
     EXPECT_TRUE(waitForFrame());
+}
+
+TEST_F(WindowOpen, DroppedModelOpens) {
+    QFile model(folder.filePath("triangle.obj"));
+    ASSERT_TRUE(model.open(QIODevice::WriteOnly));
+    model.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    model.close();
+    drop(window, model.fileName());
+    ASSERT_TRUE(document().hasScene());
+    EXPECT_EQ(document().scene().objects[0].mesh->polygonCount(), 1u);
+}
+
+TEST_F(WindowOpen, WhatCannotBeOpenedIsAnsweredWhenItIsDropped) {
+    openPyramid();
+    auto* errors = find<ErrorList>("errorList");
+    QFile notes(folder.filePath("notes.pdf"));
+    ASSERT_TRUE(notes.open(QIODevice::WriteOnly));
+    notes.write("%PDF-1.7\n");
+    notes.close();
+    drop(window, notes.fileName());
+    EXPECT_TRUE(errors->text().contains("notes.pdf could not be read.")) << errors->text().toStdString();
+    EXPECT_TRUE(errors->text().contains(".scene") && errors->text().contains(".obj")) << "says what opens";
+    drop(window, QList{QUrl::fromLocalFile(notes.fileName()), QUrl::fromLocalFile("/other.obj")});
+    EXPECT_TRUE(errors->text().contains("2 files were dropped")) << errors->text().toStdString();
+    drop(window, QList{QUrl("https://example.org/a.obj")});
+    EXPECT_TRUE(errors->text().contains("is no file of this machine")) << errors->text().toStdString();
+    EXPECT_EQ(document().scene().name, "pyramid.scene");
+}
+
+TEST_F(WindowOpen, AFileMayBeDroppedOnAnyPartOfTheWindow) {
+    openPyramid();
+    int parts = 0;
+    // Another scene brings other fields for its settings.
+    QList<QPointer<QWidget>> all;
+    for (QWidget* part : window.findChildren<QWidget*>()) all << part;
+    for (const QPointer<QWidget>& part : all) {
+        if (!part || !part->acceptDrops() || part->window() != &window) continue;
+        ++parts;
+        const std::string kind = part->metaObject()->className();
+        drop(*part, resourceScene("two_pyramids.scene"));
+        EXPECT_EQ(document().scene().name, "two_pyramids.scene") << kind;
+        ASSERT_TRUE(window.openFile(resourceScene("pyramid.scene")));
+    }
+    EXPECT_GT(parts, 0) << "text fields take drops by themselves";
 }
 
 TEST_F(WindowOpen, FailedLoadKeepsTheSceneAndSaysWhereAndWhy) {
