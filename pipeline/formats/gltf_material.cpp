@@ -19,6 +19,16 @@ void remarkOn(const GltfValue& material) {
                "as front faces only by OpenGL's two-sided lighting.");
 }
 
+// What the alpha of the base colour comes to: nothing when opaque, which is the default; all or nothing when masked.
+double readAlpha(const GltfValue& material, double base) {
+    const GltfValue mode = material["alphaMode"];
+    const std::string_view name = mode.isThere() ? mode.text().value_or("OPAQUE") : "OPAQUE";
+    if (name == "BLEND") return base;
+    if (name == "MASK") return base < material["alphaCutoff"].number(0, 1e9).value_or(0.5) ? 0 : 1;
+    if (name != "OPAQUE") mode.refuse("OPAQUE, MASK or BLEND");
+    return 1;
+}
+
 }  // namespace
 
 Material readGltfMaterial(const GltfValue& value) {
@@ -41,6 +51,7 @@ Material readGltfMaterial(const GltfValue& value) {
         alpha > 0 ? std::clamp(2 / (alpha * alpha) - 2, kLeastExponent, kLargestExponent) : kLargestExponent;
     material.ambient = base;
     material.emission = {emission[0], emission[1], emission[2]};
+    material.alpha = readAlpha(value, color[3]);
     return material;
 }
 

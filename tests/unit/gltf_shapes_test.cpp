@@ -222,6 +222,23 @@ TEST(GltfShapes, MaterialsByTheManualsFormulas) {
     }
 }
 
+// Base colours with an alpha of 0.25: the mode says what it means, and without one it means nothing.
+TEST(GltfShapes, AlphaByItsMode) {
+    Parts parts = squareParts();
+    parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}])";
+    for (const auto& [mode, alpha] : {std::pair{"", 1.0},
+                                      {R"(, "alphaMode": "OPAQUE")", 1.0},
+                                      {R"(, "alphaMode": "BLEND")", 0.25},
+                                      {R"(, "alphaMode": "MASK")", 0.0},
+                                      {R"(, "alphaMode": "MASK", "alphaCutoff": 0.25)", 1.0}}) {
+        parts["materials"] =
+            fmt::format(R"([{{"pbrMetallicRoughness": {{"baseColorFactor": [1, 1, 1, 0.25]}}{}}}])", mode);
+        EXPECT_EQ(modelOf(fileOf(parts)).objects.at(0).material.alpha, alpha) << mode;
+    }
+    parts["materials"] = R"([{"alphaMode": "GLASS"}])";
+    EXPECT_FALSE(readModel({fileOf(parts), "m"}, ".gltf", filesOf({})));
+}
+
 TEST(GltfShapes, RemarksAboutWhatIsNotRead) {
     Parts parts = squareParts();
     parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 0}, "indices": 1, "material": 0,
