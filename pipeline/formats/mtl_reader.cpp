@@ -53,7 +53,8 @@ void readMtl(const SourceText& source, std::vector<NamedMaterial>& materials, Er
         if (word == "newmtl") {
             const std::string_view name = scanner.rest();
             if (name.empty()) scanner.refuse("the material's name");
-            current = &materials.emplace_back(std::string(name), Material{});
+            materials.push_back({std::string(name), Material{}});
+            current = &materials.back();
             ambientGiven = opacityGiven = false;
             continue;
         }

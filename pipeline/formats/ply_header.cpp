@@ -130,7 +130,8 @@ PlyHeader readPlyHeader(LineScanner& scanner) {
             else
                 scanner.refuse("ascii, binary_little_endian or binary_big_endian");
         } else if (word == "element") {
-            PlyElement& element = header.elements.emplace_back(std::string(scanner.next()));
+            PlyElement& element = header.elements.emplace_back();
+            element.name = scanner.next();
             const std::optional<std::uint64_t> count = parseCount(scanner.next());
             if (!count) scanner.refuse("how many elements there are");
             element.count = count.value_or(0);

@@ -130,9 +130,12 @@ Result<LoadedModel> readText(const SourceText& source) {
             if (const std::optional<std::uint32_t> vertex = readVertex(scanner, welded)) corners.push_back(*vertex);
         } else if (word == "endloop") {
             if (corners.size() < 3 && errors.empty()) scanner.fail("a loop of fewer than three vertices", "three");
+            if (place.line == 0) place = scanner.place();  // no facet so far: every polygon has a place, or none
             addPolygon(welded.mesh(), corners, place);
+            corners.clear();
         } else if (ended) {
             addObject(welded, source, name, model.objects);
+            corners.clear();  // vertices of the object that is over
         } else if (word != "endfacet") {
             scanner.refuse("solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
         }

@@ -144,8 +144,7 @@ Errors TomlValues::errors() const {
         const bool other = error.where.file != m_file;
         return std::tuple(other, other ? 0 : error.where.line, other ? 0 : error.where.column);
     });
-    const auto repeated = std::ranges::unique(sorted);
-    sorted.erase(repeated.begin(), repeated.end());
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     if (sorted.size() > kMaxErrors) sorted.resize(kMaxErrors);
     return sorted;
 }

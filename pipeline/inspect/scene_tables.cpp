@@ -217,9 +217,9 @@ std::vector<std::uint32_t> sortedRows(const SceneTable& table, std::size_t colum
     std::vector<Cell> keys;  // read once each: a comparison is asked for many times
     keys.reserve(table.rows);
     for (std::size_t i = 0; i < table.rows; ++i) keys.push_back(cell(i));
-    const auto empty = std::ranges::stable_partition(
-        rows, [&](std::uint32_t i) { return !std::holds_alternative<std::monostate>(keys[i]); });
-    std::stable_sort(rows.begin(), empty.begin(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto empty = std::stable_partition(
+        rows.begin(), rows.end(), [&](std::uint32_t i) { return !std::holds_alternative<std::monostate>(keys[i]); });
+    std::stable_sort(rows.begin(), empty, [&](std::uint32_t a, std::uint32_t b) {
         return descending ? keys[b] < keys[a] : keys[a] < keys[b];
     });
     return rows;

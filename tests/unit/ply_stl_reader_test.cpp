@@ -216,5 +216,22 @@ TEST(StlReader, TextFilesThatAreWrong) {
               "m:2:1: found \"facets\", expected solid, facet, outer loop, vertex, endloop, endfacet or endsolid\n");
 }
 
+// Found by fuzzing: polygons after the first had the places of others.
+TEST(StlReader, EveryPolygonHasAPlaceWithoutAFacetToo) {
+    const std::string loop = "outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
+    const auto objects = objectsOf("solid a\n" + loop + "facet\n" + loop + "endfacet\nendsolid\n", ".stl");
+    ASSERT_EQ(objects.size(), 1u);
+    EXPECT_EQ(objects[0].mesh->polygonPlaces, (std::vector<TextPosition>{{6, 1}, {7, 1}}));
+}
+
+// Found by fuzzing: an endloop of its own took the corners of the object before.
+TEST(StlReader, CornersOfALoopAreThoseOfIt) {
+    const std::string facet = "facet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    EXPECT_EQ(errorsOf("solid a\n" + facet + "endsolid\nsolid b\nendloop\nendsolid\n", ".stl"),
+              "m:11:1: a loop of fewer than three vertices, expected three\n");
+    EXPECT_EQ(errorsOf("solid a\n" + facet + "endloop\nendsolid\n", ".stl"),
+              "m:9:1: a loop of fewer than three vertices, expected three\n");
+}
+
 }  // namespace
 }  // namespace pipeline

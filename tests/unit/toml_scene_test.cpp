@@ -104,6 +104,8 @@ TEST(TomlScene, GivesPlaceAndExpectationOfWhatIsWrong) {
               "s.toml:3:10: the axis of a turn is (0, 0, 0), expected a direction\n");
     EXPECT_EQ(errorsIn("[[object]]\nname = \"a\"\n"),
               "s.toml:1:1: object.0 has none or several of shape, mesh and model, expected one of them\n");
+    for (const char* header : {"[=]\n", "[\x04]\n", "[.a]\n", "[[\xC3\xA9]]\n"})
+        EXPECT_TRUE(errorsIn(header).starts_with("s.toml:1:")) << header;
     EXPECT_TRUE(errorsIn("a = \n").starts_with("s.toml:1:")) << errorsIn("a = \n");
     EXPECT_NE(errorsIn("title = \"nothing\"\n").find("the scene has no object"), std::string::npos);
 }
