@@ -1,5 +1,8 @@
 #include "app/core/scene_outline.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "app/core/text.h"
 
 namespace app {
@@ -66,6 +69,8 @@ std::vector<SettingRef> settingsOf(const Scene& scene, SettingGroup group) {
 std::vector<SettingRef> settingsOf(const Scene& scene, const SceneItem& item) {
     std::vector<SettingRef> settings = settingsOf(scene, groupOf(item.kind));
     std::erase_if(settings, [&](const SettingRef& setting) { return setting.index != item.index; });
+    if (item.kind == SceneItem::Kind::Scene)
+        std::ranges::copy(settingsOf(scene, SettingGroup::LeavingOut), std::back_inserter(settings));
     return settings;
 }
 

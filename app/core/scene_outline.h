@@ -24,7 +24,8 @@ struct OutlineRow {
 // The scene's rows from top to bottom; the first is the scene itself, the others are its parts.
 std::vector<OutlineRow> outline(const pipeline::Scene& scene);
 
-// The settings of one thing, in the order of the table. Of the scene itself: those of the picture.
+// The settings of one thing, in the order of the table. Of the scene itself: those of the picture,
+// and what is left out of it.
 std::vector<pipeline::SettingRef> settingsOf(const pipeline::Scene& scene, const SceneItem& item);
 // The settings of a group that belongs to the scene as a whole: shading, depth, shadow.
 std::vector<pipeline::SettingRef> settingsOf(const pipeline::Scene& scene, pipeline::SettingGroup group);
