@@ -281,6 +281,8 @@ std::string glRefuses(const Scene& scene) {
         return "OpenGL's calls draw the illumination model opengl alone: set model to opengl";
     if (scene.settings.shading == Shading::Phong)
         return "OpenGL 1.x shades flat or smooth, not per pixel: set shading to flat or gouraud";
+    if (scene.settings.shading == Shading::Gouraud && scene.settings.interpolation != Interpolation::Perspective)
+        return "OpenGL interpolates perspective-correct: set interpolation to perspective";
     if (scene.lights.size() > kLights.size())
         return fmt::format("OpenGL has {} lights, the scene {}", kLights.size(), scene.lights.size());
     for (const Object& object : scene.objects)

@@ -140,12 +140,15 @@ Json toJson(const Frame& frame, const PixelReport& report) {
         culled.push_back(
             {{"polygon", polygon.polygon}, {"letter", std::string(1, polygon.letter)}, {"reason", polygon.reason}});
     if (report.covered) {
-        Json evaluations = Json::array();
+        Json evaluations = Json::array(), weights = Json::array();
+        for (const auto& [vertex, weight] : report.weights) weights.push_back({{"vertex", vertex}, {"weight", weight}});
         for (const Evaluation& evaluation : report.evaluations) evaluations.push_back(evaluationToJson(evaluation));
         json.update({{"object", report.object},
                      {"polygon", report.polygon},
                      {"vertices", report.vertices},
                      {"barycentric", toJson(report.barycentric)},
+                     {"interpolation", report.interpolation},
+                     {"weights", weights},
                      {"position", toJson(report.position)},
                      {"z_view", report.zView},
                      {"depth", report.depth},

@@ -25,6 +25,7 @@ constexpr auto kScenes = std::to_array<Row>({
     {"lambert", ".toml"},
     {"reflection_law", ".toml"},
     {"flat_gouraud_phong", ".toml"},
+    {"interpolation", ".toml"},
     {"highlight_exponents", ".toml"},
     {"phong_blinn", ".toml"},
     {"vertex_normals", ".toml"},

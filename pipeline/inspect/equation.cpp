@@ -229,18 +229,21 @@ void Writer::frameBuffer() {
 
 // Gouraud: the pixel's intensity from those at the vertices.
 void Writer::weighted() {
+    const bool perspective = scene.settings.interpolation == Interpolation::Perspective;
     std::vector<Formula> symbols{intensity(), text("=")}, numbers{text("=")}, result{text("=")};
     for (std::size_t i = 0; i < report.evaluations.size(); ++i) {
         const Evaluation& e = report.evaluations[i];
         if (i > 0)
             for (auto* parts : {&symbols, &numbers, &result}) parts->push_back(text("+"));
-        symbols.push_back(sub("λ", std::to_string(i), "barycentric"));
-        symbols.push_back(script(symbol("I"), text(std::to_string(report.vertices[i])), row({}), "vertices.intensity"));
+        symbols.push_back(sub("λ", std::to_string(i), perspective ? "barycentric" : ""));
+        symbols.push_back(script(symbol("I"), text(std::to_string(e.vertex)), row({}), "vertices.intensity"));
         numbers.push_back(text(fixed(e.weight, 4) + "·" + fixed(e.intensity[c], 3)));
         result.push_back(text(fixed(e.weight * e.intensity[c], 3)));
     }
     result.insert(result.end(), {text("="), text(fixed(report.intensity[c], 3), "intensity")});
-    add("symbols", std::move(symbols), "Gouraud: evaluated at the vertices, then interpolated");
+    add("symbols", std::move(symbols),
+        "Gouraud: evaluated at the vertices, then interpolated" +
+            (perspective ? std::string() : ", " + report.interpolation));
     add("numbers", std::move(numbers));
     add("result", std::move(result));
 }
@@ -250,12 +253,12 @@ void Writer::weighted() {
 std::vector<EquationLine> equation(const Frame& frame, const PixelReport& report, int channel) {
     if (report.evaluations.empty()) return {};
     Writer writer{frame.scene(), report, channel, {}};
-    if (report.evaluations.size() > 1) {
+    const bool single = frame.scene().settings.shading != Shading::Gouraud;
+    if (!single) {
         writer.weighted();
         writer.frameBuffer();
     }
     for (const Evaluation& e : report.evaluations) {
-        const bool single = report.evaluations.size() == 1;
         const bool flat = frame.scene().settings.shading == Shading::Flat;
         writer.symbols(!single ? e.where
                        : flat  ? "Flat: evaluated once, " + e.where

@@ -98,6 +98,16 @@ Evaluation evaluate(const ShadingInputs& inputs, const Surface<Real>& at, const 
 std::string placeText(Vec3d p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
 
 template <class Real>
+void reportWeights(const VertexWeights<Real>& weights, Interpolation asked, PixelReport& report) {
+    static constexpr const char* kNames[]{"perspective-correct", "affine", "scanline"};
+    report.interpolation = kNames[std::size_t(weights.used)];
+    if (weights.used != asked)
+        report.interpolation += ", for scanline knows no polygon that is clipped or crosses itself";
+    for (std::size_t i = 0; i < weights.count; ++i)
+        report.weights.emplace_back(int(weights.vertices[i]), double(weights.weights[i]));
+}
+
+template <class Real>
 void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Real> b, PixelReport& report) {
     const TransformOutput<Real>& in = *data.transform;
     const Triangle& triangle = in.topology->triangles[triangleId];
@@ -105,6 +115,9 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
     const ShadingSources<Real> sources = data.shadingSources();
     const bool back = showsBack(inputs, sources, triangle.polygon);
     const Material& material = materialOf(inputs, in.topology->polygonObject[triangle.polygon], back);
+    RowCrossings row;
+    const VertexWeights<Real> weights = vertexWeights(inputs.interpolation, in, triangleId, b, report.pixel, row);
+    if (inputs.shading != Shading::Flat) reportWeights(weights, inputs.interpolation, report);
     switch (inputs.shading) {
         case Shading::Flat: {
             const Surface<Real> at = polygonSurface(inputs, sources, triangle.polygon);
@@ -115,16 +128,17 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
             break;
         }
         case Shading::Gouraud:
-            for (int i = 0; i < 3; ++i) {
-                const Surface<Real> at = vertexSurface(inputs, sources, triangle.vertices[i], back);
-                report.evaluations.push_back(evaluate(inputs, at, material,
-                                                      fmt::format("at vertex {}", triangle.vertices[i]), double(b[i]),
-                                                      report.shadow));
+            for (std::size_t i = 0; i < weights.count; ++i) {
+                const std::uint32_t vertex = weights.vertices[i];
+                const Surface<Real> at = vertexSurface(inputs, sources, vertex, back);
+                report.evaluations.push_back(evaluate(inputs, at, material, fmt::format("at vertex {}", vertex),
+                                                      double(weights.weights[i]), report.shadow));
+                report.evaluations.back().vertex = int(vertex);
             }
             break;
         case Shading::Phong:
-            report.evaluations.push_back(evaluate(inputs, pixelSurface(inputs, sources, triangleId, b), material,
-                                                  "at the pixel", 1, report.shadow));
+            report.evaluations.push_back(evaluate(inputs, pixelSurface(inputs, sources, triangleId, b, weights),
+                                                  material, "at the pixel", 1, report.shadow));
             break;
     }
 }
@@ -180,10 +194,10 @@ void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size
     const ShadingInputs& inputs = data.keys.shading;
     const ShadingSources<Real> sources = data.shadingSources();
     const Topology& topology = *data.transform->topology;
-    std::vector<LightSample<Real>> samples(inputs.lights.size());
+    ShadingScratch<Real> scratch(inputs);
     ShadingCounts counts;
     const auto intensityOf = [&](std::uint32_t id, Vec3<Real> b) {
-        return surfaceIntensity(inputs, sources, *data.shading, id, b, samples, counts);
+        return surfaceIntensity(inputs, sources, *data.shading, id, b, report.pixel, scratch, counts);
     };
     Vec3<Real> opaque(0), added(0);
     Real left = 1;

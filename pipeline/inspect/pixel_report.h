@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pipeline/core/real.h"
@@ -54,10 +55,11 @@ struct LightReport {
 // vertex for Gouraud shading (whose intensities are then weighted).
 struct Evaluation {
     std::string where;     // "at the mean of the vertices (335, 125, 50)", "vertex 4", "at the pixel"
-    double weight = 1;     // barycentric weight in the pixel's intensity
+    double weight = 1;     // in the pixel's intensity
     Vec3d position, N, V;  // world space
     std::vector<LightReport> lights;
     Vec3d emission{0.0}, ambient{0.0}, intensity{0.0};
+    int vertex = -1;       // of Gouraud shading, over all objects
     bool clamped = false;  // OpenGL: the colour was above 1 (or below 0), and its terms shrank
 };
 
@@ -72,6 +74,9 @@ struct PixelReport {
     Vec3d barycentric{0.0};
     Vec3d position{0.0};  // world space
     double zView = 0, depth = 0;
+    // What its intensity or normal is interpolated with; empty in flat shading.
+    std::string interpolation;                    // "affine", "affine: scanline knows no clipped polygon"
+    std::vector<std::pair<int, double>> weights;  // (vertex, weight), 2 to 4
     std::vector<Evaluation> evaluations;
     std::vector<double> shadow;             // S_k at the pixel, per light
     std::vector<std::string> shadowPlaces;  // "lit", "penumbra (S = 0.44)", "umbra"; empty where the model knows none

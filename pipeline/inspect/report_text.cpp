@@ -22,6 +22,11 @@ void addWhy(std::string& out, const Frame& frame, const PixelReport& r) {
     }
     out += fmt::format("  triangle     vertices {}, {}, {}\n", r.vertices[0], r.vertices[1], r.vertices[2]);
     out += fmt::format("  barycentric  {}\n", triple(r.barycentric));
+    if (!r.interpolation.empty() && r.interpolation != "perspective-correct") {
+        out += fmt::format("  weights      {}:", r.interpolation);
+        for (const auto& [vertex, weight] : r.weights) out += fmt::format(" {:.4f} of vertex {}", weight, vertex);
+        out += '\n';
+    }
     out += fmt::format("  position     {} world\n", triple(r.position, 7));
     out += fmt::format("  z_view       {}\n", depthText(r.zView));
     if (r.depth != r.zView) out += fmt::format("  depth        {:.9g}\n", r.depth);

@@ -61,6 +61,7 @@ std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
 
 std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (a.shading != b.shading) return "The setting shading changed.";
+    if (a.interpolation != b.interpolation) return "The setting interpolation changed.";
     if (!(a.illumination == b.illumination)) return "The illumination model changed.";
     if (auto text = firstDifferent(a.materials, b.materials, "Material", "The materials"); !text.empty()) return text;
     if (auto text = firstDifferent(a.lights, b.lights, "Light", "The lights"); !text.empty()) return text;

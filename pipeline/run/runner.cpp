@@ -175,6 +175,8 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
                 std::ranges::count_if(data.zBuffer->triangle.pixels, [](std::uint32_t t) { return t != kNoTriangle; });
             std::string text = plural(seen, "pixel") + " shaded";
             if (data.keys.shading.layers.drawn) text += "; " + plural(data.shading->counts.layers, "layer");
+            if (const long long instead = data.shading->counts.affineInstead; instead > 0)
+                text += fmt::format("; {} affine, for their polygon is clipped or crosses itself", instead);
             return text;
         }
     }
@@ -234,6 +236,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                    {{}, settings.shadowSize},
                    {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene)},
                    {settings.shading,
+                    settings.shading == Shading::Flat ? Interpolation::Perspective : settings.interpolation,
                     illuminationOf(settings),
                     {},
                     {},

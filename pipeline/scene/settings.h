@@ -8,6 +8,8 @@ namespace pipeline {
 enum class Precision : std::uint8_t { Float, Double };
 enum class CullMode : std::uint8_t { None, Back };
 enum class Shading : std::uint8_t { Flat, Gouraud, Phong };
+// What intensities and normals are interpolated with; pipeline/stages/vertex_weights.h.
+enum class Interpolation : std::uint8_t { Perspective, Affine, Scanline };
 // The illumination models of the two lectures.
 enum class Model : std::uint8_t { Phong, BlinnPhong, OpenGl };
 // Given: the mesh's own normals where it has them, else Mean.
@@ -35,6 +37,7 @@ struct Settings {
     Precision precision = Precision::Float;
     CullMode cull = CullMode::Back;
     Shading shading = Shading::Flat;
+    Interpolation interpolation = Interpolation::Perspective;
     Model model = Model::Phong;
     double exponentFactor = 1;  // Blinn-Phong: multiplies n; about 4 gives a highlight as wide as Phong's
     bool localViewer = false;   // OpenGL: V points to the eye; off: along the viewing axis

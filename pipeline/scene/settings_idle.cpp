@@ -31,6 +31,9 @@ std::string_view onlyLookAtOrthographic(const Scene& scene) {
 std::string_view onlyVertexNormals(const Scene& scene) {
     return scene.settings.shading == Shading::Flat ? "Flat shading needs polygon normals only." : "";
 }
+std::string_view notFlat(const Scene& scene) {
+    return scene.settings.shading == Shading::Flat ? "Flat shading interpolates nothing." : "";
+}
 std::string_view onlyZBuffer(const Scene& scene) {
     return scene.settings.visibility == Visibility::ZBuffer ? "" : "Without a z-buffer no depth is stored.";
 }

@@ -17,6 +17,7 @@ constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
 constexpr std::array<std::string_view, 2> kPrecision{"float", "double"};
 constexpr std::array<std::string_view, 2> kCull{"none", "back"};
 constexpr std::array<std::string_view, 3> kShading{"flat", "gouraud", "phong"};
+constexpr std::array<std::string_view, 3> kInterpolation{"perspective", "affine", "scanline"};
 constexpr std::array<std::string_view, 4> kNormalWeight{"mean", "area", "angle", "given"};
 constexpr std::array<std::string_view, 3> kModel{"phong", "blinn-phong", "opengl"};
 constexpr std::array<std::string_view, 2> kLightSpace{"world", "eye"};
@@ -136,6 +137,11 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         kPlane),
 
     choice<OfShading, &S::shading>({"shading", "Shading", "", "Where the illumination model is evaluated."}, kShading),
+    choice<OfShading, &S::interpolation>(
+        {"interpolation", "Interpolation", "",
+         "What intensities or normals are linear over: the polygon in space, the triangle in the picture, or the "
+         "polygon's edges and then the row between them."},
+        kInterpolation, notFlat),
     choice<OfShading, &S::model>({"model", "Model", "", "The illumination model that is evaluated."}, kModel),
     row<OfShading, &S::exponentFactor>(
         {"exponent_factor", "Exponent factor", "",

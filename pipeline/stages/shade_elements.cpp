@@ -11,6 +11,7 @@ ShadingCounts& ShadingCounts::operator+=(const ShadingCounts& more) {
     lookups += more.lookups, idleLookups += more.idleLookups;
     tiles += more.tiles, emptyTiles += more.emptyTiles;
     layers += more.layers;
+    affineInstead += more.affineInstead;
     return *this;
 }
 

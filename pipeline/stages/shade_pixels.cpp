@@ -10,7 +10,7 @@ namespace {
 template <class Real>
 struct Pixel {
     const Triangle& triangle;
-    Vec3<Real> barycentric;
+    VertexWeights<Real> weights;  // of what is interpolated
     const Material& material;
     bool back;  // the polygon shows its back, and is lit from there
     Surface<Real> surface;
@@ -35,9 +35,9 @@ LightSample<Real> lightAtPixel(const ShadingInputs& inputs, const ShadingSources
         }
         case Shading::Gouraud: {
             LightSample<Real> s{};
-            for (int i = 0; i < 3; ++i) {
-                const Real weight = pixel.barycentric[i];
-                const std::uint32_t vertex = pixel.triangle.vertices[i];
+            for (std::size_t i = 0; i < pixel.weights.count; ++i) {
+                const Real weight = pixel.weights.weights[i];
+                const std::uint32_t vertex = pixel.weights.vertices[i];
                 const LightTerms<Real>& terms = vertexElements(out, pixel.back).terms[vertex * lights + k];
                 s.diffuse += weight * terms.diffuse;
                 s.specular += weight * terms.specular;
@@ -61,11 +61,9 @@ BaseTerms<Real> baseAtPixel(const ShadingInputs& inputs, const ShadingOutput<Rea
         case Shading::Flat: return out.polygons.base[pixel.triangle.polygon];
         case Shading::Gouraud: {
             const std::vector<BaseTerms<Real>>& base = vertexElements(out, pixel.back).base;
-            const auto& v = pixel.triangle.vertices;
-            const BaseTerms<Real>&a = base[v[0]], &b = base[v[1]], &c = base[v[2]];
-            const Vec3<Real> weights = pixel.barycentric;
-            return {a.emission + weights.y * (b.emission - a.emission) + weights.z * (c.emission - a.emission),
-                    a.ambient + weights.y * (b.ambient - a.ambient) + weights.z * (c.ambient - a.ambient)};
+            const VertexWeights<Real>& w = pixel.weights;
+            return {interpolated(w, [&](std::uint32_t vertex) { return base[vertex].emission; }),
+                    interpolated(w, [&](std::uint32_t vertex) { return base[vertex].ambient; })};
         }
     }
     return {};
@@ -101,10 +99,10 @@ Wanted wantedOf(const ShadingOutput<Real>& out) {
 // the shading or somebody who looks needs them.
 template <class Real>
 Surface<Real> shownSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
-                           Vec3<Real> barycentric, bool wanted) {
+                           Vec3<Real> barycentric, const VertexWeights<Real>& weights, bool wanted) {
     const Triangle& corners = in.transform.topology->triangles[triangle];
     if (inputs.shading == Shading::Phong || (wanted && inputs.shading == Shading::Gouraud))
-        return pixelSurface(inputs, in, triangle, barycentric);
+        return pixelSurface(inputs, in, triangle, barycentric, weights);
     const Vec3<Real> position =
         inputs.parts.position ? interpolated(in.transform.world, corners.vertices, barycentric) : Vec3<Real>(0);
     if (!wanted) return {position, Vec3<Real>(0), Vec3<Real>(0)};
@@ -114,20 +112,23 @@ Surface<Real> shownSurface(const ShadingInputs& inputs, const ShadingSources<Rea
 
 template <class Real>
 Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, const ShadingOutput<Real>& out,
-                 std::uint32_t id, Vec3<Real> barycentric, Wanted wanted, std::vector<LightSample<Real>>& samples,
+                 std::uint32_t id, Vec3<Real> barycentric, glm::ivec2 at, Wanted wanted, ShadingScratch<Real>& scratch,
                  const Writer<Real>& write, ShadingCounts& counts) {
     const Triangle& triangle = in.transform.topology->triangles[id];
     const bool back = showsBack(inputs, in, triangle.polygon);
     const Material& material = materialOf(inputs, in.transform.topology->polygonObject[triangle.polygon], back);
-    const Pixel<Real> pixel{triangle, barycentric, material, back,
-                            shownSurface(inputs, in, id, barycentric, wanted.surfaces)};
+    const VertexWeights<Real> weights =
+        vertexWeights(inputs.interpolation, in.transform, id, barycentric, at, scratch.row);
+    counts.affineInstead += weights.used != inputs.interpolation;
+    const Pixel<Real> pixel{triangle, weights, material, back,
+                            shownSurface(inputs, in, id, barycentric, weights, wanted.surfaces)};
     write.put(BufferId::Position, pixel.surface.position);
     write.put(BufferId::Normal, pixel.surface.N);
     write.put(BufferId::ViewVector, pixel.surface.V);
     BaseTerms<Real> base = baseAtPixel(inputs, out, pixel);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
         if (!inputs.parts.lights[k]) continue;
-        const LightSample<Real>& s = samples[k] = lightAtPixel(inputs, in, out, k, pixel, wanted.vectors);
+        const LightSample<Real>& s = scratch.samples[k] = lightAtPixel(inputs, in, out, k, pixel, wanted.vectors);
         if (inputs.shading != Shading::Phong) continue;
         base.ambient += s.ambient;
         count(s, counts);
@@ -138,7 +139,7 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
     Vec3<Real> intensity = sumOf(base);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
         if (!inputs.parts.lights[k]) continue;
-        const LightSample<Real>& s = samples[k];
+        const LightSample<Real>& s = scratch.samples[k];
         const bool idle = s.diffuse == Vec3<Real>(0) && s.specular == Vec3<Real>(0);
         const bool lookUp = inputs.parts.idleLookups || wanted.everyShadow || !idle;
         const Real shadow = lookUp ? shadowAt(inputs, in, k, triangle.polygon, pixel.surface.position) : Real(1);
@@ -166,14 +167,14 @@ ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real
                           ShadingOutput<Real>& out) {
     const Wanted wanted = wantedOf(out);
     ShadingCounts counts;
-    std::vector<LightSample<Real>> samples(inputs.lights.size());
+    ShadingScratch<Real> scratch(inputs);
     for (int y = tile.min.y; y < tile.max.y; ++y) {
         for (int x = tile.min.x; x < tile.max.x; ++x) {
             const std::size_t at = in.zBuffer.triangle.offset({x, y});
             const std::uint32_t id = in.zBuffer.triangle.pixels[at];
             if (id == kNoTriangle) continue;
-            const Vec3<Real> intensity = shade(inputs, in, out, id, in.zBuffer.barycentric.pixels[at], wanted, samples,
-                                               Writer<Real>{&out, at}, counts);
+            const Vec3<Real> intensity = shade(inputs, in, out, id, in.zBuffer.barycentric.pixels[at], {x, y}, wanted,
+                                               scratch, Writer<Real>{&out, at}, counts);
             out.vectors[index(BufferId::Intensity)][0].pixels[at] = intensity;
             out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax);
         }
@@ -183,16 +184,16 @@ ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real
 
 template <class Real>
 Vec3<Real> surfaceIntensity(const ShadingInputs& inputs, const ShadingSources<Real>& in, const ShadingOutput<Real>& out,
-                            std::uint32_t triangle, Vec3<Real> barycentric, std::vector<LightSample<Real>>& samples,
-                            ShadingCounts& counts) {
-    return shade(inputs, in, out, triangle, barycentric, {}, samples, Writer<Real>{nullptr, 0}, counts);
+                            std::uint32_t triangle, Vec3<Real> barycentric, glm::ivec2 pixel,
+                            ShadingScratch<Real>& scratch, ShadingCounts& counts) {
+    return shade(inputs, in, out, triangle, barycentric, pixel, {}, scratch, Writer<Real>{nullptr, 0}, counts);
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                   \
     template ShadingCounts shadePixels(const ShadingInputs&, const ShadingSources<Real>&, Tile, ShadingOutput<Real>&); \
     template Vec3<Real> surfaceIntensity(const ShadingInputs&, const ShadingSources<Real>&,                            \
-                                         const ShadingOutput<Real>&, std::uint32_t, Vec3<Real>,                        \
-                                         std::vector<LightSample<Real>>&, ShadingCounts&);
+                                         const ShadingOutput<Real>&, std::uint32_t, Vec3<Real>, glm::ivec2,            \
+                                         ShadingScratch<Real>&, ShadingCounts&);
 SHADESCOPE_INSTANTIATE(float)
 SHADESCOPE_INSTANTIATE(double)
 #undef SHADESCOPE_INSTANTIATE

@@ -42,13 +42,15 @@ Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Re
 
 template <class Real>
 Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
-                           Vec3<Real> barycentric) {
+                           Vec3<Real> barycentric, const VertexWeights<Real>& weights) {
     const auto& v = in.transform.topology->triangles[triangle].vertices;
     const std::uint32_t polygon = in.transform.topology->triangles[triangle].polygon;
     const Vec3<Real> position =
         inputs.parts.position ? interpolated(in.transform.world, v, barycentric) : Vec3<Real>(0);
-    const Vec3<Real> normal = in.normals.vertex.empty() ? in.normals.polygon[polygon]
-                                                        : normalized(interpolated(in.normals.vertex, v, barycentric));
+    const Vec3<Real> normal =
+        in.normals.vertex.empty()
+            ? in.normals.polygon[polygon]
+            : normalized(interpolated(weights, [&](std::uint32_t vertex) { return in.normals.vertex[vertex]; }));
     return {position, showsBack(inputs, in, polygon) ? -normal : normal,
             inputs.parts.viewVector ? viewVector(inputs, in.transform.view, position) : Vec3<Real>(0)};
 }
@@ -144,11 +146,12 @@ Color8 frameBufferValue(Vec3d intensity, double iMax) {
     return value;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                                   \
-    template Surface<Real> polygonSurface(const ShadingInputs&, const ShadingSources<Real>&, std::size_t);             \
-    template Surface<Real> vertexSurface(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, bool);        \
-    template Surface<Real> pixelSurface(const ShadingInputs&, const ShadingSources<Real>&, std::uint32_t, Vec3<Real>); \
-    template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);         \
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                  \
+    template Surface<Real> polygonSurface(const ShadingInputs&, const ShadingSources<Real>&, std::size_t);            \
+    template Surface<Real> vertexSurface(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, bool);       \
+    template Surface<Real> pixelSurface(const ShadingInputs&, const ShadingSources<Real>&, std::uint32_t, Vec3<Real>, \
+                                        const VertexWeights<Real>&);                                                  \
+    template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);        \
     template Real shadowAt(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::uint32_t, Vec3<Real>);
 SHADESCOPE_INSTANTIATE(float)
 SHADESCOPE_INSTANTIATE(double)

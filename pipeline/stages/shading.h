@@ -7,6 +7,7 @@
 #include "pipeline/illumination/shadow_factor.h"
 #include "pipeline/stages/interpolate.h"
 #include "pipeline/stages/normals.h"
+#include "pipeline/stages/vertex_weights.h"
 #include "pipeline/stages/z_buffer.h"
 
 namespace pipeline {
@@ -36,7 +37,8 @@ struct ShadingCounts {
     long long powers = 0, vanished = 0;
     long long lookups = 0, idleLookups = 0;
     long long tiles = 0, emptyTiles = 0;
-    long long layers = 0;  // of translucent surfaces over all pixels
+    long long layers = 0;         // of translucent surfaces over all pixels
+    long long affineInstead = 0;  // pixels whose weights could not be those of Scanline
     ShadingCounts& operator+=(const ShadingCounts& more);
 };
 
@@ -52,6 +54,7 @@ struct LayerInputs {
 
 struct ShadingInputs {
     Shading shading;
+    Interpolation interpolation;
     Illumination illumination;
     std::vector<Material> materials;      // per object
     std::vector<Material> backMaterials;  // per object
@@ -134,12 +137,20 @@ template <class Real>
 ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile,
                           ShadingOutput<Real>& out);
 
+// Room that is used again from pixel to pixel, by one thread.
+template <class Real>
+struct ShadingScratch {
+    std::vector<LightSample<Real>> samples;  // per light
+    RowCrossings row{};
+    explicit ShadingScratch(const ShadingInputs& inputs) : samples(inputs.lights.size()) {}
+};
+
 // The intensity of a triangle at a pixel, before it is scaled; the same bits as shadePixels writes. `out` holds the
-// polygons and vertices that have been shaded, `samples` room for one entry per light.
+// polygons and vertices that have been shaded.
 template <class Real>
 Vec3<Real> surfaceIntensity(const ShadingInputs& inputs, const ShadingSources<Real>& in, const ShadingOutput<Real>& out,
-                            std::uint32_t triangle, Vec3<Real> barycentric, std::vector<LightSample<Real>>& samples,
-                            ShadingCounts& counts);
+                            std::uint32_t triangle, Vec3<Real> barycentric, glm::ivec2 pixel,
+                            ShadingScratch<Real>& scratch, ShadingCounts& counts);
 
 // Where a polygon is evaluated: at the mean of its vertices, in OpenGL's model at the first of them.
 template <class Real>
@@ -147,10 +158,11 @@ Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<R
 // A vertex, seen from the front or from behind.
 template <class Real>
 Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t vertex, bool back);
-// Normals are interpolated and renormalised when the normals stage left vertex normals.
+// Normals are interpolated with `weights` and renormalised when the normals stage left vertex normals;
+// the position is perspective-correct.
 template <class Real>
 Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
-                           Vec3<Real> barycentric);
+                           Vec3<Real> barycentric, const VertexWeights<Real>& weights);
 // The same inputs with every vector of a surface and of a light computed: for those who look.
 ShadingInputs withAllVectors(ShadingInputs inputs);
 

@@ -105,13 +105,13 @@ Composed<Real> compose(const ShadingInputs& inputs, const ShadingSources<Real>& 
     const Topology& topology = *in.transform.topology;
     const glm::ivec2 size = tile.max - tile.min;
     Composed<Real> c{tile.min, {size, Vec3<Real>(0)}, {size, Real(1)}, {size, 0}};
-    std::vector<LightSample<Real>> samples(inputs.lights.size());
+    ShadingScratch<Real> scratch(inputs);
     for (const Layer<Real>& layer : layers) {
         const std::uint32_t polygon = topology.triangles[layer.triangle].polygon;
         const Real a =
             Real(opacity(materialOf(inputs, topology.polygonObject[polygon], showsBack(inputs, in, polygon))));
         const Vec3<Real> intensity =
-            surfaceIntensity(inputs, in, out, layer.triangle, layer.barycentric, samples, counts);
+            surfaceIntensity(inputs, in, out, layer.triangle, layer.barycentric, layer.pixel, scratch, counts);
         const std::size_t at = c.count.offset(layer.pixel - tile.min);
         c.added.pixels[at] = a * intensity + (1 - a) * c.added.pixels[at];
         c.left.pixels[at] = (1 - a) * c.left.pixels[at];

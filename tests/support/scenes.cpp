@@ -68,6 +68,7 @@ Scene randomScene(unsigned seed) {
     if (seed % 5 == 0) scene.ambient.intensity = 0;
     scene.settings.model = Model(seed % 3);
     scene.settings.twoSided = seed % 2 == 0;
+    scene.settings.interpolation = Interpolation(random() % 3);
     for (Object& object : scene.objects) object.material.emission = Vec3d(0.1 * (seed % 5));
     if (seed / 4 % 2 == 1)  // half of them: some objects translucent, or wholly transparent, or beyond [0, 1]
         for (Object& object : scene.objects) object.material.alpha = between(random, -0.2, 1.4);
@@ -78,7 +79,7 @@ Scene randomScene(unsigned seed) {
 void changeSomething(Scene& scene, std::mt19937& random) {
     Settings& settings = scene.settings;
     Object& object = scene.objects[random() % scene.objects.size()];
-    switch (random() % 23) {
+    switch (random() % 24) {
         case 0: object.material = randomMaterial(random); break;
         case 1: object.transform.translation = inBox(random, 2); break;
         case 2: object.transform.scale.z = -object.transform.scale.z; break;
@@ -108,7 +109,8 @@ void changeSomething(Scene& scene, std::mt19937& random) {
         case 18: object.material.alpha = double(random() % 5) / 4; break;
         case 19: object.material.alpha = between(random, 0, 1); break;
         case 20: settings.translucency = Translucency(random() % 2); break;
-        case 21: settings.width = 60 + int(random() % 60); break;
+        case 21: settings.interpolation = Interpolation(random() % 3); break;
+        case 22: settings.width = 60 + int(random() % 60); break;
         default: settings.shadowFilter = int(random() % 3); break;
     }
 }
