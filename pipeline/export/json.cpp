@@ -128,7 +128,8 @@ Json sceneToJson(const Scene& scene) {
 Json toJson(const Frame& frame, const PixelReport& report) {
     Json json{{"pixel", {report.pixel.x, report.pixel.y}},
               {"color", {report.color.r, report.color.g, report.color.b}},
-              {"covered", report.covered}};
+              {"covered", report.covered},
+              {"outline", report.outline}};
     Json fragments = Json::array(), culled = Json::array();
     for (const FragmentReport& fragment : report.fragments)
         fragments.push_back({{"polygon", fragment.polygon},

@@ -226,7 +226,7 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
     reportFragments(data, report);
     const std::size_t at = data.zBuffer->zView.offset(report.pixel);
     const std::uint32_t triangle = data.zBuffer->triangle.pixels[at];
-    if (data.shading) reportLayers(data, triangle, at, report);
+    if (data.shading && !data.keys.shading.outlines) reportLayers(data, triangle, at, report);
     if (triangle == kNoTriangle) return;
     const Topology& topology = *data.transform->topology;
     const Vec3<Real> b = data.zBuffer->barycentric.pixels[at];
@@ -241,6 +241,13 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
     report.position = Vec3d(position);
     if (!data.shading) return;
 
+    report.outline = data.keys.shading.outlines;
+    if (report.outline) {
+        report.iMax = data.shading->iMax;
+        report.intensity = report.composed = Vec3d(data.shading->vectors[index(BufferId::Intensity)][0].pixels[at]);
+        report.color = data.shading->color.pixels[at];
+        return;
+    }
     report.back = showsBack(data.keys.shading, data.shadingSources(), std::size_t(report.polygon));
     const std::size_t lights = data.keys.shading.lights.size();
     for (std::size_t k = 0; k < lights; ++k)

@@ -68,6 +68,7 @@ struct PixelReport {
     glm::ivec2 pixel;
     Color8 color;
     bool covered = false;
+    bool outline = false;                     // visibility none: a polygon's outline, not shaded
     int polygon = -1, object = -1;            // over all objects; object's index
     bool back = false;                        // lit from behind, with the back material
     std::array<int, 3> vertices{-1, -1, -1};  // of the triangle, over all objects

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "pipeline/stages/outlines.h"
 #include "pipeline/stages/painter.h"
 
 namespace pipeline {
@@ -51,12 +52,24 @@ std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, glm::ivec
     return record;
 }
 
+template <class Real, class Draws>
+std::vector<FragmentRecord> replayOutlines(const FrameData<Real>& data, glm::ivec2 pixel, Draws draws) {
+    const Tile tile{pixel, pixel + 1};
+    const OutlineBins<Real> bins = binOutlines<Real>(*data.transform, tile, draws);
+    ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, DepthFormat::Linear);
+    std::vector<FragmentRecord> record;
+    drawOutlines(data.transform->view, bins, 0, scratch, &record);
+    return record;
+}
+
 }  // namespace
 
 template <class Real>
 std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel) {
     const std::vector<Verdict>& verdicts = data.verdicts();
     if (data.keys.zBuffer.visibility == Visibility::Painter) return replayPainter(data, pixel);
+    if (data.keys.zBuffer.visibility == Visibility::None)
+        return replayOutlines(data, pixel, [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
     const std::vector<std::uint8_t> drawn = opaquePolygons(data);
     const TriangleBins<Real> pieces = piecesAt(data, pixel, [&](std::uint32_t polygon) {
         return (verdicts.empty() || goesOn(verdicts[polygon])) && (drawn.empty() || drawn[polygon]);
@@ -86,11 +99,18 @@ template <class Real>
 std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixel) {
     const std::vector<Verdict>& verdicts = data.verdicts();
     if (verdicts.empty()) return {};
-    const TriangleBins<Real> pieces =
-        piecesAt(data, pixel, [&](std::uint32_t polygon) { return !goesOn(verdicts[polygon]); });
     std::vector<std::uint32_t> polygons;
-    for (const RasterTriangle<Real>& piece : pieces.triangles)
-        polygons.push_back(data.transform->topology->triangles[piece.id].polygon);
+    const auto add = [&](std::uint32_t triangle) {
+        polygons.push_back(data.transform->topology->triangles[triangle].polygon);
+    };
+    if (data.keys.zBuffer.visibility == Visibility::None) {
+        const auto dropped = [&](std::uint32_t polygon) { return !data.hasOutline(polygon); };
+        for (const FragmentRecord& fragment : replayOutlines(data, pixel, dropped)) add(fragment.triangle);
+    } else {
+        const TriangleBins<Real> pieces =
+            piecesAt(data, pixel, [&](std::uint32_t polygon) { return !goesOn(verdicts[polygon]); });
+        for (const RasterTriangle<Real>& piece : pieces.triangles) add(piece.id);
+    }
     polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
     return polygons;
 }

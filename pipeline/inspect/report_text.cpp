@@ -20,6 +20,7 @@ void addWhy(std::string& out, const Frame& frame, const PixelReport& r) {
         const TextPosition at = object.mesh->polygonPlaces[place.polygon];
         out += fmt::format("  defined at   {}:{}:{}\n", object.mesh->file, at.line, at.column);
     }
+    if (r.outline) out += "  seen         its outline, drawn in white and not shaded\n";
     out += fmt::format("  triangle     vertices {}, {}, {}\n", r.vertices[0], r.vertices[1], r.vertices[2]);
     out += fmt::format("  barycentric  {}\n", triple(r.barycentric));
     if (!r.interpolation.empty() && r.interpolation != "perspective-correct") {

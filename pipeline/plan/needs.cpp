@@ -11,6 +11,7 @@ namespace pipeline {
 namespace {
 
 constexpr const char* kNoShadowsInOpenGl = "OpenGL's model knows no shadows.";
+constexpr const char* kOutlines = "Outlines are not shaded.";
 constexpr const char* kDark = "Its intensity is 0.";
 constexpr const char* kAllOpaque = "Every surface is opaque.";
 
@@ -60,6 +61,7 @@ struct Decision {
     }
     bool has(BufferId id) const { return wanted[index(id)]; }
     Model model() const { return scene.settings.model; }
+    bool outlines() const { return scene.settings.visibility == Visibility::None; }
 
     Need cull() const {
         const bool facing = model() == Model::OpenGl && scene.settings.twoSided;  // which side is lit
@@ -68,19 +70,24 @@ struct Decision {
                       fmt::format("Off in this scene: cull = none. All {} polygons go on.", polygonCount(scene)));
     }
     Need vertexNormals() const {
+        if (outlines() && !has(BufferId::VerticesNormal) && !vertexTerms()) return {kOutlines, {}};
         const bool read =
             scene.settings.shading != Shading::Flat || has(BufferId::VerticesNormal) || bool(vertexTerms());
         return unless(Rule::VertexNormals, read ? "" : "Flat shading needs polygon normals only.");
     }
     Need polygonTerms() const {
+        if (outlines() && !has(BufferId::PolygonsIntensity)) return {kOutlines, {}};
         const bool read = scene.settings.shading == Shading::Flat || has(BufferId::PolygonsIntensity);
         return unless(Rule::PolygonTerms, read ? "" : "Only flat shading evaluates polygons.");
     }
     Need vertexTerms() const {
+        if (outlines() && !has(BufferId::VerticesIntensity)) return {kOutlines, {}};
         const bool read = scene.settings.shading == Shading::Gouraud || has(BufferId::VerticesIntensity);
         return unless(Rule::VertexTerms, read ? "" : "Only Gouraud shading evaluates vertices.");
     }
     Need light(const Light& light) const {
+        if (outlines() && !anyWanted(wanted, {BufferId::PolygonsIntensity, BufferId::VerticesIntensity}))
+            return {kOutlines, {}};
         if (anyPerLight(wanted)) return {};
         if (light.intensity == 0) return unless(Rule::DarkLight, kDark);
         const bool reflected = anyMaterial(scene, [&](const Material& m) {
@@ -102,6 +109,7 @@ struct Decision {
     }
     Need shadow(const Light& light, const Need& counts) const {
         if (has(BufferId::ShadowBuffer)) return {};
+        if (outlines()) return {kOutlines, {}};
         if (model() == Model::OpenGl) return {kNoShadowsInOpenGl, {}};
         if (!light.castsShadow) return {"It casts no shadow.", {}};
         if (!counts) return counts;
@@ -153,7 +161,10 @@ struct Decision {
         return direction(model() != Model::Phong, specular, {BufferId::HalfwayVector, BufferId::NDotH},
                          "Phong's model uses R.");
     }
-    Need layers() const { return unless(Rule::TranslucentPass, translucentTriangles(scene) > 0 ? "" : kAllOpaque); }
+    Need layers() const {
+        if (outlines()) return {kOutlines, {}};
+        return unless(Rule::TranslucentPass, translucentTriangles(scene) > 0 ? "" : kAllOpaque);
+    }
     Need layerSort(const Need& layers) const {
         if (scene.settings.translucency == Translucency::Polygons)
             return {"Off in this scene: translucency = polygons.", {}};
@@ -203,7 +214,12 @@ namespace {
 std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
     const Model model = scene.settings.model;
     const bool lights = !scene.lights.empty();
-    if (bufferInfo(id).perLight && !lights) return "The scene has no light.";
+    const BufferInfo& info = bufferInfo(id);
+    if (info.perLight && !lights) return "The scene has no light.";
+    if (scene.settings.visibility == Visibility::None) {
+        if (id == BufferId::Depth) return "Outlines are drawn one over the other: no depths are compared.";
+        if (info.stage == StageId::Shading && id != BufferId::Intensity && id != BufferId::Color) return kOutlines;
+    }
     switch (id) {
         case BufferId::PolygonsVerdict: return needs.cull.notBecause;
         case BufferId::VerticesNormal: return needs.vertexNormals.notBecause;

@@ -47,11 +47,17 @@ void shadowParts(Parts& out) {
 void zBufferParts(Parts& out) {
     const Settings& settings = out.scene.settings;
     const bool sorts = settings.visibility == Visibility::Painter;
-    const std::string noOrder = sorts ? "" : "The z-buffer needs no order.";
-    out.within("clipping", Rule::Clipping, "Only of polygons that culling did not find whole in the picture.",
-               "Of every polygon.");
-    out.add("depth test", {sorts ? "The painter's algorithm compares no depths." : "", {}},
-            "Of all fragments at a pixel the nearest stays.", "");
+    const bool outlines = settings.visibility == Visibility::None;
+    const std::string noOrder = sorts      ? ""
+                                : outlines ? "Outlines are drawn in the order of the scene."
+                                           : "The z-buffer needs no order.";
+    if (!outlines)
+        out.within("clipping", Rule::Clipping, "Only of polygons that culling did not find whole in the picture.",
+                   "Of every polygon.");
+    const char* noDepths = sorts      ? "The painter's algorithm compares no depths."
+                           : outlines ? "Outlines are drawn one over the other: no depths are compared."
+                                      : "";
+    out.add("depth test", {noDepths, {}}, "Of all fragments at a pixel the nearest stays.", "");
     out.add("sort", {noOrder, {}}, "Polygons are painted from the farthest to the nearest.", "");
     out.add("split", {sorts && !settings.split ? "Off in this scene: split = off." : noOrder, {}},
             "Polygons may intersect, or overlap in a cycle.", "");
@@ -62,6 +68,12 @@ void shadingParts(Parts& out) {
     const Model model = out.scene.settings.model;
     out.add("polygon terms", needs.polygonTerms, "Flat shading, or somebody, reads them.", "a pass over the polygons");
     out.add("vertex terms", needs.vertexTerms, "Gouraud shading, or somebody, reads them.", "a pass over the vertices");
+    if (out.scene.settings.visibility == Visibility::None) {
+        for (std::size_t k = 0; k < needs.light.size(); ++k)
+            out.add(fmt::format("light {}", k), needs.light[k], "Somebody reads what it adds to polygons or vertices.",
+                    "an evaluation a point");
+        return out.within("tiles", Rule::EmptyTiles, "Not those that no outline touches.", "All of them.");
+    }
     if (needs.polygonTerms && needs.cull)
         out.within("hidden polygons", Rule::HiddenPolygons, "Not those that culling dropped.",
                    "Also those that culling dropped.");

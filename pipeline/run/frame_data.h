@@ -51,6 +51,10 @@ struct FrameData {
         static const std::vector<Verdict> kNone;
         return cull ? cull->verdicts : kNone;
     }
+    // Whether visibility none draws a polygon's outline: with cull = none of every polygon, degenerate ones too.
+    bool hasOutline(std::uint32_t polygon) const {
+        return keys.cull.mode == CullMode::None || goesOn(cull->verdicts[polygon]);
+    }
     ShadingSources<Real> shadingSources() const {
         return {*transform, *normals, shadowBuffer.get(), *zBuffer, cull.get()};
     }

@@ -9,6 +9,7 @@
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/parallel.h"
 #include "pipeline/scene/area_light.h"
+#include "pipeline/stages/outlines.h"
 #include "pipeline/stages/painter.h"
 #include "pipeline/stages/translucent.h"
 
@@ -74,6 +75,20 @@ std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBuff
 }
 
 template <class Real>
+std::shared_ptr<const ZBufferOutput<Real>> runOutlines(const FrameData<Real>& data, Threads& threads) {
+    const View& view = data.transform->view;
+    auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, view.size}, DepthFormat::Linear));
+    const OutlineBins<Real> bins = binOutlines<Real>(*data.transform, {{0, 0}, view.size},
+                                                     [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
+    for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
+    threads.forRange(bins.tiles.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) drawOutlines(view, bins, tile, *out);
+    });
+    out->note = fmt::format("; {} outline{}", bins.polygons, bins.polygons == 1 ? "" : "s");
+    return out;
+}
+
+template <class Real>
 std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs, const TransformOutput<Real>& in,
                                                       const CullOutput* cull, Threads& threads) {
     auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
@@ -121,7 +136,9 @@ std::shared_ptr<const ShadingOutput<Real>> runShading(const ShadingInputs& input
     threads.forRange(drawn.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile) {
             if (inputs.parts.emptyTiles || drawn[tile]) {
-                ShadingCounts counts = shadePixels(inputs, in, tileOf(in.transform.view.size, tile), *out);
+                const Tile pixels = tileOf(in.transform.view.size, tile);
+                ShadingCounts counts =
+                    inputs.outlines ? shadeOutlines(in, pixels, *out) : shadePixels(inputs, in, pixels, *out);
                 ++counts.tiles;
                 add(counts);
             } else {
@@ -173,6 +190,7 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
         case StageId::Shading: {
             const auto seen =
                 std::ranges::count_if(data.zBuffer->triangle.pixels, [](std::uint32_t t) { return t != kNoTriangle; });
+            if (data.keys.shading.outlines) return plural(seen, "pixel") + " of outlines";
             std::string text = plural(seen, "pixel") + " shaded";
             if (data.keys.shading.layers.drawn) text += "; " + plural(data.shading->counts.layers, "layer");
             if (const long long instead = data.shading->counts.affineInstead; instead > 0)
@@ -237,6 +255,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                    {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene)},
                    {settings.shading,
                     settings.shading == Shading::Flat ? Interpolation::Perspective : settings.interpolation,
+                    settings.visibility == Visibility::None,
                     illuminationOf(settings),
                     {},
                     {},
@@ -328,8 +347,11 @@ private:
             if (in.transparent.empty()) return runShadowBuffer(data.keys.shadowBuffer, in, threads);
             return runShadowBuffer(data.keys.shadowBuffer, withoutTransparent(in), threads);
         });
-        stage(StageId::ZBuffer, &Data::zBuffer,
-              [&] { return runZBuffer(data.keys.zBuffer, *data.transform, data.cull.get(), threads); });
+        stage(StageId::ZBuffer, &Data::zBuffer, [&] {
+            return data.keys.zBuffer.visibility == Visibility::None
+                       ? runOutlines(data, threads)
+                       : runZBuffer(data.keys.zBuffer, *data.transform, data.cull.get(), threads);
+        });
         stage(StageId::Shading, &Data::shading,
               [&] { return runShading(data.keys.shading, data.shadingSources(), frame.m_made, threads); });
         result = std::move(made);

@@ -24,7 +24,8 @@ enum class DepthFormat : std::uint8_t { Linear, Float, Reversed, Fixed16, Fixed2
 // How it is decided what is seen.
 //   ZBuffer   the nearest fragment of every pixel
 //   Painter   polygons are painted from the farthest to the nearest
-enum class Visibility : std::uint8_t { ZBuffer, Painter };
+//   None      nothing is decided: every polygon's outline
+enum class Visibility : std::uint8_t { ZBuffer, Painter, None };
 // In which order translucent surfaces are laid over what is behind them.
 //   Exact     by depth, at every pixel
 //   Polygons  by the mean depth of the polygons, the farthest first

@@ -28,10 +28,15 @@ std::string_view onlyLookAtOrthographic(const Scene& scene) {
     if (spherical(scene)) return onlyLookAt(scene);
     return orthographic(scene) ? "" : "The projection is perspective; choose orthographic to change it.";
 }
+std::string_view notOutlines(const Scene& scene) {
+    return scene.settings.visibility == Visibility::None ? "Outlines are not shaded." : "";
+}
 std::string_view onlyVertexNormals(const Scene& scene) {
+    if (!notOutlines(scene).empty()) return notOutlines(scene);
     return scene.settings.shading == Shading::Flat ? "Flat shading needs polygon normals only." : "";
 }
 std::string_view notFlat(const Scene& scene) {
+    if (!notOutlines(scene).empty()) return notOutlines(scene);
     return scene.settings.shading == Shading::Flat ? "Flat shading interpolates nothing." : "";
 }
 std::string_view onlyZBuffer(const Scene& scene) {
@@ -44,6 +49,7 @@ std::string_view onlyTranslucent(const Scene& scene) {
     return translucentSides(scene).empty() ? "Every surface is opaque: set a material's alpha below 1." : "";
 }
 std::string_view onlyShadow(const Scene& scene) {
+    if (!notOutlines(scene).empty()) return notOutlines(scene);
     if (scene.settings.model == Model::OpenGl) return "OpenGL's model knows no shadows.";
     return noShadow(scene) ? "No light casts a shadow." : "";
 }

@@ -12,6 +12,7 @@ std::string_view onlyLookAt(const Scene& scene);
 std::string_view onlyLookAtPerspective(const Scene& scene);
 std::string_view onlyLookAtOrthographic(const Scene& scene);
 std::string_view onlyVertexNormals(const Scene& scene);
+std::string_view notOutlines(const Scene& scene);
 std::string_view notFlat(const Scene& scene);
 std::string_view onlyZBuffer(const Scene& scene);
 std::string_view onlyPainter(const Scene& scene);

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 4> kNormalWeight{"mean", "area", "angle",
 constexpr std::array<std::string_view, 3> kModel{"phong", "blinn-phong", "opengl"};
 constexpr std::array<std::string_view, 2> kLightSpace{"world", "eye"};
 constexpr std::array<std::string_view, 6> kDepthFormat{"linear", "float", "reversed", "fixed16", "fixed24", "fixed32"};
-constexpr std::array<std::string_view, 2> kVisibility{"z-buffer", "painter"};
+constexpr std::array<std::string_view, 3> kVisibility{"z-buffer", "painter", "none"};
 constexpr std::array<std::string_view, 2> kTranslucency{"exact", "polygons"};
 constexpr std::array<std::string_view, 3> kShadowBias{"automatic", "constant", "slope"};
 constexpr std::array<std::string_view, 2> kCameraKind{"spherical", "look-at"};
@@ -136,7 +136,8 @@ constexpr auto kSceneTable = std::to_array<Setting>({
          "Distance of the far plane along the viewing direction; 0 takes it from the scene's bounds."},
         kPlane),
 
-    choice<OfShading, &S::shading>({"shading", "Shading", "", "Where the illumination model is evaluated."}, kShading),
+    choice<OfShading, &S::shading>({"shading", "Shading", "", "Where the illumination model is evaluated."}, kShading,
+                                   notOutlines),
     choice<OfShading, &S::interpolation>(
         {"interpolation", "Interpolation", "",
          "What intensities or normals are linear over: the polygon in space, the triangle in the picture, or the "
@@ -159,8 +160,8 @@ constexpr auto kSceneTable = std::to_array<Setting>({
 
     choice<OfDepth, &S::cull>({"cull", "Cull", "", "Which polygons are dropped by the way they face."}, kCull),
     choice<OfDepth, &S::visibility>({"visibility", "Visibility", "",
-                                     "What decides which polygon is seen: depths compared at every pixel, or the "
-                                     "order in which polygons are painted."},
+                                     "What decides which polygon is seen: depths compared at every pixel, the order "
+                                     "in which polygons are painted, or nothing: their outlines are drawn."},
                                     kVisibility),
     row<OfDepth, &S::split>({"split", "Split polygons", "",
                              "Whether the painter's algorithm splits polygons that intersect or overlap in a cycle."},

@@ -61,9 +61,8 @@ BaseTerms<Real> baseAtPixel(const ShadingInputs& inputs, const ShadingOutput<Rea
         case Shading::Flat: return out.polygons.base[pixel.triangle.polygon];
         case Shading::Gouraud: {
             const std::vector<BaseTerms<Real>>& base = vertexElements(out, pixel.back).base;
-            const VertexWeights<Real>& w = pixel.weights;
-            return {interpolated(w, [&](std::uint32_t vertex) { return base[vertex].emission; }),
-                    interpolated(w, [&](std::uint32_t vertex) { return base[vertex].ambient; })};
+            return {interpolated(pixel.weights, [&](std::uint32_t vertex) { return base[vertex].emission; }),
+                    interpolated(pixel.weights, [&](std::uint32_t vertex) { return base[vertex].ambient; })};
         }
     }
     return {};

@@ -96,6 +96,7 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
     if (inputs.parts.vertexTerms && !inputs.parts.hiddenVertices && in.cull) markSeen(in, out.vertexIsSeen);
 
     const glm::ivec2 size = in.transform.view.size;
+    if (inputs.outlines) wanted.reset();  // nothing else is known of a line
     wanted.set(index(BufferId::Intensity));
     for (const BufferInfo& info : bufferTable()) {
         if (info.stage != StageId::Shading || info.domain != Domain::Pixel || info.element != Element::Real ||
@@ -136,6 +137,19 @@ Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::
     return Real(lit) / Real(grid.count() * texels);
 }
 
+template <class Real>
+ShadingCounts shadeOutlines(const ShadingSources<Real>& in, Tile tile, ShadingOutput<Real>& out) {
+    for (int y = tile.min.y; y < tile.max.y; ++y) {
+        for (int x = tile.min.x; x < tile.max.x; ++x) {
+            const std::size_t at = in.zBuffer.triangle.offset({x, y});
+            if (in.zBuffer.triangle.pixels[at] == kNoTriangle) continue;
+            out.vectors[index(BufferId::Intensity)][0].pixels[at] = Vec3<Real>(Real(out.iMax));
+            out.color.pixels[at] = Color8(255);
+        }
+    }
+    return {};
+}
+
 Color8 frameBufferValue(Vec3d intensity, double iMax) {
     Color8 value(0);
     for (int c = 0; c < 3; ++c) {
@@ -151,6 +165,7 @@ Color8 frameBufferValue(Vec3d intensity, double iMax) {
     template Surface<Real> vertexSurface(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, bool);       \
     template Surface<Real> pixelSurface(const ShadingInputs&, const ShadingSources<Real>&, std::uint32_t, Vec3<Real>, \
                                         const VertexWeights<Real>&);                                                  \
+    template ShadingCounts shadeOutlines(const ShadingSources<Real>&, Tile, ShadingOutput<Real>&);                    \
     template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);        \
     template Real shadowAt(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::uint32_t, Vec3<Real>);
 SHADESCOPE_INSTANTIATE(float)

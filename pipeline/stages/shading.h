@@ -55,6 +55,7 @@ struct LayerInputs {
 struct ShadingInputs {
     Shading shading;
     Interpolation interpolation;
+    bool outlines;  // visibility none: what is seen is drawn in white, nothing is evaluated
     Illumination illumination;
     std::vector<Material> materials;      // per object
     std::vector<Material> backMaterials;  // per object
@@ -136,6 +137,10 @@ ShadingCounts shadeVertices(const ShadingInputs& inputs, const ShadingSources<Re
 template <class Real>
 ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile tile,
                           ShadingOutput<Real>& out);
+
+// Outlines in their place: white, at the intensity that white stands for.
+template <class Real>
+ShadingCounts shadeOutlines(const ShadingSources<Real>& in, Tile tile, ShadingOutput<Real>& out);
 
 // Room that is used again from pixel to pixel, by one thread.
 template <class Real>

@@ -104,7 +104,7 @@ void changeSomething(Scene& scene, std::mt19937& random) {
         case 13: settings.normalWeight = NormalWeight(random() % 3); break;
         case 14: settings.model = Model(random() % 3); break;
         case 15: settings.twoSided = !settings.twoSided; break;
-        case 16: settings.visibility = Visibility(random() % 2); break;
+        case 16: settings.visibility = Visibility(random() % 3); break;
         case 17: settings.rules.flip(random() % kRuleCount); break;
         case 18: object.material.alpha = double(random() % 5) / 4; break;
         case 19: object.material.alpha = between(random, 0, 1); break;
