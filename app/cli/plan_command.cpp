@@ -9,6 +9,7 @@
 #include "pipeline/export/json.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/scene/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace app {
@@ -72,6 +73,9 @@ void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const W
     const auto left = buffersLeftOut(scene, wanted);
     if (!left.empty()) fmt::print("\nBuffers left out unless asked for by name\n");
     for (const auto& [buffer, why] : left) fmt::print("    {:<20} {}\n", buffer, why);
+    const auto remarks = sceneRemarks(scene);
+    if (!remarks.empty()) fmt::print("\nRemarks\n");
+    for (const pipeline::Remark& remark : remarks) fmt::print("    {:<20} {}\n", remark.about, remark.text);
     if (frame) printCounts(*frame);
 }
 
@@ -79,8 +83,11 @@ void printJson(const pipeline::Scene& scene, const pipeline::Plan& plan, const W
                const pipeline::Frame* frame) {
     pipeline::Json left = pipeline::Json::array();
     for (const auto& [buffer, why] : buffersLeftOut(scene, wanted)) left.push_back({{"name", buffer}, {"why", why}});
-    pipeline::Json json{
-        {"scene", sceneToJson(scene)}, {"settings", settingsToJson(scene)}, {"plan", toJson(plan)}, {"absent", left}};
+    pipeline::Json json{{"scene", sceneToJson(scene)},
+                        {"settings", settingsToJson(scene)},
+                        {"remarks", remarksToJson(scene)},
+                        {"plan", toJson(plan)},
+                        {"absent", left}};
     if (frame)
         for (const pipeline::StageId stage : pipeline::kStages) {
             json["plan"][index(stage)]["counts"] = frame->run(stage).counts;

@@ -5,7 +5,9 @@
 #include <QLabel>
 
 #include "app/core/stage_status.h"
+#include "app/core/text.h"
 #include "app/panels/follow_theme.h"
+#include "pipeline/scene/scene_remarks.h"
 
 namespace app {
 
@@ -43,16 +45,18 @@ StatusLine::StatusLine(Document& document, QWidget* parent) : QStatusBar(parent)
     };
     m_sentence = add(1);
     m_hovered = add(0);
+    m_remarks = add(0);
     m_nan = add(0);
     m_error = add(0);
     m_threads = add(0);
     m_sentence->setObjectName("statusSentence");
     m_hovered->setObjectName("statusHovered");
+    m_remarks->setObjectName("statusRemarks");
     m_nan->setObjectName("statusNan");
     m_error->setObjectName("statusError");
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        for (QLabel* label : {m_sentence, m_hovered, m_nan, m_error, m_threads}) {
+        for (QLabel* label : {m_sentence, m_hovered, m_remarks, m_nan, m_error, m_threads}) {
             label->setFont(theme.text(12));
             label->setIndent(theme.px(12));
         }
@@ -91,7 +95,21 @@ void StatusLine::showCheck() {
                    : *nan == 0 ? badge("●", c.run, tr("no NaN"))
                                : badge("▲", c.failed, tr("%1 NaN").arg(qulonglong(*nan))));
     const auto& error = m_document.errors()[index(pipeline::StageId::Shading)];
+    showRemarks();
     m_error->setText(error ? tr("shading's error against double %1").arg(errorOf(*error)) : QString());
+}
+
+void StatusLine::showRemarks() {
+    const pipeline::FramePtr frame = m_document.frame();
+    const auto remarks = frame ? pipeline::sceneRemarks(frame->scene()) : std::vector<pipeline::Remark>();
+    QStringList lines;
+    for (const pipeline::Remark& remark : remarks)
+        lines << toQString(remark.about.empty() ? remark.text : remark.about + ": " + remark.text);
+    m_remarks->setText(remarks.empty()       ? QString()
+                       : remarks.size() == 1 ? tr("1 remark")
+                                             : tr("%1 remarks").arg(remarks.size()));
+    m_remarks->setToolTip(lines.join(QLatin1Char('\n')));
+    m_remarks->setAccessibleDescription(m_remarks->toolTip());
 }
 
 }  // namespace app

@@ -7,8 +7,8 @@ class QLabel;
 
 namespace app {
 
-// Left the last event in a sentence; right the pixel under the cursor, whether every number is
-// one, the error against double precision, and how many threads compute.
+// Left the last event in a sentence; right the pixel under the cursor, remarks about the scene,
+// whether every number is one, the error against double precision, and how many threads compute.
 class StatusLine : public QStatusBar {
     Q_OBJECT
 public:
@@ -19,10 +19,12 @@ public:
 private:
     void showHovered();
     void showCheck();
+    void showRemarks();
 
     Document& m_document;
     QLabel* m_sentence;
     QLabel* m_hovered;
+    QLabel* m_remarks;
     QLabel* m_nan;
     QLabel* m_error;
     QLabel* m_threads;

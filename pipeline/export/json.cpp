@@ -3,6 +3,7 @@
 #include <set>
 
 #include "pipeline/export/file_hash.h"
+#include "pipeline/scene/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace pipeline {
@@ -181,6 +182,13 @@ Json toJson(const Frame& frame, const PixelReport& report) {
     json["fragments"] = fragments;
     json["culled"] = culled;
     return json;
+}
+
+Json remarksToJson(const Scene& scene) {
+    Json remarks = Json::array();
+    for (const Remark& remark : sceneRemarks(scene))
+        remarks.push_back({{"about", remark.about}, {"text", remark.text}});
+    return remarks;
 }
 
 }  // namespace pipeline

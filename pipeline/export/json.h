@@ -21,5 +21,7 @@ Json sceneToJson(const Scene& scene);
 Json toJson(const Frame& frame, const PixelReport& report);
 
 Json toJson(const Vec3d& vector);  // [x, y, z]
+// What is strange about a scene: about and text of each remark.
+Json remarksToJson(const Scene& scene);
 
 }  // namespace pipeline

@@ -81,6 +81,7 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
     return {{"program", {{"name", "Shadescope"}, {"version", programVersion()}}},
             {"scene", sceneToJson(frame.scene())},
             {"settings", settingsToJson(frame.scene())},
+            {"remarks", remarksToJson(frame.scene())},
             {"until", stageInfo(frame.until()).name},
             {"plan", toJson(frame.plan())},
             {"milliseconds", frame.milliseconds()},

@@ -9,7 +9,7 @@
 namespace pipeline {
 namespace {
 
-constexpr Countable kObjects{"object", "objects", 1, 65536, 10};
+constexpr Countable kObjects{"object", "objects", 0, 65536, 10};
 constexpr Countable kLights{"light source", "light sources", 0, 4096, 4};
 
 // In the order of the file.

@@ -89,7 +89,6 @@ public:
             for (const toml::table* light : m_values.tables(*node, "light", kMaxLights)) readLight(*light);
         if (const toml::node* node = top.get("object"))
             for (const toml::table* object : m_values.tables(*node, "object", kMaxObjects)) readObject(*object);
-        if (m_scene.objects.empty()) m_values.fail({}, "the scene has no object", "at least one [[object]]");
         const Errors errors = m_values.errors();
         if (!errors.empty()) return errors;
         tellApart(m_scene.objects);

@@ -17,7 +17,7 @@ void addBlinnPhong(const Light& light, const Material& material, double exponent
     s.diffuse = intensity * Vec3<Real>(material.diffuse) * s.nDotL;
     if (!(s.nDotH > 0) || (!detail.dull && material.specular == Vec3d(0))) return;
     raise(at.N, s.H, Real(exponentFactor * material.exponent), detail, s);
-    s.specular = intensity * Vec3<Real>(material.specular) * s.specularPower;
+    s.specular = intensity * Vec3<Real>(material.specular) * s.specularPower + Real(0);  // never -0
 }
 
 }  // namespace pipeline

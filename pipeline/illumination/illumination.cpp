@@ -29,16 +29,18 @@ std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view) {
 double maximumIntensity(Model model, const std::vector<Material>& materials, const std::vector<Light>& lights,
                         const AmbientLight& ambient) {
     if (model != Model::Phong) return 1;
+    // What is below 0 makes nothing brighter, and counts as 0.
+    const auto most = [](Vec3d v) { return std::max({0.0, v.x, v.y, v.z}); };
     double diffuse = 0, specular = 0;
     for (const Material& material : materials) {
-        diffuse = std::max(diffuse, largestComponent(material.diffuse));
-        specular = std::max(specular, largestComponent(material.specular));
+        diffuse = std::max(diffuse, most(material.diffuse));
+        specular = std::max(specular, most(material.specular));
     }
     // Colour by colour: a red and a green light never add up in one of them.
     double maximum = 0;
     for (int c = 0; c < 3; ++c) {
-        double sum = diffuse * ambient.intensity * ambient.color[c];
-        for (const Light& light : lights) sum += light.intensity * light.color[c] * (diffuse + specular);
+        double sum = diffuse * std::max(0.0, ambient.intensity * ambient.color[c]);
+        for (const Light& light : lights) sum += std::max(0.0, light.intensity * light.color[c]) * (diffuse + specular);
         maximum = std::max(maximum, sum);
     }
     return maximum;

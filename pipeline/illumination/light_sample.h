@@ -33,8 +33,9 @@ struct LightSample {
     Real nDotL, rDotV, nDotH;  // −1..1, not clamped
     Real specularPower;        // (R·V)^n or (N·H)^s, 0 where it does not count
     Power power = Power::None;
-    Real fading = 1;                        // OpenGL: attenuation times spot, else 1
-    Vec3<Real> ambient, diffuse, specular;  // what the light adds, before its shadow factor
+    Real fading = 1;  // OpenGL: attenuation times spot, else 1
+    // What the light adds, before its shadow factor. A specular term of 0 is +0: one that is left out is.
+    Vec3<Real> ambient, diffuse, specular;
 };
 
 // L for a light that stands at `place`, at infinity in that direction.

@@ -45,7 +45,8 @@ void addOpenGl(const Light& light, const Material& material, const Surface<Real>
         s.specularPower = 1;
     else
         raise(at.N, s.H, Real(material.exponent), detail, s);
-    s.specular = strength * Vec3<Real>(light.gl.specular) * Vec3<Real>(material.specular) * s.specularPower;
+    const Vec3<Real> reflected = strength * Vec3<Real>(light.gl.specular) * Vec3<Real>(material.specular);
+    s.specular = reflected * s.specularPower + Real(0);  // never -0
 }
 
 }  // namespace pipeline

@@ -16,7 +16,7 @@ void addPhong(const Light& light, const Material& material, const Surface<Real>&
     s.diffuse = intensity * Vec3<Real>(material.diffuse) * s.nDotL;
     if (!(s.rDotV > 0) || (!detail.dull && material.specular == Vec3d(0))) return;
     raise(s.R, at.V, Real(material.exponent), detail, s);
-    s.specular = intensity * Vec3<Real>(material.specular) * s.specularPower;
+    s.specular = intensity * Vec3<Real>(material.specular) * s.specularPower + Real(0);  // never -0
 }
 
 }  // namespace pipeline

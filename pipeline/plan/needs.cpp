@@ -1,6 +1,7 @@
 #include "pipeline/plan/needs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -127,11 +128,13 @@ struct Decision {
         return {"No light needs one.", each[0].rule};
     }
     Need ambient() const {
-        // A coefficient below 0 would make a term of −0, whose sign a buffer shows.
-        const bool negative = anyMaterial(scene, [](const Material& m) {
-            return glm::any(glm::lessThan(m.diffuse, Vec3d(0))) || glm::any(glm::lessThan(m.ambient, Vec3d(0)));
-        });
-        const bool dark = scene.ambient.intensity == 0 || scene.ambient.color == Vec3d(0);
+        // A factor below 0, or −0, would make a term of −0, whose sign a buffer shows.
+        const auto anySign = [](Vec3d v) { return std::signbit(v.x) || std::signbit(v.y) || std::signbit(v.z); };
+        const Vec3d product = scene.ambient.intensity * scene.ambient.color;
+        const bool negative = anySign(product) || anyMaterial(scene, [&](const Material& m) {
+                                  return anySign(m.diffuse) || anySign(m.ambient);
+                              });
+        const bool dark = product == Vec3d(0);
         return unless(Rule::Ambient, dark && !negative ? "The ambient light is 0." : "");
     }
     Need viewVector(bool specular) const {

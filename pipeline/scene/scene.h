@@ -88,7 +88,7 @@ struct Light {
 };
 
 struct AmbientLight {
-    double intensity = 0.0;  // I_a, >= 0
+    double intensity = 0.0;  // I_a
     Vec3d color{1.0};
     bool operator==(const AmbientLight&) const = default;
 };
@@ -101,7 +101,7 @@ struct Camera {
     ProjectionKind projection = ProjectionKind::Perspective;
 
     // Spherical (lecture 1): on a sphere around the world's origin, looking at it.
-    double rho = 1000, theta = 45, phi = 60;  // world units, degrees, degrees from +z
+    double rho = 1000, theta = 45, phi = 60;  // world units, >= 0; degrees; degrees from +z
     double screenDistance = 200;              // d, screen units
     double pixelsPerUnit = 1;                 // s, pixels per screen unit
 

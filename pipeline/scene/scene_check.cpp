@@ -30,8 +30,6 @@ void checkCamera(const Camera& camera, Errors& errors) {
         errors.push_back({{},
                           fmt::format("camera.near is {}", shortestText(camera.near)),
                           fmt::format("less than camera.far, which is {}", shortestText(camera.far))});
-    if (camera.kind == CameraKind::LookAt && camera.eye == camera.target)
-        errors.push_back({{}, "the camera's eye and target are the same point", "two points"});
 }
 
 void checkLights(const Scene& scene, Errors& errors) {

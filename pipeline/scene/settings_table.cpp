@@ -72,8 +72,10 @@ constexpr Setting tessellation(Words words, Range range, Idle idle) {
 constexpr Range kPlace{-kFar, kFar, -1000, 1000};
 constexpr Range kToward{-kFar, kFar, -1, 1};
 constexpr Range kFading{0, kFar, 0, 2};
-constexpr Range kFraction{0, 1, 0, 1};
-constexpr Range kIntensity{0, kFar, 0, 200};
+// Fractions, and above 0, in nature; a scene may have more or less. The largest products of an
+// intensity, two colours and OpenGL's attenuation are still floats.
+constexpr Range kFraction{-1000, 1000, 0, 1};
+constexpr Range kIntensity{-kFar, kFar, 0, 200};
 constexpr Range kAngle{-kTurns, kTurns, -180, 180};
 constexpr Range kScale{-kFar, kFar, 0.1, 5};
 constexpr Range kPlane{0, kFar, 0, 2000};
@@ -95,7 +97,7 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     choice<OfCamera, &C::projection>(
         {"camera.projection", "Projection", "", "Towards the eye, or along the viewing direction."}, kProjection),
     row<OfCamera, &C::rho>({"camera.rho", "ρ distance", "world units", "Distance of the eye from the world's origin."},
-                           {kNearest, kFar, 1, 2000}, {}, onlySpherical),
+                           {0, kFar, 1, 2000}, {}, onlySpherical),
     row<OfCamera, &C::theta>(
         {"camera.theta", "θ around z", "degrees", "Direction of the eye around z, from x towards y."}, kAngle, {},
         onlySpherical),

@@ -71,7 +71,7 @@ std::string formatSetting(const SettingRef& setting, double value);
 // "KEY=VALUE", as --set and lessons write it.
 Result<Scene> withSetting(Scene scene, std::string_view assignment);
 
-// What a single setting's range cannot say: near < far, eye != target, sizes within limits.
+// What a single setting's range cannot say: near < far, sizes within limits.
 Errors checkScene(const Scene& scene);
 
 }  // namespace pipeline

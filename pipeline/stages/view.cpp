@@ -24,16 +24,20 @@ void placeSpherical(const Camera& camera, View& view) {
     view.up = {-cosPhi * cosTheta, -cosPhi * sinTheta, sinPhi};
 }
 
+Vec3d leastAlignedAxis(Vec3d v) {
+    const Vec3d a = glm::abs(v);
+    return a.x <= a.y && a.x <= a.z ? Vec3d(1, 0, 0) : a.y <= a.z ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
+}
+
 void placeLookAt(const Camera& camera, View& view) {
     view.eye = camera.eye;
     view.forward = normalized(camera.target - camera.eye);
-    view.right = normalized(glm::cross(view.forward, normalized(camera.up)));
-    if (view.right == Vec3d(0)) {
-        // Up is parallel to the viewing direction: the axis least aligned with it takes its place.
-        const Vec3d f = glm::abs(view.forward);
-        const Vec3d axis = f.x <= f.y && f.x <= f.z ? Vec3d(1, 0, 0) : f.y <= f.z ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
-        view.right = normalized(glm::cross(view.forward, axis));
-    }
+    const Vec3d up = normalized(camera.up);
+    // A target in the eye says no direction: one that leaves up the most of its meaning takes its place.
+    if (view.forward == Vec3d(0)) view.forward = leastAlignedAxis(up);
+    view.right = normalized(glm::cross(view.forward, up));
+    // So for an up that is parallel to the viewing direction, or (0, 0, 0).
+    if (view.right == Vec3d(0)) view.right = normalized(glm::cross(view.forward, leastAlignedAxis(view.forward)));
     view.up = glm::cross(view.right, view.forward);
 }
 
@@ -72,8 +76,9 @@ View makeView(const Scene& scene) {
     view.perspective = camera.projection == ProjectionKind::Perspective;
     if (camera.kind == CameraKind::Spherical) {
         placeSpherical(camera, view);
-        // An orthographic picture shows the origin as large as the perspective one does.
-        const double distance = view.perspective ? 1 : std::max(camera.rho, std::numeric_limits<double>::min());
+        // An orthographic picture shows the origin as large as the perspective one does. From the
+        // origin itself that would be without end: there it is as large as from rho = 1.
+        const double distance = view.perspective || camera.rho == 0 ? 1 : camera.rho;
         view.scale = glm::dvec2(camera.pixelsPerUnit * camera.screenDistance / distance);
     } else {
         placeLookAt(camera, view);

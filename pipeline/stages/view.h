@@ -19,7 +19,8 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
-// The view of a scene's camera. Near and far come from the scene's bounds where the camera
+// The view of a scene's camera, whatever it is: where eye and target are one point, or up is parallel to the
+// viewing direction or (0, 0, 0), the axis least aligned with the other takes the place of what is missing. Near and far come from the scene's bounds where the camera
 // leaves them open: the largest range that holds every vertex in front of the eye.
 View makeView(const Scene& scene);
 

@@ -87,6 +87,17 @@ TEST(Plan, AsJson) {
     EXPECT_FALSE(json["absent"].empty());
 }
 
+TEST(Plan, EndsWithRemarksAboutWhatIsStrange) {
+    EXPECT_FALSE(has(run({"plan", "pyramid"}).out, "Remarks"));
+    const auto dark = run({"plan", "pyramid", "--set", "light.0.intensity=-5"});
+    EXPECT_EQ(dark.status, 0);
+    EXPECT_TRUE(has(dark.out, "\nRemarks\n    light.0.intensity    The intensity of light 0 is -5, below 0"))
+        << dark.out;
+    const Json json = Json::parse(run({"plan", "pyramid", "--json", "--set", "light.0.intensity=-5"}).out);
+    ASSERT_EQ(json["remarks"].size(), 1u);
+    EXPECT_EQ(json["remarks"][0]["about"], "light.0.intensity");
+}
+
 TEST(Plan, WhatIsNamedIsNotLeftOut) {
     const Json json = Json::parse(run({"plan", "pyramid", "--json", "--buffers", "shadow_buffer.0"}).out);
     EXPECT_EQ(json["plan"][3]["action"], "runs");

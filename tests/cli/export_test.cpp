@@ -52,7 +52,7 @@ TEST(Export, ManifestHasWhatTheSpecificationLists) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(run({"export", "pyramid", "-o", folder / "out", "--size", "64x48"}).status, 0);
     const Json manifest = manifestOf(folder / "out");
-    for (const char* key : {"program", "scene", "settings", "plan", "stages", "buffers", "absent"})
+    for (const char* key : {"program", "scene", "settings", "remarks", "plan", "stages", "buffers", "absent"})
         EXPECT_TRUE(manifest.contains(key)) << key;
     EXPECT_EQ(manifest["scene"]["sha256"].get<std::string>().size(), 64u);
     EXPECT_EQ(manifest["settings"]["width"], 64);
@@ -202,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Wrong{"Setting", {"--set", "shadign=flat"}, "no setting \"shadign\"; the nearest is \"shading\""},
                     Wrong{"Value",
                           {"--set", "light.0.intensity=abc"},
-                          "light.0.intensity is \"abc\", expected a number from 0 to 1e9"},
+                          "light.0.intensity is \"abc\", expected a number from -1e9 to 1e9"},
                     Wrong{"Together",
                           {"--set", "camera.near=9", "--set", "camera.far=8"},
                           "expected less than camera.far, which is 8"},

@@ -1,5 +1,6 @@
 #include "tests/support/scenes.h"
 
+#include <array>
 #include <cstring>
 
 namespace test {
@@ -73,6 +74,90 @@ Scene randomScene(unsigned seed) {
     if (seed / 4 % 2 == 1)  // half of them: some objects translucent, or wholly transparent, or beyond [0, 1]
         for (Object& object : scene.objects) object.material.alpha = between(random, -0.2, 1.4);
     scene.settings.translucency = Translucency(seed / 8 % 2);
+    return scene;
+}
+
+namespace {
+
+double strangeNumber(std::mt19937& random, double most) {
+    switch (random() % 6) {
+        case 0: return 0;
+        case 1: return -0.0;
+        case 2: return most;
+        case 3: return -most;
+        default: return between(random, -2, 2);
+    }
+}
+Vec3d strangeColor(std::mt19937& random) {
+    return {strangeNumber(random, 1000), strangeNumber(random, 1000), strangeNumber(random, 1000)};
+}
+
+void makeStrange(Object& object, std::mt19937& random) {
+    Material& m = object.material;
+    if (coin(random)) m.diffuse = strangeColor(random);
+    if (coin(random)) m.specular = strangeColor(random);
+    if (coin(random)) m.ambient = strangeColor(random);
+    if (coin(random)) m.emission = strangeColor(random);
+    m.exponent = std::array{0.0, 1.0, 60.0, 128.0}[random() % 4];
+    Vec3d& scale = object.transform.scale;
+    switch (random() % 8) {
+        case 0: scale = Vec3d(0); break;
+        case 1: scale.x = 0; break;
+        case 2: scale.y = scale.z = 0; break;
+        case 3: scale.x = -scale.x; break;
+        case 4: scale *= 1e-9; break;
+        case 5: scale.z = 1e6; break;
+        default: break;
+    }
+}
+
+void makeStrange(Light& light, const Scene& scene, std::mt19937& random) {
+    light.intensity = strangeNumber(random, 1e9);
+    if (coin(random)) light.color = strangeColor(random);
+    if (coin(random)) light.gl.ambient = strangeColor(random);
+    if (coin(random)) light.gl.specular = strangeColor(random);
+    light.gl.constant = light.gl.linear = light.gl.quadratic = 0;
+    if (random() % 4 > 0) light.gl.constant = std::array{1.0, 1e9, 1e-300}[random() % 3];
+    if (coin(random)) light.gl.spotCutoff = std::array{0.0, 90.0, 30.0}[random() % 3];
+    if (light.kind == LightKind::AtInfinity) return;
+    switch (random() % 4) {  // in a vertex, in the eye, in the world's origin
+        case 0: light.position = scene.objects[0].transform.translation; break;
+        case 1: light.position = scene.camera.eye; break;
+        case 2: light.position = Vec3d(0); break;
+        default: break;
+    }
+}
+
+void makeStrange(Camera& camera, std::mt19937& random) {
+    switch (random() % 8) {
+        case 0: camera.target = camera.eye; break;
+        case 1: camera.up = camera.target - camera.eye; break;
+        case 2: camera.up = Vec3d(0); break;
+        case 3: camera.eye = camera.target = camera.up = Vec3d(0); break;
+        case 4: camera.kind = CameraKind::Spherical, camera.rho = 0; break;
+        case 5: camera.fovY = coin(random) ? 0.01 : 179.99; break;
+        case 6: camera.height = coin(random) ? 1e-9 : 1e9; break;
+        default: camera.kind = CameraKind::Spherical, camera.rho = 4, camera.phi = 180 * double(random() % 2); break;
+    }
+}
+
+}  // namespace
+
+Scene strangeScene(unsigned seed) {
+    Scene scene = randomScene(seed);
+    std::mt19937 random(seed + 7919);
+    for (Object& object : scene.objects) makeStrange(object, random);
+    for (Light& light : scene.lights) makeStrange(light, scene, random);
+    if (coin(random)) makeStrange(scene.camera, random);
+    scene.ambient.intensity = strangeNumber(random, 1e9);
+    scene.ambient.color = strangeColor(random);
+    scene.settings.exponentFactor = std::array{0.0, 1.0, 1000.0}[random() % 3];
+    scene.settings.shadowBias = ShadowBias(random() % 3);
+    scene.settings.shadowBiasValue = strangeNumber(random, 1e9);
+    if (random() % 8 == 0) scene.settings.shadowSize = 1;
+    if (random() % 8 == 0) scene.settings.width = scene.settings.height = 1;
+    if (random() % 8 == 0) scene.lights.clear();
+    if (random() % 16 == 0) scene.objects.clear();
     return scene;
 }
 

@@ -108,6 +108,10 @@ inline FramePtr frameOf(const Scene& scene, BufferSet wanted = everyBuffer(), in
 // A scene of spheres, boxes, loose polygons, lights and a camera, different for every seed.
 Scene randomScene(unsigned seed);
 
+// A random scene with values that are possible but strange: coefficients and intensities that are
+// negative or huge, singular transforms and cameras, no light, no object… checkScene accepts it.
+Scene strangeScene(unsigned seed);
+
 // One change of a kind that a user makes: a light, a material, the camera, a setting…
 void changeSomething(Scene& scene, std::mt19937& random);
 

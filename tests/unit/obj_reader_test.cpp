@@ -156,7 +156,7 @@ TEST(ObjReader, MaterialFiles) {
     EXPECT_EQ(errorsOf("mtllib a.mtl\n"), "m.obj:1:8: \"a.mtl\": no such file\n");
     EXPECT_EQ(errorsOf("mtllib"), "m.obj:1:7: found the end of the line, expected the name of a material file\n");
     const FileLoader load = filesOf({{"a.mtl", "newmtl a\nKd 0 nan 0"}, {"b.mtl", "Kd 1 0 0"}, {"c.mtl", "newmtl c"}});
-    EXPECT_EQ(errorsOf("mtllib a.mtl", load), "a.mtl:2:6: found \"nan\", expected Kd, a number from 0 to 1\n");
+    EXPECT_EQ(errorsOf("mtllib a.mtl", load), "a.mtl:2:6: found \"nan\", expected Kd, a number from -1000 to 1000\n");
     EXPECT_EQ(errorsOf("mtllib c.mtl b.mtl", load),
               "b.mtl:1:1: found \"Kd\", expected newmtl and a name before the first coefficient\n");
     EXPECT_EQ(errorsOf("mtllib c.mtl\nusemtl d", load),

@@ -108,6 +108,11 @@ TEST(FrameBuffer, TheMaximumIntensityTakesTheLargestCoefficients) {
     const std::vector<Light> lights{{LightKind::AtInfinity, kUp, 100, Vec3d(1), true},
                                     {LightKind::AtInfinity, kUp, 10, {0.5, 0.25, 0}, true}};
     EXPECT_NEAR(maximumIntensity(Model::Phong, materials, lights, {50, Vec3d(1)}), 45 + 160 + 8, 1e-12);
+    // What takes light away does not make the picture darker as a whole, and two of it do not make light.
+    std::vector<Light> withDark = lights;
+    withDark.push_back({LightKind::AtInfinity, kUp, -70, Vec3d(1), true});
+    EXPECT_NEAR(maximumIntensity(Model::Phong, materials, withDark, {50, Vec3d(1)}), 45 + 160 + 8, 1e-12);
+    EXPECT_EQ(maximumIntensity(Model::Phong, {{Vec3d(-1), Vec3d(-1), 8}}, lights, {-50, Vec3d(1)}), 0);
 }
 
 // Lights of one colour each: in red 0.5·10 + 100, in green 0.5·10 + 120, in blue 0.5·10; never their sum.

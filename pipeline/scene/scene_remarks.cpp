@@ -1,0 +1,194 @@
+#include "pipeline/scene/scene_remarks.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "pipeline/core/numerics.h"
+#include "pipeline/core/text.h"
+#include "pipeline/illumination/illumination.h"
+
+namespace pipeline {
+namespace {
+
+class Remarks {
+public:
+    explicit Remarks(const Scene& scene) : m_scene(scene), m_list(scene.remarks) {}
+
+    std::vector<Remark> collect() {
+        ofCamera();
+        ofLights();
+        for (std::size_t i = 0; i < m_scene.objects.size(); ++i) ofObject(i);
+        if (m_scene.objects.empty())
+            add("object", "The scene has no object: every pixel is background.");
+        else if (maximumOf(m_scene) <= 0)
+            add("ambient.intensity",
+                "I_max is 0, for no light and no material gives any intensity: the picture is black.");
+        if (m_list.size() > kMaxRemarks) {
+            const std::size_t more = m_list.size() - (kMaxRemarks - 1);
+            m_list.resize(kMaxRemarks - 1);
+            add("", fmt::format("{} more remarks are not listed.", more));
+        }
+        return std::move(m_list);
+    }
+
+private:
+    void add(std::string about, std::string text) { m_list.push_back({std::move(about), std::move(text)}); }
+
+    static double maximumOf(const Scene& scene) {
+        std::vector<Material> materials;
+        for (const Object& object : scene.objects) materials.push_back(object.material);
+        return maximumIntensity(scene.settings.model, materials, scene.lights, scene.ambient);
+    }
+
+    void ofCamera() {
+        const Camera& camera = m_scene.camera;
+        if (camera.kind == CameraKind::Spherical) {
+            if (camera.rho != 0) return;
+            add("camera.rho", "ρ is 0: the eye stands in the world's origin. It looks where θ and φ say all the same.");
+            if (camera.projection == ProjectionKind::Orthographic)
+                add("camera.rho",
+                    "ρ is 0, which gives an orthographic picture no scale: it is shown as large as from ρ = 1.");
+            return;
+        }
+        const Vec3d forward = normalized(camera.target - camera.eye), up = normalized(camera.up);
+        if (forward == Vec3d(0))
+            add("camera.target_x",
+                "The camera's eye and target are the same point: it looks along the axis that is least aligned with "
+                "up.");
+        if (up == Vec3d(0))
+            add("camera.up_x",
+                "The camera's up is (0, 0, 0): the axis least aligned with the viewing direction takes "
+                "its place.");
+        else if (forward != Vec3d(0) && normalized(glm::cross(forward, up)) == Vec3d(0))
+            add("camera.up_x",
+                "The camera's up is parallel to the viewing direction: the axis least aligned with that "
+                "takes its place.");
+    }
+
+    void ofLights() {
+        if (m_scene.lights.empty())
+            add("light", "The scene has no light: surfaces show ambient light and emission alone.");
+        const AmbientLight& ambient = m_scene.ambient;
+        if (ambient.intensity < 0) add("ambient.intensity", negative("I_a", ambient.intensity));
+        ofColor("ambient", {"red", "green", "blue"}, "the ambient light", ambient.color);
+        for (std::size_t k = 0; k < m_scene.lights.size(); ++k) {
+            const Light& light = m_scene.lights[k];
+            const std::string key = fmt::format("light.{}", k), name = fmt::format("light {}", k);
+            if (light.intensity < 0) add(key + ".intensity", negative("The intensity of " + name, light.intensity));
+            ofColor(key, {"red", "green", "blue"}, name, light.color);
+            if (m_scene.settings.model == Model::OpenGl) ofOpenGl(light, key, name);
+        }
+    }
+
+    static std::string negative(const std::string& what, double value) {
+        return fmt::format(
+            "{} is {}, below 0: it takes light away. Computed as written; what falls below 0 is shown "
+            "as 0.",
+            what, shortestText(value));
+    }
+
+    // One remark a colour, about its first strange part.
+    void ofColor(const std::string& key, std::array<std::string_view, 3> parts, const std::string& of, Vec3d color) {
+        for (int c = 0; c < 3; ++c) {
+            if (color[c] >= 0 && color[c] <= 1) continue;
+            const bool below = color[c] < 0;
+            add(fmt::format("{}.{}", key, parts[std::size_t(c)]),
+                fmt::format("The {} part of {} is {}, {}. Computed as written.", parts[std::size_t(c)], of,
+                            shortestText(color[c]),
+                            below ? "below 0: it takes light of that colour away"
+                                  : "above 1: the light is stronger than its intensity"));
+            return;
+        }
+    }
+
+    void ofOpenGl(const Light& light, const std::string& key, const std::string& name) {
+        const OpenGlLight& gl = light.gl;
+        if (light.kind == LightKind::Point && gl.constant == 0 && gl.linear == 0 && gl.quadratic == 0)
+            add(key + ".constant",
+                fmt::format("The attenuation of {} divides by 0 everywhere: the light adds nothing.", name));
+        ofColor(key, {"ambient_red", "ambient_green", "ambient_blue"}, name, gl.ambient);
+        ofColor(key, {"specular_red", "specular_green", "specular_blue"}, name, gl.specular);
+        if (gl.spotCutoff == 0)
+            add(key + ".spot_cutoff",
+                fmt::format("The spot of {} is a cone of 0 degrees: it lights its axis alone.", name));
+    }
+
+    void ofObject(std::size_t i) {
+        const Object& object = m_scene.objects[i];
+        ofTransform(i);
+        ofMaterial(i, object.material, "");
+        if (object.backMaterial) ofMaterial(i, *object.backMaterial, "back ");
+        const MeshFacts& facts = object.mesh->facts;
+        if (facts.nonPlanar > 0)
+            add(object.name, fmt::format("{} not planar. Each such polygon is drawn as the triangles that it is split "
+                                         "into, with one normal, the sum of theirs.",
+                                         polygonsAre(object, facts.nonPlanar)));
+        if (facts.concave > 0)
+            add(object.name,
+                fmt::format("{} concave. Each such polygon is split into triangles that cover no more than it.",
+                            polygonsAre(object, facts.concave)));
+        if (facts.degenerate > 0)
+            add(object.name, fmt::format("{} without area. Nothing of such a polygon is drawn.",
+                                         polygonsAre(object, facts.degenerate)));
+    }
+
+    static std::string polygonsAre(const Object& object, int count) {
+        return fmt::format("{} polygon{} of {} {}", count, count == 1 ? "" : "s", inQuotes(object.name),
+                           count == 1 ? "is" : "are");
+    }
+
+    void ofTransform(std::size_t i) {
+        const Vec3d& scale = m_scene.objects[i].transform.scale;
+        const std::string key = fmt::format("object.{}.s", i), name = inQuotes(m_scene.objects[i].name);
+        const int zeros = (scale.x == 0) + (scale.y == 0) + (scale.z == 0);
+        const char axis = scale.x == 0 ? 'x' : scale.y == 0 ? 'y' : 'z';
+        if (zeros == 1)
+            add(key + axis, fmt::format("The scale of {} is 0 along {}: it is flat. Polygons across the plane have no "
+                                        "area, and nothing of them is drawn.",
+                                        name, axis));
+        else if (zeros > 1)
+            add(key + axis, fmt::format("The scale of {} is 0 along {} axes: nothing of it is drawn.", name, zeros));
+        else if ((scale.x < 0) != ((scale.y < 0) != (scale.z < 0)))
+            add(key + (scale.x < 0   ? 'x'
+                       : scale.y < 0 ? 'y'
+                                     : 'z'),
+                fmt::format("{} is mirrored: its outside stays outside.", name));
+    }
+
+    // One remark a coefficient, about its first strange part.
+    void ofMaterial(std::size_t i, const Material& material, const char* side) {
+        const Model model = m_scene.settings.model;
+        const std::string name = inQuotes(m_scene.objects[i].name);
+        const auto ofCoefficient = [&](std::string_view symbol, std::string_view rest, Vec3d value) {
+            for (int c = 0; c < 3; ++c) {
+                if (value[c] >= 0 && value[c] <= 1) continue;
+                add(fmt::format("material.{}.{}{}", i, rest, "rgb"[c]),
+                    fmt::format("{} of the {}material of {} is {}, {}. Computed as written.", symbol, side, name,
+                                shortestText(value[c]),
+                                value[c] < 0 ? "below 0: it takes light away"
+                                             : "above 1: it gives more light than it receives"));
+                return;
+            }
+        };
+        ofCoefficient("k_d", "k", material.diffuse);
+        ofCoefficient("k_s", "ks", material.specular);
+        if (model != Model::Phong) ofCoefficient("k_a", "ka", material.ambient);
+        if (model == Model::OpenGl) ofCoefficient("The emission", "ke", material.emission);
+        if (material.exponent == 0 && material.specular != Vec3d(0))
+            add(fmt::format("material.{}.n", i),
+                fmt::format("n of the {}material of {} is 0: the highlight is as bright wherever it counts.", side,
+                            name));
+    }
+
+    const Scene& m_scene;
+    std::vector<Remark> m_list;
+};
+
+}  // namespace
+
+std::vector<Remark> sceneRemarks(const Scene& scene) { return Remarks(scene).collect(); }
+
+}  // namespace pipeline
