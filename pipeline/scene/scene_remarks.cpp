@@ -177,6 +177,10 @@ private:
         ofCoefficient("k_s", "ks", material.specular);
         if (model != Model::Phong) ofCoefficient("k_a", "ka", material.ambient);
         if (model == Model::OpenGl) ofCoefficient("The emission", "ke", material.emission);
+        if (material.alpha < 0 || material.alpha > 1)
+            add(fmt::format("material.{}.alpha", i),
+                fmt::format("α of the {}material of {} is {}, beyond [0, 1]: it acts as {}.", side, name,
+                            shortestText(material.alpha), material.alpha < 0 ? 0 : 1));
         if (material.exponent == 0 && material.specular != Vec3d(0))
             add(fmt::format("material.{}.n", i),
                 fmt::format("n of the {}material of {} is 0: the highlight is as bright wherever it counts.", side,

@@ -91,6 +91,9 @@ const Case kCases[] = {
      "",
      "material.0.n is -1, expected a value from 0 to 10000\n"},
 
+    {"alpha above 1", [](Scene& s) { s.objects[0].material.alpha = 2; }, 60, "material.0.alpha"},
+    {"alpha below 0", [](Scene& s) { s.objects[0].material.alpha = -1; }, {}, "material.0.alpha"},
+
     {"flat in its own plane", [](Scene& s) { s.objects[0].transform.scale.z = 0; }, 60, "object.0.sz"},
     {"scale 0 across", [](Scene& s) { s.objects[0].transform.scale.x = 0; }, {}, "object.0.sx"},
     {"scale 0 along two axes",
