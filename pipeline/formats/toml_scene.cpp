@@ -14,6 +14,7 @@
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/object_names.h"
+#include "pipeline/formats/toml_text.h"
 #include "pipeline/formats/toml_values.h"
 
 namespace pipeline {
@@ -296,6 +297,10 @@ Result<Scene> readTomlScene(const SourceText& source, const FileLoader& load) {
         return Error{{source.name, 0, 0},
                      fmt::format("the file is larger than {} bytes", groupedDigits(kMaxTomlBytes)),
                      "a smaller file"};
+    if (const auto stray = strayCharacter(source.text))
+        return Error{{source.name, stray->line, stray->column},
+                     "this is not TOML: a character that is not ASCII stands outside quotes and comments",
+                     "a string in quotes"};
     const toml::parse_result parsed = toml::parse(source.text);
     if (!parsed) {
         const toml::source_position at = parsed.error().source().begin;
@@ -329,6 +334,7 @@ bool looksLikeTomlScene(std::string_view start) {
 }
 
 SceneTitle readTomlTitle(std::string_view text) {
+    if (strayCharacter(text)) return {};
     const toml::parse_result parsed = toml::parse(text);
     if (!parsed) return {};
     return {parsed.table()["title"].value_or(std::string()), parsed.table()["look"].value_or(std::string())};

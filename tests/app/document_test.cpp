@@ -54,8 +54,8 @@ TEST_F(DocumentTest, DragBackToItsBeginningLeavesNoStep) {
 
 TEST_F(DocumentTest, RefusesWhatIsOutOfRange) {
     QSignalSpy failed(&document, &Document::failed);
-    for (const double value : {-0.1, 1.1, double(NAN), double(INFINITY)})
-        document.change(setting("material.0.kr"), value);
+    for (const double value : {-0.1, 1e300, double(NAN), double(INFINITY)})
+        document.change(setting("material.0.n"), value);
     EXPECT_EQ(failed.count(), 4);
     EXPECT_EQ(document.undoStack()->count(), 0);
 }

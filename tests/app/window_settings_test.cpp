@@ -89,15 +89,15 @@ TEST_F(WindowSettings, LightIsChangedByANumberAndThePictureOnTheScreenFollows) {
 
 TEST_F(WindowSettings, WrongNumberIsRefusedWhereItStands) {
     openPyramid();
-    auto* field = window.findChild<NumberField*>("material.0.kr");
+    auto* field = window.findChild<NumberField*>("material.0.n");
     field->setFocus();
     field->selectAll();
-    QTest::keyClicks(field, "1.5");  // k_r is a fraction
+    QTest::keyClicks(field, "-1");  // a highlight of exponent -1 would have no bound
     QTest::keyClick(field, Qt::Key_Return);
-    EXPECT_EQ(value("material.0.kr"), 0.2);
+    EXPECT_EQ(value("material.0.n"), 8);
     EXPECT_FALSE(field->toolTip().isEmpty());
     QTest::keyClick(field, Qt::Key_Escape);
-    EXPECT_EQ(field->text(), "0.2");
+    EXPECT_EQ(field->text(), "8");
 }
 
 TEST_F(WindowSettings, PutBackUndoesTheLastChange) {

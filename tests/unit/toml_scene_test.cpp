@@ -1,4 +1,5 @@
 #include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml_text.h"
 
 #include <gtest/gtest.h>
 
@@ -155,6 +156,16 @@ TEST(TomlScene, TheManualsExampleCanBeRead) {
     const auto end = manual->find("```", begin + 3);
     const auto scene = read(std::string_view(*manual).substr(begin + 8, end - begin - 8));
     EXPECT_TRUE(scene) << format(scene.errors());
+}
+
+TEST(TomlText, FindsCharactersThatStandOutsideStringsAndComments) {
+    const auto at = [](std::string_view text) { return strayCharacter(text).value_or(TextPosition()); };
+    EXPECT_EQ(at("model = \u00e9"), (TextPosition{1, 9}));
+    EXPECT_EQ(at("a = 1 # \u00e9\nb = '\u00e9\u00e9' \u00e9"), (TextPosition{2, 10}));
+    for (const char* good :
+         {"title = \"\u00e9 \\\" \u00e9\"", "look = '\u00e9' # \u00e9", "a = \"\"\"\u00e9\n\u00e9\"\"\"",
+          "a = \'\'\'\u00e9\n\"\u00e9\'\'\'", "\xef\xbb\xbfmodel = 1", ""})
+        EXPECT_FALSE(strayCharacter(good)) << good;
 }
 
 }  // namespace
