@@ -144,14 +144,15 @@ TEST_F(SceneReader, FileWithoutPermission) {
 
 TEST_F(SceneReader, ErrorsOfAllFilesTogetherInOrder) {
     write("bad.des", "3 1\n0 0 x 1 0 0 0 1 0\n3 0 1 9\n0.2 0.5 0.9 0.4 8\n");
-    EXPECT_EQ(errorsIn("0 1000 45 60\n2\nbad.des 1 1 1 0 0 0 0 0 0\nmissing.des 1 1 1 0 0 0 0 0 y\n1\n5 5 5 -1e10\n50\n"),
-              "s.scene:1:1: found \"0\", expected d screen, a number from " + kSmallest +
-                  " to 1e9\n"
-                  "bad.des:2:5: found \"x\", expected z of vertex 0, a number from -1e9 to 1e9\n"
-                  "bad.des:3:7: found \"9\", expected a vertex index from 0 to 2\n"
-                  "s.scene:4:1: \"missing.des\": no such file\n"
-                  "s.scene:4:29: found \"y\", expected translation z, a number from -1e9 to 1e9\n"
-                  "s.scene:6:7: found \"-1e10\", expected I_p intensity, a number from -1e9 to 1e9\n");
+    EXPECT_EQ(
+        errorsIn("0 1000 45 60\n2\nbad.des 1 1 1 0 0 0 0 0 0\nmissing.des 1 1 1 0 0 0 0 0 y\n1\n5 5 5 -1e10\n50\n"),
+        "s.scene:1:1: found \"0\", expected d screen, a number from " + kSmallest +
+            " to 1e9\n"
+            "bad.des:2:5: found \"x\", expected z of vertex 0, a number from -1e9 to 1e9\n"
+            "bad.des:3:7: found \"9\", expected a vertex index from 0 to 2\n"
+            "s.scene:4:1: \"missing.des\": no such file\n"
+            "s.scene:4:29: found \"y\", expected translation z, a number from -1e9 to 1e9\n"
+            "s.scene:6:7: found \"-1e10\", expected I_p intensity, a number from -1e9 to 1e9\n");
 }
 
 TEST_F(SceneReader, OneObjectTooManyAnnounced) {
