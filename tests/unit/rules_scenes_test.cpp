@@ -1,0 +1,36 @@
+// Leaving out changes no bit of any scene that comes with the program.
+#include <gtest/gtest.h>
+
+#include "pipeline/formats/built_in_scenes.h"
+#include "pipeline/formats/scene_reader.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+class BuiltInRules : public testing::TestWithParam<BuiltInScene> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, BuiltInRules, testing::ValuesIn(builtInScenes()),
+                         [](const auto& of) { return of.param.name; });
+
+// All rules, none, each alone, all but each: the pictures, and what else is always there.
+TEST_P(BuiltInRules, GiveTheSameBits) {
+    auto read = readScene(GetParam().file);
+    ASSERT_TRUE(read);
+    Scene scene = *read;
+    scene.camera.pixelsPerUnit *= 96.0 / scene.settings.height;
+    scene.settings.width = 128, scene.settings.height = 96, scene.settings.shadowSize = 32;
+    const BufferSet wanted = setOf({BufferId::Color, BufferId::Intensity, BufferId::PolygonId, BufferId::ZView});
+    const FramePtr all = test::frameOf(scene, wanted);
+    const auto differs = [&](RuleSet rules) {
+        scene.settings.rules = rules;
+        return test::firstDifference(*all, *test::frameOf(scene, wanted), wanted);
+    };
+    ASSERT_EQ(differs({}), "") << "without any rule";
+    for (std::size_t i = 0; i < kRuleCount; ++i) {
+        ASSERT_EQ(differs(RuleSet().set(i)), "") << "with " << name(Rule(i)) << " alone";
+        ASSERT_EQ(differs(RuleSet().set().reset(i)), "") << "without " << name(Rule(i));
+    }
+}
+
+}  // namespace
+}  // namespace pipeline
