@@ -137,7 +137,8 @@ Json toJson(const Frame& frame, const PixelReport& report) {
                              {"depth", fragment.depth},
                              {"stored", fragment.stored},
                              {"verdict", name(fragment.verdict)},
-                             {"text", fragment.text}});
+                             {"text", fragment.text},
+                             {"shadows", fragment.shadows}});
     for (const CulledReport& polygon : report.culled)
         culled.push_back(
             {{"polygon", polygon.polygon}, {"letter", std::string(1, polygon.letter)}, {"reason", polygon.reason}});

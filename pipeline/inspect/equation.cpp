@@ -108,7 +108,9 @@ void Writer::numbers(const Evaluation& e) {
     parts.push_back(text(ka + "·" + shortest(ambientIntensity())));
     for (const LightReport& light : e.lights) {
         const auto k = std::size_t(light.light);
-        Formula shadow = text(shortest(light.shadow), fmt::format("shadow.{}", k));
+        // 0 and 1 as they are; a share of texels or samples with as many digits as the dot products.
+        const bool whole = light.shadow == 0 || light.shadow == 1;
+        Formula shadow = text(whole ? shortest(light.shadow) : fixed(light.shadow, 4), fmt::format("shadow.{}", k));
         if (light.shadow == 0) shadow = struck(shadow);
         parts.push_back(text("+"));
         if (gl) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "pipeline/inspect/replay.h"
+#include "pipeline/inspect/shadow_events.h"
 #include "pipeline/scene/area_light.h"
 
 namespace pipeline {
@@ -184,6 +185,8 @@ void reportFragments(const FrameData<Real>& data, PixelReport& report) {
         report.fragments.push_back({polygon, f.depth, f.stored, verdict,
                                     fmt::format("{} {} {}", depthText(f.depth), sign, depthText(f.stored))});
     }
+    for (std::size_t i = 0; i < record.size(); ++i)
+        if (record[i].won) report.fragments[i].shadows = shadowEvents(data, record[i].triangle, report.pixel);
     for (std::uint32_t polygon : culledAt(data, report.pixel))
         report.culled.push_back({int(polygon), letter(data.cull->verdicts[polygon]), data.cull->reason(polygon)});
 }

@@ -65,9 +65,12 @@ void addLayers(std::string& out, const PixelReport& r) {
 
 void addFragments(std::string& out, const PixelReport& r) {
     out += fmt::format("\nfragments: {} came\n", r.fragments.size());
-    for (std::size_t i = 0; i < r.fragments.size(); ++i)
-        out += fmt::format("  {}  polygon {}  {}  {}\n", i + 1, r.fragments[i].polygon, r.fragments[i].text,
-                           name(r.fragments[i].verdict));
+    for (std::size_t i = 0; i < r.fragments.size(); ++i) {
+        const FragmentReport& fragment = r.fragments[i];
+        out +=
+            fmt::format("  {}  polygon {}  {}  {}\n", i + 1, fragment.polygon, fragment.text, name(fragment.verdict));
+        for (const std::string& shadow : fragment.shadows) out += fmt::format("       {}\n", shadow);
+    }
     for (const CulledReport& culled : r.culled)
         out +=
             fmt::format("  {}  polygon {}  would cover the pixel; {}\n", culled.letter, culled.polygon, culled.reason);

@@ -1,0 +1,77 @@
+#include "pipeline/inspect/shadow_events.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "pipeline/inspect/pixel_report.h"
+#include "pipeline/scene/area_light.h"
+
+namespace pipeline {
+namespace {
+
+// Where a triangle's surface is at a pixel that it covers, world space.
+template <class Real>
+Vec3<Real> worldAt(const FrameData<Real>& data, std::uint32_t triangle, glm::ivec2 pixel) {
+    const TransformOutput<Real>& in = *data.transform;
+    const auto& v = in.topology->triangles[triangle].vertices;
+    Vec3<Real> position(0);
+    setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, triangle,
+                        [&](const RasterTriangle<Real>& piece) {
+                            forEachCovered(piece.snapped, {pixel, pixel + 1}, [&](glm::ivec2, const auto& e) {
+                                const Fragment<Real> fragment = interpolate(piece, e, in.view.perspective);
+                                position = interpolated(in.world, v, fragment.barycentric);
+                            });
+                        });
+    return position;
+}
+
+// z' > Z'[x'][y'] + bias, with its numbers.
+template <class Real>
+std::string comparison(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
+                       Vec3<Real> normal) {
+    const ShadowTest<Real> test = shadowTest(light, settings, position, normal);
+    const Buffer2D<Real>& depth = light.depth[test.face];
+    const glm::ivec2 at = test.texel;
+    const bool inside = at.x >= 0 && at.y >= 0 && at.x < depth.size.x && at.y < depth.size.y;
+    const Real stored = inside ? depth.at(at) : std::numeric_limits<Real>::infinity();
+    const bool shadowed = test.z > stored + test.bias;
+    return fmt::format("z' {} {} Z'[{}][{}] {} + {:.3g}: {}", depthText(double(test.z)), shadowed ? ">" : "≤", at.x,
+                       at.y, depthText(double(stored)), double(test.bias),
+                       shadowed ? "in shadow, only the ambient term" : "lit");
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t triangle, glm::ivec2 pixel) {
+    const ShadingInputs& inputs = data.keys.shading;
+    std::vector<std::string> events;
+    if (!data.shading || inputs.outlines || inputs.illumination.model == Model::OpenGl) return events;
+    const ShadingSources<Real> sources = data.shadingSources();
+    const std::uint32_t polygon = data.transform->topology->triangles[triangle].polygon;
+    const Vec3<Real> position = worldAt(data, triangle, pixel);
+    const Vec3<Real> front = data.normals->polygon[polygon];
+    const Vec3<Real> normal = showsBack(inputs, sources, polygon) ? -front : front;
+    for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
+        const Light& light = inputs.lights[k];
+        if (!light.castsShadow) continue;
+        const bool looksUp = data.shadowBuffer && !data.shadowBuffer->lights[k].empty();
+        const double factor = double(shadowAt(inputs, sources, k, polygon, position));
+        std::string text;
+        if (sampleGrid(light).count() > 1 || inputs.shadow.filter > 0)
+            text = shadowPlace(light, factor);
+        else if (!(glm::dot(normal, towardsLight(light, position)) > 0))
+            text = "the polygon faces away: only the ambient term";
+        else
+            text = looksUp ? comparison(data.shadowBuffer->lights[k][0], inputs.shadow, position, normal)
+                           : "lit, without a shadow buffer";
+        events.push_back(fmt::format("light {}: {}", k, text));
+    }
+    return events;
+}
+
+template std::vector<std::string> shadowEvents(const FrameData<float>&, std::uint32_t, glm::ivec2);
+template std::vector<std::string> shadowEvents(const FrameData<double>&, std::uint32_t, glm::ivec2);
+
+}  // namespace pipeline

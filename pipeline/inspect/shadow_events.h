@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pipeline/run/frame_data.h"
+
+namespace pipeline {
+
+// What lecture 1's shadow z-buffer does at a fragment that is nearer than all before it: transform
+// it to each light's space, compare z' with Z'[x'][y'], and leave only the ambient term of a light
+// that is in the way of something. One line a casting light, in its own words of numbers; none in
+// OpenGL's model. The frame must have shaded: it does once for each pixel what the lecture's loop
+// does for every fragment that wins.
+template <class Real>
+std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t triangle, glm::ivec2 pixel);
+
+}  // namespace pipeline
