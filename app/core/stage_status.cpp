@@ -61,6 +61,7 @@ QString tooltipText(const pipeline::StageInfo& stage, const PlanStep& step, cons
         html += QStringLiteral("<br>· %1: %2. %3")
                     .arg(toQString(part.name).toHtmlEscaped(), word(stateOf(part.action)),
                          toQString(part.why).toHtmlEscaped());
+        if (!part.saves.empty()) html += QStringLiteral(" Saves %1.").arg(toQString(part.saves).toHtmlEscaped());
     }
     for (const pipeline::Tally& tally : run.tallies)
         if (tally.done + tally.leftOut > 0)

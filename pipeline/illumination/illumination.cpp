@@ -5,9 +5,9 @@
 namespace pipeline {
 
 Illumination illuminationOf(const Settings& settings) {
-    const bool openGl = settings.model == Model::OpenGl, blinn = settings.model == Model::BlinnPhong;
+    const bool openGl = settings.model == Model::OpenGl;
     return {settings.model,
-            blinn ? settings.exponentFactor : 1.0,
+            openGl ? 1.0 : settings.exponentFactor,
             openGl && settings.localViewer,
             openGl && settings.twoSided,
             {}};

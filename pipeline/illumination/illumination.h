@@ -10,7 +10,7 @@ namespace pipeline {
 // read keeps its neutral value here, so that no stage has to ask again.
 struct Illumination {
     Model model = Model::Phong;
-    double exponentFactor = 1;  // Blinn-Phong
+    double exponentFactor = 1;  // of (N·H)^n but in OpenGL's model
     bool localViewer = false;   // OpenGL
     bool twoSided = false;      // OpenGL
     LightDetail detail{};
@@ -27,14 +27,16 @@ template <class Real>
 LightSample<Real> sampleLight(const Illumination& illumination, const Light& light, const Material& material,
                               const Surface<Real>& at, bool attenuated = true) {
     const LightDetail& detail = illumination.detail;
-    const bool phong = illumination.model == Model::Phong, dull = !detail.dull && material.specular == Vec3d(0);
+    const bool halfway = usesHalfway(illumination.model, material);
+    const bool dull = !detail.dull && material.specular == Vec3d(0);
     LightSample<Real> s =
-        directionsOf(light, at, detail.reflection || (phong && !dull), detail.halfway || (!phong && !dull));
-    switch (illumination.model) {
-        case Model::Phong: addPhong(light, material, at, detail, s); break;
-        case Model::BlinnPhong: addBlinnPhong(light, material, illumination.exponentFactor, at, detail, s); break;
-        case Model::OpenGl: addOpenGl(light, material, at, detail, attenuated, s); break;
-    }
+        directionsOf(light, at, detail.reflection || (!halfway && !dull), detail.halfway || (halfway && !dull));
+    if (illumination.model == Model::OpenGl)
+        addOpenGl(light, material, at, detail, attenuated, s);
+    else if (halfway)
+        addBlinnPhong(light, material, illumination.exponentFactor, at, detail, s);
+    else
+        addPhong(light, material, at, detail, s);
     return s;
 }
 

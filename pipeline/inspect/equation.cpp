@@ -23,8 +23,9 @@ struct Writer {
         return report.back && object.backMaterial ? *object.backMaterial : object.material;
     }
     Model model() const { return scene.settings.model; }
+    bool halfway() const { return usesHalfway(model(), material()); }  // (N·H)^n, not (R·V)^n
     double exponent() const {
-        return material().exponent * (model() == Model::BlinnPhong ? scene.settings.exponentFactor : 1);
+        return material().exponent * (halfway() && model() != Model::OpenGl ? scene.settings.exponentFactor : 1);
     }
     double ambientCoefficient() const {
         return model() == Model::Phong ? material().diffuse[c] : material().ambient[c];
@@ -81,7 +82,7 @@ void Writer::symbols(std::string remark) {
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
         const std::string index = std::to_string(k), light = "light." + index + ".";
         const Formula highlight =
-            power(phong ? dot(R(int(k)), V()) : dot(N(), H(int(k))), symbol("n", materialKey("n")));
+            power(halfway() ? dot(N(), H(int(k))) : dot(R(int(k)), V()), symbol("n", materialKey("n")));
         const Formula ks = sub("k", "s", materialKey(phong ? "ks" : "ks" + channel));
         parts.push_back(text("+"));
         if (gl) {
@@ -101,7 +102,7 @@ void Writer::symbols(std::string remark) {
 // = 0.9·50 + 1·100 [ 0.9·0.7746 + 0.4·0.3974^8 ]; what a clamp or a factor 0 removes is struck.
 void Writer::numbers(const Evaluation& e) {
     const std::string kd = shortest(material().diffuse[c]), ks = shortest(material().specular[c]);
-    const bool phong = model() == Model::Phong, gl = model() == Model::OpenGl;
+    const bool gl = model() == Model::OpenGl;
     const std::string ka = shortest(ambientCoefficient());
     std::vector<Formula> parts{text("=")};
     if (gl) parts.insert(parts.end(), {text(shortest(material().emission[c])), text("+")});
@@ -129,8 +130,8 @@ void Writer::numbers(const Evaluation& e) {
             parts.insert(parts.end(), {struck(cosine), text("0")});
         parts.push_back(text("+"));
         parts.push_back(text(gl ? shortest(specularIntensity(k)) + "·" + ks + "·" : ks + "·"));
-        const double lobe = phong ? light.rDotV : light.nDotH;
-        Formula mirror = text(fixed(lobe, 4), fmt::format("{}.{}", phong ? "r_dot_v" : "n_dot_h", k));
+        const double lobe = halfway() ? light.nDotH : light.rDotV;
+        Formula mirror = text(fixed(lobe, 4), fmt::format("{}.{}", halfway() ? "n_dot_h" : "r_dot_v", k));
         if (light.nDotL > 0 && (lobe > 0 || (gl && exponent() == 0)))
             parts.push_back(power(std::move(mirror), text(shortest(exponent()), materialKey("n"))));
         else
@@ -176,7 +177,7 @@ void Writer::rows(const Evaluation& e) {
             if (!light.note.empty()) add("note", {text(light.note)});
             continue;
         }
-        if (model() != Model::Phong) {
+        if (halfway()) {
             add("row", {H(k), text("="),
                         fraction(row({L(k), text("+"), V()}), row({text("|"), L(k), text("+"), V(), text("|")})),
                         text("="), text(components(light.H))});

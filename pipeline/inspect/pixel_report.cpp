@@ -32,7 +32,7 @@ std::string depthText(double depth) {
 namespace {
 
 template <class Real>
-LightReport reportLight(std::size_t k, const Light& light, const LightSample<Real>& s, Model model, double shadow) {
+LightReport reportLight(std::size_t k, const Light& light, const LightSample<Real>& s, bool phongLobe, double shadow) {
     LightReport r{int(k),
                   Vec3d(s.L),
                   Vec3d(s.R),
@@ -55,7 +55,7 @@ LightReport reportLight(std::size_t k, const Light& light, const LightSample<Rea
                              light.kind == LightKind::Area ? "umbra" : "shadow", k);
     else if (s.fading == 0)
         r.note = fmt::format("Outside the spot of light {}, or faded to nothing.", k);
-    else if (model == Model::Phong && !(s.rDotV > 0))
+    else if (phongLobe && !(s.rDotV > 0))
         r.note = fmt::format("R·V is not above 0, so light {} adds no specular part.", k);
     else if (shadow < 1 && light.kind == LightKind::Area)
         r.note = fmt::format("In the penumbra of light {}: part of it is seen.", k);
@@ -83,8 +83,9 @@ Evaluation evaluate(const ShadingInputs& inputs, const Surface<Real>& at, const 
     e.emission = Vec3d(emissionTerm<Real>(model, material));
     e.ambient = Vec3d(ambientTerm<Real>(model, inputs.ambient, material));
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-        e.lights.push_back(reportLight(
-            k, inputs.lights[k], sampleLight(inputs.illumination, inputs.lights[k], material, at), model, shadow[k]));
+        e.lights.push_back(reportLight(k, inputs.lights[k],
+                                       sampleLight(inputs.illumination, inputs.lights[k], material, at),
+                                       !usesHalfway(model, material), shadow[k]));
         e.ambient += e.lights.back().ambient;
     }
     if (model == Model::OpenGl && inputs.shading != Shading::Phong) clampTerms(e);

@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* kNoShadowsInOpenGl = "OpenGL's model knows no shadows.";
 constexpr const char* kOutlines = "Outlines are not shaded.";
+constexpr const char* kOnlyR = "The specular terms are Phong's, of R and not of H.";
+constexpr const char* kOnlyH = "The specular terms are Blinn's, of H and not of R.";
 constexpr const char* kDark = "Its intensity is 0.";
 constexpr const char* kAllOpaque = "Every surface is opaque.";
 
@@ -37,6 +39,10 @@ bool anyMaterial(const Scene& scene, Coefficient reflects) {
     return std::ranges::any_of(scene.objects, [&](const Object& o) {
         return reflects(o.material) || (o.backMaterial && reflects(*o.backMaterial));
     });
+}
+// Whether a material's specular term reads H; or, of the other kind, R.
+bool anyLobe(const Scene& scene, bool halfway) {
+    return anyMaterial(scene, [&](const Material& m) { return usesHalfway(scene.settings.model, m) == halfway; });
 }
 bool shines(const Material& material) { return material.specular != Vec3d(0); }
 
@@ -157,12 +163,10 @@ struct Decision {
         return unless(Rule::Directions, ofModel ? "No specular term reads it." : other);
     }
     Need reflection(bool specular) const {
-        return direction(model() == Model::Phong, specular, {BufferId::ReflectionVector, BufferId::RDotV},
-                         "The illumination model uses H.");
+        return direction(anyLobe(scene, false), specular, {BufferId::ReflectionVector, BufferId::RDotV}, kOnlyH);
     }
     Need halfway(bool specular) const {
-        return direction(model() != Model::Phong, specular, {BufferId::HalfwayVector, BufferId::NDotH},
-                         "Phong's model uses R.");
+        return direction(anyLobe(scene, true), specular, {BufferId::HalfwayVector, BufferId::NDotH}, kOnlyR);
     }
     Need layers() const {
         if (outlines()) return {kOutlines, {}};
@@ -233,9 +237,9 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
             return scene.settings.visibility == Visibility::Painter ? "The painter's algorithm compares no depths."
                                                                     : "";
         case BufferId::HalfwayVector:
-        case BufferId::NDotH: return model == Model::Phong ? "Phong's model uses R, not H." : "";
+        case BufferId::NDotH: return anyLobe(scene, true) ? "" : kOnlyR;
         case BufferId::ReflectionVector:
-        case BufferId::RDotV: return model == Model::Phong ? "" : "The illumination model uses H, not R.";
+        case BufferId::RDotV: return anyLobe(scene, false) ? "" : kOnlyH;
         case BufferId::Translucent:
         case BufferId::Transmittance:
         case BufferId::Layers: return translucentTriangles(scene) == 0 ? kAllOpaque : "";

@@ -31,6 +31,10 @@ struct ObjectTransform {
     bool operator==(const ObjectTransform&) const = default;
 };
 
+// Which lobe the specular term of a material has: that of the scene's model, or Phong's or Blinn's
+// whatever the model, to have both in one picture. OpenGL's model always has its own.
+enum class Highlight : std::uint8_t { OfModel, Phong, BlinnPhong };
+
 // Reflection coefficients are fractions, 0 to 1 in nature; more or less than that is computed as written.
 struct Material {
     Vec3d diffuse{0.7};     // k_r, k_g, k_b; in lecture 1's model also of ambient light
@@ -38,9 +42,16 @@ struct Material {
     double exponent = 8.0;  // n, or s in Blinn-Phong; >= 0
     Vec3d ambient{0.7};     // k_a of Blinn-Phong and OpenGL; readers take k_d where a file has none
     Vec3d emission{0.0};    // OpenGL only
-    double alpha = 1.0;     // 1 opaque, 0 as if the object were not there; beyond [0, 1] as the nearer of the two
+    Highlight highlight = Highlight::OfModel;
+    double alpha = 1.0;  // 1 opaque, 0 as if the object were not there; beyond [0, 1] as the nearer of the two
     bool operator==(const Material&) const = default;
 };
+
+// Whether the specular term is (N·H)^n, else (R·V)^n.
+inline bool usesHalfway(Model model, const Material& material) {
+    if (model == Model::OpenGl || material.highlight == Highlight::BlinnPhong) return true;
+    return model == Model::BlinnPhong && material.highlight == Highlight::OfModel;
+}
 
 struct Object {
     std::string name;

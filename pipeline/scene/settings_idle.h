@@ -23,6 +23,7 @@ std::string_view onlyBias(const Scene& scene);
 std::string_view onlySpecular(const Scene& scene);
 std::string_view onlyShapes(const Scene& scene);
 std::string_view onlyBlinnPhong(const Scene& scene);
+std::string_view notInOpenGl(const Scene& scene);
 std::string_view onlyOpenGl(const Scene& scene);
 std::string_view onlyFading(const Scene& scene);
 std::string_view notInPhong(const Scene& scene);

@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 3> kShading{"flat", "gouraud", "phong"};
 constexpr std::array<std::string_view, 3> kInterpolation{"perspective", "affine", "scanline"};
 constexpr std::array<std::string_view, 4> kNormalWeight{"mean", "area", "angle", "given"};
 constexpr std::array<std::string_view, 3> kModel{"phong", "blinn-phong", "opengl"};
+constexpr std::array<std::string_view, 3> kHighlight{"model", "phong", "blinn-phong"};
 constexpr std::array<std::string_view, 2> kLightSpace{"world", "eye"};
 constexpr std::array<std::string_view, 6> kDepthFormat{"linear", "float", "reversed", "fixed16", "fixed24", "fixed32"};
 constexpr std::array<std::string_view, 3> kVisibility{"z-buffer", "painter", "none"};
@@ -296,6 +297,9 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     row<OfMaterial, &Material::exponent>(
         {"material.#.n", "n exponent", "", "Specular exponent: larger is a smaller highlight."}, {0, 10000, 0, 64}, {},
         onlySpecular),
+    choice<OfMaterial, &Material::highlight>({"material.#.highlight", "Highlight", "",
+                                              "The specular term: that of the illumination model, (R·V)^n or (N·H)^n."},
+                                             kHighlight, notInOpenGl),
     component<OfMaterial, &Material::specular, 0>(
         {"material.#.ksr", "k_s red", "", "Fraction of light of this colour reflected in the highlight."}, kFraction,
         neverIdle),

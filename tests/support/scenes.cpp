@@ -74,6 +74,7 @@ Scene randomScene(unsigned seed) {
     if (seed / 4 % 2 == 1)  // half of them: some objects translucent, or wholly transparent, or beyond [0, 1]
         for (Object& object : scene.objects) object.material.alpha = between(random, -0.2, 1.4);
     scene.settings.translucency = Translucency(seed / 8 % 2);
+    for (Object& object : scene.objects) object.material.highlight = Highlight(random() % 3);
     return scene;
 }
 

@@ -191,5 +191,20 @@ TEST(GivenNormals, GoWithTheCofactors) {
     EXPECT_EQ(test::frameOf(scene)->buffer({BufferId::VerticesNormal})->flat(2), 1);
 }
 
+// A material's own highlight is that of the other model, to the last bit, whatever model the scene has.
+TEST(Illumination, AMaterialMayHaveTheOtherModelsHighlight) {
+    const Light light{LightKind::AtInfinity, {1, -2, 3}, 2, {1, 0.5, 0.25}, true};
+    const Surface<double> at{Vec3d(0), kUp, normalized(Vec3d(0.2, 0.4, 1))};
+    Material material{Vec3d(0.5), Vec3d(0.7), 9};
+    const LightSample<double> phong = sampleLight<double>({}, light, material, at);
+    const LightSample<double> blinn = sampleLight<double>({Model::BlinnPhong}, light, material, at);
+    ASSERT_NE(phong.specular, blinn.specular);
+    material.highlight = Highlight::BlinnPhong;
+    EXPECT_EQ(sampleLight<double>({}, light, material, at).specular, blinn.specular);
+    EXPECT_EQ(sampleLight<double>({Model::OpenGl}, light, material, at).specularPower, blinn.specularPower);
+    material.highlight = Highlight::Phong;
+    EXPECT_EQ(sampleLight<double>({Model::BlinnPhong}, light, material, at).specular, phong.specular);
+}
+
 }  // namespace
 }  // namespace pipeline
