@@ -7,33 +7,10 @@
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view_content.h"
 #include "app/view3d/world_drawing.h"
+#include "tests/app/view3d_fixture.h"
 #include "tests/support/scenes.h"
 
-namespace {
-
-using app::Vec3d;
-using app::VectorArrow;
-using app::VectorCode;
-using app::ViewContent;
-
-constexpr glm::ivec2 kRightFace{268, 281};  // a pixel of polygon 2, "Right"
-
-ViewContent contentOf(const pipeline::Scene& scene, std::optional<glm::ivec2> pixel = {}) {
-    return app::contentOf(*test::frameOf(scene, app::contentBuffers(scene, true)), pixel);
-}
-
-const VectorArrow& vectorOf(const ViewContent& content, VectorCode code) {
-    const auto found =
-        std::ranges::find_if(content.vectors, [&](const VectorArrow& v) { return v.main && v.code == code; });
-    EXPECT_NE(found, content.vectors.end());
-    return *found;
-}
-
-void expectNear(Vec3d a, Vec3d b, double tolerance) {
-    EXPECT_NEAR(glm::length(a - b), 0, tolerance) << a.x << ' ' << a.y << ' ' << a.z;
-}
-
-}  // namespace
+using namespace view3d;
 
 // x from 200 to 470, y and z from 0 to 150.
 TEST(View3dAids, ObjectsHaveBoundsThatHoldTheirVertices) {

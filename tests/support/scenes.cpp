@@ -201,6 +201,17 @@ void changeSomething(Scene& scene, std::mt19937& random) {
     }
 }
 
+std::string buffersWithoutNumbers(const Frame& frame) {
+    std::string names;
+    for (const AnyBuffer& buffer : frame.buffers()) {
+        const BufferStatistics s = statistics(buffer);
+        const BufferId id = buffer.name.id;
+        const bool depth = id == BufferId::Depth || id == BufferId::ZView || id == BufferId::ShadowBuffer;
+        if (s.nan > 0 || (!depth && s.infinite > 0)) names += buffer.name.text() + ' ';
+    }
+    return names;
+}
+
 std::string firstDifference(const Frame& a, const Frame& b, BufferSet compared) {
     for (const BufferName& name : allBuffers(a.scene().lights.size())) {
         if (!compared[index(name.id)]) continue;

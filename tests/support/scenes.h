@@ -115,6 +115,9 @@ Scene strangeScene(unsigned seed);
 // One change of a kind that a user makes: a light, a material, the camera, a setting…
 void changeSomething(Scene& scene, std::mt19937& random);
 
+// The names of the buffers that hold NaN, or an infinity other than that of a depth where nothing was drawn.
+std::string buffersWithoutNumbers(const Frame& frame);
+
 // The first buffer in which two frames differ, and where; empty when they agree bit for bit.
 std::string firstDifference(const Frame& a, const Frame& b, BufferSet compared = everyBuffer());
 
