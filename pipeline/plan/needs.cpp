@@ -33,11 +33,11 @@ std::size_t translucentTriangles(const Scene& scene) {
     return count;
 }
 
-// Whether a coefficient is above or below 0 in any material, fronts and backs.
-template <class Coefficient>
-bool anyMaterial(const Scene& scene, Coefficient reflects) {
+// Whether a condition holds for any material, of fronts and of backs.
+template <class Condition>
+bool anyMaterial(const Scene& scene, Condition holds) {
     return std::ranges::any_of(scene.objects, [&](const Object& o) {
-        return reflects(o.material) || (o.backMaterial && reflects(*o.backMaterial));
+        return holds(o.material) || (o.backMaterial && holds(*o.backMaterial));
     });
 }
 // Whether a material's specular term reads H; or, of the other kind, R.
@@ -168,6 +168,12 @@ struct Decision {
     Need halfway(bool specular) const {
         return direction(anyLobe(scene, true), specular, {BufferId::HalfwayVector, BufferId::NDotH}, kOnlyR);
     }
+    Need depthTest() const {
+        if (outlines()) return {"Outlines are drawn one over the other: no depths are compared.", {}};
+        if (scene.settings.visibility == Visibility::Painter)
+            return {"The painter's algorithm compares no depths.", {}};
+        return {};
+    }
     Need layers() const {
         if (outlines()) return {kOutlines, {}};
         return unless(Rule::TranslucentPass, translucentTriangles(scene) > 0 ? "" : kAllOpaque);
@@ -211,6 +217,7 @@ Needs needsOf(const Scene& scene, BufferSet wanted) {
     needs.position = decide.position(needs);
     needs.reflection = decide.reflection(specular);
     needs.halfway = decide.halfway(specular);
+    needs.depthTest = decide.depthTest();
     needs.layers = decide.layers();
     needs.layerSort = decide.layerSort(needs.layers);
     return needs;
@@ -224,7 +231,6 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
     const BufferInfo& info = bufferInfo(id);
     if (info.perLight && !lights) return "The scene has no light.";
     if (scene.settings.visibility == Visibility::None) {
-        if (id == BufferId::Depth) return "Outlines are drawn one over the other: no depths are compared.";
         if (info.stage == StageId::Shading && id != BufferId::Intensity && id != BufferId::Color) return kOutlines;
     }
     switch (id) {
@@ -233,9 +239,7 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
         case BufferId::ShadowBuffer: return needs.shadowBuffers.notBecause;
         case BufferId::PolygonsIntensity: return needs.polygonTerms.notBecause;
         case BufferId::VerticesIntensity: return needs.vertexTerms.notBecause;
-        case BufferId::Depth:
-            return scene.settings.visibility == Visibility::Painter ? "The painter's algorithm compares no depths."
-                                                                    : "";
+        case BufferId::Depth: return needs.depthTest.notBecause;
         case BufferId::HalfwayVector:
         case BufferId::NDotH: return anyLobe(scene, true) ? "" : kOnlyR;
         case BufferId::ReflectionVector:

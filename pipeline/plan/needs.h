@@ -22,6 +22,7 @@ struct Need {
 
 struct Needs {
     Need cull, vertexNormals, shadowBuffers, polygonTerms, vertexTerms, ambient, position, viewVector;
+    Need depthTest;                                                // of fragments at a pixel
     Need reflection, halfway;                                      // R and H
     Need layers, layerSort;                                        // of translucent polygons
     std::vector<Need> shadowBuffer, light, specular, attenuation;  // per light

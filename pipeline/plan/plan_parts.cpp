@@ -54,10 +54,7 @@ void zBufferParts(Parts& out) {
     if (!outlines)
         out.within("clipping", Rule::Clipping, "Only of polygons that culling did not find whole in the picture.",
                    "Of every polygon.");
-    const char* noDepths = sorts      ? "The painter's algorithm compares no depths."
-                           : outlines ? "Outlines are drawn one over the other: no depths are compared."
-                                      : "";
-    out.add("depth test", {noDepths, {}}, "Of all fragments at a pixel the nearest stays.", "");
+    out.add("depth test", out.needs.depthTest, "Of all fragments at a pixel the nearest stays.", "");
     out.add("sort", {noOrder, {}}, "Polygons are painted from the farthest to the nearest.", "");
     out.add("split", {sorts && !settings.split ? "Off in this scene: split = off." : noOrder, {}},
             "Polygons may intersect, or overlap in a cycle.", "");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "pipeline/run/counts.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/parallel.h"
 #include "pipeline/scene/area_light.h"
@@ -152,67 +153,6 @@ std::shared_ptr<const ShadingOutput<Real>> runShading(const ShadingInputs& input
         for (std::size_t tile = begin; tile < end; ++tile) add(drawLayers(inputs, in, layers, tile, *out));
     });
     return out;
-}
-
-template <class Count>
-std::string plural(Count count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-// What a stage did, in counts that no clock disturbs.
-template <class Real>
-std::string countsOf(StageId stage, const FrameData<Real>& data) {
-    const Topology& topology = *data.transform->topology;
-    switch (stage) {
-        case StageId::Transform:
-            return fmt::format("{} {}", topology.vertexCount(), topology.vertexCount() == 1 ? "vertex" : "vertices");
-        case StageId::Cull:
-            return fmt::format("{} of {} polygons kept", std::ranges::count_if(data.cull->verdicts, goesOn),
-                               topology.polygonCount());
-        case StageId::Normals:
-            return plural(data.normals->polygon.size(), "polygon normal") +
-                   (data.normals->vertex.empty() ? "; vertex normals left out"
-                                                 : "; " + plural(data.normals->vertex.size(), "vertex normal"));
-        case StageId::ShadowBuffer: {
-            std::size_t faces = 0;
-            for (const auto& samples : data.shadowBuffer->lights)
-                for (const LightView<Real>& sample : samples) faces += sample.faces.size();
-            return plural(faces, "shadow buffer") + fmt::format(" of {}²", data.keys.shadowBuffer.size);
-        }
-        case StageId::ZBuffer: {
-            long long arrived = 0, won = 0;
-            for (std::int32_t n : data.zBuffer->overdraw.pixels) arrived += n;
-            for (std::int32_t n : data.zBuffer->depthWrites.pixels) won += n;
-            return fmt::format("{} fragments, {} {}{}", arrived, won,
-                               data.keys.zBuffer.visibility == Visibility::ZBuffer ? "won" : "written",
-                               data.zBuffer->note);
-        }
-        case StageId::Shading: {
-            const auto seen =
-                std::ranges::count_if(data.zBuffer->triangle.pixels, [](std::uint32_t t) { return t != kNoTriangle; });
-            if (data.keys.shading.outlines) return plural(seen, "pixel") + " of outlines";
-            std::string text = plural(seen, "pixel") + " shaded";
-            if (data.keys.shading.layers.drawn) text += "; " + plural(data.shading->counts.layers, "layer");
-            if (const long long instead = data.shading->counts.affineInstead; instead > 0)
-                text += fmt::format("; {} affine, for their polygon is clipped or crosses itself", instead);
-            return text;
-        }
-    }
-    return {};
-}
-
-template <class Real>
-std::vector<Tally> talliesOf(StageId stage, const FrameData<Real>& data) {
-    if (stage == StageId::ZBuffer)
-        return {{"triangles clipped", data.zBuffer->clipped, data.zBuffer->unclipped, Rule::Clipping}};
-    if (stage != StageId::Shading) return {};
-    const ShadingCounts& n = data.shading->counts;
-    return {{"polygons evaluated", n.polygons, n.hiddenPolygons, Rule::HiddenPolygons},
-            {"vertices evaluated", n.vertices, n.hiddenVertices, Rule::HiddenVertices},
-            {"light evaluations", n.evaluations, 0, {}},
-            {"powers", n.powers, n.vanished, Rule::VanishingPower},
-            {"shadow look-ups", n.lookups, n.idleLookups, Rule::ShadowLookup},
-            {"tiles", n.tiles, n.emptyTiles, Rule::EmptyTiles}};
 }
 
 }  // namespace
