@@ -1,0 +1,28 @@
+#include "pipeline/study/study.h"
+
+#include <algorithm>
+
+namespace pipeline {
+
+std::string_view name(ErrorKind kind) {
+    constexpr std::array<std::string_view, kErrorKinds> kNames{"model", "arithmetic", "storage"};
+    return kNames[index(kind)];
+}
+
+bool TimeSamples::empty() const {
+    return std::ranges::all_of(processes, [](const std::vector<double>& samples) { return samples.empty(); });
+}
+
+SampleSummary TimeSamples::summary() const {
+    std::vector<double> all;
+    for (const std::vector<double>& samples : processes) all.insert(all.end(), samples.begin(), samples.end());
+    return summarize(std::move(all));
+}
+
+std::optional<double> StudyPoint::error(const ErrorChoice& choice) const {
+    for (const ErrorRow& row : errors)
+        if (row.buffer == choice.buffer && row.measure == choice.measure) return row.value[index(choice.kind)];
+    return std::nullopt;
+}
+
+}  // namespace pipeline

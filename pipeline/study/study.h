@@ -1,0 +1,98 @@
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/core/sample.h"
+#include "pipeline/plan/stage.h"
+#include "pipeline/run/frame.h"
+
+namespace pipeline {
+
+// What a study of error against run time found: made by study runs (pipeline/study/), read by the
+// tables, plots and reports (pipeline/export/) and by the window.
+
+// A setting, or the same setting of every light or object, and the values that it takes in turn.
+struct SweepAxis {
+    std::string key;                  // as --sweep names it: "shading", "tessellation"
+    std::string label;                // for people: "Shading"
+    std::vector<std::string> values;  // as formatSetting writes them: "flat", "16"
+};
+
+// Where an error comes from.
+//   Model       the picture against the true surfaces: tessellation, shading, sampling
+//   Arithmetic  the same stages, computed exactly
+//   Storage     what a buffer holds against what was to be stored in it
+enum class ErrorKind : std::uint8_t { Model, Arithmetic, Storage };
+inline constexpr std::size_t kErrorKinds = 3;
+constexpr std::size_t index(ErrorKind kind) { return static_cast<std::size_t>(kind); }
+std::string_view name(ErrorKind kind);  // "model"
+
+// One measure of one buffer.
+struct ErrorRow {
+    std::string buffer;   // "z_view", "shadow.0"
+    StageId stage;        // that leaves the buffer
+    std::string measure;  // "RMSE", "largest angle"
+    std::string unit;     // "world units", "degrees", "pixels"; empty for a pure number
+    // Nothing where the buffer has no such error, or the reference does not say.
+    std::array<std::optional<double>, kErrorKinds> value{};
+};
+
+// A measure of a buffer by name, one kind of error of it: what a plot shows.
+struct ErrorChoice {
+    std::string buffer = "intensity", measure = "RMSE";
+    ErrorKind kind = ErrorKind::Model;
+    bool operator==(const ErrorChoice&) const = default;
+};
+
+// Run times in milliseconds. One group of samples a process.
+struct TimeSamples {
+    std::vector<std::vector<double>> processes;
+    bool empty() const;
+    SampleSummary summary() const;  // of all samples together; not empty
+};
+
+// How much of the frame's error goes when one stage alone is replaced by its reference.
+struct StageBlame {
+    StageId stage;
+    double error = 0;  // RMSE of the intensity that is left
+    double share = 0;  // 1 − error / the frame's own; below 0 where two errors cancelled each other
+};
+
+// One combination of values.
+struct StudyPoint {
+    std::size_t number = 0;           // in the sweep's order, the last axis fastest
+    std::vector<std::string> values;  // one an axis
+    std::string failure;              // why there is nothing more; empty
+    std::vector<ErrorRow> errors;
+    std::vector<StageBlame> blame;  // empty where there is no reference for it
+    TimeSamples frame;
+    std::array<TimeSamples, kStageCount> stages;  // empty where the plan leaves a stage out
+    std::map<std::string, long long> counters;    // "fragments", "shadow look-ups": no noise
+    double megabytes = 0;                         // of all buffers that the frame holds
+
+    // Nothing where the point has no such row.
+    std::optional<double> error(const ErrorChoice& choice) const;
+};
+
+struct StudyReport {
+    std::string scene;    // its name
+    std::string file;     // as given; empty for a built-in scene
+    std::string version;  // of the program
+    int width = 0, height = 0, threads = 1, warmups = 0, repeats = 0, processes = 0;
+    std::string machine, compiler;                // "AMD EPYC 7763, 2 processors"; "GCC 12.2, release"
+    std::vector<double> load;                     // average number of running programs before each process
+    std::map<std::string, std::string> settings;  // of the scene, those that no axis changes
+    std::vector<SweepAxis> axes;
+    ErrorChoice choice;
+    std::array<std::string, kErrorKinds> references;  // name of the reference of each kind; empty: none, and why below
+    std::array<std::string, kErrorKinds> whyNone;
+    std::array<double, kErrorKinds> errorBars{};
+    std::string errorWhy;            // how the model reference's error bar was found
+    std::vector<StudyPoint> points;  // in order of their numbers
+};
+
+}  // namespace pipeline
