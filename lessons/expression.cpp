@@ -119,8 +119,7 @@ Result<Value> fragment(const Node& call, Operands operands, const Frame& frame) 
 
 // The outcome of the cull stage, whatever precision the frame is in.
 const pipeline::CullOutput* cullOf(const Frame& frame) {
-    if (frame.dataDouble()) return frame.dataDouble()->cull.get();
-    return frame.dataFloat() ? frame.dataFloat()->cull.get() : nullptr;
+    return readStages(frame, [](const auto& data) { return data.cull.get(); });
 }
 
 Result<Value> ofPolygon(const Node& call, Operands operands, const Frame& frame,

@@ -6,6 +6,7 @@
 
 #include "app/core/numbers.h"
 #include "app/core/text.h"
+#include "pipeline/scene/settings_table.h"
 
 namespace app {
 namespace {
@@ -118,13 +119,11 @@ FrameStatus frameStatus(const pipeline::Frame& frame) {
     if (const int n = countOf(frame, Action::Run)) actions += QStringLiteral("%1 ran").arg(n);
     if (const int n = countOf(frame, Action::Reuse)) actions += QStringLiteral("%1 reused").arg(n);
     if (const int n = countOf(frame, Action::LeaveOut)) actions += QStringLiteral("%1 left out").arg(n);
-    const bool isDouble = settings.precision == pipeline::Precision::Double;
+    const auto ref = pipeline::findSetting(frame.scene(), "precision");
+    const QString precision = QString::fromStdString(formatSetting(*ref, ref->get(frame.scene())));
     return {QStringLiteral("Frame %1").arg(frame.number()), milliseconds(frame.milliseconds()),
             actions.join(QStringLiteral(", ")),
-            QStringLiteral("%1, %2 × %3")
-                .arg(isDouble ? QStringLiteral("double") : QStringLiteral("float"))
-                .arg(settings.width)
-                .arg(settings.height)};
+            QStringLiteral("%1, %2 × %3").arg(precision).arg(settings.width).arg(settings.height)};
 }
 
 QString frameSentence(const pipeline::Frame& frame) {

@@ -77,7 +77,10 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
     m_rows[0].value->setText(
         tr("centre %1").arg(digits(QString("(%1, %2)").arg(r.pixel.x + 0.5).arg(r.pixel.y + 0.5))));
     QString fragments = tr("%1 came, %2 won").arg(r.fragments.size()).arg(won);
-    if (r.covered) fragments += tr(" at z %1").arg(digits(app::depth(r.zView, frame.dataDouble() != nullptr)));
+    if (r.covered)
+        fragments +=
+            tr(" at z %1")
+                .arg(digits(app::depth(r.zView, frame.scene().settings.precision != pipeline::Precision::Float)));
     m_rows[1].value->setText(fragments);
     for (std::size_t i = 2; i < m_rows.size(); ++i)
         for (QWidget* part : {static_cast<QWidget*>(m_rows[i].label), static_cast<QWidget*>(m_rows[i].value),

@@ -9,7 +9,7 @@ namespace pipeline {
 
 template <class Real>
 Real largestComponent(Vec3<Real> v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return std::max({abs(v.x), abs(v.y), abs(v.z)});
 }
 
 // v at length 1 within 2 rounding units, over the whole range of Real. The zero vector, and
@@ -18,13 +18,13 @@ Real largestComponent(Vec3<Real> v) {
 template <class Real>
 Vec3<Real> normalized(Vec3<Real> v) {
     const Real largest = largestComponent(v);
-    if (!(largest > 0) || !std::isfinite(largest)) return Vec3<Real>(0);
+    if (!(largest > 0) || !isfinite(largest)) return Vec3<Real>(0);
     // A power of two brings the squares into range without rounding: a scaled scene keeps its bits.
     int exponent;
-    std::frexp(largest, &exponent);
-    const Vec3<Real> scaled{std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
-    const Real length = std::sqrt(glm::dot(scaled, scaled));
-    return std::isfinite(length) ? scaled / length : Vec3<Real>(0);
+    frexp(largest, &exponent);
+    const Vec3<Real> scaled{ldexp(v.x, -exponent), ldexp(v.y, -exponent), ldexp(v.z, -exponent)};
+    const Real length = sqrt(glm::dot(scaled, scaled));
+    return isfinite(length) ? scaled / length : Vec3<Real>(0);
 }
 
 // (a·b)^exponent for unit vectors with a·b > 0, else 0.
@@ -35,14 +35,16 @@ Real powerOfCosine(Vec3<Real> a, Vec3<Real> b, Real exponent) {
     const Vec3<Real> difference = a - b;
     const Real q = glm::dot(difference, difference) / 2;
     if (!(q < 1)) return 0;
-    return std::exp(exponent * std::log1p(-q));
+    return exp(exponent * log1p(-q));
 }
 
 // Whether powerOfCosine is certain to round to 0, without its exponential: −log1p(−q) >= q, and
-// exp(x) is 0 below −103.98 in float, −745.14 in double (half the smallest number above 0).
+// exp(x) is 0 below −103.98 in float, −745.14 in double, −11399.5 in long double and −11433.5 in Quad
+// (half the smallest number above 0).
 template <class Real>
 bool powerVanishes(Vec3<Real> a, Vec3<Real> b, Real exponent) {
-    constexpr Real kZero = std::numeric_limits<Real>::digits == 24 ? Real(105) : Real(750);
+    constexpr int kDigits = std::numeric_limits<Real>::digits;
+    constexpr Real kZero = kDigits == 24 ? 105 : kDigits == 53 ? 750 : 11500;
     const Vec3<Real> difference = a - b;
     return exponent * (glm::dot(difference, difference) / 2) > kZero;
 }
@@ -52,7 +54,7 @@ bool powerVanishes(Vec3<Real> a, Vec3<Real> b, Real exponent) {
 // W. Kahan, "How futile are mindless assessments of roundoff", 2006.
 template <class Real>
 Real angleBetween(Vec3<Real> a, Vec3<Real> b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+    return atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 }  // namespace pipeline

@@ -295,7 +295,7 @@ std::string glRefuses(const Scene& scene) {
 
 Result<std::vector<GlCall>> glCalls(const Frame& frame) {
     if (const std::string refused = glRefuses(frame.scene()); !refused.empty()) return Error{{}, refused, {}};
-    return frame.dataFloat() ? callsOf(frame.scene(), *frame.dataFloat()) : callsOf(frame.scene(), *frame.dataDouble());
+    return readStages(frame, [&](const auto& data) { return callsOf(frame.scene(), data); });
 }
 
 }  // namespace pipeline

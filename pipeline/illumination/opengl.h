@@ -27,7 +27,7 @@ Real spotFactor(const Light& light, Vec3<Real> L) {
     if (light.gl.spotCutoff == 180) return 1;
     const Real cosine = glm::dot(-L, normalized(Vec3<Real>(light.gl.spotDirection)));
     if (cosine < Real(cosDegrees(light.gl.spotCutoff))) return 0;
-    return light.gl.spotExponent == 0 ? Real(1) : std::pow(cosine, Real(light.gl.spotExponent));
+    return light.gl.spotExponent == 0 ? Real(1) : pow(cosine, Real(light.gl.spotExponent));
 }
 
 // The specular part counts where N·L > 0, whatever N·H is; with exponent 0 it is then 1.

@@ -8,18 +8,18 @@ namespace {
 template <class Real>
 Real closedFormBias(const View& face, Vec3<Real> p, Vec3<Real> n, Real texels) {
     const Vec2<Real> width(1.0 / face.scale);
-    const Real delta = texels * (std::abs(n.x) * width.x + std::abs(n.y) * width.y);
-    if (!face.perspective) return delta / std::abs(n.z);
-    const Real relative = p.z * delta / std::abs(glm::dot(n, p));
+    const Real delta = texels * (abs(n.x) * width.x + abs(n.y) * width.y);
+    if (!face.perspective) return delta / abs(n.z);
+    const Real relative = p.z * delta / abs(glm::dot(n, p));
     // relative / (1 + relative) tends to 1 as the plane runs through the light.
-    return std::isfinite(relative) ? p.z * (relative / (1 + relative)) : p.z;
+    return isfinite(relative) ? p.z * (relative / (1 + relative)) : p.z;
 }
 
 // Texels beyond +-2^30 are outside every buffer; the conversion to int must not overflow.
 template <class Real>
 int texelAt(Real x) {
     constexpr Real kLimit = Real(1 << 30);
-    return x > -kLimit && x < kLimit ? static_cast<int>(std::floor(x)) : -1;
+    return x > -kLimit && x < kLimit ? static_cast<int>(floor(x)) : -1;
 }
 
 }  // namespace
@@ -68,11 +68,11 @@ Real shadowFactor(const LightView<Real>& light, const ShadowSettings& settings, 
     return Real(litTexels(light, settings, position, normal)) / Real(filteredTexels(settings));
 }
 
-template ShadowTest<float> shadowTest(const LightView<float>&, const ShadowSettings&, Vec3<float>, Vec3<float>);
-template ShadowTest<double> shadowTest(const LightView<double>&, const ShadowSettings&, Vec3<double>, Vec3<double>);
-template int litTexels(const LightView<float>&, const ShadowSettings&, Vec3<float>, Vec3<float>);
-template int litTexels(const LightView<double>&, const ShadowSettings&, Vec3<double>, Vec3<double>);
-template float shadowFactor(const LightView<float>&, const ShadowSettings&, Vec3<float>, Vec3<float>);
-template double shadowFactor(const LightView<double>&, const ShadowSettings&, Vec3<double>, Vec3<double>);
+#define SHADESCOPE_INSTANTIATE(Real)                                                                             \
+    template ShadowTest<Real> shadowTest(const LightView<Real>&, const ShadowSettings&, Vec3<Real>, Vec3<Real>); \
+    template int litTexels(const LightView<Real>&, const ShadowSettings&, Vec3<Real>, Vec3<Real>);               \
+    template Real shadowFactor(const LightView<Real>&, const ShadowSettings&, Vec3<Real>, Vec3<Real>);
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
+#undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

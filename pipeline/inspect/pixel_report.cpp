@@ -269,10 +269,7 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
 PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel) {
     PixelReport report{};
     report.pixel = pixel;
-    if (frame.dataFloat())
-        fill(*frame.dataFloat(), report);
-    else
-        fill(*frame.dataDouble(), report);
+    readStages(frame, [&](const auto& data) { fill(data, report); });
     return report;
 }
 

@@ -119,8 +119,7 @@ std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixe
     template std::vector<FragmentRecord> replayPixel(const FrameData<Real>&, glm::ivec2); \
     template std::vector<Layer<Real>> replayLayers(const FrameData<Real>&, glm::ivec2);   \
     template std::vector<std::uint32_t> culledAt(const FrameData<Real>&, glm::ivec2);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -100,8 +100,7 @@ void addPolygons(const FramePtr& frame, SceneTable& table) {
                        }});
     const auto withCull = [frame]<class Read>(Read read) {
         return [frame, read](std::size_t p) -> Cell {
-            const CullOutput* cull =
-                frame->dataFloat() ? frame->dataFloat()->cull.get() : frame->dataDouble()->cull.get();
+            const CullOutput* cull = readStages(*frame, [](const auto& data) { return data.cull.get(); });
             if (!cull) return {};
             return read(*cull, p);
         };

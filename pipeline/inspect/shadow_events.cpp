@@ -71,7 +71,9 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
     return events;
 }
 
-template std::vector<std::string> shadowEvents(const FrameData<float>&, std::uint32_t, glm::ivec2);
-template std::vector<std::string> shadowEvents(const FrameData<double>&, std::uint32_t, glm::ivec2);
+#define SHADESCOPE_INSTANTIATE(Real) \
+    template std::vector<std::string> shadowEvents(const FrameData<Real>&, std::uint32_t, glm::ivec2);
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
+#undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

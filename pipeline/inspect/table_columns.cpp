@@ -31,11 +31,6 @@ std::string unitOf(const BufferInfo& info, std::size_t channel) {
     return std::string(rest.substr(0, rest.find(", ")));
 }
 
-template <class Read>
-auto ofData(const Frame& frame, Read read) {
-    return frame.dataFloat() ? read(*frame.dataFloat()) : read(*frame.dataDouble());
-}
-
 }  // namespace
 
 TableColumn rowNumber(std::string lecture, std::string name, std::string meaning) {
@@ -102,18 +97,18 @@ std::vector<TableFact> viewingFacts(const Scene& scene) {
 }
 
 std::optional<double> largestIntensity(const Frame& frame) {
-    return ofData(frame, [](const auto& data) -> std::optional<double> {
+    return readStages(frame, [](const auto& data) -> std::optional<double> {
         if (!data.shading) return {};
         return data.shading->iMax;
     });
 }
 
 bool evaluatesAll(const Frame& frame) {
-    return ofData(frame, [](const auto& data) { return data.keys.shading.parts.hiddenPolygons; });
+    return readStages(frame, [](const auto& data) { return data.keys.shading.parts.hiddenPolygons; });
 }
 
 int lengthDecimals(const Frame& frame) {
-    const double farthest = ofData(frame, [](const auto& data) {
+    const double farthest = readStages(frame, [](const auto& data) {
         return data.transform ? std::max(std::abs(data.transform->view.near), std::abs(data.transform->view.far)) : 1.0;
     });
     constexpr int kDigits = 6, kMost = 12;

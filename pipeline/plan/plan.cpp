@@ -81,13 +81,10 @@ struct Before {
 Before lookBack(const Scene& scene, const FramePtr& before) {
     Before out;
     if (!before || before->scene().settings.precision != scene.settings.precision) return out;
-    const auto read = [&](const auto& data) {
-        if (!data) return;
-        out.keys = &data->keys;
-        for (StageId stage : kStages) out.has[index(stage)] = data->has(stage);
-    };
-    read(before->dataFloat());
-    read(before->dataDouble());
+    readStages(*before, [&](const auto& data) {
+        out.keys = &data.keys;
+        for (StageId stage : kStages) out.has[index(stage)] = data.has(stage);
+    });
     out.wanted = before->made();
     out.number = before->number();
     return out;

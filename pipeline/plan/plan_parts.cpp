@@ -29,9 +29,7 @@ struct Parts {
     }
 };
 
-double bytesOf(const Scene& scene, double numbers) {
-    return numbers * (scene.settings.precision == Precision::Double ? 8 : 4);
-}
+double bytesOf(const Scene& scene, double numbers) { return numbers * bytesOf(scene.settings.precision); }
 
 void shadowParts(Parts& out) {
     const Scene& scene = out.scene;

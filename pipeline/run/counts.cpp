@@ -72,8 +72,7 @@ std::vector<Tally> talliesOf(StageId stage, const FrameData<Real>& data) {
 #define SHADESCOPE_INSTANTIATE(Real)                                \
     template std::string countsOf(StageId, const FrameData<Real>&); \
     template std::vector<Tally> talliesOf(StageId, const FrameData<Real>&);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

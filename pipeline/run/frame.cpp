@@ -8,11 +8,17 @@
 namespace pipeline {
 namespace {
 
-// Wraps what a buffer stands in, without copying it.
+// Wraps what a buffer stands in, without copying it; what has more digits than double is rounded to it.
 template <class T>
 AnyBuffer view(const BufferName& name, std::vector<std::size_t> shape, const T* data, std::size_t count,
                std::shared_ptr<const void> owner) {
-    return {name, &bufferInfo(name.id), std::move(shape), std::span<const T>(data, count), std::move(owner)};
+    if constexpr (std::numeric_limits<T>::digits > 53) {
+        auto rounded = std::make_shared<std::vector<double>>(count);
+        for (std::size_t i = 0; i < count; ++i) (*rounded)[i] = static_cast<double>(data[i]);
+        return view(name, std::move(shape), rounded->data(), count, rounded);
+    } else {
+        return {name, &bufferInfo(name.id), std::move(shape), std::span<const T>(data, count), std::move(owner)};
+    }
 }
 
 // Takes over values that were computed for the asking.
@@ -58,7 +64,7 @@ std::optional<AnyBuffer> depth(const BufferName& name, const FrameData<Real>& da
     const DepthFormat format = data.transform->depthFormat;
     if (format == DepthFormat::Linear) return view(name, data.zBuffer->zView, data.zBuffer);
     const Buffer2D<double>& stored = data.zBuffer->depth;
-    if (std::is_same_v<Real, double> || format == DepthFormat::Fixed32) return view(name, stored, data.zBuffer);
+    if (!std::is_same_v<Real, float> || format == DepthFormat::Fixed32) return view(name, stored, data.zBuffer);
     return own(name, {std::size_t(stored.size.y), std::size_t(stored.size.x)},
                std::vector<float>(stored.pixels.begin(), stored.pixels.end()));
 }
@@ -142,7 +148,7 @@ std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& dat
 std::optional<AnyBuffer> Frame::buffer(const BufferName& name) const {
     const bool perLight = bufferInfo(name.id).perLight;
     if (perLight ? name.light < 0 || std::size_t(name.light) >= m_scene->lights.size() : name.light >= 0) return {};
-    return m_float ? find(name, *m_float) : find(name, *m_double);
+    return readStages(*this, [&](const auto& data) { return find(name, data); });
 }
 
 std::string Frame::whyAbsent(const BufferName& name) const {

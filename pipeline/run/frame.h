@@ -36,9 +36,8 @@ struct FrameRequest {
     std::stop_token stop;              // asks to give up; checked per tile
 };
 
-template <class Real>
-struct FrameData;  // the stages' outputs; pipeline/run/frame_data.h
-struct Topology;   // pipeline/scene/topology.h
+struct FrameStages;  // the stages' outputs; pipeline/run/frame_data.h
+struct Topology;     // pipeline/scene/topology.h
 
 // One computed frame. Immutable and shared: reuse is copying a pointer.
 class Frame {
@@ -65,9 +64,7 @@ public:
     };
     PolygonPlace placeOf(int polygon) const;
 
-    // The stages' outputs in the frame's own precision; one of the two is null.
-    const std::shared_ptr<const FrameData<float>>& dataFloat() const { return m_float; }
-    const std::shared_ptr<const FrameData<double>>& dataDouble() const { return m_double; }
+    const FrameStages& stages() const { return *m_stages; }
 
     BufferSet wanted() const { return m_wanted; }  // the request's
     BufferSet made() const { return m_made; }      // more than those where the plan leaves none out
@@ -83,8 +80,7 @@ private:
     long m_number = 0;
     StageId m_until = StageId::Shading;
     BufferSet m_wanted, m_made;
-    std::shared_ptr<const FrameData<float>> m_float;  // one of the two
-    std::shared_ptr<const FrameData<double>> m_double;
+    std::shared_ptr<const FrameStages> m_stages;
 };
 
 using FramePtr = std::shared_ptr<const Frame>;

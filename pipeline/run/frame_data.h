@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include "pipeline/plan/needs.h"
 #include "pipeline/run/frame.h"
@@ -59,6 +60,22 @@ struct FrameData {
         return {*transform, *normals, shadowBuffer.get(), *zBuffer, cull.get()};
     }
 };
+
+// A frame's outputs, in the precision that it was computed in.
+struct FrameStages {
+    std::variant<FrameData<float>, FrameData<double>, FrameData<long double>, FrameData<Quad>> data;
+};
+
+// read(FrameData) of a frame that has them, in whatever precision.
+template <class Read>
+auto readStages(const Frame& frame, Read read) {
+    return std::visit(read, frame.stages().data);
+}
+// Null where the frame was computed in another precision.
+template <class Real>
+const FrameData<Real>* dataOf(const Frame& frame) {
+    return std::get_if<FrameData<Real>>(&frame.stages().data);
+}
 
 // The topology of the scene's meshes: the one of `before` where the meshes are the same.
 std::shared_ptr<const Topology> topologyOf(const Scene& scene, const FramePtr& before);

@@ -160,8 +160,7 @@ std::shared_ptr<const ShadingOutput<Real>> runShading(const ShadingInputs& input
 std::shared_ptr<const Topology> topologyOf(const Scene& scene, const FramePtr& before) {
     auto meshes = meshesOf(scene);
     if (before) {
-        const auto& old = before->dataFloat() ? before->dataFloat()->keys.transform.topology
-                                              : before->dataDouble()->keys.transform.topology;
+        auto old = readStages(*before, [](const auto& data) { return data.keys.transform.topology; });
         if (old->meshes == meshes) return old;
     }
     return std::make_shared<const Topology>(makeTopology(std::move(meshes)));
@@ -240,24 +239,28 @@ public:
         frame->m_until = request.until;
         frame->m_wanted = request.wanted;
         frame->m_scene = std::move(scene);
-        const bool done = frame->m_scene->settings.precision == Precision::Float
-                              ? runStages(*frame, request, std::move(keys), before, before ? before->m_float : nullptr,
-                                          frame->m_float)
-                              : runStages(*frame, request, std::move(keys), before, before ? before->m_double : nullptr,
-                                          frame->m_double);
-        if (!done) return nullptr;
+        if (!runStages(*frame, request, std::move(keys), before)) return nullptr;
         frame->m_milliseconds = millisecondsSince(start);
         return frame;
     }
 
 private:
+    static bool runStages(Frame& frame, const FrameRequest& request, StageKeys keys, const FramePtr& before) {
+        switch (frame.m_scene->settings.precision) {
+            case Precision::Float: return runStagesIn<float>(frame, request, std::move(keys), before);
+            case Precision::Double: return runStagesIn<double>(frame, request, std::move(keys), before);
+            case Precision::Extended: return runStagesIn<long double>(frame, request, std::move(keys), before);
+            case Precision::Quad: return runStagesIn<Quad>(frame, request, std::move(keys), before);
+        }
+        return false;
+    }
+
     template <class Real>
-    static bool runStages(Frame& frame, const FrameRequest& request, StageKeys keys, const FramePtr& before,
-                          const std::shared_ptr<const FrameData<Real>>& old,
-                          std::shared_ptr<const FrameData<Real>>& result) {
+    static bool runStagesIn(Frame& frame, const FrameRequest& request, StageKeys keys, const FramePtr& before) {
         Threads threads(request.threads, request.stop);
-        auto made = std::make_shared<FrameData<Real>>();
-        FrameData<Real>& data = *made;
+        auto stages = std::make_shared<FrameStages>();
+        FrameData<Real>& data = stages->data.emplace<FrameData<Real>>();
+        const FrameData<Real>* const old = before ? dataOf<Real>(*before) : nullptr;
         data.keys = std::move(keys);
 
         // Carries out the plan for one stage: runs it, takes what the frame before has, or neither.
@@ -294,7 +297,7 @@ private:
         });
         stage(StageId::Shading, &Data::shading,
               [&] { return runShading(data.keys.shading, data.shadingSources(), frame.m_made, threads); });
-        result = std::move(made);
+        frame.m_stages = std::move(stages);
         return !threads.stopped();
     }
 };

@@ -86,7 +86,7 @@ int handedOut(int faces) { return faces > 1 ? 2 * faces : faces; }
 
 // Bytes of every buffer of the specification; the plan may need far fewer, an export of all needs them.
 double memoryEstimate(const Scene& scene) {
-    const double real = scene.settings.precision == Precision::Double ? 8 : 4;
+    const double real = bytesOf(scene.settings.precision);
     const double pixels = double(scene.settings.width) * double(scene.settings.height);
     const double texels = double(scene.settings.shadowSize) * double(scene.settings.shadowSize);
     // depth, z_view 2; barycentric, position, normal, view_vector, ambient, emission, intensity 7 · 3

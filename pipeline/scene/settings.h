@@ -5,7 +5,12 @@
 
 namespace pipeline {
 
-enum class Precision : std::uint8_t { Float, Double };
+// What the stages compute in: 24, 53, 64 (113 where long double has as many) and 113 bits of significand. Extended and
+// quad are references for the rounding errors of the others, many times slower.
+enum class Precision : std::uint8_t { Float, Double, Extended, Quad };
+constexpr int bytesOf(Precision precision) {
+    return precision == Precision::Float ? 4 : precision == Precision::Double ? 8 : 16;
+}
 enum class CullMode : std::uint8_t { None, Back };
 enum class Shading : std::uint8_t { Flat, Gouraud, Phong };
 // What intensities and normals are interpolated with; pipeline/stages/vertex_weights.h.

@@ -14,7 +14,7 @@ using namespace settings_idle;
 
 constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
 // In the order of the enumerators.
-constexpr std::array<std::string_view, 2> kPrecision{"float", "double"};
+constexpr std::array<std::string_view, 4> kPrecision{"float", "double", "extended", "quad"};
 constexpr std::array<std::string_view, 2> kCull{"none", "back"};
 constexpr std::array<std::string_view, 3> kShading{"flat", "gouraud", "phong"};
 constexpr std::array<std::string_view, 3> kInterpolation{"perspective", "affine", "scanline"};
@@ -90,7 +90,9 @@ using A = AreaLight;
 constexpr auto kSceneTable = std::to_array<Setting>({
     row<OfPicture, &S::width>({"width", "Width", "pixels", "Columns of the picture."}, kSide),
     row<OfPicture, &S::height>({"height", "Height", "pixels", "Rows of the picture."}, kSide),
-    choice<OfPicture, &S::precision>({"precision", "Precision", "", "What the stages compute in."}, kPrecision),
+    choice<OfPicture, &S::precision>(
+        {"precision", "Precision", "", "What the stages compute in: 24, 53, 64 or 113 bits of significand."},
+        kPrecision),
 
     choice<OfCamera, &C::kind>(
         {"camera.kind", "Camera", "", "On a sphere around the world's origin, or from an eye towards a target."},

@@ -33,11 +33,11 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
     return out;
 }
 
-template TriangleBins<float> binTriangles(const Topology&, const View&, std::span<const Vec3<float>>,
-                                          std::span<const Verdict>, std::span<const std::uint8_t>,
-                                          std::span<const std::uint8_t>);
-template TriangleBins<double> binTriangles(const Topology&, const View&, std::span<const Vec3<double>>,
-                                           std::span<const Verdict>, std::span<const std::uint8_t>,
-                                           std::span<const std::uint8_t>);
+#define SHADESCOPE_INSTANTIATE(Real)                                                                    \
+    template TriangleBins<Real> binTriangles(const Topology&, const View&, std::span<const Vec3<Real>>, \
+                                             std::span<const Verdict>, std::span<const std::uint8_t>,   \
+                                             std::span<const std::uint8_t>);
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
+#undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

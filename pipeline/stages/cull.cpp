@@ -56,7 +56,7 @@ Verdict outside(const TransformOutput<Real>& in, const Topology::Corners& corner
     for (Plane plane : kPlanes) {
         std::size_t out = 0;
         for (std::size_t i = 0; i < corners.size(); ++i)
-            out += signedDistance(in.view, plane, Vec3d(in.viewSpace[corners[i]]), picture) < 0;
+            out += signedDistance(in.view, plane, Vec3<AtLeastDouble<Real>>(in.viewSpace[corners[i]]), picture) < 0;
         if (out == corners.size()) return Verdict(std::size_t(Verdict::OutsideNear) + std::size_t(plane));
         crossed.any = crossed.any || out > 0;
         crossed.depth = crossed.depth || (out > 0 && (plane == Plane::Near || plane == Plane::Far));
@@ -113,7 +113,9 @@ void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t
     }
 }
 
-template void cull(const CullInputs&, const TransformOutput<float>&, std::size_t, std::size_t, CullOutput&);
-template void cull(const CullInputs&, const TransformOutput<double>&, std::size_t, std::size_t, CullOutput&);
+#define SHADESCOPE_INSTANTIATE(Real) \
+    template void cull(const CullInputs&, const TransformOutput<Real>&, std::size_t, std::size_t, CullOutput&);
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
+#undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -7,7 +7,7 @@
 
 namespace pipeline {
 
-// z_view to the number that the z-buffer stores, and back to what "nearer" means. In double, so
+// z_view to the number that the z-buffer stores, and back to what "nearer" means. In double or better, so
 // that 24 and 32 bits of fixed point mean what they say when the stages compute in float.
 //   perspective  d = f/(f-n) - fn/((f-n) z), reversed d = fn/((f-n) z) - n/(f-n): affine in 1/z
 //   orthographic d = (z-n)/(f-n), reversed d = (f-z)/(f-n): affine in z
@@ -31,10 +31,11 @@ struct DepthCode {
         }
     }
     // z = z_view; inverseZ = 1 / z, read in perspective only.
-    double encode(double z, double inverseZ) const {
-        if (format == DepthFormat::Linear) return z;
-        const double d = std::clamp(constant + factor * (perspective ? inverseZ : z), 0.0, 1.0);
-        return levels > 0 ? std::round(d * levels) / levels : double(float(d));
+    template <class W>
+    double encode(W z, W inverseZ) const {
+        if (format == DepthFormat::Linear) return double(z);
+        const W d = std::clamp(W(constant) + W(factor) * (perspective ? inverseZ : z), W(0), W(1));
+        return levels > 0 ? double(round(d * W(levels)) / W(levels)) : double(float(d));
     }
     bool nearer(double a, double b) const { return format == DepthFormat::Reversed ? a > b : a < b; }
     // What the z-buffer is cleared to: farther than anything.

@@ -81,8 +81,7 @@ void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
     template NormalsOutput<Real> prepareNormals(const NormalsInputs&, const TransformOutput<Real>&);            \
     template void polygonNormals(const TransformOutput<Real>&, std::size_t, std::size_t, NormalsOutput<Real>&); \
     template void vertexNormals(const NormalsInputs&, const TransformOutput<Real>&, std::size_t, NormalsOutput<Real>&);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -8,19 +8,20 @@ namespace {
 constexpr Plane kPlanes[kPlaneCount]{Plane::Near, Plane::Far, Plane::Left, Plane::Right, Plane::Top, Plane::Bottom};
 
 // The part of the line from a to b inside all planes; nothing left: false.
-bool clipLine(const View& view, std::array<ClipCorner, 2>& ends) {
+template <class W>
+bool clipLine(const View& view, std::array<ClipCorner<W>, 2>& ends) {
     for (const Plane plane : kPlanes) {
-        const double da = signedDistance(view, plane, ends[0].view, glm::dvec2(kGuardBand));
-        const double db = signedDistance(view, plane, ends[1].view, glm::dvec2(kGuardBand));
+        const W da = signedDistance(view, plane, ends[0].view, glm::dvec2(kGuardBand));
+        const W db = signedDistance(view, plane, ends[1].view, glm::dvec2(kGuardBand));
         if (!(da >= 0) && !(db >= 0)) return false;
         if (da >= 0 && db >= 0) continue;
-        const ClipCorner from = ends[da >= 0 ? 0 : 1], to = ends[da >= 0 ? 1 : 0];
-        const double inside = da >= 0 ? da : db, outside = da >= 0 ? db : da;
-        const double s = inside / (inside - outside);
-        ClipCorner& cut = ends[da >= 0 ? 1 : 0];
+        const ClipCorner<W> from = ends[da >= 0 ? 0 : 1], to = ends[da >= 0 ? 1 : 0];
+        const W inside = da >= 0 ? da : db, outside = da >= 0 ? db : da;
+        const W s = inside / (inside - outside);
+        ClipCorner<W>& cut = ends[da >= 0 ? 1 : 0];
         cut = {from.view + s * (to.view - from.view), from.weights + s * (to.weights - from.weights)};
-        if (plane == Plane::Near) cut.view.z = view.near;
-        if (plane == Plane::Far) cut.view.z = view.far;
+        if (plane == Plane::Near) cut.view.z = W(view.near);
+        if (plane == Plane::Far) cut.view.z = W(view.far);
     }
     return true;
 }
@@ -70,24 +71,25 @@ void forEachOnLine(const std::array<glm::i64vec2, 2>& ends, Tile tile, Visit vis
 
 template <class Real>
 void addOutline(const TransformOutput<Real>& in, std::uint32_t polygon, std::vector<OutlineEdge<Real>>& edges) {
+    using W = AtLeastDouble<Real>;
     const View& view = in.view;
+    const Vec2<W> centre(view.centre), scale(view.scale);
     const Topology::Corners corners = in.topology->corners(polygon);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         // From the vertex with the smaller number, so that two polygons draw their common edge alike.
         std::uint32_t from = corners[i], to = corners[i + 1 == corners.size() ? 0 : i + 1];
         if (from > to) std::swap(from, to);
         const EdgePlace place = findEdge(*in.topology, polygon, from, to);
-        std::array<ClipCorner, 2> ends{ClipCorner{Vec3d(in.viewSpace[from]), Vec3d(0)},
-                                       ClipCorner{Vec3d(in.viewSpace[to]), Vec3d(0)}};
+        std::array<ClipCorner<W>, 2> ends{ClipCorner<W>{Vec3<W>(in.viewSpace[from]), Vec3<W>(0)},
+                                          ClipCorner<W>{Vec3<W>(in.viewSpace[to]), Vec3<W>(0)}};
         ends[0].weights[place.from] = 1, ends[1].weights[place.to] = 1;
         if (!clipLine(view, ends)) continue;
         OutlineEdge<Real> edge{};
         edge.id = place.triangle;
         for (std::size_t k = 0; k < 2; ++k) {
-            const Vec3d v = ends[k].view;
-            const double spread = view.perspective ? v.z : 1;
-            edge.ends[k] =
-                snap({view.centre.x + view.scale.x * v.x / spread, view.centre.y - view.scale.y * v.y / spread});
+            const Vec3<W> v = ends[k].view;
+            const W spread = view.perspective ? v.z : W(1);
+            edge.ends[k] = snap(Vec2<W>(centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread));
             edge.w[k] = Real(view.perspective ? 1 / v.z : v.z);
             edge.weights[k] = Vec3<Real>(ends[k].weights);
         }
@@ -144,8 +146,7 @@ void drawOutlines(const View& view, const OutlineBins<Real>& bins, std::size_t t
     template void binEdges(Tile, OutlineBins<Real>&);                                                       \
     template void drawOutlines(const View&, const OutlineBins<Real>&, std::size_t, ZBufferOutput<Real>&,    \
                                std::vector<FragmentRecord>*);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

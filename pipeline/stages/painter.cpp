@@ -17,9 +17,8 @@ PaintingOrder paintingOrder(const Topology& topology, const View& view, std::spa
     std::vector<PaintTriangle> triangles;
     triangles.reserve(bins.triangles.size());
     for (const RasterTriangle<Real>& t : bins.triangles) {
-        PaintTriangle paint{t.snapped, t.exactW, 0, topology.triangles[t.id].polygon};
-        if (view.perspective)
-            for (double& depth : paint.depth) depth = -depth;
+        PaintTriangle paint{t.snapped, {}, 0, topology.triangles[t.id].polygon};
+        for (std::size_t i = 0; i < 3; ++i) paint.depth[i] = double(view.perspective ? -t.exactW[i] : t.exactW[i]);
         const Topology::Corners corners = topology.corners(paint.polygon);
         for (std::size_t i = 0; i < corners.size(); ++i) paint.mean += double(viewSpace[corners[i]].z);
         paint.mean /= double(corners.size());
@@ -65,8 +64,7 @@ void paint(const View& view, const TriangleBins<Real>& bins, const PaintingOrder
     template std::vector<std::vector<std::uint32_t>> binPieces(const TriangleBins<Real>&, const PaintingOrder&);      \
     template void paint(const View&, const TriangleBins<Real>&, const PaintingOrder&, std::span<const std::uint32_t>, \
                         Tile, ZBufferOutput<Real>&, std::vector<FragmentRecord>*);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -25,9 +25,10 @@ struct SnappedTriangle {
 };
 
 // Pixels, y down, to the grid, to nearest. |p| must be within the guard band.
-inline glm::i64vec2 snap(glm::dvec2 p) {
-    return {static_cast<std::int64_t>(std::floor(p.x * kSubPixels + 0.5)),
-            static_cast<std::int64_t>(std::floor(p.y * kSubPixels + 0.5))};
+template <class W>
+glm::i64vec2 snap(Vec2<W> p) {
+    return {static_cast<std::int64_t>(floor(p.x * W(kSubPixels) + W(0.5))),
+            static_cast<std::int64_t>(floor(p.y * W(kSubPixels) + W(0.5)))};
 }
 
 // The line from p to q as an integer function of position: > 0 on its right side as seen (y down),
@@ -78,29 +79,31 @@ void forEachCovered(const SnappedTriangle& t, Tile tile, Visit visit) {
 template <class Real>
 struct RasterTriangle {
     SnappedTriangle snapped;
-    std::array<Real, 3> w;              // 1/z_view in perspective, z_view in orthographic projection
-    std::array<Vec3<Real>, 3> weights;  // each corner's weights over the corners of triangle `id`
-    Real inverseArea2;                  // 1 / area2()
-    std::array<double, 3> exactW;       // w before it was rounded to Real
-    double exactInverseArea2;
+    std::array<Real, 3> w;                      // 1/z_view in perspective, z_view in orthographic projection
+    std::array<Vec3<Real>, 3> weights;          // each corner's weights over the corners of triangle `id`
+    Real inverseArea2;                          // 1 / area2()
+    std::array<AtLeastDouble<Real>, 3> exactW;  // w before it was rounded to Real
+    AtLeastDouble<Real> exactInverseArea2;
     std::uint32_t id;  // index into Topology::triangles
 };
 
-// Clips a triangle, projects and snaps it (in double, so that a corner falls on the same grid point
+// Clips a triangle, projects and snaps it (in double or better, so that a corner falls on the same grid point
 // whether or not its triangle was cut), and calls emit(RasterTriangle) for each piece with area.
 // Returns the sum of the pieces' signed areas, 1/65536 px², positive for a front face
 // (counter-clockwise as seen). inside: the triangle is known to need no clipping.
 template <class Real, class Emit>
 std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& corners, std::uint32_t id, Emit emit,
                            bool inside = false) {
-    const std::array<Vec3d, 3> exact{Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2])};
-    const ClippedTriangle clipped = inside ? wholeTriangle(exact) : clipTriangle(view, exact);
+    using W = AtLeastDouble<Real>;
+    const std::array<Vec3<W>, 3> exact{Vec3<W>(corners[0]), Vec3<W>(corners[1]), Vec3<W>(corners[2])};
+    const ClippedTriangle<W> clipped = inside ? wholeTriangle(exact) : clipTriangle(view, exact);
+    const Vec2<W> centre(view.centre), scale(view.scale);
     std::array<glm::i64vec2, 9> snapped;
-    std::array<double, 9> w;
+    std::array<W, 9> w;
     for (std::size_t i = 0; i < clipped.count; ++i) {
-        const Vec3d v = clipped.corners[i].view;
-        const double spread = view.perspective ? v.z : 1;
-        snapped[i] = snap({view.centre.x + view.scale.x * v.x / spread, view.centre.y - view.scale.y * v.y / spread});
+        const Vec3<W> v = clipped.corners[i].view;
+        const W spread = view.perspective ? v.z : W(1);
+        snapped[i] = snap(Vec2<W>(centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread));
         w[i] = view.perspective ? 1 / v.z : v.z;
     }
     std::int64_t signedArea2 = 0;
@@ -121,7 +124,7 @@ std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& co
             out.exactW[i] = w[order[i]];
             out.weights[i] = Vec3<Real>(clipped.corners[order[i]].weights);
         }
-        out.exactInverseArea2 = 1 / std::abs(double(area2));
+        out.exactInverseArea2 = 1 / abs(W(area2));
         out.inverseArea2 = Real(out.exactInverseArea2);
         out.id = id;
         emit(out);
@@ -151,10 +154,11 @@ Fragment<Real> interpolate(const RasterTriangle<Real>& t, const std::array<std::
     return {z, perspective ? w : Real(0), weights};
 }
 
-// w of a fragment, in double whatever Real is: what the depth formats encode.
+// w of a fragment, in double or better: what the depth formats encode.
 template <class Real>
-double interpolateW(const RasterTriangle<Real>& t, const std::array<std::int64_t, 3>& e) {
-    const double l1 = double(e[1]) * t.exactInverseArea2, l2 = double(e[2]) * t.exactInverseArea2;
+AtLeastDouble<Real> interpolateW(const RasterTriangle<Real>& t, const std::array<std::int64_t, 3>& e) {
+    using W = AtLeastDouble<Real>;
+    const W l1 = W(e[1]) * t.exactInverseArea2, l2 = W(e[2]) * t.exactInverseArea2;
     return t.exactW[0] + l1 * (t.exactW[1] - t.exactW[0]) + l2 * (t.exactW[2] - t.exactW[0]);
 }
 

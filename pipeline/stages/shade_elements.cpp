@@ -101,8 +101,7 @@ ShadingCounts shadeVertices(const ShadingInputs& inputs, const ShadingSources<Re
                                          ShadingOutput<Real>&);                                                       \
     template ShadingCounts shadeVertices(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::size_t, \
                                          ShadingOutput<Real>&);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -193,8 +193,7 @@ Vec3<Real> surfaceIntensity(const ShadingInputs& inputs, const ShadingSources<Re
     template Vec3<Real> surfaceIntensity(const ShadingInputs&, const ShadingSources<Real>&,                            \
                                          const ShadingOutput<Real>&, std::uint32_t, Vec3<Real>, glm::ivec2,            \
                                          ShadingScratch<Real>&, ShadingCounts&);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -168,8 +168,7 @@ Color8 frameBufferValue(Vec3d intensity, double iMax) {
     template ShadingCounts shadeOutlines(const ShadingSources<Real>&, Tile, ShadingOutput<Real>&);                    \
     template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);        \
     template Real shadowAt(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::uint32_t, Vec3<Real>);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -135,8 +135,7 @@ void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t 
     template ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs&, const TransformOutput<Real>&); \
     template TriangleBins<Real> binForLight(const TransformOutput<Real>&, const View&);                             \
     template void shadowBuffer(const View&, const TriangleBins<Real>&, std::size_t, Buffer2D<Real>&);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -100,18 +100,18 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
 
         if (view.perspective && v.z < Real(view.near)) continue;
         const Real spread = view.perspective ? v.z : Real(1);
+        const AtLeastDouble<Real> z(v.z);
         const Vec3<Real> screen{centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread,
-                                Real(depth.encode(double(v.z), 1 / double(v.z)))};
+                                depth.format == DepthFormat::Linear ? v.z : Real(depth.encode(z, 1 / z))};
         // Too far off the picture for Real to say where: no place on the screen either.
-        if (std::isfinite(screen.x) && std::isfinite(screen.y)) out.screen[first + i] = screen;
+        if (isfinite(screen.x) && isfinite(screen.y)) out.screen[first + i] = screen;
     }
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                         \
     template TransformOutput<Real> prepareTransform(const TransformInputs&); \
     template void transform(const TransformInputs&, std::size_t, std::size_t, std::size_t, TransformOutput<Real>&);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

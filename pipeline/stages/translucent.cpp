@@ -75,11 +75,12 @@ std::optional<std::vector<Layer<Real>>> layersIn(const ShadingInputs& inputs, co
             if (found.size() > limit) return;
             const std::size_t at = in.zBuffer.zView.offset(pixel);
             const Fragment<Real> fragment = interpolate(triangle, e, view.perspective);
-            const double w = interpolateW(triangle, e);
+            const auto w = interpolateW(triangle, e);
             const bool nearer = compares ? code.nearer(code.encode(w, w), in.zBuffer.depth.pixels[at])
                                          : fragment.z < in.zBuffer.zView.pixels[at];
             if (nearer)
-                found.push_back({triangle.id, pixel, view.perspective ? -w : w, fragment.z, fragment.barycentric});
+                found.push_back(
+                    {triangle.id, pixel, double(view.perspective ? -w : w), fragment.z, fragment.barycentric});
         });
         if (found.size() > limit) return {};
     }
@@ -177,8 +178,7 @@ ShadingCounts drawLayers(const ShadingInputs& inputs, const ShadingSources<Real>
                                                               Tile, std::size_t);                                     \
     template ShadingCounts drawLayers(const ShadingInputs&, const ShadingSources<Real>&, const LayerBins<Real>&,      \
                                       std::size_t, ShadingOutput<Real>&, std::size_t);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -126,9 +126,10 @@ VertexWeights<Real> vertexWeights(Interpolation mode, const TransformOutput<Real
     return affine(in, triangle, b, pixel);
 }
 
-template VertexWeights<float> vertexWeights(Interpolation, const TransformOutput<float>&, std::uint32_t, Vec3<float>,
-                                            glm::ivec2, RowCrossings&);
-template VertexWeights<double> vertexWeights(Interpolation, const TransformOutput<double>&, std::uint32_t, Vec3<double>,
-                                             glm::ivec2, RowCrossings&);
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                   \
+    template VertexWeights<Real> vertexWeights(Interpolation, const TransformOutput<Real>&, std::uint32_t, Vec3<Real>, \
+                                               glm::ivec2, RowCrossings&);
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
+#undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -30,11 +30,11 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
             const Fragment<Real> fragment = interpolate(triangle, e, view.perspective);
             double depth = double(fragment.z);
             if (!linear) {
-                const double w = interpolateW(triangle, e);
+                const auto w = interpolateW(triangle, e);
                 depth = code.encode(w, w);  // reads the one that w is
             }
             const double stored = linear ? double(out.zView.pixels[at]) : out.depth.pixels[at];
-            const bool won = code.nearer(depth, stored);
+            const bool won = linear ? fragment.z < out.zView.pixels[at] : code.nearer(depth, stored);
             if (record) record->push_back({triangle.id, pixel, depth, stored, won});
             ++out.overdraw.pixels[at];
             if (!won) return;
@@ -48,8 +48,7 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
     template ZBufferOutput<Real> prepareZBuffer(Tile, DepthFormat);                                                  \
     template void zBuffer(const View&, DepthFormat, const TriangleBins<Real>&, std::span<const std::uint32_t>, Tile, \
                           ZBufferOutput<Real>&, std::vector<FragmentRecord>*);
-SHADESCOPE_INSTANTIATE(float)
-SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 
 }  // namespace pipeline

@@ -145,7 +145,7 @@ TEST(OpenGl, TwoSidedLightingTurnsTheNormalOfABackFace) {
     for (Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
         scene.settings.shading = shading;
         scene.settings.twoSided = false;
-        const auto color = [&] { return test::frameOf(scene, {})->dataFloat()->shading->color.at({4, 4}); };
+        const auto color = [&] { return dataOf<float>(*test::frameOf(scene, {}))->shading->color.at({4, 4}); };
         EXPECT_EQ(color(), Color8(0, 0, 0));
         scene.settings.twoSided = true;
         EXPECT_EQ(color(), Color8(0, 255, 0));

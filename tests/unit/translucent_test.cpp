@@ -283,7 +283,7 @@ TEST(Translucent, TheLimitOfMemoryDoesNotChangeABit) {
         scene.settings.translucency = order;
         scene.settings.precision = Precision::Double;
         const FramePtr frame = test::frameOf(scene);
-        const auto& data = *frame->dataDouble();
+        const auto& data = *dataOf<double>(*frame);
         const ShadingInputs& inputs = data.keys.shading;
         const ShadingSources<double> in = data.shadingSources();
         const LayerBins<double> bins = binLayers(inputs, in);

@@ -76,7 +76,7 @@ TEST(ZBuffer, APolygonAtOneDepthHasThatDepthExactly) {
 TEST(Depth, EncodesAsTheFormulasSay) {
     View view;
     view.near = 1, view.far = 100;
-    const auto d = [&](DepthFormat format) { return DepthCode(view, format).encode(10, 0.1); };
+    const auto d = [&](DepthFormat format) { return DepthCode(view, format).encode(10.0, 0.1); };
     EXPECT_EQ(d(DepthFormat::Linear), 10);
     EXPECT_EQ(d(DepthFormat::Float), 0x0.e8ba2fp0);  // 10/11 to 24 bits: 15252014.55 / 2^24
     EXPECT_EQ(d(DepthFormat::Reversed), double(1.0f / 11));
@@ -111,9 +111,9 @@ TEST(Depth, BinsAreAsWideAsTheFormulasSay) {
     // Standard float near d = 1: a spacing of 2^-24, z² 2^-24 / n.
     const DepthCode standard(view, DepthFormat::Float);
     const double width = 70 * 70 * 0x1p-24 * 99 / 100;
-    EXPECT_NE(standard.encode(70, 1.0 / 70), standard.encode(70 + 1.01 * width, 1 / (70 + 1.01 * width)));
+    EXPECT_NE(standard.encode(70.0, 1.0 / 70), standard.encode(70 + 1.01 * width, 1 / (70 + 1.01 * width)));
     // d changes by one spacing of 2^-24 over a width: over three of them, by three.
-    EXPECT_NEAR(standard.encode(70 + 3 * width, 1 / (70 + 3 * width)) - standard.encode(70, 1.0 / 70), 3 * 0x1p-24,
+    EXPECT_NEAR(standard.encode(70 + 3 * width, 1 / (70 + 3 * width)) - standard.encode(70.0, 1.0 / 70), 3 * 0x1p-24,
                 0x1.1p-24);
     // Reversed with a far plane that counts for nothing: between 2^-24 z and 2^-23 z at every distance.
     view.far = 1e9;
