@@ -103,11 +103,13 @@ bool shadingCovers(BufferSet have, BufferSet wanted) {
 
 Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& before) {
     const Needs needs = needsOf(scene, request.wanted);
-    return makePlan(scene, request, needs, stageKeys(scene, needs, topologyOf(scene, before)), before);
+    Plan plan = decide(scene, request, needs, stageKeys(scene, needs, topologyOf(scene, before)), before);
+    explain(scene, needs, plan);
+    return plan;
 }
 
-Plan makePlan(const Scene& scene, const FrameRequest& request, const Needs& needs, const StageKeys& keys,
-              const FramePtr& before) {
+Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs, const StageKeys& keys,
+            const FramePtr& before) {
     const Before past = lookBack(scene, before);
     const auto changed = [&](auto member) { return past.keys ? difference(past.keys->*member, keys.*member) : ""; };
     const std::string reused = fmt::format("Nothing that this stage reads has changed since frame {}.", past.number);
@@ -115,53 +117,58 @@ Plan makePlan(const Scene& scene, const FrameRequest& request, const Needs& need
     Plan plan;
     std::array<bool, kStageCount> rewritten{};  // its output will not be the one of the frame before
     // reads: the stages whose outputs this one takes.
-    const auto decide = [&](StageId stage, const Need& need, const std::string& difference,
-                            std::initializer_list<StageId> reads) {
-        PlanStep& step = plan[index(stage)];
-        step.stage = stage;
+    const auto step = [&](StageId stage, const Need& need, const std::string& difference,
+                          std::initializer_list<StageId> reads) {
+        PlanStep& out = plan[index(stage)];
+        out.stage = stage;
         const bool had = past.has[index(stage)];
         StageId because = stage;
         for (StageId read : reads)
             if (rewritten[index(read)] && because == stage) because = read;
 
         if (index(stage) > index(request.until)) {
-            step.action = Action::LeaveOut;
-            step.why = fmt::format("The run ends after {}.", stageInfo(request.until).name);
+            out.action = Action::LeaveOut;
+            out.why = fmt::format("The run ends after {}.", stageInfo(request.until).name);
         } else if (!need) {
-            step.action = Action::LeaveOut;
-            step.why = need.notBecause;
-            step.rule = need.rule;
+            out.action = Action::LeaveOut;
+            out.why = need.notBecause;
+            out.rule = need.rule;
         } else if (!had || !difference.empty() || because != stage) {
-            step.action = Action::Run;
-            step.why = !difference.empty() ? difference
-                       : because != stage  ? fmt::format("{} ran again.", stageInfo(because).label)
-                       : past.keys         ? "It was left out before."
-                                           : "It has not run yet.";
+            out.action = Action::Run;
+            out.why = !difference.empty() ? difference
+                      : because != stage  ? fmt::format("{} ran again.", stageInfo(because).label)
+                      : past.keys         ? "It was left out before."
+                                          : "It has not run yet.";
         } else {
-            step.action = Action::Reuse;
-            step.why = reused;
+            out.action = Action::Reuse;
+            out.why = reused;
         }
-        rewritten[index(stage)] = step.action == Action::Run || (step.action == Action::LeaveOut && had);
-        step.parts = partsOf(stage, scene, needs, step.action);
-        if (step.action != Action::LeaveOut) return;
-        for (PlanPart& part : step.parts) {
-            part.action = Action::LeaveOut;
-            part.why = step.why;
-        }
+        rewritten[index(stage)] = out.action == Action::Run || (out.action == Action::LeaveOut && had);
     };
 
     const Need always;
     using enum StageId;
-    decide(Transform, always, changed(&StageKeys::transform), {});
-    decide(Cull, needs.cull, changed(&StageKeys::cull), {Transform});
-    decide(Normals, always, changed(&StageKeys::normals), {Transform});
-    decide(StageId::ShadowBuffer, needs.shadowBuffers, changed(&StageKeys::shadowBuffer), {Transform});
-    decide(ZBuffer, always, changed(&StageKeys::zBuffer), {Transform, Cull});
+    step(Transform, always, changed(&StageKeys::transform), {});
+    step(Cull, needs.cull, changed(&StageKeys::cull), {Transform});
+    step(Normals, always, changed(&StageKeys::normals), {Transform});
+    step(StageId::ShadowBuffer, needs.shadowBuffers, changed(&StageKeys::shadowBuffer), {Transform});
+    step(ZBuffer, always, changed(&StageKeys::zBuffer), {Transform, Cull});
     std::string shading = changed(&StageKeys::shading);
     if (shading.empty() && past.keys && !shadingCovers(past.wanted, needs.buffers))
         shading = "Other buffers are asked for.";
-    decide(StageId::Shading, always, shading, {ZBuffer, Normals, StageId::ShadowBuffer, Transform, Cull});
+    step(StageId::Shading, always, shading, {ZBuffer, Normals, StageId::ShadowBuffer, Transform, Cull});
     return plan;
+}
+
+void explain(const Scene& scene, const Needs& needs, Plan& plan) {
+    for (PlanStep& step : plan) {
+        step.parts = partsOf(step.stage, scene, needs, step.action);
+        if (step.action != Action::LeaveOut) continue;
+        for (PlanPart& part : step.parts) {
+            part.action = Action::LeaveOut;
+            part.why = step.why;
+        }
+    }
 }
 
 }  // namespace pipeline

@@ -145,6 +145,11 @@ std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& dat
 
 }  // namespace
 
+const Plan& Frame::plan() const {
+    std::call_once(m_explained, [this] { explain(*m_scene, m_needs, m_plan); });
+    return m_plan;
+}
+
 std::optional<AnyBuffer> Frame::buffer(const BufferName& name) const {
     const bool perLight = bufferInfo(name.id).perLight;
     if (perLight ? name.light < 0 || std::size_t(name.light) >= m_scene->lights.size() : name.light >= 0) return {};
@@ -157,8 +162,7 @@ std::string Frame::whyAbsent(const BufferName& name) const {
     if (info.perLight && (name.light < 0 || std::size_t(name.light) >= m_scene->lights.size()))
         return "The scene has no light " + std::to_string(name.light) + ".";
     if (index(info.stage) > index(m_until)) return m_plan[index(info.stage)].why;
-    const Needs needs = needsOf(*m_scene, m_wanted);
-    if (name.id == BufferId::ShadowBuffer) return needs.shadowBuffer[std::size_t(name.light)].notBecause;
+    if (name.id == BufferId::ShadowBuffer) return m_needs.shadowBuffer[std::size_t(name.light)].notBecause;
     const std::string useless = whyUseless(*m_scene, name.id);
     return useless.empty() ? "Nobody has asked for it yet." : useless;
 }

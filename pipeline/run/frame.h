@@ -2,12 +2,14 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "pipeline/buffers/any_buffer.h"
+#include "pipeline/plan/needs.h"
 #include "pipeline/plan/plan.h"
 #include "pipeline/scene/scene.h"
 
@@ -44,7 +46,7 @@ class Frame {
 public:
     const Scene& scene() const { return *m_scene; }
     const std::shared_ptr<const Scene>& sharedScene() const { return m_scene; }
-    const Plan& plan() const { return m_plan; }
+    const Plan& plan() const;  // its parts are put into words when it is first read
     const StageRun& run(StageId stage) const { return m_runs[index(stage)]; }
     double milliseconds() const { return m_milliseconds; }          // wall clock of this frame alone
     double planMilliseconds() const { return m_planMilliseconds; }  // of that, for deciding what to do
@@ -74,7 +76,9 @@ private:
     friend class Runner;
     std::shared_ptr<const Scene> m_scene;
     std::shared_ptr<const Topology> m_topology;
-    Plan m_plan;
+    Needs m_needs;
+    mutable Plan m_plan;
+    mutable std::once_flag m_explained;
     std::array<StageRun, kStageCount> m_runs;
     double m_milliseconds = 0, m_planMilliseconds = 0;
     long m_number = 0;

@@ -21,9 +21,10 @@ struct StageKeys {
 };
 StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<const Topology> topology);
 
-// The plan for inputs that are decided already.
-Plan makePlan(const Scene& scene, const FrameRequest& request, const Needs& needs, const StageKeys& keys,
-              const FramePtr& before);
+// What each stage does, and why, without its parts; those are for readers, and explain adds them.
+Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs, const StageKeys& keys,
+            const FramePtr& before);
+void explain(const Scene& scene, const Needs& needs, Plan& plan);
 
 // The stages' outputs, each immutable and shared by every frame that it holds for; null where the
 // plan left the stage out.
