@@ -20,6 +20,7 @@ struct SweepAxis {
     std::string key;                  // as --sweep names it: "shading", "tessellation"
     std::string label;                // for people: "Shading"
     std::vector<std::string> values;  // as formatSetting writes them: "flat", "16"
+    bool operator==(const SweepAxis&) const = default;
 };
 
 // Where an error comes from.

@@ -1,0 +1,106 @@
+// The sweeps that have a name. Each shows one law; the values fit the scene.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "pipeline/core/text.h"
+#include "pipeline/stages/view.h"
+#include "pipeline/study/sweep.h"
+
+namespace pipeline {
+namespace {
+
+bool hasCurvedShape(const Scene& scene) {
+    return std::ranges::any_of(scene.objects, [](const Object& object) {
+        return object.shape && object.shape->kind != ShapeKind::Plane && object.shape->kind != ShapeKind::Box;
+    });
+}
+bool hasHighlight(const Scene& scene) {
+    return std::ranges::any_of(scene.objects, [](const Object& o) { return o.material.specular != Vec3d(0); });
+}
+bool castsShadows(const Scene& scene) {
+    return scene.settings.model != Model::OpenGl &&
+           std::ranges::any_of(scene.lights, [](const Light& light) { return light.castsShadow; });
+}
+
+constexpr const char* kPieces = "object.#.tessellation=4..64*2";
+
+using Texts = std::vector<std::string>;
+
+Texts shadingSweep(const Scene& scene) {
+    if (hasCurvedShape(scene)) return {"shading=flat,gouraud,phong", kPieces};
+    return {"shading=flat,gouraud,phong", "precision=float,double"};
+}
+
+// A near plane that comes closer to the eye, by powers of ten from where it stands.
+Texts depthSweep(const Scene& scene) {
+    if (scene.settings.visibility != Visibility::ZBuffer) return {};
+    const double near = makeView(scene).near;
+    if (!(near > 0)) return {"depth_format=linear,float,reversed,fixed16,fixed24,fixed32"};
+    Texts places;
+    for (const double factor : {1.0, 0.1, 0.01, 1e-3, 1e-4}) {
+        // Three digits are enough to read, and never beyond the nearest point.
+        const double place = std::floor(near * factor / std::pow(10, std::floor(std::log10(near * factor)) - 2)) *
+                             std::pow(10, std::floor(std::log10(near * factor)) - 2);
+        places.push_back(fmt::format("{:.3g}", place));
+    }
+    return {"depth_format=float,reversed,fixed16,fixed24,fixed32",
+            fmt::format("camera.near={}", fmt::join(places, ","))};
+}
+
+Texts shadowSweep(const Scene& scene) {
+    if (!castsShadows(scene)) return {};
+    return {"shadow.filter=0,1", "shadow.size=64..2048*2"};
+}
+
+Texts specularSweep(const Scene& scene) {
+    if (!hasHighlight(scene)) return {};
+    return {"shading=gouraud,phong", "material.#.n=1..4096*4"};
+}
+
+Texts precisionSweep(const Scene& scene) {
+    if (hasCurvedShape(scene)) return {"precision=float,double,extended", kPieces};
+    return {"precision=float,double,extended", "shading=flat,gouraud,phong"};
+}
+
+Texts normalsSweep(const Scene& scene) {
+    if (!hasCurvedShape(scene)) return {};
+    return {"normal_weight=mean,area,angle,given", kPieces, "shading=phong"};
+}
+
+const std::array kSweeps = std::to_array<NamedSweep>({
+    {"shading", "Flat, Gouraud and Phong shading over finer and finer polygons.", {}, shadingSweep, {}},
+    {"depth",
+     "Depth formats while the near plane comes closer to the eye.",
+     {"depth", "RMSE", ErrorKind::Storage},
+     depthSweep,
+     "a z-buffer"},
+    {"shadow",
+     "Shadow buffers of more and more texels, with and without filtering.",
+     {"shadow.0", "misclassified", ErrorKind::Model},
+     shadowSweep,
+     "a light that casts a shadow"},
+    {"specular",
+     "Sharper and sharper highlights, by vertex and by pixel.",
+     {},
+     specularSweep,
+     "a material with k_s above 0"},
+    {"precision", "What the stages compute in.", {"intensity", "RMSE", ErrorKind::Arithmetic}, precisionSweep, {}},
+    {"normals",
+     "How vertex normals are weighted.",
+     {"normal", "mean angle", ErrorKind::Model},
+     normalsSweep,
+     "a built-in shape that is round"},
+});
+
+}  // namespace
+
+std::span<const NamedSweep> namedSweeps() { return kSweeps; }
+
+const NamedSweep* findNamedSweep(std::string_view name) {
+    const auto found = std::ranges::find(kSweeps, name, &NamedSweep::name);
+    return found == kSweeps.end() ? nullptr : &*found;
+}
+
+}  // namespace pipeline
