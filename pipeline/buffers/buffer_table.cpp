@@ -91,6 +91,8 @@ constexpr std::array<BufferInfo, kBufferCount> kTable{{
      "How many translucent surfaces lie over the opaque one, whose depth, object and polygon stay.", P::Sequential, 0},
     {B::Intensity, "intensity", S::Shading, D::Pixel, E::Real, 3, false, "intensity", "",
      "transmittance · (the sum of all terms) + translucent, before it is scaled by I_max.", P::Color, 0},
+    {B::Antialiased, "antialiased", S::Shading, D::Pixel, E::Real, 3, false, "intensity", "",
+     "The mean of the intensity over the samples of a pixel; intensity itself is that of its centre.", P::Color, 0},
     {B::PolygonsIntensity, "polygons.intensity", S::Shading, D::Polygon, E::Real, 3, false, "intensity", "",
      "Flat shading's intensity of each polygon.", P::Color, 0},
     {B::VerticesIntensity, "vertices.intensity", S::Shading, D::Vertex, E::Real, 3, false, "intensity", "",

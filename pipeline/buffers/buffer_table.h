@@ -44,6 +44,7 @@ enum class BufferId : std::uint8_t {
     Transmittance,
     Layers,
     Intensity,
+    Antialiased,
     PolygonsIntensity,
     VerticesIntensity,
     Color,

@@ -180,6 +180,7 @@ Json toJson(const Frame& frame, const PixelReport& report) {
     json["transmittance"] = report.transmittance;
     json["translucent"] = toJson(report.translucent);
     json["composed"] = toJson(report.composed);
+    if (report.antialiased) json["antialiased"] = toJson(*report.antialiased);
     json["fragments"] = fragments;
     json["culled"] = culled;
     return json;

@@ -50,6 +50,8 @@ struct Writer {
     Formula V() const { return vector(VectorCode::V, "view_vector"); }
     // Under layers it is the opaque surface's, which has no buffer; C is what the layers make of it.
     Formula intensity() const { return sub("I", kChannels[c], report.layers.empty() ? "intensity" : ""); }
+    // What the frame buffer scales.
+    Formula shown() const { return report.antialiased ? sub("A", kChannels[c], "antialiased") : composed(); }
     Formula composed() const { return report.layers.empty() ? intensity() : sub("C", kChannels[c], "intensity"); }
 
     void add(std::string role, std::vector<Formula> parts, std::string remark = {}) {
@@ -65,6 +67,7 @@ struct Writer {
     void result(const Evaluation& e);
     void rows(const Evaluation& e);
     void layers();
+    void samples();
     void frameBuffer();
     void weighted();
 };
@@ -211,8 +214,17 @@ void Writer::layers() {
                    text(fixed(report.composed[c], 3), "intensity")});
 }
 
+// A = mean of 16 samples = 48.1
+void Writer::samples() {
+    if (!report.antialiased) return;
+    add("samples", {shown(), text("="), text(fixed((*report.antialiased)[c], 3), "antialiased")},
+        fmt::format("mean of {} samples over the pixel; at its centre {}", report.samples * report.samples,
+                    fixed(report.composed[c], 3)));
+}
+
 void Writer::frameBuffer() {
     layers();
+    samples();
     const Formula value = text(std::to_string(int(report.color[c])), "color");
     Formula name = script(text("FB"), text(kChannels[c]), row({}), "color");
     if (!(report.iMax > 0)) {
@@ -222,11 +234,12 @@ void Writer::frameBuffer() {
     const auto rounded = [](Formula top, Formula bottom) {
         return row({text("round("), text("255"), text("·"), fraction(std::move(top), std::move(bottom)), text(")")});
     };
-    const double share = report.composed[c] / report.iMax;
+    const double scaled = report.antialiased.value_or(report.composed)[c];
+    const double share = scaled / report.iMax;
     const std::string remark = share > 1 ? "above I_max: clamped to 1" : share < 0 ? "below 0: clamped to 0" : "";
     add("frame buffer",
-        {std::move(name), text("="), rounded(composed(), sub("I", "max")), text("="),
-         rounded(text(fixed(report.composed[c], 3)), text(shortest(report.iMax))), text("="), value},
+        {std::move(name), text("="), rounded(shown(), sub("I", "max")), text("="),
+         rounded(text(fixed(scaled, 3)), text(shortest(report.iMax))), text("="), value},
         remark);
 }
 

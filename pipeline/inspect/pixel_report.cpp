@@ -192,6 +192,14 @@ void reportFragments(const FrameData<Real>& data, PixelReport& report) {
         report.culled.push_back({int(polygon), letter(data.cull->verdicts[polygon]), data.cull->reason(polygon)});
 }
 
+template <class Real>
+void reportSamples(const FrameData<Real>& data, std::size_t at, PixelReport& report) {
+    const auto& mean = data.shading->vectors[index(BufferId::Antialiased)];
+    if (data.keys.shading.samples == 1) return;
+    report.samples = data.keys.shading.samples;
+    report.antialiased = Vec3d(mean[0].pixels[at]);
+}
+
 // The opaque surface's intensity, and what the layers over it make of it.
 template <class Real>
 void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size_t at, PixelReport& report) {
@@ -220,6 +228,7 @@ void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size
     report.transmittance = double(left);
     report.translucent = Vec3d(added);
     report.composed = Vec3d(data.shading->vectors[index(BufferId::Intensity)][0].pixels[at]);
+    reportSamples(data, at, report);
     report.color = data.shading->color.pixels[at];
     report.iMax = data.shading->iMax;
 }
@@ -249,6 +258,7 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
     if (report.outline) {
         report.iMax = data.shading->iMax;
         report.intensity = report.composed = Vec3d(data.shading->vectors[index(BufferId::Intensity)][0].pixels[at]);
+        reportSamples(data, at, report);
         report.color = data.shading->color.pixels[at];
         return;
     }

@@ -88,6 +88,8 @@ struct PixelReport {
     std::vector<LayerReport> layers;
     double transmittance = 1;  // composed = transmittance · intensity + translucent, which the frame buffer scales
     Vec3d translucent{0.0}, composed{0.0};
+    std::optional<Vec3d> antialiased{};    // what the frame buffer scales in place of composed
+    int samples = 1;                       // along a side of the pixel, that antialiased is the mean of
     std::vector<Vec3d> diffuse, specular;  // per light, at the pixel, S_k included
     double iMax = 0;
     std::vector<FragmentReport> fragments;

@@ -63,6 +63,12 @@ void addLayers(std::string& out, const PixelReport& r) {
                        triple(r.translucent), triple(r.composed));
 }
 
+void addSamples(std::string& out, const PixelReport& r) {
+    if (!r.antialiased) return;
+    out += fmt::format("\nantialiased: mean of {} samples {}, at the centre {}\n", r.samples * r.samples,
+                       triple(*r.antialiased), triple(r.composed));
+}
+
 void addFragments(std::string& out, const PixelReport& r) {
     out += fmt::format("\nfragments: {} came\n", r.fragments.size());
     for (std::size_t i = 0; i < r.fragments.size(); ++i) {
@@ -89,6 +95,7 @@ std::string toText(const Frame& frame, const PixelReport& r) {
         addEquations(out, frame, r);
     }
     addLayers(out, r);
+    addSamples(out, r);
     addFragments(out, r);
     return out;
 }

@@ -231,7 +231,9 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
     const BufferInfo& info = bufferInfo(id);
     if (info.perLight && !lights) return "The scene has no light.";
     if (scene.settings.visibility == Visibility::None) {
-        if (info.stage == StageId::Shading && id != BufferId::Intensity && id != BufferId::Color) return kOutlines;
+        if (info.stage == StageId::Shading && id != BufferId::Intensity && id != BufferId::Antialiased &&
+            id != BufferId::Color)
+            return kOutlines;
     }
     switch (id) {
         case BufferId::PolygonsVerdict: return needs.cull.notBecause;
@@ -247,6 +249,8 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
         case BufferId::Translucent:
         case BufferId::Transmittance:
         case BufferId::Layers: return translucentTriangles(scene) == 0 ? kAllOpaque : "";
+        case BufferId::Antialiased:
+            return scene.settings.antialiasing > 1 ? "" : "Off in this scene: antialiasing = 1. It is the intensity.";
         case BufferId::Emission: return model == Model::OpenGl ? "" : "Only OpenGL's model has emission.";
         case BufferId::Shadow:
             if (model == Model::OpenGl) return kNoShadowsInOpenGl;

@@ -97,6 +97,8 @@ void shadingParts(Parts& out) {
     if (needs.shadowBuffers)
         out.within("shadow look-up", Rule::ShadowLookup, "Not where the terms that it would multiply are 0.",
                    "At every pixel.");
+    if (const int n = out.scene.settings.antialiasing; n > 1)
+        out.runs("antialiasing", fmt::format("The picture is drawn once more for each of {} samples a pixel.", n * n));
     out.within("tiles", Rule::EmptyTiles, "Not those in which nothing was drawn.", "All of them.");
     out.add("translucent pass", needs.layers, "A material has alpha below 1.", "a pass over the tiles");
     out.add("sort of layers", needs.layerSort, "Layers are put in order by depth at every pixel.", "a sort a tile");
@@ -110,7 +112,7 @@ void bufferParts(Parts& out) {
     double numbers = 0;
     for (const BufferInfo& info : bufferTable()) {
         if (info.stage != StageId::Shading || info.domain != Domain::Pixel || info.element != Element::Real ||
-            info.id == BufferId::Intensity || out.needs.buffers[index(info.id)])
+            info.id == BufferId::Intensity || info.id == BufferId::Antialiased || out.needs.buffers[index(info.id)])
             continue;
         const int count = info.perLight ? int(out.scene.lights.size()) : 1;
         unread += count;

@@ -1,18 +1,12 @@
 // The pipeline at a glance: six stages, in order, each a pure function of the ones before.
 #include "pipeline/run/runner.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <mutex>
 
 #include "pipeline/run/counts.h"
 #include "pipeline/run/frame_data.h"
-#include "pipeline/run/parallel.h"
+#include "pipeline/run/run_stages.h"
 #include "pipeline/scene/area_light.h"
-#include "pipeline/stages/outlines.h"
-#include "pipeline/stages/painter.h"
-#include "pipeline/stages/translucent.h"
 
 namespace pipeline {
 namespace {
@@ -21,138 +15,6 @@ using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-// Enough work for one piece that handing it out does not show.
-constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1, kSampleGrain = 1;
-
-template <class Real>
-std::shared_ptr<const TransformOutput<Real>> runTransform(const TransformInputs& inputs, Threads& threads) {
-    auto out = std::make_shared<TransformOutput<Real>>(prepareTransform<Real>(inputs));
-    for (std::size_t object = 0; object < inputs.transforms.size(); ++object)
-        threads.forRange(inputs.topology->meshes[object]->positions.size(), kVertexGrain,
-                         [&](std::size_t begin, std::size_t end) { transform(inputs, object, begin, end, *out); });
-    return out;
-}
-
-template <class Real>
-std::shared_ptr<const CullOutput> runCull(const CullInputs& inputs, const TransformOutput<Real>& in, Threads& threads) {
-    auto out = std::make_shared<CullOutput>(prepareCull(in.topology->polygonCount()));
-    threads.forRange(in.topology->polygonCount(), kPolygonGrain,
-                     [&](std::size_t begin, std::size_t end) { cull(inputs, in, begin, end, *out); });
-    return out;
-}
-
-template <class Real>
-std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
-                                                      Threads& threads) {
-    auto out = std::make_shared<NormalsOutput<Real>>(prepareNormals(inputs, in));
-    threads.forRange(in.topology->polygonCount(), kPolygonGrain,
-                     [&](std::size_t begin, std::size_t end) { polygonNormals(in, begin, end, *out); });
-    if (inputs.vertexNormals)
-        for (std::size_t object = 0; object < in.topology->meshes.size(); ++object)
-            if (!threads.stopped()) vertexNormals(inputs, in, object, *out);
-    return out;
-}
-
-template <class Real>
-std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBufferInputs& inputs,
-                                                                const TransformOutput<Real>& in, Threads& threads) {
-    auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in));
-    const auto drawFace = [&](LightView<Real>& light, std::size_t face) {
-        const TriangleBins<Real> bins = binForLight(in, light.faces[face]);
-        threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t tile = begin; tile < end; ++tile)
-                shadowBuffer(light.faces[face], bins, tile, light.depth[face]);
-        });
-    };
-    for (std::vector<LightView<Real>>& samples : out->lights)
-        threads.forRange(samples.size(), kSampleGrain, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                for (std::size_t face = 0; face < samples[i].faces.size() && !threads.stopped(); ++face)
-                    drawFace(samples[i], face);
-        });
-    return out;
-}
-
-template <class Real>
-std::shared_ptr<const ZBufferOutput<Real>> runOutlines(const FrameData<Real>& data, Threads& threads) {
-    const View& view = data.transform->view;
-    auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, view.size}, DepthFormat::Linear));
-    const OutlineBins<Real> bins = binOutlines<Real>(*data.transform, {{0, 0}, view.size},
-                                                     [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
-    for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
-    threads.forRange(bins.tiles.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) drawOutlines(view, bins, tile, *out);
-    });
-    out->note = fmt::format("; {} outline{}", bins.polygons, bins.polygons == 1 ? "" : "s");
-    return out;
-}
-
-template <class Real>
-std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs, const TransformOutput<Real>& in,
-                                                      const CullOutput* cull, Threads& threads) {
-    auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
-    std::span<const Verdict> verdicts;
-    if (cull) verdicts = cull->verdicts;
-    std::span<const std::uint8_t> inside;
-    if (cull && !inputs.clipAll) inside = cull->inside;
-    const std::vector<std::uint8_t> drawn =
-        drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, cull);
-    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, verdicts, inside, drawn);
-    out->clipped = bins.clipped, out->unclipped = bins.unclipped;
-    for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
-    if (inputs.visibility == Visibility::Painter) {
-        const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.viewSpace, bins, inputs.split);
-        const auto tiles = binPieces(bins, order);
-        threads.forRange(tiles.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t tile = begin; tile < end; ++tile)
-                paint<Real>(in.view, bins, order, tiles[tile], bins.tile(tile), *out);
-        });
-        out->note = fmt::format("; {} triangles in order, {} split", order.pieces.size() - order.splits, order.splits);
-        if (order.unordered > 0) out->note += fmt::format(", {} out of order at the limit", order.unordered);
-        return out;
-    }
-    threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile)
-            zBuffer(in.view, in.depthFormat, bins, bins.bins[tile], bins.tile(tile), *out);
-    });
-    return out;
-}
-
-template <class Real>
-std::shared_ptr<const ShadingOutput<Real>> runShading(const ShadingInputs& inputs, const ShadingSources<Real>& in,
-                                                      BufferSet wanted, Threads& threads) {
-    auto out = std::make_shared<ShadingOutput<Real>>(prepareShading(inputs, in, wanted));
-    std::mutex mutex;
-    const auto add = [&](const ShadingCounts& counts) {  // once a piece: the lock does not show
-        const std::scoped_lock lock(mutex);
-        out->counts += counts;
-    };
-    threads.forRange(out->polygons.intensity.size(), kPolygonGrain,
-                     [&](std::size_t begin, std::size_t end) { add(shadePolygons(inputs, in, begin, end, *out)); });
-    threads.forRange(out->vertices.intensity.size(), kVertexGrain,
-                     [&](std::size_t begin, std::size_t end) { add(shadeVertices(inputs, in, begin, end, *out)); });
-    const std::vector<std::uint8_t>& drawn = in.zBuffer.tileIsDrawn;
-    threads.forRange(drawn.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) {
-            if (inputs.parts.emptyTiles || drawn[tile]) {
-                const Tile pixels = tileOf(in.transform.view.size, tile);
-                ShadingCounts counts =
-                    inputs.outlines ? shadeOutlines(in, pixels, *out) : shadePixels(inputs, in, pixels, *out);
-                ++counts.tiles;
-                add(counts);
-            } else {
-                add({.emptyTiles = 1});
-            }
-        }
-    });
-    if (!inputs.layers.drawn || threads.stopped()) return out;
-    const LayerBins<Real> layers = binLayers(inputs, in);
-    threads.forRange(layers.order.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) add(drawLayers(inputs, in, layers, tile, *out));
-    });
-    return out;
 }
 
 }  // namespace
@@ -207,6 +69,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
     if (needs.layers)
         keys.shading.layers = {true, bool(needs.layerSort), settings.translucency,
                                settings.visibility == Visibility::ZBuffer, keys.zBuffer.translucent};
+    keys.shading.samples = settings.antialiasing;
     for (const Object& object : scene.objects) {
         keys.shading.materials.push_back(object.material);
         keys.shading.backMaterials.push_back(object.backMaterial.value_or(object.material));
@@ -292,13 +155,8 @@ private:
             if (in.transparent.empty()) return runShadowBuffer(data.keys.shadowBuffer, in, threads);
             return runShadowBuffer(data.keys.shadowBuffer, withoutTransparent(in), threads);
         });
-        stage(StageId::ZBuffer, &Data::zBuffer, [&] {
-            return data.keys.zBuffer.visibility == Visibility::None
-                       ? runOutlines(data, threads)
-                       : runZBuffer(data.keys.zBuffer, *data.transform, data.cull.get(), threads);
-        });
-        stage(StageId::Shading, &Data::shading,
-              [&] { return runShading(data.keys.shading, data.shadingSources(), frame.m_made, threads); });
+        stage(StageId::ZBuffer, &Data::zBuffer, [&] { return runVisibility(data, threads); });
+        stage(StageId::Shading, &Data::shading, [&] { return runShading(data, frame.m_made, threads); });
         frame.m_stages = std::move(stages);
         return !threads.stopped();
     }

@@ -92,6 +92,8 @@ double memoryEstimate(const Scene& scene) {
     // depth, z_view 2; barycentric, position, normal, view_vector, ambient, emission, intensity 7 · 3
     // translucent and transmittance 4
     double bytes = pixels * (real * 27 + 5 * 4 + 3);  // two ids, three counts; color
+    // The mean, and while it is made one sample's depths, triangles, weights, counts and intensity, and the first's.
+    if (scene.settings.antialiasing > 1) bytes += pixels * (real * 13 + 4 * 4 + 3);
     for (const Light& light : scene.lights) {
         bytes += pixels * real * 19;  // three vectors, two terms 5 · 3; three dot products; S
         if (light.castsShadow) bytes += texels * real * handedOut(shadowFaces(light));

@@ -41,6 +41,7 @@ enum class ShadowBias : std::uint8_t { Automatic, Constant, Slope };
 struct Settings {
     int width = 640, height = 480;  // pixels
     Precision precision = Precision::Float;
+    int antialiasing = 1;  // samples along a side of a pixel, on a regular grid
     CullMode cull = CullMode::Back;
     Shading shading = Shading::Flat;
     Interpolation interpolation = Interpolation::Perspective;

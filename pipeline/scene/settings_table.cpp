@@ -93,6 +93,10 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     choice<OfPicture, &S::precision>(
         {"precision", "Precision", "", "What the stages compute in: 24, 53, 64 or 113 bits of significand."},
         kPrecision),
+    row<OfPicture, &S::antialiasing>({"antialiasing", "Antialiasing", "samples along a side",
+                                      "Samples along each side of a pixel, whose mean the frame buffer shows; 1 is its "
+                                      "centre alone."},
+                                     {1, 16, 1, 8}),
 
     choice<OfCamera, &C::kind>(
         {"camera.kind", "Camera", "", "On a sphere around the world's origin, or from an eye towards a target."},

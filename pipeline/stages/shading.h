@@ -64,6 +64,7 @@ struct ShadingInputs {
     ShadowSettings shadow;
     ShadingParts parts{};
     LayerInputs layers{};
+    int samples = 1;  // along a side of a pixel; above 1 the frame buffer shows their mean
     bool operator==(const ShadingInputs&) const = default;
 };
 

@@ -18,7 +18,9 @@ constexpr const char* kSpecification[] = {
     "n_dot_h.0", "ambient", "diffuse.0", "specular.0", "emission", "intensity", "shadow.0", "shadow_buffer.0",
     "overdraw", "depth_writes", "color",
     // Of the specification's translucent surfaces.
-    "translucent", "transmittance", "layers"};
+    "translucent", "transmittance", "layers",
+    // Of several samples a pixel.
+    "antialiased"};
 
 TEST(BufferTable, HasEveryBufferOfTheSpecificationAndNoOther) {
     std::set<std::string> expected(std::begin(kSpecification), std::end(kSpecification)), found;

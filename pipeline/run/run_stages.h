@@ -1,0 +1,213 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/run/frame_data.h"
+#include "pipeline/run/parallel.h"
+#include "pipeline/stages/outlines.h"
+#include "pipeline/stages/painter.h"
+#include "pipeline/stages/translucent.h"
+
+// Each stage as a whole: its pieces on threads. runner.cpp alone reads it.
+namespace pipeline {
+
+// Enough work for one piece that handing it out does not show.
+inline constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1, kSampleGrain = 1;
+
+template <class Real>
+std::shared_ptr<const TransformOutput<Real>> runTransform(const TransformInputs& inputs, Threads& threads) {
+    auto out = std::make_shared<TransformOutput<Real>>(prepareTransform<Real>(inputs));
+    for (std::size_t object = 0; object < inputs.transforms.size(); ++object)
+        threads.forRange(inputs.topology->meshes[object]->positions.size(), kVertexGrain,
+                         [&](std::size_t begin, std::size_t end) { transform(inputs, object, begin, end, *out); });
+    return out;
+}
+
+template <class Real>
+std::shared_ptr<const CullOutput> runCull(const CullInputs& inputs, const TransformOutput<Real>& in, Threads& threads) {
+    auto out = std::make_shared<CullOutput>(prepareCull(in.topology->polygonCount()));
+    threads.forRange(in.topology->polygonCount(), kPolygonGrain,
+                     [&](std::size_t begin, std::size_t end) { cull(inputs, in, begin, end, *out); });
+    return out;
+}
+
+template <class Real>
+std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
+                                                      Threads& threads) {
+    auto out = std::make_shared<NormalsOutput<Real>>(prepareNormals(inputs, in));
+    threads.forRange(in.topology->polygonCount(), kPolygonGrain,
+                     [&](std::size_t begin, std::size_t end) { polygonNormals(in, begin, end, *out); });
+    if (inputs.vertexNormals)
+        for (std::size_t object = 0; object < in.topology->meshes.size(); ++object)
+            if (!threads.stopped()) vertexNormals(inputs, in, object, *out);
+    return out;
+}
+
+template <class Real>
+std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBufferInputs& inputs,
+                                                                const TransformOutput<Real>& in, Threads& threads) {
+    auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in));
+    const auto drawFace = [&](LightView<Real>& light, std::size_t face) {
+        const TriangleBins<Real> bins = binForLight(in, light.faces[face]);
+        threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t tile = begin; tile < end; ++tile)
+                shadowBuffer(light.faces[face], bins, tile, light.depth[face]);
+        });
+    };
+    for (std::vector<LightView<Real>>& samples : out->lights)
+        threads.forRange(samples.size(), kSampleGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                for (std::size_t face = 0; face < samples[i].faces.size() && !threads.stopped(); ++face)
+                    drawFace(samples[i], face);
+        });
+    return out;
+}
+
+template <class Real>
+std::shared_ptr<const ZBufferOutput<Real>> runOutlines(const FrameData<Real>& data, Threads& threads) {
+    const View& view = data.transform->view;
+    auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, view.size}, DepthFormat::Linear));
+    const OutlineBins<Real> bins = binOutlines<Real>(*data.transform, {{0, 0}, view.size},
+                                                     [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
+    for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
+    threads.forRange(bins.tiles.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) drawOutlines(view, bins, tile, *out);
+    });
+    out->note = fmt::format("; {} outline{}", bins.polygons, bins.polygons == 1 ? "" : "s");
+    return out;
+}
+
+template <class Real>
+std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs, const TransformOutput<Real>& in,
+                                                      const CullOutput* cull, Threads& threads) {
+    auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
+    std::span<const Verdict> verdicts;
+    if (cull) verdicts = cull->verdicts;
+    std::span<const std::uint8_t> inside;
+    if (cull && !inputs.clipAll) inside = cull->inside;
+    const std::vector<std::uint8_t> drawn =
+        drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, cull);
+    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, verdicts, inside, drawn);
+    out->clipped = bins.clipped, out->unclipped = bins.unclipped;
+    for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
+    if (inputs.visibility == Visibility::Painter) {
+        const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.viewSpace, bins, inputs.split);
+        const auto tiles = binPieces(bins, order);
+        threads.forRange(tiles.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t tile = begin; tile < end; ++tile)
+                paint<Real>(in.view, bins, order, tiles[tile], bins.tile(tile), *out);
+        });
+        out->note = fmt::format("; {} triangles in order, {} split", order.pieces.size() - order.splits, order.splits);
+        if (order.unordered > 0) out->note += fmt::format(", {} out of order at the limit", order.unordered);
+        return out;
+    }
+    threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile)
+            zBuffer(in.view, in.depthFormat, bins, bins.bins[tile], bins.tile(tile), *out);
+    });
+    return out;
+}
+
+// Stage 5 by the scene's visibility: the z-buffer, the painter's algorithm or outlines.
+template <class Real>
+std::shared_ptr<const ZBufferOutput<Real>> runVisibility(const FrameData<Real>& data, Threads& threads) {
+    if (data.keys.zBuffer.visibility == Visibility::None) return runOutlines(data, threads);
+    return runZBuffer(data.keys.zBuffer, *data.transform, data.cull.get(), threads);
+}
+
+// Takes up the counts of pieces that run at the same time.
+class CountSum {
+public:
+    explicit CountSum(ShadingCounts& sum) : m_sum(sum) {}
+    void add(const ShadingCounts& counts) {  // once a piece: the lock does not show
+        const std::scoped_lock lock(m_mutex);
+        m_sum += counts;
+    }
+
+private:
+    std::mutex m_mutex;
+    ShadingCounts& m_sum;
+};
+
+// The pixels of a picture whose polygons and vertices are shaded, and the translucent layers over them.
+template <class Real>
+void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, ShadingOutput<Real>& out,
+                  CountSum& counts, Threads& threads) {
+    const std::vector<std::uint8_t>& drawn = in.zBuffer.tileIsDrawn;
+    threads.forRange(drawn.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) {
+            if (!inputs.parts.emptyTiles && !drawn[tile]) {
+                counts.add({.emptyTiles = 1});
+                continue;
+            }
+            const Tile pixels = tileOf(in.transform.view.size, tile);
+            ShadingCounts shaded =
+                inputs.outlines ? shadeOutlines(in, pixels, out) : shadePixels(inputs, in, pixels, out);
+            ++shaded.tiles;
+            counts.add(shaded);
+        }
+    });
+    if (!inputs.layers.drawn || threads.stopped()) return;
+    const LayerBins<Real> layers = binLayers(inputs, in);
+    threads.forRange(layers.order.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) counts.add(drawLayers(inputs, in, layers, tile, out));
+    });
+}
+
+// The picture once more for each sample of a pixel, with the pixels' centres moved there, and their mean: an
+// accumulation buffer. Every other buffer stays that of the centres. What is shaded by polygon or vertex is shaded
+// once. P. Haeberli and K. Akeley, "The accumulation buffer: hardware support for high-quality rendering",
+// SIGGRAPH 1990.
+template <class Real>
+void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& counts, Threads& threads) {
+    const ShadingInputs& inputs = data.keys.shading;
+    const int n = inputs.samples;
+    auto moved = std::make_shared<TransformOutput<Real>>(*data.transform);
+    FrameData<Real> sample = data;
+    sample.transform = moved;
+    std::vector<Vec3<Real>> first;
+    Buffer2D<Vec3<Real>>& mean = out.vectors[index(BufferId::Antialiased)][0];
+    for (int i = 0; i < n * n && !threads.stopped(); ++i) {
+        const glm::dvec2 place{(i % n + 0.5) / n - 0.5, (i / n + 0.5) / n - 0.5};  // from the centre, pixels
+        moved->view.centre = data.transform->view.centre - place;
+        if (data.cull) sample.cull = runCull(data.keys.cull, *moved, threads);
+        sample.zBuffer = runVisibility(sample, threads);
+        ShadingOutput<Real> shaded = prepareShading(inputs, sample.shadingSources(), {});
+        shaded.polygons = out.polygons, shaded.vertices = out.vertices, shaded.verticesBack = out.verticesBack;
+        shadePicture(inputs, sample.shadingSources(), shaded, counts, threads);
+        const std::vector<Vec3<Real>>& intensity = shaded.vectors[index(BufferId::Intensity)][0].pixels;
+        if (i == 0) mean.pixels = first = intensity;
+        // Differences from the first: where all samples are alike, their mean is what each of them is.
+        for (std::size_t p = 0; p < first.size(); ++p) mean.pixels[p] += (intensity[p] - first[p]) / Real(n * n);
+    }
+    for (std::size_t p = 0; p < mean.pixels.size(); ++p)
+        out.color.pixels[p] = frameBufferValue(Vec3d(mean.pixels[p]), out.iMax);
+}
+
+template <class Real>
+std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& data, BufferSet wanted, Threads& threads) {
+    const ShadingInputs& inputs = data.keys.shading;
+    const ShadingSources<Real> in = data.shadingSources();
+    auto out = std::make_shared<ShadingOutput<Real>>(prepareShading(inputs, in, wanted));
+    CountSum counts(out->counts);
+    threads.forRange(out->polygons.intensity.size(), kPolygonGrain, [&](std::size_t begin, std::size_t end) {
+        counts.add(shadePolygons(inputs, in, begin, end, *out));
+    });
+    threads.forRange(out->vertices.intensity.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
+        counts.add(shadeVertices(inputs, in, begin, end, *out));
+    });
+    shadePicture(inputs, in, *out, counts, threads);
+    auto& mean = out->vectors[index(BufferId::Antialiased)];
+    if (inputs.samples > 1)
+        antialias(data, *out, counts, threads);
+    else if (!mean.empty())
+        mean = out->vectors[index(BufferId::Intensity)];  // of the one sample
+    return out;
+}
+
+}  // namespace pipeline
