@@ -40,6 +40,7 @@ struct ErrorRow {
     std::string unit;     // "world units", "degrees", "pixels"; empty for a pure number
     // Nothing where the buffer has no such error, or the reference does not say.
     std::array<std::optional<double>, kErrorKinds> value{};
+    bool operator==(const ErrorRow&) const = default;
 };
 
 // A measure of a buffer by name, one kind of error of it: what a plot shows.
@@ -54,6 +55,7 @@ struct TimeSamples {
     std::vector<std::vector<double>> processes;
     bool empty() const;
     SampleSummary summary() const;  // of all samples together; not empty
+    bool operator==(const TimeSamples&) const = default;
 };
 
 // How much of the frame's error goes when one stage alone is replaced by its reference.
@@ -61,6 +63,7 @@ struct StageBlame {
     StageId stage;
     double error = 0;  // RMSE of the intensity that is left
     double share = 0;  // 1 − error / the frame's own; below 0 where two errors cancelled each other
+    bool operator==(const StageBlame&) const = default;
 };
 
 // One combination of values.
@@ -77,6 +80,7 @@ struct StudyPoint {
 
     // Nothing where the point has no such row.
     std::optional<double> error(const ErrorChoice& choice) const;
+    bool operator==(const StudyPoint&) const = default;
 };
 
 struct StudyReport {
@@ -94,6 +98,7 @@ struct StudyReport {
     std::array<double, kErrorKinds> errorBars{};
     std::string errorWhy;            // how the model reference's error bar was found
     std::vector<StudyPoint> points;  // in order of their numbers
+    bool operator==(const StudyReport&) const = default;
 };
 
 }  // namespace pipeline

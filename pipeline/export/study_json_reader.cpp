@@ -1,0 +1,271 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "pipeline/core/text.h"
+#include "pipeline/export/study_json.h"
+#include "pipeline/study/sweep.h"
+
+namespace pipeline {
+
+namespace {
+
+// No study that the program writes comes near; a file that says more is broken.
+constexpr double kMost = 1e9;
+
+// Where the parser stops; it has no other way to say so without an exception.
+class PlaceOfError : public nlohmann::json_sax<Json> {
+public:
+    std::size_t byte = 0;  // from 1
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_object(std::size_t) override { return true; }
+    bool key(string_t&) override { return true; }
+    bool end_object() override { return true; }
+    bool start_array(std::size_t) override { return true; }
+    bool end_array() override { return true; }
+    bool parse_error(std::size_t position, const std::string&, const Json::exception&) override {
+        byte = position;
+        return false;
+    }
+};
+
+// Lines and columns from 1, columns in code points: of bytes 10xxxxxx none begins one.
+SourceLocation placeOf(std::size_t byte, std::string_view text, const std::string& file) {
+    SourceLocation place{file, 1, 1};
+    for (const char c : text.substr(0, byte > 0 ? byte - 1 : 0)) {
+        if (c == '\n') {
+            ++place.line;
+            place.column = 1;
+        } else if ((static_cast<unsigned char>(c) & 0xC0u) != 0x80u) {
+            ++place.column;
+        }
+    }
+    return place;
+}
+
+// A value with its JSON pointer. What is not as it must be is reported, and reads as nothing: 0,
+// an empty text, no elements.
+class Value {
+public:
+    Value(const Json* json, std::string pointer, const std::string& file, Errors& errors)
+        : m_json(json), m_pointer(std::move(pointer)), m_file(&file), m_errors(&errors) {}
+
+    Value operator[](std::string_view key) const {
+        if (!m_json) return inner(nullptr, key);
+        if (!m_json->is_object()) {
+            refuse("an object");
+            return inner(nullptr, key);
+        }
+        const auto member = m_json->find(std::string(key));
+        if (member != m_json->end()) return inner(&*member, key);
+        report(fmt::format("{}/{} is missing", m_pointer, key), {});
+        return inner(nullptr, key);
+    }
+
+    void eachElement(const auto& visit) const {
+        if (!m_json) return;
+        if (!m_json->is_array()) return refuse("an array");
+        for (std::size_t i = 0; i < m_json->size(); ++i) visit(inner(&(*m_json)[i], std::to_string(i)));
+    }
+
+    void eachMember(const auto& visit) const {
+        if (!m_json) return;
+        if (!m_json->is_object()) return refuse("an object");
+        for (const auto& [key, member] : m_json->items()) visit(key, inner(&member, key));
+    }
+
+    std::string text() const {
+        if (m_json && m_json->is_string()) return m_json->get<std::string>();
+        refuse("a text");
+        return {};
+    }
+
+    double number(double min = std::numeric_limits<double>::lowest()) const {
+        if (m_json && m_json->is_number() && m_json->get<double>() >= min) return m_json->get<double>();
+        refuse(min >= 0 ? fmt::format("a number from {}", min) : "a number");
+        return 0;
+    }
+
+    std::optional<double> numberOrNull(double min = std::numeric_limits<double>::lowest()) const {
+        if (m_json && m_json->is_null()) return std::nullopt;
+        return number(min);
+    }
+
+    long long whole(long long min, double max = kMost) const {
+        if (m_json && m_json->is_number_integer()) {
+            const auto value = m_json->get<double>();  // whatever its sign and size
+            if (value >= static_cast<double>(min) && value <= max) return m_json->get<long long>();
+        }
+        refuse(fmt::format("a whole number from {} to {:g}", min, max));
+        return min;
+    }
+
+    std::vector<std::string> texts() const {
+        std::vector<std::string> all;
+        eachElement([&](const Value& value) { all.push_back(value.text()); });
+        return all;
+    }
+
+    StageId stage() const {
+        const std::optional<StageId> found = findStage(text());
+        if (!found && m_json && m_json->is_string()) refuse("the name of a stage");
+        return found.value_or(StageId::Transform);
+    }
+
+    // "POINTER is VALUE, expected …". Nothing of a value that is not there: that has been said.
+    void refuse(std::string expected) const {
+        if (!m_json) return;
+        const std::string shown = m_json->is_structured() ? std::string(m_json->is_array() ? "an array" : "an object")
+                                  : m_json->is_string()   ? inQuotes(m_json->get_ref<const std::string&>())
+                                                          : m_json->dump();
+        report(fmt::format("{} is {}", m_pointer.empty() ? "the file" : m_pointer, shown), std::move(expected));
+    }
+
+private:
+    void report(std::string found, std::string expected) const {
+        if (m_errors->size() < kMaxErrors) m_errors->push_back({{*m_file}, std::move(found), std::move(expected)});
+    }
+
+    Value inner(const Json* json, std::string_view key) const {
+        std::string pointer = m_pointer + '/';
+        for (const char c : key) {
+            if (c == '~' || c == '/')
+                pointer += c == '~' ? "~0" : "~1";
+            else
+                pointer += c;
+        }
+        return {json, std::move(pointer), *m_file, *m_errors};
+    }
+
+    const Json* m_json;
+    std::string m_pointer;
+    const std::string* m_file;
+    Errors* m_errors;
+};
+
+int count(const Value& value, long long min) { return static_cast<int>(value.whole(min)); }
+
+ErrorKind kindOf(const Value& value) {
+    const std::string text = value.text();
+    for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
+        if (text == name(static_cast<ErrorKind>(kind))) return static_cast<ErrorKind>(kind);
+    value.refuse("\"model\", \"arithmetic\" or \"storage\"");
+    return ErrorKind::Model;
+}
+
+TimeSamples readTimes(const Value& value) {
+    TimeSamples times;
+    value.eachElement([&](const Value& process) {
+        std::vector<double>& samples = times.processes.emplace_back();
+        process.eachElement([&](const Value& sample) { samples.push_back(sample.number(0)); });
+    });
+    return times;
+}
+
+ErrorRow readError(const Value& value) {
+    ErrorRow row{value["buffer"].text(), value["stage"].stage(), value["measure"].text(), value["unit"].text()};
+    for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
+        row.value[kind] = value[name(static_cast<ErrorKind>(kind))].numberOrNull();
+    return row;
+}
+
+StudyPoint readPoint(const Value& value) {
+    StudyPoint point;
+    point.number = static_cast<std::size_t>(value["number"].whole(0));
+    point.values = value["values"].texts();
+    point.failure = value["failure"].text();
+    point.megabytes = value["megabytes"].number(0);
+    value["counters"].eachMember(
+        [&](const std::string& what, const Value& v) { point.counters[what] = v.whole(0, 9e15); });
+    value["errors"].eachElement([&](const Value& row) { point.errors.push_back(readError(row)); });
+    value["blame"].eachElement([&](const Value& blame) {
+        point.blame.push_back({blame["stage"].stage(), blame["error"].number(0), blame["share"].number()});
+    });
+    point.frame = readTimes(value["frame"]);
+    value["stages"].eachMember([&](const std::string& stage, const Value& times) {
+        if (const auto found = findStage(stage))
+            point.stages[index(*found)] = readTimes(times);
+        else
+            times.refuse("nothing: no stage has this name");
+    });
+    return point;
+}
+
+void readHead(const Value& root, StudyReport& report) {
+    report.scene = root["scene"].text();
+    report.file = root["file"].text();
+    report.version = root["version"].text();
+    report.width = count(root["width"], 1);
+    report.height = count(root["height"], 1);
+    report.threads = count(root["threads"], 1);
+    report.warmups = count(root["warmups"], 0);
+    report.repeats = count(root["repeats"], 0);
+    report.processes = count(root["processes"], 0);
+    report.machine = root["machine"].text();
+    report.compiler = root["compiler"].text();
+    root["load"].eachElement([&](const Value& load) { report.load.push_back(load.number(0)); });
+    root["settings"].eachMember([&](const std::string& key, const Value& v) { report.settings[key] = v.text(); });
+    root["axes"].eachElement([&](const Value& axis) {
+        report.axes.push_back({axis["key"].text(), axis["label"].text(), axis["values"].texts()});
+        if (report.axes.back().values.empty()) axis["values"].refuse("at least one value");
+    });
+    const Value choice = root["choice"];
+    report.choice = {choice["buffer"].text(), choice["measure"].text(), kindOf(choice["kind"])};
+    root["references"].eachElement([&](const Value& reference) {
+        const std::size_t kind = index(kindOf(reference["kind"]));
+        report.references[kind] = reference["name"].text();
+        report.whyNone[kind] = reference["why_none"].text();
+        // Null stands for a bar that is not known, as large as can be.
+        report.errorBars[kind] =
+            reference["error_bar"].numberOrNull(0).value_or(std::numeric_limits<double>::infinity());
+    });
+    report.errorWhy = root["error_why"].text();
+}
+
+void checkPoint(const Value& value, const StudyReport& report) {
+    const StudyPoint& point = report.points.back();
+    const bool known = std::ranges::none_of(report.axes, [](const SweepAxis& axis) { return axis.values.empty(); }) &&
+                       point.number < pointCount(report.axes);
+    if (!known) {
+        value["number"].refuse("the number of a point of the sweep");
+    } else if (const std::vector<std::string> values = valuesOf(report.axes, point.number); values != point.values) {
+        value["values"].refuse(fmt::format("{}, the values of point {}", fmt::join(values, ", "), point.number));
+    }
+    if (report.points.size() > 1 && report.points[report.points.size() - 2].number >= point.number)
+        value["number"].refuse("a number above the one before it");
+}
+
+}  // namespace
+
+Result<StudyReport> studyFromJson(std::string_view text, const std::string& file) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) {
+        PlaceOfError place;
+        Json::sax_parse(text, &place);
+        return Error{placeOf(place.byte, text, file), "this is not JSON", "a study that the program wrote"};
+    }
+    Errors errors;
+    const Value root(&json, {}, file, errors);
+    if (!json.is_object() || root["format"].text() != "shadescope study")
+        return Error{{file}, "this is no study", "a study that the program wrote"};
+    if (const Value version = root["format_version"]; version.whole(0) != 1) version.refuse("1");
+    if (!errors.empty()) return errors;
+
+    StudyReport report;
+    readHead(root, report);
+    root["points"].eachElement([&](const Value& value) {
+        report.points.push_back(readPoint(value));
+        checkPoint(value, report);
+    });
+    if (!errors.empty()) return errors;
+    return report;
+}
+
+}  // namespace pipeline

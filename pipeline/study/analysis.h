@@ -1,0 +1,83 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/study/study.h"
+
+namespace pipeline {
+
+// What a study says about one error: which settings belong together, which are worth their time,
+// how fast the error falls, and the answer in words. Pure functions of a report.
+
+// Differences of time below this share of the shorter one count as none.
+inline constexpr double kSameTime = 0.02;
+
+// A point of the study in milliseconds and in the chosen error.
+struct PointAnalysis {
+    std::size_t curve = 0;                   // into StudyAnalysis::curves
+    std::string label;                       // "phong, tessellation 16": all of its values that the sweep changes
+    std::string step;                        // "16": its place on the curve; empty where no axis is refined
+    std::optional<double> time;              // median of the frame
+    std::pair<double, double> interval{};    // of the median; of all samples where they are too few for one
+    std::optional<double> error;             // finite and at least 0
+    std::string missing;                     // why it has no place in the plot; empty where it has one
+    std::optional<std::size_t> dominatedBy;  // into StudyReport::points
+    bool placed() const { return missing.empty(); }
+    bool onFront() const { return placed() && !dominatedBy; }
+};
+
+// How fast an error falls: p where the error is proportional to h^p.
+struct ObservedOrder {
+    std::vector<std::optional<double>> steps;  // one for each two neighbours; nothing where one has no error but 0
+    std::optional<double> last;                // of the last two levels
+    std::optional<double> fit;                 // least squares through the logarithms of all errors above 0
+};
+
+// The points of one method, from coarse to fine.
+struct MethodCurve {
+    std::string name;                 // "phong", "flat, area"; empty where the sweep has one method only
+    std::vector<std::size_t> points;  // into StudyReport::points, placed ones only, by the refined axis
+    ObservedOrder order;
+};
+
+struct StudyAnalysis {
+    ErrorChoice choice;
+    std::string unit;                    // of the error; empty for a pure number
+    std::optional<std::size_t> refined;  // the axis that is refined along a curve
+    std::vector<MethodCurve> curves;     // in the order of the sweep
+    std::vector<PointAnalysis> points;   // as StudyReport::points
+    std::vector<std::size_t> byTime;     // placed points, the fastest first; of equals the better one
+    std::vector<std::size_t> front;      // those of them that no other dominates
+};
+
+// The axis of numbers that is refined along a curve: the last one with at least two values, all of
+// them numbers. Every other axis makes methods.
+std::optional<std::size_t> refinedAxis(const std::vector<SweepAxis>& axes);
+
+// The width h that a value of an axis stands for, up to a factor: 1 / value (pieces, texels,
+// samples along a side); 2^-value where the key ends in "bits". Nothing where it has none.
+std::optional<double> stepWidth(const SweepAxis& axis, const std::string& value);
+
+// A point is dominated when another one is at most as slow and at most as wrong, better in one of
+// both, and that is no accident: of times that differ by more than kSameTime the median intervals
+// do not overlap; of times that do not, only the errors count. An error of exactly 0 is better than
+// every other. Named is the dominating point with the smallest error, if possible one on the front.
+StudyAnalysis analyse(const StudyReport& report, const ErrorChoice& choice);
+
+// Observed order p = ln(e / e') / ln(h / h') of errors over widths, coarse to fine.
+ObservedOrder observedOrder(const std::vector<std::optional<double>>& widths, const std::vector<double>& errors);
+
+// The two answers; nothing where no point is good enough.
+std::optional<std::size_t> cheapestWithin(const StudyAnalysis& analysis, double error);
+std::optional<std::size_t> bestWithin(const StudyAnalysis& analysis, double milliseconds);
+
+// Limits at which both answers say something: round numbers (1, 2 or 5 times a power of ten) not
+// below the error and the time of the middle of the front. Nothing without a front.
+struct StudyLimits {
+    double error = 0, milliseconds = 0;
+};
+std::optional<StudyLimits> middleOfFront(const StudyAnalysis& analysis);
+
+}  // namespace pipeline
