@@ -204,7 +204,7 @@ void readHead(const Value& root, StudyReport& report) {
     report.version = root["version"].text();
     report.width = count(root["width"], 1);
     report.height = count(root["height"], 1);
-    report.threads = count(root["threads"], 1);
+    report.threads = count(root["threads"], 0);
     report.warmups = count(root["warmups"], 0);
     report.repeats = count(root["repeats"], 0);
     report.processes = count(root["processes"], 0);

@@ -58,12 +58,14 @@ PointAnalysis place(const StudyPoint& point, const ErrorChoice& choice) {
                 for (const double sample : process) result.interval.second = std::max(result.interval.second, sample);
         }
     }
-    const std::optional<double> error = point.error(choice);
+    const std::optional<double> error = isError(choice.measure) ? point.error(choice) : std::nullopt;
     if (error && std::isfinite(*error) && *error >= 0) result.error = error;
     if (!point.failure.empty())
         result.missing = point.failure;
     else if (!result.time || !(*result.time > 0))
         result.missing = "no time was measured";
+    else if (!isError(choice.measure))
+        result.missing = "of this measure more is better: it is no error";
     else if (!error)
         result.missing = "it has no such error";
     else if (!result.error)
@@ -138,6 +140,8 @@ double roundUp(double value) {
 }
 
 }  // namespace
+
+bool isError(std::string_view measure) { return measure != "PSNR" && measure != "mean SSIM"; }
 
 std::optional<std::size_t> refinedAxis(const std::vector<SweepAxis>& axes) {
     for (std::size_t axis = axes.size(); axis-- > 0;)

@@ -61,6 +61,10 @@ std::string withinSentence(std::string label) {
     return label;
 }
 
+std::string threadsText(int threads) {
+    return threads == 0 ? "all threads" : threads == 1 ? "1 thread" : fmt::format("{} threads", threads);
+}
+
 std::string measureText(const ErrorChoice& choice) { return fmt::format("{} of {}", choice.measure, choice.buffer); }
 
 std::string measureWithUnit(const StudyAnalysis& analysis) {

@@ -14,6 +14,8 @@ std::string timeText(double milliseconds);
 // "1.98"; "−0.50" with the sign U+2212.
 std::string orderText(double order);
 
+// "1 thread", "4 threads"; 0 stands for as many as the machine has: "all threads".
+std::string threadsText(int threads);
 // A setting's label within a sentence: "shadow buffer" of "Shadow buffer"; "L x" and "θ around z" stay.
 std::string withinSentence(std::string label);
 // "RMSE of intensity", "largest angle of normal".

@@ -12,8 +12,8 @@ namespace {
 
 std::string subtitle(const StudyReport& report, const StudyAnalysis& analysis) {
     const std::string& reference = report.references[index(analysis.choice.kind)];
-    std::string text = fmt::format("{}, {} \u00d7 {}, {} thread{}, {} error", report.scene, report.width, report.height,
-                                   report.threads, report.threads == 1 ? "" : "s", name(analysis.choice.kind));
+    std::string text = fmt::format("{}, {} \u00d7 {}, {}, {} error", report.scene, report.width, report.height,
+                                   threadsText(report.threads), name(analysis.choice.kind));
     if (!reference.empty()) text += " against " + reference;
     if (analysis.refined) text += "; numbers at points: " + withinSentence(report.axes[*analysis.refined].label);
     return text;

@@ -124,6 +124,15 @@ TEST(Analysis, WhatHasNoErrorOrTimeHasNoPlace) {
     EXPECT_EQ(cheapestSentence(analysis, 1), "No point has both a time and this error.");
 }
 
+TEST(Analysis, AMeasureOfWhichMoreIsBetterIsNoError) {
+    StudyReport report = sphereStudy();
+    for (StudyPoint& point : report.points)
+        point.errors.push_back({"color", StageId::Shading, "PSNR", "dB", {40, std::nullopt, std::nullopt}});
+    const StudyAnalysis analysis = analyse(report, {"color", "PSNR", ErrorKind::Model});
+    EXPECT_TRUE(analysis.byTime.empty());
+    EXPECT_EQ(analysis.points[0].missing, "of this measure more is better: it is no error");
+}
+
 // Six samples are the fewest whose order bounds the median; of fewer all are taken.
 TEST(Analysis, FewSamplesMakeAnIntervalOfThemAll) {
     StudyPoint point = studyPoint(0, {"a"}, 1, 0.1);
@@ -211,6 +220,9 @@ TEST(Analysis, WritesNumbersShort) {
     EXPECT_EQ(timeText(10.62), "10.6");
     EXPECT_EQ(timeText(1340.4), "1340");
     EXPECT_EQ(timeText(0.00321), "0.00321");
+    EXPECT_EQ(threadsText(0), "all threads");
+    EXPECT_EQ(threadsText(1), "1 thread");
+    EXPECT_EQ(threadsText(4), "4 threads");
     EXPECT_EQ(orderText(1.9849), "1.98");
     EXPECT_EQ(orderText(-0.5), "\u22120.50");
     EXPECT_EQ(orderText(-0.001), "0.00");

@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/core/result.h"
+#include "pipeline/export/study_html.h"
+
+namespace pipeline {
+
+// Everything about a study in a folder, all files or none; what else is in the folder stays:
+// study.json, study.csv, report.html, and plot.svg, plot.png, plot-dark.svg, plot-dark.png. Gives the names of the files.
+Result<std::vector<std::string>> writeStudyFiles(const StudyReport& report, const StudyAnalysis& analysis,
+                                                 const StudyLimits& limits, const std::vector<StudyPictures>& pictures,
+                                                 const std::filesystem::path& folder);
+
+}  // namespace pipeline

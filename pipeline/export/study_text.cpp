@@ -1,0 +1,136 @@
+#include "pipeline/export/study_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pipeline/study/analysis_text.h"
+
+namespace pipeline {
+
+namespace {
+
+std::size_t columnsOf(const std::string& text) {
+    // Code points: of bytes 10xxxxxx none begins one.
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+}
+
+// Columns as wide as their widest text; numbers end together.
+class TextTable {
+public:
+    explicit TextTable(std::vector<bool> numbers) : m_numbers(std::move(numbers)) {}
+    void row(std::vector<std::string> cells) { m_rows.push_back(std::move(cells)); }
+    std::string text() const {
+        std::vector<std::size_t> widths(m_numbers.size(), 0);
+        for (const auto& row : m_rows)
+            for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], columnsOf(row[i]));
+        std::string text;
+        for (const auto& row : m_rows) {
+            std::string line;
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                const std::string room(widths[i] - columnsOf(row[i]), ' ');
+                line += "  " + (m_numbers[i] ? room + row[i] : row[i] + room);
+            }
+            text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+        }
+        return text;
+    }
+
+private:
+    std::vector<bool> m_numbers;
+    std::vector<std::vector<std::string>> m_rows;
+};
+
+std::string pointTable(const StudyReport& report, const StudyAnalysis& analysis) {
+    std::vector<bool> numbers;
+    std::vector<std::string> head;
+    for (std::size_t axis = 0; axis < report.axes.size(); ++axis) {
+        numbers.push_back(axis == analysis.refined);
+        head.push_back(report.axes[axis].label);
+    }
+    for (const char* name : {"ms", "95 % interval", "error"}) {
+        numbers.push_back(true);
+        head.emplace_back(name);
+    }
+    numbers.push_back(false);
+    head.emplace_back("beaten by");
+    TextTable table(numbers);
+    table.row(head);
+    std::vector<std::size_t> order = analysis.byTime;
+    for (std::size_t i = 0; i < analysis.points.size(); ++i)
+        if (!analysis.points[i].placed()) order.push_back(i);
+    for (const std::size_t i : order) {
+        const PointAnalysis& point = analysis.points[i];
+        std::vector<std::string> cells = report.points[i].values;
+        cells.push_back(point.time ? timeText(*point.time) : "");
+        cells.push_back(intervalText(point));
+        cells.push_back(point.error ? errorText(*point.error) : "");
+        cells.push_back(standing(analysis, i));
+        table.row(std::move(cells));
+    }
+    return table.text();
+}
+
+std::string orderTable(const StudyReport& report, const StudyAnalysis& analysis) {
+    TextTable table({false, true, true});
+    table.row({"Observed order", "last two levels", "all levels"});
+    bool any = false;
+    for (const MethodCurve& curve : analysis.curves) {
+        if (!curve.order.last && !curve.order.fit) continue;
+        any = true;
+        const auto text = [](std::optional<double> order) { return order ? orderText(*order) : std::string(); };
+        table.row({curve.name.empty() ? "the only method" : curve.name, text(curve.order.last), text(curve.order.fit)});
+    }
+    if (!any) return {};
+    return fmt::format("\n{}\n{}", orderMeaning(report.axes[*analysis.refined]), table.text());
+}
+
+}  // namespace
+
+std::string orderMeaning(const SweepAxis& axis) {
+    const std::string label = withinSentence(axis.label);
+    return axis.key.ends_with("bits") ? fmt::format("Order p where the error falls with h^p, h = 2^\u2212{}.", label)
+                                      : fmt::format("Order p where the error falls with h^p, h = 1 / {}.", label);
+}
+
+std::string intervalText(const PointAnalysis& point) {
+    return point.time ? fmt::format("{} to {}", timeText(point.interval.first), timeText(point.interval.second)) : "";
+}
+
+std::string protocolText(const StudyReport& report) {
+    std::string text =
+        fmt::format("Times: median of {} frames ({} process{} of {}, each after {} that do not count), {}.",
+                    report.processes * report.repeats, report.processes, report.processes == 1 ? "" : "es",
+                    report.repeats, report.warmups, threadsText(report.threads));
+    if (!report.machine.empty()) text += fmt::format(" {}.", report.machine);
+    if (!report.compiler.empty()) text += fmt::format(" {}.", report.compiler);
+    if (!report.load.empty()) text += fmt::format(" Load {:.1f} at most.", *std::ranges::max_element(report.load));
+    return text + fmt::format(" Differences below {:g} % count as none.", 100 * kSameTime);
+}
+
+std::string referenceText(const StudyReport& report, ErrorKind kind) {
+    const std::size_t k = index(kind);
+    if (report.references[k].empty()) {
+        const std::string& why = report.whyNone[k];
+        return fmt::format("{}: none{}{}", name(kind), why.empty() ? "" : ". ", why);
+    }
+    std::string text = fmt::format("{}: {}", name(kind), report.references[k]);
+    if (report.errorBars[k] > 0) text += fmt::format(", itself within {}", errorText(report.errorBars[k]));
+    if (kind == ErrorKind::Model && !report.errorWhy.empty()) text += fmt::format(" ({})", report.errorWhy);
+    return text;
+}
+
+std::string studyText(const StudyReport& report, const StudyAnalysis& analysis, const StudyLimits& limits) {
+    std::string text = fmt::format("{}, {} \u00d7 {}: {}, {} error\n\n", report.scene, report.width, report.height,
+                                   measureWithUnit(analysis), name(analysis.choice.kind));
+    text += pointTable(report, analysis) + orderTable(report, analysis);
+    text += fmt::format("\n{}\n{}\n", cheapestSentence(analysis, limits.error),
+                        bestSentence(analysis, limits.milliseconds));
+    text += "\nReferences\n";
+    for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
+        text += fmt::format("  {}\n", referenceText(report, static_cast<ErrorKind>(kind)));
+    return text + protocolText(report) + "\n";
+}
+
+}  // namespace pipeline
