@@ -1,0 +1,216 @@
+#include "pipeline/study/ray_light.h"
+
+namespace pipeline::rays {
+namespace {
+
+template <class Real>
+Vec3<Real> viewVector(const RayLighting<Real>& lighting, Vec3<Real> position) {
+    if (lighting.model != Model::OpenGl) return lighting.camera.fromSurface(position);
+    // Its local viewer is the eye, also where the view is orthographic.
+    return lighting.infiniteViewer ? -lighting.camera.forward : unit(lighting.camera.eye - position);
+}
+
+// Attenuation and spot; 1 outside OpenGL's model.
+template <class Real>
+Real fading(const RayLight<Real>& light, Vec3<Real> position, Vec3<Real> L) {
+    Real factor = 1;
+    if (light.kind != LightKind::AtInfinity) {
+        const Real d = glm::length(light.place - position);
+        const Real denominator = light.constant + light.linear * d + light.quadratic * d * d;
+        factor = denominator > 0 ? 1 / denominator : Real(0);
+    }
+    if (!light.isSpot) return factor;
+    const Real cosine = -glm::dot(L, light.spotDirection);
+    if (cosine < light.spotCosine) return 0;
+    return light.spotExponent == 0 ? factor : factor * std::pow(cosine, light.spotExponent);
+}
+
+template <class Real>
+RayLight<Real> makeLight(const Light& light, const RayCamera<Real>& camera, bool openGl) {
+    RayLight<Real> out;
+    const auto turned = [&](Vec3d v) {
+        if (!openGl || light.gl.space == LightSpace::World) return Vec3<Real>(v);
+        return Real(v.x) * camera.right + Real(v.y) * camera.up - Real(v.z) * camera.forward;
+    };
+    out.kind = light.kind;
+    out.place = turned(light.position);
+    if (light.kind == LightKind::AtInfinity)
+        out.place = unit(out.place);
+    else if (openGl && light.gl.space == LightSpace::Eye)
+        out.place += camera.eye;
+    if (light.kind == LightKind::Area) {
+        const Vec3<Real> facing = unit(Vec3<Real>(light.area.facing));
+        Vec3<Real> across = unit(glm::cross(Vec3<Real>(0, 0, 1), facing));
+        if (across == Vec3<Real>(0)) across = {1, 0, 0};
+        out.width = Real(light.area.width) * across;
+        out.height = Real(light.area.height) * glm::cross(facing, across);
+    }
+    const Real intensity = Real(light.intensity);
+    out.color = out.specular = intensity * Vec3<Real>(light.color);
+    out.castsShadow = light.castsShadow && !openGl;
+    if (!openGl) return out;
+    out.specular = intensity * Vec3<Real>(light.gl.specular);
+    out.ambient = intensity * Vec3<Real>(light.gl.ambient);
+    out.constant = Real(light.gl.constant), out.linear = Real(light.gl.linear),
+    out.quadratic = Real(light.gl.quadratic);
+    out.isSpot = light.gl.spotCutoff != 180;
+    out.spotDirection = unit(turned(light.gl.spotDirection));
+    out.spotCosine = sinCos<Real>(light.gl.spotCutoff).cos;
+    out.spotExponent = Real(light.gl.spotExponent);
+    return out;
+}
+
+// The part of a square whose corners, in order around it, are lit or not; edge(i) is how far the boundary lies along
+// the side from corner i to the next, 0..1. W. Lorensen and H. Cline, "Marching cubes", SIGGRAPH 1987, in the plane.
+template <class Real, class Edge>
+Real litPart(const std::array<bool, 4>& lit, Edge edge) {
+    const std::array<Vec2<Real>, 5> corner{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
+    std::array<Vec2<Real>, 8> outline;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (lit[i]) outline[count++] = corner[i];
+        if (lit[i] != lit[(i + 1) % 4]) outline[count++] = corner[i] + edge(i) * (corner[i + 1] - corner[i]);
+    }
+    Real twice = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec2<Real> a = outline[i], b = outline[(i + 1) % count];
+        twice += a.x * b.y - a.y * b.x;
+    }
+    return twice / 2;
+}
+
+// The part of the unit square where isLit(u, v).
+template <class Real, class IsLit>
+Real litShare(int cells, IsLit isLit) {
+    const auto at = [&](int i) { return Real(i) / Real(cells); };
+    const std::size_t across = std::size_t(cells) + 1;
+    std::vector<std::uint8_t> lit(across * across);
+    for (std::size_t j = 0; j < across; ++j)
+        for (std::size_t i = 0; i < across; ++i) lit[j * across + i] = isLit(at(int(i)), at(int(j)));
+    Real sum = 0;
+    for (int j = 0; j < cells; ++j)
+        for (int i = 0; i < cells; ++i) {
+            const std::array<std::array<int, 2>, 5> grid{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}, {i, j}}};
+            std::array<bool, 4> corners{};
+            for (std::size_t c = 0; c < 4; ++c)
+                corners[c] = lit[std::size_t(grid[c][1]) * across + std::size_t(grid[c][0])] != 0;
+            sum += litPart<Real>(corners, [&](std::size_t c) {
+                const Vec2<Real> a{at(grid[c][0]), at(grid[c][1])}, b{at(grid[c + 1][0]), at(grid[c + 1][1])};
+                Real near = 0, far = 1;
+                for (int step = 0; step < 20; ++step) {
+                    const Real middle = (near + far) / 2;
+                    const Vec2<Real> p = a + middle * (b - a);
+                    (isLit(p.x, p.y) == corners[c] ? near : far) = middle;
+                }
+                return (near + far) / 2;
+            });
+        }
+    return sum / Real(cells * cells);
+}
+
+}  // namespace
+
+template <class Real>
+RayLighting<Real> makeLighting(const Scene& scene) {
+    RayLighting<Real> out;
+    const Settings& settings = scene.settings;
+    out.model = settings.model;
+    const bool openGl = out.model == Model::OpenGl;
+    if (!openGl) out.exponentFactor = Real(settings.exponentFactor);
+    out.infiniteViewer = openGl && !settings.localViewer;
+    out.twoSided = openGl && settings.twoSided;
+    out.ambient = Real(scene.ambient.intensity) * Vec3<Real>(scene.ambient.color);
+    out.camera = makeCamera<Real>(scene);
+    for (const Light& light : scene.lights) out.lights.push_back(makeLight<Real>(light, out.camera, openGl));
+    for (const Object& object : scene.objects) {
+        out.materials.push_back(object.material);
+        out.backMaterials.push_back(object.backMaterial.value_or(object.material));
+    }
+    return out;
+}
+
+template <class Real>
+Vec3<Real> towards(const RayLight<Real>& light, Vec3<Real> position) {
+    return light.kind == LightKind::AtInfinity ? light.place : unit(light.place - position);
+}
+
+template <class Real>
+Vec3<Real> unshadowed(const RayLighting<Real>& lighting, const Material& material, const LitPoint<Real>& at) {
+    if (lighting.model == Model::Phong) return lighting.ambient * Vec3<Real>(material.diffuse);
+    Vec3<Real> sum = lighting.ambient * Vec3<Real>(material.ambient);
+    if (lighting.model != Model::OpenGl) return sum;
+    sum += Vec3<Real>(material.emission);
+    for (const RayLight<Real>& light : lighting.lights)
+        sum += fading(light, at.position, towards(light, at.position)) * light.ambient * Vec3<Real>(material.ambient);
+    return sum;
+}
+
+template <class Real>
+Vec3<Real> bracket(const RayLighting<Real>& lighting, std::size_t k, const Material& material,
+                   const LitPoint<Real>& at) {
+    const RayLight<Real>& light = lighting.lights[k];
+    const Vec3<Real> L = towards(light, at.position), V = viewVector(lighting, at.position);
+    const Real facing = glm::dot(at.N, L);
+    if (!(facing > 0)) return Vec3<Real>(0);
+    const bool openGl = lighting.model == Model::OpenGl;
+    Real cosine;
+    if (usesHalfway(lighting.model, material))
+        cosine = glm::dot(at.N, unit(L + V));
+    else
+        cosine = glm::dot(Real(2) * facing * at.N - L, V);
+    Real power = 0;
+    const Real exponent = Real(material.exponent);
+    if (openGl && exponent == 0)
+        power = 1;
+    else if (cosine > 0)
+        power = std::pow(cosine, usesHalfway(lighting.model, material) ? lighting.exponentFactor * exponent : exponent);
+    const Vec3<Real> reflected =
+        light.color * Vec3<Real>(material.diffuse) * facing + light.specular * Vec3<Real>(material.specular) * power;
+    return openGl ? fading(light, at.position, L) * reflected : reflected;
+}
+
+template <class Real>
+Vec3<Real> shade(const RayLighting<Real>& lighting, const Material& material, const LitPoint<Real>& at,
+                 std::span<const Real> shadow) {
+    Vec3<Real> sum = unshadowed(lighting, material, at);
+    for (std::size_t k = 0; k < lighting.lights.size(); ++k)
+        if (shadow[k] != 0) sum += shadow[k] * bracket(lighting, k, material, at);
+    return sum;
+}
+
+template <class Real>
+Real lightSeen(const RayScene<Real>& scene, const RayLighting<Real>& lighting, std::size_t k,
+               const SurfacePoint<Real>& at, int cells) {
+    const RayLight<Real>& light = lighting.lights[k];
+    if (!light.castsShadow) return 1;
+    const auto isLit = [&](Vec3<Real> direction, Real end, const Blockers* among = nullptr) {
+        return glm::dot(at.normal, direction) > 0 &&
+               !isBlocked(scene, at, Ray<Real>{at.position, direction}, end, among);
+    };
+    if (light.kind == LightKind::AtInfinity) return isLit(light.place, kInfinity<Real>) ? Real(1) : Real(0);
+    if (light.kind == LightKind::Point) return isLit(light.place - at.position, Real(1)) ? Real(1) : Real(0);
+    const auto placeAt = [&](Real u, Real v) {
+        return light.place + (u - Real(0.5)) * light.width + (v - Real(0.5)) * light.height;
+    };
+    const std::array<Vec3<Real>, 4> corners{placeAt(0, 0), placeAt(1, 0), placeAt(1, 1), placeAt(0, 1)};
+    const auto isFaced = [&](Vec3<Real> corner) { return glm::dot(at.normal, corner - at.position) > 0; };
+    if (std::ranges::none_of(corners, isFaced)) return 0;
+    const Blockers among = blockersBefore(scene, at, corners);
+    if (among.empty() && std::ranges::all_of(corners, isFaced)) return 1;
+    return litShare<Real>(cells, [&](Real u, Real v) { return isLit(placeAt(u, v) - at.position, Real(1), &among); });
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                 \
+    template RayLighting<Real> makeLighting(const Scene&);                                                           \
+    template Vec3<Real> towards(const RayLight<Real>&, Vec3<Real>);                                                  \
+    template Vec3<Real> unshadowed(const RayLighting<Real>&, const Material&, const LitPoint<Real>&);                \
+    template Vec3<Real> bracket(const RayLighting<Real>&, std::size_t, const Material&, const LitPoint<Real>&);      \
+    template Vec3<Real> shade(const RayLighting<Real>&, const Material&, const LitPoint<Real>&,                      \
+                              std::span<const Real>);                                                                \
+    template Real lightSeen(const RayScene<Real>&, const RayLighting<Real>&, std::size_t, const SurfacePoint<Real>&, \
+                            int);
+SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_INSTANTIATE(long double)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline::rays

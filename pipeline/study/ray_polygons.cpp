@@ -1,0 +1,160 @@
+#include "pipeline/study/ray_polygons.h"
+
+namespace pipeline::rays {
+namespace {
+
+// How much a polygon counts in the normal of its i-th corner.
+template <class Real>
+Real weightOf(NormalWeight weight, const std::vector<Vec3<Real>>& positions, std::span<const std::uint32_t> corners,
+              std::size_t i) {
+    if (weight == NormalWeight::Area) {
+        Vec3<Real> sum(0);
+        for (std::size_t j = 2; j < corners.size(); ++j)
+            sum += glm::cross(positions[corners[j - 1]] - positions[corners[0]],
+                              positions[corners[j]] - positions[corners[0]]);
+        return glm::length(sum);
+    }
+    if (weight != NormalWeight::Angle) return 1;
+    const std::size_t n = corners.size();
+    const Vec3<Real> a = positions[corners[(i + 1) % n]] - positions[corners[i]];
+    const Vec3<Real> b = positions[corners[(i + n - 1) % n]] - positions[corners[i]];
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+template <class Real>
+std::vector<Vec3<Real>> vertexNormals(const Mesh& mesh, NormalWeight weight, const RayObject<Real>& object) {
+    std::vector<Vec3<Real>> sums(mesh.positions.size(), Vec3<Real>(0)), first = sums;
+    for (std::size_t p = 0; p < mesh.polygonCount(); ++p) {
+        const auto corners = mesh.polygon(p);
+        const Vec3<Real> normal = object.polygonNormals[p];
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            sums[corners[i]] += weightOf(weight, object.positions, corners, i) * normal;
+            if (first[corners[i]] == Vec3<Real>(0)) first[corners[i]] = normal;
+        }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        sums[i] = unit(sums[i]);
+        if (sums[i] == Vec3<Real>(0)) sums[i] = first[i];  // those around it cancel
+        if (weight != NormalWeight::Given || mesh.normals.empty()) continue;
+        const Vec3<Real> given = unit(object.normals * unit(Vec3<Real>(mesh.normals[i])));
+        if (given != Vec3<Real>(0)) sums[i] = given;
+    }
+    return sums;
+}
+
+// Where flat shading evaluates a polygon: at the mean of its vertices, in OpenGL's model at the first of them.
+template <class Real>
+Vec3<Real> placeOf(Model model, const std::vector<Vec3<Real>>& positions, std::span<const std::uint32_t> corners) {
+    const Vec3<Real> first = positions[corners[0]];
+    if (model == Model::OpenGl) return first;
+    Vec3<Real> sum(0);
+    for (const std::uint32_t corner : corners) sum += positions[corner] - first;
+    return first + sum / Real(corners.size());
+}
+
+template <class Real>
+void evaluate(const RayLighting<Real>& lighting, const Material& material, const LitPoint<Real>& at,
+              RayElements<Real>& out) {
+    Vec3<Real> base = unshadowed(lighting, material, at);
+    const std::size_t begin = out.brackets.size();
+    for (std::size_t k = 0; k < lighting.lights.size(); ++k) out.brackets.push_back(bracket(lighting, k, material, at));
+    if (lighting.model == Model::OpenGl) {
+        // Colours of vertices are clamped. There are no shadows, so the sum is all that is ever needed.
+        for (std::size_t i = begin; i < out.brackets.size(); ++i) {
+            base += out.brackets[i];
+            out.brackets[i] = Vec3<Real>(0);
+        }
+        base = glm::clamp(base, Vec3<Real>(0), Vec3<Real>(1));
+    }
+    out.unshadowed.push_back(base);
+}
+
+// Linear in the picture instead of in space: P. Heckbert and H. Moreton, "Interpolation for polygon texture mapping and
+// shading", 1991.
+template <class Real>
+Vec3<Real> inThePicture(const RayCamera<Real>& camera, const RayTriangle<Real>& triangle, Vec3<Real> weights) {
+    if (!camera.perspective) return weights;
+    for (int i = 0; i < 3; ++i) weights[i] *= glm::dot(camera.forward, triangle.corners[std::size_t(i)] - camera.eye);
+    return weights / (weights.x + weights.y + weights.z);
+}
+
+}  // namespace
+
+template <class Real>
+PolygonShading<Real> makePolygonShading(const Scene& scene, const RayScene<Real>& rays,
+                                        const RayLighting<Real>& lighting) {
+    PolygonShading<Real> out;
+    out.shading = scene.settings.shading;
+    out.interpolation = scene.settings.interpolation;
+    const std::size_t count = scene.objects.size();
+    out.vertexNormals.resize(count), out.front.resize(count), out.back.resize(count);
+    for (std::size_t o = 0; o < count; ++o) {
+        const Mesh& mesh = *scene.objects[o].mesh;
+        const RayObject<Real>& object = rays.objects[o];
+        if (!object.isThere) continue;
+        if (out.shading == Shading::Flat) {
+            for (std::size_t p = 0; p < mesh.polygonCount(); ++p) {
+                const LitPoint<Real> at{placeOf(lighting.model, object.positions, mesh.polygon(p)),
+                                        object.polygonNormals[p]};
+                evaluate(lighting, lighting.material(int(o), false), at, out.front[o]);
+                if (lighting.twoSided)
+                    evaluate(lighting, lighting.material(int(o), true), {at.position, -at.N}, out.back[o]);
+            }
+            continue;
+        }
+        out.vertexNormals[o] = vertexNormals(mesh, scene.settings.normalWeight, object);
+        if (out.shading == Shading::Phong) continue;
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            const LitPoint<Real> at{object.positions[v], out.vertexNormals[o][v]};
+            evaluate(lighting, lighting.material(int(o), false), at, out.front[o]);
+            if (lighting.twoSided)
+                evaluate(lighting, lighting.material(int(o), true), {at.position, -at.N}, out.back[o]);
+        }
+    }
+    return out;
+}
+
+template <class Real>
+ShadedPoint<Real> shadePolygon(const Scene& scene, const RayScene<Real>& rays, const RayLighting<Real>& lighting,
+                               const PolygonShading<Real>& polygons, const SurfacePoint<Real>& at,
+                               std::span<const Real> shadow) {
+    const std::size_t o = std::size_t(at.object);
+    const RayTriangle<Real>& triangle = rays.tree.triangles[at.triangle];
+    const auto& corners = scene.objects[o].mesh->triangles[triangle.triangle].vertices;
+    const bool turned = at.back && lighting.twoSided;
+    const Vec3<Real> w = polygons.interpolation == Interpolation::Perspective
+                             ? at.weights
+                             : inThePicture(rays.camera, triangle, at.weights);
+    const auto mean = [&](auto value) {
+        return w.x * value(corners[0]) + w.y * value(corners[1]) + w.z * value(corners[2]);
+    };
+
+    ShadedPoint<Real> out{at.normal, {}};
+    if (polygons.shading != Shading::Flat)
+        out.normal = unit(mean([&](std::uint32_t vertex) { return polygons.vertexNormals[o][vertex]; }));
+    if (turned) out.normal = -out.normal;
+    if (polygons.shading == Shading::Phong) {
+        out.intensity = shade(lighting, lighting.material(at.object, at.back), {at.position, out.normal}, shadow);
+        return out;
+    }
+    const RayElements<Real>& elements = (turned ? polygons.back : polygons.front)[o];
+    const std::size_t lights = lighting.lights.size();
+    const auto sum = [&](std::size_t element) {
+        Vec3<Real> intensity = elements.unshadowed[element];
+        for (std::size_t k = 0; k < lights; ++k) intensity += shadow[k] * elements.brackets[element * lights + k];
+        return intensity;
+    };
+    out.intensity = polygons.shading == Shading::Flat ? sum(triangle.polygon) : mean(sum);
+    return out;
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                 \
+    template PolygonShading<Real> makePolygonShading(const Scene&, const RayScene<Real>&, const RayLighting<Real>&); \
+    template ShadedPoint<Real> shadePolygon(const Scene&, const RayScene<Real>&, const RayLighting<Real>&,           \
+                                            const PolygonShading<Real>&, const SurfacePoint<Real>&,                  \
+                                            std::span<const Real>);
+SHADESCOPE_INSTANTIATE(double)
+SHADESCOPE_INSTANTIATE(long double)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline::rays
