@@ -19,6 +19,7 @@ struct Command {
 void declareExport(CLI::App& program, const CliHost& host, int& status);
 void declarePlan(CLI::App& program, const CliHost& host, int& status);
 void declareInspect(CLI::App& program, const CliHost& host, int& status);
+void declareStudy(CLI::App& program, const CliHost& host, int& status);
 void declareBench(CLI::App& program, const CliHost& host, int& status);
 void declareLesson(CLI::App& program, const CliHost& host, int& status);
 

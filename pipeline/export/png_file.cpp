@@ -2,8 +2,11 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <csetjmp>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,10 +36,16 @@ void describe(const ExportItem& item, Texts& texts) {
     }
 }
 
+// What is written, and where to.
+struct Picture8 {
+    std::size_t columns, rows;
+    std::function<void(std::size_t row, std::vector<Color8>& colors)> fill;
+    std::function<bool(std::span<const std::byte>)> put;  // false: give up
+};
+
 void append(png_structp png, png_bytep bytes, png_size_t size) {
-    auto& out = *static_cast<ByteFile*>(png_get_io_ptr(png));
-    out.write(std::as_bytes(std::span(bytes, size)));
-    if (!out.good()) png_error(png, "");
+    const auto& picture = *static_cast<const Picture8*>(png_get_io_ptr(png));
+    if (!picture.put(std::as_bytes(std::span(bytes, size)))) png_error(png, "");
 }
 void flush(png_structp) {}
 void fail(png_structp png, png_const_charp) { longjmp(png_jmpbuf(png), 1); }
@@ -44,22 +53,29 @@ void ignore(png_structp, png_const_charp) {}
 
 // libpng reports by longjmp: everything with a destructor lives in the caller. False when it
 // gave up.
-bool encode(png_structp png, png_infop info, const ExportItem& item, std::vector<Color8>& row, Texts& texts,
-            ByteFile& out) {
+bool encode(png_structp png, png_infop info, Picture8& picture, std::vector<Color8>& row, Texts* texts) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
-    const AnyBuffer& buffer = item.buffer;
-    png_set_write_fn(png, &out, append, flush);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(buffer.columns()), static_cast<png_uint_32>(buffer.rows()), 8,
+    png_set_write_fn(png, &picture, append, flush);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(picture.columns), static_cast<png_uint_32>(picture.rows), 8,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_set_text(png, info, texts.chunks.data(), static_cast<int>(texts.chunks.size()));
+    if (texts) png_set_text(png, info, texts->chunks.data(), static_cast<int>(texts->chunks.size()));
     png_write_info(png, info);
-    for (std::size_t y = 0; y < buffer.rows(); ++y) {
-        for (std::size_t x = 0; x < row.size(); ++x) row[x] = elementColor(buffer, x, y, item.range);
+    for (std::size_t y = 0; y < picture.rows; ++y) {
+        picture.fill(y, row);
         png_write_row(png, &row[0].x);
     }
     png_write_end(png, info);
     return true;
+}
+
+bool writePicture(Picture8 picture, Texts* texts) {
+    std::vector<Color8> row(picture.columns);
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    const bool encoded = info && encode(png, info, picture, row, texts);
+    png_destroy_write_struct(&png, &info);
+    return encoded;
 }
 
 }  // namespace
@@ -81,15 +97,31 @@ std::uint64_t pngEstimate(const AnyBuffer& buffer) { return 1000 + buffer.rows()
 
 Result<std::uint64_t> writePng(const ExportItem& item, const std::filesystem::path& file) {
     ByteFile out(file);
-    std::vector<Color8> row(item.buffer.columns());
     Texts texts;
     describe(item, texts);
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
-    png_infop info = png ? png_create_info_struct(png) : nullptr;
-    const bool encoded = info && out.good() && encode(png, info, item, row, texts, out);
-    png_destroy_write_struct(&png, &info);
+    const auto fill = [&](std::size_t y, std::vector<Color8>& row) {
+        for (std::size_t x = 0; x < row.size(); ++x) row[x] = elementColor(item.buffer, x, y, item.range);
+    };
+    const auto put = [&](std::span<const std::byte> bytes) {
+        out.write(bytes);
+        return out.good();
+    };
+    const bool encoded = out.good() && writePicture({item.buffer.columns(), item.buffer.rows(), fill, put}, &texts);
     if (!encoded && out.good()) return Error{{file.string()}, "could not write: the picture is too large for PNG", {}};
     return out.close();
+}
+
+std::string pngOf(const Buffer2D<Color8>& picture) {
+    std::string bytes;
+    const auto fill = [&](std::size_t y, std::vector<Color8>& row) {
+        std::copy_n(picture.pixels.begin() + std::ptrdiff_t(y * row.size()), row.size(), row.begin());
+    };
+    const auto put = [&](std::span<const std::byte> more) {
+        bytes.append(reinterpret_cast<const char*>(more.data()), more.size());
+        return true;
+    };
+    if (!writePicture({std::size_t(picture.size.x), std::size_t(picture.size.y), fill, put}, nullptr)) return {};
+    return bytes;
 }
 
 }  // namespace pipeline

@@ -1,4 +1,7 @@
 #pragma once
+#include <string>
+
+#include "pipeline/buffers/buffer2d.h"
 #include "pipeline/export/exporter.h"
 
 namespace pipeline {
@@ -7,6 +10,9 @@ namespace pipeline {
 // range stand in text chunks. Unbounded values as palette.h says.
 std::uint64_t pngEstimate(const AnyBuffer& buffer);
 Result<std::uint64_t> writePng(const ExportItem& item, const std::filesystem::path& file);
+
+// A picture in sRGB as the bytes of a PNG file; empty where it is too large for the format.
+std::string pngOf(const Buffer2D<Color8>& picture);
 
 // "ember", "slope", "eight", "verdict", "direction", "color".
 std::string_view paletteName(Palette palette);

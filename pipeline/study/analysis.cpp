@@ -225,4 +225,16 @@ std::optional<StudyLimits> middleOfFront(const StudyAnalysis& analysis) {
     return StudyLimits{*middle.error > 0 ? roundUp(*middle.error) : 0, roundUp(*middle.time)};
 }
 
+std::vector<ErrorChoice> choicesOf(const StudyReport& report) {
+    std::vector<ErrorChoice> choices;
+    for (const StudyPoint& point : report.points)
+        for (const ErrorRow& row : point.errors)
+            for (std::size_t kind = 0; kind < kErrorKinds; ++kind) {
+                const ErrorChoice choice{row.buffer, row.measure, static_cast<ErrorKind>(kind)};
+                if (row.value[kind] && isError(row.measure) && std::ranges::find(choices, choice) == choices.end())
+                    choices.push_back(choice);
+            }
+    return choices;
+}
+
 }  // namespace pipeline

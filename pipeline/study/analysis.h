@@ -55,6 +55,9 @@ struct StudyAnalysis {
 // False for a measure of which more is better, "PSNR" and "mean SSIM": it is no error, and has no place in a plot of one.
 bool isError(std::string_view measure);
 
+// The errors that at least one point has: what a plot can show, in the order of the points' rows.
+std::vector<ErrorChoice> choicesOf(const StudyReport& report);
+
 // The axis of numbers that is refined along a curve: the last one with at least two values, all of
 // them numbers. Every other axis makes methods.
 std::optional<std::size_t> refinedAxis(const std::vector<SweepAxis>& axes);

@@ -1,0 +1,14 @@
+#pragma once
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "pipeline/core/result.h"
+
+namespace app {
+
+// Runs this program once more with other arguments and waits for it; its output is ours. Gives its exit status, 128 +
+// the signal that ended it. When it is asked to stop it asks the other one to stop, too.
+pipeline::Result<int> runOurselves(const std::vector<std::string>& arguments, std::stop_token stop);
+
+}  // namespace app

@@ -1,0 +1,30 @@
+#pragma once
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace app {
+
+// How far long work is, on standard error: one line that is written over again on a terminal, and a
+// line every ten seconds where it is not one.
+class ProgressLine {
+public:
+    explicit ProgressLine(std::string what);
+    ~ProgressLine();  // leaves no half line behind
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    // `now` says what is being done; the time that is left is taken from the speed so far.
+    void show(std::size_t done, std::size_t all, std::string_view now = {});
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::string m_what;
+    bool m_terminal, m_shown = false;
+    Clock::time_point m_start, m_last;
+};
+
+// "about 4 s", "about 3 min", for people.
+std::string timeLeftText(double seconds);
+
+}  // namespace app

@@ -1,0 +1,234 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+
+#include "app/cli/commands.h"
+#include "app/cli/frame_argument.h"
+#include "app/cli/scene_argument.h"
+#include "app/cli/study_folder.h"
+#include "app/cli/study_job.h"
+#include "pipeline/core/text.h"
+#include "pipeline/export/study_pictures.h"
+
+namespace app {
+
+namespace {
+
+constexpr std::size_t kPictures = 4;  // of points on the front, in the report
+
+struct StudyOptions {
+    SceneArgument scene;
+    std::vector<std::string> sweeps;
+    std::string folder, error, shard;
+    double errorLimit = 0, timeLimit = 0;
+    int threads = 1, warmups = 2, repeats = 20, processes = 3;
+    bool restart = false, json = false;
+    std::string timesInto, timesOf;  // of a process that takes times for another one
+    std::vector<std::string> parts;  // of study merge
+};
+
+// "3/16": the third of sixteen.
+std::optional<glm::ivec2> parseShard(const std::string& text) {
+    if (text.empty()) return glm::ivec2(1, 1);
+    const auto pair = parsePair(text, '/');
+    if (!pair || pair->x < 1 || pair->y < pair->x || pair->y > int(pipeline::kMaxStudyPoints)) return std::nullopt;
+    return pair;
+}
+
+// "normal:mean angle:model"; the kind may be missing: model.
+std::optional<pipeline::ErrorChoice> parseChoice(const std::string& text) {
+    const auto first = text.find(':'), last = text.rfind(':');
+    if (first == text.npos) return std::nullopt;
+    pipeline::ErrorChoice choice{text.substr(0, first), {}, pipeline::ErrorKind::Model};
+    choice.measure = text.substr(first + 1, last == first ? text.npos : last - first - 1);
+    if (last == first) return choice;
+    for (std::size_t kind = 0; kind < pipeline::kErrorKinds; ++kind) {
+        choice.kind = static_cast<pipeline::ErrorKind>(kind);
+        if (name(choice.kind) == std::string_view(text).substr(last + 1)) return choice;
+    }
+    return std::nullopt;
+}
+
+// What the same study takes as arguments, for a process that takes its times.
+std::vector<std::string> argumentsOf(const StudyOptions& options) {
+    std::vector<std::string> arguments{"study", options.scene.scene};
+    const auto add = [&](const char* name, const std::string& value) {
+        arguments.insert(arguments.end(), {name, value});
+    };
+    for (const std::string& set : options.scene.set) add("--set", set);
+    if (!options.scene.size.empty()) add("--size", options.scene.size);
+    if (options.scene.noLeaveOut) arguments.emplace_back("--no-leave-out");
+    for (const std::string& sweep : options.sweeps) add("--sweep", sweep);
+    if (!options.shard.empty()) add("--shard", options.shard);
+    add("-o", options.folder);
+    add("--threads", std::to_string(options.threads));
+    add("--warm-up", std::to_string(options.warmups));
+    add("--repeat", std::to_string(options.repeats));
+    return arguments;
+}
+
+int wrongUsage(const std::string& message) {
+    fmt::print(stderr, "shadescope study: {}\n", message);
+    return kWrongUsage;
+}
+
+// The error that was asked for, or the first of those there are where nothing was.
+std::string chooseError(const StudyOptions& options, pipeline::StudyReport& report) {
+    const std::vector<pipeline::ErrorChoice> there = choicesOf(report);
+    if (there.empty() || std::ranges::find(there, report.choice) != there.end()) return {};
+    if (options.error.empty()) {
+        const auto same = std::ranges::find_if(there, [&](const pipeline::ErrorChoice& one) {
+            return one.buffer == report.choice.buffer && one.measure == report.choice.measure;
+        });
+        report.choice = same == there.end() ? there.front() : *same;
+        return {};
+    }
+    std::vector<std::string> names;
+    for (const pipeline::ErrorChoice& one : there)
+        names.push_back(fmt::format("{}:{}:{}", one.buffer, one.measure, name(one.kind)));
+    return fmt::format("--error {}: no point has this error; there are\n  {}", pipeline::inQuotes(options.error),
+                       fmt::join(names, "\n  "));
+}
+
+int runStudyCommand(const StudyOptions& options) {
+    if (options.scene.scene.empty()) return wrongUsage("SCENE is missing");
+    if (options.folder.empty()) return wrongUsage("-o needs the name of a folder");
+    if (options.sweeps.empty()) {
+        std::string names;
+        for (const pipeline::NamedSweep& named : pipeline::namedSweeps())
+            names += fmt::format("\n  {:<12} {}", named.name, named.meaning);
+        return wrongUsage("--sweep is missing: KEY=VALUE,VALUE,... or one of" + names);
+    }
+    const auto shard = parseShard(options.shard);
+    if (!shard)
+        return wrongUsage(
+            fmt::format("--shard is {}, expected I/N with I from 1 to N", pipeline::inQuotes(options.shard)));
+
+    const Interrupt interrupt;
+    int status = kDone;
+    StudyJob job;
+    job.request.scene = loadScene(options.scene, status);
+    if (!job.request.scene) return status;
+    auto sweep = parseSweeps(*job.request.scene, options.sweeps);
+    if (!sweep) {
+        printErrors(sweep.errors());
+        return kWrongUsage;
+    }
+    job.request.sweep = std::move(sweep).value();
+    if (!options.error.empty()) {
+        job.request.choice = parseChoice(options.error);
+        if (!job.request.choice)
+            return wrongUsage(fmt::format("--error is {}, expected BUFFER:MEASURE or BUFFER:MEASURE:KIND",
+                                          pipeline::inQuotes(options.error)));
+    }
+    job.request.threads = options.threads, job.request.warmups = options.warmups, job.request.repeats = options.repeats;
+    job.request.shard = std::size_t(shard->x - 1), job.request.shards = std::size_t(shard->y);
+    if (!options.timesInto.empty()) return takeTimes(job.request, options.timesInto, options.timesOf, interrupt);
+
+    job.processes = options.processes, job.folder = options.folder, job.restart = options.restart;
+    job.arguments = argumentsOf(options);
+    auto report = runStudy(job, interrupt, status);
+    if (!report) return status;
+    if (const std::string wrong = chooseError(options, *report); !wrong.empty()) return wrongUsage(wrong);
+    if (job.request.shards > 1) {
+        const auto file = studyFile(job.folder, job.request);
+        if (const auto written = writeJson(*report, file); !written) {
+            printErrors(written.errors());
+            return kCouldNotWrite;
+        }
+        fmt::print(stderr, "{} of {} points are in {}\n", report->points.size(), pointCount(report->axes),
+                   file.string());
+    } else {
+        const auto pictures = frontPictures(job.request, *report, kPictures, interrupt.token());
+        status = reportStudy(*report, {options.errorLimit, options.timeLimit}, pictures, options.folder, options.json);
+    }
+    std::error_code ignored;
+    if (status == kDone) std::filesystem::remove(partFile(job.folder, job.request), ignored);
+    return status;
+}
+
+int runMerge(const StudyOptions& options) {
+    if (options.folder.empty()) return wrongUsage("-o needs the name of a folder");
+    std::vector<pipeline::StudyReport> parts;
+    for (const std::string& file : options.parts) {
+        auto part = readStudy(file);
+        if (!part) {
+            printErrors(part.errors());
+            return kBadInput;
+        }
+        parts.push_back(std::move(part).value());
+    }
+    const auto merged = mergeStudies(std::move(parts));
+    if (!merged) {
+        printErrors(merged.errors());
+        return kBadInput;
+    }
+    if (const std::size_t missing = missingPoints(*merged); missing > 0)
+        fmt::print(stderr, "{} of {} points are missing: a part of the study has not been given.\n", missing,
+                   pointCount(merged->axes));
+    return reportStudy(*merged, {options.errorLimit, options.timeLimit}, {}, options.folder, options.json);
+}
+
+void declareReport(CLI::App& command, StudyOptions& options) {
+    command.add_option("-o,--output", options.folder, "The folder to write into; made when it is missing")
+        ->type_name("DIR");
+    command.add_option("--within", options.errorLimit, "Name the cheapest setting with at most this error")
+        ->type_name("ERROR")
+        ->check(CLI::PositiveNumber);
+    command.add_option("--in", options.timeLimit, "Name the best setting within this time")
+        ->type_name("MS")
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--json", options.json, "Print the whole study as JSON instead of a table");
+}
+
+}  // namespace
+
+void declareStudy(CLI::App& program, const CliHost&, int& status) {
+    const auto options = std::make_shared<StudyOptions>();
+    CLI::App* command = program.add_subcommand("study", "Measure error against run time over a sweep of settings");
+    declareSceneArgument(*command, options->scene);
+    command->get_option("SCENE")->required(false);
+    declareReport(*command, *options);
+    command
+        ->add_option("--sweep", options->sweeps,
+                     "KEY=VALUE,VALUE,... or KEY=FIRST..LAST*FACTOR, once for each setting; or a ready-made sweep: "
+                     "shading, depth, shadow, specular, precision, normals")
+        ->type_name("SWEEP")
+        ->allow_extra_args(false);
+    command->add_option("--error", options->error, "The error to plot, as in normal:RMSE:model")
+        ->type_name("BUFFER:MEASURE:KIND");
+    command->add_option("--threads", options->threads, "Threads of the frames whose time is taken; 0: all")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    const auto number = [&](const char* name, int& value, int least, const char* meaning) {
+        command->add_option(name, value, meaning)
+            ->type_name("N")
+            ->check(CLI::Range(least, 100000))
+            ->capture_default_str();
+    };
+    number("--repeat", options->repeats, 1, "Frames of every point that are measured, in each process");
+    number("--warm-up", options->warmups, 0, "Frames before them that are not");
+    number("--processes", options->processes, 1, "Processes that take the times one after the other");
+    command->add_option("--shard", options->shard, "Only the I-th of N parts of the points; join them by study merge")
+        ->type_name("I/N");
+    command->add_flag("--restart", options->restart,
+                      "Begin anew where an earlier study of this folder was interrupted");
+    command->add_option("--times-into", options->timesInto)->group("");  // of the processes that take times
+    command->add_option("--times-of", options->timesOf)->group("");
+
+    const auto mergeOptions = std::make_shared<StudyOptions>();
+    CLI::App* merge = command->add_subcommand("merge", "Join the parts of a study that was shared out");
+    merge->add_option("FILE", mergeOptions->parts, "study-I-of-N.json, or study.json of the same study")
+        ->required()
+        ->type_name("");
+    declareReport(*merge, *mergeOptions);
+    merge->callback([mergeOptions, &status] { status = runMerge(*mergeOptions); });
+    command->callback([command, merge, options, &status] {
+        if (!command->got_subcommand(merge)) status = runStudyCommand(*options);
+    });
+}
+
+}  // namespace app

@@ -1,0 +1,158 @@
+#include "app/cli/study_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/cli/child_process.h"
+#include "app/cli/cli.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/scene_argument.h"
+#include "app/cli/study_folder.h"
+#include "pipeline/export/study_files.h"
+#include "pipeline/export/study_json.h"
+#include "pipeline/export/study_text.h"
+#include "pipeline/study/machine.h"
+
+namespace app {
+
+namespace fs = std::filesystem;
+using pipeline::StudyPoint;
+using pipeline::StudyReport;
+
+namespace {
+
+std::string valuesText(const StudyPoint& point) { return fmt::format("{}", fmt::join(point.values, ", ")); }
+
+bool isFound(const StudyPoint& point) { return !point.failure.empty() || !point.errors.empty(); }
+
+struct Run {
+    const StudyJob& job;
+    const Interrupt& interrupt;
+    int& status;
+    StudyReport report;
+
+    fs::path part() const { return partFile(job.folder, job.request); }
+
+    bool keep() {
+        const auto written = writeJson(report, part());
+        if (written) return true;
+        printErrors(written.errors());
+        status = kCouldNotWrite;
+        return false;
+    }
+    bool cancelled() {
+        fmt::print(stderr, "Cancelled. The same command goes on from here; what there is stands in {}\n",
+                   part().string());
+        status = kInterrupted;
+        return false;
+    }
+
+    bool begin() {
+        report = beginStudy(job.request);
+        report.processes = job.processes;
+        if (job.restart) return true;
+        auto before = resumed(job.folder, job.request);
+        if (!before) {
+            printErrors(before.errors());
+            status = kBadInput;
+            return false;
+        }
+        if (!*before) return true;
+        report = **before;
+        report.processes = job.processes;
+        fmt::print(stderr, "Goes on: {} of {} points have their errors, {} of {} processes their times.\n",
+                   std::ranges::count_if(report.points, isFound), report.points.size(), report.load.size(),
+                   job.processes);
+        return true;
+    }
+
+    bool findErrors() {
+        pipeline::ErrorFinder finder(job.request);
+        ProgressLine progress("Errors");
+        const auto all = report.points.size();
+        for (StudyPoint& point : report.points) {
+            if (isFound(point)) continue;
+            progress.show(std::size_t(std::ranges::count_if(report.points, isFound)), all, valuesText(point));
+            if (!finder.find(point, report, interrupt.token())) return cancelled();
+            if (!keep()) return false;
+        }
+        return true;
+    }
+
+    bool measure() {
+        // In the folder, where there is room for it; gone when it has been read.
+        const fs::path times = job.folder / fmt::format("times-{}.json", job.request.shard);
+        for (int process = static_cast<int>(report.load.size()); process < job.processes; ++process) {
+            std::vector<std::string> arguments = job.arguments;
+            arguments.insert(arguments.end(), {"--times-into", times.string(), "--times-of",
+                                               fmt::format("{} of {}", process + 1, job.processes)});
+            const auto ended = runOurselves(arguments, interrupt.token());
+            if (!ended) {
+                printErrors(ended.errors());
+                status = kCouldNotWrite;
+                return false;
+            }
+            if (interrupt.asked() || *ended == kInterrupted) return cancelled();
+            auto measured =
+                *ended == kDone ? readStudy(times) : pipeline::Error{{}, "a process that took times ended early", {}};
+            std::error_code ignored;
+            fs::remove(times, ignored);
+            if (!measured) {
+                printErrors(measured.errors());
+                status = kCouldNotWrite;
+                return false;
+            }
+            addTimes(*measured, report);
+            if (!keep()) return false;
+        }
+        return true;
+    }
+};
+
+}  // namespace
+
+std::optional<StudyReport> runStudy(const StudyJob& job, const Interrupt& interrupt, int& status) {
+    Run run{job, interrupt, status, {}};
+    if (!run.begin() || !run.findErrors() || !run.measure()) return std::nullopt;
+    return std::move(run.report);
+}
+
+int takeTimes(const pipeline::StudyRequest& request, const fs::path& file, const std::string& which,
+              const Interrupt& interrupt) {
+    StudyReport report = beginStudy(request);
+    report.processes = 1;
+    report.load = {pipeline::loadAverage()};
+    {
+        ProgressLine progress(which.empty() ? "Times" : "Times, process " + which);
+        const auto show = [&](int done, int all) { progress.show(std::size_t(done), std::size_t(all), "rounds"); };
+        if (!measureTimes(request, report.points, show, interrupt.token())) return kInterrupted;
+    }
+    if (const auto written = writeJson(report, file); !written) {
+        printErrors(written.errors());
+        return kCouldNotWrite;
+    }
+    return kDone;
+}
+
+int reportStudy(const StudyReport& report, pipeline::StudyLimits limits,
+                const std::vector<pipeline::StudyPictures>& pictures, const fs::path& folder, bool json) {
+    const pipeline::StudyAnalysis analysis = analyse(report, report.choice);
+    const auto middle = middleOfFront(analysis).value_or(pipeline::StudyLimits());
+    if (limits.error == 0) limits.error = middle.error;
+    if (limits.milliseconds == 0) limits.milliseconds = middle.milliseconds;
+    const auto written = writeStudyFiles(report, analysis, limits, pictures, folder);
+    if (!written) {
+        printErrors(written.errors());
+        return kCouldNotWrite;
+    }
+    if (json)
+        fmt::print("{}", studyFileText(report));
+    else
+        fmt::print("{}", studyText(report, analysis, limits));
+    fmt::print(stderr, "{} are in {}\n", fmt::join(*written, ", "), folder.string());
+    return kDone;
+}
+
+}  // namespace app

@@ -1,0 +1,186 @@
+#include "pipeline/study/run_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pipeline/core/version.h"
+#include "pipeline/run/runner.h"
+#include "pipeline/study/blame.h"
+#include "pipeline/study/errors.h"
+#include "pipeline/study/machine.h"
+#include "pipeline/study/ray_caster.h"
+
+namespace pipeline {
+namespace {
+
+std::map<std::string, std::string> settingsBeside(const Scene& scene, const std::vector<SweepAxis>& axes) {
+    std::map<std::string, std::string> settings;
+    for (const SettingRef& ref : settingsOf(scene)) settings[ref.key()] = formatSetting(ref, ref.get(scene));
+    for (const SweepAxis& axis : axes) {
+        const auto swept = sweptSettings(scene, axis.key);
+        for (const SettingRef& ref : *swept) settings.erase(ref.key());
+    }
+    return settings;
+}
+
+// Of one frame, from nothing.
+FramePtr frameOf(const Scene& scene, BufferSet wanted, int threads, std::stop_token stop) {
+    return runFrame(std::make_shared<const Scene>(scene), {wanted, StageId::Shading, threads, std::move(stop)},
+                    nullptr);
+}
+
+FramePtr frameInQuad(Scene scene, BufferSet wanted, std::stop_token stop) {
+    scene.settings.precision = Precision::Quad;
+    return frameOf(scene, wanted, 0, std::move(stop));
+}
+
+void addCounters(const Frame& frame, StudyPoint& point) {
+    for (const StageId stage : kStages)
+        for (const Tally& tally : frame.run(stage).tallies) point.counters[std::string(tally.what)] += tally.done;
+    double bytes = 0;
+    for (const AnyBuffer& buffer : frame.buffers())
+        bytes += std::visit([](const auto& numbers) { return double(numbers.size_bytes()); }, buffer.data);
+    point.megabytes = bytes / 1e6;
+}
+
+// What no reference reads takes its default: scenes with an equal rest have the same one.
+Scene referenceKey(Scene scene, RaySurfaces surfaces) {
+    const Settings own = scene.settings;
+    Settings& s = scene.settings;
+    s = {};
+    s.width = own.width, s.height = own.height, s.cull = own.cull, s.model = own.model;
+    s.exponentFactor = own.exponentFactor, s.localViewer = own.localViewer, s.twoSided = own.twoSided;
+    s.visibility = own.visibility;
+    if (surfaces == RaySurfaces::Polygons) {
+        s.normalWeight = own.normalWeight;
+        return scene;
+    }
+    for (Object& object : scene.objects)
+        if (object.shape) object.mesh = nullptr, object.shape->tessellation = 1;
+    return scene;
+}
+
+}  // namespace
+
+StudyReport beginStudy(const StudyRequest& request) {
+    StudyReport report;
+    const Scene& scene = *request.scene;
+    report.scene = scene.name, report.file = scene.file, report.version = programVersion();
+    report.width = scene.settings.width, report.height = scene.settings.height;
+    report.threads = request.threads, report.warmups = request.warmups, report.repeats = request.repeats;
+    report.machine = machineName(), report.compiler = compilerName();
+    report.settings = settingsBeside(scene, request.sweep.axes);
+    report.axes = request.sweep.axes;
+    report.choice = request.choice.value_or(request.sweep.choice.value_or(ErrorChoice()));
+    for (std::size_t i = request.shard; i < pointCount(report.axes); i += request.shards) {
+        StudyPoint& point = report.points.emplace_back();
+        point.number = i, point.values = valuesOf(report.axes, i);
+        if (const auto at = sceneAt(scene, report.axes, point.values); !at) point.failure = at.errors().front().found;
+    }
+    return report;
+}
+
+std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene, StudyReport* report,
+                                                             std::stop_token stop) {
+    Scene shaded = scene;
+    RaySurfaces surfaces = RaySurfaces::Exact;
+    std::string why = whyNoRays(scene, surfaces);
+    if (!why.empty()) {  // then at least its own polygons, shaded pixel by pixel
+        surfaces = RaySurfaces::Polygons;
+        shaded.settings.shading = Shading::Phong, shaded.settings.interpolation = Interpolation::Perspective;
+        if (const std::string none = whyNoRays(shaded, surfaces); !none.empty()) {
+            if (report) report->whyNone[index(ErrorKind::Model)] = none;
+            return nullptr;
+        }
+    }
+    Scene key = referenceKey(shaded, surfaces);
+    if (!m_reference || !(key == m_referenceKey)) {
+        auto found = rayCast(shaded, surfaces, 0, std::move(stop));
+        if (!found) return nullptr;
+        m_reference = std::make_shared<const Reference>(std::move(*found));
+        m_referenceKey = std::move(key);
+    }
+    if (report) {
+        const std::size_t model = index(ErrorKind::Model);
+        report->references[model] = m_reference->name;
+        report->whyNone[model] = why.empty() ? "" : fmt::format("the true surfaces are not known: {}", why);
+        report->errorBars[model] = std::max(report->errorBars[model], m_reference->errorBar);
+        report->errorWhy = m_reference->errorWhy;
+    }
+    return m_reference;
+}
+
+bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token stop) {
+    const auto scene = sceneAt(*m_request.scene, report.axes, point.values);
+    if (!scene) {
+        point.failure = scene.errors().front().found;
+        return true;
+    }
+    const BufferSet wanted = errorsNeed();
+    const FramePtr frame = frameOf(*scene, wanted, 0, stop);
+    if (!frame) return false;
+    addCounters(*frame, point);
+
+    const std::size_t arithmetic = index(ErrorKind::Arithmetic);
+    FramePtr exact;
+    if (scene->settings.precision != Precision::Quad) {
+        exact = frameInQuad(*scene, wanted, stop);
+        if (!exact) return false;
+        report.references[arithmetic] = "the same stages in quad, 113 bits";
+    }
+    report.references[index(ErrorKind::Storage)] = "what was to be stored, unrounded";
+    const auto reference = modelReference(*scene, &report, stop);
+    if (stop.stop_requested()) return false;
+    const Picture ours = pictureOf(*frame);
+    point.errors = compare(*frame, ours, {reference ? &reference->picture : nullptr, exact.get()});
+    if (reference) point.blame = blame(*scene, ours, reference->picture);
+    return true;
+}
+
+std::optional<PointPictures> ErrorFinder::show(const StudyPoint& point, std::stop_token stop) {
+    const auto scene = sceneAt(*m_request.scene, m_request.sweep.axes, point.values);
+    if (!scene) return std::nullopt;
+    const FramePtr frame = frameOf(*scene, errorsNeed(), 0, stop);
+    if (!frame) return std::nullopt;
+    PointPictures shown{frame, pictureOf(*frame), modelReference(*scene, nullptr, stop)};
+    if (stop.stop_requested()) return std::nullopt;
+    return shown;
+}
+
+bool measureTimes(const StudyRequest& request, std::span<StudyPoint> points,
+                  const std::function<void(int done, int all)>& progress, std::stop_token stop) {
+    struct Running {
+        StudyPoint* point;
+        std::shared_ptr<const Scene> scene;
+        std::vector<double> frame;
+        std::array<std::vector<double>, kStageCount> stages;
+    };
+    std::vector<Running> all;
+    for (StudyPoint& point : points) {
+        if (!point.failure.empty()) continue;
+        const auto scene = sceneAt(*request.scene, request.sweep.axes, point.values);
+        if (scene) all.push_back({&point, std::make_shared<const Scene>(*scene), {}, {}});
+    }
+    const int rounds = request.warmups + request.repeats;
+    for (int round = 0; round < rounds; ++round) {
+        for (Running& one : all) {
+            const FramePtr frame = runFrame(one.scene, {{}, StageId::Shading, request.threads, stop}, nullptr);
+            if (!frame) return false;
+            if (round < request.warmups) continue;
+            one.frame.push_back(frame->milliseconds());
+            for (const StageId stage : kStages)
+                if (frame->plan()[index(stage)].action == Action::Run)
+                    one.stages[index(stage)].push_back(frame->run(stage).milliseconds);
+        }
+        if (progress) progress(round + 1, rounds);
+    }
+    for (Running& one : all) {
+        one.point->frame.processes.push_back(std::move(one.frame));
+        for (std::size_t i = 0; i < kStageCount; ++i)
+            if (!one.stages[i].empty()) one.point->stages[i].processes.push_back(std::move(one.stages[i]));
+    }
+    return true;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,109 @@
+// shadescope study: reports, shards and their merge, going on after an interruption, what is refused.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/cli/run_program.h"
+#include "tests/support/files.h"
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+std::vector<std::string> studyOf(const fs::path& folder, std::vector<std::string> more) {
+    std::vector<std::string> arguments{
+        "study", "flat_gouraud_phong", "--sweep", "shading=flat,phong", "--sweep", "tessellation=2..4*2", "--size",
+        "48x36", "--repeat",           "2",       "--warm-up",          "0",       "--processes",         "1",
+        "-o",    folder.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+Json read(const fs::path& file) {
+    std::ifstream in(file);
+    return Json::parse(in);
+}
+
+// The study without what a clock says.
+Json withoutTimes(Json study) {
+    for (const char* member : {"load", "processes"}) study.erase(member);
+    for (Json& point : study["points"]) point.erase("frame"), point.erase("stages");
+    return study;
+}
+
+TEST(StudyCommand, writesEveryReport) {
+    const test::TemporaryFolder folder;
+    const auto done = test::run(studyOf(folder.path(), {}));
+    ASSERT_EQ(done.status, 0) << done.err;
+    for (const char* name : {"study.json", "study.csv", "report.html", "plot.svg", "plot.png"})
+        EXPECT_TRUE(fs::exists(folder.path() / name)) << name;
+    EXPECT_FALSE(fs::exists(folder.path() / "study.part.json"));
+    EXPECT_NE(done.out.find("on the front"), std::string::npos) << done.out;
+    const Json study = read(folder.path() / "study.json");
+    ASSERT_EQ(study["points"].size(), 4u);
+    for (const Json& point : study["points"]) {
+        EXPECT_FALSE(point["errors"].empty());
+        EXPECT_EQ(point["frame"].dump().find("null"), std::string::npos);
+    }
+}
+
+// Errors and counters depend on the point alone, not on who computes it with what others.
+TEST(StudyCommand, shardsMergeToTheSameStudy) {
+    const test::TemporaryFolder whole, parts, merged;
+    ASSERT_EQ(test::run(studyOf(whole.path(), {})).status, 0);
+    ASSERT_EQ(test::run(studyOf(parts.path(), {"--shard", "1/3"})).status, 0);
+    ASSERT_EQ(test::run(studyOf(parts.path(), {"--shard", "2/3"})).status, 0);
+    ASSERT_EQ(test::run(studyOf(parts.path(), {"--shard", "3/3"})).status, 0);
+    const auto part = [&](const char* name) { return (parts.path() / name).string(); };
+    const auto done = test::run({"study", "merge", part("study-3-of-3.json"), part("study-1-of-3.json"),
+                                 part("study-2-of-3.json"), "-o", merged.path().string()});
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(withoutTimes(read(merged.path() / "study.json")), withoutTimes(read(whole.path() / "study.json")));
+
+    const auto less = test::run(
+        {"study", "merge", part("study-1-of-3.json"), part("study-2-of-3.json"), "-o", merged.path().string()});
+    EXPECT_EQ(less.status, 0);
+    EXPECT_NE(less.err.find("1 of 4 points are missing"), std::string::npos) << less.err;
+}
+
+TEST(StudyCommand, goesOnWhereItWasInterrupted) {
+    const test::TemporaryFolder folder, whole;
+    auto arguments = studyOf(folder.path(), {});
+    for (std::string& argument : arguments)
+        if (argument == "2" && &argument != &arguments.front())
+            argument = "4000";  // repeats: long enough to be stopped
+    const auto stopped = test::runAndInterrupt(arguments, 1500);
+    ASSERT_EQ(stopped.status, 130) << stopped.err;
+    ASSERT_TRUE(fs::exists(folder.path() / "study.part.json"));
+    EXPECT_FALSE(fs::exists(folder.path() / "study.json"));
+    const auto refused = test::run(studyOf(folder.path(), {}));
+    EXPECT_EQ(refused.status, 3);
+    EXPECT_NE(refused.err.find("another study"), std::string::npos) << refused.err;
+    const auto again = test::run(studyOf(folder.path(), {"--restart"}));
+    EXPECT_EQ(again.status, 0) << again.err;
+}
+
+TEST(StudyCommand, saysWhatIsWrong) {
+    const test::TemporaryFolder folder;
+    const auto message = [&](std::vector<std::string> more, int status) {
+        std::vector<std::string> arguments{"study", "pyramid", "-o", (folder.path() / "out").string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const auto done = test::run(arguments);
+        EXPECT_EQ(done.status, status) << done.err;
+        EXPECT_FALSE(fs::exists(folder.path() / "out"));
+        return done.err;
+    };
+    EXPECT_NE(message({}, 2).find("--sweep is missing"), std::string::npos);
+    EXPECT_NE(message({"--sweep", "shadng=flat"}, 2).find("the nearest is \"shading\""), std::string::npos);
+    EXPECT_NE(message({"--sweep", "shading", "--shard", "4/3"}, 2).find("I from 1 to N"), std::string::npos);
+    EXPECT_NE(message({"--sweep", "shading", "--error", "color"}, 2).find("BUFFER:MEASURE"), std::string::npos);
+    const auto merge = test::run({"study", "merge", "/nonexistent.json", "-o", folder.path().string()});
+    EXPECT_EQ(merge.status, 3);
+    EXPECT_NE(merge.err.find("/nonexistent.json: could not read"), std::string::npos) << merge.err;
+}
+
+}  // namespace
