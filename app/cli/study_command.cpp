@@ -194,7 +194,7 @@ void declareStudy(CLI::App& program, const CliHost&, int& status) {
     command
         ->add_option("--sweep", options->sweeps,
                      "KEY=VALUE,VALUE,... or KEY=FIRST..LAST*FACTOR, once for each setting; or a ready-made sweep: "
-                     "shading, depth, shadow, specular, precision, normals")
+                     "shading, depth, shadow, specular, precision, antialiasing, normals")
         ->type_name("SWEEP")
         ->allow_extra_args(false);
     command->add_option("--error", options->error, "The error to plot, as in normal:RMSE:model")

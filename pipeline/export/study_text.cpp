@@ -116,7 +116,8 @@ std::string referenceText(const StudyReport& report, ErrorKind kind) {
         return fmt::format("{}: none{}{}", name(kind), why.empty() ? "" : ". ", why);
     }
     std::string text = fmt::format("{}: {}", name(kind), report.references[k]);
-    if (report.errorBars[k] > 0) text += fmt::format(", itself within {}", errorText(report.errorBars[k]));
+    if (report.errorBars[k] > 0)
+        text += fmt::format(", intensities within {} of I_max", errorText(report.errorBars[k]));
     if (kind == ErrorKind::Model && !report.errorWhy.empty()) text += fmt::format(" ({})", report.errorWhy);
     return text;
 }

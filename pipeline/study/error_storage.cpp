@@ -45,9 +45,9 @@ double stepAt(DepthFormat format, double d) {
 
 using Bytes = std::vector<std::array<int, 3>>;
 
-Bytes bytesOf(const Picture& picture, double white) {
+Bytes bytesOf(const Buffer2D<Vec3d>& picture, double white) {
     Bytes bytes;
-    for (const Vec3d& intensity : picture.intensity.pixels) {
+    for (const Vec3d& intensity : picture.pixels) {
         std::array<int, 3> pixel{};
         for (int c = 0; c < 3; ++c) {
             const double share = white > 0 ? std::clamp(intensity[c] / white, 0.0, 1.0) : 0;
@@ -137,9 +137,9 @@ void addDepthStorage(const Frame& frame, const Picture& ours, ErrorRows& rows) {
 void addColorStorage(const Frame& frame, ErrorRows& rows) {
     const auto color = frame.buffer({BufferId::Color});
     const double white = whiteOf(frame.scene());
-    // What is scaled to 255: with several samples a pixel their mean. Of translucent layers no buffer holds the sum.
+    // What is scaled to 255: with several samples a pixel their mean.
     auto linear = frame.buffer({BufferId::Antialiased});
-    if (!linear && translucentSides(frame.scene()).empty()) linear = frame.buffer({BufferId::Intensity});
+    if (!linear) linear = frame.buffer({BufferId::Intensity});
     if (!color || !linear || !(white > 0)) return;
     std::vector<double> steps;
     for (std::size_t i = 0; i < color->count(); ++i)
@@ -153,9 +153,11 @@ void addColorStorage(const Frame& frame, ErrorRows& rows) {
 
 void addColor(const Frame& frame, const Picture& reference, ErrorRows& rows) {
     const auto color = frame.buffer({BufferId::Color});
-    // A reference knows the pixels' centres: it says nothing of the mean of several samples.
-    if (!color || reference.intensity.empty() || frame.scene().settings.antialiasing > 1) return;
-    addBytes(bytesOf(*color), bytesOf(reference, whiteOf(frame.scene())), reference.size, ErrorKind::Model, rows);
+    // What is seen at the pixels' centres says nothing of the mean of several samples.
+    const bool whole = frame.scene().settings.antialiasing > 1;
+    const Buffer2D<Vec3d>& shown = whole ? reference.antialiased : reference.intensity;
+    if (!color || shown.empty()) return;
+    addBytes(bytesOf(*color), bytesOf(shown, whiteOf(frame.scene())), reference.size, ErrorKind::Model, rows);
 }
 
 void addColor(const Frame& frame, const Frame& reference, ErrorRows& rows) {

@@ -114,6 +114,18 @@ void addIntensity(const Picture& ours, const Picture& reference, const Same& sam
     rows.put({BufferId::Intensity}, "largest relative", "", kind, relative);
 }
 
+// Over the whole picture: the background next to an edge has its share, too.
+void addAntialiased(const Picture& ours, const Picture& reference, double white, ErrorKind kind, ErrorRows& rows) {
+    if (ours.antialiased.empty() || reference.antialiased.empty() || !(white > 0)) return;
+    std::vector<double> sizes;
+    for (std::size_t i = 0; i < ours.antialiased.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            sizes.push_back(std::abs(ours.antialiased.pixels[i][c] - reference.antialiased.pixels[i][c]) / white);
+    const ErrorSpread spread = spreadOf(std::move(sizes));
+    rows.put({BufferId::Antialiased}, "RMSE", "of white", kind, spread.rmse);
+    rows.put({BufferId::Antialiased}, "largest", "of white", kind, spread.largest);
+}
+
 void addPictures(const Frame& frame, const Picture& ours, const Picture& reference, const Same& same, ErrorKind kind,
                  ErrorRows& rows) {
     addCoverage(ours, reference, kind, rows);
@@ -121,6 +133,7 @@ void addPictures(const Frame& frame, const Picture& ours, const Picture& referen
     addNormals(ours, reference, same, kind, rows);
     addShadows(frame.scene(), ours, reference, same, kind, rows);
     addIntensity(ours, reference, same, whiteOf(frame.scene()), kind, rows);
+    addAntialiased(ours, reference, whiteOf(frame.scene()), kind, rows);
 }
 
 // What stages leave before there are pixels, against the same stages in a wider arithmetic.
@@ -244,6 +257,7 @@ Picture pictureOf(const Frame& frame) {
     fill(frame, {BufferId::Position}, size, picture.position);
     fill(frame, {BufferId::Normal}, size, picture.normal);
     fill(frame, {BufferId::Intensity}, size, picture.intensity);
+    fill(frame, {BufferId::Antialiased}, size, picture.antialiased);
     picture.shadow.resize(frame.scene().lights.size());
     for (std::size_t k = 0; k < picture.shadow.size(); ++k)
         fill(frame, {BufferId::Shadow, int(k)}, size, picture.shadow[k]);

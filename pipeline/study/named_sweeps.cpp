@@ -64,6 +64,8 @@ Texts precisionSweep(const Scene& scene) {
     return {"precision=float,double,extended", "shading=flat,gouraud,phong"};
 }
 
+Texts antialiasingSweep(const Scene&) { return {"antialiasing=1..8*2"}; }
+
 Texts normalsSweep(const Scene& scene) {
     if (!hasCurvedShape(scene)) return {};
     return {"normal_weight=mean,area,angle,given", kPieces, "shading=phong"};
@@ -87,6 +89,11 @@ const std::array kSweeps = std::to_array<NamedSweep>({
      specularSweep,
      "a material with k_s above 0"},
     {"precision", "What the stages compute in.", {"intensity", "RMSE", ErrorKind::Arithmetic}, precisionSweep, {}},
+    {"antialiasing",
+     "More and more samples a pixel.",
+     {"antialiased", "RMSE", ErrorKind::Model},
+     antialiasingSweep,
+     {}},
     {"normals",
      "How vertex normals are weighted.",
      {"normal", "mean angle", ErrorKind::Model},

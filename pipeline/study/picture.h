@@ -18,6 +18,7 @@ struct Picture {
     Buffer2D<Vec3d> normal;                // world space, unit; 0 where nothing is seen
     std::vector<Buffer2D<double>> shadow;  // per light, S_k: 0 in shadow, 1 lit
     Buffer2D<Vec3d> intensity;             // before it is scaled by I_max; 0 where nothing is seen
+    Buffer2D<Vec3d> antialiased;           // the mean of the intensity over the whole pixel
 };
 
 // A picture to compare with, and how far it may itself be wrong.

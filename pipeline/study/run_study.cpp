@@ -81,6 +81,15 @@ StudyReport beginStudy(const StudyRequest& request) {
     return report;
 }
 
+bool ErrorFinder::antialiases() const {
+    const auto named = [](const SweepAxis& axis) { return axis.key == "antialiasing"; };
+    return m_request.scene->settings.antialiasing > 1 || std::ranges::any_of(m_request.sweep.axes, named);
+}
+
+BufferSet ErrorFinder::wanted() const {
+    return antialiases() ? errorsNeed() | setOf({BufferId::Antialiased}) : errorsNeed();
+}
+
 std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene, StudyReport* report,
                                                              std::stop_token stop) {
     Scene shaded = scene;
@@ -96,8 +105,8 @@ std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene,
     }
     Scene key = referenceKey(shaded, surfaces);
     if (!m_reference || !(key == m_referenceKey)) {
-        auto found = rayCast(shaded, surfaces, 0, std::move(stop));
-        if (!found) return nullptr;
+        auto found = rayCast(shaded, surfaces, 0, stop);
+        if (!found || (antialiases() && !castWholePixels(shaded, surfaces, 0, stop, *found))) return nullptr;
         m_reference = std::make_shared<const Reference>(std::move(*found));
         m_referenceKey = std::move(key);
     }
@@ -105,7 +114,8 @@ std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene,
         const std::size_t model = index(ErrorKind::Model);
         report->references[model] = m_reference->name;
         report->whyNone[model] = why.empty() ? "" : fmt::format("the true surfaces are not known: {}", why);
-        report->errorBars[model] = std::max(report->errorBars[model], m_reference->errorBar);
+        if (const double white = whiteOf(scene); white > 0)
+            report->errorBars[model] = std::max(report->errorBars[model], m_reference->errorBar / white);
         report->errorWhy = m_reference->errorWhy;
     }
     return m_reference;
@@ -117,15 +127,14 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token s
         point.failure = scene.errors().front().found;
         return true;
     }
-    const BufferSet wanted = errorsNeed();
-    const FramePtr frame = frameOf(*scene, wanted, 0, stop);
+    const FramePtr frame = frameOf(*scene, wanted(), 0, stop);
     if (!frame) return false;
     addCounters(*frame, point);
 
     const std::size_t arithmetic = index(ErrorKind::Arithmetic);
     FramePtr exact;
     if (scene->settings.precision != Precision::Quad) {
-        exact = frameInQuad(*scene, wanted, stop);
+        exact = frameInQuad(*scene, wanted(), stop);
         if (!exact) return false;
         report.references[arithmetic] = "the same stages in quad, 113 bits";
     }
@@ -141,7 +150,7 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token s
 std::optional<PointPictures> ErrorFinder::show(const StudyPoint& point, std::stop_token stop) {
     const auto scene = sceneAt(*m_request.scene, m_request.sweep.axes, point.values);
     if (!scene) return std::nullopt;
-    const FramePtr frame = frameOf(*scene, errorsNeed(), 0, stop);
+    const FramePtr frame = frameOf(*scene, wanted(), 0, stop);
     if (!frame) return std::nullopt;
     PointPictures shown{frame, pictureOf(*frame), modelReference(*scene, nullptr, stop)};
     if (stop.stop_requested()) return std::nullopt;

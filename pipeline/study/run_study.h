@@ -48,6 +48,10 @@ public:
 private:
     std::shared_ptr<const Reference> modelReference(const Scene& scene, StudyReport* report, std::stop_token stop);
 
+    // Whether pixels are looked at as a whole, not by their centres alone.
+    bool antialiases() const;
+    BufferSet wanted() const;
+
     StudyRequest m_request;
     Scene m_referenceKey;  // of m_reference: the scene without what a reference does not read
     std::shared_ptr<const Reference> m_reference;
