@@ -127,9 +127,10 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token s
         point.failure = scene.errors().front().found;
         return true;
     }
-    const FramePtr frame = frameOf(*scene, wanted(), 0, stop);
-    if (!frame) return false;
-    addCounters(*frame, point);
+    // Counted is the frame whose time is taken: nobody asks it for buffers.
+    const FramePtr frame = frameOf(*scene, wanted(), 0, stop), plain = frameOf(*scene, {}, 0, stop);
+    if (!frame || !plain) return false;
+    addCounters(*plain, point);
 
     const std::size_t arithmetic = index(ErrorKind::Arithmetic);
     FramePtr exact;

@@ -1,0 +1,119 @@
+// What a study does beside measuring: counters, times by process, parts that become one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "pipeline/study/run_study.h"
+#include "tests/support/scenes.h"
+
+using namespace pipeline;
+using Texts = std::vector<std::string>;
+
+namespace {
+
+StudyRequest requestOf(const Scene& scene, Texts sweeps) {
+    StudyRequest request;
+    request.scene = std::make_shared<const Scene>(scene);
+    request.sweep = *parseSweeps(scene, sweeps);
+    request.warmups = 0, request.repeats = 2;
+    return request;
+}
+
+Scene small() {
+    Scene scene = test::pyramid();
+    scene.settings.width = 40, scene.settings.height = 30, scene.camera.pixelsPerUnit = 1.0 / 16;
+    return scene;
+}
+
+// The counters stand beside the times: they are those of a frame that nobody asks for buffers, and the pyramid,
+// convex and alone, looks up no shadow.
+TEST(RunStudy, countsWhatTheTimedFrameDoes) {
+    const StudyRequest request = requestOf(small(), {"shading=flat,phong"});
+    StudyReport report = beginStudy(request);
+    ErrorFinder finder(request);
+    for (StudyPoint& point : report.points) ASSERT_TRUE(finder.find(point, report, {}));
+    EXPECT_EQ(report.points[0].counters.at("shadow look-ups"), 0);
+    EXPECT_EQ(report.points[0].counters.at("polygons evaluated"), 3);  // culling keeps three of five
+    EXPECT_EQ(report.points[1].counters.at("polygons evaluated"), 0);
+    EXPECT_GT(report.points[1].counters.at("light evaluations"), report.points[0].counters.at("light evaluations"));
+}
+
+TEST(RunStudy, aValueThatTheSceneRefusesIsAFailureOfThatPointAlone) {
+    Scene scene = small();
+    scene.camera.far = 2000;
+    const StudyRequest request = requestOf(scene, {"camera.near=100,3000"});  // behind the far plane
+    StudyReport report = beginStudy(request);
+    EXPECT_EQ(report.points[0].failure, "");
+    EXPECT_NE(report.points[1].failure, "");
+    ASSERT_TRUE(measureTimes(request, report.points, nullptr, {}));
+    EXPECT_EQ(report.points[0].frame.processes.size(), 1u);
+    EXPECT_TRUE(report.points[1].frame.empty());
+}
+
+TEST(RunStudy, takesAsManyTimesAsAskedForAndNoneWhenStopped) {
+    const StudyRequest request = requestOf(small(), {"shading=flat,gouraud"});
+    StudyReport report = beginStudy(request);
+    int rounds = 0;
+    ASSERT_TRUE(measureTimes(request, report.points, [&](int done, int all) { rounds = done * 100 + all; }, {}));
+    ASSERT_TRUE(measureTimes(request, report.points, nullptr, {}));
+    EXPECT_EQ(rounds, 202);
+    for (const StudyPoint& point : report.points) {
+        ASSERT_EQ(point.frame.processes.size(), 2u);
+        EXPECT_EQ(point.frame.processes[1].size(), 2u);
+        EXPECT_TRUE(point.stages[index(StageId::ShadowBuffer)].empty()) << "left out";
+        EXPECT_FALSE(point.stages[index(StageId::ZBuffer)].empty());
+    }
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_FALSE(measureTimes(request, report.points, nullptr, source.get_token()));
+    EXPECT_EQ(report.points[0].frame.processes.size(), 2u);
+}
+
+// The reference of the model is the same for every shading of one scene: an error bar is found once, and the second
+// point's picture is compared with the very same object.
+TEST(RunStudy, pointsThatDifferInShadingShareTheirReference) {
+    const StudyRequest request = requestOf(small(), {"shading=flat,phong"});
+    const StudyReport report = beginStudy(request);
+    ErrorFinder finder(request);
+    const auto a = finder.show(report.points[0], {}), b = finder.show(report.points[1], {});
+    ASSERT_TRUE(a && b && a->reference);
+    EXPECT_EQ(a->reference, b->reference);
+}
+
+TEST(RunStudy, aSceneWithoutARayReferenceSaysWhy) {
+    Scene scene = small();
+    scene.settings.visibility = Visibility::Painter;
+    const StudyRequest request = requestOf(scene, {"shading=flat,phong"});
+    StudyReport report = beginStudy(request);
+    ErrorFinder finder(request);
+    ASSERT_TRUE(finder.find(report.points[0], report, {}));
+    EXPECT_EQ(report.references[index(ErrorKind::Model)], "");
+    EXPECT_NE(report.whyNone[index(ErrorKind::Model)], "");
+    EXPECT_NE(report.references[index(ErrorKind::Arithmetic)], "");
+    EXPECT_TRUE(report.points[0].blame.empty());
+}
+
+TEST(RunStudy, partsOfOneStudyBecomeOneAndOthersAreRefused) {
+    StudyRequest request = requestOf(small(), {"shading=flat,gouraud,phong"});
+    request.shards = 2;
+    StudyReport even = beginStudy(request);
+    request.shard = 1;
+    StudyReport odd = beginStudy(request);
+    EXPECT_EQ(even.points.size(), 2u);
+    EXPECT_EQ(missingPoints(even), 1u);
+    even.load = {0.5}, odd.load = {1.5};
+    const auto merged = mergeStudies({odd, even});
+    ASSERT_TRUE(merged);
+    ASSERT_EQ(merged->points.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(merged->points[i].number, i);
+    EXPECT_EQ(merged->load, (std::vector{1.5, 0.5}));
+    EXPECT_EQ(missingPoints(*merged), 0u);
+
+    Scene darker = small();
+    darker.ambient.intensity = 1;
+    const auto other = mergeStudies({even, beginStudy(requestOf(darker, {"shading=flat,gouraud,phong"}))});
+    ASSERT_FALSE(other);
+    EXPECT_EQ(other.errors().front().found, "part 2 is of another study than part 1: ambient.intensity is 50 and 1");
+}
+
+}  // namespace
