@@ -119,6 +119,8 @@ std::string referenceText(const StudyReport& report, ErrorKind kind) {
     if (report.errorBars[k] > 0)
         text += fmt::format(", intensities within {} of I_max", errorText(report.errorBars[k]));
     if (kind == ErrorKind::Model && !report.errorWhy.empty()) text += fmt::format(" ({})", report.errorWhy);
+    // Of some points, or instead of a better one.
+    if (!report.whyNone[k].empty()) text += fmt::format("; {}", report.whyNone[k]);
     return text;
 }
 

@@ -30,9 +30,12 @@ FramePtr frameOf(const Scene& scene, BufferSet wanted, int threads, std::stop_to
                     nullptr);
 }
 
-FramePtr frameInQuad(Scene scene, BufferSet wanted, std::stop_token stop) {
+// The scene with 113 bits, or why there is no such reference: it is one itself, or needs too much memory.
+Result<Scene> sceneInQuad(Scene scene) {
+    if (scene.settings.precision == Precision::Quad) return Error{{}, "quad is the widest arithmetic there is", {}};
     scene.settings.precision = Precision::Quad;
-    return frameOf(scene, wanted, 0, std::move(stop));
+    if (const Errors errors = checkScene(scene); !errors.empty()) return errors;
+    return scene;
 }
 
 void addCounters(const Frame& frame, StudyPoint& point) {
@@ -134,10 +137,12 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token s
 
     const std::size_t arithmetic = index(ErrorKind::Arithmetic);
     FramePtr exact;
-    if (scene->settings.precision != Precision::Quad) {
-        exact = frameInQuad(*scene, wanted(), stop);
+    if (const auto quad = sceneInQuad(*scene)) {
+        exact = frameOf(*quad, wanted(), 0, stop);
         if (!exact) return false;
         report.references[arithmetic] = "the same stages in quad, 113 bits";
+    } else {
+        report.whyNone[arithmetic] = fmt::format("none for point {}: {}", point.number, quad.errors().front().found);
     }
     report.references[index(ErrorKind::Storage)] = "what was to be stored, unrounded";
     const auto reference = modelReference(*scene, &report, stop);

@@ -94,10 +94,10 @@ struct StudyReport {
     std::vector<SweepAxis> axes;
     ErrorChoice choice;
     std::array<std::string, kErrorKinds> references;  // name of the reference of each kind; empty: none, and why below
-    std::array<std::string, kErrorKinds> whyNone;
-    std::array<double, kErrorKinds> errorBars{};  // of an intensity, in shares of I_max
-    std::string errorWhy;                         // how the model reference's error bar was found
-    std::vector<StudyPoint> points;               // in order of their numbers
+    std::array<std::string, kErrorKinds> whyNone;     // also why some points have none, or not the best there is
+    std::array<double, kErrorKinds> errorBars{};      // of an intensity, in shares of I_max
+    std::string errorWhy;                             // how the model reference's error bar was found
+    std::vector<StudyPoint> points;                   // in order of their numbers
     bool operator==(const StudyReport&) const = default;
 };
 
