@@ -114,13 +114,15 @@ void addIntensity(const Picture& ours, const Picture& reference, const Same& sam
     rows.put({BufferId::Intensity}, "largest relative", "", kind, relative);
 }
 
-// Over the whole picture: the background next to an edge has its share, too.
+// Over the whole picture: the background next to an edge has its share, too. With one sample a pixel that sample is the
+// mean.
 void addAntialiased(const Picture& ours, const Picture& reference, double white, ErrorKind kind, ErrorRows& rows) {
-    if (ours.antialiased.empty() || reference.antialiased.empty() || !(white > 0)) return;
+    const Buffer2D<Vec3d>& mean = ours.antialiased.empty() ? ours.intensity : ours.antialiased;
+    if (mean.empty() || reference.antialiased.empty() || !(white > 0)) return;
     std::vector<double> sizes;
-    for (std::size_t i = 0; i < ours.antialiased.pixels.size(); ++i)
+    for (std::size_t i = 0; i < mean.pixels.size(); ++i)
         for (int c = 0; c < 3; ++c)
-            sizes.push_back(std::abs(ours.antialiased.pixels[i][c] - reference.antialiased.pixels[i][c]) / white);
+            sizes.push_back(std::abs(mean.pixels[i][c] - reference.antialiased.pixels[i][c]) / white);
     const ErrorSpread spread = spreadOf(std::move(sizes));
     rows.put({BufferId::Antialiased}, "RMSE", "of white", kind, spread.rmse);
     rows.put({BufferId::Antialiased}, "largest", "of white", kind, spread.largest);

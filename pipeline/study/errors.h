@@ -39,11 +39,11 @@ struct ErrorReferences {
 //   shadow_buffer.k   largest difference of a depth, relative to the largest
 //   shadow.k          the mean of |S − S_ref|: the share misclassified where S is 0 or 1; and its two parts
 //   intensity         RMSE, 99 %, largest, and relative |ΔI| / (I_ref + 0.01 I_max) as tev has it
-//   antialiased       RMSE and largest over the whole picture, where both have it
+//   antialiased       RMSE and largest over the whole picture, where the reference has it; of a frame with one sample a
+//                     pixel that sample counts as the mean
 //   color             pixels that differ, largest step, PSNR, none for equal pictures, and mean SSIM (Z. Wang et al.,
 //                     "Image quality assessment", IEEE TIP 2004; luma, windows of 8 x 8); storage: what rounding to 255
-//                     steps lost of the linear intensity. No model error with several samples a pixel: a reference
-//                     knows the centres
+//                     steps lost of the linear intensity
 std::vector<ErrorRow> compare(const Frame& frame, const Picture& ours, const ErrorReferences& references);
 
 // ours − reference of the intensity at every pixel, in shares of white (I_max); what is not seen is black.

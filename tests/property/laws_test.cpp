@@ -34,7 +34,9 @@ Scene sphere(Shading shading, int tessellation, double exponent = 8) {
 }
 
 double error(const Scene& scene, std::string_view buffer, std::string_view measure) {
-    const Picture reference = rayCast(scene, RaySurfaces::Exact, 0)->picture;
+    Reference found = *rayCast(scene, RaySurfaces::Exact, 0);
+    if (buffer == "antialiased") castWholePixels(scene, RaySurfaces::Exact, 0, {}, found);
+    const Picture& reference = found.picture;
     const FramePtr frame = test::frameOf(scene, errorsNeed());
     for (const ErrorRow& row : compare(*frame, pictureOf(*frame), {&reference, nullptr}))
         if (row.buffer == buffer && row.measure == measure) return row.value[index(ErrorKind::Model)].value();
@@ -208,6 +210,23 @@ TEST(Laws, APenumbraIsOffByHalfASample) {
         EXPECT_LE(largest, 0.5 / samples + 1.5 * 8 / 512) << samples;
         EXPECT_GT(largest, 0.4 / samples) << samples;
     }
+}
+
+// The part of a pixel that an edge leaves is off by N^(-3/4) with N samples on a grid: of n x n samples by n^(-3/2).
+TEST(Laws, AnAntialiasedEdgeIsOffByThePowerOfThreeQuarters) {
+    Scene scene = sphere(Shading::Phong, 64);
+    scene.settings.width = scene.settings.height = 64;
+    double first = 0, last = 0;
+    for (const int samples : {1, 2, 4, 8}) {
+        scene.settings.antialiasing = samples;
+        const double now = error(scene, "antialiased", "RMSE");
+        if (samples == 1) first = now;
+        if (samples > 1) {
+            EXPECT_LT(now, last) << samples;
+        }
+        last = now;
+    }
+    EXPECT_NEAR(std::log2(first / last) / 3, 1.5, 0.25);
 }
 
 }  // namespace
