@@ -45,6 +45,9 @@ std::span<const ActionRow> actionTable() {
         {A::GreenChannel, "Inspect", "Equation in green", "Alt+G", "Writes the equation of the green part.", true},
         {A::BlueChannel, "Inspect", "Equation in blue", "Alt+B", "Writes the equation of the blue part.", true},
 
+        {A::Study, "Study", "Error against run time…", "Ctrl+Alt+S",
+         "Varies settings and shows how wrong the picture is, and how long it takes."},
+
         {A::RunCommand, "Help", "Run a command…", "Ctrl+Shift+P", "Finds any action, buffer or scene by its name."},
         {A::Keys, "Help", "Keys", "H; ?", "Lists the keys."},
     });

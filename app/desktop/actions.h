@@ -37,6 +37,7 @@ enum class ActionId : unsigned char {
     RedChannel,
     GreenChannel,
     BlueChannel,
+    Study,
     RunCommand,
     Keys,
 };

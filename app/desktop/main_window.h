@@ -20,6 +20,7 @@ class PixelField;
 class StageStrip;
 class StartPage;
 class StatusLine;
+class StudyPanel;
 class ViewArea;
 struct PaletteEntry;
 
@@ -62,6 +63,7 @@ private:
     void enableActions();
     void chooseFile();
     void exportBuffers();
+    void showStudy();
     std::vector<PaletteEntry> commands();
     // main_window_layout.cpp: what stands where in which width
     enum class Width { Narrow, Medium, Wide };  // below 1100, below 1440, from there on
@@ -86,7 +88,8 @@ private:
     CommandPalette* m_palette;
     KeySheet* m_keys;
     PixelField* m_pixelField;
-    std::optional<Width> m_width;  // as last laid out; nothing on the start page
+    StudyPanel* m_study = nullptr;  // a window of its own; made when first asked for
+    std::optional<Width> m_width;   // as last laid out; nothing on the start page
 };
 
 }  // namespace app

@@ -1,6 +1,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QScreen>
 #include <QStackedWidget>
 
 #include "app/core/recent_files.h"
@@ -14,6 +15,7 @@
 #include "app/desktop/view_area.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/study_panel.h"
 #include "pipeline/formats/format_table.h"
 #include "pipeline/formats/scene_reader.h"
 
@@ -57,6 +59,7 @@ void MainWindow::connectActions() {
         m_pixelField->open({settings.width, settings.height}, m_document.pixel());
     });
     on(A::Unpick, [this] { m_document.pick(std::nullopt); });
+    on(A::Study, [this] { showStudy(); });
     on(A::RunCommand, [this] { m_palette->open(commands()); });
     on(A::Keys, [this] { m_keys->open(); });
     for (std::size_t i = 0; i < kStageActions.size(); ++i)
@@ -98,7 +101,7 @@ void MainWindow::enableActions() {
     const bool scene = m_document.hasScene() && m_pages->currentWidget() == m_views;
     const QString noScene = tr("Open a scene first.");
     for (const A id : {A::Close, A::GoToPixel, A::TwoBufferViews, A::Thumbnails, A::ResetLayout, A::RedChannel,
-                       A::GreenChannel, A::BlueChannel})
+                       A::GreenChannel, A::BlueChannel, A::Study})
         m_actions->setEnabled(id, scene, noScene);
     for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);
     m_actions->setEnabled(A::Export, scene && m_document.frame(),
@@ -130,6 +133,17 @@ void MainWindow::exportBuffers() {
     auto* dialog = new ExportDialog(m_document, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
+}
+
+void MainWindow::showStudy() {
+    if (!m_study) {
+        m_study = new StudyPanel(m_document, this);
+        m_study->setWindowFlag(Qt::Window);
+        m_study->resize(QSize(1680, 1000).boundedTo(screen()->availableSize()));
+    }
+    m_study->show();
+    m_study->raise();
+    m_study->activateWindow();
 }
 
 std::vector<PaletteEntry> MainWindow::commands() {

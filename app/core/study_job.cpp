@@ -1,0 +1,101 @@
+#include "app/core/study_job.h"
+
+#include <chrono>
+#include <functional>
+
+#include "app/core/text.h"
+
+namespace app {
+namespace {
+
+using pipeline::StudyPoint;
+using pipeline::StudyReport;
+using pipeline::StudyRequest;
+
+// Frames of the first, short measurement: enough to see where the points will stand.
+constexpr int kFirstLook = 3;
+
+// What the thread does, and whom it tells.
+struct Work {
+    StudyRequest request;
+    std::function<void(double share, std::string what, double secondsLeft)> progress;
+    std::function<void(const StudyReport&)> report;
+
+    using Clock = std::chrono::steady_clock;
+    static double secondsSince(Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
+    // A frame in 128 bits and the rays take far longer than a frame: of all the work the errors are put at one half.
+    bool findErrors(StudyReport& study, const std::stop_token& stop) const {
+        pipeline::ErrorFinder finder(request);
+        const auto start = Clock::now();
+        for (std::size_t i = 0; i < study.points.size(); ++i) {
+            const double done = double(i) / double(study.points.size());
+            std::string what = "errors of";
+            for (const std::string& value : study.points[i].values) what += ' ' + value;
+            progress(done / 2, what, i == 0 ? -1 : secondsSince(start) * (1 - done) / done);
+            if (!study.points[i].failure.empty()) continue;
+            if (!finder.find(study.points[i], study, stop)) return false;
+        }
+        return true;
+    }
+
+    // from, to: the part of all the work that it is.
+    bool takeTimes(const StudyRequest& how, StudyReport& study, double from, double to,
+                   const std::stop_token& stop) const {
+        const auto start = Clock::now();
+        const auto tell = [&](int done, int all) {
+            const double share = double(done) / all;
+            progress(from + (to - from) * share, "times, round " + std::to_string(done) + " of " + std::to_string(all),
+                     done == 0 ? -1 : secondsSince(start) * (1 - share) / share);
+        };
+        if (!measureTimes(how, study.points, tell, stop)) return false;
+        study.processes = 1;
+        return true;
+    }
+
+    // False when it was stopped.
+    bool operator()(const std::stop_token& stop) const {
+        StudyReport study = beginStudy(request);
+        if (!findErrors(study, stop)) return false;
+        if (request.repeats > kFirstLook) {
+            StudyRequest quick = request;
+            quick.warmups = 1;
+            quick.repeats = kFirstLook;
+            StudyReport first = study;
+            first.warmups = quick.warmups;
+            first.repeats = quick.repeats;
+            if (!takeTimes(quick, first, 0.5, 0.55, stop)) return false;
+            report(first);
+        }
+        // Of a cancelled measurement the first look stays.
+        if (!takeTimes(request, study, 0.55, 1, stop)) return false;
+        report(study);
+        return true;
+    }
+};
+
+}  // namespace
+
+StudyJob::StudyJob(StudyRequest request, QObject* parent) : QObject(parent) {
+    // Signals leave in this object's own thread, and not at all once it is gone.
+    const auto later = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
+    Work work{
+        std::move(request),
+        [this, later](double share, std::string what, double secondsLeft) {
+            later([this, share, what = toQString(what), secondsLeft] { emit progressed(share, what, secondsLeft); });
+        },
+        [this, later](const StudyReport& report) { later([this, report] { emit reported(report); }); }};
+    m_thread = std::jthread([this, later, work = std::move(work)](const std::stop_token& stop) {
+        const bool done = work(stop);
+        later([this, done] { emit finished(!done); });
+    });
+}
+
+StudyJob::~StudyJob() {
+    m_thread.request_stop();
+    m_thread.join();
+}
+
+}  // namespace app

@@ -1,0 +1,67 @@
+#pragma once
+#include <QWidget>
+
+#include "app/core/document.h"
+#include "app/core/study_images.h"
+#include "pipeline/study/analysis.h"
+
+class QLabel;
+class QPushButton;
+class QSplitter;
+
+namespace app {
+
+class StudyChoice;
+class StudyDetails;
+class StudyPicturesView;
+class StudyPlot;
+class StudyPoints;
+class StudyRun;
+class StudySweep;
+class StudyWords;
+
+// Error against run time: what to measure on the left, the plot and the chosen setting's pictures in
+// the middle, all numbers on the right. The settings are those of the document's scene.
+class StudyPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit StudyPanel(Document& document, QWidget* parent = nullptr);
+
+    // The report on show.
+    void setReport(pipeline::StudyReport report);
+    const pipeline::StudyReport& report() const { return m_report; }
+    void select(std::optional<std::size_t> point);
+    std::optional<std::size_t> selected() const { return m_selected; }
+    bool openStudy(const QString& file);   // a study.json; what is wrong in it stands in the panel
+    bool exportTo(const QString& folder);  // everything about the study
+    void use();                            // takes the settings of the selected point over, in one step of undo
+
+private:
+    QWidget* makeLeft();
+    QWidget* makeMiddle();
+    QWidget* makeRight();
+    void analyse();
+    void showSelected();
+    void tell(const QString& words);
+    void openFile();
+    void exportFiles();
+    pipeline::Result<pipeline::Scene> selectedScene() const;
+
+    Document& m_document;
+    pipeline::StudyReport m_report;
+    pipeline::StudyAnalysis m_analysis;
+    std::optional<std::size_t> m_selected;
+    StudyImages m_images;
+    StudySweep* m_sweep;
+    StudyRun* m_run;
+    StudyChoice* m_choice;
+    StudyWords* m_words;
+    StudyPlot* m_plot;
+    StudyPicturesView* m_pictures;
+    StudyPoints* m_points;
+    StudyDetails* m_details;
+    QLabel* m_message;
+    QPushButton* m_export;
+};
+
+}  // namespace app

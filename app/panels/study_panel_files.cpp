@@ -1,0 +1,55 @@
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+
+#include "app/core/text.h"
+#include "app/panels/study_choice.h"
+#include "app/panels/study_panel.h"
+#include "app/panels/study_words.h"
+#include "pipeline/export/study_files.h"
+#include "pipeline/export/study_json.h"
+
+// Studies from and to files.
+namespace app {
+
+void StudyPanel::tell(const QString& words) {
+    m_message->setText(words);
+    m_message->setVisible(!words.isEmpty());
+}
+
+void StudyPanel::openFile() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Open a study"), QString(), tr("Studies (*.json)"));
+    if (!file.isEmpty()) openStudy(file);
+}
+
+bool StudyPanel::openStudy(const QString& file) {
+    QFile source(file);
+    if (!source.open(QFile::ReadOnly)) {
+        tell(tr("%1: %2").arg(file, source.errorString()));
+        return false;
+    }
+    const QByteArray text = source.readAll();
+    auto report = pipeline::studyFromJson({text.data(), std::size_t(text.size())}, file.toStdString());
+    if (!report) {
+        tell(toQString(format(report.errors())));
+        return false;
+    }
+    tell({});
+    setReport(std::move(report).value());
+    return true;
+}
+
+void StudyPanel::exportFiles() {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Export the study to a folder"), QDir::homePath());
+    if (!folder.isEmpty()) exportTo(folder);
+}
+
+bool StudyPanel::exportTo(const QString& folder) {
+    const auto written = writeStudyFiles(m_report, m_analysis, m_words->limits(), {}, folder.toStdString());
+    tell(written ? tr("%1 files are in %2.").arg(written->size()).arg(folder) : toQString(format(written.errors())));
+    return bool(written);
+}
+
+}  // namespace app

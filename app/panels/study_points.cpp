@@ -1,0 +1,92 @@
+#include "app/panels/study_points.h"
+
+#include <QHeaderView>
+#include <QSignalBlocker>
+
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+#include "pipeline/study/analysis_text.h"
+
+namespace app {
+namespace {
+
+constexpr int kPoint = Qt::UserRole;
+
+// Numbers stand at the right of their column, in the font of numbers.
+QTableWidgetItem* cell(const std::string& text, bool number) {
+    auto* item = new QTableWidgetItem(toQString(text));
+    item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    if (number) item->setFont(Theme::current().mono(12));
+    return item;
+}
+
+}  // namespace
+
+StudyPoints::StudyPoints(QWidget* parent) : QTableWidget(parent) {
+    setObjectName("studyPoints");
+    setAccessibleName(tr("Points of the study"));
+    setSelectionBehavior(SelectRows);
+    setSelectionMode(SingleSelection);
+    setEditTriggers(NoEditTriggers);
+    setShowGrid(false);
+    setWordWrap(false);
+    setHorizontalScrollMode(ScrollPerPixel);
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setHighlightSections(false);
+    followTheme(this, [this] { verticalHeader()->setDefaultSectionSize(Theme::current().px(28)); });
+    connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
+        if (row >= 0) emit chosen(std::size_t(item(row, 0)->data(kPoint).toULongLong()));
+    });
+}
+
+void StudyPoints::setStudy(const pipeline::StudyReport& report, const pipeline::StudyAnalysis& analysis) {
+    const QSignalBlocker quiet(this);
+    const ThemeColors& colors = Theme::current().colors();
+    clear();
+    QStringList head;
+    for (const pipeline::SweepAxis& axis : report.axes) head << toQString(axis.label);
+    head << tr("ms") << tr("95 % interval") << toQString(analysis.choice.measure) << tr("Beaten by");
+    setColumnCount(int(head.size()));
+    setHorizontalHeaderLabels(head);
+    std::vector<std::size_t> order = analysis.byTime;
+    for (std::size_t i = 0; i < analysis.points.size(); ++i)
+        if (!analysis.points[i].placed()) order.push_back(i);
+    setRowCount(int(order.size()));
+    for (int row = 0; row < rowCount(); ++row) {
+        const std::size_t i = order[std::size_t(row)];
+        const pipeline::PointAnalysis& point = analysis.points[i];
+        int column = 0;
+        for (std::size_t axis = 0; axis < report.axes.size(); ++axis)
+            setItem(row, column++, cell(report.points[i].values[axis], axis == analysis.refined));
+        const std::string half =
+            point.time ? "\u00b1" + pipeline::timeText((point.interval.second - point.interval.first) / 2) : "";
+        setItem(row, column++, cell(point.time ? pipeline::timeText(*point.time) : "", true));
+        setItem(row, column++, cell(half, true));
+        setItem(row, column++, cell(point.error ? pipeline::errorText(*point.error) : "", true));
+        auto* standing = cell(pipeline::standing(analysis, i), false);
+        standing->setForeground(point.onFront() ? colors.run : point.placed() ? colors.text2 : colors.failed);
+        standing->setToolTip(standing->text());
+        setItem(row, column, standing);
+        item(row, 0)->setData(kPoint, qulonglong(i));
+    }
+    resizeColumnsToContents();
+    horizontalHeader()->setStretchLastSection(true);
+}
+
+int StudyPoints::rowOf(std::size_t point) const {
+    for (int row = 0; row < rowCount(); ++row)
+        if (item(row, 0)->data(kPoint).toULongLong() == point) return row;
+    return -1;
+}
+
+void StudyPoints::select(std::optional<std::size_t> point) {
+    const QSignalBlocker quiet(this);
+    const int row = point ? rowOf(*point) : -1;
+    if (row < 0)
+        clearSelection();
+    else
+        setCurrentCell(row, 0);
+}
+
+}  // namespace app
