@@ -91,7 +91,8 @@ QWidget* StudyPanel::makeLeft() {
         column->addWidget(part);
     column->addLayout(files);
     column->addWidget(m_message);
-    column->addWidget(m_words, 1);
+    column->addWidget(m_words);
+    column->addStretch(1);
     connect(open, &QPushButton::clicked, this, &StudyPanel::openFile);
     connect(m_export, &QPushButton::clicked, this, &StudyPanel::exportFiles);
     auto* area = new QScrollArea(this);
