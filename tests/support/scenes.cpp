@@ -1,6 +1,7 @@
 #include "tests/support/scenes.h"
 
 #include <array>
+#include <cmath>
 #include <cstring>
 
 namespace test {
@@ -75,6 +76,34 @@ Scene randomScene(unsigned seed) {
         for (Object& object : scene.objects) object.material.alpha = between(random, -0.2, 1.4);
     scene.settings.translucency = Translucency(seed / 8 % 2);
     for (Object& object : scene.objects) object.material.highlight = Highlight(random() % 3);
+    return scene;
+}
+
+Scene smallScene(unsigned seed) {
+    Scene scene = randomScene(seed);
+    std::mt19937 random(seed + 104729);
+    scene.settings.width = 25 + int(random() % 24), scene.settings.height = 19 + int(random() % 16);
+    scene.settings.shadowSize = 8 << random() % 3;
+    scene.settings.shadowFilter = int(random() % 2);
+    scene.settings.shadowBias = ShadowBias(random() % 3);
+    scene.settings.shadowBiasValue = between(random, 0, 0.5);
+    scene.settings.localViewer = coin(random);
+    const auto few = [](double v) { return std::round(v * 0x1p20) / 0x1p20; };
+    for (Object& object : scene.objects) {
+        Vec3d& angles = object.transform.rotation;
+        angles = {few(angles.x), few(angles.y), few(angles.z)};
+    }
+    for (Light& light : scene.lights) {
+        if (coin(random)) light.gl.linear = between(random, 0, 1), light.gl.quadratic = between(random, 0, 0.2);
+        if (coin(random)) light.gl.spotDirection = inBox(random, 1), light.gl.spotCutoff = few(between(random, 5, 90));
+    }
+    if (random() % 4 == 0) {
+        scene.camera.kind = CameraKind::Spherical;
+        scene.camera.rho = between(random, 3, 9);
+        scene.camera.theta = few(between(random, -180, 180)), scene.camera.phi = few(between(random, 0, 180));
+        scene.camera.screenDistance = between(random, 20, 60);
+    }
+    if (random() % 4 == 0) scene.camera.near = between(random, 0.1, 5), scene.camera.far = between(random, 6, 12);
     return scene;
 }
 

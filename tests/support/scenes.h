@@ -108,6 +108,11 @@ inline FramePtr frameOf(const Scene& scene, BufferSet wanted = everyBuffer(), in
 // A scene of spheres, boxes, loose polygons, lights and a camera, different for every seed.
 Scene randomScene(unsigned seed);
 
+// A random scene in a small picture, for tests over a thousand of them; with what randomScene leaves as it is: a near
+// and a far plane, a spherical camera, biases of the shadow test, filtering, attenuation and spots. No object's and no
+// camera's angle has more than 20 bits behind the point, so that 90 degrees more are added without rounding.
+Scene smallScene(unsigned seed);
+
 // A random scene with values that are possible but strange: coefficients and intensities that are
 // negative or huge, singular transforms and cameras, no light, no object… checkScene accepts it.
 Scene strangeScene(unsigned seed);
