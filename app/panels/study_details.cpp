@@ -9,6 +9,7 @@
 
 #include "app/core/numbers.h"
 #include "app/core/text.h"
+#include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/study/analysis_text.h"
 
@@ -80,6 +81,8 @@ StudyDetails::StudyDetails(QWidget* parent) : QWidget(parent) {
     m_errors->setEditTriggers(QTableWidget::NoEditTriggers);
     m_errors->setSelectionMode(QTableWidget::NoSelection);
     m_errors->setShowGrid(false);
+    m_errors->setItemDelegate(new AiryCells(m_errors));
+    m_errors->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_errors->setWordWrap(false);
     m_errors->verticalHeader()->hide();
     m_errors->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);

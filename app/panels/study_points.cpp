@@ -4,6 +4,7 @@
 #include <QSignalBlocker>
 
 #include "app/core/text.h"
+#include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/study/analysis_text.h"
 
@@ -29,6 +30,8 @@ StudyPoints::StudyPoints(QWidget* parent) : QTableWidget(parent) {
     setSelectionMode(SingleSelection);
     setEditTriggers(NoEditTriggers);
     setShowGrid(false);
+    setItemDelegate(new AiryCells(this));
+    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     setWordWrap(false);
     setHorizontalScrollMode(ScrollPerPixel);
     verticalHeader()->hide();

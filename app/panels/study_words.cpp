@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/core/text.h"
+#include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/study_text.h"
@@ -41,6 +42,8 @@ StudyWords::StudyWords(QWidget* parent) : QWidget(parent) {
     m_orders->setEditTriggers(QTableWidget::NoEditTriggers);
     m_orders->setSelectionMode(QTableWidget::NoSelection);
     m_orders->setShowGrid(false);
+    m_orders->setItemDelegate(new AiryCells(m_orders));
+    m_orders->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_orders->verticalHeader()->hide();
     m_orders->horizontalHeader()->setHighlightSections(false);
     auto* limits = new QFormLayout;

@@ -6,34 +6,17 @@
 #include <QLabel>
 #include <QMenu>
 #include <QShortcut>
-#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/core/numbers.h"
 #include "app/core/text.h"
+#include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
 
 using pipeline::TableFormat;
-
-namespace {
-
-// A digit's width of air on either side: a number at the right of its column keeps off the words at
-// the left of the next. A style sheet's padding would hold for the selected row alone.
-class AiryCells : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-protected:
-    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
-        QStyledItemDelegate::initStyleOption(option, index);
-        option->text = ' ' + option->text + ' ';
-    }
-};
-
-}  // namespace
 
 TablePage::TablePage(Document& document, pipeline::TableId table, QWidget* parent)
     : QWidget(parent), m_document(document), m_table(table), m_model(new TableModel(this)) {
