@@ -33,11 +33,12 @@ Texts shadingSweep(const Scene& scene) {
     return {"shading=flat,gouraud,phong", "precision=float,double"};
 }
 
-// A near plane that comes closer to the eye, by powers of ten from where it stands.
+// A near plane that comes closer to the eye, by powers of ten from where it stands. In double: z_view as a float is no
+// nearer to what was to be stored than 24 bits are.
 Texts depthSweep(const Scene& scene) {
     if (scene.settings.visibility != Visibility::ZBuffer) return {};
     const double near = makeView(scene).near;
-    if (!(near > 0)) return {"depth_format=linear,float,reversed,fixed16,fixed24,fixed32"};
+    if (!(near > 0)) return {"depth_format=linear,float,reversed,fixed16,fixed24,fixed32", "precision=double"};
     Texts places;
     for (const double factor : {1.0, 0.1, 0.01, 1e-3, 1e-4}) {
         // Three digits are enough to read, and never beyond the nearest point.
@@ -46,7 +47,7 @@ Texts depthSweep(const Scene& scene) {
         places.push_back(fmt::format("{:.3g}", place));
     }
     return {"depth_format=float,reversed,fixed16,fixed24,fixed32",
-            fmt::format("camera.near={}", fmt::join(places, ","))};
+            fmt::format("camera.near={}", fmt::join(places, ",")), "precision=double"};
 }
 
 Texts shadowSweep(const Scene& scene) {

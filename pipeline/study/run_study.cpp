@@ -89,6 +89,12 @@ bool ErrorFinder::antialiases() const {
     return m_request.scene->settings.antialiasing > 1 || std::ranges::any_of(m_request.sweep.axes, named);
 }
 
+bool ErrorFinder::variesSamplesAlone() const {
+    return std::ranges::all_of(m_request.sweep.axes, [](const SweepAxis& axis) {
+        return axis.key == "antialiasing" || axis.key.starts_with("shadow.") || axis.key.ends_with(".samples");
+    });
+}
+
 BufferSet ErrorFinder::wanted() const {
     return antialiases() ? errorsNeed() | setOf({BufferId::Antialiased}) : errorsNeed();
 }
@@ -98,7 +104,11 @@ std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene,
     Scene shaded = scene;
     RaySurfaces surfaces = RaySurfaces::Exact;
     std::string why = whyNoRays(scene, surfaces);
-    if (!why.empty()) {  // then at least its own polygons, shaded pixel by pixel
+    std::string instead = why.empty() ? "" : fmt::format("the true surfaces are not known: {}", why);
+    if (variesSamplesAlone() && whyNoRays(scene, RaySurfaces::Polygons).empty()) {
+        surfaces = RaySurfaces::Polygons;
+        instead = "only samples are varied, and the error of the polygons themselves would hide theirs";
+    } else if (!why.empty()) {  // then at least its own polygons, shaded pixel by pixel
         surfaces = RaySurfaces::Polygons;
         shaded.settings.shading = Shading::Phong, shaded.settings.interpolation = Interpolation::Perspective;
         if (const std::string none = whyNoRays(shaded, surfaces); !none.empty()) {
@@ -116,7 +126,7 @@ std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene,
     if (report) {
         const std::size_t model = index(ErrorKind::Model);
         report->references[model] = m_reference->name;
-        report->whyNone[model] = why.empty() ? "" : fmt::format("the true surfaces are not known: {}", why);
+        report->whyNone[model] = instead;
         if (const double white = whiteOf(scene); white > 0)
             report->errorBars[model] = std::max(report->errorBars[model], m_reference->errorBar / white);
         report->errorWhy = m_reference->errorWhy;

@@ -50,6 +50,8 @@ private:
 
     // Whether pixels are looked at as a whole, not by their centres alone.
     bool antialiases() const;
+    // Of shadows, of area lights or of pixels: then the scene's own polygons, as they are shaded, are the reference.
+    bool variesSamplesAlone() const;
     BufferSet wanted() const;
 
     StudyRequest m_request;

@@ -80,6 +80,20 @@ TEST(RunStudy, pointsThatDifferInShadingShareTheirReference) {
     EXPECT_EQ(a->reference, b->reference);
 }
 
+// A sweep of samples is compared with the polygons that they are taken of; one that varies the polygons, too, is not.
+TEST(RunStudy, samplesAloneAreComparedWithTheScenesOwnPolygons) {
+    const auto nameOf = [](std::vector<std::string> sweep) {
+        const StudyRequest request = requestOf(small(), sweep);
+        StudyReport report = beginStudy(request);
+        ErrorFinder finder(request);
+        EXPECT_TRUE(finder.find(report.points[0], report, {}));
+        return report.references[index(ErrorKind::Model)];
+    };
+    EXPECT_EQ(nameOf({"shadow.size=32,64"}), "the scene's polygons by rays, double");
+    EXPECT_EQ(nameOf({"antialiasing=1,2"}), "the scene's polygons by rays, double");
+    EXPECT_EQ(nameOf({"shadow.size=32,64", "shading=flat,phong"}), "true surfaces by rays, double");
+}
+
 TEST(RunStudy, aSceneWithoutARayReferenceSaysWhy) {
     Scene scene = small();
     scene.settings.visibility = Visibility::Painter;
