@@ -2,8 +2,10 @@
 // with culling off every sample has as many fragments of fronts as of backs; whatever bends the mesh, also through itself.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "pipeline/stages/clip.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -157,6 +159,38 @@ TEST_P(ClosedMesh, CutInTwoClosesAgain) {
         }
     }
     EXPECT_GT(open, 1000u);
+}
+
+// What keeps two neighbours together where they are cut, also where no sample would tell: the corners on their common
+// edge, which one has from p to q and the other from q to p, are the same numbers.
+TEST(ClippedEdge, IsCutAtOnePointFromEitherSide) {
+    std::mt19937 random(11);
+    View view;
+    view.size = {64, 64}, view.centre = {32, 32}, view.scale = {77, 77};
+    view.near = 1, view.far = 10;
+    const auto point = [&] {
+        const double wide = random() % 4 == 0 ? std::exp2(between(random, 10, 30)) : 3;
+        return inBox(random, wide) + Vec3d(0, 0, between(random, -2, 12));
+    };
+    // Of a triangle's corners after clipping those in which its third corner has no weight: the ends of the edge.
+    const auto endsOfEdge = [&](Vec3d a, Vec3d b, Vec3d c) {
+        const ClippedTriangle<double> t = clipTriangle<double>(view, {a, b, c});
+        std::vector<std::array<double, 3>> ends;
+        for (std::size_t i = 0; i < t.count; ++i)
+            if (t.corners[i].weights.z == 0)
+                ends.push_back({t.corners[i].view.x, t.corners[i].view.y, t.corners[i].view.z});
+        std::ranges::sort(ends);
+        return ends;
+    };
+    int cut = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3d p = point(), q = point();
+        const auto one = endsOfEdge(p, q, point()), other = endsOfEdge(q, p, point());
+        if (one.empty() || other.empty()) continue;  // all of that triangle lies outside one plane
+        ASSERT_EQ(one, other) << i;
+        cut += one.front() != std::array{p.x, p.y, p.z} && one.front() != std::array{q.x, q.y, q.z};
+    }
+    EXPECT_GT(cut, 2000);
 }
 
 }  // namespace

@@ -30,6 +30,20 @@ TEST(BlinnPhong, TheHalfwayVectorStandsHalfway) {
     EXPECT_NEAR(s.diffuse.z, 0.8 * kRoot, 1e-15);
 }
 
+// N·H is positive here: only N·L > 0 lets it count.
+TEST(BlinnPhong, ALightBehindTheSurfaceAddsNothing) {
+    Light light;
+    light.position = {1, 0, -0.5};
+    Material material;
+    material.specular = Vec3d(1);
+    for (const Illumination& model : {blinn(), openGl()}) {
+        const LightSample<double> s = sampleLight<double>(model, light, material, {Vec3d(0), kUp, kUp});
+        EXPECT_GT(s.nDotH, 0);
+        EXPECT_EQ(s.diffuse, Vec3d(0));
+        EXPECT_EQ(s.specular, Vec3d(0));
+    }
+}
+
 TEST(BlinnPhong, TheFactorMultipliesTheExponent) {
     Light light;
     light.position = {1, 0, 1};

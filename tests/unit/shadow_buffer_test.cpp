@@ -72,7 +72,8 @@ TEST(ShadowFactor, FilteringCountsTexels) {
     const ShadowSettings constant{ShadowBias::Constant, 0, 1};
     // Texel (1, 1) and its 8 neighbours: the column x = 0 has 3 of the 9.
     EXPECT_NEAR(shadowFactor(light, constant, Vec3d(-0.5, 0.5, 5), Vec3d(0, 0, -1)), 3.0 / 9, 1e-15);
-    EXPECT_EQ(shadowFactor(light, constant, Vec3d(100, 0, 5), Vec3d(0, 0, -1)), 1);  // outside nothing is in the way
+    EXPECT_EQ(shadowFactor(light, constant, Vec3d(100, 0, 5), Vec3d(0, 0, -1)), 1);     // outside nothing is in the way
+    EXPECT_EQ(shadowFactor(light, constant, Vec3d(-0.5, 0.5, 1), Vec3d(0, 0, -1)), 1);  // what a texel holds is lit
 }
 
 }  // namespace
