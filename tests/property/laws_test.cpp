@@ -195,6 +195,29 @@ TEST(Laws, TheEdgeOfAShadowIsOffByATexel) {
     EXPECT_LT(coarse, 0.04);
 }
 
+// Beyond a texel from its edge nothing is wrong. Texels of at most 8.5 / 1022 units, the diagonal of
+// the plane, are narrower than pixels of 4 / 256: every
+// pixel with another S has one beside it that lies across the edge.
+TEST(Laws, AwayFromItsEdgeAShadowIsRight) {
+    const Scene scene = shadowOnPlane(1024);
+    const Picture rays = rayCast(scene, RaySurfaces::Exact, 0)->picture;
+    const Picture ours = pictureOf(*test::frameOf(scene, picturesNeed()));
+    const Buffer2D<double>& shadow = rays.shadow[0];
+    int wrong = 0;
+    for (int y = 1; y < 255; ++y)
+        for (int x = 1; x < 255; ++x) {
+            if (ours.shadow[0].at({x, y}) == shadow.at({x, y})) continue;
+            ++wrong;
+            bool isBesideEdge = false;
+            for (int j = y - 1; j <= y + 1; ++j)
+                for (int i = x - 1; i <= x + 1; ++i)
+                    isBesideEdge = isBesideEdge || shadow.at({i, j}) != shadow.at({x, y});
+            ASSERT_TRUE(isBesideEdge) << x << ", " << y;
+        }
+    EXPECT_LT(wrong, 200);  // of an edge of 400 pixels or so
+    EXPECT_GT(std::ranges::count(shadow.pixels, 0.0), 5000);
+}
+
 // N samples across a light: a straight edge's share of it is off by at most 1 / (2 N).
 TEST(Laws, APenumbraIsOffByHalfASample) {
     for (const int samples : {4, 8, 16}) {
