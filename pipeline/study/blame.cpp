@@ -33,11 +33,14 @@ bool isComplete(const Picture& picture, std::size_t lights) {
 
 class Sum {
 public:
-    void add(Vec3d difference) { m_squares += glm::dot(difference, difference) / 3; }
-    double rmse(double count, double white) const { return std::sqrt(m_squares / count) / white; }
+    void add(Vec3d difference) {
+        const Vec3<long double> wide(difference);
+        m_squares += glm::dot(wide, wide) / 3;
+    }
+    double rmse(double count, double white) const { return double(std::sqrt(m_squares / count) / white); }
 
 private:
-    double m_squares = 0;
+    long double m_squares = 0;  // wide enough for squares of any double
 };
 
 }  // namespace

@@ -307,12 +307,12 @@ Buffer2D<Vec3d> signedError(const Picture& ours, const Picture& reference, doubl
 ErrorSpread spreadOf(std::vector<double> sizes) {
     ErrorSpread spread;
     if (sizes.empty()) return spread;
-    double sum = 0, squares = 0;
-    for (const double size : sizes) sum += size, squares += size * size;
+    long double sum = 0, squares = 0;  // wide enough for squares of any double
+    for (const long double size : sizes) sum += size, squares += size * size;
     const double count = double(sizes.size());
     const auto rank = sizes.begin() + std::ptrdiff_t(std::ceil(0.99 * count)) - 1;
     std::ranges::nth_element(sizes, rank);
-    return {sum / count, std::sqrt(squares / count), *rank, std::ranges::max(sizes)};
+    return {double(sum / count), double(std::sqrt(squares / count)), *rank, std::ranges::max(sizes)};
 }
 
 std::vector<double> numbersOf(const AnyBuffer& buffer) {

@@ -188,6 +188,7 @@ TEST(ErrorSpread, OfFourValues) {
     EXPECT_EQ(spread.p99, 4);
     EXPECT_EQ(spread.largest, 4);
     EXPECT_EQ(spreadOf({}).largest, 0);
+    EXPECT_EQ(spreadOf({1e300, 1e300}).rmse, 1e300);  // whose square is no double
 }
 
 }  // namespace
