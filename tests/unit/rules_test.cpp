@@ -213,6 +213,20 @@ TEST(Rules, DoNotFireInTheNeighbour) {
     }
 }
 
+// A light is left out where no material reflects any of it; one coefficient of the three is enough to need it.
+TEST(Rules, AnyOneCoefficientNeedsTheLight) {
+    for (Vec3d Material::*coefficient : {&Material::diffuse, &Material::specular, &Material::ambient}) {
+        Scene scene = boxScene();
+        scene.settings.model = Model::OpenGl;
+        scene.lights[0].gl.ambient = Vec3d(1);
+        Material& material = scene.objects[0].material;
+        material.diffuse = material.specular = material.ambient = Vec3d(0);
+        EXPECT_TRUE(fired(*test::frameOf(scene, {}), Rule::Unreflected));
+        (material.*coefficient).b = 1e-300;
+        EXPECT_FALSE(fired(*test::frameOf(scene, {}), Rule::Unreflected));
+    }
+}
+
 TEST(Rules, DoNotFireWhenSwitchedOff) {
     for (const Case& c : cases()) {
         Scene scene = c.scene();
