@@ -76,7 +76,8 @@ std::optional<std::vector<Layer<Real>>> layersIn(const ShadingInputs& inputs, co
             const std::size_t at = in.zBuffer.zView.offset(pixel);
             const Fragment<Real> fragment = interpolate(triangle, e, view.perspective);
             const auto w = interpolateW(triangle, e);
-            const bool nearer = compares ? code.nearer(code.encode(w, w), in.zBuffer.depth.pixels[at])
+            const bool first = in.zBuffer.triangle.pixels[at] == kNoTriangle;
+            const bool nearer = compares ? first || code.nearer(code.encode(w, w), in.zBuffer.depth.pixels[at])
                                          : fragment.z < in.zBuffer.zView.pixels[at];
             if (nearer)
                 found.push_back(

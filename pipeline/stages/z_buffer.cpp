@@ -34,7 +34,9 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
                 depth = code.encode(w, w);  // reads the one that w is
             }
             const double stored = linear ? double(out.zView.pixels[at]) : out.depth.pixels[at];
-            const bool won = linear ? fragment.z < out.zView.pixels[at] : code.nearer(depth, stored);
+            // What is there is nearer than nothing: in the far plane a reversed depth is the cleared 0 itself.
+            const bool first = out.triangle.pixels[at] == kNoTriangle;
+            const bool won = linear ? fragment.z < out.zView.pixels[at] : first || code.nearer(depth, stored);
             if (record) record->push_back({triangle.id, pixel, depth, stored, won});
             ++out.overdraw.pixels[at];
             if (!won) return;
