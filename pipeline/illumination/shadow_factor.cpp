@@ -34,6 +34,8 @@ ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& 
     const Real spread = face.perspective ? p.z : Real(1);
     test.texel = {texelAt(Real(face.centre.x) + Real(face.scale.x) * p.x / spread),
                   texelAt(Real(face.centre.y) - Real(face.scale.y) * p.y / spread)};
+    // A point on the seam of two faces of a point light lies in the last texel, not beyond it.
+    if (face.perspective) test.texel = glm::clamp(test.texel, glm::ivec2(0), face.size - 1);
     test.z = p.z;
     if (settings.bias == ShadowBias::Constant) {
         test.bias = Real(settings.biasValue);
