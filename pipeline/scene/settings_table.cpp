@@ -301,7 +301,7 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         {"material.#.ks", "k_s specular", "", "Fraction of light that is reflected towards R, in all three colours."},
         kFraction),
     row<OfMaterial, &Material::exponent>(
-        {"material.#.n", "n exponent", "", "Specular exponent: larger is a smaller highlight."}, {0, 10000, 0, 64}, {},
+        {"material.#.n", "n exponent", "", "Specular exponent: larger is a smaller highlight."}, {0, 1e6, 0, 64}, {},
         onlySpecular),
     choice<OfMaterial, &Material::highlight>({"material.#.highlight", "Highlight", "",
                                               "The specular term: that of the illumination model, (R·V)^n or (N·H)^n."},

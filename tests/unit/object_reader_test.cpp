@@ -97,7 +97,7 @@ TEST(ObjectReader, CoefficientOutsideItsRange) {
               "o.des:4:1: found \"1500\", expected k_r red, a number from -1000 to 1000\n"
               "o.des:4:6: found \"-1001\", expected k_g green, a number from -1000 to 1000\n"
               "o.des:4:16: found \"2000\", expected k_s specular, a number from -1000 to 1000\n"
-              "o.des:4:21: found \"-8\", expected n exponent, a number from 0 to 10000\n");
+              "o.des:4:21: found \"-8\", expected n exponent, a number from 0 to 1000000\n");
 }
 
 TEST(ObjectReader, FarTooManyAnnounced) {

@@ -89,7 +89,7 @@ const Case kCases[] = {
      [](Scene& s) { s.objects[0].material.exponent = -1; },
      {},
      "",
-     "material.0.n is -1, expected a value from 0 to 10000\n"},
+     "material.0.n is -1, expected a value from 0 to 1000000\n"},
 
     {"alpha above 1", [](Scene& s) { s.objects[0].material.alpha = 2; }, 60, "material.0.alpha"},
     {"alpha below 0", [](Scene& s) { s.objects[0].material.alpha = -1; }, {}, "material.0.alpha"},

@@ -115,7 +115,7 @@ TEST(TomlScene, ReportsSeveralErrorsInTheOrderOfTheFile) {
     EXPECT_EQ(errorsIn("width = 0\ncull = 3\n" + kSphere + "[object.material]\nn = -1\n"),
               "s.toml:1:9: width is 0, expected a whole number from 1 to 16384\n"
               "s.toml:2:8: cull is 3, expected \"none\" or \"back\"\n"
-              "s.toml:6:5: material.0.n is -1, expected a number from 0 to 10000\n");
+              "s.toml:6:5: material.0.n is -1, expected a number from 0 to 1000000\n");
     std::string many;
     for (int i = 0; i < 50; ++i) many += "unknown" + std::to_string(i) + " = 1\n";
     EXPECT_EQ(read(many).errors().size(), kMaxErrors);
