@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::array kCommands{
     Command{"export", declareExport}, Command{"plan", declarePlan},   Command{"inspect", declareInspect},
-    Command{"study", declareStudy},   Command{"bench", declareBench}, Command{"lesson", declareLesson},
+    Command{"study", declareStudy},   Command{"check", declareCheck}, Command{"bench", declareBench},
+    Command{"lesson", declareLesson},
 };
 
 constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};

@@ -21,6 +21,7 @@ void declarePlan(CLI::App& program, const CliHost& host, int& status);
 void declareInspect(CLI::App& program, const CliHost& host, int& status);
 void declareStudy(CLI::App& program, const CliHost& host, int& status);
 void declareBench(CLI::App& program, const CliHost& host, int& status);
+void declareCheck(CLI::App& program, const CliHost& host, int& status);
 void declareLesson(CLI::App& program, const CliHost& host, int& status);
 
 }  // namespace app

@@ -66,9 +66,9 @@ struct Layer {
     int height;
 };
 constexpr std::array kLayers{
-    Layer{"pipeline/formats/", 1}, Layer{"pipeline/export/", 1}, Layer{"pipeline/", 0},   Layer{"lessons/", 2},
-    Layer{"app/cli/", 3},          Layer{"app/core/", 3},        Layer{"app/view3d/", 4}, Layer{"app/panels/", 5},
-    Layer{"app/desktop/", 6},      Layer{"tests/", 7},
+    Layer{"pipeline/formats/", 1}, Layer{"pipeline/export/", 1}, Layer{"pipeline/check/", 2}, Layer{"pipeline/", 0},
+    Layer{"lessons/", 2},          Layer{"app/cli/", 3},         Layer{"app/core/", 3},       Layer{"app/view3d/", 4},
+    Layer{"app/panels/", 5},       Layer{"app/desktop/", 6},     Layer{"tests/", 7},
 };
 
 const Layer* layerOf(std::string_view path) {

@@ -21,7 +21,7 @@ TEST(Program, HelpAndVersionGoToStandardOutput) {
         EXPECT_EQ(done.err, "");
     }
     EXPECT_EQ(run({"--version"}).out, "shadescope " SHADESCOPE_VERSION "\n");
-    for (const char* command : {"export", "plan", "inspect", "bench", "lesson"}) {
+    for (const char* command : {"export", "plan", "inspect", "bench", "check", "lesson"}) {
         const auto done = run({command, "--help"});
         EXPECT_EQ(done.status, 0) << command;
         EXPECT_TRUE(has(done.out, "Usage: shadescope " + std::string(command))) << done.out;
@@ -205,6 +205,38 @@ TEST(Lesson, ListsAndShows) {
     const auto unknown = run({"lesson", "show", "pyramide"});
     EXPECT_EQ(unknown.status, 3);
     EXPECT_TRUE(has(unknown.err, "the nearest is \"pyramid\"")) << unknown.err;
+}
+
+TEST(Check, PrintsARowACaseAndHowManyHold) {
+    const auto done = run({"check", "--case", "S10", "--case", "g1"});
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_NE(done.out.find("Specular exponent"), std::string::npos);
+    EXPECT_NE(done.out.find("Triangle with equal corners"), std::string::npos);
+    EXPECT_NE(done.out.find("\n2 of 2 hold, in "), std::string::npos);
+}
+
+TEST(Check, JsonHasBothForms) {
+    const auto done = run({"check", "--group", "depth", "--json"});
+    EXPECT_EQ(done.status, 0) << done.err;
+    const auto json = nlohmann::json::parse(done.out);
+    EXPECT_EQ(json["cases"], json["hold"]);
+    for (const auto& result : json["results"]) EXPECT_EQ(result["group"], "depth");
+}
+
+TEST(Check, ListRunsNothing) {
+    const auto done = run({"check", "--list", "--group", "shadow"});
+    EXPECT_EQ(done.status, 0);
+    EXPECT_NE(done.out.find("H1 "), std::string::npos);
+    EXPECT_EQ(done.out.find("S10"), std::string::npos);
+}
+
+TEST(Check, UnknownNamesAreAnsweredWithTheNearest) {
+    const auto id = run({"check", "--case", "S100"});
+    EXPECT_EQ(id.status, 2);
+    EXPECT_EQ(id.err, "there is no case \"S100\"; the nearest is S10\n");
+    const auto group = run({"check", "--group", "shadows"});
+    EXPECT_EQ(group.status, 2);
+    EXPECT_EQ(group.err, "there is no group \"shadows\"; the nearest is shadow\n");
 }
 
 }  // namespace

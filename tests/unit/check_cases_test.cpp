@@ -1,0 +1,79 @@
+// Every case of the catalogue holds; the catalogue itself is in order.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "pipeline/check/case.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace pipeline::check {
+namespace {
+
+class CheckCase : public testing::TestWithParam<const Case*> {};
+
+std::vector<const Case*> everyCase() {
+    std::vector<const Case*> all;
+    for (const Case& c : caseTable()) all.push_back(&c);
+    return all;
+}
+INSTANTIATE_TEST_SUITE_P(Catalogue, CheckCase, testing::ValuesIn(everyCase()),
+                         [](const auto& one) { return std::string(one.param->id); });
+
+TEST_P(CheckCase, Holds) {
+    const CaseResult result = runCase(*GetParam());
+    EXPECT_TRUE(result.holds) << result.reason;
+    // A naive form that is as good as ours makes no case.
+    EXPECT_FALSE(result.finding.naive <= result.what->bound) << "naive: " << result.naiveText();
+}
+
+TEST_P(CheckCase, OpensAsASceneThatIsAccepted) {
+    if (!GetParam()->scene) return;
+    const Scene scene = GetParam()->scene();
+    EXPECT_EQ(format(checkScene(scene)), "");
+    const Knob& knob = GetParam()->knob;
+    if (knob.setting.empty()) return;
+    EXPECT_TRUE(bool(findSetting(scene, knob.setting))) << knob.setting;
+}
+
+TEST_P(CheckCase, KnobTellsTheFormsApartAtItsStiffEnd) {
+    const Knob& knob = GetParam()->knob;
+    if (knob.label.empty()) return;
+    const double atLow = knob.naive(knob.low), atHigh = knob.naive(knob.high);
+    const bool stiffAtHigh = !(atHigh <= atLow);
+    const double stiff = stiffAtHigh ? knob.high : knob.low;
+    EXPECT_FALSE(knob.naive(stiff) <= 10 * knob.ours(stiff));
+    for (const double at : {knob.low, std::sqrt(knob.low * knob.high), knob.high})
+        EXPECT_TRUE(std::isfinite(knob.ours(at)));
+}
+
+TEST(CheckTable, SaysEverythingAboutEachCase) {
+    std::set<std::string_view> ids;
+    for (const Case& c : caseTable()) {
+        EXPECT_TRUE(ids.insert(c.id).second) << c.id << " stands there twice";
+        for (const std::string_view words : {c.title, c.input, c.naive, c.stable, c.measure, c.reference})
+            EXPECT_FALSE(words.empty()) << c.id;
+    }
+    EXPECT_EQ(findCase("s10"), findCase("S10"));
+    EXPECT_NE(findCase("S10"), nullptr);
+    EXPECT_EQ(findCase("S999"), nullptr);
+}
+
+TEST(CheckRun, GivesTheCasesThatTheFilterAdmits) {
+    EXPECT_EQ(runChecks({{"g1", "C9"}, {}}, 2).size(), 2u);
+    std::stop_source stopped;
+    stopped.request_stop();
+    EXPECT_TRUE(runChecks({}, 2, stopped.get_token()).empty());
+}
+
+TEST(CheckNumbers, AreShort) {
+    EXPECT_EQ(measured(1.13e-7, ""), "1.1e-7");
+    EXPECT_EQ(measured(1e9, "eps"), "1e9 eps");
+    EXPECT_EQ(measured(2.5e12, ""), "2.5e12");
+    EXPECT_EQ(measured(0, "pixels"), "0 pixels");
+    EXPECT_EQ(measured(90, "°"), "90°");
+    EXPECT_EQ(measured(std::nan(""), "°"), "NaN");
+}
+
+}  // namespace
+}  // namespace pipeline::check
