@@ -126,9 +126,6 @@ std::string whyNoRays(const Scene& scene, RaySurfaces surfaces) {
     for (const Object& object : scene.objects)
         if (surfaces == RaySurfaces::Exact && !isTransparent(object, scene.settings))
             if (std::string why = whyNoSurface(object); !why.empty()) return why;
-    const bool interpolates = scene.settings.shading != Shading::Flat;
-    if (surfaces == RaySurfaces::Polygons && interpolates && scene.settings.interpolation == Interpolation::Scanline)
-        return "interpolation along scanlines goes by the polygons' outlines in the picture, not by surfaces";
     return {};
 }
 

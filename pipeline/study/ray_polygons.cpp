@@ -1,5 +1,8 @@
 #include "pipeline/study/ray_polygons.h"
 
+#include <algorithm>
+#include <array>
+
 namespace pipeline::rays {
 namespace {
 
@@ -78,6 +81,69 @@ Vec3<Real> inThePicture(const RayCamera<Real>& camera, const RayTriangle<Real>& 
     return weights / (weights.x + weights.y + weights.z);
 }
 
+// How much of each vertex of a mesh goes into a point; they sum to 1.
+template <class Real>
+struct Mixture {
+    std::array<std::uint32_t, 4> vertices{};
+    std::array<Real, 4> weights{};
+    std::size_t count = 0;
+    void add(std::uint32_t vertex, Real weight) {
+        vertices[count] = vertex;
+        weights[count++] = weight;
+    }
+};
+
+// Lecture 1's double interpolation: along the two edges that the point's row crosses on either side of it, then from one
+// crossing to the other. Empty where a corner is not in front of the eye, or no span holds the point.
+template <class Real>
+Mixture<Real> alongScanline(const RayCamera<Real>& camera, const std::vector<Vec3<Real>>& positions,
+                            std::span<const std::uint32_t> corners, Vec2<Real> point) {
+    struct Crossing {
+        Real x, along;
+        std::uint32_t from, to;
+    };
+    std::vector<Crossing> crossings;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::uint32_t from = corners[i], to = corners[(i + 1) % corners.size()];
+        if (camera.perspective && !(glm::dot(camera.forward, positions[from] - camera.eye) > 0)) return {};
+        const Vec2<Real> a = camera.placeOf(positions[from]), b = camera.placeOf(positions[to]);
+        if ((a.y <= point.y) == (b.y <= point.y)) continue;
+        const Real along = (point.y - a.y) / (b.y - a.y);
+        crossings.push_back({a.x + along * (b.x - a.x), along, from, to});
+    }
+    std::ranges::sort(crossings, {}, &Crossing::x);
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+        const Crossing &left = crossings[i], &right = crossings[i + 1];
+        // The span's own end, or beyond it by rounding: the point lies in the polygon.
+        const bool isLast = i + 3 >= crossings.size();
+        if (point.x > right.x && !isLast && point.x >= crossings[i + 2].x) continue;
+        const Real u =
+            right.x > left.x ? std::clamp((point.x - left.x) / (right.x - left.x), Real(0), Real(1)) : Real(0);
+        Mixture<Real> mixture;
+        mixture.add(left.from, (1 - u) * (1 - left.along));
+        mixture.add(left.to, (1 - u) * left.along);
+        mixture.add(right.from, u * (1 - right.along));
+        mixture.add(right.to, u * right.along);
+        return mixture;
+    }
+    return {};
+}
+
+template <class Real>
+Mixture<Real> mixtureAt(const Mesh& mesh, const RayScene<Real>& rays, Interpolation interpolation,
+                        const SurfacePoint<Real>& at) {
+    const RayTriangle<Real>& triangle = rays.tree.triangles[at.triangle];
+    Mixture<Real> mixture;
+    if (interpolation == Interpolation::Scanline)
+        mixture = alongScanline(rays.camera, rays.objects[triangle.object].positions, mesh.polygon(triangle.polygon),
+                                rays.camera.placeOf(at.position));
+    if (mixture.count > 0) return mixture;
+    const Vec3<Real> weights =
+        interpolation == Interpolation::Perspective ? at.weights : inThePicture(rays.camera, triangle, at.weights);
+    for (int i = 0; i < 3; ++i) mixture.add(mesh.triangles[triangle.triangle].vertices[i], weights[i]);
+    return mixture;
+}
+
 }  // namespace
 
 template <class Real>
@@ -120,13 +186,12 @@ ShadedPoint<Real> shadePolygon(const Scene& scene, const RayScene<Real>& rays, c
                                std::span<const Real> shadow) {
     const std::size_t o = std::size_t(at.object);
     const RayTriangle<Real>& triangle = rays.tree.triangles[at.triangle];
-    const auto& corners = scene.objects[o].mesh->triangles[triangle.triangle].vertices;
     const bool turned = at.back && lighting.twoSided;
-    const Vec3<Real> w = polygons.interpolation == Interpolation::Perspective
-                             ? at.weights
-                             : inThePicture(rays.camera, triangle, at.weights);
+    const Mixture<Real> mixture = mixtureAt(*scene.objects[o].mesh, rays, polygons.interpolation, at);
     const auto mean = [&](auto value) {
-        return w.x * value(corners[0]) + w.y * value(corners[1]) + w.z * value(corners[2]);
+        Vec3<Real> sum(0);
+        for (std::size_t i = 0; i < mixture.count; ++i) sum += mixture.weights[i] * value(mixture.vertices[i]);
+        return sum;
     };
 
     ShadedPoint<Real> out{at.normal, {}};

@@ -168,6 +168,13 @@ Ray<Real> RayCamera<Real>::through(Vec2<Real> pixel) const {
 }
 
 template <class Real>
+Vec2<Real> RayCamera<Real>::placeOf(Vec3<Real> position) const {
+    const Vec3<Real> from = position - eye;
+    const Real size = perspective ? scale / glm::dot(from, forward) : scale;
+    return {centre.x + size * glm::dot(from, right), centre.y - size * glm::dot(from, up)};
+}
+
+template <class Real>
 Vec3<Real> RayCamera<Real>::fromSurface(Vec3<Real> position) const {
     return perspective ? unit(eye - position) : -forward;
 }

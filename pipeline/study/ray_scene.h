@@ -25,6 +25,8 @@ struct RayCamera {
 
     // Its t is z_view.
     Ray<Real> through(Vec2<Real> pixel) const;
+    // Where a point of world space appears in the picture, pixels; it lies in front of the eye.
+    Vec2<Real> placeOf(Vec3<Real> position) const;
     // V: unit, towards the eye; against the viewing direction where the view is orthographic.
     Vec3<Real> fromSurface(Vec3<Real> position) const;
 };
