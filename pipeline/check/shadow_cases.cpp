@@ -205,7 +205,7 @@ Scene penumbra(int samples) {
     Light& light = scene.lights[0];
     light.kind = LightKind::Area, light.position = {-8, 32, 48};
     light.area = {{0, 0, -1}, 16, 0, samples};
-    scene.settings.shadowSize = 1024;
+    scene.settings.shadowSize = 512, scene.settings.precision = Precision::Float;  // 16 samples, six buffers each
     scene.settings.height = 4, scene.camera.height = 4;
     return scene;
 }
@@ -367,8 +367,8 @@ std::span<const Case> shadowCases() {
          .measure = "largest error of S",
          .reference = "the visible share of the light",
          // 1 / (2 N); and of 8 pixels two texels, one for the caster's edge and one for the bias. At x = 64 a texel
-         // of 2 / 1024 of the distance is 64² / 48 times that along the plane.
-         .bound = 1.0 / (2 * kSamples) + 2 * (64.0 * 64 / 48) * (2.0 / 1024) / 8,
+         // of 2 / 512 of the distance is 64² / 48 times that along the plane.
+         .bound = 1.0 / (2 * kSamples) + 2 * (64.0 * 64 / 48) * (2.0 / 512) / 8,
          .run = runPenumbra,
          .scene = softEdge},
         {.id = "H14",
