@@ -54,11 +54,16 @@ int litTexels(const LightView<Real>& light, const ShadowSettings& settings, Vec3
     const ShadowTest<Real> test = shadowTest(light, settings, position, normal);
     const Buffer2D<Real>& depth = light.depth[test.face];
     const int r = settings.filter;
+    // The faces of a point light adjoin: for what lies beyond a seam stands the texel before it. Beyond the buffer of a
+    // light at infinity there is nothing.
+    const glm::ivec2 last = depth.size - 1;
+    const bool adjoin = light.faces.size() > 1;
     int lit = 0;
     for (int y = test.texel.y - r; y <= test.texel.y + r; ++y) {
         for (int x = test.texel.x - r; x <= test.texel.x + r; ++x) {
-            const bool inside = x >= 0 && y >= 0 && x < depth.size.x && y < depth.size.y;
-            if (!inside || !(test.z > depth.at({x, y}) + test.bias)) ++lit;
+            const glm::ivec2 at = adjoin ? glm::clamp(glm::ivec2(x, y), glm::ivec2(0), last) : glm::ivec2(x, y);
+            const bool inside = at.x >= 0 && at.y >= 0 && at.x <= last.x && at.y <= last.y;
+            if (!inside || !(test.z > depth.at(at) + test.bias)) ++lit;
         }
     }
     return lit;

@@ -32,6 +32,33 @@ TEST(ShadowBuffer, HoldsTheDistanceOfTheClosestSurface) {
     EXPECT_TRUE(std::isinf(z.value(0, 0)));  // the border of a texel around everything
 }
 
+// A plate between a point light and a wall, across the seam of two faces (x = y), and larger than what the wall needs:
+// the wall is in shadow everywhere, also where filtering reaches beyond the seam.
+TEST(ShadowBuffer, FilteringReachesAcrossTheSeamsOfAPointLight) {
+    Scene scene = withLight(LightKind::Point, {0, 0, 0});
+    const Vec3d u = glm::normalize(Vec3d(1, 1, 0)), across = glm::normalize(Vec3d(-1, 1, 0)), up{0, 0, 1};
+    const auto square = [&](double distance, double half) {
+        const Vec3d middle = distance * u, a = half * across, b = half * up;
+        return test::mesh({middle - a - b, middle + a - b, middle + a + b, middle - a + b}, {{0, 1, 2, 3}});
+    };
+    scene.objects.push_back({"plate", square(1, 2), {}, {}});
+    scene.objects.push_back({"wall", square(3, 1), {}, {}});
+    scene.camera.eye = 1.2 * u, scene.camera.target = 3.0 * u, scene.camera.up = up, scene.camera.fovY = 40;
+    scene.settings.cull = CullMode::None;
+    for (const int filter : {0, 1, 4}) {
+        scene.settings.shadowFilter = filter;
+        const FramePtr frame = test::frameOf(scene);
+        const AnyBuffer shadow = *frame->buffer({BufferId::Shadow, 0}), ids = *frame->buffer({BufferId::ObjectId});
+        int seen = 0;
+        for (std::size_t i = 0; i < shadow.count(); ++i) {
+            if (ids.flat(i) != 1) continue;
+            EXPECT_EQ(shadow.flat(i), 0) << "filter " << filter << ", pixel " << i;
+            ++seen;
+        }
+        EXPECT_GT(seen, 100);
+    }
+}
+
 // A light in the middle of a hollow box of half sizes 2, 3, 4: each face sees its wall straight ahead.
 TEST(ShadowBuffer, OfAPointLightLooksAllSixWays) {
     Scene scene = withLight(LightKind::Point, {0, 0, 0});
