@@ -32,14 +32,14 @@ TEST(ShadowBuffer, HoldsTheDistanceOfTheClosestSurface) {
     EXPECT_TRUE(std::isinf(z.value(0, 0)));  // the border of a texel around everything
 }
 
-// A plate between a point light and a wall, across the seam of two faces (x = y), and larger than what the wall needs:
+// A plate between a point light and a wall that faces it, across the seam of two faces (x = y), and larger than what the wall needs:
 // the wall is in shadow everywhere, also where filtering reaches beyond the seam.
 TEST(ShadowBuffer, FilteringReachesAcrossTheSeamsOfAPointLight) {
     Scene scene = withLight(LightKind::Point, {0, 0, 0});
     const Vec3d u = glm::normalize(Vec3d(1, 1, 0)), across = glm::normalize(Vec3d(-1, 1, 0)), up{0, 0, 1};
     const auto square = [&](double distance, double half) {
         const Vec3d middle = distance * u, a = half * across, b = half * up;
-        return test::mesh({middle - a - b, middle + a - b, middle + a + b, middle - a + b}, {{0, 1, 2, 3}});
+        return test::mesh({middle - a - b, middle + a - b, middle + a + b, middle - a + b}, {{3, 2, 1, 0}});
     };
     scene.objects.push_back({"plate", square(1, 2), {}, {}});
     scene.objects.push_back({"wall", square(3, 1), {}, {}});
