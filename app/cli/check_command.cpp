@@ -7,9 +7,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
-#include "pipeline/check/case.h"
+#include "pipeline/check/check_json.h"
 #include "pipeline/core/text.h"
-#include "pipeline/export/json.h"
 
 namespace app {
 
@@ -81,30 +80,6 @@ void printList(const pipeline::check::Filter& filter) {
     printTable(rows);
 }
 
-pipeline::Json toJson(const Case& c) {
-    return {{"case", c.id},
-            {"group", name(c.group)},
-            {"title", c.title},
-            {"input", c.input},
-            {"naive_form", c.naive},
-            {"stable_form", c.stable},
-            {"measure", c.measure},
-            {"unit", c.unit},
-            {"reference", c.reference},
-            {"bound", c.bound},
-            {"ends_in", name(c.outcome)}};
-}
-pipeline::Json toJson(const CaseResult& result) {
-    pipeline::Json json = toJson(*result.what);
-    json["naive"] = result.finding.naive;
-    json["naive_text"] = result.naiveText();
-    json["ours"] = result.finding.ours;
-    json["ours_text"] = result.oursText();
-    json["holds"] = result.holds;
-    json["reason"] = result.reason;
-    json["milliseconds"] = result.milliseconds;
-    return json;
-}
 void print(const pipeline::Json& json) {
     fmt::print("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
 }
@@ -144,9 +119,7 @@ int runCheck(const CheckOptions& options) {
     }
     const auto holding = std::size_t(std::ranges::count(results, true, &CaseResult::holds));
     if (options.json) {
-        pipeline::Json cases = pipeline::Json::array();
-        for (const CaseResult& result : results) cases.push_back(toJson(result));
-        print({{"cases", results.size()}, {"hold", holding}, {"seconds", seconds}, {"results", cases}});
+        print(toJson(results, seconds));
     } else {
         printResults(results, seconds);
     }

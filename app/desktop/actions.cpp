@@ -47,6 +47,8 @@ std::span<const ActionRow> actionTable() {
 
         {A::Study, "Study", "Error against run time…", "Ctrl+Alt+S",
          "Varies settings and shows how wrong the picture is, and how long it takes."},
+        {A::Check, "Study", "Stiff and extreme cases…", "Ctrl+Alt+C",
+         "Runs the inputs on which a formula that looks right fails."},
 
         {A::RunCommand, "Help", "Run a command…", "Ctrl+Shift+P", "Finds any action, buffer or scene by its name."},
         {A::Keys, "Help", "Keys", "H; ?", "Lists the keys."},

@@ -38,6 +38,7 @@ enum class ActionId : unsigned char {
     GreenChannel,
     BlueChannel,
     Study,
+    Check,
     RunCommand,
     Keys,
 };

@@ -11,6 +11,7 @@ class QToolBar;
 namespace app {
 
 class Actions;
+class CheckPanel;
 class CommandPalette;
 class ErrorList;
 class KeySheet;
@@ -64,6 +65,7 @@ private:
     void chooseFile();
     void exportBuffers();
     void showStudy();
+    void showChecks();
     std::vector<PaletteEntry> commands();
     // main_window_layout.cpp: what stands where in which width
     enum class Width { Narrow, Medium, Wide };  // below 1100, below 1440, from there on
@@ -88,8 +90,9 @@ private:
     CommandPalette* m_palette;
     KeySheet* m_keys;
     PixelField* m_pixelField;
-    StudyPanel* m_study = nullptr;  // a window of its own; made when first asked for
-    std::optional<Width> m_width;   // as last laid out; nothing on the start page
+    StudyPanel* m_study = nullptr;   // a window of its own; made when first asked for
+    CheckPanel* m_checks = nullptr;  // likewise
+    std::optional<Width> m_width;    // as last laid out; nothing on the start page
 };
 
 }  // namespace app

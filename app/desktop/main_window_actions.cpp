@@ -13,6 +13,7 @@
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/pixel_field.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/check_panel.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/study_panel.h"
@@ -32,6 +33,17 @@ QString fileFilters() {
     QStringList patterns;
     for (const pipeline::Format& format : pipeline::formatTable()) patterns << u'*' + toQString(format.extension);
     return MainWindow::tr("Scenes and models (%1);;All files (*)").arg(patterns.join(u' '));
+}
+
+// In a window of its own.
+void showApart(QWidget& panel) {
+    if (!panel.isWindow()) {
+        panel.setWindowFlag(Qt::Window);
+        panel.resize(QSize(1680, 1000).boundedTo(panel.screen()->availableSize()));
+    }
+    panel.show();
+    panel.raise();
+    panel.activateWindow();
 }
 
 }  // namespace
@@ -60,6 +72,7 @@ void MainWindow::connectActions() {
     });
     on(A::Unpick, [this] { m_document.pick(std::nullopt); });
     on(A::Study, [this] { showStudy(); });
+    on(A::Check, [this] { showChecks(); });
     on(A::RunCommand, [this] { m_palette->open(commands()); });
     on(A::Keys, [this] { m_keys->open(); });
     for (std::size_t i = 0; i < kStageActions.size(); ++i)
@@ -136,14 +149,13 @@ void MainWindow::exportBuffers() {
 }
 
 void MainWindow::showStudy() {
-    if (!m_study) {
-        m_study = new StudyPanel(m_document, this);
-        m_study->setWindowFlag(Qt::Window);
-        m_study->resize(QSize(1680, 1000).boundedTo(screen()->availableSize()));
-    }
-    m_study->show();
-    m_study->raise();
-    m_study->activateWindow();
+    if (!m_study) m_study = new StudyPanel(m_document, this);
+    showApart(*m_study);
+}
+
+void MainWindow::showChecks() {
+    if (!m_checks) m_checks = new CheckPanel(m_document, this);
+    showApart(*m_checks);
 }
 
 std::vector<PaletteEntry> MainWindow::commands() {

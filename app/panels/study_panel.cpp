@@ -16,25 +16,13 @@
 #include "app/panels/study_run.h"
 #include "app/panels/study_sweep.h"
 #include "app/panels/study_words.h"
+#include "app/panels/surface.h"
 #include "pipeline/study/analysis_text.h"
 
 namespace app {
 
 using pipeline::PointAnalysis;
 using pipeline::StudyReport;
-
-namespace {
-
-QFrame* surface(QWidget* content, QWidget* parent) {
-    auto* frame = new QFrame(parent);
-    frame->setProperty("kind", "panel");
-    auto* column = new QVBoxLayout(frame);
-    column->setContentsMargins(1, 1, 1, 1);
-    column->addWidget(content);
-    return frame;
-}
-
-}  // namespace
 
 StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setObjectName("studyPanel");

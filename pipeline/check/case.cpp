@@ -120,16 +120,21 @@ CaseResult runCase(const Case& which, int threads) {
     return result;
 }
 
-std::vector<CaseResult> runChecks(const Filter& filter, int threads, std::stop_token stop) {
+std::vector<CaseResult> runChecks(const Filter& filter, int threads, std::stop_token stop,
+                                  const std::function<void(const CaseResult&)>& each) {
     std::vector<CaseResult> results;
     for (const Case& which : caseTable())
         if (filter.admits(which)) results.push_back({&which, {}, false, {}, 0});
     Threads pool(threads, std::move(stop));
     // A lone case gets the threads for its frames.
-    const int each = results.size() == 1 ? threads : 1;
+    const int threadsEach = results.size() == 1 ? threads : 1;
     std::vector<std::uint8_t> done(results.size(), 0);
     pool.forRange(results.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) results[i] = runCase(*results[i].what, each), done[i] = 1;
+        for (std::size_t i = begin; i < end; ++i) {
+            results[i] = runCase(*results[i].what, threadsEach);
+            done[i] = 1;
+            if (each) each(results[i]);
+        }
     });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < results.size(); ++i)

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <stop_token>
@@ -101,8 +102,9 @@ struct Filter {
 
 CaseResult runCase(const Case& which, int threads = 1);
 // In the order of the table, several at a time. threads 0: as many as the machine has. Cases not begun when a stop
-// is asked for are not in the result.
-std::vector<CaseResult> runChecks(const Filter& filter, int threads, std::stop_token stop = {});
+// is asked for are not in the result. `each` is told of every result as it comes, by the threads that run the cases.
+std::vector<CaseResult> runChecks(const Filter& filter, int threads, std::stop_token stop = {},
+                                  const std::function<void(const CaseResult&)>& each = {});
 
 // The rows of each file of cases.
 std::span<const Case> geometryCases();

@@ -1,0 +1,127 @@
+#include "app/panels/check_cases.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "app/core/text.h"
+#include "app/panels/airy_cells.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+using pipeline::check::Case;
+using pipeline::check::CaseResult;
+
+namespace {
+
+constexpr int kCase = Qt::UserRole;
+enum Column { Id, Title, Naive, Ours, Bound, EndsIn, Verdict, kColumns };
+
+bool breaks(const std::optional<CaseResult>& result) { return result && !result->holds; }
+
+}  // namespace
+
+CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
+    setObjectName("checkCases");
+    setAccessibleName(tr("Stiff and extreme cases"));
+    setHorizontalHeaderLabels(
+        {tr("Case"), tr("What goes in"), tr("Naive"), tr("Ours"), tr("Bound"), tr("Ends in"), tr("Verdict")});
+    for (const int column : {Naive, Ours, Bound}) horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight);
+    setSelectionBehavior(SelectRows);
+    setSelectionMode(SingleSelection);
+    setEditTriggers(NoEditTriggers);
+    setShowGrid(false);
+    setWordWrap(false);
+    setTabKeyNavigation(false);
+    setItemDelegate(new AiryCells(this));
+    setHorizontalScrollMode(ScrollPerPixel);
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setSectionResizeMode(Title, QHeaderView::Stretch);
+    followTheme(this, [this] {
+        verticalHeader()->setDefaultSectionSize(Theme::current().px(26));
+        horizontalHeader()->setMinimumSectionSize(Theme::current().px(48));
+    });
+    connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
+        if (row >= 0) emit chosen(caseIn(row));
+    });
+    connect(this, &QTableWidget::cellDoubleClicked, this, [this](int row) { emit openAsked(caseIn(row)); });
+}
+
+void CheckCases::setCases(const CheckResults& results, std::optional<pipeline::check::Group> group) {
+    const QSignalBlocker quiet(this);
+    const auto table = pipeline::check::caseTable();
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < table.size(); ++i)
+        if (!group || table[i].group == *group) order.push_back(i);
+    std::ranges::stable_sort(order,
+                             [&](std::size_t a, std::size_t b) { return breaks(results[a]) > breaks(results[b]); });
+    clearContents();
+    setRowCount(int(order.size()));
+    for (int row = 0; row < rowCount(); ++row) {
+        auto* id = new QTableWidgetItem;
+        id->setData(kCase, qulonglong(order[std::size_t(row)]));
+        setItem(row, Id, id);
+        fill(row, results[order[std::size_t(row)]]);
+    }
+}
+
+void CheckCases::setResult(std::size_t which, const CaseResult& result) {
+    const QSignalBlocker quiet(this);
+    if (const int row = rowOf(which); row >= 0) fill(row, result);
+}
+
+void CheckCases::fill(int row, const std::optional<CaseResult>& result) {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    const Case& which = pipeline::check::caseTable()[caseIn(row)];
+    const auto set = [&](Column column, const QString& text, const QColor& color, bool number) {
+        if (!item(row, column)) setItem(row, column, new QTableWidgetItem);
+        QTableWidgetItem* cell = item(row, column);
+        cell->setText(text);
+        cell->setToolTip(text);
+        cell->setForeground(color);
+        cell->setFont(number || column == Id ? theme.mono(12) : theme.text(13));
+        cell->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    };
+    set(Id, toQString(which.id), c.text, false);
+    set(Title, toQString(which.title), c.text, false);
+    item(row, Title)->setToolTip(toQString(which.title) + '\n' + toQString(which.input));
+    set(Naive, result ? toQString(result->naiveText()) : QString(), c.failed, true);
+    set(Ours, result ? toQString(result->oursText()) : QString(), c.text, true);
+    set(Bound, toQString(pipeline::check::measured(which.bound, which.unit)), c.text2, true);
+    set(EndsIn, toQString(name(which.outcome)), c.text2, false);
+    if (!result)
+        set(Verdict, tr("not run"), c.text3, false);
+    else if (result->holds)
+        set(Verdict, tr("● holds"), c.run, false);
+    else
+        set(Verdict, tr("▲ breaks"), c.failed, false);
+    if (breaks(result)) item(row, Verdict)->setToolTip(toQString(result->reason));
+}
+
+std::size_t CheckCases::caseIn(int row) const { return std::size_t(item(row, Id)->data(kCase).toULongLong()); }
+
+int CheckCases::rowOf(std::size_t which) const {
+    for (int row = 0; row < rowCount(); ++row)
+        if (caseIn(row) == which) return row;
+    return -1;
+}
+
+void CheckCases::select(std::size_t which) {
+    const QSignalBlocker quiet(this);
+    if (const int row = rowOf(which); row >= 0) setCurrentCell(row, 0);
+}
+
+void CheckCases::keyPressEvent(QKeyEvent* event) {
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && currentRow() >= 0) return emit openAsked(caseIn(currentRow()));
+    QTableWidget::keyPressEvent(event);
+}
+
+}  // namespace app

@@ -1,0 +1,37 @@
+#pragma once
+#include <QTableWidget>
+#include <optional>
+
+#include "pipeline/check/case.h"
+
+namespace app {
+
+// What is known of each case: as long as pipeline::check::caseTable(), nothing where it has not run.
+using CheckResults = std::vector<std::optional<pipeline::check::CaseResult>>;
+
+// The cases of a group with what they gave, those that break first; the chosen row is the chosen case.
+class CheckCases : public QTableWidget {
+    Q_OBJECT
+public:
+    explicit CheckCases(QWidget* parent = nullptr);
+
+    // No group: all.
+    void setCases(const CheckResults& results, std::optional<pipeline::check::Group> group);
+    void setResult(std::size_t which, const pipeline::check::CaseResult& result);  // in its row, which stays
+    void select(std::size_t which);                                                // says nothing
+    bool contains(std::size_t which) const { return rowOf(which) >= 0; }
+
+signals:
+    void chosen(std::size_t which);     // into caseTable(), by the user
+    void openAsked(std::size_t which);  // Enter, or a double click
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    std::size_t caseIn(int row) const;
+    int rowOf(std::size_t which) const;
+    void fill(int row, const std::optional<pipeline::check::CaseResult>& result);
+};
+
+}  // namespace app

@@ -1,0 +1,69 @@
+#pragma once
+#include <QWidget>
+#include <memory>
+
+#include "app/core/check_job.h"
+#include "app/core/document.h"
+#include "app/panels/check_cases.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace app {
+
+class CheckDetails;
+class CheckKnob;
+class Segmented;
+
+// The stiff and extreme cases: on the left all with what they gave, on the right the chosen one with the knob that
+// makes it stiff. They run when the panel is first shown.
+class CheckPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit CheckPanel(Document& document, QWidget* parent = nullptr);
+    ~CheckPanel() override;
+
+    void run(pipeline::check::Filter filter);  // nothing while something runs
+    bool running() const { return m_job != nullptr; }
+    void select(std::size_t which);  // into pipeline::check::caseTable()
+    std::size_t selected() const { return m_selected; }
+    void setGroup(std::optional<pipeline::check::Group> group);
+    // The selected case as the document's scene, with the slider's value where the knob is one of its settings.
+    bool openAsScene();
+    QString report() const;  // JSON, as the command check prints it
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QWidget* makeLeft();
+    QWidget* makeRight();
+    const pipeline::check::Case& chosenCase() const;
+    void take(const pipeline::check::CaseResult& result);
+    void finish(double seconds, bool cancelled);
+    void showSelected();
+    void showState();
+    void turnKnob(double value, bool done);
+
+    Document& m_document;
+    CheckResults m_results;
+    double m_seconds = 0;       // of the newest run of all
+    std::size_t m_arrived = 0;  // of the cases that run now
+    std::size_t m_asked = 0;
+    std::unique_ptr<CheckJob> m_job;
+    std::optional<pipeline::check::Group> m_group;
+    std::size_t m_selected = 0;
+    std::optional<std::size_t> m_open;  // the case that is the document's scene
+    QLabel *m_head, *m_command, *m_message, *m_noKnob;
+    QProgressBar* m_bar;
+    QPushButton *m_runAll, *m_runOne, *m_copy;
+    Segmented* m_groups;
+    CheckCases* m_cases;
+    CheckDetails* m_details;
+    CheckKnob* m_knob;
+};
+
+}  // namespace app

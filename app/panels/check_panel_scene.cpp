@@ -1,0 +1,49 @@
+#include <QLabel>
+
+#include "app/core/text.h"
+#include "app/panels/check_knob.h"
+#include "app/panels/check_panel.h"
+#include "pipeline/check/check_json.h"
+
+// What leaves the panel: the chosen case as a scene, and the report.
+namespace app {
+
+using pipeline::check::Case;
+using pipeline::check::CaseResult;
+
+bool CheckPanel::openAsScene() {
+    const auto tell = [this](const QString& words) {
+        m_message->setText(words);
+        m_message->show();
+        return false;
+    };
+    const Case& which = chosenCase();
+    if (!which.scene) return tell(tr("%1 is numbers or a file: it has no scene.").arg(toQString(which.id)));
+    pipeline::Scene scene = which.scene();
+    if (const auto setting = findSetting(scene, which.knob.setting); !which.knob.setting.empty() && setting)
+        setting->set(scene, m_knob->value());
+    if (const auto errors = checkScene(scene); !errors.empty()) return tell(toQString(format(errors.front())));
+    m_document.setScene(std::move(scene));
+    m_open = m_selected;
+    tell(which.knob.setting.empty()
+             ? tr("%1 is open in the main window.").arg(toQString(which.id))
+             : tr("%1 is open in the main window and follows the slider.").arg(toQString(which.id)));
+    return true;
+}
+
+// The scene of the case on show follows; a drag is one step of undo.
+void CheckPanel::turnKnob(double value, bool done) {
+    if (m_open != m_selected || chosenCase().knob.setting.empty()) return;
+    if (const auto setting = findSetting(m_document.scene(), chosenCase().knob.setting))
+        m_document.change(*setting, value, done ? Document::Change::Done : Document::Change::Live);
+}
+
+QString CheckPanel::report() const {
+    std::vector<CaseResult> results;
+    for (const auto& result : m_results)
+        if (result) results.push_back(*result);
+    const pipeline::Json json = toJson(results, m_seconds);
+    return toQString(json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+}
+
+}  // namespace app

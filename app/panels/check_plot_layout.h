@@ -1,0 +1,19 @@
+#pragma once
+#include "app/core/knob_curve.h"
+#include "pipeline/study/plot.h"
+
+namespace app {
+
+// What the plot of a case's knob shows.
+struct KnobPlot {
+    const pipeline::check::Case* which = nullptr;  // with a knob
+    std::vector<KnobErrors> curve{};               // may be empty: not known yet
+    std::optional<KnobErrors> now{};               // at the slider, once known
+    double at = 0;                                 // where the slider stands
+};
+
+// Both errors over the knob's range with the bound, a line at the slider, and the numbers there. The errors are on a
+// logarithmic axis; one of 0 stands in a row of its own at the foot, one that is no number leaves a gap.
+pipeline::PlotDrawing layOut(const KnobPlot& plot, const pipeline::PlotSize& size);
+
+}  // namespace app
