@@ -28,7 +28,8 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
     setAccessibleName(tr("Stiff and extreme cases"));
     setHorizontalHeaderLabels(
         {tr("Case"), tr("What goes in"), tr("Naive"), tr("Ours"), tr("Bound"), tr("Ends in"), tr("Verdict")});
-    for (const int column : {Naive, Ours, Bound}) horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight);
+    for (const int column : {Naive, Ours, Bound})
+        horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setSelectionBehavior(SelectRows);
     setSelectionMode(SingleSelection);
     setEditTriggers(NoEditTriggers);
@@ -116,6 +117,12 @@ int CheckCases::rowOf(std::size_t which) const {
 void CheckCases::select(std::size_t which) {
     const QSignalBlocker quiet(this);
     if (const int row = rowOf(which); row >= 0) setCurrentCell(row, 0);
+}
+
+// Few results are long, and their tips show them whole: what goes in needs the room.
+int CheckCases::sizeHintForColumn(int column) const {
+    const int hint = QTableWidget::sizeHintForColumn(column);
+    return column == Naive || column == Ours ? std::min(hint, Theme::current().px(170)) : hint;
 }
 
 void CheckCases::keyPressEvent(QKeyEvent* event) {

@@ -26,6 +26,7 @@ signals:
     void openAsked(std::size_t which);  // Enter, or a double click
 
 protected:
+    int sizeHintForColumn(int column) const override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
