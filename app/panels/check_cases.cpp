@@ -42,11 +42,15 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(Title, QHeaderView::Stretch);
     followTheme(this, [this] {
         verticalHeader()->setDefaultSectionSize(Theme::current().px(26));
         horizontalHeader()->setMinimumSectionSize(Theme::current().px(48));
+        // A few texts are long, and would leave no room for the titles; their tooltips have the whole. Widths that
+        // follow the contents would be found anew for every cell.
+        for (const auto& [column, width] :
+             {std::pair(Id, 52), {Naive, 168}, {Ours, 112}, {Bound, 88}, {EndsIn, 68}, {Verdict, 88}})
+            setColumnWidth(column, Theme::current().px(width));
     });
     connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
         if (row >= 0) emit chosen(caseIn(row));
@@ -117,12 +121,6 @@ int CheckCases::rowOf(std::size_t which) const {
 void CheckCases::select(std::size_t which) {
     const QSignalBlocker quiet(this);
     if (const int row = rowOf(which); row >= 0) setCurrentCell(row, 0);
-}
-
-// Few results are long, and their tips show them whole: what goes in needs the room.
-int CheckCases::sizeHintForColumn(int column) const {
-    const int hint = QTableWidget::sizeHintForColumn(column);
-    return column == Naive || column == Ours ? std::min(hint, Theme::current().px(170)) : hint;
 }
 
 void CheckCases::keyPressEvent(QKeyEvent* event) {

@@ -26,7 +26,6 @@ signals:
     void openAsked(std::size_t which);  // Enter, or a double click
 
 protected:
-    int sizeHintForColumn(int column) const override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:

@@ -29,6 +29,10 @@ CheckPanel::CheckPanel(Document& document, QWidget* parent)
     setObjectName("checkPanel");
     setWindowTitle(tr("Stiff and extreme cases"));
     setAttribute(Qt::WA_StyledBackground);
+    // The first that shows all that a case can.
+    m_selected =
+        std::size_t(std::ranges::find_if(caseTable(), [](const Case& one) { return !one.knob.label.empty(); }) -
+                    caseTable().begin());
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(makeLeft());
     splitter->addWidget(makeRight());
