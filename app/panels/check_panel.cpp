@@ -37,7 +37,7 @@ CheckPanel::CheckPanel(Document& document, QWidget* parent)
     splitter->addWidget(makeLeft());
     splitter->addWidget(makeRight());
     splitter->setChildrenCollapsible(false);
-    splitter->setSizes({Theme::current().px(900), Theme::current().px(780)});
+    splitter->setSizes({Theme::current().px(860), Theme::current().px(820)});
     auto* column = new QVBoxLayout(this);
     column->addWidget(splitter);
     connect(&document, &Document::sceneOpened, this, [this] { m_open.reset(); });
