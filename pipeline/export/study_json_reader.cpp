@@ -5,6 +5,7 @@
 
 #include "pipeline/core/text.h"
 #include "pipeline/export/study_json.h"
+#include "pipeline/formats/json_error.h"
 #include "pipeline/study/sweep.h"
 
 namespace pipeline {
@@ -13,42 +14,6 @@ namespace {
 
 // No study that the program writes comes near; a file that says more is broken.
 constexpr double kMost = 1e9;
-
-// Where the parser stops; it has no other way to say so without an exception.
-class PlaceOfError : public nlohmann::json_sax<Json> {
-public:
-    std::size_t byte = 0;  // from 1
-    bool null() override { return true; }
-    bool boolean(bool) override { return true; }
-    bool number_integer(number_integer_t) override { return true; }
-    bool number_unsigned(number_unsigned_t) override { return true; }
-    bool number_float(number_float_t, const string_t&) override { return true; }
-    bool string(string_t&) override { return true; }
-    bool binary(binary_t&) override { return true; }
-    bool start_object(std::size_t) override { return true; }
-    bool key(string_t&) override { return true; }
-    bool end_object() override { return true; }
-    bool start_array(std::size_t) override { return true; }
-    bool end_array() override { return true; }
-    bool parse_error(std::size_t position, const std::string&, const Json::exception&) override {
-        byte = position;
-        return false;
-    }
-};
-
-// Lines and columns from 1, columns in code points: of bytes 10xxxxxx none begins one.
-SourceLocation placeOf(std::size_t byte, std::string_view text, const std::string& file) {
-    SourceLocation place{file, 1, 1};
-    for (const char c : text.substr(0, byte > 0 ? byte - 1 : 0)) {
-        if (c == '\n') {
-            ++place.line;
-            place.column = 1;
-        } else if ((static_cast<unsigned char>(c) & 0xC0u) != 0x80u) {
-            ++place.column;
-        }
-    }
-    return place;
-}
 
 // A value with its JSON pointer. What is not as it must be is reported, and reads as nothing: 0,
 // an empty text, no elements.
@@ -247,9 +212,8 @@ void checkPoint(const Value& value, const StudyReport& report) {
 Result<StudyReport> studyFromJson(std::string_view text, const std::string& file) {
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded()) {
-        PlaceOfError place;
-        Json::sax_parse(text, &place);
-        return Error{placeOf(place.byte, text, file), "this is not JSON", "a study that the program wrote"};
+        const TextPosition place = positionOf(text, jsonErrorAt(text));
+        return Error{{file, place.line, place.column}, "this is not JSON", "a study that the program wrote"};
     }
     Errors errors;
     const Value root(&json, {}, file, errors);

@@ -7,6 +7,7 @@
 
 #include "pipeline/core/text.h"
 #include "pipeline/formats/bytes.h"
+#include "pipeline/formats/json_error.h"
 #include "pipeline/formats/lecture_values.h"
 
 namespace pipeline {
@@ -17,37 +18,6 @@ using Json = nlohmann::json;
 constexpr std::size_t kMaxDepth = 64, kMaxValues = std::size_t{1} << 22;
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;  // "glTF", "JSON", "BIN"
 constexpr std::size_t kHeader = 12, kChunkHeader = 8;                                          // bytes
-
-// Where the parser stops; it has no other way to say so without an exception.
-class PlaceOfError : public nlohmann::json_sax<Json> {
-public:
-    std::size_t bytesRead = 0;
-
-    bool null() override { return true; }
-    bool boolean(bool) override { return true; }
-    bool number_integer(number_integer_t) override { return true; }
-    bool number_unsigned(number_unsigned_t) override { return true; }
-    bool number_float(number_float_t, const string_t&) override { return true; }
-    bool string(string_t&) override { return true; }
-    bool binary(binary_t&) override { return true; }
-    bool start_object(std::size_t) override { return true; }
-    bool key(string_t&) override { return true; }
-    bool end_object() override { return true; }
-    bool start_array(std::size_t) override { return true; }
-    bool end_array() override { return true; }
-    bool parse_error(std::size_t position, const std::string&, const Json::exception&) override {
-        bytesRead = position;
-        return false;
-    }
-};
-
-TextPosition positionOf(std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, byte);
-    const std::size_t lineBegin = before.rfind('\n') == before.npos ? 0 : before.rfind('\n') + 1;
-    const auto isCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-    return {1 + static_cast<int>(std::ranges::count(before, '\n')),
-            1 + static_cast<int>(std::ranges::count_if(before.substr(lineBegin), isCharacter))};
-}
 
 // `offset`: where the JSON stands in a .glb, whose lines mean nothing.
 Error notJson(const SourceText& source, std::string_view json, std::size_t byte, std::string found,
@@ -141,12 +111,9 @@ Result<GltfFile> parseGltf(const SourceText& source) {
     if (const auto error = checkNesting(source, chunks.json)) return *error;
     GltfFile file{source.name, Json::parse(chunks.json, nullptr, false), chunks.binary};
     if (file.json.is_discarded()) {
-        PlaceOfError place;
-        Json::sax_parse(chunks.json, &place);
-        const std::size_t byte = std::min(place.bytesRead, chunks.json.size() + 1);
-        const bool atEnd = byte == 0 || byte > chunks.json.size();
-        return notJson(source, chunks.json, byte == 0 ? 0 : byte - 1,
-                       atEnd ? "the JSON ends too early" : "this is not JSON");
+        const std::size_t byte = jsonErrorAt(chunks.json);
+        const bool atEnd = byte == chunks.json.size();
+        return notJson(source, chunks.json, byte, atEnd ? "the JSON ends too early" : "this is not JSON");
     }
     if (!file.json.is_object())
         return notJson(source, chunks.json, 0, fmt::format("the JSON is {}", shown(file.json)), "an object");
