@@ -191,10 +191,13 @@ void declareStudy(CLI::App& program, const CliHost&, int& status) {
     declareSceneArgument(*command, options->scene);
     command->get_option("SCENE")->required(false);
     declareReport(*command, *options);
+    std::vector<std::string_view> names;
+    for (const pipeline::NamedSweep& named : pipeline::namedSweeps()) names.push_back(named.name);
     command
         ->add_option("--sweep", options->sweeps,
-                     "KEY=VALUE,VALUE,... or KEY=FIRST..LAST*FACTOR, once for each setting; or a ready-made sweep: "
-                     "shading, depth, shadow, specular, precision, antialiasing, normals")
+                     fmt::format("KEY=VALUE,VALUE,... or KEY=FIRST..LAST*FACTOR, once for each setting; or a "
+                                 "ready-made sweep: {}",
+                                 fmt::join(names, ", ")))
         ->type_name("SWEEP")
         ->allow_extra_args(false);
     command->add_option("--error", options->error, "The error to plot, as in normal:RMSE:model")

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <chrono>
 
 #include "app/cli/child_process.h"
 #include "app/cli/cli.h"
@@ -27,22 +27,29 @@ std::string valuesText(const StudyPoint& point) { return fmt::format("{}", fmt::
 
 bool isFound(const StudyPoint& point) { return !point.failure.empty() || !point.errors.empty(); }
 
+// What may be lost when the program is ended by force. Writing after every point would take the time of its square in
+// a study of thousands.
+constexpr std::chrono::seconds kKeptEvery{5};
+
 struct Run {
     const StudyJob& job;
     const Interrupt& interrupt;
     int& status;
     StudyReport report;
+    std::chrono::steady_clock::time_point kept = std::chrono::steady_clock::now();
 
     fs::path part() const { return partFile(job.folder, job.request); }
 
     bool keep() {
         const auto written = writeJson(report, part());
+        kept = std::chrono::steady_clock::now();
         if (written) return true;
         printErrors(written.errors());
         status = kCouldNotWrite;
         return false;
     }
     bool cancelled() {
+        if (!keep()) return false;
         fmt::print(stderr, "Cancelled. The same command goes on from here; what there is stands in {}\n",
                    part().string());
         status = kInterrupted;
@@ -76,9 +83,9 @@ struct Run {
             if (isFound(point)) continue;
             progress.show(std::size_t(std::ranges::count_if(report.points, isFound)), all, valuesText(point));
             if (!finder.find(point, report, interrupt.token())) return cancelled();
-            if (!keep()) return false;
+            if (std::chrono::steady_clock::now() - kept >= kKeptEvery && !keep()) return false;
         }
-        return true;
+        return keep();
     }
 
     bool measure() {

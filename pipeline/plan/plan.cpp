@@ -67,6 +67,7 @@ std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (auto text = firstDifferent(a.lights, b.lights, "Light", "The lights"); !text.empty()) return text;
     if (!(a.ambient == b.ambient)) return "The ambient light changed.";
     if (!(a.shadow == b.shadow)) return "The settings of the shadow test changed.";
+    if (a.samples != b.samples) return "The setting antialiasing changed.";
     if (!(a.layers == b.layers)) return "The layers of translucent surfaces changed.";
     return a == b ? "" : "Other parts of it are needed.";
 }

@@ -38,7 +38,8 @@ Result<Scene> sceneInQuad(Scene scene) {
     return scene;
 }
 
-void addCounters(const Frame& frame, StudyPoint& point) {
+void setCounters(const Frame& frame, StudyPoint& point) {
+    point.counters.clear();  // an interrupted search may have left some
     for (const StageId stage : kStages)
         for (const Tally& tally : frame.run(stage).tallies) point.counters[std::string(tally.what)] += tally.done;
     double bytes = 0;
@@ -56,7 +57,7 @@ Scene referenceKey(Scene scene, RaySurfaces surfaces) {
     s.exponentFactor = own.exponentFactor, s.localViewer = own.localViewer, s.twoSided = own.twoSided;
     s.visibility = own.visibility;
     if (surfaces == RaySurfaces::Polygons) {
-        s.normalWeight = own.normalWeight;
+        s.shading = own.shading, s.interpolation = own.interpolation, s.normalWeight = own.normalWeight;
         return scene;
     }
     for (Object& object : scene.objects)
@@ -143,7 +144,7 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token s
     // Counted is the frame whose time is taken: nobody asks it for buffers.
     const FramePtr frame = frameOf(*scene, wanted(), 0, stop), plain = frameOf(*scene, {}, 0, stop);
     if (!frame || !plain) return false;
-    addCounters(*plain, point);
+    setCounters(*plain, point);
 
     const std::size_t arithmetic = index(ErrorKind::Arithmetic);
     FramePtr exact;

@@ -38,6 +38,17 @@ TEST(RunStudy, countsWhatTheTimedFrameDoes) {
     EXPECT_GT(report.points[1].counters.at("light evaluations"), report.points[0].counters.at("light evaluations"));
 }
 
+// A search that was interrupted and is made again, as after going on with a study, counts no frame twice.
+TEST(RunStudy, findingAPointAgainLeavesItsCountersAsTheyAre) {
+    const StudyRequest request = requestOf(small(), {"shading=flat,phong"});
+    StudyReport report = beginStudy(request);
+    ErrorFinder finder(request);
+    ASSERT_TRUE(finder.find(report.points[1], report, {}));
+    const auto once = report.points[1].counters;
+    ASSERT_TRUE(finder.find(report.points[1], report, {}));
+    EXPECT_EQ(report.points[1].counters, once);
+}
+
 TEST(RunStudy, aValueThatTheSceneRefusesIsAFailureOfThatPointAlone) {
     Scene scene = small();
     scene.camera.far = 2000;
@@ -92,6 +103,17 @@ TEST(RunStudy, samplesAloneAreComparedWithTheScenesOwnPolygons) {
     EXPECT_EQ(nameOf({"shadow.size=32,64"}), "the scene's polygons by rays, double");
     EXPECT_EQ(nameOf({"antialiasing=1,2"}), "the scene's polygons by rays, double");
     EXPECT_EQ(nameOf({"shadow.size=32,64", "shading=flat,phong"}), "true surfaces by rays, double");
+}
+
+// The error of the polygons themselves would hide that of the samples.
+TEST(RunStudy, whereOnlySamplesVaryThePolygonsAreTheReference) {
+    const StudyRequest request = requestOf(small(), {"shadow.size=16,32"});
+    const StudyReport report = beginStudy(request);
+    ErrorFinder finder(request);
+    const auto a = finder.show(report.points[0], {}), b = finder.show(report.points[1], {});
+    ASSERT_TRUE(a && b && a->reference);
+    EXPECT_EQ(a->reference, b->reference);
+    EXPECT_EQ(a->reference->name, "the scene's polygons by rays, double");
 }
 
 TEST(RunStudy, aSceneWithoutARayReferenceSaysWhy) {
