@@ -1,0 +1,125 @@
+#include "tests/bench/workloads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bench {
+
+using namespace pipeline;
+
+const std::vector<Workload>& workloads() {
+    static const std::vector<Workload> kWorkloads{
+        {"100", 100, 1, 640, 480, 1024},          {"5k", 5'000, 1, 640, 480, 1024},
+        {"70k", 70'000, 1, 1920, 1080, 2048},     {"1M", 1'000'000, 3, 1920, 1080, 2048},
+        {"10M", 10'000'000, 3, 1920, 1080, 2048},
+    };
+    return kWorkloads;
+}
+
+std::string name(Part part, const Workload& workload) {
+    switch (part) {
+        case Part::Depth: return "depth";
+        case Part::Phong: return "Phong";
+        case Part::PhongShadow: return "Phong + " + std::to_string(workload.shadowSize) + "²";
+    }
+    return {};
+}
+
+Goal goalOf(const Workload& workload, Part part, int threads) {
+    struct Row {
+        const char* name;
+        Goal goals[2][3];  // by threads - 1 and part
+    };
+    static constexpr Row kRows[]{
+        {"100", {{{4, 6}, {3, 5}, {3.5, 6}}, {{4, 7}, {2.5, 6}, {4, 7}}}},
+        {"5k", {{{8, 12}, {4.5, 9}, {6, 12}}, {{8, 12}, {5, 10}, {7, 13}}}},
+        {"70k", {{{7, 13}, {4, 9}, {5, 10}}, {{7, 14}, {4, 10}, {5, 12}}}},
+        {"1M", {{{6, 12}, {4.5, 12}, {5, 13}}, {{6, 14}, {4.5, 14}, {5, 15}}}},
+        {"10M", {{{5, 10}, {0, 0}, {5, 11}}, {{4, 10}, {0, 0}, {4.5, 12}}}},
+    };
+    for (const Row& row : kRows)
+        if (workload.name == row.name && threads <= 2) return row.goals[threads - 1][std::size_t(part)];
+    return {};
+}
+
+namespace {
+
+// Rings of twice as many segments as there are rings; triangles, also at the poles.
+void addSphere(Mesh& mesh, int triangles, Vec3d centre, double radius) {
+    const int rings = std::max(2, int(std::lround(std::sqrt(triangles / 4.0)))), segments = 2 * rings;
+    const auto first = std::uint32_t(mesh.positions.size());
+    const auto place = [&](int ring, int segment) {
+        const double down = std::numbers::pi * ring / rings, around = 2 * std::numbers::pi * segment / segments;
+        // In float, as OpenGL gets it: neither side draws what the other cannot see.
+        mesh.positions.push_back(glm::vec3(centre + radius * Vec3d(std::sin(down) * std::cos(around), std::cos(down),
+                                                                   std::sin(down) * std::sin(around))));
+    };
+    place(0, 0);
+    for (int ring = 1; ring < rings; ++ring)
+        for (int segment = 0; segment < segments; ++segment) place(ring, segment);
+    place(rings, 0);
+    const auto at = [&](int ring, int segment) {
+        return ring == 0 ? first : first + std::uint32_t(1 + (ring - 1) * segments + segment % segments);
+    };
+    const std::uint32_t last = std::uint32_t(mesh.positions.size() - 1);
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        mesh.corners.insert(mesh.corners.end(), {a, b, c});
+        mesh.firstCorner.push_back(std::uint32_t(mesh.corners.size()));
+    };
+    for (int segment = 0; segment < segments; ++segment) add(first, at(1, segment + 1), at(1, segment));
+    for (int ring = 1; ring + 1 < rings; ++ring)
+        for (int segment = 0; segment < segments; ++segment) {
+            add(at(ring, segment), at(ring, segment + 1), at(ring + 1, segment + 1));
+            add(at(ring, segment), at(ring + 1, segment + 1), at(ring + 1, segment));
+        }
+    for (int segment = 0; segment < segments; ++segment) add(at(rings - 1, segment), at(rings - 1, segment + 1), last);
+}
+
+}  // namespace
+
+std::shared_ptr<const Mesh> meshOf(const Workload& workload) {
+    Mesh mesh;
+    mesh.firstCorner.push_back(0);
+    const int n = workload.spheres, each = workload.triangles / (n * n * n);
+    for (int i = 0; i < n * n * n; ++i) {
+        const Vec3d at = Vec3d(i % n, i / n % n, i / n / n) - (n - 1) / 2.0;
+        addSphere(mesh, each, at, n > 1 ? 0.45 : 1);
+    }
+    return makeMesh(std::move(mesh));
+}
+
+Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const Mesh> mesh, bool moved) {
+    Scene scene;
+    scene.name = workload.name;
+    const Vec3d low = mesh->facts.low, high = mesh->facts.high, middle = (low + high) / 2.0;
+    double radius = 0;
+    for (const Vec3d& p : mesh->positions) radius = std::max(radius, glm::length(p - middle));
+
+    Object object{"spheres", std::move(mesh), {}, {{0.8, 0.6, 0.4}, Vec3d(0.4), 32}};
+    if (moved) object.transform.translation.x = radius * 0x1p-40;
+    scene.objects.push_back(object);
+    scene.lights.push_back({LightKind::AtInfinity, Vec3d(1), 1, Vec3d(1), part == Part::PhongShadow});
+    scene.ambient.intensity = 0.2;
+
+    constexpr double kFieldOfView = 40;
+    const double distance = radius / std::sin(kFieldOfView / 2 / 180 * std::numbers::pi);
+    Camera& camera = scene.camera;
+    camera.kind = CameraKind::LookAt;
+    camera.fovY = kFieldOfView;
+    camera.eye = middle + distance * glm::normalize(Vec3d(0.4, 0.3, 1));
+    camera.target = middle;
+    camera.up = {0, 1, 0};
+    camera.near = distance - 1.05 * radius, camera.far = distance + 1.05 * radius;
+
+    Settings& settings = scene.settings;
+    settings.width = workload.width, settings.height = workload.height;
+    settings.shading = part == Part::Depth ? Shading::Flat : Shading::Phong;
+    settings.shadowSize = workload.shadowSize;
+    // One sphere throws no shadow on itself that its own sides do not show, which the plan knows and OpenGL does not.
+    settings.rules[index(Rule::ConvexShadow)] = false;
+    settings.rules[index(Rule::DistantShadow)] = false;
+    return scene;
+}
+
+}  // namespace bench

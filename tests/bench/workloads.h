@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pipeline/scene/scene.h"
+
+namespace bench {
+
+// What the comparison with OpenGL draws. The meshes are computed, so that whoever has the repository
+// draws the same.
+struct Workload {
+    std::string name;   // "70k"
+    int triangles = 0;  // about; a sphere's rings leave no free choice
+    int spheres = 1;    // along each side of a cube of them: the more, the more surfaces lie over each other
+    int width = 640, height = 480;
+    int shadowSize = 1024;
+};
+
+// What is drawn of it.
+enum class Part : std::uint8_t { Depth, Phong, PhongShadow };
+inline constexpr Part kParts[]{Part::Depth, Part::Phong, Part::PhongShadow};
+std::string name(Part part, const Workload& workload);  // "Phong + 1024²"
+
+// What the project aims at, as OpenGL's time over ours: what no version may fall below, and what is wanted.
+struct Goal {
+    double hold = 0, target = 0;
+};
+Goal goalOf(const Workload& workload, Part part, int threads);
+
+// The five rows of the table.
+const std::vector<Workload>& workloads();
+
+// Triangles with smooth normals, one light at infinity from (1, 1, 1), the camera 20 degrees beside the axis with the
+// bounding sphere filling the picture's height. `moved` gives another scene by a distance that no picture shows: with
+// it every stage depends on something that has changed.
+pipeline::Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const pipeline::Mesh> mesh, bool moved);
+std::shared_ptr<const pipeline::Mesh> meshOf(const Workload& workload);
+
+}  // namespace bench
