@@ -45,7 +45,7 @@ Color8 inCategory(double value) {
 }
 
 Color8 ofVerdict(double code) {
-    if (!(code >= 0 && code < double(kVerdictCount))) return kWhite;
+    if (!(code >= 0 && code < double(Verdict::NotYet))) return kWhite;
     return kVerdict[kVerdictLetters.find(letter(static_cast<Verdict>(code)))];
 }
 

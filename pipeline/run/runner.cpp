@@ -1,6 +1,8 @@
 // The pipeline at a glance: six stages, in order, each a pure function of the ones before.
 #include "pipeline/run/runner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "pipeline/run/counts.h"
@@ -109,6 +111,25 @@ public:
         return frame;
     }
 
+    static FramePtr unfinished(const Frame& whole, std::shared_ptr<const FrameStages> stages, StageId until) {
+        auto frame = std::make_shared<Frame>();
+        frame->m_scene = whole.m_scene, frame->m_topology = whole.m_topology;
+        frame->m_needs = whole.m_needs, frame->m_plan = whole.plan(), frame->m_runs = whole.m_runs;
+        frame->m_wanted = whole.m_wanted, frame->m_made = whole.m_made;
+        frame->m_milliseconds = whole.m_milliseconds, frame->m_planMilliseconds = whole.m_planMilliseconds;
+        frame->m_number = whole.m_number, frame->m_until = until;
+        frame->m_stages = std::move(stages);
+        for (std::size_t later = index(until) + 1; later < kStageCount; ++later) {
+            frame->m_runs[later] = {};
+            PlanStep& step = frame->m_plan[later];
+            if (step.action == Action::LeaveOut) continue;
+            step = {
+                step.stage, Action::LeaveOut, fmt::format("Not yet: {} comes first.", stageInfo(until).label), {}, {},
+                {}};
+        }
+        return frame;
+    }
+
 private:
     static bool runStages(Frame& frame, const FrameRequest& request, StageKeys keys, const FramePtr& before) {
         switch (frame.m_scene->settings.precision) {
@@ -161,6 +182,10 @@ private:
         return !threads.stopped();
     }
 };
+
+FramePtr unfinishedFrame(const Frame& whole, std::shared_ptr<const FrameStages> stages, StageId until) {
+    return Runner::unfinished(whole, std::move(stages), until);
+}
 
 FramePtr runFrame(std::shared_ptr<const Scene> scene, const FrameRequest& request, const FramePtr& before) {
     return Runner::run(std::move(scene), request, before);

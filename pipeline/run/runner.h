@@ -11,6 +11,10 @@ Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& b
 // Null when the request was stopped. The scene must have passed checkScene.
 FramePtr runFrame(std::shared_ptr<const Scene> scene, const FrameRequest& request, const FramePtr& before);
 
+// A whole frame as far as `stages` have got: they stand in for its stages' outputs, and nothing after `until` has
+// run. What the plan left out stays left out. For stepping inside a frame (pipeline/steps/).
+FramePtr unfinishedFrame(const Frame& whole, std::shared_ptr<const FrameStages> stages, StageId until);
+
 // The largest error of each stage's buffers against a double-precision run of the same scene:
 // pixels for transform, a share of the polygons for cull, radians for normals, relative for the others.
 struct StageError {

@@ -19,11 +19,12 @@ std::string_view name(Verdict verdict) {
         "outside the bottom plane",
         "clipped",
         "wholly transparent",
+        "not yet decided",
     };
     return kNames[std::size_t(verdict)];
 }
 
-char letter(Verdict verdict) { return "KBDOOOOOOCT"[std::size_t(verdict)]; }
+char letter(Verdict verdict) { return "KBDOOOOOOCT-"[std::size_t(verdict)]; }
 
 std::string CullOutput::reason(std::size_t polygon) const {
     const Verdict verdict = verdicts[polygon];

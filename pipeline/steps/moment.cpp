@@ -1,0 +1,133 @@
+#include "pipeline/steps/moment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <vector>
+
+#include "pipeline/core/text.h"
+
+namespace pipeline {
+namespace {
+
+constexpr std::array<std::string_view, kStepLevelCount> kLevels{"stage", "object", "polygon", "scanline", "pixel"};
+
+// What may stand before a number, per stage.
+struct Key {
+    std::string_view word;
+    ElementKind kind;
+    std::array<bool, kStageCount> in;  // transform, cull, normals, shadow buffer, z-buffer, shading
+};
+constexpr std::array<Key, 5> kKeys{{
+    {"vertex", ElementKind::Vertex, {true, false, true, false, false, false}},
+    {"polygon", ElementKind::Polygon, {false, true, true, true, true, true}},
+    {"piece", ElementKind::Piece, {false, false, false, false, true, false}},
+    {"polygon-terms", ElementKind::PolygonTerms, {false, false, false, false, false, true}},
+    {"vertex-terms", ElementKind::VertexTerms, {false, false, false, false, false, true}},
+}};
+
+bool hasPixels(StageId stage) { return stage == StageId::ZBuffer || stage == StageId::Shading; }
+
+std::string known(StageId stage) {
+    std::string keys = "start, object=";
+    for (const Key& key : kKeys)
+        if (key.in[index(stage)]) keys += fmt::format(", {}=", key.word);
+    if (stage == StageId::ShadowBuffer) keys += ", light=";
+    if (hasPixels(stage)) keys += ", row=, x=";
+    if (stage == StageId::Shading) keys += ", layers, samples";
+    return keys;
+}
+
+std::vector<std::string_view> split(std::string_view text) {
+    std::vector<std::string_view> parts;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t slash = std::min(text.find('/', at), text.size());
+        parts.push_back(text.substr(at, slash - at));
+        at = slash + 1;
+    }
+    return parts;
+}
+
+// A number from 0 to 2³¹ − 1, all of the text; else -1.
+int number(std::string_view digits) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || end != digits.data() + digits.size() || value < 0) return -1;
+    return value;
+}
+
+// Takes up one part, "polygon=2"; what is wrong with it, else nothing.
+std::string take(std::string_view part, Place& place) {
+    using What = Place::What;
+    const bool unset = place.what == What::End;
+    if (part == "start" && unset) return place.what = What::Start, "";
+    if (place.stage == StageId::Shading && unset && (part == "layers" || part == "samples")) {
+        place.what = What::Element;
+        place.kind = part == "layers" ? ElementKind::Layers : ElementKind::Samples;
+        return "";
+    }
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::string_view word = part.substr(0, equals);
+    const int value = equals < part.size() ? number(part.substr(equals + 1)) : -1;
+    const std::string wrong = fmt::format("found {} in a place in {}", inQuotes(part), stageInfo(place.stage).name);
+    if (value < 0) return wrong;
+    if (word == "light" && place.stage == StageId::ShadowBuffer && place.light < 0) return place.light = value, "";
+    if (word == "object" && unset) return place.what = What::Object, place.number = value, "";
+    const auto key = std::ranges::find(kKeys, word, &Key::word);
+    if (key != kKeys.end() && key->in[index(place.stage)] && unset) {
+        place.what = What::Element, place.kind = key->kind, place.number = value;
+        return "";
+    }
+    const bool rows = hasPixels(place.stage) && place.what == What::Element &&
+                      (place.kind == ElementKind::Polygon || place.kind == ElementKind::Piece);
+    if (word == "row" && rows && !place.row) return place.row = value, "";
+    if (word == "x" && place.row && !place.x) return place.x = value, "";
+    return wrong;
+}
+
+}  // namespace
+
+std::string_view name(StepLevel level) { return kLevels[std::size_t(level)]; }
+
+std::optional<StepLevel> findStepLevel(std::string_view name) {
+    const auto found = std::ranges::find(kLevels, name);
+    if (found == kLevels.end()) return std::nullopt;
+    return StepLevel(found - kLevels.begin());
+}
+
+std::string text(const Place& place) {
+    std::string text(stageInfo(place.stage).name);
+    if (place.light >= 0) text += fmt::format("/light={}", place.light);
+    switch (place.what) {
+        case Place::What::End: return text;
+        case Place::What::Start: return text + "/start";
+        case Place::What::Object: return text + fmt::format("/object={}", place.number);
+        case Place::What::Element: break;
+    }
+    if (place.kind == ElementKind::Layers) return text + "/layers";
+    if (place.kind == ElementKind::Samples) return text + "/samples";
+    text += fmt::format("/{}={}", std::ranges::find(kKeys, place.kind, &Key::kind)->word, place.number);
+    if (place.row) text += fmt::format("/row={}", *place.row);
+    if (place.x) text += fmt::format("/x={}", *place.x);
+    return text;
+}
+
+Result<Place> parsePlace(std::string_view text) {
+    const std::vector<std::string_view> parts = split(text);
+    const std::optional<StageId> stage = findStage(parts[0]);
+    if (!stage) {
+        std::vector<std::string> names;
+        for (const StageId id : kStages) names.emplace_back(stageInfo(id).name);
+        return Error{{}, fmt::format("no stage {}", inQuotes(parts[0])), fmt::format("{}", fmt::join(names, ", "))};
+    }
+    Place place;
+    place.stage = *stage;
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        if (std::string wrong = take(parts[i], place); !wrong.empty())
+            return Error{{}, std::move(wrong), known(*stage)};
+    return place;
+}
+
+}  // namespace pipeline

@@ -1,0 +1,170 @@
+#include "pipeline/steps/stage_states.h"
+
+#include <algorithm>
+
+#include "pipeline/stages/translucent.h"
+
+namespace pipeline {
+
+template <class Real>
+TransformOutput<Real> transformSoFar(const FrameData<Real>& data, std::size_t vertices) {
+    const TransformInputs& inputs = data.keys.transform;
+    const std::vector<std::uint32_t>& first = inputs.topology->firstVertex;
+    auto out = prepareTransform<Real>(inputs);
+    for (std::size_t object = 0; object < inputs.transforms.size() && first[object] < vertices; ++object)
+        transform(inputs, object, 0, std::min<std::size_t>(vertices, first[object + 1]) - first[object], out);
+    return out;
+}
+
+template <class Real>
+CullOutput cullSoFar(const FrameData<Real>& data, std::size_t polygons) {
+    CullOutput out = prepareCull(data.transform->topology->polygonCount());
+    cull(data.keys.cull, *data.transform, 0, polygons, out);
+    std::fill(out.verdicts.begin() + std::ptrdiff_t(polygons), out.verdicts.end(), Verdict::NotYet);
+    return out;
+}
+
+template <class Real>
+NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygons, std::size_t vertices) {
+    const NormalsInputs& inputs = data.keys.normals;
+    const TransformOutput<Real>& in = *data.transform;
+    const std::vector<std::uint32_t>& first = in.topology->firstVertex;
+    NormalsOutput<Real> out = prepareNormals(inputs, in);
+    polygonNormals(in, 0, polygons, out);
+    for (std::size_t object = 0; object + 1 < first.size() && first[object] < vertices; ++object)
+        vertexNormals(inputs, in, object, out);
+    if (!out.vertex.empty()) std::fill(out.vertex.begin() + std::ptrdiff_t(vertices), out.vertex.end(), Vec3<Real>(0));
+    return out;
+}
+
+template <class Real>
+ShadowBufferOutput<Real> shadowBuffersSoFar(const FrameData<Real>& data, std::size_t light, std::size_t polygons,
+                                            Threads& threads) {
+    const ShadowBufferInputs& inputs = data.keys.shadowBuffer;
+    const std::vector<std::vector<LightView<Real>>>& whole = data.shadowBuffer->lights;
+    TransformOutput<Real> opaque;
+    if (!data.transform->transparent.empty()) opaque = withoutTransparent(*data.transform);
+    const TransformOutput<Real>& in = opaque.topology ? opaque : *data.transform;
+    ShadowBufferOutput<Real> out = prepareShadowBuffer(inputs, in);
+    for (std::size_t k = 0; k < light; ++k) out.lights[k] = whole[k];
+    if (polygons == 0) return out;
+    const auto drawFace = [&](LightView<Real>& view, std::size_t face) {
+        TriangleBins<Real> bins = binForLight(in, view.faces[face]);
+        const auto isLater = [&](std::uint32_t i) {
+            return in.topology->triangles[bins.triangles[i].id].polygon >= polygons;
+        };
+        for (std::size_t tile = 0; tile < bins.bins.size(); ++tile) {
+            std::vector<std::uint32_t>& list = bins.bins[tile];
+            list.erase(std::ranges::find_if(list, isLater), list.end());
+        }
+        threads.forRange(bins.bins.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t tile = begin; tile < end; ++tile)
+                shadowBuffer(view.faces[face], bins, tile, view.depth[face]);
+        });
+    };
+    std::vector<LightView<Real>>& samples = out.lights[light];
+    threads.forRange(samples.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t face = 0; face < samples[i].faces.size() && !threads.stopped(); ++face)
+                drawFace(samples[i], face);
+    });
+    return out;
+}
+
+namespace {
+
+template <class Real>
+std::size_t tileCount(const FrameData<Real>& data) {
+    const glm::ivec2 tiles = (data.transform->view.size + kTileSize - 1) / kTileSize;
+    return std::size_t(tiles.x) * std::size_t(tiles.y);
+}
+
+// Copies of the pixels that are done what they have come to.
+template <class T>
+void take(const std::vector<std::uint8_t>& done, const Buffer2D<T>& from, Buffer2D<T>& to) {
+    for (std::size_t i = 0; i < done.size(); ++i)
+        if (done[i]) to.pixels[i] = from.pixels[i];
+}
+
+// Per pixel whether it has been shaded.
+template <class Real>
+std::vector<std::uint8_t> shadedPixels(const FrameData<Real>& data, const ShadingProgress& progress) {
+    const Buffer2D<std::uint32_t>& seen = data.zBuffer->triangle;
+    const Topology& topology = *data.transform->topology;
+    std::vector<std::uint8_t> done(seen.pixels.size(), 0);
+    for (std::size_t i = 0; i < done.size(); ++i) {
+        if (seen.pixels[i] == kNoTriangle) continue;
+        const std::uint32_t polygon = topology.triangles[seen.pixels[i]].polygon;
+        const int x = int(i % std::size_t(seen.size.x)), y = int(i / std::size_t(seen.size.x));
+        const Reach& reach = progress.reach;
+        done[i] = polygon < progress.polygon ||
+                  (polygon == progress.polygon && (y < reach.row || (y == reach.row && x < reach.x)));
+    }
+    return done;
+}
+
+}  // namespace
+
+template <class Real>
+std::shared_ptr<const ShadingOutput<Real>> shadedOpaque(const FrameData<Real>& data, BufferSet made, Threads& threads) {
+    const ShadingInputs& inputs = data.keys.shading;
+    if (!inputs.layers.drawn && inputs.samples == 1) return data.shading;
+    const ShadingSources<Real> in = data.shadingSources();
+    auto out = std::make_shared<ShadingOutput<Real>>(prepareShading(inputs, in, made));
+    out->polygons = data.shading->polygons, out->vertices = data.shading->vertices;
+    out->verticesBack = data.shading->verticesBack;
+    threads.forRange(tileCount(data), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) {
+            const Tile pixels = tileOf(in.transform.view.size, tile);
+            if (inputs.outlines)
+                shadeOutlines(in, pixels, *out);
+            else
+                shadePixels(inputs, in, pixels, *out);
+        }
+    });
+    return out;
+}
+
+template <class Real>
+ShadingOutput<Real> shadedSoFar(const FrameData<Real>& data, const ShadingOutput<Real>& opaque, BufferSet made,
+                                const ShadingProgress& progress, Threads& threads) {
+    const ShadingInputs& inputs = data.keys.shading;
+    const ShadingSources<Real> in = data.shadingSources();
+    if (progress.samples) return *data.shading;
+    ShadingOutput<Real> out = prepareShading(inputs, in, made);
+    shadePolygons(inputs, in, 0, std::min(progress.polygonTerms, out.polygons.intensity.size()), out);
+    shadeVertices(inputs, in, 0, std::min(progress.vertexTerms, out.vertices.intensity.size()), out);
+    const std::vector<std::uint8_t> done = shadedPixels(data, progress);
+    // What one pixel comes to depends on no other.
+    threads.forRange(kBufferCount, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t id = begin; id < end; ++id) {
+            for (std::size_t k = 0; k < out.vectors[id].size(); ++k)
+                take(done, opaque.vectors[id][k], out.vectors[id][k]);
+            for (std::size_t k = 0; k < out.scalars[id].size(); ++k)
+                take(done, opaque.scalars[id][k], out.scalars[id][k]);
+        }
+    });
+    take(done, opaque.color, out.color);
+    auto& mean = out.vectors[index(BufferId::Antialiased)];
+    if (!mean.empty() && inputs.samples == 1) mean = out.vectors[index(BufferId::Intensity)];
+    if (!progress.layers) return out;
+    const LayerBins<Real> layers = binLayers(inputs, in);
+    threads.forRange(layers.order.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) drawLayers(inputs, in, layers, tile, out);
+    });
+    if (!mean.empty() && inputs.samples == 1) mean = out.vectors[index(BufferId::Intensity)];
+    return out;
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                  \
+    template TransformOutput<Real> transformSoFar(const FrameData<Real>&, std::size_t);                               \
+    template CullOutput cullSoFar(const FrameData<Real>&, std::size_t);                                               \
+    template NormalsOutput<Real> normalsSoFar(const FrameData<Real>&, std::size_t, std::size_t);                      \
+    template ShadowBufferOutput<Real> shadowBuffersSoFar(const FrameData<Real>&, std::size_t, std::size_t, Threads&); \
+    template std::shared_ptr<const ShadingOutput<Real>> shadedOpaque(const FrameData<Real>&, BufferSet, Threads&);    \
+    template ShadingOutput<Real> shadedSoFar(const FrameData<Real>&, const ShadingOutput<Real>&, BufferSet,           \
+                                             const ShadingProgress&, Threads&);
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline

@@ -1,0 +1,90 @@
+#pragma once
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "pipeline/run/frame.h"
+#include "pipeline/steps/moment.h"
+
+namespace pipeline {
+
+struct StepSource;  // what is drawn and shaded at which step; pipeline/steps/step_source.h
+struct StepPhase;
+
+// Every moment of a whole frame, and every buffer's state there. Immutable: any thread may ask. A moment's state is
+// computed when asked for, from the outputs of the stages before it, so that stepping back gives the same bits.
+class Steps {
+public:
+    // whole: a frame with all its stages. Counts what they do; takes about as long as the z-buffer stage.
+    explicit Steps(FramePtr whole);
+
+    const FramePtr& frame() const { return m_frame; }
+    bool runs(StageId stage) const;           // false: left out, and no moment lies in it
+    std::int64_t total(StageId stage) const;  // of its smallest steps; may be 0 although it runs
+    Moment first() const { return {StageId::Transform, 0}; }
+    Moment last() const { return {StageId::Shading, total(StageId::Shading)}; }
+    // The nearest moment of this frame: within the stage's steps, or at the end of the stage before where it is left out.
+    Moment fitting(Moment moment) const;
+
+    // The end of the next step, and of the one before; nothing at the last and the first moment. From a moment that
+    // is the end of a step, back is the inverse of forth.
+    std::optional<Moment> next(Moment moment, StepLevel level) const;
+    std::optional<Moment> previous(Moment moment, StepLevel level) const;
+
+    // Steps of a level in a stage, and how many of them are over.
+    std::int64_t count(StageId stage, StepLevel level) const;
+    std::int64_t made(Moment moment, StepLevel level) const;
+    // Where they end, in smallest steps, ascending; nothing where there are more than atMost.
+    std::vector<std::int64_t> ends(StageId stage, StepLevel level, std::int64_t atMost) const;
+
+    Place placeOf(Moment moment) const;  // momentOf gives the moment back
+    Moment momentOf(const Place& place) const;
+
+    // The pixel that was drawn or shaded last, where the stage goes by pixels.
+    std::optional<glm::ivec2> pixelOf(Moment moment) const;
+    // The polygon that the stage was last at, over all objects; nothing where it was at none.
+    std::optional<std::uint32_t> polygonOf(Moment moment) const;
+
+    // The end of the next smallest step that draws into a pixel or shades it; that is at a polygon, a vertex, or an
+    // object. Nothing where none comes.
+    std::optional<Moment> nextAt(Moment moment, glm::ivec2 pixel) const;
+    enum class Thing : std::uint8_t { Object, Polygon, Vertex };
+    std::optional<Moment> nextAt(Moment moment, Thing thing, std::uint32_t number) const;
+
+    // What has been done of what the stage is at: "2 233 of 5 372 fragments" in parts, the unit in the plural.
+    struct Progress {
+        std::int64_t done = 0, of = 0;
+        std::string unit;
+    };
+    Progress progress(Moment moment) const;
+    // "polygon 2, row 270, x 258": the step that has been made last, as far down as `level` goes, or farther where the
+    // moment lies inside such a step.
+    std::string words(Moment moment, StepLevel level) const;
+
+    // Every buffer's state. Later stages have not run. At last() its buffers equal the frame's.
+    // Null when stopped.
+    FramePtr frameAt(Moment moment, int threads = 0, std::stop_token stop = {}) const;
+
+private:
+    struct Spot {  // an element
+        StageId stage;
+        const StepPhase* phase;
+        std::size_t element;
+    };
+    const std::vector<StepPhase>& phases(StageId stage) const;
+    // The end of the first step after `moment` that endIn(spot, steps of the element already over) gives, in steps of
+    // the element; it gives 0 where the element has none.
+    template <class EndIn>
+    std::optional<Moment> search(Moment moment, EndIn endIn) const;
+    Spot at(StageId stage, std::int64_t tick) const;  // the element that makes step number `tick`
+    std::uint32_t objectOf(const Spot& spot) const;
+    std::optional<std::uint32_t> polygonOf(const Spot& spot) const;
+    std::vector<std::int64_t> rowEnds(const Spot& spot) const;
+    std::int64_t end(StageId stage, std::int64_t tick, StepLevel level) const;
+    std::int64_t begin(StageId stage, std::int64_t tick, StepLevel level) const;
+
+    FramePtr m_frame;
+    std::shared_ptr<const StepSource> m_source;
+};
+
+}  // namespace pipeline

@@ -1,0 +1,189 @@
+// Stepping inside the frame of lecture 1's pyramid, whose polygons can be counted by hand.
+#include "pipeline/steps/steps.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/stages/cull.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+// Culling off: five polygons, in scene order.
+Steps uncutPyramid() {
+    Scene scene = test::pyramid();
+    scene.settings.cull = CullMode::None;
+    return Steps(test::frameOf(scene));
+}
+
+double value(const Frame& frame, BufferId id, std::size_t x, std::size_t y) { return frame.buffer({id})->value(x, y); }
+
+std::string at(const Steps& steps, std::string_view place) {
+    return text(steps.placeOf(steps.momentOf(*parsePlace(place))));
+}
+
+TEST(Steps, CountWhatTheStagesWorkThrough) {
+    const Steps steps(test::frameOf(test::pyramid(), setOf({BufferId::Color})));
+    EXPECT_EQ(steps.count(StageId::Transform, StepLevel::Polygon), 5);  // vertices: the stage knows no polygons
+    EXPECT_EQ(steps.count(StageId::Cull, StepLevel::Pixel), 5);
+    EXPECT_FALSE(steps.runs(StageId::ShadowBuffer));  // convex and alone
+    EXPECT_EQ(steps.count(StageId::ShadowBuffer, StepLevel::Stage), 0);
+    // Three of the five faces are turned towards the eye.
+    EXPECT_EQ(steps.count(StageId::ZBuffer, StepLevel::Object), 1);
+    EXPECT_EQ(steps.count(StageId::ZBuffer, StepLevel::Polygon), 3);
+    std::int64_t fragments = 0;
+    const AnyBuffer arrived = *steps.frame()->buffer({BufferId::Overdraw});
+    for (std::size_t i = 0; i < arrived.count(); ++i) fragments += std::int64_t(arrived.flat(i));
+    EXPECT_EQ(steps.count(StageId::ZBuffer, StepLevel::Pixel), fragments);
+}
+
+TEST(Steps, AStageThatIsLeftOutIsPassedOver) {
+    const Steps steps(test::frameOf(test::pyramid(), setOf({BufferId::Color})));
+    const Moment normals{StageId::Normals, steps.total(StageId::Normals)};
+    EXPECT_EQ(steps.next(normals, StepLevel::Stage)->stage, StageId::ZBuffer);
+    EXPECT_EQ(steps.previous({StageId::ZBuffer, steps.total(StageId::ZBuffer)}, StepLevel::Stage), normals);
+    EXPECT_EQ(at(steps, "shadow-buffer/polygon=2"), "normals");
+}
+
+TEST(Steps, TheZBufferAfterKPolygonsHoldsTheNearestOfThose) {
+    // Polygons that were not there draw no fragments: the frame of the first two alone.
+    Scene scene = test::pyramid();
+    scene.settings.cull = CullMode::None;
+    const Steps steps(test::frameOf(scene));
+    const auto& positions = scene.objects[0].mesh->positions;
+    scene.objects[0].mesh = test::mesh(positions, {{0, 1, 4}, {1, 2, 4}});
+    const FramePtr two = test::frameOf(scene);
+    const FramePtr there = steps.frameAt(steps.momentOf(*parsePlace("z-buffer/polygon=1")));
+    for (const BufferId id : {BufferId::ZView, BufferId::PolygonId, BufferId::Overdraw, BufferId::DepthWrites})
+        for (std::size_t y = 0; y < 480; ++y)
+            for (std::size_t x = 0; x < 640; ++x) ASSERT_EQ(value(*there, id, x, y), value(*two, id, x, y));
+}
+
+TEST(Steps, WithinAPolygonTheRowsFillFromTheTopAndTheLeft) {
+    const Steps steps = uncutPyramid();
+    const FramePtr before = steps.frameAt(steps.momentOf(*parsePlace("z-buffer/polygon=1")));
+    const FramePtr after = steps.frameAt(steps.momentOf(*parsePlace("z-buffer/polygon=2")));
+    const FramePtr there = steps.frameAt(steps.momentOf(*parsePlace("z-buffer/polygon=2/row=270/x=258")));
+    for (std::size_t y = 0; y < 480; ++y)
+        for (std::size_t x = 0; x < 640; ++x) {
+            const bool drawn = y < 270 || (y == 270 && x <= 258);
+            ASSERT_EQ(value(*there, BufferId::ZView, x, y), value(drawn ? *after : *before, BufferId::ZView, x, y));
+        }
+}
+
+TEST(Steps, ARowOfAPolygonEndsInItsLastPixel) {
+    const Steps steps = uncutPyramid();
+    const Moment row = steps.momentOf(*parsePlace("z-buffer/polygon=2/row=270"));
+    const auto pixel = steps.pixelOf(row);
+    ASSERT_TRUE(pixel);
+    EXPECT_EQ(pixel->y, 270);
+    EXPECT_EQ(steps.next(row, StepLevel::Scanline), steps.momentOf(*parsePlace("z-buffer/polygon=2/row=271")));
+    EXPECT_EQ(steps.next(row, StepLevel::Polygon), steps.momentOf(*parsePlace("z-buffer/polygon=2")));
+    EXPECT_EQ(steps.pixelOf(*steps.next(row, StepLevel::Pixel))->y, 271);
+}
+
+TEST(Steps, PolygonsNotYetCulledHaveNoVerdict) {
+    const Steps steps(test::frameOf(test::pyramid()));
+    const AnyBuffer verdicts = *steps.frameAt({StageId::Cull, 3})->buffer({BufferId::PolygonsVerdict});
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(verdicts.flat(i) == double(Verdict::NotYet), i >= 3) << i;
+}
+
+TEST(Steps, FlatShadingEvaluatesPolygonsBeforePixels) {
+    const Steps steps(test::frameOf(test::pyramid(), setOf({BufferId::Color})));
+    EXPECT_EQ(at(steps, "shading/polygon-terms=1"), "shading/polygon-terms=1");
+    const FramePtr evaluated = steps.frameAt(steps.momentOf(*parsePlace("shading/polygon-terms=4")));
+    const AnyBuffer picture = *evaluated->buffer({BufferId::Color});
+    for (std::size_t i = 0; i < picture.count(); ++i) ASSERT_EQ(picture.flat(i), 0);
+    EXPECT_EQ(steps.next(steps.momentOf(*parsePlace("shading/polygon-terms=4")), StepLevel::Polygon),
+              steps.momentOf(*parsePlace("shading/polygon=1")));  // polygon 0 faces away
+}
+
+TEST(Steps, ThePainterGoesFromTheFarthestToTheNearest) {
+    Scene scene = test::pyramid();
+    scene.settings.visibility = Visibility::Painter, scene.settings.split = false;
+    scene.settings.cull = CullMode::None;
+    const Steps steps(test::frameOf(scene));
+    // Whatever came last at a pixel is seen in it.
+    const FramePtr there = steps.frameAt(steps.momentOf(*parsePlace("z-buffer/piece=3")));
+    const FramePtr whole = steps.frame();
+    ASSERT_EQ(steps.count(StageId::ZBuffer, StepLevel::Polygon), 5);
+    const auto last = steps.polygonOf(steps.momentOf({StageId::ZBuffer}));
+    bool covered = false;
+    for (std::size_t y = 0; y < 480; ++y)
+        for (std::size_t x = 0; x < 640; ++x) {
+            const double seen = value(*whole, BufferId::PolygonId, x, y);
+            covered = covered || seen == double(*last);
+            if (seen != double(*last)) {
+                ASSERT_EQ(value(*there, BufferId::PolygonId, x, y), seen);
+            }
+        }
+    EXPECT_TRUE(covered);
+}
+
+TEST(Steps, RunToAPixelStopsAtEveryFragmentThatArrivesThere) {
+    const Steps steps = uncutPyramid();
+    const glm::ivec2 pixel{258, 270};
+    const auto arrived = [&](const Frame& frame) { return value(frame, BufferId::Overdraw, 258, 270); };
+    Moment moment = steps.first();
+    int stops = 0;
+    while (const auto next = steps.nextAt(moment, pixel)) {
+        moment = *next;
+        EXPECT_EQ(steps.pixelOf(moment), pixel);
+        if (moment.stage != StageId::ZBuffer) break;
+        ++stops;
+        const FramePtr there = steps.frameAt(moment), before = steps.frameAt({moment.stage, moment.done - 1});
+        EXPECT_EQ(arrived(*there), stops);
+        EXPECT_EQ(arrived(*before), stops - 1);
+    }
+    EXPECT_EQ(stops, arrived(*steps.frame()));
+    EXPECT_GT(stops, 0);
+    EXPECT_EQ(moment.stage, StageId::Shading);  // shaded once, afterwards
+    EXPECT_FALSE(steps.nextAt(moment, pixel));
+}
+
+TEST(Steps, RunToAPolygonStopsInEveryStageThatIsAtIt) {
+    const Steps steps = uncutPyramid();
+    Moment moment = steps.first();
+    std::vector<StageId> stops;
+    while (const auto next = steps.nextAt(moment, Steps::Thing::Polygon, 2)) {
+        moment = *next;
+        EXPECT_EQ(steps.polygonOf(moment), 2u);
+        stops.push_back(moment.stage);
+    }
+    using enum StageId;
+    // Normals of polygons; the terms of flat shading, and its pixels.
+    EXPECT_EQ(stops, (std::vector<StageId>{Cull, Normals, StageId::ShadowBuffer, ZBuffer, Shading, Shading}));
+}
+
+TEST(Steps, SayInWordsWhereTheyAre) {
+    const Steps steps = uncutPyramid();
+    const Moment moment = steps.momentOf(*parsePlace("z-buffer/polygon=2/row=270/x=258"));
+    EXPECT_EQ(steps.words(moment, StepLevel::Pixel), "polygon 2, row 270, x 258");
+    EXPECT_EQ(steps.words(moment, StepLevel::Polygon), "polygon 2, row 270, x 258");  // inside it
+    const Moment polygon = steps.momentOf(*parsePlace("z-buffer/polygon=2"));
+    EXPECT_EQ(steps.words(polygon, StepLevel::Polygon), "polygon 2");
+    EXPECT_EQ(steps.made(polygon, StepLevel::Polygon), 3);
+    EXPECT_EQ(steps.words(steps.first(), StepLevel::Polygon), "Transform, not begun");
+    EXPECT_EQ(steps.words({StageId::Transform, 2}, StepLevel::Pixel), "vertex 1");
+    EXPECT_EQ(steps.words(steps.momentOf({StageId::ZBuffer}), StepLevel::Object), "object 0, pyramid");
+    EXPECT_EQ(steps.words(steps.last(), StepLevel::Stage), "Shading, done");
+    const Steps::Progress progress = steps.progress(moment);
+    EXPECT_EQ(progress.done, moment.done);
+    EXPECT_EQ(progress.of, steps.total(StageId::ZBuffer));
+    EXPECT_EQ(progress.unit, "fragments");
+}
+
+TEST(Place, ThatIsNoneSaysWhatIsKnown) {
+    for (const char* wrong :
+         {"", "zbuffer", "z-buffer/vertex=1", "z-buffer/polygon", "z-buffer/polygon=-1", "z-buffer/polygon=2/x=3",
+          "z-buffer/row=3", "cull/polygon=1/row=2", "z-buffer/start/row=1", "cull/light=0",
+          "z-buffer/polygon=99999999999", "z-buffer/polygon=1/polygon=2", "z-buffer/layers", "z-buffer/"}) {
+        const auto place = parsePlace(wrong);
+        ASSERT_FALSE(place) << wrong;
+        EXPECT_NE(place.errors()[0].found, "") << wrong;
+        EXPECT_NE(place.errors()[0].expected, "") << wrong;
+    }
+}
+
+}  // namespace
+}  // namespace pipeline
