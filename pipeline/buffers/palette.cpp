@@ -70,7 +70,7 @@ PaletteRange fittingRange(const AnyBuffer& buffer, const BufferStatistics& found
     switch (info.palette) {
         case Palette::Sequential: {
             if (info.id == BufferId::Shadow || info.id == BufferId::Transmittance) return {1, 0};
-            const bool reversed = info.id == BufferId::Depth && format == DepthFormat::Reversed;
+            const bool reversed = info.id == BufferId::Depth && isReversed(format);
             const bool nearIsLess = std::isinf(info.neutral) && !reversed;
             return nearIsLess ? PaletteRange{found.min, found.max} : PaletteRange{found.max, found.min};
         }

@@ -1,8 +1,10 @@
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
+#include "pipeline/core/forms.h"
 #include "pipeline/core/real.h"
 
 namespace pipeline {
@@ -38,6 +40,71 @@ Real powerOfCosine(Vec3<Real> a, Vec3<Real> b, Real exponent) {
     return exp(exponent * log1p(-q));
 }
 
+// 1 / sqrt(x) for an x of about 1, from its bits as a double or float, and after as many of Newton's steps as are asked
+// for: within 3.44 %, 0.176 % and 4.8e-6 with none, one and two. The same on every machine.
+// C. Lomont, "Fast inverse square root", Purdue University 2003.
+template <class Real>
+Real inverseSquareRoot(Real x, int steps) {
+    Real guess;
+    if constexpr (std::is_same_v<Real, float>)
+        guess = std::bit_cast<float>(0x5f375a86u - (std::bit_cast<std::uint32_t>(x) >> 1));
+    else
+        guess = Real(std::bit_cast<double>(0x5fe6eb50c7b537a9u - (std::bit_cast<std::uint64_t>(double(x)) >> 1)));
+    for (int i = 0; i < steps; ++i) guess *= Real(1.5) - x / 2 * guess * guess;
+    return guess;
+}
+
+// v at length 1 in one of its forms; the zero vector where a form fails.
+template <class Real>
+Vec3<Real> normalized(Vec3<Real> v, UnitForm form) {
+    if (form == UnitForm::Scaled) return normalized(v);
+    if (form == UnitForm::Direct) {
+        const Vec3<Real> unit = v / sqrt(glm::dot(v, v));
+        return isfinite(largestComponent(unit)) && unit == unit ? unit : Vec3<Real>(0);
+    }
+    const Real largest = largestComponent(v);
+    if (!(largest > 0) || !isfinite(largest)) return Vec3<Real>(0);
+    int exponent;
+    frexp(largest, &exponent);
+    const Vec3<Real> scaled{ldexp(v.x, -exponent), ldexp(v.y, -exponent), ldexp(v.z, -exponent)};
+    const int steps = form == UnitForm::Estimate ? 0 : form == UnitForm::Newton ? 1 : 2;
+    return scaled * inverseSquareRoot(glm::dot(scaled, scaled), steps);
+}
+
+// base^exponent for a whole exponent >= 0.
+template <class Real>
+Real powerBySquaring(Real base, std::int64_t exponent) {
+    Real power = 1;
+    for (; exponent > 0; exponent >>= 1, base *= base)
+        if (exponent & 1) power *= base;
+    return power;
+}
+
+// What a power grows to at most where rounding left a·b above 1: products with intensities stay finite.
+inline constexpr double kLargestPower = 1e18;
+
+// (a·b)^exponent in one of its forms, 0 to kLargestPower; exponent >= 0.
+template <class Real>
+Real powerOfCosine(Vec3<Real> a, Vec3<Real> b, Real exponent, PowerForm form) {
+    if (form == PowerForm::Log1p) return powerOfCosine(a, b, exponent);
+    const Real t = glm::dot(a, b);
+    if (!(t > 0)) return 0;
+    Real power = 0;
+    switch (form) {
+        case PowerForm::Log1p: break;
+        case PowerForm::Pow: power = pow(t, exponent); break;
+        case PowerForm::Squaring: power = powerBySquaring(t, std::int64_t(double(exponent) + 0.5)); break;
+        case PowerForm::Exp2: power = exp2(exponent * log2(t)); break;
+        case PowerForm::Schlick: {
+            const Real within = std::min(t, Real(1));
+            power = within / (exponent - exponent * within + within);
+            break;
+        }
+        case PowerForm::Gaussian: power = exp(exponent * (t - 1)); break;
+    }
+    return std::min(power, Real(kLargestPower));
+}
+
 // Whether powerOfCosine is certain to round to 0, without its exponential: −log1p(−q) >= q, and
 // exp(x) is 0 below −103.98 in float, −745.14 in double, −11399.5 in long double and −11433.5 in Quad
 // (half the smallest number above 0).
@@ -55,6 +122,13 @@ bool powerVanishes(Vec3<Real> a, Vec3<Real> b, Real exponent) {
 template <class Real>
 Real angleBetween(Vec3<Real> a, Vec3<Real> b) {
     return atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+// The angle between two unit vectors in one of its forms, radians.
+template <class Real>
+Real angleBetween(Vec3<Real> a, Vec3<Real> b, CornerAngleForm form) {
+    if (form == CornerAngleForm::Atan2) return angleBetween(a, b);
+    return acos(std::clamp(glm::dot(a, b), Real(-1), Real(1)));
 }
 
 }  // namespace pipeline

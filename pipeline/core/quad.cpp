@@ -5,6 +5,9 @@
 extern "C" {
 pipeline::Binary128 fabsq(pipeline::Binary128) noexcept;
 pipeline::Binary128 sqrtq(pipeline::Binary128) noexcept;
+pipeline::Binary128 acosq(pipeline::Binary128) noexcept;
+pipeline::Binary128 exp2q(pipeline::Binary128) noexcept;
+pipeline::Binary128 log2q(pipeline::Binary128) noexcept;
 pipeline::Binary128 expq(pipeline::Binary128) noexcept;
 pipeline::Binary128 log1pq(pipeline::Binary128) noexcept;
 pipeline::Binary128 powq(pipeline::Binary128, pipeline::Binary128) noexcept;
@@ -22,7 +25,10 @@ namespace pipeline {
 #if LDBL_MANT_DIG == 113
 Quad abs(Quad x) { return std::abs(x.value); }
 Quad sqrt(Quad x) { return std::sqrt(x.value); }
+Quad acos(Quad x) { return std::acos(x.value); }
 Quad exp(Quad x) { return std::exp(x.value); }
+Quad exp2(Quad x) { return std::exp2(x.value); }
+Quad log2(Quad x) { return std::log2(x.value); }
 Quad log1p(Quad x) { return std::log1p(x.value); }
 Quad pow(Quad x, Quad y) { return std::pow(x.value, y.value); }
 Quad atan2(Quad y, Quad x) { return std::atan2(y.value, x.value); }
@@ -34,7 +40,10 @@ bool isfinite(Quad x) { return std::isfinite(x.value); }
 #else
 Quad abs(Quad x) { return Quad::of(fabsq(x.value)); }
 Quad sqrt(Quad x) { return Quad::of(sqrtq(x.value)); }
+Quad acos(Quad x) { return Quad::of(acosq(x.value)); }
 Quad exp(Quad x) { return Quad::of(expq(x.value)); }
+Quad exp2(Quad x) { return Quad::of(exp2q(x.value)); }
+Quad log2(Quad x) { return Quad::of(log2q(x.value)); }
 Quad log1p(Quad x) { return Quad::of(log1pq(x.value)); }
 Quad pow(Quad x, Quad y) { return Quad::of(powq(x.value, y.value)); }
 Quad atan2(Quad y, Quad x) { return Quad::of(atan2q(y.value, x.value)); }

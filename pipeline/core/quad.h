@@ -52,7 +52,10 @@ struct Quad {
 
 Quad abs(Quad x);
 Quad sqrt(Quad x);
+Quad acos(Quad x);
 Quad exp(Quad x);
+Quad exp2(Quad x);
+Quad log2(Quad x);
 Quad log1p(Quad x);
 Quad pow(Quad x, Quad y);
 Quad atan2(Quad y, Quad x);
@@ -64,13 +67,16 @@ bool isfinite(Quad x);
 
 // For any of the four arithmetics, without std:: in front.
 using std::abs;
+using std::acos;
 using std::atan2;
 using std::exp;
+using std::exp2;
 using std::floor;
 using std::frexp;
 using std::isfinite;
 using std::ldexp;
 using std::log1p;
+using std::log2;
 using std::pow;
 using std::round;
 using std::sqrt;

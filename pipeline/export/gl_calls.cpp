@@ -283,6 +283,8 @@ std::string glRefuses(const Scene& scene) {
         return "OpenGL 1.x shades flat or smooth, not per pixel: set shading to flat or gouraud";
     if (scene.settings.shading == Shading::Gouraud && scene.settings.interpolation != Interpolation::Perspective)
         return "OpenGL interpolates perspective-correct: set interpolation to perspective";
+    if (scene.settings.forms != Forms())
+        return "OpenGL's calls know one form of each formula: set numerics to its defaults";
     if (scene.settings.antialiasing > 1) return "OpenGL's calls draw one sample a pixel: set antialiasing to 1";
     if (scene.settings.visibility == Visibility::None)
         return "OpenGL's calls fill polygons: set visibility to z-buffer";

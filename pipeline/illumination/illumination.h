@@ -29,8 +29,8 @@ LightSample<Real> sampleLight(const Illumination& illumination, const Light& lig
     const LightDetail& detail = illumination.detail;
     const bool halfway = usesHalfway(illumination.model, material);
     const bool dull = !detail.dull && material.specular == Vec3d(0);
-    LightSample<Real> s =
-        directionsOf(light, at, detail.reflection || (!halfway && !dull), detail.halfway || (halfway && !dull));
+    LightSample<Real> s = directionsOf(light, at, detail.reflection || (!halfway && !dull),
+                                       detail.halfway || (halfway && !dull), detail.unit);
     if (illumination.model == Model::OpenGl)
         addOpenGl(light, material, at, detail, attenuated, s);
     else if (halfway)

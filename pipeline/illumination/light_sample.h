@@ -13,12 +13,14 @@ struct Surface {  // where a light is evaluated; world space, N and V unit
     Vec3<Real> position, N, V;
 };
 
-// What of a light is computed beyond what its terms need. All of it by default; the plan leaves
-// parts out (pipeline/scene/rules.h), which changes no term.
+// How a light is computed. First what beyond what its terms need: all of it by default; the plan leaves
+// parts out (pipeline/scene/rules.h), which changes no term. Then in which forms.
 struct LightDetail {
     bool reflection = true, halfway = true;  // R and R·V, H and N·H where the model does not read them
     bool dull = true;                        // the power where k_s is 0
     bool vanishing = true;                   // the power where its result is rounded to 0
+    PowerForm power = PowerForm::Log1p;
+    UnitForm unit = UnitForm::Scaled;  // of L and H
     bool operator==(const LightDetail&) const = default;
 };
 
@@ -40,40 +42,41 @@ struct LightSample {
 
 // L for a light that stands at `place`, at infinity in that direction.
 template <class Real>
-Vec3<Real> towardsLight(LightKind kind, Vec3d place, Vec3<Real> position) {
-    return kind == LightKind::AtInfinity ? normalized(Vec3<Real>(place)) : normalized(Vec3<Real>(place) - position);
+Vec3<Real> towardsLight(LightKind kind, Vec3d place, Vec3<Real> position, UnitForm unit = UnitForm::Scaled) {
+    return normalized(kind == LightKind::AtInfinity ? Vec3<Real>(place) : Vec3<Real>(place) - position, unit);
 }
 // Of an area light towards its centre: the rectangle counts in the shadow factor alone.
 template <class Real>
-Vec3<Real> towardsLight(const Light& light, Vec3<Real> position) {
-    return towardsLight(light.kind, light.position, position);
+Vec3<Real> towardsLight(const Light& light, Vec3<Real> position, UnitForm unit = UnitForm::Scaled) {
+    return towardsLight(light.kind, light.position, position, unit);
 }
 
 // The directions and dot products, with nothing added yet; R and H where they are asked for.
 // R = 2 (N·L) N − L, the law of reflection; H = (L + V) / |L + V|.
 template <class Real>
-LightSample<Real> directionsOf(const Light& light, const Surface<Real>& at, bool reflection, bool halfway) {
+LightSample<Real> directionsOf(const Light& light, const Surface<Real>& at, bool reflection, bool halfway,
+                               UnitForm unit) {
     LightSample<Real> s{};
     s.fading = 1;
-    s.L = towardsLight(light, at.position);
+    s.L = towardsLight(light, at.position, unit);
     s.nDotL = glm::dot(at.N, s.L);
     if (reflection) {
         s.R = 2 * s.nDotL * at.N - s.L;
         s.rDotV = glm::dot(s.R, at.V);
     }
     if (halfway) {
-        s.H = normalized(s.L + at.V);
+        s.H = normalized(s.L + at.V, unit);
         s.nDotH = glm::dot(at.N, s.H);
     }
     return s;
 }
 
-// (a·b)^exponent into the sample.
+// (a·b)^exponent into the sample. Where it is certain to vanish is known of its stable form alone.
 template <class Real>
 void raise(Vec3<Real> a, Vec3<Real> b, Real exponent, const LightDetail& detail, LightSample<Real>& s) {
-    const bool vanishes = !detail.vanishing && powerVanishes(a, b, exponent);
+    const bool vanishes = !detail.vanishing && detail.power == PowerForm::Log1p && powerVanishes(a, b, exponent);
     s.power = vanishes ? Power::Vanished : Power::Computed;
-    s.specularPower = vanishes ? Real(0) : powerOfCosine(a, b, exponent);
+    s.specularPower = vanishes ? Real(0) : powerOfCosine(a, b, exponent, detail.power);
 }
 
 }  // namespace pipeline

@@ -169,7 +169,7 @@ void reportFragments(const FrameData<Real>& data, PixelReport& report) {
     std::size_t lastWon = record.size();
     for (std::size_t i = 0; i < record.size(); ++i)
         if (record[i].won) lastWon = i;
-    const bool reversed = data.transform->depthFormat == DepthFormat::Reversed;
+    const bool reversed = isReversed(data.transform->depthFormat);
     for (std::size_t i = 0; i < record.size(); ++i) {
         const FragmentRecord& f = record[i];
         const int polygon = int(data.transform->topology->triangles[f.triangle].polygon);

@@ -35,6 +35,8 @@ std::string difference(const TransformInputs& a, const TransformInputs& b) {
         return text;
     if (a.transparent != b.transparent) return "Other objects are wholly transparent.";
     if (a.depthFormat != b.depthFormat) return "The depth format changed.";
+    if (a.normalMatrix != b.normalMatrix) return "The form of the normal matrix changed.";
+    if (a.view.subPixelBits != b.view.subPixelBits) return "The setting numerics.subpixel_bits changed.";
     if (a.view.size != b.view.size) return "The picture's size changed.";
     return a == b ? "" : "The camera changed.";
 }
@@ -44,6 +46,7 @@ std::string difference(const CullInputs& a, const CullInputs& b) { return a == b
 std::string difference(const NormalsInputs& a, const NormalsInputs& b) {
     if (a.vertexNormals != b.vertexNormals)
         return b.vertexNormals ? "Vertex normals are needed now." : "Vertex normals are not needed any more.";
+    if (a.form != b.form || a.angle != b.angle || a.unit != b.unit) return "The form of a formula changed.";
     return a == b ? "" : "The weights of the normals changed.";
 }
 
@@ -62,12 +65,15 @@ std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
 std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (a.shading != b.shading) return "The setting shading changed.";
     if (a.interpolation != b.interpolation) return "The setting interpolation changed.";
+    const LightDetail &forms = a.illumination.detail, &others = b.illumination.detail;
+    if (forms.power != others.power || forms.unit != others.unit) return "The form of a formula changed.";
     if (!(a.illumination == b.illumination)) return "The illumination model changed.";
     if (auto text = firstDifferent(a.materials, b.materials, "Material", "The materials"); !text.empty()) return text;
     if (auto text = firstDifferent(a.lights, b.lights, "Light", "The lights"); !text.empty()) return text;
     if (!(a.ambient == b.ambient)) return "The ambient light changed.";
     if (!(a.shadow == b.shadow)) return "The settings of the shadow test changed.";
     if (a.samples != b.samples) return "The setting antialiasing changed.";
+    if (a.samplePattern != b.samplePattern) return "The setting antialiasing_pattern changed.";
     if (!(a.layers == b.layers)) return "The layers of translucent surfaces changed.";
     return a == b ? "" : "Other parts of it are needed.";
 }

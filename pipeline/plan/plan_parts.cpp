@@ -88,8 +88,11 @@ void shadingParts(Parts& out) {
         out.add("R", needs.reflection, "The illumination model, or somebody, reads it.", "a vector a point and light");
         out.add("H", needs.halfway, "The illumination model, or somebody, reads it.",
                 "a normalisation a point and light");
-        out.within("powers", Rule::VanishingPower, "Not where the result is certain to round to 0.",
-                   "Also where the result rounds to 0.");
+        if (out.scene.settings.forms.power == PowerForm::Log1p)
+            out.within("powers", Rule::VanishingPower, "Not where the result is certain to round to 0.",
+                       "Also where the result rounds to 0.");
+        else
+            out.runs("powers", "All: where the result rounds to 0 is known of numerics.power = log1p alone.");
     }
     out.add("V at a pixel", needs.viewVector, "A specular term, or somebody, reads it.", "a normalisation a pixel");
     out.add("position at a pixel", needs.position, "A light, a shadow, V or somebody reads it.",

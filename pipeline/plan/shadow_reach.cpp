@@ -34,17 +34,25 @@ bool allConvex(const Scene& scene) {
     return std::ranges::all_of(scene.objects, [](const Object& object) { return object.mesh->facts.convex; });
 }
 
+// Which polygons face a light is known beforehand of normals in their stable form alone.
+bool trustsNormals(const Settings& settings) {
+    return settings.forms.polygonNormal == PolygonNormalForm::Newell && settings.forms.unit != UnitForm::Direct;
+}
+
 }  // namespace
 
 std::string whyNoSelfShadow(const Scene& scene) {
-    if (scene.objects.size() != 1 || !allConvex(scene) || scene.settings.shadowBias != ShadowBias::Automatic) return {};
+    if (scene.objects.size() != 1 || !allConvex(scene) || scene.settings.shadowBias != ShadowBias::Automatic ||
+        !trustsNormals(scene.settings))
+        return {};
     return "The only object is convex: it cannot shadow itself.";
 }
 
 std::string whyNoShadowBetween(const Scene& scene, const Light& light) {
     const Settings& settings = scene.settings;
     if (light.kind != LightKind::AtInfinity || settings.shadowBias != ShadowBias::Automatic ||
-        scene.objects.size() < 2 || scene.objects.size() > kMostObjects || !allConvex(scene))
+        scene.objects.size() < 2 || scene.objects.size() > kMostObjects || !allConvex(scene) ||
+        !trustsNormals(settings))
         return {};
     View axes;
     axes.forward = -normalized(light.position);

@@ -11,6 +11,7 @@
 #include "pipeline/run/parallel.h"
 #include "pipeline/stages/outlines.h"
 #include "pipeline/stages/painter.h"
+#include "pipeline/stages/sample_pattern.h"
 #include "pipeline/stages/translucent.h"
 
 // Each stage as a whole: its pieces on threads. runner.cpp alone reads it.
@@ -41,7 +42,7 @@ std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& input
                                                       Threads& threads) {
     auto out = std::make_shared<NormalsOutput<Real>>(prepareNormals(inputs, in));
     threads.forRange(in.topology->polygonCount(), kPolygonGrain,
-                     [&](std::size_t begin, std::size_t end) { polygonNormals(in, begin, end, *out); });
+                     [&](std::size_t begin, std::size_t end) { polygonNormals(inputs, in, begin, end, *out); });
     if (inputs.vertexNormals)
         for (std::size_t object = 0; object < in.topology->meshes.size(); ++object)
             if (!threads.stopped()) vertexNormals(inputs, in, object, *out);
@@ -166,15 +167,14 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
 template <class Real>
 void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& counts, Threads& threads) {
     const ShadingInputs& inputs = data.keys.shading;
-    const int n = inputs.samples;
+    const std::vector<glm::dvec2> places = samplePlaces(inputs.samplePattern, inputs.samples);
     auto moved = std::make_shared<TransformOutput<Real>>(*data.transform);
     FrameData<Real> sample = data;
     sample.transform = moved;
     std::vector<Vec3<Real>> first;
     Buffer2D<Vec3<Real>>& mean = out.vectors[index(BufferId::Antialiased)][0];
-    for (int i = 0; i < n * n && !threads.stopped(); ++i) {
-        const glm::dvec2 place{(i % n + 0.5) / n - 0.5, (i / n + 0.5) / n - 0.5};  // from the centre, pixels
-        moved->view.centre = data.transform->view.centre - place;
+    for (std::size_t i = 0; i < places.size() && !threads.stopped(); ++i) {
+        moved->view.centre = data.transform->view.centre - places[i];
         if (data.cull) sample.cull = runCull(data.keys.cull, *moved, threads);
         sample.zBuffer = runVisibility(sample, threads);
         ShadingOutput<Real> shaded = prepareShading(inputs, sample.shadingSources(), {});
@@ -183,7 +183,8 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
         const std::vector<Vec3<Real>>& intensity = shaded.vectors[index(BufferId::Intensity)][0].pixels;
         if (i == 0) mean.pixels = first = intensity;
         // Differences from the first: where all samples are alike, their mean is what each of them is.
-        for (std::size_t p = 0; p < first.size(); ++p) mean.pixels[p] += (intensity[p] - first[p]) / Real(n * n);
+        for (std::size_t p = 0; p < first.size(); ++p)
+            mean.pixels[p] += (intensity[p] - first[p]) / Real(places.size());
     }
     for (std::size_t p = 0; p < mean.pixels.size(); ++p)
         out.color.pixels[p] = frameBufferValue(Vec3d(mean.pixels[p]), out.iMax);

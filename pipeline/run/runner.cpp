@@ -53,7 +53,8 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
     const Settings& settings = scene.settings;
     StageKeys keys{transformInputs(scene, std::move(topology)),
                    {settings.cull},
-                   {settings.normalWeight, bool(needs.vertexNormals)},
+                   {settings.normalWeight, bool(needs.vertexNormals), settings.forms.polygonNormal,
+                    settings.forms.cornerAngle, settings.forms.unit},
                    {{}, settings.shadowSize},
                    {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene)},
                    {settings.shading,
@@ -66,12 +67,14 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                     scene.ambient,
                     {settings.shadowBias, settings.shadowBiasValue, settings.shadowFilter},
                     shadingParts(needs)}};
-    keys.shading.illumination.detail = {bool(needs.reflection), bool(needs.halfway), without(needs, Rule::Specular),
-                                        without(needs, Rule::VanishingPower)};
+    keys.shading.illumination.detail = {bool(needs.reflection),         bool(needs.halfway),
+                                        without(needs, Rule::Specular), without(needs, Rule::VanishingPower),
+                                        settings.forms.power,           settings.forms.unit};
     if (needs.layers)
         keys.shading.layers = {true, bool(needs.layerSort), settings.translucency,
                                settings.visibility == Visibility::ZBuffer, keys.zBuffer.translucent};
     keys.shading.samples = settings.antialiasing;
+    keys.shading.samplePattern = settings.antialiasingPattern;
     for (const Object& object : scene.objects) {
         keys.shading.materials.push_back(object.material);
         keys.shading.backMaterials.push_back(object.backMaterial.value_or(object.material));

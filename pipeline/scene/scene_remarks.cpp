@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/core/angles.h"
 #include "pipeline/core/numerics.h"
 #include "pipeline/core/text.h"
 #include "pipeline/illumination/illumination.h"
@@ -46,6 +47,10 @@ private:
     void ofCamera() {
         const Camera& camera = m_scene.camera;
         if (camera.kind == CameraKind::Spherical) {
+            const bool alongZ = sinDegrees(camera.phi) == 0;
+            if (alongZ && m_scene.settings.forms.cameraBasis == CameraBasisForm::CrossProduct)
+                add("numerics.camera_basis",
+                    "The camera looks along z: its axes as cross products with z vanish, and with them the picture.");
             if (camera.rho != 0) return;
             add("camera.rho", "ρ is 0: the eye stands in the world's origin. It looks where θ and φ say all the same.");
             if (camera.projection == ProjectionKind::Orthographic)

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "pipeline/core/forms.h"
 #include "pipeline/scene/rules.h"
 
 namespace pipeline {
@@ -23,9 +24,27 @@ enum class NormalWeight : std::uint8_t { Mean, Area, Angle, Given };
 //   Linear    z_view itself, world units, infinity where nothing was drawn
 //   Float     0 at the near plane, 1 at the far plane, as OpenGL's perspective matrix maps it
 //   Reversed  1 at the near plane, 0 at the far plane
-//   Fixed16, Fixed24, Fixed32   the same, rounded to a multiple of 1 / (2^bits - 1)
-// Float and Reversed are 32-bit floats in every precision.
-enum class DepthFormat : std::uint8_t { Linear, Float, Reversed, Fixed16, Fixed24, Fixed32 };
+//   Fixed16, Fixed24, Fixed32   as Float, rounded to a multiple of 1 / (2^bits - 1)
+//   Half, ReversedHalf          as Float and Reversed, in 16-bit floats
+//   Infinite  reversed with the far plane at infinity: near / z_view; what lies behind the scene's own far plane is
+//             clipped all the same
+// Float, Reversed and Infinite are 32-bit floats in every precision.
+enum class DepthFormat : std::uint8_t {
+    Linear,
+    Float,
+    Reversed,
+    Fixed16,
+    Fixed24,
+    Fixed32,
+    Half,
+    ReversedHalf,
+    Infinite
+};
+constexpr bool isReversed(DepthFormat format) {
+    return format == DepthFormat::Reversed || format == DepthFormat::ReversedHalf || format == DepthFormat::Infinite;
+}
+// Where the samples of a pixel stand; pipeline/stages/sample_pattern.h.
+enum class SamplePattern : std::uint8_t { Grid, Jittered, Random, Hammersley };
 // How it is decided what is seen.
 //   ZBuffer   the nearest fragment of every pixel
 //   Painter   polygons are painted from the farthest to the nearest
@@ -41,7 +60,8 @@ enum class ShadowBias : std::uint8_t { Automatic, Constant, Slope };
 struct Settings {
     int width = 640, height = 480;  // pixels
     Precision precision = Precision::Float;
-    int antialiasing = 1;  // samples along a side of a pixel, on a regular grid
+    int antialiasing = 1;  // samples along a side of a pixel
+    SamplePattern antialiasingPattern = SamplePattern::Grid;
     CullMode cull = CullMode::Back;
     Shading shading = Shading::Flat;
     Interpolation interpolation = Interpolation::Perspective;
@@ -58,6 +78,8 @@ struct Settings {
     ShadowBias shadowBias = ShadowBias::Automatic;
     double shadowBiasValue = 0;  // Constant: world units; Slope: factor of the closed-form bias
     int shadowFilter = 0;        // percentage-closer filtering over (2r+1)^2 texels
+    Forms forms{};               // of formulas that can be written in several ways
+    int subPixelBits = 8;        // polygons' corners are snapped to 2^-bits pixels
     bool leaveOut = true;        // false switches every rule off: everything runs, the picture is the same
     RuleSet rules = RuleSet().set();
     bool operator==(const Settings&) const = default;

@@ -94,6 +94,18 @@ std::string_view onlyFading(const Scene& scene) {
 std::string_view notInPhong(const Scene& scene) {
     return scene.settings.model == Model::Phong ? "Phong's model reflects ambient light by k_r, k_g and k_b." : "";
 }
+std::string_view onlyAntialiased(const Scene& scene) {
+    return scene.settings.antialiasing > 1 ? "" : "One sample a pixel stands in its centre: antialiasing = 1.";
+}
+std::string_view onlyGivenNormals(const Scene& scene) {
+    if (!onlyVertexNormals(scene).empty()) return onlyVertexNormals(scene);
+    const bool given = std::ranges::any_of(scene.objects, [](const Object& o) { return !o.mesh->normals.empty(); });
+    return given && scene.settings.normalWeight == NormalWeight::Given ? "" : "Only a mesh's own normals are given.";
+}
+std::string_view onlyAngleWeights(const Scene& scene) {
+    if (!onlyVertexNormals(scene).empty()) return onlyVertexNormals(scene);
+    return scene.settings.normalWeight == NormalWeight::Angle ? "" : "Vertex normals are not weighted by angle.";
+}
 
 std::string_view onlyLeavingOut(const Scene& scene) {
     return scene.settings.leaveOut ? "" : "Nothing is left out: leave_out = off.";

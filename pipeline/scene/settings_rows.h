@@ -27,6 +27,12 @@ struct OfDepth : OfPicture {
 struct OfShadow : OfPicture {
     static constexpr auto group = SettingGroup::Shadow;
 };
+struct OfNumerics : OfPicture {
+    static constexpr auto group = SettingGroup::Numerics;
+};
+struct OfForms : OfNumerics {
+    static auto& part(auto& scene, std::size_t) { return scene.settings.forms; }
+};
 struct OfLeavingOut : OfPicture {
     static constexpr auto group = SettingGroup::LeavingOut;
 };

@@ -1,3 +1,4 @@
+#include "pipeline/scene/settings_choices.h"
 #include "pipeline/scene/settings_idle.h"
 #include "pipeline/scene/settings_rows.h"
 
@@ -9,31 +10,9 @@ namespace pipeline {
 
 namespace {
 
+using namespace settings_choices;
 using namespace settings_rows;
 using namespace settings_idle;
-
-constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
-// In the order of the enumerators.
-constexpr std::array<std::string_view, 4> kPrecision{"float", "double", "extended", "quad"};
-constexpr std::array<std::string_view, 2> kCull{"none", "back"};
-constexpr std::array<std::string_view, 3> kShading{"flat", "gouraud", "phong"};
-constexpr std::array<std::string_view, 3> kInterpolation{"perspective", "affine", "scanline"};
-constexpr std::array<std::string_view, 4> kNormalWeight{"mean", "area", "angle", "given"};
-constexpr std::array<std::string_view, 3> kModel{"phong", "blinn-phong", "opengl"};
-constexpr std::array<std::string_view, 3> kHighlight{"model", "phong", "blinn-phong"};
-constexpr std::array<std::string_view, 2> kLightSpace{"world", "eye"};
-constexpr std::array<std::string_view, 6> kDepthFormat{"linear", "float", "reversed", "fixed16", "fixed24", "fixed32"};
-constexpr std::array<std::string_view, 3> kVisibility{"z-buffer", "painter", "none"};
-constexpr std::array<std::string_view, 2> kTranslucency{"exact", "polygons"};
-constexpr std::array<std::string_view, 3> kShadowBias{"automatic", "constant", "slope"};
-constexpr std::array<std::string_view, 2> kCameraKind{"spherical", "look-at"};
-constexpr std::array<std::string_view, 2> kProjection{"perspective", "orthographic"};
-constexpr std::array<std::string_view, 3> kLightKind{"at-infinity", "point", "area"};
-
-// World units. With coordinates up to here a normal's squared length (an edge to the fourth
-// power) is still a float; likewise for the smallest distances.
-constexpr double kFar = 1e9, kNearest = 1e-9;
-constexpr double kTurns = 1e6;  // degrees
 
 // Lecture 1 has one k_s for the three colours.
 constexpr Setting specular(Words words, Range range) {
@@ -70,22 +49,11 @@ constexpr Setting tessellation(Words words, Range range, Idle idle) {
             idle};
 }
 
-constexpr Range kPlace{-kFar, kFar, -1000, 1000};
-constexpr Range kToward{-kFar, kFar, -1, 1};
-constexpr Range kFading{0, kFar, 0, 2};
-// Fractions, and above 0, in nature; a scene may have more or less. The largest products of an
-// intensity, two colours and OpenGL's attenuation are still floats.
-constexpr Range kFraction{-1000, 1000, 0, 1};
-constexpr Range kIntensity{-kFar, kFar, 0, 200};
-constexpr Range kAngle{-kTurns, kTurns, -180, 180};
-constexpr Range kScale{-kFar, kFar, 0.1, 5};
-constexpr Range kPlane{0, kFar, 0, 2000};
-constexpr Range kSide{1, 16384, 16, 4096};
-
 using S = Settings;
 using C = Camera;
 using G = OpenGlLight;
 using A = AreaLight;
+using F = Forms;
 
 constexpr auto kSceneTable = std::to_array<Setting>({
     row<OfPicture, &S::width>({"width", "Width", "pixels", "Columns of the picture."}, kSide),
@@ -97,6 +65,11 @@ constexpr auto kSceneTable = std::to_array<Setting>({
                                       "Samples along each side of a pixel, whose mean the frame buffer shows; 1 is its "
                                       "centre alone."},
                                      {1, 16, 1, 8}),
+    choice<OfPicture, &S::antialiasingPattern>(
+        {"antialiasing_pattern", "Samples stand", "",
+         "Where the samples of a pixel stand, alike in all pixels: on a grid, anywhere in the grid's cells, anywhere, "
+         "or on Hammersley's points."},
+        kPattern, onlyAntialiased),
 
     choice<OfCamera, &C::kind>(
         {"camera.kind", "Camera", "", "On a sphere around the world's origin, or from an eye towards a target."},
@@ -194,6 +167,36 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     row<OfShadow, &S::shadowFilter>({"shadow.filter", "Filter radius", "texels",
                                      "Radius r of percentage-closer filtering over (2r+1)² texels; 0 is none."},
                                     {0, 32, 0, 8}, {}, onlyShadow),
+
+    choice<OfForms, &F::power>(
+        {"numerics.power", "Specular power", "",
+         "How the power of the specular term is computed: exp(n log1p(-q)), pow, repeated squaring, exp2(n log2), "
+         "Schlick's fraction, or exp(n (x - 1))."},
+        kPowerForm, onlySpecular),
+    choice<OfForms, &F::unit>(
+        {"numerics.normalize", "Normalisation", "",
+         "How normals, V, L and H are brought to length 1: scaled first, by the square root alone, or by a guess of "
+         "its inverse with none, one or two of Newton's steps."},
+        kUnitForm),
+    choice<OfForms, &F::polygonNormal>(
+        {"numerics.polygon_normal", "Polygon normal", "",
+         "Newell's sum relative to the first corner, relative to the origin, or the first three corners alone."},
+        kPolygonNormalForm),
+    choice<OfForms, &F::normalMatrix>(
+        {"numerics.normal_matrix", "Normal matrix", "",
+         "What takes the mesh's own normals to world space: the cofactors, or the inverse transpose."},
+        kNormalMatrixForm, onlyGivenNormals),
+    choice<OfForms, &F::cornerAngle>(
+        {"numerics.corner_angle", "Angle at a corner", "",
+         "How the angle that weights a normal is found: atan2 of cross and dot product, or acos of the dot product."},
+        kCornerAngleForm, onlyAngleWeights),
+    choice<OfForms, &F::cameraBasis>({"numerics.camera_basis", "Camera axes", "",
+                                      "How the spherical camera's axes are found: from its angles, or by cross "
+                                      "products with z, which vanish where it looks along z."},
+                                     kCameraBasisForm, onlySpherical),
+    row<OfNumerics, &S::subPixelBits>({"numerics.subpixel_bits", "Sub-pixel bits", "bits",
+                                       "Corners are snapped to 2^-bits pixels before coverage is decided."},
+                                      {1, 16, 4, 16}),
 
     row<OfAmbient, &AmbientLight::intensity>(
         {"ambient.intensity", "I_a intensity", "", "Intensity of the ambient light."}, kIntensity),
@@ -363,8 +366,9 @@ constexpr auto kTable = withRules(std::make_index_sequence<kRuleCount>());
 }  // namespace
 
 std::string_view name(SettingGroup group) {
-    constexpr std::array<std::string_view, 10> kNames{"Picture", "Camera", "Shading", "Depth",    "Shadow",
-                                                      "Ambient", "Light",  "Object",  "Material", "Leaving out"};
+    constexpr std::array<std::string_view, 11> kNames{"Picture", "Camera",   "Shading",    "Depth",
+                                                      "Shadow",  "Numerics", "Ambient",    "Light",
+                                                      "Object",  "Material", "Leaving out"};
     return kNames[static_cast<std::size_t>(group)];
 }
 

@@ -18,6 +18,7 @@ enum class SettingGroup : std::uint8_t {
     Shading,
     Depth,
     Shadow,
+    Numerics,
     Ambient,
     Light,
     Object,

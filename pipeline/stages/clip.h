@@ -12,9 +12,9 @@ namespace pipeline {
 enum class Plane : std::uint8_t { Near, Far, Left, Right, Top, Bottom };
 inline constexpr std::size_t kPlaneCount = 6;
 
-// Pixels from the picture's centre to the guard band. Snapped to 1/256 pixel, an edge function
-// then stays below 2^60 and is exact in 64 bits.
-inline constexpr double kGuardBand = double(1 << 20);
+// Pixels from the picture's centre to the guard band: half the side of the largest picture. In units of 1/65536 pixel
+// an edge function then stays below 2^62 and is exact in 64 bits.
+inline constexpr double kGuardBand = double(1 << 13);
 
 // Distance of a view-space point from the plane, in view units times the plane's slope; >= 0 inside.
 // `band` is the half size of the picture or of the guard band, pixels.

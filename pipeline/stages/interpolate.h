@@ -16,8 +16,8 @@ Vec3<Real> interpolated(const std::vector<Vec3<Real>>& values, const std::uint32
 
 // V at a world-space point: towards the eye, or against the viewing direction in an orthographic view.
 template <class Real>
-Vec3<Real> towardsEye(const View& view, Vec3<Real> position) {
-    return view.perspective ? normalized(Vec3<Real>(view.eye) - position) : -Vec3<Real>(view.forward);
+Vec3<Real> towardsEye(const View& view, Vec3<Real> position, UnitForm unit = UnitForm::Scaled) {
+    return view.perspective ? normalized(Vec3<Real>(view.eye) - position, unit) : -Vec3<Real>(view.forward);
 }
 
 }  // namespace pipeline

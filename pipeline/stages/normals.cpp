@@ -15,16 +15,32 @@ NormalsOutput<Real> prepareNormals(const NormalsInputs& inputs, const TransformO
     return out;
 }
 
+namespace {
+
+// Twice a polygon's area along its normal, by the right-hand rule.
 template <class Real>
-void polygonNormals(const TransformOutput<Real>& in, std::size_t begin, std::size_t end, NormalsOutput<Real>& out) {
+Vec3<Real> areaVector(PolygonNormalForm form, const std::vector<Vec3<Real>>& world, const Topology::Corners& corners) {
+    Vec3<Real> sum(0);
+    const std::size_t n = corners.size();
+    if (form == PolygonNormalForm::FromOrigin) {
+        for (std::size_t i = 0; i < n; ++i) sum += glm::cross(world[corners[i]], world[corners[(i + 1) % n]]);
+        return sum;
+    }
+    const Vec3<Real> origin = world[corners[0]];
+    const std::size_t end = form == PolygonNormalForm::ThreeCorners ? 3 : n;
+    for (std::size_t i = 2; i < end; ++i) sum += glm::cross(world[corners[i - 1]] - origin, world[corners[i]] - origin);
+    return sum;
+}
+
+}  // namespace
+
+template <class Real>
+void polygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
+                    NormalsOutput<Real>& out) {
     for (std::size_t polygon = begin; polygon < end; ++polygon) {
-        const Topology::Corners corners = in.topology->corners(polygon);
-        const Vec3<Real> origin = in.world[corners[0]];
-        Vec3<Real> sum(0);
-        for (std::size_t i = 2; i < corners.size(); ++i)
-            sum += glm::cross(in.world[corners[i - 1]] - origin, in.world[corners[i]] - origin);
+        Vec3<Real> sum = areaVector(inputs.form, in.world, in.topology->corners(polygon));
         if (in.mirrored[in.topology->polygonObject[polygon]]) sum = -sum;
-        out.polygon[polygon] = normalized(sum);
+        out.polygon[polygon] = normalized(sum, inputs.unit);
         if (!out.weighted.empty()) out.weighted[polygon] = sum;
     }
 }
@@ -33,11 +49,12 @@ namespace {
 
 // The angle of a polygon at its i-th corner, radians.
 template <class Real>
-Real cornerAngle(const TransformOutput<Real>& in, const Topology::Corners& corners, std::size_t i) {
+Real cornerAngle(CornerAngleForm form, const TransformOutput<Real>& in, const Topology::Corners& corners,
+                 std::size_t i) {
     const std::size_t n = corners.size();
     const Vec3<Real> here = in.world[corners[i]];
     return angleBetween(normalized(in.world[corners[(i + 1) % n]] - here),
-                        normalized(in.world[corners[(i + n - 1) % n]] - here));
+                        normalized(in.world[corners[(i + n - 1) % n]] - here), form);
 }
 
 }  // namespace
@@ -58,7 +75,9 @@ void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
                 case NormalWeight::Given:
                 case NormalWeight::Mean: out.vertex[corners[i]] += normal; break;
                 case NormalWeight::Area: out.vertex[corners[i]] += out.weighted[polygon]; break;
-                case NormalWeight::Angle: out.vertex[corners[i]] += cornerAngle(in, corners, i) * normal; break;
+                case NormalWeight::Angle:
+                    out.vertex[corners[i]] += cornerAngle(inputs.angle, in, corners, i) * normal;
+                    break;
             }
             Vec3<Real>& standIn = first[corners[i] - firstVertex];
             if (standIn == Vec3<Real>(0)) standIn = normal;
@@ -68,8 +87,9 @@ void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
     const bool asGiven = inputs.weight == NormalWeight::Given && !given.empty();
     for (std::size_t i = 0; i < first.size(); ++i) {
         Vec3<Real>& normal = out.vertex[firstVertex + i];
-        const Vec3<Real> own = asGiven ? Vec3<Real>(normalized(in.normalMatrix[object] * given[i])) : Vec3<Real>(0);
-        normal = own != Vec3<Real>(0) ? own : normalized(normal);
+        const Vec3<Real> own =
+            asGiven ? Vec3<Real>(normalized(in.normalMatrix[object] * given[i], inputs.unit)) : Vec3<Real>(0);
+        normal = own != Vec3<Real>(0) ? own : normalized(normal, inputs.unit);
         if (normal == Vec3<Real>(0) && first[i] != Vec3<Real>(0)) {
             normal = first[i];
             ++out.vanishing;
@@ -77,9 +97,10 @@ void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
     }
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                            \
-    template NormalsOutput<Real> prepareNormals(const NormalsInputs&, const TransformOutput<Real>&);            \
-    template void polygonNormals(const TransformOutput<Real>&, std::size_t, std::size_t, NormalsOutput<Real>&); \
+#define SHADESCOPE_INSTANTIATE(Real)                                                                           \
+    template NormalsOutput<Real> prepareNormals(const NormalsInputs&, const TransformOutput<Real>&);           \
+    template void polygonNormals(const NormalsInputs&, const TransformOutput<Real>&, std::size_t, std::size_t, \
+                                 NormalsOutput<Real>&);                                                        \
     template void vertexNormals(const NormalsInputs&, const TransformOutput<Real>&, std::size_t, NormalsOutput<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "pipeline/core/forms.h"
 #include "pipeline/stages/transform.h"
 
 namespace pipeline {
@@ -10,6 +11,9 @@ namespace pipeline {
 struct NormalsInputs {
     NormalWeight weight;
     bool vertexNormals;  // whether anybody reads them
+    PolygonNormalForm form = PolygonNormalForm::Newell;
+    CornerAngleForm angle = CornerAngleForm::Atan2;
+    UnitForm unit = UnitForm::Scaled;
     bool operator==(const NormalsInputs&) const = default;
 };
 
@@ -25,12 +29,13 @@ struct NormalsOutput {
 template <class Real>
 NormalsOutput<Real> prepareNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in);
 
-// Polygons [begin, end): Newell's normal, relative to the first corner, which keeps its digits far
-// from the origin. Outward also where the object is mirrored.
+// Polygons [begin, end): by default Newell's normal, relative to the first corner, which keeps its digits
+// far from the origin. Outward also where the object is mirrored.
 // M. Newell, in I. Sutherland, R. Sproull, R. Schumacker, "A characterization of ten hidden-surface
 // algorithms", Computing Surveys 1974.
 template <class Real>
-void polygonNormals(const TransformOutput<Real>& in, std::size_t begin, std::size_t end, NormalsOutput<Real>& out);
+void polygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
+                    NormalsOutput<Real>& out);
 
 // All vertices of one object, from the polygons around each: the mean of the unit normals (lecture
 // 1), or weighted by area or by the angle at the vertex; normalised. Or as the mesh gives them; the

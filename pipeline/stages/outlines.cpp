@@ -89,7 +89,8 @@ void addOutline(const TransformOutput<Real>& in, std::uint32_t polygon, std::vec
         for (std::size_t k = 0; k < 2; ++k) {
             const Vec3<W> v = ends[k].view;
             const W spread = view.perspective ? v.z : W(1);
-            edge.ends[k] = snap(Vec2<W>(centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread));
+            edge.ends[k] =
+                snap(Vec2<W>(centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread), view.subPixelBits);
             edge.w[k] = Real(view.perspective ? 1 / v.z : v.z);
             edge.weights[k] = Vec3<Real>(ends[k].weights);
         }

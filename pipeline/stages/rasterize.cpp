@@ -4,8 +4,8 @@
 
 namespace pipeline {
 
-// 2 (log2 of a coordinate difference) + 1 bits hold an edge function.
-static_assert(2 * (20 + 1 + kSubPixelBits + 1) + 1 < 63 && kGuardBand == double(1 << 20));
+// A difference of two coordinates is up to 2^(13 + 1 + bits), an edge function two products of such.
+static_assert(2 * (13 + 1 + kSubPixelBits) + 1 < 63 && kGuardBand == double(1 << 13));
 
 std::int64_t SnappedTriangle::area2() const { return EdgeFunction(corners[0], corners[1]).at(corners[2]); }
 

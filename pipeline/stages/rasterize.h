@@ -11,24 +11,28 @@ namespace pipeline {
 // From a triangle in view space to the pixels it covers: shared by the z-buffer and the shadow
 // buffers ("same code as Z-Buffer, but using different origin", lecture 1).
 
-inline constexpr int kSubPixelBits = 8;
-inline constexpr std::int64_t kSubPixels = 1 << kSubPixelBits;  // positions along a pixel's side
+// The unit of positions in the picture is 1/65536 pixel. How many of these bits corners are snapped to is a setting
+// (View::subPixelBits, 8 unless asked for): fewer are the coarser grids of hardware.
+inline constexpr int kSubPixelBits = 16;
+inline constexpr std::int64_t kSubPixels = 1 << kSubPixelBits;  // units along a pixel's side
 
 // Coverage is decided in integers, on corners snapped to the sub-pixel grid: exact, so that two
 // triangles that share an edge never both cover a sample and never both miss it.
 struct SnappedTriangle {
-    std::array<glm::i64vec2, 3> corners;  // 1/256 pixel, y down
-    // Twice the signed area, 1/65536 px²; positive when the corners run clockwise as seen.
+    std::array<glm::i64vec2, 3> corners;  // 1/65536 pixel, y down
+    // Twice the signed area, 2^-32 px²; positive when the corners run clockwise as seen.
     std::int64_t area2() const;
     // Pixels whose centres the triangle's box holds, as a half-open range; may be empty.
     Tile pixels() const;
 };
 
-// Pixels, y down, to the grid, to nearest. |p| must be within the guard band.
+// Pixels, y down, to the grid of 2^-bits pixels, to nearest; in units. |p| must be within the guard band.
 template <class W>
-glm::i64vec2 snap(Vec2<W> p) {
-    return {static_cast<std::int64_t>(floor(p.x * W(kSubPixels) + W(0.5))),
-            static_cast<std::int64_t>(floor(p.y * W(kSubPixels) + W(0.5)))};
+glm::i64vec2 snap(Vec2<W> p, int bits) {
+    const W places = W(std::int64_t(1) << bits);
+    const std::int64_t units = std::int64_t(1) << (kSubPixelBits - bits);
+    return {static_cast<std::int64_t>(floor(p.x * places + W(0.5))) * units,
+            static_cast<std::int64_t>(floor(p.y * places + W(0.5))) * units};
 }
 
 // The line from p to q as an integer function of position: > 0 on its right side as seen (y down),
@@ -89,7 +93,7 @@ struct RasterTriangle {
 
 // Clips a triangle, projects and snaps it (in double or better, so that a corner falls on the same grid point
 // whether or not its triangle was cut), and calls emit(RasterTriangle) for each piece with area.
-// Returns the sum of the pieces' signed areas, 1/65536 px², positive for a front face
+// Returns the sum of the pieces' signed areas, 2^-32 px², positive for a front face
 // (counter-clockwise as seen). inside: the triangle is known to need no clipping.
 template <class Real, class Emit>
 std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& corners, std::uint32_t id, Emit emit,
@@ -103,7 +107,8 @@ std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& co
     for (std::size_t i = 0; i < clipped.count; ++i) {
         const Vec3<W> v = clipped.corners[i].view;
         const W spread = view.perspective ? v.z : W(1);
-        snapped[i] = snap(Vec2<W>(centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread));
+        snapped[i] =
+            snap(Vec2<W>(centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread), view.subPixelBits);
         w[i] = view.perspective ? 1 / v.z : v.z;
     }
     std::int64_t signedArea2 = 0;

@@ -12,8 +12,9 @@ Vec3<Real> viewVector(const ShadingInputs& inputs, const View& view, Vec3<Real> 
     if (inputs.illumination.model == Model::OpenGl && !inputs.illumination.localViewer)
         return -Vec3<Real>(view.forward);
     // OpenGL's local viewer stands at the eye also where the view is orthographic.
-    if (inputs.illumination.model == Model::OpenGl) return normalized(Vec3<Real>(view.eye) - position);
-    return towardsEye(view, position);
+    const UnitForm unit = inputs.illumination.detail.unit;
+    if (inputs.illumination.model == Model::OpenGl) return normalized(Vec3<Real>(view.eye) - position, unit);
+    return towardsEye(view, position, unit);
 }
 
 }  // namespace
@@ -50,7 +51,8 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
     const Vec3<Real> normal =
         in.normals.vertex.empty()
             ? in.normals.polygon[polygon]
-            : normalized(interpolated(weights, [&](std::uint32_t vertex) { return in.normals.vertex[vertex]; }));
+            : normalized(interpolated(weights, [&](std::uint32_t vertex) { return in.normals.vertex[vertex]; }),
+                         inputs.illumination.detail.unit);
     return {position, showsBack(inputs, in, polygon) ? -normal : normal,
             inputs.parts.viewVector ? viewVector(inputs, in.transform.view, position) : Vec3<Real>(0)};
 }

@@ -65,6 +65,7 @@ struct ShadingInputs {
     ShadingParts parts{};
     LayerInputs layers{};
     int samples = 1;  // along a side of a pixel; above 1 the frame buffer shows their mean
+    SamplePattern samplePattern = SamplePattern::Grid;
     bool operator==(const ShadingInputs&) const = default;
 };
 

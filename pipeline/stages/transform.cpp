@@ -40,7 +40,8 @@ ObjectMatrix makeObjectMatrix(const ObjectTransform& t) {
 
 Vec3d toWorld(const ObjectMatrix& matrix, Vec3d position) { return matrix.linear * position + matrix.translation; }
 
-glm::dmat3 normalMatrix(const ObjectMatrix& matrix) {
+glm::dmat3 normalMatrix(const ObjectMatrix& matrix, NormalMatrixForm form) {
+    if (form == NormalMatrixForm::InverseTranspose) return glm::transpose(glm::inverse(matrix.linear));
     // Scaled by a power of two first: products of two entries stay in range.
     double largest = 0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, largestComponent(matrix.linear[c]));
@@ -52,8 +53,9 @@ glm::dmat3 normalMatrix(const ObjectMatrix& matrix) {
 }
 
 TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology) {
-    TransformInputs inputs{
-        std::move(topology), {}, makeView(scene), scene.settings.depthFormat, transparentObjects(scene)};
+    TransformInputs inputs{std::move(topology),       {},
+                           makeView(scene),           scene.settings.depthFormat,
+                           transparentObjects(scene), scene.settings.forms.normalMatrix};
     for (const Object& object : scene.objects) inputs.transforms.push_back(object.transform);
     return inputs;
 }
@@ -68,7 +70,7 @@ TransformOutput<Real> prepareTransform(const TransformInputs& inputs) {
     for (const ObjectTransform& t : inputs.transforms) {
         const ObjectMatrix matrix = makeObjectMatrix(t);
         out.mirrored.push_back(matrix.mirrors);
-        out.normalMatrix.push_back(normalMatrix(matrix));
+        out.normalMatrix.push_back(normalMatrix(matrix, inputs.normalMatrix));
     }
     const std::size_t count = inputs.topology->vertexCount();
     out.world.resize(count);

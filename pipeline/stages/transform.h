@@ -21,8 +21,9 @@ ObjectMatrix makeObjectMatrix(const ObjectTransform& transform);
 Vec3d toWorld(const ObjectMatrix& matrix, Vec3d position);
 
 // Takes a normal of the object to the same side of the surface in world space, at some length: the
-// matrix of cofactors, |M| times the inverse transpose, without its division.
-glm::dmat3 normalMatrix(const ObjectMatrix& matrix);
+// matrix of cofactors, |M| times the inverse transpose, without its division; or with it, not finite
+// where the object is flattened to a plane.
+glm::dmat3 normalMatrix(const ObjectMatrix& matrix, NormalMatrixForm form = NormalMatrixForm::Cofactors);
 
 // What the stage depends on, compared to find out whether it has to run again.
 struct TransformInputs {
@@ -31,6 +32,7 @@ struct TransformInputs {
     View view;
     DepthFormat depthFormat;
     std::vector<std::uint8_t> transparent{};  // per object, 1 where it is as if not there; empty when none is
+    NormalMatrixForm normalMatrix = NormalMatrixForm::Cofactors;
     bool operator==(const TransformInputs&) const = default;
 };
 TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology);

@@ -50,7 +50,8 @@ glm::dvec2 placeInPicture(const TransformOutput<Real>& in, std::uint32_t vertex)
     const View& view = in.view;
     const Vec3d v(in.viewSpace[vertex]);
     const double spread = view.perspective ? v.z : 1;
-    const auto onGrid = [](double x) { return std::floor(x * kSubPixels + 0.5) / kSubPixels; };
+    const double places = std::exp2(view.subPixelBits);
+    const auto onGrid = [&](double x) { return std::floor(x * places + 0.5) / places; };
     return {onGrid(view.centre.x + view.scale.x * v.x / spread), onGrid(view.centre.y - view.scale.y * v.y / spread)};
 }
 
@@ -94,11 +95,10 @@ void add(VertexWeights<Real>& w, std::uint32_t vertex, double weight) {
 // Of several spans in a concave polygon the one that holds the pixel; a sub-pixel of tolerance for rounding. Nothing
 // where there is none: an outline that crosses itself covers pixels that lie in no span.
 template <class Real>
-bool scanline(const RowCrossings& row, double x, VertexWeights<Real>& out) {
-    constexpr double kTolerance = 1.0 / kSubPixels;
+bool scanline(const RowCrossings& row, double x, double tolerance, VertexWeights<Real>& out) {
     for (std::size_t i = 0; i + 1 < row.crossings.size(); i += 2) {
         const RowCrossings::Crossing &a = row.crossings[i], &b = row.crossings[i + 1];
-        if (x < a.x - kTolerance || x > b.x + kTolerance) continue;
+        if (x < a.x - tolerance || x > b.x + tolerance) continue;
         const double u = b.x > a.x ? std::clamp((x - a.x) / (b.x - a.x), 0.0, 1.0) : 0;
         out = {0, {}, {}, Interpolation::Scanline};
         add(out, a.from, (1 - u) * (1 - a.along));
@@ -121,7 +121,7 @@ VertexWeights<Real> vertexWeights(Interpolation mode, const TransformOutput<Real
         const std::uint32_t polygon = in.topology->triangles[triangle].polygon;
         if (row.polygon != polygon || row.row != pixel.y) cross(in, polygon, pixel.y, row);
         VertexWeights<Real> weights;
-        if (scanline(row, pixel.x + 0.5, weights)) return weights;
+        if (scanline(row, pixel.x + 0.5, std::exp2(-in.view.subPixelBits), weights)) return weights;
     }
     return affine(in, triangle, b, pixel);
 }

@@ -14,7 +14,7 @@ namespace {
 
 // Lecture 1's camera. The closed form of the basis has no division, so phi = 0 and 180 are
 // places like any other.
-void placeSpherical(const Camera& camera, View& view) {
+void placeSpherical(const Camera& camera, CameraBasisForm form, View& view) {
     const double sinTheta = sinDegrees(camera.theta), cosTheta = cosDegrees(camera.theta);
     const double sinPhi = sinDegrees(camera.phi), cosPhi = cosDegrees(camera.phi);
     const Vec3d away{sinPhi * cosTheta, sinPhi * sinTheta, cosPhi};
@@ -22,6 +22,9 @@ void placeSpherical(const Camera& camera, View& view) {
     view.forward = -away;
     view.right = {-sinTheta, cosTheta, 0};
     view.up = {-cosPhi * cosTheta, -cosPhi * sinTheta, sinPhi};
+    if (form == CameraBasisForm::Angles) return;
+    view.right = normalized(glm::cross(view.forward, Vec3d(0, 0, 1)));
+    view.up = glm::cross(view.right, view.forward);
 }
 
 Vec3d leastAlignedAxis(Vec3d v) {
@@ -73,9 +76,10 @@ View makeView(const Scene& scene) {
     View view;
     view.size = {scene.settings.width, scene.settings.height};
     view.centre = glm::dvec2(view.size) / 2.0;
+    view.subPixelBits = scene.settings.subPixelBits;
     view.perspective = camera.projection == ProjectionKind::Perspective;
     if (camera.kind == CameraKind::Spherical) {
-        placeSpherical(camera, view);
+        placeSpherical(camera, scene.settings.forms.cameraBasis, view);
         // An orthographic picture shows the origin as large as the perspective one does. From the
         // origin itself that would be without end: there it is as large as from rho = 1.
         const double distance = view.perspective || camera.rho == 0 ? 1 : camera.rho;

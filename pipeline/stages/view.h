@@ -15,6 +15,7 @@ struct View {
     glm::dvec2 scale{1.0};     // pixels per view unit (at z_view = 1 in perspective)
     glm::dvec2 centre{0.0};    // pixels
     glm::ivec2 size{0};        // pixels
+    int subPixelBits = 8;      // corners are snapped to 2^-bits pixels, 1 to 16
     double near = 0, far = 0;  // z_view, 0 < near < far (near may be < 0 when orthographic)
     bool operator==(const View&) const = default;
 };

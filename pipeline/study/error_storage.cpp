@@ -11,17 +11,19 @@ namespace pipeline {
 namespace {
 
 // A depth format's number d at distance z and back, from OpenGL's perspective matrix: d = f (z - n) / (z (f - n)), 1 - d
-// when reversed; orthographic (z - n) / (f - n). In long double: near the far plane 24 bits leave little of the others.
+// when reversed, n / z where the far plane is at infinity; orthographic (z - n) / (f - n). In long double: near the far plane 24 bits leave little of the others.
 struct DepthFormula {
     long double near, far;
-    bool perspective, reversed;
+    bool perspective, reversed, infinite;
 
     long double stored(long double z) const {
+        if (infinite) return std::min(near / z, 1.0L);
         const long double d = perspective ? far * (z - near) / (z * (far - near)) : (z - near) / (far - near);
         const long double clamped = std::clamp(d, 0.0L, 1.0L);
         return reversed ? 1 - clamped : clamped;
     }
     long double distance(long double d) const {
+        if (infinite) return near / d;
         const long double forward = reversed ? 1 - d : d;
         return perspective ? near * far / (far - forward * (far - near)) : near + forward * (far - near);
     }
@@ -39,6 +41,8 @@ int bitsOf(DepthFormat format) {
 // How far apart the numbers of the format lie at d.
 double stepAt(DepthFormat format, double d) {
     if (const int bits = bitsOf(format); bits > 0) return 1 / (std::exp2(bits) - 1);
+    if (format == DepthFormat::Half || format == DepthFormat::ReversedHalf)
+        return std::exp2(std::max(std::ilogb(d), -14) - 10);
     const float at = std::abs(float(d));
     return double(std::nextafter(at, 2.0f)) - double(at);
 }
@@ -117,7 +121,8 @@ void addDepthStorage(const Frame& frame, const Picture& ours, ErrorRows& rows) {
     const auto depth = frame.buffer({BufferId::Depth});
     if (settings.depthFormat == DepthFormat::Linear || !depth || ours.zView.empty()) return;
     const View view = makeView(frame.scene());
-    const DepthFormula formula{view.near, view.far, view.perspective, settings.depthFormat == DepthFormat::Reversed};
+    const DepthFormula formula{view.near, view.far, view.perspective, isReversed(settings.depthFormat),
+                               settings.depthFormat == DepthFormat::Infinite && view.perspective};
     std::vector<double> decoded;
     double steps = 0;
     for (std::size_t i = 0; i < depth->count(); ++i) {

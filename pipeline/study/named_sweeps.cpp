@@ -38,7 +38,7 @@ Texts shadingSweep(const Scene& scene) {
 Texts depthSweep(const Scene& scene) {
     if (scene.settings.visibility != Visibility::ZBuffer) return {};
     const double near = makeView(scene).near;
-    if (!(near > 0)) return {"depth_format=linear,float,reversed,fixed16,fixed24,fixed32", "precision=double"};
+    if (!(near > 0)) return {"depth_format=linear,float,reversed,fixed16,fixed24,fixed32,half", "precision=double"};
     Texts places;
     for (const double factor : {1.0, 0.1, 0.01, 1e-3, 1e-4}) {
         // Three digits are enough to read, and never beyond the nearest point.
@@ -46,7 +46,7 @@ Texts depthSweep(const Scene& scene) {
                              std::pow(10, std::floor(std::log10(near * factor)) - 2);
         places.push_back(fmt::format("{:.3g}", place));
     }
-    return {"depth_format=float,reversed,fixed16,fixed24,fixed32",
+    return {"depth_format=float,reversed,infinite,fixed16,fixed24,fixed32,half,reversed-half",
             fmt::format("camera.near={}", fmt::join(places, ",")), "precision=double"};
 }
 
@@ -60,12 +60,28 @@ Texts specularSweep(const Scene& scene) {
     return {"shading=gouraud,phong", "material.#.n=1..4096*4"};
 }
 
+Texts powerSweep(const Scene& scene) {
+    if (!hasHighlight(scene)) return {};
+    return {"numerics.power=log1p,pow,squaring,exp2,schlick,gaussian", "material.#.n=1..65536*4", "shading=phong"};
+}
+
+Texts normalizeSweep(const Scene& scene) {
+    if (hasCurvedShape(scene))
+        return {"numerics.normalize=scaled,direct,estimate,newton,newton2", "object.#.tessellation=4..64*4",
+                "shading=phong"};
+    return {"numerics.normalize=scaled,direct,estimate,newton,newton2", "shading=flat,phong"};
+}
+
+Texts subPixelSweep(const Scene&) { return {"numerics.subpixel_bits=4,6,8,12,16", "precision=double"}; }
+
 Texts precisionSweep(const Scene& scene) {
     if (hasCurvedShape(scene)) return {"precision=float,double,extended", kPieces};
     return {"precision=float,double,extended", "shading=flat,gouraud,phong"};
 }
 
-Texts antialiasingSweep(const Scene&) { return {"antialiasing=1..8*2"}; }
+Texts antialiasingSweep(const Scene&) {
+    return {"antialiasing=1..8*2", "antialiasing_pattern=grid,jittered,random,hammersley"};
+}
 
 Texts normalsSweep(const Scene& scene) {
     if (!hasCurvedShape(scene)) return {};
@@ -89,6 +105,17 @@ const std::array kSweeps = std::to_array<NamedSweep>({
      {},
      specularSweep,
      "a material with k_s above 0"},
+    {"power",
+     "Forms of the specular power, from the usual ones to cheap approximations.",
+     {},
+     powerSweep,
+     "a material with k_s above 0"},
+    {"normalize", "Forms of v / |v|, from the safe one to a guess.", {}, normalizeSweep, {}},
+    {"subpixel",
+     "Finer and finer grids that corners are snapped to.",
+     {"z_view", "RMSE", ErrorKind::Model},
+     subPixelSweep,
+     {}},
     {"precision", "What the stages compute in.", {"intensity", "RMSE", ErrorKind::Arithmetic}, precisionSweep, {}},
     {"antialiasing",
      "More and more samples a pixel.",

@@ -128,13 +128,16 @@ std::string_view whyIdle(const Scene& scene, const SweepAxis& axis) {
     return sweptSettings(scene, axis.key)->front().setting->idle(scene);
 }
 
-// Why an axis changes nothing, neither in the scene as it is nor with any choice that another axis makes.
+// Why an axis changes nothing, neither in the scene as it is nor with any choice that another axis makes, or the last
+// of its numbers.
 std::string_view whyWithoutEffect(const Scene& scene, std::span<const SweepAxis> axes, const SweepAxis& axis) {
     const std::string_view why = whyIdle(scene, axis);
     if (why.empty()) return {};
     for (const SweepAxis& other : axes) {
-        if (other.key == axis.key || isNumber(*sweptSettings(scene, other.key)->front().setting)) continue;
-        for (const std::string& value : other.values) {
+        if (other.key == axis.key) continue;
+        std::span<const std::string> values = other.values;
+        if (isNumber(*sweptSettings(scene, other.key)->front().setting)) values = values.last(1);
+        for (const std::string& value : values) {
             const auto changed = sceneAt(scene, {&other, 1}, {&value, 1});
             if (changed && whyIdle(*changed, axis).empty()) return {};
         }

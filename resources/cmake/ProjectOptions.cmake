@@ -29,6 +29,8 @@ option(SHADESCOPE_PRECOMPILE "Precompile Qt's headers" OFF)
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  # Without this ccache keeps nothing that was compiled with a precompiled header.
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
+  # Without the first ccache keeps nothing that was compiled with a precompiled header; with the others one clone
+  # takes what another one compiled.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
 endif()

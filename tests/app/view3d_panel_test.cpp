@@ -178,7 +178,7 @@ TEST_F(View3dWindow, TheLegendHidesAVector) {
     auto* legend = view.findChild<app::ViewCorner*>("legend");
     const QPoint onN = app::legendEntry(app::VectorCode::N, {0, 0}).center().toPoint();
     QTest::mouseMove(legend, onN);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.drawing().vectors.size() == 1; }, 2000)) << "N alone while hovered";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.drawing().vectors.size() == 1; }, 20000)) << "N alone while hovered";
     QTest::mouseClick(legend, Qt::LeftButton, {}, onN);
     EXPECT_TRUE(view.options().vectors);
 }

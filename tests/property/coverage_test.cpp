@@ -9,6 +9,8 @@ namespace {
 
 using Counts = Buffer2D<int>;
 
+constexpr int kPixel = 65536, kHalf = kPixel / 2;  // units of a snapped corner
+
 void draw(const SnappedTriangle& triangle, Counts& counts) {
     SnappedTriangle t = triangle;
     if (t.area2() < 0) std::swap(t.corners[1], t.corners[2]);
@@ -20,7 +22,7 @@ void draw(const SnappedTriangle& triangle, Counts& counts) {
 bool covered(SnappedTriangle t, glm::ivec2 pixel) {
     if (t.area2() < 0) std::swap(t.corners[1], t.corners[2]);
     if (t.area2() == 0) return false;
-    const std::int64_t x = pixel.x * 256 + 128, y = pixel.y * 256 + 128;
+    const std::int64_t x = pixel.x * kPixel + kHalf, y = pixel.y * kPixel + kHalf;
     for (int i = 0; i < 3; ++i) {
         const glm::i64vec2 p = t.corners[std::size_t(i)], q = t.corners[std::size_t((i + 1) % 3)];
         const std::int64_t cross = (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
@@ -33,10 +35,11 @@ bool covered(SnappedTriangle t, glm::ivec2 pixel) {
 TEST(Coverage, EqualsTheRuleSampleBySample) {
     std::mt19937 random(1);
     for (int i = 0; i < 3000; ++i) {
-        const int step = i % 3 == 0 ? 128 : i % 3 == 1 ? 64 : 1;  // many corners and edges on pixel centres
+        const int step = i % 3 == 0 ? kHalf : i % 3 == 1 ? kHalf / 2 : 1;  // many corners and edges on pixel centres
         SnappedTriangle t;
         for (auto& corner : t.corners)
-            corner = {(int(random() % 9000) - 2000) / step * step, (int(random() % 9000) - 2000) / step * step};
+            corner = {(int(random() % 2300000) - 500000) / step * step,
+                      (int(random() % 2300000) - 500000) / step * step};
         Counts counts({20, 20}, 0);
         draw(t, counts);
         for (int y = 0; y < 20; ++y)
@@ -47,11 +50,11 @@ TEST(Coverage, EqualsTheRuleSampleBySample) {
 // Both triangles on the two sides of one edge, the edge in each of 64 directions through pixel centres, in
 // both windings: every sample of their union once.
 TEST(Coverage, OneSharedEdgeInEveryOrientation) {
-    const glm::i64vec2 centre{16 * 256 + 128, 16 * 256 + 128};
+    const glm::i64vec2 centre{16 * kPixel + kHalf, 16 * kPixel + kHalf};
     for (int dx = -8; dx <= 8; ++dx) {
         for (int dy = -8; dy <= 8; ++dy) {
             if (dx == 0 && dy == 0) continue;
-            const glm::i64vec2 along{dx * 256, dy * 256}, across{-dy * 256, dx * 256};
+            const glm::i64vec2 along{dx * kPixel, dy * kPixel}, across{-dy * kPixel, dx * kPixel};
             const SnappedTriangle one{{centre - along, centre + along, centre + across}};
             const SnappedTriangle other{{centre - along, centre + along, centre - across}};
             const SnappedTriangle turned{{centre + along, centre - along, centre - across}};
@@ -62,7 +65,7 @@ TEST(Coverage, OneSharedEdgeInEveryOrientation) {
             // The square that they make is convex: strictly inside it every sample is covered once.
             for (int y = 0; y < 33; ++y)
                 for (int x = 0; x < 33; ++x) {
-                    const glm::i64vec2 d = glm::i64vec2(x * 256 + 128, y * 256 + 128) - centre;
+                    const glm::i64vec2 d = glm::i64vec2(x * kPixel + kHalf, y * kPixel + kHalf) - centre;
                     const auto u = std::abs(d.x * along.x + d.y * along.y),
                                v = std::abs(d.x * across.x + d.y * across.y);
                     const auto reach = along.x * along.x + along.y * along.y;

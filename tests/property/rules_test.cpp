@@ -25,6 +25,8 @@ TEST_P(LeavingOut, ChangesNoBit) {
         if (seed % 3 == 0) scene.settings.shadowBias = ShadowBias::Constant;  // of 0: everything shadows itself
         for (Object& object : scene.objects)                                  // nothing but highlights
             if (seed % 11 == 0) object.material.diffuse = Vec3d(0);
+        std::mt19937 random(seed);
+        if (seed % 7 < 2) scene.settings.forms = test::randomForms(random);
         const Rule rule = Rule(seed % kRuleCount);
         const BufferSet wanted = seed % 4 == 0 ? setOf({BufferId::Color, BufferId::Intensity}) : someBuffers(seed);
         const FramePtr all = test::frameOf(scene, wanted);

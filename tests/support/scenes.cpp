@@ -59,7 +59,7 @@ Scene randomScene(unsigned seed) {
     scene.settings.shadowSize = 64;
     scene.settings.shading = Shading(random() % 3);
     scene.settings.cull = CullMode(random() % 2);
-    scene.settings.depthFormat = DepthFormat(random() % 6);
+    scene.settings.depthFormat = DepthFormat(random() % 9);
     scene.camera.kind = CameraKind::LookAt;
     scene.camera.eye = inBox(random, 6) + Vec3d(0, 0, 3);
     scene.camera.projection = random() % 4 == 0 ? ProjectionKind::Orthographic : ProjectionKind::Perspective;
@@ -77,6 +77,15 @@ Scene randomScene(unsigned seed) {
     scene.settings.translucency = Translucency(seed / 8 % 2);
     for (Object& object : scene.objects) object.material.highlight = Highlight(random() % 3);
     return scene;
+}
+
+Forms randomForms(std::mt19937& random) {
+    Forms forms;
+    forms.power = PowerForm(random() % 6), forms.unit = UnitForm(random() % 5);
+    forms.polygonNormal = PolygonNormalForm(random() % 3);
+    forms.normalMatrix = NormalMatrixForm(random() % 2);
+    forms.cameraBasis = CameraBasisForm(random() % 2), forms.cornerAngle = CornerAngleForm(random() % 2);
+    return forms;
 }
 
 Scene smallScene(unsigned seed) {
@@ -188,13 +197,15 @@ Scene strangeScene(unsigned seed) {
     if (random() % 8 == 0) scene.settings.width = scene.settings.height = 1;
     if (random() % 8 == 0) scene.lights.clear();
     if (random() % 16 == 0) scene.objects.clear();
+    if (coin(random)) scene.settings.forms = randomForms(random);
+    scene.settings.subPixelBits = std::array{1, 8, 16}[random() % 3];
     return scene;
 }
 
 void changeSomething(Scene& scene, std::mt19937& random) {
     Settings& settings = scene.settings;
     Object& object = scene.objects[random() % scene.objects.size()];
-    switch (random() % 24) {
+    switch (random() % 27) {
         case 0: object.material = randomMaterial(random); break;
         case 1: object.transform.translation = inBox(random, 2); break;
         case 2: object.transform.scale.z = -object.transform.scale.z; break;
@@ -214,7 +225,7 @@ void changeSomething(Scene& scene, std::mt19937& random) {
             break;
         case 9: settings.shading = Shading(random() % 3); break;
         case 10: settings.cull = CullMode(random() % 2); break;
-        case 11: settings.depthFormat = DepthFormat(random() % 6); break;
+        case 11: settings.depthFormat = DepthFormat(random() % 9); break;
         case 12: scene.camera.eye = inBox(random, 6) + Vec3d(0, 0, 4); break;
         case 13: settings.normalWeight = NormalWeight(random() % 3); break;
         case 14: settings.model = Model(random() % 3); break;
@@ -225,6 +236,11 @@ void changeSomething(Scene& scene, std::mt19937& random) {
         case 19: object.material.alpha = between(random, 0, 1); break;
         case 20: settings.translucency = Translucency(random() % 2); break;
         case 21: settings.interpolation = Interpolation(random() % 3); break;
+        case 23: settings.forms = randomForms(random); break;
+        case 24: settings.subPixelBits = 1 + int(random() % 16); break;
+        case 25:
+            settings.antialiasing = 1 + int(random() % 2), settings.antialiasingPattern = SamplePattern(random() % 4);
+            break;
         case 22: settings.width = 60 + int(random() % 60); break;
         default: settings.shadowFilter = int(random() % 3); break;
     }

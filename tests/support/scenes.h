@@ -117,6 +117,9 @@ Scene smallScene(unsigned seed);
 // negative or huge, singular transforms and cameras, no light, no object… checkScene accepts it.
 Scene strangeScene(unsigned seed);
 
+// Any of the forms of every formula.
+Forms randomForms(std::mt19937& random);
+
 // One change of a kind that a user makes: a light, a material, the camera, a setting…
 void changeSomething(Scene& scene, std::mt19937& random);
 

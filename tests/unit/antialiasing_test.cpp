@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "pipeline/inspect/pixel_report.h"
+#include "pipeline/stages/sample_pattern.h"
 #include "tests/support/scenes.h"
 
 using namespace pipeline;
@@ -65,6 +66,52 @@ double edgeError(int samples) {
             }
     }
     return std::sqrt(sum / count);
+}
+
+// The root mean square error of the covered part over edges of all directions and places, of the pattern alone.
+double patternError(SamplePattern pattern, int side) {
+    const std::vector<glm::dvec2> places = samplePlaces(pattern, side);
+    double sum = 0, count = 0;
+    for (int i = 0; i < 360; ++i)
+        for (int j = 0; j < 100; ++j) {
+            const double degrees = i + 0.5, shift = (j + 0.5) / 100 - 0.5;
+            const double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
+            double inside = 0;
+            for (const glm::dvec2& p : places) inside += (p.x - shift * c) * c + (p.y - shift * s) * s > 0;
+            const double a = std::abs(c), b = std::abs(s), corners = (a + b) / 2;
+            // covered() of a line at distance `shift` from the pixel's centre.
+            const double p = std::max(a, b), q = std::min(a, b);
+            double expected = shift <= -corners ? 1 : shift >= corners ? 0 : 0.5 - shift / p;
+            if (std::abs(shift) > (p - q) / 2 && std::abs(shift) < corners) {
+                const double corner = (corners - std::abs(shift)) * (corners - std::abs(shift)) / (2 * p * q);
+                expected = shift < 0 ? 1 - corner : corner;
+            }
+            const double error = inside / double(places.size()) - expected;
+            sum += error * error, ++count;
+        }
+    return std::sqrt(sum / count);
+}
+
+// Of N samples: on a grid, one in each of its cells and on Hammersley's points N^(-3/4); anywhere N^(-1/2), by the law
+// of large numbers: the standard deviation of one of coverage a is sqrt(a (1 - a)), in the mean 0.38 here.
+TEST(Antialiasing, everyPatternKeepsItsLaw) {
+    using enum SamplePattern;
+    for (const SamplePattern pattern : {Grid, Jittered, Random, Hammersley}) {
+        for (const int side : {1, 2, 3, 4, 8, 16}) {
+            const std::vector<glm::dvec2> places = samplePlaces(pattern, side);
+            ASSERT_EQ(places.size(), std::size_t(side * side));
+            for (const glm::dvec2& p : places) {
+                EXPECT_GE(std::min(p.x, p.y), -0.5);
+                EXPECT_LT(std::max(p.x, p.y), 0.5);
+            }
+            EXPECT_EQ(places, samplePlaces(pattern, side));
+        }
+        const double order = std::log2(patternError(pattern, 4) / patternError(pattern, 16)) / 4;
+        EXPECT_NEAR(order, pattern == Random ? 0.5 : 0.75, 0.15) << int(pattern);
+        EXPECT_EQ(samplePlaces(pattern, 1)[0], glm::dvec2(0));
+    }
+    EXPECT_NEAR(patternError(Random, 16), 0.38 / 16, 0.38 / 16 / 2);
+    EXPECT_LT(patternError(Grid, 16), patternError(Random, 16) / 3);
 }
 
 // One sample is off by up to 1/2: over all places of an edge of coverage a the mean square is a (1 − a), of uniform

@@ -130,8 +130,10 @@ TEST(Painter, ShuffledPolygonsGiveTheSamePicture) {
 }
 
 PaintTriangle flat(double depth, std::uint32_t polygon) {
-    return {
-        {{glm::i64vec2(0, 0), glm::i64vec2(2560, 0), glm::i64vec2(0, 2560)}}, {depth, depth, depth}, depth, polygon};
+    return {{{glm::i64vec2(0, 0), glm::i64vec2(10 * kSubPixels, 0), glm::i64vec2(0, 10 * kSubPixels)}},
+            {depth, depth, depth},
+            depth,
+            polygon};
 }
 
 std::vector<std::uint32_t> numbers(const PaintingOrder& order) {
@@ -151,7 +153,10 @@ TEST(PaintingOrder, FarthestFirstAndTiesByNumber) {
 
 // The first reaches farther back than the second, but is before it where both are seen: the mean misleads, too.
 TEST(PaintingOrder, KeepsPolygonsWholeThatHaveAnOrder) {
-    PaintTriangle slope{{{glm::i64vec2(0, 0), glm::i64vec2(25600, 0), glm::i64vec2(0, 2560)}}, {1, 21, 1}, 7.7, 0};
+    PaintTriangle slope{{{glm::i64vec2(0, 0), glm::i64vec2(100 * kSubPixels, 0), glm::i64vec2(0, 10 * kSubPixels)}},
+                        {1, 21, 1},
+                        7.7,
+                        0};
     PaintTriangle small = flat(4, 1);
     const std::vector<PaintTriangle> triangles{slope, small};
     const PaintingOrder order = paintingOrder(triangles, true);

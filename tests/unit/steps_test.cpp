@@ -16,8 +16,6 @@ Steps uncutPyramid() {
     return Steps(test::frameOf(scene));
 }
 
-double value(const Frame& frame, BufferId id, std::size_t x, std::size_t y) { return frame.buffer({id})->value(x, y); }
-
 std::string at(const Steps& steps, std::string_view place) {
     return text(steps.placeOf(steps.momentOf(*parsePlace(place))));
 }
@@ -54,9 +52,10 @@ TEST(Steps, TheZBufferAfterKPolygonsHoldsTheNearestOfThose) {
     scene.objects[0].mesh = test::mesh(positions, {{0, 1, 4}, {1, 2, 4}});
     const FramePtr two = test::frameOf(scene);
     const FramePtr there = steps.frameAt(steps.momentOf(*parsePlace("z-buffer/polygon=1")));
-    for (const BufferId id : {BufferId::ZView, BufferId::PolygonId, BufferId::Overdraw, BufferId::DepthWrites})
-        for (std::size_t y = 0; y < 480; ++y)
-            for (std::size_t x = 0; x < 640; ++x) ASSERT_EQ(value(*there, id, x, y), value(*two, id, x, y));
+    for (const BufferId id : {BufferId::ZView, BufferId::PolygonId, BufferId::Overdraw, BufferId::DepthWrites}) {
+        const AnyBuffer a = *there->buffer({id}), b = *two->buffer({id});
+        for (std::size_t i = 0; i < a.count(); ++i) ASSERT_EQ(a.flat(i), b.flat(i)) << i;
+    }
 }
 
 TEST(Steps, WithinAPolygonTheRowsFillFromTheTopAndTheLeft) {
@@ -64,10 +63,12 @@ TEST(Steps, WithinAPolygonTheRowsFillFromTheTopAndTheLeft) {
     const FramePtr before = steps.frameAt(steps.momentOf(*parsePlace("z-buffer/polygon=1")));
     const FramePtr after = steps.frameAt(steps.momentOf(*parsePlace("z-buffer/polygon=2")));
     const FramePtr there = steps.frameAt(steps.momentOf(*parsePlace("z-buffer/polygon=2/row=270/x=258")));
+    const auto depths = [](const FramePtr& frame) { return *frame->buffer({BufferId::ZView}); };
+    const AnyBuffer z = depths(there), first = depths(before), last = depths(after);
     for (std::size_t y = 0; y < 480; ++y)
         for (std::size_t x = 0; x < 640; ++x) {
             const bool drawn = y < 270 || (y == 270 && x <= 258);
-            ASSERT_EQ(value(*there, BufferId::ZView, x, y), value(drawn ? *after : *before, BufferId::ZView, x, y));
+            ASSERT_EQ(z.value(x, y), (drawn ? last : first).value(x, y));
         }
 }
 
@@ -108,13 +109,14 @@ TEST(Steps, ThePainterGoesFromTheFarthestToTheNearest) {
     const FramePtr whole = steps.frame();
     ASSERT_EQ(steps.count(StageId::ZBuffer, StepLevel::Polygon), 5);
     const auto last = steps.polygonOf(steps.momentOf({StageId::ZBuffer}));
+    const AnyBuffer ids = *whole->buffer({BufferId::PolygonId}), reached = *there->buffer({BufferId::PolygonId});
     bool covered = false;
     for (std::size_t y = 0; y < 480; ++y)
         for (std::size_t x = 0; x < 640; ++x) {
-            const double seen = value(*whole, BufferId::PolygonId, x, y);
+            const double seen = ids.value(x, y);
             covered = covered || seen == double(*last);
             if (seen != double(*last)) {
-                ASSERT_EQ(value(*there, BufferId::PolygonId, x, y), seen);
+                ASSERT_EQ(reached.value(x, y), seen);
             }
         }
     EXPECT_TRUE(covered);

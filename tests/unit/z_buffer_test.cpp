@@ -83,9 +83,29 @@ TEST(Depth, EncodesAsTheFormulasSay) {
     EXPECT_EQ(d(DepthFormat::Fixed16), 59577.0 / 65535);
     EXPECT_EQ(d(DepthFormat::Fixed24), 15252014.0 / 16777215);
     EXPECT_EQ(d(DepthFormat::Fixed32), 3904515723.0 / 4294967295);
+    // 11 bits: 0.90909 lies in [1/2, 1), steps of 2^-11: 1861.8 of them; 0.090909 in [1/16, 1/8), of 2^-14: 1489.5.
+    EXPECT_EQ(d(DepthFormat::Half), 1862 * 0x1p-11);
+    EXPECT_EQ(d(DepthFormat::ReversedHalf), 1489 * 0x1p-14);
+    EXPECT_EQ(d(DepthFormat::Infinite), double(0.1f));  // n / z
     view.perspective = false;
     EXPECT_EQ(d(DepthFormat::Float), double(1.0f / 11));
     EXPECT_EQ(d(DepthFormat::Reversed), double(10.0f / 11));
+}
+
+// 16-bit floats have 11 bits down to 2^-14, and steps of 2^-24 below.
+TEST(Depth, AHalfIsTheNearestOfItsFormat) {
+    EXPECT_EQ(roundToHalf(1.0), 1);
+    EXPECT_EQ(roundToHalf(0.0), 0);
+    EXPECT_EQ(roundToHalf(0x1p-24), 0x1p-24);
+    EXPECT_EQ(roundToHalf(0x1.8p-25), 0x1p-24);
+    EXPECT_EQ(roundToHalf(0x1p-26), 0);
+    EXPECT_EQ(roundToHalf(0x1.004p0 / 2), 0x1.004p0 / 2);  // 0.5 + 2^-11
+    EXPECT_EQ(roundToHalf(0x1.0018p0 / 2), 0x1.0p0 / 2);
+    for (double d = 1; d > 0x1p-30; d *= 0.97) {
+        const double half = roundToHalf(d), step = std::exp2(std::max(std::ilogb(d), -14) - 10);
+        EXPECT_LE(std::abs(half - d), step / 2) << d;
+        EXPECT_EQ(std::fmod(half, step), 0) << d;
+    }
 }
 
 // The width of a bin at z, from the bound of d that z falls in (numerics: z_k = f n / (f - d_k (f - n))): half a bin
@@ -159,7 +179,7 @@ TEST(Depth, EveryFormatPutsTheNearerInFront) {
 // t = s z0 / (s z0 + (1-s) z1) = 0.5 / 50.5 = 0.00990099, not 1/2.
 TEST(ZBuffer, InterpolatesInPerspective) {
     RasterTriangle<double> t{};
-    t.snapped = {{glm::i64vec2(0, 0), glm::i64vec2(2560, 0), glm::i64vec2(0, 2560)}};
+    t.snapped = {{glm::i64vec2(0, 0), glm::i64vec2(10 * kSubPixels, 0), glm::i64vec2(0, 10 * kSubPixels)}};
     t.inverseArea2 = 1 / double(t.snapped.area2());
     t.w = {1.0 / 100, 1, 1};
     t.weights = {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)};
