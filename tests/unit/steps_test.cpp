@@ -125,7 +125,7 @@ TEST(Steps, ThePainterGoesFromTheFarthestToTheNearest) {
 TEST(Steps, RunToAPixelStopsAtEveryFragmentThatArrivesThere) {
     const Steps steps = uncutPyramid();
     const glm::ivec2 pixel{258, 270};
-    const auto arrived = [&](const Frame& frame) { return value(frame, BufferId::Overdraw, 258, 270); };
+    const auto arrived = [&](const Frame& frame) { return frame.buffer({BufferId::Overdraw})->value(258, 270); };
     Moment moment = steps.first();
     int stops = 0;
     while (const auto next = steps.nextAt(moment, pixel)) {
