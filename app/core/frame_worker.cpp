@@ -53,7 +53,7 @@ void FrameWorker::work(std::stop_token quit) {
         if (!frame) continue;  // stopped: a newer request waits
         m_last = std::move(frame);
         m_deliver(m_last, job.ticket);
-        check();
+        if (m_deliverCheck) check();
     }
 }
 

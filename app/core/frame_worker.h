@@ -29,7 +29,7 @@ public:
     using Deliver = std::function<void(pipeline::FramePtr, long ticket)>;
     using DeliverCheck = std::function<void(pipeline::FramePtr, const FrameCheck&)>;
 
-    FrameWorker(Deliver deliver, DeliverCheck deliverCheck);
+    FrameWorker(Deliver deliver, DeliverCheck deliverCheck);  // without the second no frame is checked
     ~FrameWorker();  // stops what runs and waits for it; no call comes after
 
     // Whether a frame that is being computed may finish although a newer one is wanted. While a

@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <array>
 
 #include "app/core/text.h"
 #include "app/panels/airy_cells.h"
@@ -46,16 +47,33 @@ CheckCases::CheckCases(QWidget* parent) : QTableWidget(0, kColumns, parent) {
     followTheme(this, [this] {
         verticalHeader()->setDefaultSectionSize(Theme::current().px(26));
         horizontalHeader()->setMinimumSectionSize(Theme::current().px(48));
-        // A few texts are long, and would leave no room for the titles; their tooltips have the whole. Widths that
-        // follow the contents would be found anew for every cell.
-        for (const auto& [column, width] :
-             {std::pair(Id, 52), {Naive, 168}, {Ours, 112}, {Bound, 88}, {EndsIn, 68}, {Verdict, 88}})
-            setColumnWidth(column, Theme::current().px(width));
+        layOut();
     });
     connect(this, &QTableWidget::currentCellChanged, this, [this](int row) {
         if (row >= 0) emit chosen(caseIn(row));
     });
     connect(this, &QTableWidget::cellDoubleClicked, this, [this](int row) { emit openAsked(caseIn(row)); });
+}
+
+// A few texts are long, and would leave no room for the titles; their tooltips have the whole. Widths that follow the
+// contents would be found anew for every cell. Where there is little room, what the details say as well goes first.
+void CheckCases::layOut() {
+    const Theme& theme = Theme::current();
+    constexpr std::array kWidths{std::pair(Id, 52),    std::pair(Naive, 168), std::pair(Ours, 112),
+                                 std::pair(Bound, 88), std::pair(EndsIn, 68), std::pair(Verdict, 88)};
+    int left = viewport()->width() - theme.px(200);  // for the titles
+    for (const auto& [column, width] : kWidths) left -= theme.px(width);
+    for (const auto& [column, width] : kWidths) {
+        setColumnWidth(column, theme.px(width));
+        const bool goes = left < 0 && (column == Bound || column == EndsIn);
+        if (goes) left += theme.px(width);
+        setColumnHidden(column, goes);
+    }
+}
+
+void CheckCases::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    layOut();
 }
 
 void CheckCases::setCases(const CheckResults& results, std::optional<pipeline::check::Group> group) {

@@ -27,10 +27,12 @@ signals:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     std::size_t caseIn(int row) const;
     int rowOf(std::size_t which) const;
+    void layOut();
     void fill(int row, const std::optional<pipeline::check::CaseResult>& result);
 };
 

@@ -20,6 +20,7 @@ public:
     // A case with a knob; the slider starts at the stiff end, where the naive form is worse. null: shows nothing.
     void setCase(const pipeline::check::Case* which);
     double value() const { return m_value; }
+    bool moved() const { return m_moved; }  // by anyone, since the case was set
     void setValue(double value);  // of the knob's range; says nothing
 
 signals:
@@ -37,7 +38,7 @@ private:
     KnobCurve m_curve;
     std::vector<KnobErrors> m_errors;
     std::optional<KnobErrors> m_now;
-    bool m_moved = false;  // by anyone, since the case was set
+    bool m_moved = false;
     QLabel *m_title, *m_label, *m_low, *m_high;
     ValueSlider* m_slider;
     QLineEdit* m_field;

@@ -13,6 +13,7 @@
 #include "app/core/text.h"
 #include "app/panels/check_details.h"
 #include "app/panels/check_knob.h"
+#include "app/panels/check_pictures.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
 #include "app/panels/surface.h"
@@ -112,6 +113,7 @@ QWidget* CheckPanel::makeRight() {
     m_message->setObjectName("checkMessage");
     m_message->setWordWrap(true);
     m_message->hide();
+    m_pictures = new CheckPictures(content);
     m_knob = new CheckKnob(content);
     m_noKnob = new QLabel(tr("Nothing in this case can be turned: it is as stiff as it is."), content);
     m_noKnob->setAlignment(Qt::AlignCenter);
@@ -119,8 +121,10 @@ QWidget* CheckPanel::makeRight() {
     auto* column = new QVBoxLayout(content);
     column->addWidget(m_details);
     column->addWidget(m_message);
-    column->addWidget(m_knob, 1);
-    column->addWidget(m_noKnob, 1);
+    column->addWidget(m_pictures, 2);
+    column->addWidget(m_knob, 2);
+    column->addWidget(m_noKnob);
+    column->addStretch(0);
     connect(m_details, &CheckDetails::openAsked, this, &CheckPanel::openAsScene);
     connect(m_knob, &CheckKnob::changed, this, &CheckPanel::turnKnob);
     followTheme(content, [this, column] {
@@ -191,6 +195,7 @@ void CheckPanel::showSelected() {
     m_knob->setCase(hasKnob ? &chosenCase() : nullptr);
     m_knob->setVisible(hasKnob);
     m_noKnob->setVisible(!hasKnob);
+    showPictures();
 }
 
 void CheckPanel::showState() {

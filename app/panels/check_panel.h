@@ -14,6 +14,7 @@ namespace app {
 
 class CheckDetails;
 class CheckKnob;
+class CheckPictures;
 class Segmented;
 
 // The stiff and extreme cases: on the left all with what they gave, on the right the chosen one with the knob that
@@ -31,6 +32,7 @@ public:
     void setGroup(std::optional<pipeline::check::Group> group);
     // The selected case as the document's scene, with the slider's value where the knob is one of its settings.
     bool openAsScene();
+    const CheckPictures& pictures() const { return *m_pictures; }
     QString report() const;  // JSON, as the command check prints it
 
 protected:
@@ -46,6 +48,9 @@ private:
     void finish(double seconds, bool cancelled);
     void showSelected();
     void showState();
+    // The selected case as a scene; nothing where it has none.
+    std::optional<pipeline::Scene> sceneAtKnob() const;
+    void showPictures();
     void turnKnob(double value, bool done);
 
     Document& m_document;
@@ -64,6 +69,7 @@ private:
     CheckCases* m_cases;
     CheckDetails* m_details;
     CheckKnob* m_knob;
+    CheckPictures* m_pictures;
 };
 
 }  // namespace app

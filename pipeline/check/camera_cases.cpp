@@ -312,6 +312,7 @@ std::span<const Case> cameraCases() {
          .bound = 5.1e-14,
          .run = runPole,
          .scene = atThePole,
+         .naiveWith = "numerics.camera_basis=cross-product",
          .knob = {.label = "φ from +z, degrees",
                   .setting = "camera.phi",
                   .low = 1e-6,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ std::vector<Case> allCases() {
     std::vector<Case> all;
     for (const auto cases :
          {geometryCases(), polygonCases(), readerCases(), cameraCases(), coverageCases(), clipCases(), depthCases(),
-          normalCases(), lightCases(), highlightCases(), shadowCases(), limitCases()})
+          normalCases(), lightCases(), highlightCases(), biasCases(), shadowCases(), limitCases()})
         all.insert(all.end(), cases.begin(), cases.end());
     return all;
 }
@@ -103,6 +104,19 @@ bool Filter::admits(const Case& which) const {
     if (ids.empty() && groups.empty()) return true;
     return std::ranges::any_of(ids, [&](const std::string& id) { return sameId(id, which.id); }) ||
            std::ranges::find(groups, which.group) != groups.end();
+}
+
+std::optional<Scene> withNaiveForm(const Case& which, Scene scene) {
+    if (which.naiveWith.empty()) return {};
+    for (const auto part : std::views::split(which.naiveWith, ' ')) {
+        const std::string_view text(part.begin(), part.end());
+        const std::size_t equals = text.find('=');
+        const auto setting = findSetting(scene, text.substr(0, equals));
+        const auto value = setting ? parseSetting(*setting, text.substr(equals + 1)) : setting.errors();
+        if (!value) return {};
+        setting->set(scene, *value);
+    }
+    return scene;
 }
 
 CaseResult runCase(const Case& which, int threads) {

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -58,6 +59,7 @@ struct Knob {
     bool logarithmic = true;
     double (*naive)(double at) = nullptr;
     double (*ours)(double at) = nullptr;
+    Scene (*scene)(double at) = nullptr;  // the case's scene there, where no one setting makes it
 };
 
 struct Case {
@@ -73,6 +75,8 @@ struct Case {
     Outcome outcome = Outcome::Value;
     Finding (*run)(Trial&) = nullptr;
     Scene (*scene)() = nullptr;  // the case as a scene, where it has one
+    // Settings that let the stages use the naive form in that scene, "KEY=VALUE" by blanks; empty where it has none.
+    std::string_view naiveWith{};
     Knob knob{};
 };
 
@@ -100,6 +104,9 @@ struct Filter {
     bool admits(const Case& which) const;
 };
 
+// The scene of a case as the naive form shows it. Nothing where none of its settings does.
+std::optional<Scene> withNaiveForm(const Case& which, Scene scene);
+
 CaseResult runCase(const Case& which, int threads = 1);
 // In the order of the table, several at a time. threads 0: as many as the machine has. Cases not begun when a stop
 // is asked for are not in the result. `each` is told of every result as it comes, by the threads that run the cases.
@@ -117,6 +124,7 @@ std::span<const Case> depthCases();
 std::span<const Case> normalCases();
 std::span<const Case> lightCases();
 std::span<const Case> highlightCases();
+std::span<const Case> biasCases();
 std::span<const Case> shadowCases();
 std::span<const Case> limitCases();
 

@@ -84,14 +84,18 @@ double worstBin(double ratio, DepthFormat format) {
 }
 double standardBin(double ratio) { return worstBin(ratio, DepthFormat::Float); }
 double reversedBin(double ratio) { return worstBin(ratio, DepthFormat::Reversed); }
-Scene deep() {
+Scene deepBy(double ratio) {
+    // Far off a dark plane, and a thousandth of its distance before it a bright one, which is drawn after it.
     Scene scene =
-        frontScene(0, {gridMesh(1, {-1, -1, -2}, {1, 1, -2}), gridMesh(1, {-1e8, -1e8, -5e8}, {1e8, 1e8, -5e8})});
+        frontScene(0, {gridMesh(1, {-1, -1, -2}, {0, 1, -2}), gridMesh(1, {-2e8, -2e8, -5.005e8}, {2e8, 2e8, -5.005e8}),
+                       gridMesh(1, {-1e8, -1e8, -5e8}, {1e8, 1e8, -5e8})});
+    scene.objects[1].material.diffuse = Vec3d(0.2);
     scene.camera.target = {0, 0, -1};
-    scene.camera.near = 1e-3, scene.camera.far = 1e9;
+    scene.camera.near = 1e9 / ratio, scene.camera.far = 1e9;
     scene.settings.depthFormat = DepthFormat::Reversed;
     return scene;
 }
+Scene deep() { return deepBy(1e12); }
 Finding runReversed(Trial& trial) {
     trial.frame(deep());
     return {standardBin(1e12), reversedBin(1e12)};
@@ -282,7 +286,13 @@ std::span<const Case> depthCases() {
          .bound = 0x1p-23,
          .run = runReversed,
          .scene = deep,
-         .knob = {.label = "far / near", .low = 10, .high = 1e12, .naive = standardBin, .ours = reversedBin}},
+         .naiveWith = "depth_format=float",
+         .knob = {.label = "far / near",
+                  .low = 10,
+                  .high = 1e12,
+                  .naive = standardBin,
+                  .ours = reversedBin,
+                  .scene = deepBy}},
         {.id = "Z6",
          .group = Group::Depth,
          .title = "Far/near 10¹², gap 10⁻⁴",
@@ -329,7 +339,8 @@ std::span<const Case> depthCases() {
          .reference = "the seam at x = 0",
          .bound = 0,
          .run = runCrossing,
-         .scene = crossing},
+         .scene = crossing,
+         .naiveWith = "visibility=painter split=off"},
         {.id = "Z11",
          .group = Group::Depth,
          .title = "Exactly in the near and far planes",

@@ -6,6 +6,7 @@
 
 #include "pipeline/check/case.h"
 #include "pipeline/check/scenes.h"
+#include "pipeline/core/numerics.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/stages/cull.h"
 
@@ -164,7 +165,19 @@ Scene scaledBy(double factor) {
     scene.settings.precision = Precision::Float;
     return scene;
 }
-Scene hugeScene() { return scaledBy(0x1p26); }
+Scene scaledDown() { return scaledBy(0x1p-40); }
+// How far from 1 the lengths of normalised vectors are, over 100 directions of that length.
+double lengthError(UnitForm form, double length) {
+    Random random(2);
+    double worst = 0;
+    for (int i = 0; i < 100; ++i) {
+        const Vec3<float> v(length * random.direction());
+        worst = std::max(worst, std::abs(double(glm::length(Long3(normalized(v, form)))) - 1));
+    }
+    return worst;
+}
+double directLength(double length) { return lengthError(UnitForm::Direct, length); }
+double scaledLength(double length) { return lengthError(UnitForm::Scaled, length); }
 Finding runScaled(Trial& trial) {
     const FramePtr plain = trial.frame(scaledBy(1));
     std::size_t differ = 0;
@@ -199,8 +212,9 @@ Scene movedBy(Vec3d offset) {
     return scene;
 }
 Scene farAway() { return movedBy(kOffset); }
+Scene awayBy(double distance) { return movedBy(Vec3d(distance, -distance, distance)); }
 double movedNormals(double distance, Precision precision) {
-    Scene moved = movedBy(Vec3d(distance, -distance, distance)), home = movedBy(Vec3d(0));
+    Scene moved = awayBy(distance), home = movedBy(Vec3d(0));
     moved.settings.precision = precision;
     Trial trial(1);
     const BufferSet wanted = setOf({BufferId::PolygonsNormal});
@@ -285,7 +299,13 @@ std::span<const Case> geometryCases() {
          .reference = "the picture at scale 1, bit for bit",
          .bound = 0,
          .run = runScaled,
-         .scene = hugeScene},
+         .scene = scaledDown,
+         .naiveWith = "precision=float numerics.normalize=direct",
+         .knob = {.label = "length of a vector, in float",
+                  .low = 1e-30,
+                  .high = 1e30,
+                  .naive = directLength,
+                  .ours = scaledLength}},
         {.id = "G18",
          .group = Group::Geometry,
          .title = "Mesh at distance 10⁷",
@@ -297,11 +317,13 @@ std::span<const Case> geometryCases() {
          .bound = 0,
          .run = runMoved,
          .scene = farAway,
+         .naiveWith = "precision=float numerics.polygon_normal=from-origin",
          .knob = {.label = "distance from the origin",
                   .low = 1,
                   .high = 1e7,
                   .naive = movedInFloat,
-                  .ours = movedInDouble}},
+                  .ours = movedInDouble,
+                  .scene = awayBy}},
     };
     return cases;
 }

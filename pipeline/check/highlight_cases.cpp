@@ -144,6 +144,13 @@ Scene narrow() {
     scene.objects[0].material.ambient = Vec3d(0);
     return scene;
 }
+// The same a hundred times as near: at exponent 10^6 the highlight's radius is 30 pixels.
+Scene close() {
+    Scene scene = narrow();
+    scene.camera.fovY /= 100;
+    scene.settings.precision = Precision::Float;
+    return scene;
+}
 // At a pixel's centre N·H is that of a right triangle: tan θ is the distance from the middle.
 Long exactAt(std::size_t pixel, Long exponent) {
     const Long x = (Long(pixel % 64) + 0.5L - 32) / 256, y = (Long(pixel / 64) + 0.5L - 32) / 256;
@@ -168,7 +175,7 @@ Scene inside(Shading shading) {
     scene.settings.width = scene.settings.height = 65;  // a pixel's centre in the middle
     return scene;
 }
-Scene insideGouraud() { return inside(Shading::Gouraud); }
+Scene insidePhong() { return inside(Shading::Phong); }
 Finding runInside(Trial& trial) {
     const auto middle = [&](Shading shading) {
         return std::abs(vectorOf(trial.frame(inside(shading)), {BufferId::Specular, 0}, 32 * 65 + 32).x - 1);
@@ -191,7 +198,8 @@ std::span<const Case> highlightCases() {
          // Of q within 2^-22, at most e^-1 times that; exp rounds to 2^-24.
          .bound = 2e-7,
          .run = runPower,
-         .scene = shiny,
+         .scene = close,
+         .naiveWith = "numerics.power=pow",
          .knob = {.label = "exponent e",
                   .setting = "material.0.n",
                   .low = 1,
@@ -271,7 +279,8 @@ std::span<const Case> highlightCases() {
          .reference = "k_s",
          .bound = 1e-12,
          .run = runInside,
-         .scene = insideGouraud},
+         .scene = insidePhong,
+         .naiveWith = "shading=gouraud"},
     };
     return cases;
 }

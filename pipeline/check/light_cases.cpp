@@ -309,7 +309,8 @@ std::span<const Case> lightCases() {
          // A chord over h = π/128 lies h²/8 below the sphere; seen at up to 60° that moves the point by twice as much.
          .bound = 3 * (std::numbers::pi / 128) * (std::numbers::pi / 128) / 8,
          .run = runBall,
-         .scene = ball},
+         .scene = ball,
+         .naiveWith = "shading=flat"},
     };
     return cases;
 }

@@ -221,7 +221,8 @@ std::span<const Case> limitCases() {
          // Three blends of two roundings each.
          .bound = 1e-15,
          .run = runRing,
-         .scene = ring},
+         .scene = ring,
+         .naiveWith = "translucency=polygons"},
         {.id = "O3",
          .group = Group::Limits,
          .title = "Layers at the same depth",

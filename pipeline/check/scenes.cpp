@@ -128,4 +128,14 @@ Vec3d Random::direction() {
     }
 }
 
+Scene wallScene() {
+    Scene scene = pixelScene(64, 64,
+                             {gridMesh(1, {-8, -8, 0}, {72, 72, 0}),
+                              meshOf({{16, -8, 0}, {16, 72, 0}, {16, 72, 16}, {16, -8, 16}}, {{0, 1, 2, 3}})});
+    scene.lights[0].position = {-1, 0, 1};
+    scene.settings.shadowSize = 512;
+    scene.settings.shadowBiasValue = 8;  // read by a constant bias alone
+    return scene;
+}
+
 }  // namespace pipeline::check

@@ -61,4 +61,7 @@ private:
     std::mt19937 m_bits;
 };
 
+// A wall without thickness at x = 16, 16 high, lit at 45 degrees: its shadow lies at 16 < x < 32.
+Scene wallScene();
+
 }  // namespace pipeline::check

@@ -14,6 +14,7 @@
 
 #include "app/panels/check_cases.h"
 #include "app/panels/check_knob.h"
+#include "app/panels/check_pictures.h"
 #include "app/panels/check_plot.h"
 #include "app/panels/value_slider.h"
 #include "pipeline/export/json.h"
@@ -169,6 +170,24 @@ TEST_F(CheckPanelTest, EveryCaseWithASceneOpensAtBothEndsOfItsKnob) {
         part<app::CheckKnob>().setValue(caseTable()[i].knob.low);
         EXPECT_TRUE(panel.openAsScene()) << caseTable()[i].id;
     }
+}
+
+// At exponent 10^6 pow of a float dot product shows rings, ours none; at 1 both are the same to a step of 255.
+TEST_F(CheckPanelTest, ShowsBothFormsSideBySide) {
+    const auto differing = [&] {
+        EXPECT_TRUE(QTest::qWaitFor([&] { return panel.pictures().complete(); }, 60000));
+        return part<QLabel>("checkDifference").text().split(' ').first().toInt();
+    };
+    panel.select(numberOf("S10"));
+    EXPECT_GT(differing(), 1000);
+    part<app::CheckKnob>().setValue(1);
+    emit part<app::CheckKnob>().changed(1, true);
+    EXPECT_LT(differing(), 100);
+    panel.select(numberOf("N1"));  // no setting is its naive form
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panel.pictures().complete(); }, 60000));
+    EXPECT_TRUE(part<QLabel>("checkDifference").text().startsWith("No setting"));
+    panel.select(numberOf("G13"));  // a file
+    EXPECT_TRUE(panel.pictures().isHidden());
 }
 
 TEST_F(CheckPanelTest, RefusesAValueOutsideOfTheRange) {

@@ -6,6 +6,7 @@
 
 #include "pipeline/check/case.h"
 #include "pipeline/scene/settings_table.h"
+#include "tests/support/scenes.h"
 
 namespace pipeline::check {
 namespace {
@@ -32,8 +33,28 @@ TEST_P(CheckCase, OpensAsASceneThatIsAccepted) {
     const Scene scene = GetParam()->scene();
     EXPECT_EQ(format(checkScene(scene)), "");
     const Knob& knob = GetParam()->knob;
+    for (const double at : {knob.low, std::sqrt(knob.low * knob.high), knob.high})
+        if (knob.scene) {
+            EXPECT_EQ(format(checkScene(knob.scene(at))), "") << at;
+        }
     if (knob.setting.empty()) return;
     EXPECT_TRUE(bool(findSetting(scene, knob.setting))) << knob.setting;
+}
+
+TEST_P(CheckCase, TheNaiveFormIsSeenWhereASettingOffersIt) {
+    const Case& which = *GetParam();
+    if (which.naiveWith.empty()) return;
+    ASSERT_TRUE(which.scene);
+    const Scene scene = which.scene();
+    const auto naive = withNaiveForm(which, scene);
+    ASSERT_TRUE(naive) << which.naiveWith;
+    EXPECT_EQ(format(checkScene(*naive)), "");
+    const FramePtr a = test::frameOf(scene, setOf({BufferId::Color})), b = test::frameOf(*naive);
+    EXPECT_EQ(test::buffersWithoutNumbers(*b), "");
+    const AnyBuffer ours = *a->buffer({BufferId::Color}), theirs = *b->buffer({BufferId::Color});
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < ours.count(); ++i) differ += ours.flat(i) != theirs.flat(i);
+    EXPECT_GT(differ, 0u) << "both pictures are the same";
 }
 
 TEST_P(CheckCase, KnobTellsTheFormsApartAtItsStiffEnd) {

@@ -1,0 +1,103 @@
+#include "app/panels/check_pictures.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "app/core/scene_gallery.h"
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/study_pictures.h"
+
+namespace app {
+
+using pipeline::BufferId;
+using pipeline::FramePtr;
+using pipeline::Scene;
+
+CheckPictures::CheckPictures(QWidget* parent) : QWidget(parent) {
+    m_difference = new QLabel(this);
+    m_difference->setObjectName("checkDifference");
+    m_difference->setWordWrap(true);
+    auto* row = new QHBoxLayout;
+    for (PictureFrame*& frame : m_frames) {
+        frame = new PictureFrame(this);
+        row->addWidget(frame, 1);
+    }
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(row, 1);
+    column->addWidget(m_difference);
+    followTheme(this, [this, column, row] {
+        const Theme& theme = Theme::current();
+        column->setContentsMargins(theme.px(12), 0, theme.px(12), theme.px(8));
+        column->setSpacing(theme.px(4));
+        row->setSpacing(theme.px(12));
+        m_difference->setFont(theme.text(13));
+    });
+    for (const Form form : {Naive, Ours}) {
+        // On the worker's thread; what is delivered after this widget is gone is dropped by Qt.
+        const auto deliver = [this, form](FramePtr frame, long ticket) {
+            QMetaObject::invokeMethod(
+                this, [this, form, frame = std::move(frame), ticket] { take(form, frame, ticket); },
+                Qt::QueuedConnection);
+        };
+        m_workers[form] = std::make_unique<FrameWorker>(deliver, nullptr);
+    }
+}
+
+CheckPictures::~CheckPictures() = default;
+
+void CheckPictures::setScene(const pipeline::check::Case& which, std::shared_ptr<const Scene> scene) {
+    setVisible(scene != nullptr);
+    m_tickets = {};
+    m_shown = {};
+    m_difference->clear();
+    if (!scene) return;
+    const auto ask = [this](Form form, std::shared_ptr<const Scene> wanted) {
+        pipeline::FrameRequest request;
+        request.wanted = pipeline::setOf({BufferId::Color});
+        request.threads = 1;  // both forms at the same time
+        m_tickets[form] = m_workers[form]->request(std::move(wanted), request, FrameWorker::Running::Finish);
+    };
+    m_captions = {tr("Naive: %1").arg(toQString(which.naiveWith)), tr("Ours")};
+    const auto naive = withNaiveForm(which, *scene);
+    m_frames[Naive]->setVisible(naive.has_value());
+    if (naive)
+        ask(Naive, std::make_shared<const Scene>(*naive));
+    else
+        m_difference->setText(tr("No setting of the stages is the naive form: its numbers stand above."));
+    ask(Ours, std::move(scene));
+}
+
+bool CheckPictures::complete() const {
+    for (const Form form : {Naive, Ours})
+        if (m_tickets[form] != 0 && !m_shown[form]) return false;
+    return true;
+}
+
+void CheckPictures::take(Form form, FramePtr frame, long ticket) {
+    if (ticket != m_tickets[form]) return;
+    m_shown[form] = std::move(frame);
+    m_frames[form]->show(colorImage(*m_shown[form]), m_captions[form], {});
+    compare();
+}
+
+void CheckPictures::compare() {
+    if (!m_shown[Naive] || !m_shown[Ours]) return;
+    const auto ours = m_shown[Ours]->buffer({BufferId::Color}), naive = m_shown[Naive]->buffer({BufferId::Color});
+    std::size_t differ = 0;
+    double largest = 0;
+    for (std::size_t pixel = 0; pixel < ours->count() / 3; ++pixel) {
+        double most = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            most = std::max(most, std::abs(ours->flat(3 * pixel + c) - naive->flat(3 * pixel + c)));
+        differ += most > 0;
+        largest = std::max(largest, most);
+    }
+    m_difference->setText(
+        differ == 0
+            ? tr("No pixel differs.")
+            : tr("%1 of %2 pixels differ, the most by %3 of 255.").arg(differ).arg(ours->count() / 3).arg(largest));
+}
+
+}  // namespace app
