@@ -3,10 +3,14 @@
 #include <cmath>
 
 #include <QFileInfo>
+#include <QSaveFile>
 
 #include "app/core/scene_step.h"
 #include "app/core/stage_status.h"
+#include "app/core/text.h"
+#include "pipeline/formats/png_scene.h"
 #include "pipeline/formats/scene_reader.h"
+#include "pipeline/formats/toml_writer.h"
 
 namespace app {
 
@@ -40,6 +44,19 @@ std::optional<SettingChange> Document::lastChange() const {
     return static_cast<const SceneStep*>(m_undo.command(m_undo.index() - 1))->change();
 }
 
+namespace {
+
+// The stage of the buffer that a picture shows; nothing for any other file.
+std::optional<StageId> stageShownBy(const QString& file) {
+    constexpr std::size_t kHead = std::size_t{4} << 20;  // more than what stands before the pixels
+    const auto start = pipeline::readStart(file.toStdString(), kHead);
+    if (!start) return {};
+    const auto name = pipeline::findBuffer(pipeline::shownBuffer(*start));
+    return name ? std::optional(pipeline::bufferInfo(name->id).stage) : std::nullopt;
+}
+
+}  // namespace
+
 bool Document::open(const QString& file) {
     auto scene = pipeline::readScene(file.toStdString());
     if (!scene) {
@@ -51,6 +68,27 @@ bool Document::open(const QString& file) {
         return false;
     }
     setScene(std::move(scene).value());
+    if (file.endsWith(".png", Qt::CaseInsensitive))
+        if (const auto stage = stageShownBy(file)) setStage(*stage);
+    return true;
+}
+
+bool Document::save(const QString& file) {
+    const auto text = toTomlScene(*m_scene);
+    if (!text) {
+        emit failed(text.errors());
+        return false;
+    }
+    QSaveFile out(file);
+    const bool written = out.open(QIODevice::WriteOnly) &&
+                         out.write(text->data(), qint64(text->size())) == qint64(text->size()) && out.commit();
+    if (!written) {
+        emit failed(
+            {pipeline::Error{{file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}});
+        return false;
+    }
+    m_undo.setClean();
+    emit said(tr("The scene is saved as %1.").arg(QFileInfo(file).fileName()));
     return true;
 }
 

@@ -49,8 +49,11 @@ public:
     // What the newest step of undo changed, where it changed one setting.
     std::optional<SettingChange> lastChange() const;
 
-    // Reads a scene file. When that fails the open scene stays, and failed() tells why.
+    // Reads a scene file, or a picture that carries its scene and begins at the stage of what it shows. When that fails
+    // the open scene stays, and failed() tells why.
     bool open(const QString& file);
+    // Writes the scene with its settings as TOML, whole or not at all. When that fails failed() tells why.
+    bool save(const QString& file);
     void setScene(pipeline::Scene scene);  // as if opened: clears the undo stack
 
     // Changes one setting. While a slider is dragged: Live for every step, then Done; the whole

@@ -11,6 +11,8 @@ std::span<const ActionRow> actionTable() {
     using A = ActionId;
     static constexpr auto kTable = std::to_array<ActionRow>({
         {A::Open, "File", "Open…", "Ctrl+O", "Opens a scene file."},
+        {A::SaveAs, "File", "Save scene as…", "Ctrl+S; Ctrl+Shift+S",
+         "Writes the scene with all its settings as a TOML file."},
         {A::Export, "File", "Export buffers…", "Ctrl+E", "Writes the buffers of this frame to a folder.", false, true},
         {A::Close, "File", "Close", "Ctrl+W", "Closes the scene and shows the start page.", false, true},
         {A::Quit, "File", "Quit", "Ctrl+Q", "Closes the window."},

@@ -63,6 +63,7 @@ private:
     void connectActions();
     void enableActions();
     void chooseFile();
+    void saveScene();
     void exportBuffers();
     void showStudy();
     void showChecks();

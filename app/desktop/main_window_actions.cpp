@@ -1,3 +1,4 @@
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -53,6 +54,7 @@ void MainWindow::connectActions() {
     const Actions& actions = *m_actions;
     const auto on = [&](A id, auto run) { connect(actions[id], &QAction::triggered, this, run); };
     on(A::Open, [this] { chooseFile(); });
+    on(A::SaveAs, [this] { saveScene(); });
     on(A::Export, [this] { exportBuffers(); });
     on(A::Close, [this] { showStartPage(); });
     on(A::Quit, [this] { close(); });
@@ -86,8 +88,8 @@ void MainWindow::connectActions() {
     QMenu* file = actions.menu("File");
     m_recent = new QMenu(tr("Open recent"), file);
     auto* builtIn = new QMenu(tr("Scenes"), file);
-    file->insertMenu(actions[A::Export], m_recent);
-    file->insertMenu(actions[A::Export], builtIn);
+    file->insertMenu(actions[A::SaveAs], m_recent);
+    file->insertMenu(actions[A::SaveAs], builtIn);
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
         builtIn->addAction(toQString(scene.title),
                            [this, path = toQString(scene.file.string())] { m_document.open(path); });
@@ -117,6 +119,7 @@ void MainWindow::enableActions() {
                        A::GreenChannel, A::BlueChannel, A::Study})
         m_actions->setEnabled(id, scene, noScene);
     for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);
+    m_actions->setEnabled(A::SaveAs, scene, noScene);
     m_actions->setEnabled(A::Export, scene && m_document.frame(),
                           scene ? tr("The first frame is not ready yet.") : noScene);
     m_actions->setEnabled(A::Unpick, scene && m_document.pixel(), tr("Pick a pixel first."));
@@ -140,6 +143,15 @@ void MainWindow::enableActions() {
 void MainWindow::chooseFile() {
     const QString file = QFileDialog::getOpenFileName(this, tr("Open a file"), QString(), fileFilters());
     if (!file.isEmpty()) openFile(file);
+}
+
+void MainWindow::saveScene() {
+    const QFileInfo opened(toQString(m_document.scene().file));
+    const QString proposed = opened.dir().filePath(opened.completeBaseName() + QStringLiteral(".toml"));
+    QString file = QFileDialog::getSaveFileName(this, tr("Save the scene"), proposed, tr("Scenes (*.toml)"));
+    if (file.isEmpty()) return;
+    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".toml");
+    m_document.save(file);
 }
 
 void MainWindow::exportBuffers() {

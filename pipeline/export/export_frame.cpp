@@ -5,7 +5,9 @@
 #include "pipeline/export/byte_file.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/manifest.h"
+#include "pipeline/export/png_file.h"
 #include "pipeline/export/staging.h"
+#include "pipeline/formats/toml_writer.h"
 
 namespace pipeline {
 
@@ -24,9 +26,16 @@ std::string fileName(const BufferName& buffer, const Exporter& exporter) {
     return buffer.text() + '.' + std::string(exporter.name);
 }
 
-ExportItem makeItem(const Frame& frame, const AnyBuffer& buffer) {
+ExportItem makeItem(const Frame& frame, const AnyBuffer& buffer, std::shared_ptr<const std::string> scene) {
     const BufferStatistics found = statistics(buffer);
-    return {buffer, found, fittingRange(buffer, found, frame.scene().settings.depthFormat)};
+    return {buffer, found, fittingRange(buffer, found, frame.scene().settings.depthFormat), std::move(scene)};
+}
+
+// What a picture carries: nothing where it would be larger than the picture.
+std::shared_ptr<const std::string> sceneToCarry(const Frame& frame) {
+    auto text = toTomlScene(frame.scene());
+    if (!text || text->size() > kMaxCarriedScene) return nullptr;
+    return std::make_shared<const std::string>(*std::move(text));
 }
 
 std::uint64_t bytesOf(const std::vector<PlannedFile>& files) {
@@ -104,12 +113,13 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
     ExportSummary summary, cancelled;
     cancelled.cancelled = true;
     std::vector<WrittenBuffer> written;
+    const std::shared_ptr<const std::string> scene = sceneToCarry(frame);
     double done = 0;
     for (const PlannedFile& file : files) {
         const auto buffer = frame.buffer(file.buffer);
         if (!buffer) continue;
         if (written.empty() || !(written.back().item.buffer.name == file.buffer))
-            written.push_back({makeItem(frame, *buffer), {}});
+            written.push_back({makeItem(frame, *buffer, scene), {}});
         if (file.file.empty()) continue;
         if (!goOn(done / total, file.file)) return cancelled;
         const Exporter* exporter = findExporter(file.format);

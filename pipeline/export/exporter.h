@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,7 +16,8 @@ namespace pipeline {
 struct ExportItem {
     AnyBuffer buffer;
     BufferStatistics found;
-    PaletteRange range;  // what a picture of it maps to the palette's ends
+    PaletteRange range;                          // what a picture of it maps to the palette's ends
+    std::shared_ptr<const std::string> scene{};  // as TOML, for files that carry it; null: none does
 };
 
 // A file format. A new one is its pair of files and a row in exporter_table.cpp.

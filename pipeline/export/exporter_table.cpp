@@ -3,12 +3,14 @@
 #include <cerrno>
 #include <system_error>
 
+#include "pipeline/export/byte_file.h"
 #include "pipeline/export/csv_file.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/exr_file.h"
 #include "pipeline/export/gl_calls.h"
 #include "pipeline/export/npy_file.h"
 #include "pipeline/export/png_file.h"
+#include "pipeline/formats/toml_writer.h"
 
 namespace pipeline {
 
@@ -31,6 +33,16 @@ std::string_view floatPicturesOnly(const BufferInfo& info) {
     return picturesOnly(info);
 }
 
+std::string anyScene(const Scene&) { return {}; }
+
+Result<std::uint64_t> writeSceneFile(const Frame& frame, const std::filesystem::path& file) {
+    const Result<std::string> text = toTomlScene(frame.scene());
+    if (!text) return text.errors();
+    ByteFile out(file);
+    out.write(std::as_bytes(std::span(*text)));
+    return out.close();
+}
+
 constexpr std::array kTable{
     Exporter{"npy", "The numbers as they are, for NumPy: version 1.0, little-endian, C order.", false, holdsAll,
              npySize, true, writeNpy},
@@ -42,6 +54,7 @@ constexpr std::array kTable{
 };
 
 constexpr std::array kFrameTable{
+    FrameExporter{"scene", "The scene and its settings as TOML, which opens again.", ".toml", anyScene, writeSceneFile},
     FrameExporter{"opengl", "The OpenGL calls that draw the scene, as a C function.", ".gl.c", glRefuses, writeGlC},
 };
 

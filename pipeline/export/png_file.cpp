@@ -19,21 +19,30 @@ namespace pipeline {
 namespace {
 
 struct Texts {
-    std::array<std::string, 4> values;
-    std::array<png_text, 4> chunks{};
+    std::array<std::string, 5> values;
+    std::array<png_text, 5> chunks{};
+    int count = 0;
 };
 
 void describe(const ExportItem& item, Texts& texts) {
-    static std::array<std::string, 4> keys{"Title", "Software", "Palette", "Range"};
+    static std::array<std::string, 5> keys{"Title", "Software", "Palette", "Range", kSceneChunk};
+    static char none[] = "";
     texts.values = {item.buffer.name.text(), "Shadescope " + std::string(programVersion()),
                     std::string(paletteName(item.buffer.info->palette)),
-                    shortestText(item.range.first) + ' ' + shortestText(item.range.last)};
+                    shortestText(item.range.first) + ' ' + shortestText(item.range.last),
+                    item.scene ? *item.scene : std::string()};
+    texts.count = item.scene ? 5 : 4;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         texts.chunks[i].compression = PNG_TEXT_COMPRESSION_NONE;
         texts.chunks[i].key = keys[i].data();
         texts.chunks[i].text = texts.values[i].data();
         texts.chunks[i].text_length = texts.values[i].size();
     }
+    // In UTF-8, and packed: the other chunks are for people with a viewer, this one is for this program.
+    png_text& scene = texts.chunks[4];
+    scene.compression = PNG_ITXT_COMPRESSION_zTXt;
+    scene.itxt_length = scene.text_length, scene.text_length = 0;
+    scene.lang = scene.lang_key = none;
 }
 
 // What is written, and where to.
@@ -59,7 +68,7 @@ bool encode(png_structp png, png_infop info, Picture8& picture, std::vector<Colo
     png_set_IHDR(png, info, static_cast<png_uint_32>(picture.columns), static_cast<png_uint_32>(picture.rows), 8,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    if (texts) png_set_text(png, info, texts->chunks.data(), static_cast<int>(texts->chunks.size()));
+    if (texts) png_set_text(png, info, texts->chunks.data(), texts->count);
     png_write_info(png, info);
     for (std::size_t y = 0; y < picture.rows; ++y) {
         picture.fill(y, row);

@@ -7,7 +7,11 @@
 namespace pipeline {
 
 // 8-bit sRGB. The frame buffer as it is; other buffers through their palette, whose name and
-// range stand in text chunks. Unbounded values as palette.h says.
+// range stand in text chunks, as does the scene where the item has it: pipeline/formats/png_scene.h reads it again.
+// Unbounded values as palette.h says.
+inline constexpr char kSceneChunk[] = "Shadescope scene";
+inline constexpr std::size_t kMaxCarriedScene = std::size_t{1} << 20;  // bytes of text
+
 std::uint64_t pngEstimate(const AnyBuffer& buffer);
 Result<std::uint64_t> writePng(const ExportItem& item, const std::filesystem::path& file);
 

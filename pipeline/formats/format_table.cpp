@@ -6,6 +6,7 @@
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/model_scene.h"
+#include "pipeline/formats/png_scene.h"
 #include "pipeline/formats/toml_scene.h"
 
 namespace pipeline {
@@ -23,6 +24,7 @@ constexpr auto kFormats = std::to_array<Format>({
     {"stereolithography file", ".stl", hasNoMark, readModelScene},
     {"glTF model", ".gltf", hasNoMark, readModelScene},
     {"binary glTF model", ".glb", hasNoMark, readModelScene},
+    {"picture that carries its scene", ".png", looksLikePng, readPngScene},
 });
 
 bool sameLetters(std::string_view a, std::string_view b) {

@@ -14,8 +14,10 @@
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/object_names.h"
+#include "pipeline/formats/toml_mesh.h"
 #include "pipeline/formats/toml_text.h"
 #include "pipeline/formats/toml_values.h"
+#include "pipeline/formats/toml_vectors.h"
 
 namespace pipeline {
 namespace {
@@ -25,50 +27,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxObjects = 65536, kMaxLights = 4096;
 constexpr double kMaxFactor = 1e9;  // of attenuation, as other intensities
 
-using Parts = Vec3d& (*)(Scene&, std::size_t);
-
-// Vectors. Each component has the range of a setting; colours may be one number, a grey.
-struct VectorKey {
-    std::string_view prefix, key, range;
-    bool isColor;
-    Parts parts;
-};
-constexpr auto kVectors = std::to_array<VectorKey>({
-    {"camera.", "eye", "camera.eye_x", false, [](Scene& s, std::size_t) -> Vec3d& { return s.camera.eye; }},
-    {"camera.", "target", "camera.target_x", false, [](Scene& s, std::size_t) -> Vec3d& { return s.camera.target; }},
-    {"camera.", "up", "camera.up_x", false, [](Scene& s, std::size_t) -> Vec3d& { return s.camera.up; }},
-    {"ambient.", "color", "ambient.red", true, [](Scene& s, std::size_t) -> Vec3d& { return s.ambient.color; }},
-    {"light.#.", "position", "light.#.x", false,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].position; }},
-    {"light.#.", "color", "light.#.red", true, [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].color; }},
-    {"light.#.", "ambient", "light.#.red", true,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.ambient; }},
-    {"light.#.", "specular", "light.#.red", true,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.specular; }},
-    {"light.#.", "spot_direction", "light.#.x", false,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.spotDirection; }},
-    {"light.#.", "facing", "light.#.facing_x", false,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].area.facing; }},
-    {"object.#.", "scale", "object.#.sx", false,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].transform.scale; }},
-    {"object.#.", "rotation", "object.#.rx", false,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].transform.rotation; }},
-    {"object.#.", "translation", "object.#.tx", false,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].transform.translation; }},
-    {"material.#.", "diffuse", "material.#.kr", true,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.diffuse; }},
-    {"material.#.", "specular", "material.#.kr", true,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.specular; }},
-    {"material.#.", "ambient", "material.#.kr", true,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.ambient; }},
-    {"material.#.", "emission", "material.#.kr", true,
-     [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.emission; }},
-});
-
 constexpr std::array<std::string_view, 4> kTopKeys{"title", "look", "light", "object"};
 constexpr std::array<std::string_view, 1> kLightKeys{"attenuation"};
-constexpr std::array<std::string_view, 7> kObjectKeys{"name",  "shape",    "mesh",         "model",
-                                                      "turns", "material", "back_material"};
+constexpr std::array<std::string_view, 10> kObjectKeys{"name",     "shape",   "mesh",  "model",    "vertices",
+                                                       "polygons", "normals", "turns", "material", "back_material"};
 
 // Stands for a component that the file has not given.
 constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
@@ -172,8 +134,10 @@ private:
         const toml::node* shape = table.get("shape");
         const toml::node* mesh = table.get("mesh");
         const toml::node* model = table.get("model");
-        if ((shape ? 1 : 0) + (mesh ? 1 : 0) + (model ? 1 : 0) != 1)
-            m_values.fail(table.source(), fmt::format("{} has none or several of shape, mesh and model", path),
+        const bool inPlace = table.contains("vertices") || table.contains("polygons") || table.contains("normals");
+        if ((shape ? 1 : 0) + (mesh ? 1 : 0) + (model ? 1 : 0) + (inPlace ? 1 : 0) != 1)
+            m_values.fail(table.source(),
+                          fmt::format("{} has none or several of shape, mesh, model and vertices", path),
                           "one of them");
         else if (model)
             addModel(*model, path + ".model");
@@ -189,6 +153,8 @@ private:
             }
         } else if (mesh) {
             readMesh(*mesh, path + ".mesh", object);
+        } else if (inPlace) {
+            if (auto own = readTomlMesh(table, path, m_values)) object.mesh = makeMesh(*std::move(own));
         }
     }
 

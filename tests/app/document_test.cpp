@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
+#include "pipeline/export/export_frame.h"
 #include "pipeline/formats/scene_reader.h"
+#include "pipeline/run/runner.h"
 
 namespace app {
 namespace {
@@ -65,6 +68,41 @@ TEST_F(DocumentTest, FailedOpenKeepsTheScene) {
     EXPECT_FALSE(document.open("/no/such/file.scene"));
     EXPECT_EQ(failed.count(), 1);
     EXPECT_EQ(document.scene().name, "pyramid.scene");
+}
+
+TEST_F(DocumentTest, ASavedSceneOpensAsItWas) {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("mine.toml");
+    document.change(setting("material.0.n"), 33);
+    document.change(setting("shading"), 2);
+    ASSERT_TRUE(document.save(file));
+    EXPECT_TRUE(document.undoStack()->isClean());
+    const pipeline::Scene saved = document.scene();
+    Document other;
+    ASSERT_TRUE(other.open(file));
+    EXPECT_EQ(other.scene().settings, saved.settings);
+    EXPECT_EQ(other.scene().objects[0].material, saved.objects[0].material);
+    EXPECT_EQ(other.scene().objects[0].mesh->positions, saved.objects[0].mesh->positions);
+    QSignalSpy failed(&document, &Document::failed);
+    EXPECT_FALSE(document.save(folder.filePath("missing/mine.toml")));
+    EXPECT_EQ(failed.count(), 1);
+}
+
+TEST_F(DocumentTest, APictureOpensItsSceneAtTheStageOfWhatItShows) {
+    QTemporaryDir folder;
+    document.change(setting("material.0.n"), 33);
+    pipeline::FrameRequest wanted;
+    wanted.wanted = pipeline::setOf({pipeline::BufferId::PolygonsVerdict, pipeline::BufferId::ZView});
+    const auto frame = pipeline::runFrame(std::make_shared<const pipeline::Scene>(document.scene()), wanted, {});
+    pipeline::ExportRequest request;
+    request.folder = folder.filePath("out").toStdString();
+    request.formats = {"png"};
+    request.buffers = {{pipeline::BufferId::ZView}};
+    ASSERT_TRUE(exportFrame(*frame, request, {}));
+    Document other;
+    ASSERT_TRUE(other.open(folder.filePath("out/z_view.png")));
+    EXPECT_EQ(other.scene().objects[0].material.exponent, 33);
+    EXPECT_EQ(other.stage(), pipeline::StageId::ZBuffer);
 }
 
 TEST_F(DocumentTest, WantedBuffersAreInTheFrameAndForgottenWithWhoWantedThem) {

@@ -1,0 +1,67 @@
+#include "pipeline/formats/png_scene.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <cstring>
+
+#include "pipeline/export/png_file.h"
+#include "pipeline/formats/toml_scene.h"
+
+namespace pipeline {
+namespace {
+
+void take(png_structp png, png_bytep bytes, png_size_t size) {
+    auto& left = *static_cast<std::string_view*>(png_get_io_ptr(png));
+    if (left.size() < size) png_error(png, "");
+    std::memcpy(bytes, left.data(), size);
+    left.remove_prefix(size);
+}
+void fail(png_structp png, png_const_charp) { longjmp(png_jmpbuf(png), 1); }
+void ignore(png_structp, png_const_charp) {}
+
+// libpng reports by longjmp: what has a destructor lives in the caller. Text stands before the pixels.
+bool readHead(png_structp png, png_infop info, std::string_view& left) {
+    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    png_set_chunk_malloc_max(png, 2 * kMaxCarriedScene);
+    png_set_read_fn(png, &left, take);
+    png_read_info(png, info);
+    return true;
+}
+
+// The text of one key; empty where there is none, or the file is damaged.
+std::string textOf(std::string_view file, std::string_view key) {
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    std::string found;
+    if (info && readHead(png, info, file)) {
+        png_textp texts = nullptr;
+        const int count = png_get_text(png, info, &texts, nullptr);
+        for (int i = 0; i < count; ++i) {
+            const std::size_t length = std::max(texts[i].text_length, texts[i].itxt_length);
+            if (texts[i].key == key && texts[i].text) found.assign(texts[i].text, length);
+        }
+    }
+    png_destroy_read_struct(&png, &info, nullptr);
+    return found;
+}
+
+}  // namespace
+
+bool looksLikePng(std::string_view start) { return start.starts_with("\x89PNG\r\n\x1a\n"); }
+
+Result<Scene> readPngScene(const SourceText& source, const FileLoader&) {
+    const std::string scene = textOf(source.text, kSceneChunk);
+    if (scene.empty())
+        return Error{{source.name, 0, 0}, "the picture carries no scene", "a picture that this program exported"};
+    // Whatever a picture claims, no file is read on its behalf.
+    const FileLoader none = [](std::string_view) -> Result<NamedFile> {
+        return Error{{}, "the scene in the picture names a file", "a scene that needs none"};
+    };
+    return readTomlScene({scene, source.name}, none);
+}
+
+std::string shownBuffer(std::string_view png) { return looksLikePng(png) ? textOf(png, "Title") : std::string(); }
+
+}  // namespace pipeline

@@ -1,0 +1,97 @@
+#include "pipeline/formats/toml_mesh.h"
+
+#include <fmt/format.h>
+
+#include "pipeline/core/text.h"
+#include "pipeline/formats/lecture_values.h"
+
+namespace pipeline {
+namespace {
+
+class TomlMeshReader {
+public:
+    TomlMeshReader(const toml::table& object, const std::string& path, TomlValues& values)
+        : m_object(object), m_path(path), m_values(values) {}
+
+    std::optional<Mesh> read() {
+        const toml::array* vertices = rows("vertices");
+        const toml::array* polygons = rows("polygons");
+        if (!vertices || !polygons) return {};
+        readVectors(*vertices, "vertices", m_mesh.positions);
+        if (m_object.contains("normals")) {
+            const toml::array* normals = rows("normals");
+            if (!normals) return {};
+            readVectors(*normals, "normals", m_mesh.normals);
+            if (normals->size() != vertices->size())
+                fail(*normals, fmt::format("{} normals for {} vertices", normals->size(), vertices->size()),
+                     "one a vertex");
+        }
+        readPolygons(*polygons);
+        if (m_wrong) return {};
+        return std::move(m_mesh);
+    }
+
+private:
+    void fail(const toml::node& node, std::string found, std::string expected) {
+        m_values.fail(node.source(), std::move(found), std::move(expected));
+        m_wrong = true;
+    }
+
+    const toml::array* rows(std::string_view key) {
+        const toml::node* node = m_object.get(key);
+        if (!node) {
+            fail(m_object, fmt::format("{} has no {}", m_path, key), "vertices and polygons");
+            return nullptr;
+        }
+        const toml::array* array = node->as_array();
+        if (!array) fail(*node, fmt::format("{}.{} is no array", m_path, key), "an array of arrays");
+        if (array && array->size() > kMaxVertices)
+            fail(*node, fmt::format("{}.{} has {} entries", m_path, key, groupedDigits(array->size())),
+                 fmt::format("at most {}", groupedDigits(kMaxVertices)));
+        return m_wrong ? nullptr : array;
+    }
+
+    void readVectors(const toml::array& from, std::string_view key, std::vector<Vec3d>& to) {
+        const Setting& range = settingRow("object.#.tx");
+        for (const toml::node& node : from) {
+            const auto v = m_values.numbers(node, fmt::format("{}.{}", m_path, key), 3, range.min, range.max);
+            if (!v) m_wrong = true;
+            if (m_wrong) return;
+            to.emplace_back((*v)[0], (*v)[1], (*v)[2]);
+        }
+    }
+
+    void readPolygons(const toml::array& from) {
+        const auto count = std::int64_t(m_mesh.positions.size());
+        m_mesh.firstCorner.push_back(0);
+        for (const toml::node& node : from) {
+            const toml::array* corners = node.as_array();
+            if (!corners || corners->size() < 3)
+                return fail(node, "a polygon is no array of three numbers or more", "indices of vertices");
+            for (const toml::node& corner : *corners) {
+                const auto* index = corner.as_integer();
+                if (!index || index->get() < 0 || index->get() >= count)
+                    return fail(corner, "a polygon names no vertex",
+                                count > 0 ? fmt::format("a whole number from 0 to {}", count - 1) : "a vertex");
+                m_mesh.corners.push_back(std::uint32_t(index->get()));
+            }
+            m_mesh.firstCorner.push_back(std::uint32_t(m_mesh.corners.size()));
+            const auto at = node.source().begin;
+            m_mesh.polygonPlaces.push_back({int(at.line), int(at.column)});
+        }
+    }
+
+    const toml::table& m_object;
+    const std::string& m_path;
+    TomlValues& m_values;
+    Mesh m_mesh;
+    bool m_wrong = false;
+};
+
+}  // namespace
+
+std::optional<Mesh> readTomlMesh(const toml::table& object, const std::string& path, TomlValues& values) {
+    return TomlMeshReader(object, path, values).read();
+}
+
+}  // namespace pipeline
