@@ -30,7 +30,7 @@ public:
     using DeliverCheck = std::function<void(pipeline::FramePtr, const FrameCheck&)>;
 
     FrameWorker(Deliver deliver, DeliverCheck deliverCheck);  // without the second no frame is checked
-    ~FrameWorker();  // stops what runs and waits for it; no call comes after
+    ~FrameWorker();                                           // stops what runs and waits for it; no call comes after
 
     // Whether a frame that is being computed may finish although a newer one is wanted. While a
     // slider moves it may: a picture a little late is better than none until the hand rests.

@@ -21,7 +21,7 @@ public:
     void setCase(const pipeline::check::Case* which);
     double value() const { return m_value; }
     bool moved() const { return m_moved; }  // by anyone, since the case was set
-    void setValue(double value);  // of the knob's range; says nothing
+    void setValue(double value);            // of the knob's range; says nothing
 
 signals:
     void changed(double value, bool done);  // by the user; done: the slider is let go

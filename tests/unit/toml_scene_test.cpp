@@ -104,7 +104,7 @@ TEST(TomlScene, GivesPlaceAndExpectationOfWhatIsWrong) {
     EXPECT_EQ(errorsIn("[[object]]\nshape = \"plane\"\nturns = [[20, 0, 0, 0]]\n"),
               "s.toml:3:10: the axis of a turn is (0, 0, 0), expected a direction\n");
     EXPECT_EQ(errorsIn("[[object]]\nname = \"a\"\n"),
-              "s.toml:1:1: object.0 has none or several of shape, mesh and model, expected one of them\n");
+              "s.toml:1:1: object.0 has none or several of shape, mesh, model and vertices, expected one of them\n");
     for (const char* header : {"[=]\n", "[\x04]\n", "[.a]\n", "[[\xC3\xA9]]\n"})
         EXPECT_TRUE(errorsIn(header).starts_with("s.toml:1:")) << header;
     EXPECT_TRUE(errorsIn("a = \n").starts_with("s.toml:1:")) << errorsIn("a = \n");
