@@ -44,6 +44,11 @@ std::optional<SettingChange> Document::lastChange() const {
     return static_cast<const SceneStep*>(m_undo.command(m_undo.index() - 1))->change();
 }
 
+std::shared_ptr<const Scene> Document::sceneBefore() const {
+    if (m_undo.index() == 0) return nullptr;
+    return static_cast<const SceneStep*>(m_undo.command(m_undo.index() - 1))->before();
+}
+
 namespace {
 
 // The stage of the buffer that a picture shows; nothing for any other file.

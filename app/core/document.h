@@ -48,6 +48,8 @@ public:
     QUndoStack* undoStack() { return &m_undo; }
     // What the newest step of undo changed, where it changed one setting.
     std::optional<SettingChange> lastChange() const;
+    // The scene before the newest step of undo, a whole drag being one; null where there is none.
+    std::shared_ptr<const pipeline::Scene> sceneBefore() const;
 
     // Reads a scene file, or a picture that carries its scene and begins at the stage of what it shows. When that fails
     // the open scene stays, and failed() tells why.

@@ -20,6 +20,7 @@ public:
     void redo() override;
 
     std::optional<SettingChange> change() const;
+    const ScenePtr& before() const { return m_before; }
 
 private:
     void nameAfterSetting();

@@ -20,6 +20,8 @@ constexpr ViewKey kViewKeys[]{
     {"In a buffer", "Move the picked pixel by 1, by 10", "arrows, Shift"},
     {"In a buffer", "Zoom to the cursor", "wheel"},
     {"In a buffer", "Move the picture", "drag"},
+    {"In a buffer", "Show B, or the previous stage", "hold Shift, `"},
+    {"In a buffer", "A and B: blink, wipe, difference", "T, W, D"},
     {"In the 3D view", "Turn", "drag"},
     {"In the 3D view", "Nearer, farther", "wheel"},
     {"On a slider", "One step, ten steps", "arrows, Page"},

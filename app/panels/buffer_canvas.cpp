@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/panels/follow_theme.h"
 
@@ -13,7 +14,7 @@ namespace app {
 namespace {
 
 constexpr std::array kZooms{0.1, 0.125, 0.2,  0.25, 1.0 / 3, 0.5, 2.0 / 3, 1.0, 1.5,  2.0,  3.0,  4.0,  5.0,
-                            6.0, 8.0,   10.0, 12.0, 16.,     20., 24.,     32., 40.0, 48.0, 56.0, 72.0, 96.0};
+                            6.0, 8.0,   10.0, 12.0, 16.,     20., 24.,     32., 40.0, 48.0, 56.0, 72.0, 96.0, 128.};
 
 }  // namespace
 
@@ -127,7 +128,14 @@ void BufferCanvas::setMarked(std::vector<QPolygonF> outlines) {
     update();
 }
 
+void BufferCanvas::setEdgeView(std::optional<pipeline::EdgeView> view) {
+    if (view == m_content.edgeView) return;
+    m_content.edgeView = view;
+    updateAll();
+}
+
 void BufferCanvas::setShowEdges(bool show) {
+    if (show == m_showEdges) return;
     m_showEdges = show;
     updateAll();
 }
@@ -139,22 +147,44 @@ std::optional<QPoint> BufferCanvas::pixelAt(QPointF widget) const {
     return pixel;
 }
 
+void BufferCanvas::setOther(std::optional<CanvasContent> other, const Wipe& wipe) {
+    m_other = std::move(other);
+    m_otherBase = {};
+    setWipe(wipe);
+}
+
+void BufferCanvas::setWipe(const Wipe& wipe) {
+    m_wipe = wipe;
+    if (!m_other) m_wipe.share = 1, m_wipe.hasHandle = false;
+    update();
+}
+
 void BufferCanvas::updateAll() {
-    m_base = {};
+    m_base = m_otherBase = {};
     update();
 }
 
 // The pointer moves far more often than the picture changes, and a picture of many polygons takes time.
-void BufferCanvas::paintEvent(QPaintEvent*) {
-    if (m_base.isNull()) {
-        m_base = QPixmap(size() * devicePixelRatio());
-        m_base.setDevicePixelRatio(devicePixelRatio());
-        QPainter painter(&m_base);
-        paintCanvas(painter, m_content, m_placement, rect(), m_showEdges);
+void BufferCanvas::drawBase(QPainter& painter, QPixmap& base, const CanvasContent& content, QRect part) {
+    if (part.isEmpty()) return;
+    if (base.isNull()) {
+        base = QPixmap(size() * devicePixelRatio());
+        base.setDevicePixelRatio(devicePixelRatio());
+        QPainter basePainter(&base);
+        paintCanvas(basePainter, content, m_placement, rect(), m_showEdges);
     }
+    painter.setClipRect(part);
+    painter.drawPixmap(0, 0, base);
+    painter.setClipping(false);
+}
+
+void BufferCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.drawPixmap(0, 0, m_base);
+    const int border = m_other ? m_wipe.border(width()) : width();
+    drawBase(painter, m_base, m_content, {0, 0, border, height()});
+    if (m_other) drawBase(painter, m_otherBase, *m_other, {border, 0, width() - border, height()});
     paintMarks(painter, m_content, m_placement, rect());
+    paintWipe(painter, m_wipe, rect());
 }
 
 void BufferCanvas::resizeEvent(QResizeEvent*) {
@@ -175,9 +205,12 @@ void BufferCanvas::mousePressEvent(QMouseEvent* event) {
     m_pressed = event->position();
     m_dragFrom = m_placement.origin;
     m_drags = false;
+    m_wipes = isOnHandle(m_wipe, rect(), m_pressed);
 }
 
 void BufferCanvas::mouseMoveEvent(QMouseEvent* event) {
+    if (m_wipes && event->buttons()) return emit wiped(std::clamp(event->position().x() / width(), 0.0, 1.0));
+    setCursor(isOnHandle(m_wipe, rect(), event->position()) ? Qt::SplitHCursor : Qt::CrossCursor);
     if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) {
         const QPointF moved = event->position() - m_pressed;
         if (event->modifiers() & Qt::ControlModifier) {
@@ -194,7 +227,7 @@ void BufferCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void BufferCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton || m_drags) return;
+    if (event->button() != Qt::LeftButton || m_drags || std::exchange(m_wipes, false)) return;
     if (const auto pixel = pixelAt(event->position())) emit picked(*pixel);
 }
 

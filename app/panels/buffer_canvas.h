@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "app/panels/buffer_painter.h"
+#include "app/panels/wipe.h"
 
 namespace app {
 
@@ -16,9 +17,17 @@ public:
     // Zoom and place stay, unless the picture has another size.
     void setContent(CanvasContent content);
     const CanvasContent& content() const { return m_content; }
+    // A second picture of the same size, if any, and which part of the view it has. Marks are those of
+    // the content.
+    void setOther(std::optional<CanvasContent> other, const Wipe& wipe);
+    void setWipe(const Wipe& wipe);
+    const Wipe& wipe() const { return m_wipe; }
+    // The picture that fills the view, or the part of A.
+    const CanvasContent& seen() const { return m_other && m_wipe.share == 0 ? *m_other : m_content; }
     void setPicked(std::optional<QPoint> pixel);  // moves into view what is not
     void setHovered(std::optional<QPoint> pixel);
     void setMarked(std::vector<QPolygonF> outlines);
+    void setEdgeView(std::optional<pipeline::EdgeView> view);
     void setShowEdges(bool show);
     bool showsEdges() const { return m_showEdges; }
 
@@ -44,6 +53,7 @@ signals:
     void nudged(QPoint by);  // arrow keys: 1, with Shift 10
     void hovered(std::optional<QPoint> pixel);
     void zoomChanged(double zoom);
+    void wiped(double share);  // by its handle
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -57,18 +67,21 @@ protected:
 
 private:
     void updateAll();  // the marks and what is below them
+    void drawBase(QPainter& painter, QPixmap& base, const CanvasContent& content, QRect part);
     void place(Placement placement);
     void placeFocus();
     double fittingZoom() const;
     QPointF anchor() const;
 
     CanvasContent m_content;
-    QPixmap m_base;  // as painted without the marks; null when it has to be painted anew
+    std::optional<CanvasContent> m_other;
+    Wipe m_wipe;
+    QPixmap m_base, m_otherBase;  // as painted without the marks; null when it has to be painted anew
     Placement m_placement;
     QRectF m_focus;  // what fits
     bool m_fits = true, m_showEdges = false;
     QPointF m_pressed, m_dragFrom;
-    bool m_drags = false;
+    bool m_drags = false, m_wipes = false;
     int m_wheel = 0;  // what is left of turning by less than a step
 };
 

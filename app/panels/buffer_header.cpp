@@ -35,22 +35,30 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
     m_zoom->setAccessibleName(tr("Zoom"));
     m_loupe = button("loupe", tr("Loupe"), tr("Enlarge the pixels under the cursor (Z)"));
     m_loupe->setCheckable(true);
-    m_edges = button("layers", tr("Polygon edges"), tr("Draw the polygons' edges over the picture"));
-    m_edges->setCheckable(true);
+    m_overlays = button("layers", tr("Overlays"), tr("Lay edges, verdicts, depth tests and more over the picture"));
+    m_overlays->setCheckable(true);
+    auto* overlays = new QMenu(m_overlays);
+    connect(overlays, &QMenu::aboutToShow, this, [this, overlays] { emit overlayMenuOpens(overlays); });
+    m_overlays->setMenu(overlays);
+    m_overlays->setPopupMode(QToolButton::InstantPopup);
+    m_compare = button("compare", tr("Compare with…"), tr("Compare with another buffer, stage or pipeline"));
+    auto* others = new QMenu(m_compare);
+    connect(others, &QMenu::aboutToShow, this, [this, others] { emit compareMenuOpens(others); });
+    m_compare->setMenu(others);
+    m_compare->setPopupMode(QToolButton::InstantPopup);
     auto* more = button("more", tr("More"), tr("Copy what is shown"));
     auto* menu = new QMenu(more);
     menu->addAction(tr("Copy value"), this, &BufferHeader::copyValueChosen);
     menu->addAction(tr("Copy picture"), this, &BufferHeader::copyPictureChosen);
     more->setMenu(menu);
     more->setPopupMode(QToolButton::InstantPopup);
-    for (QWidget* part :
-         {static_cast<QWidget*>(m_fit), static_cast<QWidget*>(m_original), static_cast<QWidget*>(m_zoom),
-          static_cast<QWidget*>(m_loupe), static_cast<QWidget*>(m_edges), static_cast<QWidget*>(more)})
+    for (QWidget* part : {static_cast<QWidget*>(m_fit), static_cast<QWidget*>(m_original),
+                          static_cast<QWidget*>(m_zoom), static_cast<QWidget*>(m_loupe), static_cast<QWidget*>(m_overlays),
+                          static_cast<QWidget*>(m_compare), static_cast<QWidget*>(more)})
         row->addWidget(part);
 
     connect(m_fit, &QToolButton::clicked, this, &BufferHeader::fitChosen);
     connect(m_original, &QToolButton::clicked, this, &BufferHeader::originalChosen);
-    connect(m_edges, &QToolButton::clicked, this, &BufferHeader::edgesToggled);
     connect(m_loupe, &QToolButton::clicked, this, &BufferHeader::loupeToggled);
     followTheme(this, [this, row] {
         const Theme& theme = Theme::current();
@@ -97,8 +105,8 @@ void BufferHeader::show(const pipeline::BufferName& name, int channel) {
 
 void BufferHeader::setZoom(double zoom) { m_zoom->setText(number(zoom, zoom >= 2 || zoom == 1 ? 0 : 2) + "×"); }
 
-void BufferHeader::setToggles(bool edges, bool loupe) {
-    m_edges->setChecked(edges);
+void BufferHeader::setToggles(bool overlays, bool loupe) {
+    m_overlays->setChecked(overlays);
     m_loupe->setChecked(loupe);
 }
 
@@ -109,6 +117,8 @@ void BufferHeader::arrange() {
     m_original->setVisible(width > 32 * unit);
     m_loupe->setVisible(width > 28 * unit);
 }
+
+void BufferHeader::openCompareMenu() { m_compare->showMenu(); }
 
 void BufferHeader::resizeEvent(QResizeEvent*) { arrange(); }
 

@@ -4,6 +4,7 @@
 #include "app/panels/buffer_chooser.h"
 
 class QLabel;
+class QMenu;
 class QToolButton;
 
 namespace app {
@@ -18,15 +19,17 @@ public:
 
     void show(const pipeline::BufferName& name, int channel);
     void setZoom(double zoom);  // screen pixels per picture pixel
-    void setToggles(bool edges, bool loupe);
+    void setToggles(bool overlays, bool loupe);
     BufferChooser* chooser() { return m_chooser; }
+    void openCompareMenu();
 
 signals:
     void channelChosen(int channel);  // -1: all
     void fitChosen();
     void originalChosen();  // one to one
-    void edgesToggled(bool on);
+    void overlayMenuOpens(QMenu* menu);  // it is to be filled
     void loupeToggled(bool on);
+    void compareMenuOpens(QMenu* menu);  // it is to be filled
     void copyValueChosen();
     void copyPictureChosen();
 
@@ -39,7 +42,7 @@ private:
 
     BufferChooser* m_chooser;
     ElidedLabel* m_caption;
-    QToolButton *m_channels[3], *m_fit, *m_original, *m_edges, *m_loupe;
+    QToolButton *m_channels[3], *m_fit, *m_original, *m_overlays, *m_loupe, *m_compare;
     QLabel* m_zoom;
     int m_channelCount = 1;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/core/numbers.h"
+#include "pipeline/inspect/compare.h"
 
 namespace app {
 
@@ -67,6 +68,15 @@ void fillColor(QImage& image, std::span<const T> numbers, PaletteRange range, co
 }
 
 bool isDepth(BufferId id) { return id == BufferId::Depth || id == BufferId::ZView || id == BufferId::ShadowBuffer; }
+
+// Differences are told in three digits that matter, whatever they differ in.
+QString differenceText(double value) {
+    const double size = std::abs(value);
+    if (!(size < 1e6)) return value < 0 ? QChar(0x2212) + errorText(size) : errorText(size);
+    if (value == std::round(value)) return number(value, 0);
+    if (size < 1e-3) return value < 0 ? QChar(0x2212) + errorText(size) : errorText(size);
+    return number(value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : size >= 0.1 ? 3 : size >= 0.01 ? 4 : 5);
+}
 
 bool isVector(const BufferInfo& info) { return info.palette == Palette::Direction && info.unit.empty(); }
 
@@ -182,6 +192,7 @@ std::vector<int> histogram(const AnyBuffer& buffer, const BufferLook& look, cons
 QString valueText(const AnyBuffer& buffer, double value, int characters) {
     const BufferInfo& info = *buffer.info;
     QString text;
+    if (isDifference(info)) return differenceText(value);
     if (info.element != Element::Real)
         text = number(value, 0);
     else if (isDepth(info.id))

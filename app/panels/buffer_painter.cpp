@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/core/theme.h"
+#include "app/panels/edge_painter.h"
 
 namespace app {
 
@@ -24,6 +25,7 @@ void paintImage(QPainter& painter, const CanvasContent& content, const Placement
     const QRectF target(placement.toWidget(pixels.topLeft()), QSizeF(pixels.size()) * placement.zoom);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, placement.zoom < 1);
     painter.drawImage(target, content.image, pixels);
+    for (const QImage& overlay : content.overlays) painter.drawImage(target, overlay, pixels);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
 }
 
@@ -57,8 +59,10 @@ void paintTexts(QPainter& painter, const CanvasContent& content, const Placement
     const QFontMetricsF metrics(font);
     for (int y = pixels.top(); y <= pixels.bottom(); ++y)
         for (int x = pixels.left(); x <= pixels.right(); ++x) {
-            const QStringList lines = content.text(x, y);
-            const QRgb ground = content.image.pixel(x, y);
+            const QStringList lines = content.edgeView ? edgeText(*content.edgeView, x, y) : content.text(x, y);
+            QRgb ground = content.image.pixel(x, y);
+            for (const QImage& overlay : content.overlays)
+                if (qAlpha(overlay.pixel(x, y)) != 0) ground = overlay.pixel(x, y);
             if (qAlpha(ground) == 0)
                 painter.setPen(c.text2);
             else
@@ -94,6 +98,20 @@ void paintCentres(QPainter& painter, const Placement& placement, const QRect& pi
     for (int y = pixels.top(); y <= pixels.bottom(); ++y)
         for (int x = pixels.left(); x <= pixels.right(); ++x)
             painter.drawEllipse(placement.toWidget(QPointF(x + 0.5, y + 0.5)), 1.2, 1.2);
+}
+
+void paintStrange(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {
+    QFont font = Theme::current().mono(12);
+    font.setPixelSize(int(placement.zoom * 0.8));
+    painter.setFont(font);
+    for (int y = pixels.top(); y <= pixels.bottom(); ++y)
+        for (int x = pixels.left(); x <= pixels.right(); ++x) {
+            const QString mark = content.strange(x, y);
+            if (mark.isEmpty()) continue;
+            painter.setPen(luminance(content.image.pixel(x, y)) > 0.46 ? Qt::black : Qt::white);
+            painter.drawText(QRectF(placement.toWidget(QPointF(x, y)), QSizeF(placement.zoom, placement.zoom)),
+                             Qt::AlignCenter, mark);
+        }
 }
 
 // White in black: seen on every picture.
@@ -147,10 +165,20 @@ void paintCanvas(QPainter& painter, const CanvasContent& content, const Placemen
     paintChecker(painter, picture.toAlignedRect().intersected(visible));
     if (!content.image.isNull() && !pixels.isEmpty()) {
         paintImage(painter, content, placement, pixels);
+        if (content.verdicts) {
+            painter.setOpacity(0.6);
+            paintShapes(painter, *content.verdicts, placement.origin, placement.zoom, visible);
+            painter.setOpacity(1);
+        }
         if (placement.zoom >= kGridZoom) paintGrid(painter, placement, pixels);
+        if (placement.zoom >= kGridZoom && placement.zoom < kTextZoom && content.strange)
+            paintStrange(painter, content, placement, pixels);
         if (showEdges || placement.zoom >= kEdgeZoom) paintEdges(painter, content, placement, pixels);
-        if (placement.zoom >= kEdgeZoom && placement.zoom < kTextZoom) paintCentres(painter, placement, pixels);
-        if (placement.zoom >= kTextZoom && content.text) paintTexts(painter, content, placement, pixels);
+        if (placement.zoom >= kEdgeZoom && placement.zoom < kTextZoom && !content.edgeView)
+            paintCentres(painter, placement, pixels);
+        const double textZoom = content.edgeView ? kWeightsZoom : kTextZoom;
+        if (placement.zoom >= textZoom && content.text) paintTexts(painter, content, placement, pixels);
+        if (content.edgeView) paintEdgeView(painter, *content.edgeView, placement, pixels);
     }
     if (content.shapes) paintShapes(painter, *content.shapes, placement.origin, placement.zoom, visible);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/panels/shape_picture.h"
+#include "pipeline/inspect/edge_view.h"
 
 namespace app {
 
@@ -17,6 +18,10 @@ struct CanvasContent {
     QImage image;  // null where shapes are shown
     std::optional<ShapePicture> shapes;
     std::vector<QPolygonF> edges;               // outlines over the image
+    std::vector<QImage> overlays;               // of the same size, over the image
+    std::optional<ShapePicture> verdicts;       // the same of polygons, half transparent
+    std::optional<pipeline::EdgeView> edgeView;
+    std::function<QString(int, int)> strange;   // a mark on a number that should not be there; may be empty
     std::function<QStringList(int, int)> text;  // lines written into a pixel that is large enough
     std::optional<QPoint> picked, hovered;
     std::vector<QPolygonF> marked;  // outlines of what is selected; a single corner is a vertex

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedLayout>
@@ -10,9 +9,11 @@
 
 #include "app/core/text.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/loupe.h"
 #include "app/panels/range_foot.h"
+#include "app/panels/stage_differences.h"
 #include "pipeline/plan/needs.h"
 
 namespace app {
@@ -45,7 +46,7 @@ void BufferView::observe() {
     connect(m_header, &BufferHeader::channelChosen, this, &BufferView::setChannel);
     connect(m_header, &BufferHeader::fitChosen, m_canvas, &BufferCanvas::toggleFit);
     connect(m_header, &BufferHeader::originalChosen, m_canvas, [this] { m_canvas->setZoom(1); });
-    connect(m_header, &BufferHeader::edgesToggled, this, &BufferView::setShowEdges);
+    observeOverlays();
     connect(m_header, &BufferHeader::loupeToggled, this, &BufferView::setShowLoupe);
     connect(m_header, &BufferHeader::copyValueChosen, this,
             [this] { QApplication::clipboard()->setText(m_readout->text()); });
@@ -54,6 +55,15 @@ void BufferView::observe() {
     });
     connect(m_foot, &RangeFoot::rangeChosen, this, &BufferView::setRange);
     connect(m_foot, &RangeFoot::autofit, this, &BufferView::autofit);
+    connect(m_header, &BufferHeader::compareMenuOpens, this,
+            [this](QMenu* menu) { m_compare->fillMenu(*menu, m_name); });
+    connect(m_compare, &BufferCompare::changed, this, &BufferView::refresh);
+    connect(m_compare, &BufferCompare::stagesChosen, this,
+            [this] { m_stages->open(m_compare->bar()->mapToGlobal(m_compare->bar()->rect().topRight())); });
+    connect(m_stages, &StageDifferences::chosen, this, [this](const pipeline::StageDifference& difference) {
+        setBuffer(difference.buffer);
+        m_compare->goToWorst();
+    });
     connect(m_compute, &QPushButton::clicked, this, [this] {
         kept().forced = true;
         want();
@@ -92,6 +102,7 @@ void BufferView::observe() {
         QWidget* frame = parentWidget();
         const bool active = now && isAncestorOf(now);
         if (!frame || frame->property("active").toBool() == active) return;
+        if (!active) m_compare->holdOther(false), m_compare->holdPrevious(false);
         frame->setProperty("active", active);
         frame->style()->polish(frame);
     });
@@ -120,13 +131,17 @@ void BufferView::setChannel(int channel) {
     refresh();
 }
 
+std::optional<pipeline::PaletteRange>& BufferView::keptRange() {
+    return m_compare->showsDifference() ? m_compare->range() : kept().range;
+}
+
 void BufferView::setRange(pipeline::PaletteRange range) {
-    kept().range = range;
+    keptRange() = range;
     refresh();
 }
 
 void BufferView::autofit(bool keep) {
-    kept().range.reset();
+    keptRange().reset();
     refresh();
     if (!keep && m_shown) setRange(m_shown->look.range);
 }
@@ -134,7 +149,9 @@ void BufferView::autofit(bool keep) {
 // A buffer that the scene has no use for is computed only when the user insists.
 void BufferView::want() {
     const bool useful = m_document.hasScene() && whyUseless(m_document.scene(), m_name.id).empty();
-    m_document.want(this, useful || kept().forced ? pipeline::setOf({m_name.id}) : pipeline::BufferSet());
+    const bool hasOverlays = whyNoOverlays(bufferInfo(m_name.id)).isEmpty();
+    m_document.want(this, (useful || kept().forced ? pipeline::setOf({m_name.id}) : pipeline::BufferSet()) |
+                              (hasOverlays ? buffersOf(m_overlays) : pipeline::BufferSet()));
 }
 
 bool BufferView::standsOnPicture() const { return bufferInfo(m_name.id).domain != Domain::Texel; }
@@ -151,10 +168,11 @@ void BufferView::refresh() {
         if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(why), true);
         return;
     }
-    m_shown = std::move(shown);
+    addOverlays(*frame, m_overlays, *shown);
+    m_shown = m_compare->show(frame, std::move(*shown));
     m_stack->setCurrentWidget(m_canvas);
     m_canvas->setContent(m_shown->content);
-    m_foot->show(*m_shown, !kept().range);
+    m_foot->show(*m_shown, !keptRange());
     m_notice->setText(m_shown->empty.isEmpty() ? m_shown->notice : m_shown->empty);
     m_notice->setVisible(!m_notice->text().isEmpty());
     setAccessibleDescription(m_shown->description);
@@ -183,6 +201,7 @@ void BufferView::showPixels() {
     const bool isPicture = standsOnPicture();
     m_canvas->setPicked(isPicture ? toPoint(m_document.pixel()) : std::nullopt);
     m_canvas->setHovered(isPicture ? toPoint(m_document.hovered()) : m_localHover);
+    showEdgeFunctions();
     const std::optional<QPoint> at =
         m_canvas->content().hovered ? m_canvas->content().hovered : m_canvas->content().picked;
     m_readout->setText(at && m_shown ? readout(*at) : QString());
@@ -196,7 +215,8 @@ QString BufferView::readout(QPoint pixel) const {
     if (!m_shown->content.shapes)
         return place + " → " +
                elementText(m_shown->buffer, std::size_t(pixel.x()), std::size_t(pixel.y()), m_shown->look.channel)
-                   .join(' ');
+                   .join(' ') +
+               m_compare->readout(pixel);
     std::vector<ProjectedPolygon> polygons;
     for (const Shape& shape : m_shown->content.shapes->shapes) polygons.push_back(shape.outline);
     const int polygon = nearestPolygonAt(polygons, QPointF(pixel) + QPointF(0.5, 0.5));
@@ -208,30 +228,6 @@ void BufferView::nudge(QPoint by) {
     const auto from = m_document.pixel().value_or(
         glm::ivec2(m_document.scene().settings.width, m_document.scene().settings.height) / 2);
     m_document.pick(from + glm::ivec2(by.x(), by.y()));
-}
-
-void BufferView::setShowEdges(bool show) {
-    m_canvas->setShowEdges(show);
-    m_header->setToggles(show, m_loupe->isVisibleTo(m_canvas));
-}
-
-void BufferView::setShowLoupe(bool show) {
-    m_loupe->setVisible(show);
-    m_header->setToggles(m_canvas->showsEdges(), show);
-    placeOverlays();
-}
-
-void BufferView::keyPressEvent(QKeyEvent* event) {
-    if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return QWidget::keyPressEvent(event);
-    switch (event->key()) {
-        case Qt::Key_N: return autofit(event->modifiers() & Qt::ShiftModifier);
-        case Qt::Key_R: return setChannel(0);
-        case Qt::Key_G: return setChannel(1);
-        case Qt::Key_B: return setChannel(2);
-        case Qt::Key_C: return setChannel(-1);
-        case Qt::Key_Z: return setShowLoupe(!m_loupe->isVisibleTo(m_canvas));
-        default: QWidget::keyPressEvent(event);
-    }
 }
 
 }  // namespace app

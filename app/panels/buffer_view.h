@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/core/document.h"
+#include "app/panels/overlays.h"
 #include "app/panels/shown_buffer.h"
 
 class QLabel;
@@ -14,9 +15,12 @@ class QStackedLayout;
 namespace app {
 
 class BufferCanvas;
+class BufferCompare;
 class BufferHeader;
+enum class CompareMode : unsigned char;
 class Loupe;
 class RangeFoot;
+class StageDifferences;
 
 // Any buffer of the document's frame, by name. The old picture stays while a new one is computed;
 // a buffer that is not there is told with its reason.
@@ -31,9 +35,10 @@ public:
     int channel() const;
     void autofit(bool keep);  // keep: the range follows every frame
     void setRange(pipeline::PaletteRange range);
-    void setShowEdges(bool show);
+    void setOverlay(OverlayId overlay, bool shown);
     void setShowLoupe(bool show);
     BufferCanvas* canvas() { return m_canvas; }
+    BufferCompare& compare() { return *m_compare; }
     const std::optional<ShownBuffer>& shown() const { return m_shown; }
     QString message() const;  // what stands in place of the picture; empty when there is one
 
@@ -42,6 +47,7 @@ signals:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -52,14 +58,18 @@ private:
         bool forced = false;                          // computed although the scene has no use for it
     };
     Kept& kept() { return m_kept[m_name.text()]; }
+    std::optional<pipeline::PaletteRange>& keptRange();  // of what is seen: the buffer, or a difference
     void build();
     void observe();
+    void observeOverlays();
     void want();
     void refresh();
     void showMessage(const QString& text, bool canCompute);
     void showPixels();
     void markSelection();
+    void showEdgeFunctions();
     void nudge(QPoint by);
+    void compareBy(CompareMode mode);
     bool standsOnPicture() const;
     QString readout(QPoint pixel) const;
     void placeOverlays();
@@ -70,9 +80,13 @@ private:
     std::optional<ShownBuffer> m_shown;
     std::optional<QPoint> m_localHover;  // of a picture that is not the document's
 
+    OverlaySet m_overlays;
+
     BufferHeader* m_header;
     QStackedLayout* m_stack;
     BufferCanvas* m_canvas;
+    BufferCompare* m_compare;
+    StageDifferences* m_stages;
     QWidget* m_page;
     QLabel *m_message, *m_readout, *m_notice;
     QPushButton* m_compute;

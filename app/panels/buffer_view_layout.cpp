@@ -5,11 +5,13 @@
 #include <QVBoxLayout>
 
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/loupe.h"
 #include "app/panels/range_foot.h"
+#include "app/panels/stage_differences.h"
 
 namespace app {
 
@@ -32,6 +34,8 @@ void BufferView::build() {
     auto* middle = new QWidget(this);
     m_stack = new QStackedLayout(middle);
     m_canvas = new BufferCanvas(middle);
+    m_compare = new BufferCompare(m_document, m_canvas, this);
+    m_stages = new StageDifferences(m_document, *m_compare, this);
     m_loupe = new Loupe(m_canvas);
     m_readout = overlay(m_canvas);
     m_notice = overlay(m_canvas);
@@ -61,11 +65,13 @@ void BufferView::build() {
     all->setSpacing(0);
     all->addWidget(m_header);
     all->addWidget(middle, 1);
+    all->addWidget(m_compare->bar());
     all->addWidget(m_foot);
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_readout->setFont(theme.mono(12));
         m_notice->setFont(theme.text(12));
+        m_notice->setTextFormat(Qt::RichText);
         m_message->setFont(theme.text(13));
         m_compute->setFont(theme.text(13, 500));
         m_working->setStyleSheet("background: " + theme.colors().accent.name());

@@ -39,7 +39,7 @@ void Loupe::paintEvent(QPaintEvent*) {
         const QPointF middle = QPointF(*centre) + QPointF(0.5, 0.5);
         const Placement placement{QPointF(inner.center()) + QPointF(0.5, 0.5) - middle * kZoom, kZoom};
         painter.setClipRect(inner);
-        paintCanvas(painter, content, placement, inner, true);
+        paintCanvas(painter, m_canvas->seen(), placement, inner, true);
         painter.setClipping(false);
         const QRectF frame(placement.toWidget(*centre), QSizeF(kZoom, kZoom));
         painter.setPen(QPen(Qt::black, 4));

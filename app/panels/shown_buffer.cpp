@@ -197,35 +197,42 @@ std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name
     const BufferInfo& info = *buffer->info;
     if (channel >= info.channels || info.channels == 1) channel = -1;
     const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
-    const std::vector<bool> drawn = drawnElements(*buffer, polygons, channel);
-    const PaletteRange whole = fittingRange(*buffer, channel, frame.scene().settings.depthFormat);
+    return showBuffer(frame, *buffer, drawnElements(*buffer, polygons, channel), channel, range);
+}
+
+ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::vector<bool>& drawn, int channel,
+                       std::optional<PaletteRange> range) {
+    const BufferInfo& info = *buffer.info;
+    if (channel >= info.channels || info.channels == 1) channel = -1;
+    const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
+    const PaletteRange whole = fittingRange(buffer, channel, frame.scene().settings.depthFormat);
 
     ShownBuffer shown;
-    shown.buffer = *buffer;
+    shown.buffer = buffer;
     shown.look = {channel, range.value_or(whole)};
     const pipeline::Settings& settings = frame.scene().settings;
     CanvasContent& content = shown.content;
     if (standsOnShapes(info)) {
         content.size = {settings.width, settings.height};
-        content.shapes = shapePicture(frame, *buffer, shown.look);
+        content.shapes = shapePicture(frame, buffer, shown.look);
         content.focus = focusOn(outlinesOf(projectPolygons(frame), true), content.size);
     } else {
-        content.size = {int(buffer->columns()), int(buffer->rows())};
-        content.image = bufferImage(*buffer, shown.look, drawn);
-        content.text = textOf(*buffer, channel, polygons, polygons ? frame.buffer({BufferId::Overdraw}) : std::nullopt);
+        content.size = {int(buffer.columns()), int(buffer.rows())};
+        content.image = bufferImage(buffer, shown.look, drawn);
+        content.text = textOf(buffer, channel, polygons, polygons ? frame.buffer({BufferId::Overdraw}) : std::nullopt);
         if (info.domain == Domain::Pixel) content.edges = outlinesOf(projectPolygons(frame), false);
         content.focus =
             info.domain == Domain::Pixel ? focusOn(content.edges, content.size) : drawnRectangle(drawn, content.size);
     }
 
-    const Findings found = look(*buffer, drawn, channel);
+    const Findings found = look(buffer, drawn, channel);
     const bool isScalar = info.channels == 1 || channel >= 0;
     shown.notice = noticeOf(found, isScalar && info.element == Element::Real && !standsOnShapes(info));
     if (!drawn.empty() && !found.any()) shown.empty = whyNothing(frame);
-    shown.description = descriptionOf(*buffer, content.size, found);
+    shown.description = descriptionOf(buffer, content.size, found);
     const Palette palette = shownPalette(info, channel);
-    if (hasRange(info, channel)) shown.scale = scaleOf(*buffer, shown.look, whole, drawn);
-    if (palette == Palette::Categorical || palette == Palette::Verdict) shown.legend = legendOf(frame, *buffer);
+    if (hasRange(info, channel)) shown.scale = scaleOf(buffer, shown.look, whole, drawn);
+    if (palette == Palette::Categorical || palette == Palette::Verdict) shown.legend = legendOf(frame, buffer);
     return shown;
 }
 

@@ -37,4 +37,9 @@ QStringList channelNames(const pipeline::BufferInfo& info);
 std::optional<ShownBuffer> showBuffer(const pipeline::Frame& frame, const pipeline::BufferName& name, int channel,
                                       std::optional<pipeline::PaletteRange> range);
 
+// A buffer that belongs to the picture of a frame without being one of its own: the other side of a
+// comparison, or their difference. drawn: which elements hold something; empty: all.
+ShownBuffer showBuffer(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn,
+                       int channel, std::optional<pipeline::PaletteRange> range);
+
 }  // namespace app

@@ -251,3 +251,39 @@ TEST(ThumbnailStrip, HatchesWhatIsLeftOutAndOpensWhatIsClicked) {
     QTest::keyClick(&strip, Qt::Key_Return);
     ASSERT_EQ(chosen.size(), 1);
 }
+
+TEST_F(BufferViewTest, OverlaysLieOverThePictureAndSayWhatTheyStandFor) {
+    show({BufferId::Color});
+    const auto legend = [&] { return view.shown()->notice; };
+    view.setOverlay(app::OverlayId::Fragments, true);
+    view.setOverlay(app::OverlayId::DepthTest, true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return canvas().content().overlays.size() == 2; }, 10000));
+    for (const QImage& overlay : canvas().content().overlays) {
+        EXPECT_NE(qAlpha(overlay.pixel(kOnPolygon2)), 0);
+        EXPECT_EQ(qAlpha(overlay.pixel(kBackground)), 0);  // no fragment came
+    }
+    EXPECT_TRUE(legend().contains("×1"));
+    EXPECT_TRUE(legend().contains("one came"));
+    view.setOverlay(app::OverlayId::Fragments, false);
+    EXPECT_EQ(canvas().content().overlays.size(), 1u);
+    view.setOverlay(app::OverlayId::Verdict, true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return canvas().content().verdicts.has_value(); }, 10000));
+    EXPECT_EQ(canvas().content().verdicts->shapes.size(), 5u);  // the pyramid's polygons
+}
+
+TEST_F(BufferViewTest, EdgeFunctionsAreThoseOfThePickedPixelsTriangle) {
+    show({BufferId::Color});
+    view.setOverlay(app::OverlayId::EdgeFunctions, true);
+    EXPECT_FALSE(canvas().content().edgeView);
+    document.pick(glm::ivec2(kOnPolygon2.x(), kOnPolygon2.y()));
+    ASSERT_TRUE(canvas().content().edgeView);
+    EXPECT_EQ(canvas().content().edgeView->polygon, 2u);
+    document.pick(glm::ivec2(kBackground.x(), kBackground.y()));
+    EXPECT_FALSE(canvas().content().edgeView);
+}
+
+TEST_F(BufferViewTest, WhatStandsOnPolygonsHasNoOverlays) {
+    EXPECT_FALSE(app::whyNoOverlays(pipeline::bufferInfo(BufferId::PolygonsNormal)).isEmpty());
+    EXPECT_FALSE(app::whyNoOverlays(pipeline::bufferInfo(BufferId::ShadowBuffer)).isEmpty());
+    EXPECT_TRUE(app::whyNoOverlays(pipeline::bufferInfo(BufferId::ZView)).isEmpty());
+}

@@ -1,0 +1,41 @@
+#include "app/core/other_frame.h"
+
+#include <QMetaObject>
+
+namespace app {
+
+OtherFrame::OtherFrame(QObject* parent) : QObject(parent) {}
+OtherFrame::~OtherFrame() = default;
+
+void OtherFrame::request(const std::shared_ptr<const pipeline::Scene>& scene, pipeline::BufferSet wanted) {
+    if (m_scene && *m_scene == *scene && m_wanted == wanted) return;
+    m_scene = scene;
+    m_wanted = wanted;
+    if (!m_worker) {
+        const auto deliver = [this](pipeline::FramePtr frame, long ticket) {
+            QMetaObject::invokeMethod(
+                this,
+                [this, frame = std::move(frame), ticket] {
+                    if (ticket < m_oldestValid) return;
+                    m_frame = frame;
+                    m_taken = ticket;
+                    emit ready();
+                },
+                Qt::QueuedConnection);
+        };
+        m_worker = std::make_unique<FrameWorker>(deliver, FrameWorker::DeliverCheck());
+    }
+    // A picture a little late is better than none until the hand rests.
+    m_ticket =
+        m_worker->request(scene, {.wanted = wanted, .until = pipeline::StageId::Shading, .threads = 0, .stop = {}},
+                          FrameWorker::Running::Finish);
+}
+
+void OtherFrame::forget() {
+    m_scene.reset();
+    m_frame.reset();
+    m_taken = m_ticket;
+    m_oldestValid = m_ticket + 1;
+}
+
+}  // namespace app

@@ -1,0 +1,35 @@
+#pragma once
+#include <QObject>
+#include <memory>
+
+#include "app/core/frame_worker.h"
+
+namespace app {
+
+// The frame of another scene beside the document's: what a comparison looks at. Computed on a
+// thread of its own, which starts with the first request.
+class OtherFrame : public QObject {
+    Q_OBJECT
+public:
+    explicit OtherFrame(QObject* parent = nullptr);
+    ~OtherFrame() override;
+
+    // A request like the last one changes nothing.
+    void request(const std::shared_ptr<const pipeline::Scene>& scene, pipeline::BufferSet wanted);
+    void forget();  // what has come, and what is on its way
+    // The newest that has come; null before the first. It may lag behind the request.
+    const pipeline::FramePtr& frame() const { return m_frame; }
+    bool busy() const { return m_taken < m_ticket; }
+
+signals:
+    void ready();
+
+private:
+    std::shared_ptr<const pipeline::Scene> m_scene;
+    pipeline::BufferSet m_wanted;
+    pipeline::FramePtr m_frame;
+    long m_ticket = 0, m_taken = 0, m_oldestValid = 0;
+    std::unique_ptr<FrameWorker> m_worker;
+};
+
+}  // namespace app

@@ -1,0 +1,128 @@
+#include "app/core/other_source.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/core/stage_buffer.h"
+#include "app/core/text.h"
+
+namespace app {
+
+using pipeline::BufferInfo;
+using pipeline::BufferName;
+using pipeline::Domain;
+using pipeline::Scene;
+using pipeline::Setting;
+using pipeline::SettingGroup;
+using pipeline::SettingKind;
+using pipeline::SettingRef;
+using Kind = OtherSource::Kind;
+
+namespace {
+
+// Another camera or light makes another picture, not another way to the same one.
+bool choosesPipeline(const Setting& setting) {
+    const bool here = setting.group == SettingGroup::Picture || setting.group == SettingGroup::Shading ||
+                      setting.group == SettingGroup::Depth || setting.group == SettingGroup::Shadow;
+    return here && (setting.kind == SettingKind::Choice || setting.kind == SettingKind::Switch);
+}
+
+// The ref that a scene with other lights or objects has by the same key.
+bool hasSetting(const Scene& scene, const SettingRef& ref) {
+    return ref.setting && ref.index < ref.setting->count(scene);
+}
+
+OtherSource withSetting(const SettingRef& ref, double value) {
+    return {.kind = Kind::Setting, .setting = ref, .value = value};
+}
+
+QString whyNotSetting(const Scene& scene, const SettingRef& ref, double value) {
+    Scene other = scene;
+    ref.set(other, value);
+    const pipeline::Errors errors = checkScene(other);
+    return errors.empty() ? QString() : toQString(format(errors.front()));
+}
+
+bool haveSameShape(const BufferInfo& a, const BufferInfo& b) {
+    return a.domain == b.domain && a.channels == b.channels;
+}
+
+}  // namespace
+
+QString nameOf(const OtherSource& source) {
+    switch (source.kind) {
+        case Kind::Buffer: return toQString(source.buffer.text());
+        case Kind::PreviousStage: return "previous stage";
+        case Kind::Before: return "before the last change";
+        case Kind::Setting: {
+            const auto text = toQString(formatSetting(source.setting, source.value));
+            return QString("%1 (%2)").arg(text, toQString(source.setting.setting->label).toLower());
+        }
+        case Kind::File: return QFileInfo(source.file).fileName();
+    }
+    return {};
+}
+
+std::optional<BufferName> otherBuffer(const OtherSource& source, const BufferName& shown, const Scene& scene) {
+    switch (source.kind) {
+        case Kind::Buffer: return source.buffer;
+        case Kind::Before:
+        case Kind::Setting: return shown;
+        case Kind::File: return std::nullopt;
+        case Kind::PreviousStage: break;
+    }
+    // What stands on texels is another picture: the stage before it is taken.
+    for (std::size_t i = index(pipeline::bufferInfo(shown.id).stage); i-- > 0;) {
+        const BufferName before = mainBuffer(pipeline::kStages[i], scene);
+        if (pipeline::bufferInfo(before.id).domain != Domain::Texel) return before;
+    }
+    return std::nullopt;
+}
+
+ScenePtr otherScene(const OtherSource& source, const ScenePtr& scene, const ScenePtr& before) {
+    switch (source.kind) {
+        case Kind::Buffer:
+        case Kind::PreviousStage: return scene;
+        case Kind::Before: return before;
+        case Kind::File: return nullptr;
+        case Kind::Setting: break;
+    }
+    if (!hasSetting(*scene, source.setting)) return nullptr;
+    auto other = std::make_shared<Scene>(*scene);
+    source.setting.set(*other, source.value);
+    if (!checkScene(*other).empty()) return nullptr;
+    return other;
+}
+
+std::vector<OtherChoice> otherChoices(const pipeline::Frame& frame, const BufferName& shown, bool hasBefore) {
+    const Scene& scene = frame.scene();
+    std::vector<OtherChoice> choices;
+    choices.push_back({{}, "Before the last change", {.kind = Kind::Before}});
+    if (!hasBefore) choices.back().whyNot = "Nothing has been changed yet.";
+    choices.push_back({{}, "The previous stage", {.kind = Kind::PreviousStage}});
+    if (!otherBuffer(choices.back().source, shown, scene)) choices.back().whyNot = "This is the first stage.";
+
+    const auto precision = findSetting(scene, "precision");
+    const auto isDouble = precision && precision->get(scene) == double(pipeline::Precision::Double);
+    if (precision)
+        choices.push_back({{}, "In double precision", withSetting(*precision, double(pipeline::Precision::Double))});
+    if (isDouble) choices.back().whyNot = "The scene runs in double already.";
+
+    for (const BufferName& name : pipeline::allBuffers(scene.lights.size())) {
+        if (name == shown || !haveSameShape(bufferInfo(name.id), bufferInfo(shown.id))) continue;
+        choices.push_back({"Another buffer", toQString(name.text()), {.kind = Kind::Buffer, .buffer = name}});
+    }
+    for (const SettingRef& ref : settingsOf(scene)) {
+        const Setting& setting = *ref.setting;
+        if (!choosesPipeline(setting) || !setting.idle(scene).empty()) continue;
+        for (std::size_t i = 0; i < setting.choices.size(); ++i) {
+            const auto value = double(i);
+            if (value == ref.get(scene)) continue;
+            choices.push_back({"Another pipeline/" + toQString(setting.label), toQString(setting.choices[i]),
+                               withSetting(ref, value), whyNotSetting(scene, ref, value)});
+        }
+    }
+    return choices;
+}
+
+}  // namespace app

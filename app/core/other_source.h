@@ -1,0 +1,53 @@
+#pragma once
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "pipeline/run/frame.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace app {
+
+// What a buffer view is compared with: its B.
+struct OtherSource {
+    enum class Kind : unsigned char {
+        Buffer,         // another buffer of the same frame
+        PreviousStage,  // the main buffer of the stage before the one that leaves the buffer on show
+        Before,         // the same buffer before the last change of the scene
+        Setting,        // the same buffer of another pipeline: with one setting changed
+        File,           // a picture
+    };
+    Kind kind = Kind::Before;
+    pipeline::BufferName buffer{pipeline::BufferId::Color};  // Buffer
+    pipeline::SettingRef setting{};                          // Setting
+    double value = 0;
+    QString file{};  // File
+    bool operator==(const OtherSource&) const = default;
+};
+
+// "gouraud (shading)", "before the last change", "diffuse.0", "reference.npy".
+QString nameOf(const OtherSource& source);
+
+// The buffer of B's frame that stands against `shown`; nothing where there is none: before the first
+// stage, or for a file.
+std::optional<pipeline::BufferName> otherBuffer(const OtherSource& source, const pipeline::BufferName& shown,
+                                                const pipeline::Scene& scene);
+
+using ScenePtr = std::shared_ptr<const pipeline::Scene>;
+// The scene whose frame B is taken of: `scene` itself for another buffer of the same frame. Null
+// where there is none: for a file, before the first change, with a setting that the scene does not
+// have. before: the scene before the last change, or null.
+ScenePtr otherScene(const OtherSource& source, const ScenePtr& scene, const ScenePtr& before);
+
+// One entry of the list that B is picked from.
+struct OtherChoice {
+    QString group;  // of a submenu; empty: stands by itself
+    QString text;
+    OtherSource source;
+    QString whyNot{};  // empty: can be picked
+};
+// All but files. Another buffer can be picked where it has the same shape as `shown`; another
+// pipeline for every choice and switch that has an effect in the scene.
+std::vector<OtherChoice> otherChoices(const pipeline::Frame& frame, const pipeline::BufferName& shown, bool hasBefore);
+
+}  // namespace app

@@ -1,0 +1,221 @@
+#include "app/panels/buffer_compare.h"
+
+#include "app/core/picture_file.h"
+#include "app/core/text.h"
+#include "app/panels/buffer_canvas.h"
+
+namespace app {
+
+using pipeline::AnyBuffer;
+using pipeline::BufferId;
+using pipeline::BufferName;
+using pipeline::Domain;
+using pipeline::FramePtr;
+using Kind = OtherSource::Kind;
+
+namespace {
+
+std::vector<bool> drawnOf(const FramePtr& frame, const AnyBuffer& buffer, int channel) {
+    return drawnElements(buffer, frame ? frame->buffer({BufferId::PolygonId}) : std::nullopt, channel);
+}
+
+}  // namespace
+
+BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* window)
+    : QObject(window), m_document(document), m_canvas(canvas), m_bar(new CompareBar(window)) {
+    m_bar->hide();
+    m_blink.setInterval(700);  // well below three flashes a second
+    connect(&m_blink, &QTimer::timeout, this, [this] {
+        m_blinksToB = !m_blinksToB;
+        m_canvas->setWipe(wipe());
+    });
+    connect(m_canvas, &BufferCanvas::wiped, this, [this](double share) {
+        m_share = share;
+        m_canvas->setWipe(wipe());
+    });
+    connect(&m_other, &OtherFrame::ready, this, &BufferCompare::changed);
+    connect(m_bar, &CompareBar::modeChosen, this, [this](CompareMode mode) {
+        if (mode != m_mode) setMode(mode);
+    });
+    connect(m_bar, &CompareBar::metricChosen, this, &BufferCompare::setMetric);
+    connect(m_bar, &CompareBar::worstChosen, this, &BufferCompare::goToWorst);
+    connect(m_bar, &CompareBar::stagesChosen, this, &BufferCompare::stagesChosen);
+    connect(m_bar, &CompareBar::closed, this, [this] { compareWith(std::nullopt); });
+    connect(&m_document, &Document::sceneOpened, this, [this] { compareWith(std::nullopt); });
+}
+
+void BufferCompare::compareWith(std::optional<OtherSource> source) {
+    m_source = std::move(source);
+    m_range.reset();
+    m_file.reset();
+    m_other.forget();
+    m_bar->setVisible(m_source.has_value());
+    if (!m_source)
+        setMode(CompareMode::A);
+    else if (m_mode == CompareMode::A)
+        setMode(CompareMode::Wipe);
+    else
+        emit changed();
+}
+
+void BufferCompare::setMode(CompareMode mode) {
+    m_mode = mode == m_mode ? CompareMode::A : mode;
+    m_blinksToB = false;
+    m_mode == CompareMode::Blink ? m_blink.start() : m_blink.stop();
+    m_bar->setMode(m_mode);
+    emit changed();
+}
+
+void BufferCompare::setMetric(pipeline::DifferenceMetric metric) {
+    m_metric = metric;
+    m_range.reset();
+    emit changed();
+}
+
+void BufferCompare::holdOther(bool held) {
+    if (!m_source || held == m_holdsOther) return;
+    m_holdsOther = held;
+    m_mode == CompareMode::Difference ? emit changed() : m_canvas->setWipe(wipe());
+}
+
+void BufferCompare::holdPrevious(bool held) {
+    if (held == m_holdsPrevious) return;
+    m_holdsPrevious = held;
+    emit changed();
+}
+
+std::optional<OtherSource> BufferCompare::current() const {
+    return m_holdsPrevious ? OtherSource{.kind = Kind::PreviousStage} : m_source;
+}
+
+std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const ShownBuffer& a) {
+    const OtherSource source = *current();
+    const auto name = otherBuffer(source, a.buffer.name, frame->scene());
+    const bool isOwn = source.kind == Kind::Buffer || source.kind == Kind::PreviousStage;
+    m_document.want(this, isOwn && name ? pipeline::setOf({name->id}) : pipeline::BufferSet());
+    m_frameB.reset();
+    if (source.kind == Kind::File) {
+        if (m_file && m_file->name == a.buffer.name) return m_file;
+        auto read = readPicture(source.file, a.buffer);
+        if (!read) {
+            m_why = toQString(format(read.errors()));
+            return {};
+        }
+        m_file = std::move(read).value();
+        return m_file;
+    }
+    const ScenePtr scene = otherScene(source, frame->sharedScene(), m_document.sceneBefore());
+    if (!name || !scene) {
+        m_why = source.kind == Kind::Before ? tr("Nothing has been changed yet.") : tr("This scene has no such B.");
+        return {};
+    }
+    if (!isOwn)
+        m_other.request(scene, frame->wanted() | pipeline::setOf({name->id, BufferId::PolygonId, BufferId::Overdraw}));
+    m_frameB = isOwn ? frame : m_other.frame();
+    const auto found = m_frameB ? m_frameB->buffer(*name) : std::nullopt;
+    if (!found)
+        m_why = m_frameB && !m_other.busy() ? toQString(m_frameB->whyAbsent(*name)) : tr("B is being computed.");
+    return found;
+}
+
+ShownBuffer BufferCompare::show(const FramePtr& frame, ShownBuffer a) {
+    m_found.reset();
+    m_b.reset();
+    m_why.clear();
+    m_a = a.buffer;
+    m_channel = a.look.channel;
+    if (!current()) {
+        m_document.want(this, {});
+        m_canvas->setOther({}, {});
+        return a;
+    }
+    m_b = findOther(frame, a);
+    m_nameA = "A  " + toQString(a.buffer.name.text());
+    const OtherSource source = *current();
+    m_nameB = "B  ";
+    if (m_b && source.kind != Kind::Buffer) m_nameB += toQString(m_b->name.text()) + ", ";
+    m_nameB += nameOf(source);
+
+    std::optional<ShownBuffer> b;
+    if (m_b) {
+        const QString why = toQString(whyNotComparable(a.buffer, *m_b));
+        const int channel = a.look.channel, channelB = why.isEmpty() ? channel : -1;
+        std::vector<bool> drawnA = drawnOf(frame, a.buffer, channel),
+                          drawnB = drawnOf(m_frameB ? m_frameB : frame, *m_b, channelB);
+        const bool sameColors =
+            why.isEmpty() && shownPalette(*a.buffer.info, channel) == shownPalette(*m_b->info, channel);
+        if (why.isEmpty() || source.kind == Kind::PreviousStage)
+            b = showBuffer(m_frameB ? *m_frameB : *frame, *m_b, drawnB, channelB,
+                           sameColors ? std::optional(a.look.range) : std::nullopt);
+        if (drawnA.empty() != drawnB.empty())  // one has a background, the other has none
+            drawnA = drawnB = drawnA.empty() ? drawnB : drawnA;
+        if (why.isEmpty())
+            m_found = compareBuffers(a.buffer, *m_b, channel, m_metric, drawnA, drawnB);
+        else
+            m_why = source.kind == Kind::PreviousStage
+                        ? tr("The two stages leave different things: look from one to the other.")
+                        : why;
+    }
+    m_bar->setMetric(m_metric);
+    tell();
+    if (showsDifference() && !m_holdsOther && !m_holdsPrevious) {
+        const pipeline::MetricInfo& metric = pipeline::metricTable()[std::size_t(m_metric)];
+        ShownBuffer difference = showBuffer(*frame, m_found->values, m_found->drawn, -1, m_range);
+        difference.notice.clear();
+        difference.empty.clear();
+        Wipe names;
+        names.nameA =
+            QString("%1 = %2,  %3,  %4").arg(toQString(metric.name), toQString(metric.formula), m_nameA, m_nameB);
+        m_canvas->setOther({}, names);
+        return difference;
+    }
+    if (b && b->content.size == a.content.size)
+        m_canvas->setOther(std::move(b->content), wipe());
+    else
+        m_canvas->setOther({}, wipe());
+    return a;
+}
+
+Wipe BufferCompare::wipe() const {
+    Wipe wipe{1, false, m_nameA, m_nameB};
+    if (m_holdsOther || m_holdsPrevious || m_mode == CompareMode::B || (m_mode == CompareMode::Blink && m_blinksToB))
+        wipe.share = 0;
+    else if (m_mode == CompareMode::Wipe)
+        wipe.share = m_share, wipe.hasHandle = true;
+    return wipe;
+}
+
+void BufferCompare::tell() {
+    QString sentence = m_found ? findingText(*m_found) : m_why;
+    if (m_found && m_frameB == m_other.frame() && m_other.busy()) sentence += tr(" (B follows)");
+    QString whyNoWorst;
+    if (!m_found)
+        whyNoWorst = m_why;
+    else if (!m_found->worst)
+        whyNoWorst = tr("The two are the same.");
+    else if (m_found->values.info->domain == Domain::Texel)
+        whyNoWorst = tr("A texel of a shadow buffer cannot be picked.");
+    m_bar->setFinding(sentence, whyNoWorst);
+}
+
+void BufferCompare::goToWorst() {
+    if (!m_found || !m_found->worst) return;
+    const std::size_t worst = *m_found->worst;
+    const auto columns = m_found->values.columns();
+    switch (m_found->values.info->domain) {
+        case Domain::Pixel: return m_document.pick(glm::ivec2(worst % columns, worst / columns));
+        case Domain::Polygon: return m_document.select(Selection{Selection::Kind::Polygon, worst});
+        case Domain::Vertex: return m_document.select(Selection{Selection::Kind::Vertex, worst});
+        case Domain::Texel: break;
+    }
+}
+
+QString BufferCompare::readout(QPoint pixel) const {
+    if (!m_found || standsOnShapes(*m_found->values.info)) return {};
+    const auto x = std::size_t(pixel.x()), y = std::size_t(pixel.y());
+    const QString b = "   B " + elementText(*m_b, x, y, m_channel).join(' ');
+    if (showsDifference()) return "   A " + elementText(*m_a, x, y, m_channel).join(' ') + b;
+    return b + "   A − B " + valueText(m_found->values, m_found->values.value(x, y));
+}
+
+}  // namespace app

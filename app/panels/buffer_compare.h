@@ -1,0 +1,81 @@
+#pragma once
+#include <QObject>
+#include <QTimer>
+#include <optional>
+
+#include "app/core/document.h"
+#include "app/core/other_frame.h"
+#include "app/core/other_source.h"
+#include "app/panels/compare_bar.h"
+#include "app/panels/shown_buffer.h"
+#include "app/panels/wipe.h"
+
+class QMenu;
+
+namespace app {
+
+class BufferCanvas;
+
+// "12 of 2 686 pixels differ, most by 0.5 at 268, 281".
+QString findingText(const pipeline::BufferDifference& found);
+
+// Compares what a buffer view shows, A, with something else, B: finds B, has it computed, shows one,
+// the other, both or their difference, and says how much they differ.
+class BufferCompare : public QObject {
+    Q_OBJECT
+public:
+    // window: what the bar stands in.
+    BufferCompare(Document& document, BufferCanvas* canvas, QWidget* window);
+
+    CompareBar* bar() { return m_bar; }
+    const std::optional<OtherSource>& source() const { return m_source; }
+    void compareWith(std::optional<OtherSource> source);  // nothing: no longer
+    CompareMode mode() const { return m_mode; }
+    void setMode(CompareMode mode);  // the same again: back to A
+    void setMetric(pipeline::DifferenceMetric metric);
+    void holdOther(bool held);     // shows B meanwhile
+    void holdPrevious(bool held);  // shows the stage before meanwhile, whatever B is
+    void goToWorst();
+    void fillMenu(QMenu& menu, const pipeline::BufferName& shown);  // with what B can be
+
+    bool showsDifference() const { return m_mode == CompareMode::Difference && m_found.has_value(); }
+    std::optional<pipeline::PaletteRange>& range() { return m_range; }  // the user's, of the difference
+    // What the view shows in place of A: A itself, or the difference. Tells the canvas about B.
+    ShownBuffer show(const pipeline::FramePtr& frame, ShownBuffer a);
+    // What stands behind A's value at a pixel: B's, or nothing.
+    QString readout(QPoint pixel) const;
+    const std::optional<pipeline::BufferDifference>& found() const { return m_found; }
+    const pipeline::FramePtr& otherFrame() const { return m_frameB; }
+
+signals:
+    void changed();  // the view is to be shown anew
+    void stagesChosen();
+
+private:
+    std::optional<OtherSource> current() const;  // what is held wins
+    std::optional<pipeline::AnyBuffer> findOther(const pipeline::FramePtr& frame, const ShownBuffer& a);
+    Wipe wipe() const;
+    void tell();
+    void chooseFile();
+
+    Document& m_document;
+    BufferCanvas* m_canvas;
+    CompareBar* m_bar;
+    OtherFrame m_other;
+    QTimer m_blink;
+    std::optional<OtherSource> m_source;
+    CompareMode m_mode = CompareMode::A;
+    pipeline::DifferenceMetric m_metric = pipeline::DifferenceMetric::Error;
+    double m_share = 0.5;
+    bool m_holdsOther = false, m_holdsPrevious = false, m_blinksToB = false;
+    std::optional<pipeline::PaletteRange> m_range;
+
+    pipeline::FramePtr m_frameB;
+    std::optional<pipeline::AnyBuffer> m_a, m_b, m_file;
+    std::optional<pipeline::BufferDifference> m_found;
+    int m_channel = -1;
+    QString m_nameA, m_nameB;
+    QString m_why;  // why there is no B, or no difference
+};
+
+}  // namespace app

@@ -1,0 +1,42 @@
+// The keys of a BufferView that has the focus.
+#include <QKeyEvent>
+
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_header.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/loupe.h"
+
+namespace app {
+
+void BufferView::keyPressEvent(QKeyEvent* event) {
+    if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return QWidget::keyPressEvent(event);
+    switch (event->key()) {
+        case Qt::Key_N: return autofit(event->modifiers() & Qt::ShiftModifier);
+        case Qt::Key_R: return setChannel(0);
+        case Qt::Key_G: return setChannel(1);
+        case Qt::Key_B: return setChannel(2);
+        case Qt::Key_C: return setChannel(-1);
+        case Qt::Key_Z: return setShowLoupe(!m_loupe->isVisibleTo(m_canvas));
+        case Qt::Key_Shift: return m_compare->holdOther(true);
+        case Qt::Key_QuoteLeft: return event->isAutoRepeat() ? void() : m_compare->holdPrevious(true);
+        case Qt::Key_T: return compareBy(CompareMode::Blink);
+        case Qt::Key_W: return compareBy(CompareMode::Wipe);
+        case Qt::Key_D: return compareBy(CompareMode::Difference);
+        default: QWidget::keyPressEvent(event);
+    }
+}
+
+void BufferView::keyReleaseEvent(QKeyEvent* event) {
+    if (event->isAutoRepeat()) return;
+    if (event->key() == Qt::Key_Shift) m_compare->holdOther(false);
+    if (event->key() == Qt::Key_QuoteLeft) m_compare->holdPrevious(false);
+    QWidget::keyReleaseEvent(event);
+}
+
+// Without a B there is one to be picked first.
+void BufferView::compareBy(CompareMode mode) {
+    m_compare->source() ? m_compare->setMode(mode) : m_header->openCompareMenu();
+}
+
+}  // namespace app

@@ -1,0 +1,46 @@
+// What a BufferView lays over its picture.
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_header.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/loupe.h"
+
+namespace app {
+
+namespace {
+
+constexpr OverlaySet kAlwaysOn = OverlaySet(1ull << index(OverlayId::Strange));
+
+}  // namespace
+
+void BufferView::observeOverlays() {
+    m_overlays = kAlwaysOn;
+    connect(m_header, &BufferHeader::overlayMenuOpens, this, [this](QMenu* menu) {
+        fillOverlayMenu(*menu, m_overlays, bufferInfo(m_name.id),
+                        [this](OverlayId id, bool on) { setOverlay(id, on); });
+    });
+}
+
+void BufferView::setOverlay(OverlayId overlay, bool shown) {
+    m_overlays[index(overlay)] = shown;
+    m_canvas->setShowEdges(m_overlays[index(OverlayId::Edges)]);
+    setShowLoupe(m_loupe->isVisibleTo(m_canvas));
+    want();
+    refresh();
+}
+
+void BufferView::setShowLoupe(bool show) {
+    m_loupe->setVisible(show);
+    m_header->setToggles((m_overlays & ~kAlwaysOn).any(), show);
+    placeOverlays();
+}
+
+void BufferView::showEdgeFunctions() {
+    const pipeline::FramePtr& frame = m_document.frame();
+    const std::optional<glm::ivec2> pixel = m_document.pixel();
+    const bool shows =
+        m_overlays[index(OverlayId::EdgeFunctions)] && frame && pixel && whyNoOverlays(bufferInfo(m_name.id)).isEmpty();
+    m_canvas->setEdgeView(shows ? edgeViewAt(*frame, *pixel) : std::nullopt);
+}
+
+}  // namespace app

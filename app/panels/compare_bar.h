@@ -1,0 +1,49 @@
+#pragma once
+#include <QWidget>
+
+#include "pipeline/inspect/compare.h"
+
+class QComboBox;
+class QHBoxLayout;
+class QPushButton;
+class QToolButton;
+
+namespace app {
+
+class ElidedLabel;
+class Segmented;
+
+enum class CompareMode : unsigned char { A, B, Blink, Wipe, Difference };
+
+// Below two buffers that are compared: which of them is seen, how much they differ, and the way to
+// where they differ most.
+class CompareBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit CompareBar(QWidget* parent = nullptr);
+
+    void setMode(CompareMode mode);
+    void setMetric(pipeline::DifferenceMetric metric);
+    // whyNoWorst: empty where there is a worst place to go to.
+    void setFinding(const QString& sentence, const QString& whyNoWorst);
+
+signals:
+    void modeChosen(CompareMode mode);
+    void metricChosen(pipeline::DifferenceMetric metric);
+    void worstChosen();
+    void stagesChosen();
+    void closed();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    Segmented* m_modes;
+    QComboBox* m_metric;
+    ElidedLabel* m_finding;
+    QPushButton *m_worst, *m_stages;
+    QToolButton* m_close;
+    QHBoxLayout *m_first, *m_second;
+};
+
+}  // namespace app

@@ -1,0 +1,49 @@
+#pragma once
+#include <QMenu>
+#include <bitset>
+#include <span>
+
+#include "app/panels/shown_buffer.h"
+
+namespace app {
+
+// What can be laid over the picture of a buffer, several at once.
+enum class OverlayId : unsigned char { Edges, EdgeFunctions, Verdict, Fragments, PolygonSize, DepthTest, Strange };
+inline constexpr std::size_t kOverlayCount = 7;
+using OverlaySet = std::bitset<kOverlayCount>;
+constexpr std::size_t index(OverlayId id) { return static_cast<std::size_t>(id); }
+
+struct OverlayInfo {
+    OverlayId id;
+    const char* name;
+    const char* tip;
+    pipeline::BufferSet needs;
+};
+std::span<const OverlayInfo, kOverlayCount> overlayTable();
+
+// The buffers that the overlays read.
+pipeline::BufferSet buffersOf(OverlaySet overlays);
+// Why a buffer's view cannot have overlays; empty where it can.
+QString whyNoOverlays(const pipeline::BufferInfo& info);
+
+// Lays them over a buffer of the frame. What needs a buffer that the frame does not hold yet is left
+// out. The notice then says what the colours stand for.
+void addOverlays(const pipeline::Frame& frame, OverlaySet overlays, ShownBuffer& shown);
+
+// Check marks for all of them; change(id, on) is called for what the user picks.
+template <class Change>
+void fillOverlayMenu(QMenu& menu, OverlaySet on, const pipeline::BufferInfo& info, Change change) {
+    menu.clear();
+    menu.setToolTipsVisible(true);
+    const QString why = whyNoOverlays(info);
+    for (const OverlayInfo& overlay : overlayTable()) {
+        QAction* action = menu.addAction(QMenu::tr(overlay.name));
+        action->setCheckable(true);
+        action->setChecked(on[index(overlay.id)]);
+        action->setEnabled(why.isEmpty() || overlay.id == OverlayId::Strange);
+        action->setToolTip(action->isEnabled() ? QMenu::tr(overlay.tip) : why);
+        QObject::connect(action, &QAction::toggled, &menu, [change, id = overlay.id](bool isOn) { change(id, isOn); });
+    }
+}
+
+}  // namespace app

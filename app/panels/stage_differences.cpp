@@ -1,0 +1,150 @@
+#include "app/panels/stage_differences.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QScreen>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "app/core/numbers.h"
+#include "app/core/text.h"
+#include "app/panels/buffer_compare.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+using pipeline::BufferInfo;
+using pipeline::Palette;
+using pipeline::StageDifference;
+
+namespace {
+
+bool hasSize(const BufferInfo& info) {
+    return info.palette != Palette::Categorical && info.palette != Palette::Verdict;
+}
+
+QString differText(const StageDifference& row) {
+    if (!row.why.empty()) return toQString(row.why);
+    if (row.differing == 0) return "the same";
+    return QString("%1 of %2").arg(count(qint64(row.differing)), count(qint64(row.elements)));
+}
+
+QString largestText(const StageDifference& row) {
+    const BufferInfo& info = bufferInfo(row.buffer.id);
+    if (row.differing == 0 || !hasSize(info)) return {};
+    return errorText(row.largest) + (info.unit.empty() ? QString() : ' ' + toQString(info.unit));
+}
+
+}  // namespace
+
+StageDifferences::StageDifferences(Document& document, BufferCompare& compare, QWidget* parent)
+    : QFrame(parent, Qt::Popup),
+      m_document(document),
+      m_compare(compare),
+      m_title(new QLabel(this)),
+      m_list(new QTreeWidget(this)) {
+    setProperty("kind", "panel");
+    setAccessibleName(tr("Differences stage by stage"));
+    m_list->setAccessibleName(tr("Differences stage by stage"));
+    m_list->setHeaderLabels({tr("Stage and buffer"), tr("Differ"), tr("Largest |A − B|")});
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->header()->setStretchLastSection(true);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(m_title);
+    column->addWidget(m_list, 1);
+    m_next.setInterval(0);
+    connect(&m_next, &QTimer::timeout, this, &StageDifferences::compareNext);
+    connect(&compare, &BufferCompare::changed, this, &StageDifferences::start);
+    connect(&document, &Document::frameReady, this, &StageDifferences::start);
+    connect(m_list, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
+        const int row = item->data(0, Qt::UserRole).toInt();
+        if (!item->parent() || row >= int(m_rows.size())) return;
+        const StageDifference difference = m_rows[std::size_t(row)];
+        hide();
+        emit chosen(difference);
+    });
+    connect(m_list, &QTreeWidget::itemClicked, m_list, &QTreeWidget::itemActivated);
+    followTheme(this, [this] {
+        const Theme& theme = Theme::current();
+        m_title->setFont(theme.text(13, 600));
+        m_list->setFont(theme.text(12));
+        resize(theme.px(560), theme.px(520));
+        m_list->setColumnWidth(0, theme.px(200));
+        m_list->setColumnWidth(1, theme.px(170));
+    });
+}
+
+void StageDifferences::open(QPoint global) {
+    m_a.reset();
+    // All that the scene has a use for, as long as it is looked at; B follows.
+    m_document.want(this, pipeline::usefulBuffers(m_document.scene()));
+    const QRect screen = parentWidget()->screen()->availableGeometry();
+    resize(size().boundedTo(screen.size()));
+    QRect place(QPoint(0, 0), size());
+    place.moveBottomRight(global);
+    place.moveLeft(std::clamp(place.left(), screen.left(), screen.right() - width()));
+    place.moveTop(std::clamp(place.top(), screen.top(), screen.bottom() - height()));
+    move(place.topLeft());
+    show();
+    m_list->setFocus();
+    start();
+}
+
+void StageDifferences::hideEvent(QHideEvent*) {
+    m_next.stop();
+    m_document.want(this, {});
+}
+
+void StageDifferences::start() {
+    if (!isVisible()) return;
+    const pipeline::FramePtr &a = m_document.frame(), &b = m_compare.otherFrame();
+    const QString other = m_compare.source() ? nameOf(*m_compare.source()) : QString();
+    m_title->setText(tr("A against B, %1").arg(other));
+    if (!a || !b || a == b) {
+        m_list->clear();
+        m_title->setText(a && a == b ? tr("B is a buffer of the same frame: no stage differs.")
+                                     : tr("B is being computed."));
+        return;
+    }
+    if (a == m_a && b == m_b) return;
+    m_a = a, m_b = b;
+    m_rows.clear();
+    m_names.clear();
+    m_list->clear();
+    for (const pipeline::AnyBuffer& buffer : a->buffers())
+        if (b->buffer(buffer.name)) m_names.push_back(buffer.name);
+    m_next.start();
+}
+
+// One buffer at a time: the window stays awake.
+void StageDifferences::compareNext() {
+    if (m_names.empty()) return m_next.stop();
+    add(stageDifference(*m_a, *m_b, m_names.front()));
+    m_names.pop_front();
+}
+
+void StageDifferences::add(const StageDifference& row) {
+    const pipeline::StageInfo& stage = stageInfo(bufferInfo(row.buffer.id).stage);
+    const QString title = QString("%1 %2").arg(index(stage.id) + 1).arg(toQString(stage.label));
+    QTreeWidgetItem* top = m_list->topLevelItem(m_list->topLevelItemCount() - 1);
+    const Theme& theme = Theme::current();
+    if (!top || top->text(0) != title) {
+        top = new QTreeWidgetItem(m_list, {title, "the same"});
+        top->setFont(0, theme.text(12, 600));
+        top->setFlags(Qt::ItemIsEnabled);
+        top->setExpanded(true);
+    }
+    auto* item = new QTreeWidgetItem(top, {toQString(row.buffer.text()), differText(row), largestText(row)});
+    item->setData(0, Qt::UserRole, int(m_rows.size()));
+    for (const int c : {0, 1, 2}) item->setFont(c, theme.mono(12));
+    if (row.differing > 0) {
+        if (top->text(1) == "the same") top->setText(1, QString());
+        item->setForeground(1, theme.colors().warn);
+    } else {
+        for (const int c : {0, 1}) item->setForeground(c, theme.colors().text3);
+    }
+    m_rows.push_back(row);
+}
+
+}  // namespace app

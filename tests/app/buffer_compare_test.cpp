@@ -1,0 +1,202 @@
+#include "app/panels/buffer_compare.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+#include <cmath>
+
+#include "app/core/picture_file.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/stage_differences.h"
+#include "pipeline/export/npy_file.h"
+#include "tests/support/scenes.h"
+
+// A real view on a real document, compared with frames that the tests compute by themselves.
+namespace {
+
+using app::BufferView;
+using app::CompareMode;
+using app::Document;
+using app::OtherSource;
+using pipeline::BufferId;
+using Kind = app::OtherSource::Kind;
+
+// A sphere, so that Gouraud and Phong shading differ inside the polygons.
+pipeline::Scene ball(pipeline::Shading shading) {
+    pipeline::Scene scene = test::pyramid();
+    scene.objects[0].mesh = test::sphere(150, 8, 12);
+    scene.objects[0].transform = {};
+    scene.settings.width = 160, scene.settings.height = 120;
+    scene.settings.shading = shading;
+    return scene;
+}
+
+struct BufferCompareTest : testing::Test {
+    Document document;
+    BufferView view{document};
+    app::BufferCompare& compare = view.compare();
+
+    BufferCompareTest() {
+        view.resize(640, 560);
+        view.show();
+        document.setScene(ball(pipeline::Shading::Gouraud));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return view.shown().has_value(); }, 10000));
+    }
+    OtherSource setting(const char* key, double value) {
+        const auto ref = findSetting(document.scene(), key);
+        EXPECT_TRUE(ref);
+        return {.kind = Kind::Setting, .setting = *ref, .value = value};
+    }
+    void compareWith(const OtherSource& source) {
+        compare.compareWith(source);
+        EXPECT_TRUE(found());
+    }
+    bool found() {
+        return QTest::qWaitFor([&] { return compare.found().has_value() && !document.busy(); }, 10000);
+    }
+    app::BufferCanvas& canvas() { return *view.canvas(); }
+};
+
+constexpr double kPhong = double(pipeline::Shading::Phong);
+
+}  // namespace
+
+TEST_F(BufferCompareTest, AnotherPipelineDiffersByWhatTwoFramesDiffer) {
+    compareWith(setting("shading", kPhong));
+    compare.setMode(CompareMode::Difference);
+    const auto a = *test::frameOf(ball(pipeline::Shading::Gouraud))->buffer({BufferId::Color});
+    const auto b = *test::frameOf(ball(pipeline::Shading::Phong))->buffer({BufferId::Color});
+    std::size_t differing = 0;
+    for (std::size_t y = 0; y < a.rows(); ++y)
+        for (std::size_t x = 0; x < a.columns(); ++x) {
+            double largest = 0;
+            for (int c = 0; c < 3; ++c) {
+                const double e = a.value(x, y, c) - b.value(x, y, c);
+                if (std::abs(e) > std::abs(largest)) largest = e;
+            }
+            differing += largest != 0;
+            ASSERT_EQ(view.shown()->buffer.value(x, y), largest) << x << ", " << y;
+        }
+    EXPECT_GT(differing, 100u);
+    EXPECT_EQ(compare.found()->differing, differing);
+    EXPECT_TRUE(isDifference(*view.shown()->buffer.info));
+}
+
+TEST_F(BufferCompareTest, TheWorstPixelIsPicked) {
+    compareWith(setting("shading", kPhong));
+    compare.goToWorst();
+    ASSERT_TRUE(document.pixel());
+    const auto& values = compare.found()->values;
+    const auto at = *document.pixel();
+    EXPECT_EQ(std::abs(values.value(std::size_t(at.x), std::size_t(at.y))), compare.found()->largest);
+}
+
+TEST_F(BufferCompareTest, ShiftShowsBWhileItIsHeld) {
+    compareWith(setting("shading", kPhong));
+    compare.setMode(CompareMode::A);
+    const QImage a = canvas().seen().image;
+    QTest::keyPress(&canvas(), Qt::Key_Shift);
+    EXPECT_NE(canvas().seen().image, a);
+    QTest::keyRelease(&canvas(), Qt::Key_Shift);
+    EXPECT_EQ(canvas().seen().image, a);
+}
+
+TEST_F(BufferCompareTest, TheWipeFollowsItsHandle) {
+    compareWith(setting("shading", kPhong));  // wipes at first
+    ASSERT_TRUE(canvas().wipe().hasHandle);
+    const QPoint handle(canvas().wipe().border(canvas().width()), 100);
+    QTest::mousePress(&canvas(), Qt::LeftButton, {}, handle);
+    QMouseEvent move(QEvent::MouseMove, QPointF(80, 100), canvas().mapToGlobal(QPointF(80, 100)), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&canvas(), &move);
+    QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, QPoint(80, 100));
+    EXPECT_EQ(canvas().wipe().border(canvas().width()), 80);
+    EXPECT_FALSE(document.pixel());  // dragging the handle picks nothing
+}
+
+TEST_F(BufferCompareTest, BBeforeTheLastChangeIsTheFrameOfTheSceneBefore) {
+    document.change(*findSetting(document.scene(), "shading"), kPhong);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }, 10000));
+    compareWith({.kind = Kind::Before});
+    const auto before = *test::frameOf(ball(pipeline::Shading::Gouraud))->buffer({BufferId::Color});
+    const auto shown = *compare.otherFrame()->buffer({BufferId::Color});
+    for (std::size_t i = 0; i < before.count(); ++i) ASSERT_EQ(shown.flat(i), before.flat(i));
+    EXPECT_GT(compare.found()->differing, 0u);
+}
+
+TEST_F(BufferCompareTest, BFollowsWhenTheSceneChanges) {
+    compareWith(setting("shading", kPhong));
+    document.change(*findSetting(document.scene(), "shading"), kPhong);  // now A is the same
+    EXPECT_TRUE(QTest::qWaitFor([&] { return compare.found() && compare.found()->differing == 0; }, 10000));
+}
+
+TEST_F(BufferCompareTest, AnExportedArrayIsTheSameAsItsBuffer) {
+    QTemporaryDir folder;
+    const std::filesystem::path file = folder.filePath("color.npy").toStdString();
+    const auto color = *document.frame()->buffer({BufferId::Color});
+    ASSERT_TRUE(pipeline::writeNpy({color, statistics(color), {}}, file));
+    compareWith({.kind = Kind::File, .file = folder.filePath("color.npy")});
+    EXPECT_EQ(compare.found()->differing, 0u);
+}
+
+TEST_F(BufferCompareTest, AFileThatIsNoArrayIsRefusedWithItsName) {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("broken.npy");
+    const auto refusal = [&](const QByteArray& bytes) {
+        QFile out(file);
+        EXPECT_TRUE(out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size());
+        out.close();
+        const auto read = app::readPicture(file, *document.frame()->buffer({BufferId::Color}));
+        return read ? std::string("read") : format(read.errors().front());
+    };
+    EXPECT_NE(refusal("nothing").find("broken.npy: no NumPy array"), std::string::npos);
+    const QByteArray magic("\x93NUMPY\x01\x00\xff\x00", 10);
+    EXPECT_NE(refusal(magic + "{}").find("ends within its header"), std::string::npos);
+    QByteArray header("{'descr': '<f4', 'fortran_order': False, 'shape': (99999999999, 99999999999), }\n");
+    const QByteArray sized = QByteArray("\x93NUMPY\x01\x00", 8) + char(header.size()) + '\0' + header;
+    EXPECT_NE(refusal(sized + "1234").find("4 bytes of numbers"), std::string::npos);
+}
+
+TEST_F(BufferCompareTest, EveryStageIsListedWithWhatDiffers) {
+    compareWith(setting("shading", kPhong));
+    auto& stages = *view.findChild<app::StageDifferences*>();
+    stages.open({600, 500});
+    const auto buffersBelow = [&](const QString& title, const QString& name) {
+        const auto tops = stages.list().findItems(title, Qt::MatchExactly);
+        for (int i = 0; !tops.isEmpty() && i < tops[0]->childCount(); ++i)
+            if (tops[0]->child(i)->text(0) == name) return tops[0]->child(i)->text(1);
+        return QString();
+    };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return buffersBelow("6 Shading", "color").contains(" of "); }, 10000));
+    EXPECT_EQ(buffersBelow("1 Transform", "vertices.screen"), "the same");  // shading moves no vertex
+    EXPECT_EQ(buffersBelow("5 Z-buffer", "z_view"), "the same");
+}
+
+TEST(OtherChoices, OfferOtherValuesOfChoicesThatHaveAnEffectAndNoOther) {
+    const auto frame = test::frameOf(test::pyramid());
+    QStringList texts;
+    for (const app::OtherChoice& choice : app::otherChoices(*frame, {BufferId::ZView}, false)) {
+        if (choice.group.isEmpty() && choice.source.kind == Kind::Before) {
+            EXPECT_FALSE(choice.whyNot.isEmpty());  // nothing has been changed
+        }
+        texts << (choice.group + ' ' + choice.text);
+    }
+    EXPECT_TRUE(texts.contains("Another pipeline/Shading gouraud"));
+    EXPECT_FALSE(texts.contains("Another pipeline/Shading flat"));  // the pyramid's own
+    EXPECT_TRUE(texts.contains("Another pipeline/Visibility painter"));
+    EXPECT_TRUE(texts.contains("Another buffer n_dot_l.0"));
+    EXPECT_FALSE(texts.contains("Another buffer color"));  // three channels against one
+}
+
+TEST(OtherBuffer, OfThePreviousStageStandsOnThePicture) {
+    const auto before = [](BufferId id) {
+        return app::otherBuffer({.kind = Kind::PreviousStage}, {id}, test::pyramid());
+    };
+    EXPECT_EQ(before(BufferId::Color), (pipeline::BufferName{BufferId::ZView}));
+    EXPECT_EQ(before(BufferId::ZView), (pipeline::BufferName{BufferId::PolygonsNormal}));  // not the texels of stage 4
+    EXPECT_EQ(before(BufferId::VerticesScreen), std::nullopt);
+}
