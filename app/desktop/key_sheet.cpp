@@ -20,6 +20,7 @@ constexpr ViewKey kViewKeys[]{
     {"In a buffer", "Move the picked pixel by 1, by 10", "arrows, Shift"},
     {"In a buffer", "Zoom to the cursor", "wheel"},
     {"In a buffer", "Move the picture", "drag"},
+    {"In a buffer", "Condition over all pixels", "/"},
     {"In a buffer", "Show B, or the previous stage", "hold Shift, `"},
     {"In a buffer", "A and B: blink, wipe, difference", "T, W, D"},
     {"In the 3D view", "Turn", "drag"},

@@ -168,7 +168,7 @@ void BufferView::refresh() {
         if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(why), true);
         return;
     }
-    addOverlays(*frame, m_overlays, *shown);
+    layOver(*frame, *shown);
     m_shown = m_compare->show(frame, std::move(*shown));
     m_stack->setCurrentWidget(m_canvas);
     m_canvas->setContent(m_shown->content);

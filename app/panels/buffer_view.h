@@ -17,6 +17,7 @@ namespace app {
 class BufferCanvas;
 class BufferCompare;
 class BufferHeader;
+class ConditionBar;
 enum class CompareMode : unsigned char;
 class Loupe;
 class RangeFoot;
@@ -39,6 +40,7 @@ public:
     void setShowLoupe(bool show);
     BufferCanvas* canvas() { return m_canvas; }
     BufferCompare& compare() { return *m_compare; }
+    ConditionBar& condition() { return *m_condition; }
     const std::optional<ShownBuffer>& shown() const { return m_shown; }
     QString message() const;  // what stands in place of the picture; empty when there is one
 
@@ -68,6 +70,7 @@ private:
     void showPixels();
     void markSelection();
     void showEdgeFunctions();
+    void layOver(const pipeline::Frame& frame, ShownBuffer& shown) const;
     void nudge(QPoint by);
     void compareBy(CompareMode mode);
     bool standsOnPicture() const;
@@ -87,6 +90,7 @@ private:
     BufferCanvas* m_canvas;
     BufferCompare* m_compare;
     StageDifferences* m_stages;
+    ConditionBar* m_condition;
     QWidget* m_page;
     QLabel *m_message, *m_readout, *m_notice;
     QPushButton* m_compute;

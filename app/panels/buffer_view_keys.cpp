@@ -5,6 +5,7 @@
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/condition_bar.h"
 #include "app/panels/loupe.h"
 
 namespace app {
@@ -20,6 +21,7 @@ void BufferView::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Z: return setShowLoupe(!m_loupe->isVisibleTo(m_canvas));
         case Qt::Key_Shift: return m_compare->holdOther(true);
         case Qt::Key_QuoteLeft: return event->isAutoRepeat() ? void() : m_compare->holdPrevious(true);
+        case Qt::Key_Slash: return m_condition->open();
         case Qt::Key_T: return compareBy(CompareMode::Blink);
         case Qt::Key_W: return compareBy(CompareMode::Wipe);
         case Qt::Key_D: return compareBy(CompareMode::Difference);

@@ -8,6 +8,7 @@
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/condition_bar.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/loupe.h"
 #include "app/panels/range_foot.h"
@@ -36,6 +37,7 @@ void BufferView::build() {
     m_canvas = new BufferCanvas(middle);
     m_compare = new BufferCompare(m_document, m_canvas, this);
     m_stages = new StageDifferences(m_document, *m_compare, this);
+    m_condition = new ConditionBar(m_document, this);
     m_loupe = new Loupe(m_canvas);
     m_readout = overlay(m_canvas);
     m_notice = overlay(m_canvas);
@@ -65,6 +67,7 @@ void BufferView::build() {
     all->setSpacing(0);
     all->addWidget(m_header);
     all->addWidget(middle, 1);
+    all->addWidget(m_condition);
     all->addWidget(m_compare->bar());
     all->addWidget(m_foot);
     followTheme(this, [this] {

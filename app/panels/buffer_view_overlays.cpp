@@ -3,6 +3,7 @@
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/condition_bar.h"
 #include "app/panels/loupe.h"
 
 namespace app {
@@ -18,7 +19,11 @@ void BufferView::observeOverlays() {
     connect(m_header, &BufferHeader::overlayMenuOpens, this, [this](QMenu* menu) {
         fillOverlayMenu(*menu, m_overlays, bufferInfo(m_name.id),
                         [this](OverlayId id, bool on) { setOverlay(id, on); });
+        menu->addSeparator();
+        QAction* condition = menu->addAction(tr("Condition…"), m_condition, &ConditionBar::open);
+        condition->setToolTip(tr("Veils the pixels for which a condition does not hold (/)"));
     });
+    connect(m_condition, &ConditionBar::changed, this, &BufferView::refresh);
 }
 
 void BufferView::setOverlay(OverlayId overlay, bool shown) {
@@ -33,6 +38,13 @@ void BufferView::setShowLoupe(bool show) {
     m_loupe->setVisible(show);
     m_header->setToggles((m_overlays & ~kAlwaysOn).any(), show);
     placeOverlays();
+}
+
+void BufferView::layOver(const pipeline::Frame& frame, ShownBuffer& shown) const {
+    addOverlays(frame, m_overlays, shown);
+    const auto& mask = m_condition->mask();
+    const bool fits = mask && QSize(mask->size.x, mask->size.y) == shown.content.size;
+    if (fits && whyNoOverlays(*shown.buffer.info).isEmpty()) shown.content.overlays.push_back(veilOf(*mask));
 }
 
 void BufferView::showEdgeFunctions() {

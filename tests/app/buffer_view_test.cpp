@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/condition_bar.h"
 #include "app/panels/thumbnail_strip.h"
 #include "pipeline/buffers/palette.h"
 #include "tests/support/scenes.h"
@@ -286,4 +287,28 @@ TEST_F(BufferViewTest, WhatStandsOnPolygonsHasNoOverlays) {
     EXPECT_FALSE(app::whyNoOverlays(pipeline::bufferInfo(BufferId::PolygonsNormal)).isEmpty());
     EXPECT_FALSE(app::whyNoOverlays(pipeline::bufferInfo(BufferId::ShadowBuffer)).isEmpty());
     EXPECT_TRUE(app::whyNoOverlays(pipeline::bufferInfo(BufferId::ZView)).isEmpty());
+}
+
+TEST_F(BufferViewTest, AConditionVeilsThePixelsForWhichItDoesNotHold) {
+    show({BufferId::Color});
+    view.condition().open();
+    view.condition().setText("z_view < 700");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.condition().mask().has_value(); }, 10000));
+    const auto z = *document.frame()->buffer({BufferId::ZView});
+    std::size_t near = 0;
+    for (std::size_t i = 0; i < z.count(); ++i) near += z.flat(i) < 700;
+    EXPECT_EQ(view.condition().mask()->count, near);
+    EXPECT_GT(near, 0u);
+    ASSERT_EQ(canvas().content().overlays.size(), 1u);
+    EXPECT_NE(qAlpha(canvas().content().overlays[0].pixel(kBackground)), 0);
+    view.condition().goTo(true);
+    ASSERT_TRUE(document.pixel());
+    EXPECT_LT(z.value(std::size_t(document.pixel()->x), std::size_t(document.pixel()->y)), 700);
+    EXPECT_EQ(qAlpha(canvas().content().overlays[0].pixel(document.pixel()->x, document.pixel()->y)), 0);
+    view.condition().setText("z_vew < 700");
+    EXPECT_EQ(view.condition().said(), "Column 1: no buffer \"z_vew\"; the nearest is \"z_view\"");
+    EXPECT_TRUE(canvas().content().overlays.empty());
+    view.condition().setText("z_view > 0");
+    view.condition().close();
+    EXPECT_TRUE(canvas().content().overlays.empty());
 }

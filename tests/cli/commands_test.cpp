@@ -132,6 +132,19 @@ TEST(Inspect, RefusesAPixelOutsideThePicture) {
     EXPECT_EQ(run({"inspect", "pyramid", "--pixel", "639,479"}).status, 0);
 }
 
+TEST(Inspect, CountsAndListsThePixelsForWhichAConditionHolds) {
+    const auto text = run({"inspect", "pyramid", "--where", "polygon_id == 2 && x < 260"});
+    EXPECT_EQ(text.status, 0) << text.err;
+    EXPECT_TRUE(has(text.out, "pixels where something was drawn"));
+    const Json json = Json::parse(run({"inspect", "pyramid", "--where", "polygon_id == 2 && x < 260", "--json"}).out);
+    EXPECT_GT(json["count"], 20);
+    EXPECT_EQ(json["pixels"].size(), json["count"]);
+    EXPECT_EQ(json["drawn"], 2686);  // the fragments that won, lecture 1's pyramid
+    for (const Json& pixel : json["pixels"]) EXPECT_LT(pixel[0], 260);
+    EXPECT_TRUE(has(text.out, "and " + std::to_string(json["count"].get<int>() - 20) + " more"));
+    EXPECT_TRUE(has(run({"inspect", "pyramid", "--where", "x <"}).err, "--where:1:4: found the end"));
+}
+
 TEST(Inspect, PrintsATableInEveryFormat) {
     const auto text = run({"inspect", "pyramid", "--table", "polygons"});
     EXPECT_EQ(text.status, 0);
@@ -150,6 +163,8 @@ TEST(Inspect, PrintsATableInEveryFormat) {
 TEST(Inspect, WantsAPixelOrATable) {
     for (const std::vector<std::string>& wrong :
          {std::vector<std::string>{"inspect", "pyramid"},
+          {"inspect", "pyramid", "--where", "z_vew < 1"},
+          {"inspect", "pyramid", "--where", "x < 1", "--pixel", "1,1"},
           {"inspect", "pyramid", "--table", "pixels"},
           {"inspect", "pyramid", "--table", "lights", "--pixel", "1,1"},
           {"inspect", "pyramid", "--pixel", "1,1", "--format", "csv"},

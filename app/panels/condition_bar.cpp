@@ -1,0 +1,154 @@
+#include "app/panels/condition_bar.h"
+
+#include <QGridLayout>
+#include <QImage>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+
+#include "app/core/icons.h"
+#include "app/core/numbers.h"
+#include "app/core/text.h"
+#include "app/panels/elided_label.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+ConditionBar::ConditionBar(Document& document, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_text(new QLineEdit(this)),
+      m_said(new ElidedLabel(this)),
+      m_previous(new QToolButton(this)),
+      m_next(new QToolButton(this)),
+      m_close(new QToolButton(this)) {
+    hide();
+    m_text->setAccessibleName(tr("Condition over all pixels"));
+    m_text->setPlaceholderText("n_dot_l.0 > 0.9 && x < 300");
+    m_text->setToolTip(tr("Buffers by name, x and y, + − * / ^, < <= > >= == !=, ! && ||, length and dot of vectors"));
+    const auto button = [](QToolButton* made, const char* iconName, const QString& name) {
+        made->setIcon(icon(iconName));
+        made->setAccessibleName(name);
+        made->setToolTip(name);
+    };
+    button(m_previous, "chevron-left", tr("The pixel before for which it holds (Shift+Enter)"));
+    button(m_next, "chevron-right", tr("The next pixel for which it holds (Enter)"));
+    button(m_close, "close", tr("No condition (Esc)"));
+    auto* grid = new QGridLayout(this);
+    grid->addWidget(m_text, 0, 0);
+    grid->addWidget(m_previous, 0, 1);
+    grid->addWidget(m_next, 0, 2);
+    grid->addWidget(m_close, 0, 3);
+    grid->addWidget(m_said, 1, 0, 1, 4);
+    grid->setColumnStretch(0, 1);
+
+    connect(m_text, &QLineEdit::textChanged, this, &ConditionBar::read);
+    connect(m_previous, &QToolButton::clicked, this, [this] { goTo(false); });
+    connect(m_next, &QToolButton::clicked, this, [this] { goTo(true); });
+    connect(m_close, &QToolButton::clicked, this, &ConditionBar::close);
+    connect(&m_document, &Document::frameReady, this, &ConditionBar::evaluate);
+    connect(&m_document, &Document::sceneChanged, this, &ConditionBar::read);  // lights may come and go
+    followTheme(this, [this, grid] {
+        const Theme& theme = Theme::current();
+        grid->setContentsMargins(theme.px(6), theme.px(4), theme.px(6), theme.px(2));
+        grid->setSpacing(theme.px(2));
+        m_text->setFont(theme.mono(13));
+        m_said->setFont(theme.text(12));
+        for (QToolButton* made : {m_previous, m_next, m_close}) made->setIconSize(QSize(1, 1) * theme.px(16));
+    });
+}
+
+void ConditionBar::open() {
+    show();
+    m_text->setFocus();
+    m_text->selectAll();
+    read();
+}
+
+void ConditionBar::close() {
+    hide();
+    read();
+}
+
+void ConditionBar::setText(const QString& text) { m_text->setText(text); }
+QString ConditionBar::said() const { return m_said->text(); }
+
+void ConditionBar::say(const QString& text, bool isWrong) {
+    m_said->setText(text);
+    const ThemeColors& c = Theme::current().colors();
+    m_said->setStyleSheet(QString("color: %1").arg((isWrong ? c.failed : c.text2).name()));
+    setAccessibleDescription(text);
+    const QString why = m_mask && m_mask->count > 0 ? QString() : tr("It holds for no pixel.");
+    for (QToolButton* made : {m_previous, m_next}) made->setEnabled(why.isEmpty());
+}
+
+void ConditionBar::read() {
+    m_condition.reset();
+    const std::string text = m_text->text().toStdString();
+    if (isHidden() || !m_document.hasScene() || m_text->text().trimmed().isEmpty()) {
+        m_document.want(this, {});
+        return evaluate();
+    }
+    auto read = lessons::parseCondition(text, {{}, 1, 1}, m_document.scene());
+    if (!read) {
+        m_mask.reset();
+        const pipeline::Error& error = read.errors().front();
+        QString sentence = tr("Column %1: %2").arg(error.where.column).arg(toQString(error.found));
+        if (!error.expected.empty()) sentence += tr(", expected %1").arg(toQString(error.expected));
+        say(sentence, true);
+        return emit changed();
+    }
+    m_condition = std::move(read).value();
+    m_document.want(this, m_condition->buffers);
+    evaluate();
+}
+
+void ConditionBar::evaluate() {
+    const bool had = m_mask.has_value();
+    m_mask.reset();
+    if (!m_condition || !m_document.frame()) {
+        say({}, false);
+        if (had) emit changed();
+        return;
+    }
+    auto found = lessons::evaluate(*m_condition, *m_document.frame());
+    if (!found) {
+        say(m_document.busy() ? tr("The buffers are being computed.") : toQString(found.errors().front().found), false);
+        return emit changed();
+    }
+    m_mask = std::move(found).value();
+    const double share = m_mask->drawn > 0 ? 100.0 * double(m_mask->count) / double(m_mask->drawn) : 0;
+    say(tr("Holds for %1 of %2 drawn pixels, %3 %")
+            .arg(count(qint64(m_mask->count)), count(qint64(m_mask->drawn)), number(share, 1)),
+        false);
+    emit changed();
+}
+
+void ConditionBar::goTo(bool next) {
+    if (!m_mask) return;
+    if (const auto pixel = lessons::nextHolding(*m_mask, m_document.pixel(), next)) m_document.pick(*pixel);
+}
+
+void ConditionBar::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Return:
+        case Qt::Key_Enter: return goTo(!(event->modifiers() & Qt::ShiftModifier));
+        case Qt::Key_Escape: return close();
+        default: event->accept();  // letters typed here are no keys of the view
+    }
+}
+
+QImage veilOf(const lessons::ConditionMask& mask) {
+    const QColor ground = Theme::current().colors().view;
+    const QRgb veil = qPremultiply(qRgba(ground.red(), ground.green(), ground.blue(), 200));
+    QImage image(mask.size.x, mask.size.y, QImage::Format_ARGB32_Premultiplied);
+    std::size_t i = 0;
+    for (int y = 0; y < mask.size.y; ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < mask.size.x; ++x) line[x] = mask.holds[i++] ? QRgb(0) : veil;
+    }
+    return image;
+}
+
+}  // namespace app

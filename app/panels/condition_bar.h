@@ -1,0 +1,51 @@
+#pragma once
+#include <QWidget>
+#include <optional>
+
+#include "app/core/document.h"
+#include "lessons/condition.h"
+
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace app {
+
+// A condition over all pixels, typed: says for how many it holds, and goes from one to the next. It
+// follows the scene.
+class ConditionBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit ConditionBar(Document& document, QWidget* parent = nullptr);
+
+    void open();  // with the keys going to the text
+    void close();
+    void setText(const QString& text);
+    // Of the document's frame; nothing without a condition, or where it is wrong.
+    const std::optional<lessons::ConditionMask>& mask() const { return m_mask; }
+    QString said() const;  // the count, or what is wrong
+    void goTo(bool next);  // the pixel after or before the picked one
+
+signals:
+    void changed();  // the mask
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void read();      // the text
+    void evaluate();  // on the newest frame
+    void say(const QString& text, bool isWrong);
+
+    Document& m_document;
+    QLineEdit* m_text;
+    QLabel* m_said;
+    QToolButton *m_previous, *m_next, *m_close;
+    std::optional<lessons::Condition> m_condition;
+    std::optional<lessons::ConditionMask> m_mask;
+};
+
+// Veils the pixels of a mask's picture for which it does not hold.
+QImage veilOf(const lessons::ConditionMask& mask);
+
+}  // namespace app
