@@ -4,12 +4,10 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include "app/cli/cli.h"
 #include "pipeline/core/text.h"
+#include "pipeline/run/memory.h"
 #ifdef SHADESCOPE_WINDOW
 #include "app/desktop/window_main.h"
 #include "app/view3d/offscreen.h"
@@ -24,16 +22,6 @@ app::CliHost makeHost() {
     host.writeViews = app::writeViews;
 #endif
     return host;
-}
-
-// Buffers of some megabytes come and go with every frame. The C library takes each of them from the system and gives
-// it back, and the system clears it page by page every time: two thirds of a small frame's time went there.
-void keepFreedMemory() {
-#ifdef __GLIBC__
-    mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most it takes; what is larger still goes back
-    mallopt(M_TRIM_THRESHOLD, 512 << 20);
-    mallopt(M_TOP_PAD, 64 << 20);
-#endif
 }
 
 int refuse(const std::string& message) {
@@ -64,7 +52,7 @@ int openWindow(int, char**, const std::string&) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    keepFreedMemory();
+    pipeline::keepFreedMemory();
     const std::string first = argc > 1 ? argv[1] : "";
     if (app::isForCli(first)) return app::runCli(argc, argv, makeHost());
     if (first.starts_with("--")) return refuse("there is no option " + pipeline::inQuotes(first));

@@ -20,6 +20,9 @@ Real largestComponent(Vec3<Real> v) {
 template <class Real>
 Vec3<Real> normalized(Vec3<Real> v) {
     const Real largest = largestComponent(v);
+    // Here squares need no scaling: what underflows is too small to count, and the bits are those of the scaled form.
+    constexpr Real kMiddle = Real(1 << 30);
+    if (largest < kMiddle && largest > 1 / kMiddle) return v / sqrt(glm::dot(v, v));
     if (!(largest > 0) || !isfinite(largest)) return Vec3<Real>(0);
     // A power of two brings the squares into range without rounding: a scaled scene keeps its bits.
     int exponent;

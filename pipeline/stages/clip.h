@@ -21,6 +21,24 @@ inline constexpr double kGuardBand = double(1 << 13);
 template <class W>
 W signedDistance(const View& view, Plane plane, Vec3<W> p, glm::dvec2 band);
 
+// For each plane, in their order, a bit: whether the point is outside; whether it is not inside, which a distance that
+// is no number makes it too. The same distances as signedDistance gives.
+struct PlaneBits {
+    unsigned outside = 0, notInside = 0;
+};
+template <class W>
+PlaneBits planesAgainst(const View& view, Vec3<W> p, glm::dvec2 band) {
+    const W spread = view.perspective ? p.z : W(1), x = W(view.scale.x) * p.x, y = W(view.scale.y) * p.y;
+    const W side = W(band.x) * spread, top = W(band.y) * spread;
+    const W distances[kPlaneCount]{p.z - W(view.near), W(view.far) - p.z, side + x, side - x, top - y, top + y};
+    PlaneBits bits;
+    for (std::size_t i = 0; i < kPlaneCount; ++i) {
+        bits.outside |= unsigned(distances[i] < 0) << i;
+        bits.notInside |= unsigned(!(distances[i] >= 0)) << i;
+    }
+    return bits;
+}
+
 // A corner of a clipped triangle: where it is, and its weights over the triangle's own corners,
 // so that a cut triangle interpolates exactly as the whole one would.
 template <class W>

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+
 #include "pipeline/stages/rasterize.h"
 
 namespace pipeline {
@@ -43,8 +45,6 @@ namespace {
 
 __extension__ using Int128 = __int128;  // a polygon of a million corners overflows 64 bits
 
-constexpr Plane kPlanes[kPlaneCount]{Plane::Near, Plane::Far, Plane::Left, Plane::Right, Plane::Top, Plane::Bottom};
-
 struct Crossed {
     bool depth = false;  // near or far runs through the polygon
     bool any = false;    // or a side of the picture
@@ -54,14 +54,14 @@ struct Crossed {
 template <class Real>
 Verdict outside(const TransformOutput<Real>& in, const Topology::Corners& corners, Crossed& crossed) {
     const glm::dvec2 picture = glm::dvec2(in.view.size) / 2.0;
-    for (Plane plane : kPlanes) {
-        std::size_t out = 0;
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            out += signedDistance(in.view, plane, Vec3<AtLeastDouble<Real>>(in.viewSpace[corners[i]]), picture) < 0;
-        if (out == corners.size()) return Verdict(std::size_t(Verdict::OutsideNear) + std::size_t(plane));
-        crossed.any = crossed.any || out > 0;
-        crossed.depth = crossed.depth || (out > 0 && (plane == Plane::Near || plane == Plane::Far));
+    unsigned all = ~0u, any = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const PlaneBits bits = planesAgainst(in.view, Vec3<AtLeastDouble<Real>>(in.viewSpace[corners[i]]), picture);
+        all &= bits.outside, any |= bits.notInside;
     }
+    if (all != 0) return Verdict(unsigned(Verdict::OutsideNear) + unsigned(std::countr_zero(all)));
+    crossed.any = any != 0;
+    crossed.depth = (any & 3u) != 0;
     return Verdict::Kept;
 }
 
@@ -72,14 +72,15 @@ struct ScreenArea {
 
 // Sum over the polygon's triangles, each clipped as the rasterizer clips it.
 template <class Real>
-ScreenArea screenArea(const TransformOutput<Real>& in, std::size_t polygon) {
+ScreenArea screenArea(const TransformOutput<Real>& in, std::size_t polygon, bool inside) {
     const std::size_t first = in.topology->firstTriangleOf(polygon);
     Int128 area2 = 0;
     bool covers = false;
     for (std::size_t t = first; t < first + in.topology->triangleCountOf(polygon); ++t) {
         const auto& v = in.topology->triangles[t].vertices;
-        area2 += setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]},
-                                     std::uint32_t(t), [&](const RasterTriangle<Real>&) { covers = true; });
+        area2 += setUpTriangle<Real>(
+            in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, std::uint32_t(t),
+            [&](const RasterTriangle<Real>&) { covers = true; }, inside);
     }
     return {double(area2) / (2.0 * double(kSubPixels * kSubPixels)), covers};
 }
@@ -100,7 +101,7 @@ void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t
         out.inside[polygon] = verdict == Verdict::Kept && !crossed.any;
         double area = 0;
         if (verdict == Verdict::Kept) {
-            const ScreenArea screen = screenArea(in, polygon);
+            const ScreenArea screen = screenArea(in, polygon, !crossed.any);
             area = in.mirrored[object] ? -screen.signedArea : screen.signedArea;
             if (!screen.covers)
                 verdict = Verdict::Degenerate;

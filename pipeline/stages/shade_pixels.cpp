@@ -18,23 +18,23 @@ struct Pixel {
 
 // A light's terms and, where somebody wants to see them, its vectors, at one pixel.
 template <class Real>
-LightSample<Real> lightAtPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in,
-                               const ShadingOutput<Real>& out, std::size_t k, const Pixel<Real>& pixel, bool vectors) {
+void lightAtPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, const ShadingOutput<Real>& out,
+                  std::size_t k, const Pixel<Real>& pixel, bool vectors, LightSample<Real>& s) {
     const std::size_t lights = inputs.lights.size();
     const auto sample = [&](const Surface<Real>& at) {
         return sampleLight(inputs.illumination, inputs.lights[k], pixel.material, at, inputs.parts.attenuation[k]);
     };
     switch (inputs.shading) {
-        case Shading::Phong: return sample(pixel.surface);
+        case Shading::Phong: s = sample(pixel.surface); return;
         case Shading::Flat: {
-            LightSample<Real> s{};
             if (vectors) s = sample(polygonSurface(inputs, in, pixel.triangle.polygon));
             const LightTerms<Real>& terms = out.polygons.terms[pixel.triangle.polygon * lights + k];
             s.diffuse = terms.diffuse, s.specular = terms.specular;
-            return s;
+            return;
         }
         case Shading::Gouraud: {
-            LightSample<Real> s{};
+            s.diffuse = s.specular = Vec3<Real>(0);
+            if (vectors) s = {};
             for (std::size_t i = 0; i < pixel.weights.count; ++i) {
                 const Real weight = pixel.weights.weights[i];
                 const std::uint32_t vertex = pixel.weights.vertices[i];
@@ -46,11 +46,9 @@ LightSample<Real> lightAtPixel(const ShadingInputs& inputs, const ShadingSources
                 s.L += weight * v.L, s.R += weight * v.R, s.H += weight * v.H;
                 s.nDotL += weight * v.nDotL, s.rDotV += weight * v.rDotV, s.nDotH += weight * v.nDotH;
             }
-            s.L = normalized(s.L), s.R = normalized(s.R), s.H = normalized(s.H);
-            return s;
+            if (vectors) s.L = normalized(s.L), s.R = normalized(s.R), s.H = normalized(s.H);
         }
     }
-    return {};
 }
 
 // Emission and ambient light at one pixel; in Phong shading without the lights' own ambient parts.
@@ -71,7 +69,7 @@ BaseTerms<Real> baseAtPixel(const ShadingInputs& inputs, const ShadingOutput<Rea
 // Writes into buffers that are there, and nowhere else.
 template <class Real>
 struct Writer {
-    ShadingOutput<Real>* out;  // null: of a layer nothing but the intensity is asked for
+    ShadingOutput<Real>* out;  // null: nothing but the intensity is asked for
     std::size_t at;
     void put(BufferId id, Vec3<Real> value, std::size_t k = 0) const {
         if (out && !out->vectors[index(id)].empty()) out->vectors[index(id)][k].pixels[at] = value;
@@ -83,7 +81,7 @@ struct Writer {
 
 // What somebody who looks wants to have beside the intensity.
 struct Wanted {
-    bool vectors = false, surfaces = false, everyShadow = false;
+    bool vectors = false, surfaces = false, everyShadow = false, any = false;
 };
 template <class Real>
 Wanted wantedOf(const ShadingOutput<Real>& out) {
@@ -91,7 +89,9 @@ Wanted wantedOf(const ShadingOutput<Real>& out) {
     const auto there = [&](BufferId id) { return !out.vectors[index(id)].empty() || !out.scalars[index(id)].empty(); };
     const auto any = [&](std::initializer_list<BufferId> ids) { return std::ranges::any_of(ids, there); };
     return {any({LightVector, ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH}), any({Normal, ViewVector}),
-            any({Shadow})};
+            there(Shadow),
+            any({Position, Normal, ViewVector, Emission, Ambient, Shadow, Diffuse, Specular, LightVector,
+                 ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH})};
 }
 
 // Where the pixel's surface is, and the N and V that its colour was computed with; those only where
@@ -127,7 +127,8 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
     BaseTerms<Real> base = baseAtPixel(inputs, out, pixel);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
         if (!inputs.parts.lights[k]) continue;
-        const LightSample<Real>& s = scratch.samples[k] = lightAtPixel(inputs, in, out, k, pixel, wanted.vectors);
+        LightSample<Real>& s = scratch.samples[k];
+        lightAtPixel(inputs, in, out, k, pixel, wanted.vectors, s);
         if (inputs.shading != Shading::Phong) continue;
         base.ambient += s.ambient;
         count(s, counts);
@@ -173,7 +174,7 @@ ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real
             const std::uint32_t id = in.zBuffer.triangle.pixels[at];
             if (id == kNoTriangle) continue;
             const Vec3<Real> intensity = shade(inputs, in, out, id, in.zBuffer.barycentric.pixels[at], {x, y}, wanted,
-                                               scratch, Writer<Real>{&out, at}, counts);
+                                               scratch, Writer<Real>{wanted.any ? &out : nullptr, at}, counts);
             out.vectors[index(BufferId::Intensity)][0].pixels[at] = intensity;
             out.color.pixels[at] = frameBufferValue(Vec3d(intensity), out.iMax);
         }

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "pipeline/export/json.h"
+#include "pipeline/run/memory.h"
 #include "pipeline/run/runner.h"
 #include "tests/bench/gl_scene.h"
 #include "tests/bench/rounds.h"
@@ -258,5 +259,6 @@ int main(int argc, char** argv) {
     program.add_flag("--stages", options.stages, "Print the time of every stage below each row");
     program.add_flag("--json", options.json, "Print JSON");
     CLI11_PARSE(program, argc, argv);
+    pipeline::keepFreedMemory();  // as the program does
     return bench::run(options);
 }
