@@ -8,6 +8,7 @@
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/leave_out_bench.h"
+#include "app/cli/scaling_bench.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/core/sample.h"
 #include "pipeline/export/json.h"
@@ -18,11 +19,13 @@ namespace app {
 
 namespace {
 
+constexpr int kScalingRepeats = 5;  // at most: its frames are many and long
+
 struct BenchOptions {
     SceneArgument scene;
     FrameArgument frame{{"color"}, {}, 0};
     int warmups = 3, repeats = 20;
-    bool json = false, leaveOut = false;
+    bool json = false, leaveOut = false, scaling = false;
 };
 
 // Milliseconds of every repetition.
@@ -58,28 +61,43 @@ int threadsUsed(const BenchOptions& options) {
     return options.frame.threads > 0 ? options.frame.threads : static_cast<int>(std::thread::hardware_concurrency());
 }
 
-std::string row(std::string_view what, const std::vector<double>& times, const std::string& counts) {
+// share: of the frame's median.
+std::string row(std::string_view what, const std::vector<double>& times, double share, const std::string& counts) {
     const pipeline::SampleSummary s = pipeline::summarize(times);
     const std::string interval =
         s.medianInterval ? fmt::format("{:.3f} to {:.3f}", s.medianInterval->first, s.medianInterval->second) : "";
-    return fmt::format("{:<14} {:>9.3f} {:>9.3f} {:>9.3f}   {:<20} {}\n", what, s.min, s.median, s.p95, interval,
-                       counts);
+    return fmt::format("{:<14} {:>9.3f} {:>9.3f} {:>9.3f} {:>6.1f} %   {:<20} {}\n", what, s.min, s.median, s.p95,
+                       100 * share, interval, counts);
+}
+
+double shareOf(const std::vector<double>& stage, const Times& times) {
+    const double frame = pipeline::summarize(times.frame).median;
+    return frame > 0 ? pipeline::summarize(stage).median / frame : 0;
+}
+
+std::string tallyText(const pipeline::Tally& tally) {
+    const std::string left = tally.leftOut > 0 ? fmt::format(", {} left out", tally.leftOut) : "";
+    return fmt::format("    {:<20} {}{}\n", tally.what, tally.done, left);
 }
 
 void printTable(const Times& times, const BenchOptions& options) {
     const pipeline::Scene& scene = times.last->scene();
     fmt::print("{}, {} × {}, {} threads; {} frames from nothing after {} to warm up; ms\n\n", scene.name,
                scene.settings.width, scene.settings.height, threadsUsed(options), options.repeats, options.warmups);
-    fmt::print("{:<14} {:>9} {:>9} {:>9}   {:<20} {}\n", "", "min", "median", "p95", "median, 95 %", "");
+    fmt::print("{:<14} {:>9} {:>9} {:>9} {:>8}   {:<20} {}\n", "", "min", "median", "p95", "share", "median, 95 %", "");
     for (const pipeline::StageId stage : pipeline::kStages) {
         const std::string_view label = stageInfo(stage).name;
-        if (times.stages[index(stage)].empty())
+        const std::vector<double>& taken = times.stages[index(stage)];
+        if (taken.empty()) {
             fmt::print("{:<14} {}: {}\n", label, name(pipeline::Action::LeaveOut),
                        times.last->plan()[index(stage)].why);
-        else
-            fmt::print("{}", row(label, times.stages[index(stage)], times.last->run(stage).counts));
+            continue;
+        }
+        const pipeline::StageRun& run = times.last->run(stage);
+        fmt::print("{}", row(label, taken, shareOf(taken, times), run.counts));
+        for (const pipeline::Tally& tally : run.tallies) fmt::print("{}", tallyText(tally));
     }
-    fmt::print("{}", row("frame", times.frame, fmt::format("peak memory {:.1f} MB", peakMemory() / 1e6)));
+    fmt::print("{}", row("frame", times.frame, 1, fmt::format("peak memory {:.1f} MB", peakMemory() / 1e6)));
 }
 
 pipeline::Json summaryJson(const std::vector<double>& times) {
@@ -96,7 +114,11 @@ void printJson(const Times& times, const BenchOptions& options) {
         pipeline::Json entry{{"stage", stageInfo(stage).name}, {"action", name(step.action)}, {"why", step.why}};
         if (!times.stages[index(stage)].empty()) {
             entry["milliseconds"] = summaryJson(times.stages[index(stage)]);
+            entry["share"] = shareOf(times.stages[index(stage)], times);
             entry["counts"] = times.last->run(stage).counts;
+            entry["tallies"] = pipeline::Json::array();
+            for (const pipeline::Tally& tally : times.last->run(stage).tallies)
+                entry["tallies"].push_back({{"what", tally.what}, {"done", tally.done}, {"left_out", tally.leftOut}});
         }
         stages.push_back(entry);
     }
@@ -148,10 +170,27 @@ int runLeaveOutBench(const BenchOptions& options) {
     return kDone;
 }
 
+int runScalingBench(const BenchOptions& options) {
+    const Interrupt interrupt;
+    const auto series =
+        measureScaling({std::min(options.repeats, kScalingRepeats), options.frame.threads, interrupt.token()});
+    if (!series) {
+        fmt::print(stderr, "Cancelled.\n");
+        return kInterrupted;
+    }
+    if (options.json)
+        fmt::print("{}\n", scalingJson(*series).dump(2));
+    else
+        printScaling(*series);
+    return kDone;
+}
+
 int runBench(const BenchOptions& options) {
+    if (options.scaling) return runScalingBench(options);
     if (options.leaveOut) return runLeaveOutBench(options);
     if (options.scene.scene.empty()) {
-        fmt::print(stderr, "SCENE is required; only --leave-out takes every built-in scene without it.\n");
+        fmt::print(stderr,
+                   "SCENE is required; --leave-out takes every built-in scene without it, --scaling its own.\n");
         return kWrongUsage;
     }
     const Interrupt interrupt;
@@ -193,6 +232,8 @@ void declareBench(CLI::App& program, const CliHost&, int& status) {
         ->capture_default_str();
     command->add_flag("--leave-out", options->leaveOut,
                       "Compare leaving out with running everything, in turns; without SCENE for every built-in scene");
+    command->add_flag("--scaling", options->scaling,
+                      "How time grows with polygons and with pixels: spheres of its own, no SCENE");
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &status] { status = runBench(*options); });
 }

@@ -202,6 +202,32 @@ TEST(Bench, MeasuresEveryStageThatRuns) {
     EXPECT_TRUE(has(table.out, "z-buffer")) << table.out;
 }
 
+// Every stage that runs has its share, and none of them more than the frame.
+TEST(Bench, SaysTheShareOfEveryStage) {
+    const Json json = Json::parse(run({"bench", "pyramid", "--json", "--repeat", "3", "--threads", "1"}).out);
+    for (const Json& stage : json["stages"]) {
+        if (!stage.contains("milliseconds")) continue;
+        EXPECT_GE(stage["share"].get<double>(), 0);
+        EXPECT_LE(stage["share"].get<double>(), 1) << stage["stage"];
+    }
+    EXPECT_EQ(json["stages"][4]["tallies"][0]["what"], "triangles clipped");
+    EXPECT_EQ(json["stages"][4]["tallies"][0]["left_out"], 3);
+}
+
+TEST(Bench, FitsHowTimeGrows) {
+    const auto done = run({"bench", "--scaling", "--repeat", "1", "--json"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const Json json = Json::parse(done.out);
+    ASSERT_EQ(json.size(), 2u);
+    EXPECT_EQ(json[0]["over"], "polygons");
+    EXPECT_EQ(json[1]["over"], "pixels");
+    for (const Json& series : json) {
+        EXPECT_EQ(series["sizes"].size(), series["milliseconds"].size());
+        EXPECT_TRUE(series["exponent"].is_number());
+        EXPECT_EQ(series["stages"].size(), 6u);
+    }
+}
+
 TEST(Bench, CtrlCIsStatus130) {
     const auto done = test::runAndInterrupt({"bench", "pyramid", "--repeat", "100000"}, 300);
     EXPECT_EQ(done.status, 130);
