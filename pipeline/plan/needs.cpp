@@ -174,6 +174,28 @@ struct Decision {
             return {"The painter's algorithm compares no depths.", {}};
         return {};
     }
+    // Only what the kernels of pipeline/fast have.
+    Need fastShading() const {
+        const Settings& settings = scene.settings;
+        if (settings.arithmetic == Arithmetic::Exact) return {"Off in this scene: arithmetic = exact.", {}};
+        if (settings.precision != Precision::Float) return {"It computes in float alone.", {}};
+        if (outlines()) return {kOutlines, {}};
+        if (settings.shading != Shading::Flat && settings.interpolation != Interpolation::Perspective)
+            return {"It interpolates in perspective alone.", {}};
+        if (model() == Model::OpenGl && settings.shading == Shading::Phong)
+            return {"In OpenGL's model it shades by polygon or by vertex alone.", {}};
+        if (model() == Model::OpenGl && settings.twoSided) return {"It lights one side alone.", {}};
+        if (settings.forms.power != PowerForm::Log1p || settings.forms.unit != UnitForm::Scaled)
+            return {"It has the stable forms of formulas alone.", {}};
+        for (const BufferInfo& info : bufferTable()) {
+            const bool drawn = info.id == BufferId::Intensity || info.id == BufferId::Antialiased ||
+                               info.id == BufferId::Translucent || info.id == BufferId::Transmittance;
+            if (info.stage == StageId::Shading && info.domain == Domain::Pixel && info.element == Element::Real &&
+                !drawn && has(info.id))
+                return {fmt::format("The buffer {} is asked for, which it does not leave.", info.name), {}};
+        }
+        return {};
+    }
     Need layers() const {
         if (outlines()) return {kOutlines, {}};
         return unless(Rule::TranslucentPass, translucentTriangles(scene) > 0 ? "" : kAllOpaque);
@@ -218,6 +240,7 @@ Needs needsOf(const Scene& scene, BufferSet wanted) {
     needs.reflection = decide.reflection(specular);
     needs.halfway = decide.halfway(specular);
     needs.depthTest = decide.depthTest();
+    needs.fastShading = decide.fastShading();
     needs.layers = decide.layers();
     needs.layerSort = decide.layerSort(needs.layers);
     return needs;

@@ -24,6 +24,7 @@ struct Needs {
     Need cull, vertexNormals, shadowBuffers, polygonTerms, vertexTerms, ambient, position, viewVector;
     Need depthTest;                                                // of fragments at a pixel
     Need reflection, halfway;                                      // R and H
+    Need fastShading;                                              // vectors of pixels, where they can be used
     Need layers, layerSort;                                        // of translucent polygons
     std::vector<Need> shadowBuffer, light, specular, attenuation;  // per light
     bool hiddenPolygons = false, hiddenVertices = false;           // what culling dropped is evaluated too

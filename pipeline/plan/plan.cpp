@@ -75,6 +75,8 @@ std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (a.samples != b.samples) return "The setting antialiasing changed.";
     if (a.samplePattern != b.samplePattern) return "The setting antialiasing_pattern changed.";
     if (!(a.layers == b.layers)) return "The layers of translucent surfaces changed.";
+    if (a.parts.fast != b.parts.fast)
+        return b.parts.fast ? "Fast arithmetic is used now." : "Exact arithmetic is used now.";
     return a == b ? "" : "Other parts of it are needed.";
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/fast/rasterize.h"
+#include "pipeline/fast/shade_pixels.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/parallel.h"
 #include "pipeline/stages/outlines.h"
@@ -56,8 +58,12 @@ std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBuff
     const auto drawFace = [&](LightView<Real>& light, std::size_t face) {
         const TriangleBins<Real> bins = binForLight(in, light.faces[face]);
         threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t tile = begin; tile < end; ++tile)
-                shadowBuffer(light.faces[face], bins, tile, light.depth[face]);
+            for (std::size_t tile = begin; tile < end; ++tile) {
+                if constexpr (std::is_same_v<Real, float>)
+                    shadowBufferInVectors(light.faces[face], bins, tile, light.depth[face]);
+                else
+                    shadowBuffer(light.faces[face], bins, tile, light.depth[face]);
+            }
         });
     };
     for (std::vector<LightView<Real>>& samples : out->lights)
@@ -81,6 +87,15 @@ std::shared_ptr<const ZBufferOutput<Real>> runOutlines(const FrameData<Real>& da
     });
     out->note = fmt::format("; {} outline{}", bins.polygons, bins.polygons == 1 ? "" : "s");
     return out;
+}
+
+// In float in vectors, with the same bits.
+template <class Real>
+void zBufferOfTile(const TransformOutput<Real>& in, const TriangleBins<Real>& bins, std::size_t tile,
+                   ZBufferOutput<Real>& out) {
+    if constexpr (std::is_same_v<Real, float>)
+        if (in.depthFormat == DepthFormat::Linear) return zBufferInVectors(in.view, bins, tile, out);
+    zBuffer(in.view, in.depthFormat, bins, bins.bins[tile], bins.tile(tile), out);
 }
 
 template <class Real>
@@ -108,8 +123,7 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
         return out;
     }
     threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile)
-            zBuffer(in.view, in.depthFormat, bins, bins.bins[tile], bins.tile(tile), *out);
+        for (std::size_t tile = begin; tile < end; ++tile) zBufferOfTile(in, bins, tile, *out);
     });
     return out;
 }
@@ -135,6 +149,16 @@ private:
     ShadingCounts& m_sum;
 };
 
+// The pixels of a tile, in the arithmetic that the plan has chosen.
+template <class Real>
+ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile pixels,
+                        ShadingOutput<Real>& out) {
+    if (inputs.outlines) return shadeOutlines(in, pixels, out);
+    if constexpr (std::is_same_v<Real, float>)
+        if (inputs.parts.fast) return shadePixelsFast(inputs, in, pixels, out);
+    return shadePixels(inputs, in, pixels, out);
+}
+
 // The pixels of a picture whose polygons and vertices are shaded, and the translucent layers over them.
 template <class Real>
 void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, ShadingOutput<Real>& out,
@@ -147,8 +171,7 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
                 continue;
             }
             const Tile pixels = tileOf(in.transform.view.size, tile);
-            ShadingCounts shaded =
-                inputs.outlines ? shadeOutlines(in, pixels, out) : shadePixels(inputs, in, pixels, out);
+            ShadingCounts shaded = shadeTile(inputs, in, pixels, out);
             ++shaded.tiles;
             counts.add(shaded);
         }

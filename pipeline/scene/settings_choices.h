@@ -11,6 +11,7 @@ namespace pipeline::settings_choices {
 inline constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
 // In the order of the enumerators.
 inline constexpr std::array<std::string_view, 4> kPrecision{"float", "double", "extended", "quad"};
+inline constexpr std::array<std::string_view, 2> kArithmetic{"exact", "fast"};
 inline constexpr std::array<std::string_view, 2> kCull{"none", "back"};
 inline constexpr std::array<std::string_view, 3> kShading{"flat", "gouraud", "phong"};
 inline constexpr std::array<std::string_view, 3> kInterpolation{"perspective", "affine", "scanline"};

@@ -94,6 +94,9 @@ std::string_view onlyFading(const Scene& scene) {
 std::string_view notInPhong(const Scene& scene) {
     return scene.settings.model == Model::Phong ? "Phong's model reflects ambient light by k_r, k_g and k_b." : "";
 }
+std::string_view onlyFloat(const Scene& scene) {
+    return scene.settings.precision == Precision::Float ? "" : "Fast arithmetic computes in float alone.";
+}
 std::string_view onlyAntialiased(const Scene& scene) {
     return scene.settings.antialiasing > 1 ? "" : "One sample a pixel stands in its centre: antialiasing = 1.";
 }

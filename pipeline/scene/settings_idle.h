@@ -28,6 +28,7 @@ std::string_view onlyOpenGl(const Scene& scene);
 std::string_view onlyFading(const Scene& scene);
 std::string_view notInPhong(const Scene& scene);
 std::string_view onlyAntialiased(const Scene& scene);
+std::string_view onlyFloat(const Scene& scene);
 std::string_view onlyGivenNormals(const Scene& scene);
 std::string_view onlyAngleWeights(const Scene& scene);
 std::string_view onlyLeavingOut(const Scene& scene);

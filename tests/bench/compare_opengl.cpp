@@ -39,10 +39,10 @@ struct Point {
 // A renderer of ours: every frame computes every stage anew from the same meshes.
 class Ours {
 public:
-    Ours(const Point& point, const std::shared_ptr<const pipeline::Mesh>& mesh) {
+    Ours(const Point& point, const std::shared_ptr<const pipeline::Mesh>& mesh, pipeline::Arithmetic arithmetic) {
         for (const bool moved : {false, true})
             m_scenes[std::size_t(moved)] =
-                std::make_shared<const pipeline::Scene>(sceneOf(point.workload, point.part, mesh, moved));
+                std::make_shared<const pipeline::Scene>(sceneOf(point.workload, point.part, mesh, moved, arithmetic));
         const bool depth = point.part == Part::Depth;
         m_request.wanted.set(index(depth ? pipeline::BufferId::ZView : pipeline::BufferId::Color));
         m_request.until = depth ? pipeline::StageId::ZBuffer : pipeline::StageId::Shading;
@@ -113,7 +113,7 @@ Json measure(const Point& point, const Options& options) {
 
     const auto mesh = meshOf(point.workload);
     const double meshMegabytes = peakMegabytes();
-    Ours exact(point, mesh);
+    Ours exact(point, mesh, pipeline::Arithmetic::Exact);
     exact.draw(), exact.draw();
     const double oursMegabytes = peakMegabytes();
 
@@ -124,11 +124,16 @@ Json measure(const Point& point, const Options& options) {
     const auto unshared = GlScene::make(exact.frame(), Geometry::Unshared, whyNot);
     if (!indexed || !unshared) return {{"error", whyNot}};
     indexed->draw(), unshared->draw();
-    const double alike = shareAlike(exact.frame(), *unshared, point.part != Part::Depth);
+    const bool colored = point.part != Part::Depth;
+    Ours fast(point, mesh, pipeline::Arithmetic::Fast);
+    fast.draw();
+    const double alike =
+        std::min(shareAlike(exact.frame(), *unshared, colored), shareAlike(fast.frame(), *unshared, colored));
 
     const auto medians = takeTurns({{"indexed", [&] { indexed->draw(); }},
                                     {"unshared", [&] { unshared->draw(); }},
-                                    {"exact", [&] { exact.draw(); }}},
+                                    {"exact", [&] { exact.draw(); }},
+                                    {"fast", [&] { fast.draw(); }}},
                                    options.turns, point.threads == 1 ? Watch::Processor : Watch::Wall);
     const std::size_t better = median(medians[1]) < median(medians[0]) ? 1 : 0;
     const Goal goal = goalOf(point.workload, point.part, point.threads);
@@ -146,6 +151,9 @@ Json measure(const Point& point, const Options& options) {
             {"exact_ms", median(medians[2])},
             {"exact_ratio", ratiosJson(medians[better], medians[2])},
             {"exact_stages_ms", exact.stages()},
+            {"fast_ms", median(medians[3])},
+            {"fast_ratio", ratiosJson(medians[better], medians[3])},
+            {"fast_stages_ms", fast.stages()},
             {"hold", goal.hold},
             {"target", goal.target},
             {"pixels_alike", alike},
@@ -192,18 +200,21 @@ void printHead(const Options& options) {
         "processor's time); ratio: OpenGL's time over ours\n\n",
         processorName(), processorCount(), options.turns.rounds);
     fmt::print(
-        "| polygons | picture | drawn | threads | OpenGL | its geometry | exact | ratio (min to max) | hold | target | "
-        "alike | peak MB |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+        "| polygons | picture | drawn | threads | OpenGL | its geometry | exact | ratio (min to max) | hold | fast | "
+        "ratio "
+        "(min to max) | target | alike | peak MB |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
 }
 
 void printRow(const Json& row, const Options& options) {
     const auto number = [&](const char* key) { return row[key].get<double>(); };
-    fmt::print("| {} | {}×{} | {} | {} | {:.2f} | {} | {:.2f} | {} | {} | {} | {:.2f} % | {:.0f} |\n",
+    fmt::print("| {} | {}×{} | {} | {} | {:.2f} | {} | {:.2f} | {} | {} | {:.2f} | {} | {} | {:.2f} % | {:.0f} |\n",
                row["triangles"].get<std::size_t>(), row["width"].get<int>(), row["height"].get<int>(),
                row["part"].get<std::string>(), row["threads"].get<int>(), number("opengl_ms"),
                row["opengl_geometry"].get<std::string>(), number("exact_ms"), ratioText(row["exact_ratio"]),
-               number("hold"), number("target"), 100 * number("pixels_alike"), number("peak_megabytes"));
-    if (options.stages) fmt::print("    exact: {}\n", row["exact_stages_ms"].dump());
+               number("hold"), number("fast_ms"), ratioText(row["fast_ratio"]), number("target"),
+               100 * number("pixels_alike"), number("peak_megabytes"));
+    if (options.stages)
+        fmt::print("    exact: {}\n    fast:  {}\n", row["exact_stages_ms"].dump(), row["fast_stages_ms"].dump());
     std::fflush(stdout);
 }
 

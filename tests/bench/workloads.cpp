@@ -89,7 +89,8 @@ std::shared_ptr<const Mesh> meshOf(const Workload& workload) {
     return makeMesh(std::move(mesh));
 }
 
-Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const Mesh> mesh, bool moved) {
+Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const Mesh> mesh, bool moved,
+              Arithmetic arithmetic) {
     Scene scene;
     scene.name = workload.name;
     const Vec3d low = mesh->facts.low, high = mesh->facts.high, middle = (low + high) / 2.0;
@@ -114,6 +115,7 @@ Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const Mesh> m
 
     Settings& settings = scene.settings;
     settings.width = workload.width, settings.height = workload.height;
+    settings.arithmetic = arithmetic;
     settings.shading = part == Part::Depth ? Shading::Flat : Shading::Phong;
     settings.shadowSize = workload.shadowSize;
     // One sphere throws no shadow on itself that its own sides do not show, which the plan knows and OpenGL does not.

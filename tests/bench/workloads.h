@@ -33,7 +33,8 @@ const std::vector<Workload>& workloads();
 // Triangles with smooth normals, one light at infinity from (1, 1, 1), the camera 20 degrees beside the axis with the
 // bounding sphere filling the picture's height. `moved` gives another scene by a distance that no picture shows: with
 // it every stage depends on something that has changed.
-pipeline::Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const pipeline::Mesh> mesh, bool moved);
+pipeline::Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const pipeline::Mesh> mesh, bool moved,
+                        pipeline::Arithmetic arithmetic);
 std::shared_ptr<const pipeline::Mesh> meshOf(const Workload& workload);
 
 }  // namespace bench

@@ -1,0 +1,58 @@
+// Included once for each instruction set, by files that go through foreach_target.h: no include guard but this one.
+#if defined(SHADESCOPE_LANES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHADESCOPE_LANES_H
+#undef SHADESCOPE_LANES_H
+#else
+#define SHADESCOPE_LANES_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "pipeline/core/real.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pipeline::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// One number a pixel; at most 16 of them.
+using F = hn::CappedTag<float, 16>;
+using I = hn::RebindToSigned<F>;
+using U = hn::RebindToUnsigned<F>;
+using Floats = hn::Vec<F>;
+using Ints = hn::Vec<I>;
+using Mask = hn::Mask<F>;
+
+struct Floats3 {
+    Floats x, y, z;
+};
+
+HWY_INLINE Floats all(float value) { return hn::Set(F(), value); }
+HWY_INLINE Floats3 all(Vec3<float> v) { return {all(v.x), all(v.y), all(v.z)}; }
+HWY_INLINE Floats3 operator-(Floats3 a, Floats3 b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE Floats3 operator+(Floats3 a, Floats3 b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
+HWY_INLINE Floats3 scaled(Floats3 a, Floats s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
+// a s + b
+HWY_INLINE Floats3 scaledPlus(Floats3 a, Floats s, Floats3 b) {
+    return {hn::MulAdd(a.x, s, b.x), hn::MulAdd(a.y, s, b.y), hn::MulAdd(a.z, s, b.z)};
+}
+HWY_INLINE Floats dot(Floats3 a, Floats3 b) { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))); }
+// Length 1; (0, 0, 0) stays.
+HWY_INLINE Floats3 unit(Floats3 a) {
+    const Floats square = dot(a, a);
+    const Floats inverse = hn::Div(all(1), hn::Sqrt(square));
+    return scaled(a, hn::IfThenElseZero(hn::Gt(square, all(0)), inverse));
+}
+
+// The 3-vectors at `index` of an array of them.
+HWY_INLINE Floats3 gather(const std::vector<Vec3<float>>& values, Ints index) {
+    const float* base = &values[0].x;
+    const Ints at = hn::Add(index, hn::Add(index, index));
+    const Ints one = hn::Set(I(), 1);
+    return {hn::GatherIndex(F(), base, at), hn::GatherIndex(F(), base, hn::Add(at, one)),
+            hn::GatherIndex(F(), base, hn::Add(at, hn::Add(one, one)))};
+}
+
+}  // namespace pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
