@@ -59,7 +59,7 @@ void BufferView::observe() {
             [this](QMenu* menu) { m_compare->fillMenu(*menu, m_name); });
     connect(m_compare, &BufferCompare::changed, this, &BufferView::refresh);
     connect(m_compare, &BufferCompare::stagesChosen, this,
-            [this] { m_stages->open(m_compare->bar()->mapToGlobal(m_compare->bar()->rect().topRight())); });
+            [this] { m_stages->open(m_compare->bar()->mapToGlobal(m_compare->bar()->rect().bottomRight())); });
     connect(m_stages, &StageDifferences::chosen, this, [this](const pipeline::StageDifference& difference) {
         setBuffer(difference.buffer);
         m_compare->goToWorst();

@@ -89,6 +89,8 @@ void BufferView::resizeEvent(QResizeEvent* event) {
 
 void BufferView::placeOverlays() {
     constexpr int kMargin = 8;
+    if (m_readout->sizeHint().width() > m_canvas->width() - 2 * kMargin)  // A, B and their difference
+        m_readout->setText(m_readout->text().replace("   ", "\n"));
     m_readout->adjustSize();
     m_readout->move(kMargin, m_canvas->height() - m_readout->height() - kMargin);
     m_notice->adjustSize();

@@ -52,11 +52,12 @@ CompareBar::CompareBar(QWidget* parent)
     m_first->addWidget(m_metric);
     m_first->addStretch();
     m_first->addWidget(m_close);
-    m_second->addWidget(m_finding, 1);
+    m_second->addStretch();
     m_second->addWidget(m_worst);
     m_second->addWidget(m_stages);
     column->addLayout(m_first);
     column->addLayout(m_second);
+    column->addWidget(m_finding);
 
     connect(m_modes, &Segmented::chosen, this, [this](int mode) { emit modeChosen(CompareMode(mode)); });
     connect(m_metric, &QComboBox::activated, this, [this](int i) { emit metricChosen(DifferenceMetric(i)); });
@@ -76,7 +77,7 @@ CompareBar::CompareBar(QWidget* parent)
     });
 }
 
-// Where there is room the buttons stand above the sentence, which then has the whole width.
+// Where there is no room beside the choices the buttons have a row of their own.
 void CompareBar::resizeEvent(QResizeEvent*) {
     int needed = Theme::current().px(12 + 5 * 6);
     for (QWidget* part : {static_cast<QWidget*>(m_metric), static_cast<QWidget*>(m_worst),
@@ -85,7 +86,7 @@ void CompareBar::resizeEvent(QResizeEvent*) {
     const bool isWide = width() >= needed + m_modes->width();
     QHBoxLayout* place = isWide ? m_first : m_second;
     if (place->indexOf(m_worst) >= 0) return;
-    int at = isWide ? place->indexOf(m_close) : place->count();
+    int at = isWide ? place->indexOf(m_close) : 0;
     for (QPushButton* button : {m_worst, m_stages}) {
         (isWide ? m_second : m_first)->removeWidget(button);
         place->insertWidget(at++, button);

@@ -32,7 +32,8 @@ QString differText(const StageDifference& row) {
 QString largestText(const StageDifference& row) {
     const BufferInfo& info = bufferInfo(row.buffer.id);
     if (row.differing == 0 || !hasSize(info)) return {};
-    return errorText(row.largest) + (info.unit.empty() ? QString() : ' ' + toQString(info.unit));
+    const QString unit = toQString(info.unit).section(',', 0, 0);  // of x and y; the depth's is another
+    return unit.isEmpty() ? errorText(row.largest) : errorText(row.largest) + ' ' + unit;
 }
 
 }  // namespace
@@ -82,7 +83,7 @@ void StageDifferences::open(QPoint global) {
     const QRect screen = parentWidget()->screen()->availableGeometry();
     resize(size().boundedTo(screen.size()));
     QRect place(QPoint(0, 0), size());
-    place.moveBottomRight(global);
+    place.moveTopRight(global);
     place.moveLeft(std::clamp(place.left(), screen.left(), screen.right() - width()));
     place.moveTop(std::clamp(place.top(), screen.top(), screen.bottom() - height()));
     move(place.topLeft());

@@ -20,7 +20,7 @@ class StageDifferences : public QFrame {
 public:
     StageDifferences(Document& document, BufferCompare& compare, QWidget* parent);
 
-    void open(QPoint global);  // its lower right corner
+    void open(QPoint global);  // its upper right corner, where there is room
     const QTreeWidget& list() const { return *m_list; }
 
 signals:
