@@ -137,7 +137,7 @@ void drawTile(const View& view, const TriangleBins<float>& bins, std::size_t ind
                 return hn::IfThenElse(won, sum, before);
             };
             float* weights = &out.barycentric.pixels[at].x;
-            auto bx = hn::Undefined(f), by = hn::Undefined(f), bz = hn::Undefined(f);
+            auto bx = hn::Zero(f), by = bx, bz = bx;
             hn::LoadInterleaved3(f, weights, bx, by, bz);
             hn::StoreInterleaved3(weight(0, bx), weight(1, by), weight(2, bz), f, weights);
         });
