@@ -32,6 +32,9 @@ Document::Document(QObject* parent) : QObject(parent) {
             QMetaObject::invokeMethod(
                 this, [this, frame = std::move(frame), check] { takeCheck(frame, check); }, Qt::QueuedConnection);
         });
+    connect(&m_stepper, &Stepper::stageReached, this, &Document::showStage);
+    connect(&m_stepper, &Stepper::shown, this, &Document::showFrame);
+    connect(&m_stepper, &Stepper::left, this, [this] { showFrame(m_whole); });
 }
 
 Document::~Document() {
@@ -103,6 +106,8 @@ void Document::setScene(Scene scene) {
     m_scene = std::make_shared<const Scene>(std::move(scene));
     // A picked pixel, polygon numbers and errors of the other scene mean nothing here.
     m_frame.reset();
+    m_whole.reset();
+    m_stepper.setWhole(nullptr);
     forgetCheck();
     m_pixel.reset();
     m_hovered.reset();
@@ -163,6 +168,16 @@ void Document::setSceneValue(std::shared_ptr<const Scene> scene) {
 }
 
 void Document::setStage(StageId stage) {
+    m_stepper.leave();
+    showStage(stage);
+}
+
+void Document::showFrame(const FramePtr& frame) {
+    m_frame = frame;
+    if (m_frame) emit frameReady();
+}
+
+void Document::showStage(StageId stage) {
     if (stage == m_stage) return;
     m_stage = stage;
     emit stageChanged();
@@ -249,17 +264,18 @@ void Document::requestFrame() {
 void Document::takeFrame(FramePtr frame, long ticket) {
     if (ticket < m_oldestValid) return;
     // Buffers that a panel has asked for are no news.
-    const bool isNews = !m_frame || m_frame->sharedScene() != frame->sharedScene();
-    m_frame = std::move(frame);
+    const bool isNews = !m_whole || m_whole->sharedScene() != frame->sharedScene();
+    m_whole = std::move(frame);
     m_taken = ticket;
     forgetCheck();
     if (ticket == m_ticket && !m_requestPending) setBusy(false);
-    emit frameReady();
-    if (isNews) emit said(frameSentence(*m_frame));
+    m_stepper.setWhole(m_whole);
+    if (!m_stepper.isInside()) showFrame(m_whole);  // else its state comes from the stepper
+    if (isNews) emit said(frameSentence(*m_whole));
 }
 
 void Document::takeCheck(const FramePtr& frame, const FrameCheck& check) {
-    if (frame != m_frame) return;
+    if (frame != m_whole) return;
     m_check = check;
     m_checked = true;
     emit errorsReady();

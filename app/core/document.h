@@ -8,6 +8,7 @@
 
 #include "app/core/frame_worker.h"
 #include "app/core/selection.h"
+#include "app/core/stepper.h"
 #include "pipeline/core/result.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/settings_table.h"
@@ -32,8 +33,12 @@ public:
     bool hasScene() const { return m_scene != nullptr; }
     const pipeline::Scene& scene() const { return *m_scene; }  // only when hasScene()
     // The newest finished frame; null before the first. It may lag behind scene() while a slider moves.
-    // frame()->scene() is the scene that it shows.
+    // frame()->scene() is the scene that it shows. While stepping inside it, the frame as far as it has got.
     const pipeline::FramePtr& frame() const { return m_frame; }
+    // With all its stages, wherever the stepper stands.
+    const pipeline::FramePtr& wholeFrame() const { return m_whole; }
+    Stepper& stepper() { return m_stepper; }
+    const Stepper& stepper() const { return m_stepper; }
     bool busy() const { return m_busy; }  // a frame is being computed
     pipeline::StageId stage() const { return m_stage; }
     std::optional<glm::ivec2> pixel() const { return m_pixel; }
@@ -66,7 +71,7 @@ public:
     // Replaces the scene in one step of undo, named by `text`.
     void replace(pipeline::Scene scene, const QString& text);
 
-    void setStage(pipeline::StageId stage);
+    void setStage(pipeline::StageId stage);  // leaves the inside of a stage
     void nextStage();
     void previousStage();
     void pick(std::optional<glm::ivec2> pixel);       // clamped to the picture
@@ -92,6 +97,8 @@ signals:
 
 private:
     friend class SceneStep;
+    void showStage(pipeline::StageId stage);
+    void showFrame(const pipeline::FramePtr& frame);
     void setSceneValue(std::shared_ptr<const pipeline::Scene> scene);
     void requestFrameSoon();
     void requestFrame();
@@ -102,7 +109,8 @@ private:
     pipeline::BufferSet wanted() const;
 
     std::shared_ptr<const pipeline::Scene> m_scene;
-    pipeline::FramePtr m_frame;
+    pipeline::FramePtr m_frame, m_whole;
+    Stepper m_stepper;
     pipeline::StageId m_stage = pipeline::StageId::Shading;
     std::optional<glm::ivec2> m_pixel, m_hovered;
     std::optional<Selection> m_selection;
@@ -115,7 +123,7 @@ private:
     // Frames: what was asked for last, and what came.
     bool m_requestPending = false;  // requestFrame runs when control returns to the event loop
     bool m_busy = false;
-    long m_ticket = 0, m_taken = 0;  // of the newest request; of m_frame
+    long m_ticket = 0, m_taken = 0;  // of the newest request; of m_whole
     long m_oldestValid = 0;          // older tickets are frames of a scene closed since
     pipeline::BufferSet m_requested;
     std::shared_ptr<const pipeline::Scene> m_requestedScene;

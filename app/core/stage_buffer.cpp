@@ -34,4 +34,20 @@ BufferName secondBuffer(StageId stage, const pipeline::Scene& scene) {
     return scene.lights.empty() ? BufferName{BufferId::Ambient} : BufferName{BufferId::Specular, 0};
 }
 
+BufferName mainBufferInside(StageId stage, const pipeline::Scene& scene) {
+    if (stage == StageId::Normals) return {BufferId::PolygonsNormal};
+    return mainBuffer(stage, scene);
+}
+
+BufferName secondBufferInside(StageId stage, const pipeline::Scene& scene) {
+    switch (stage) {
+        case StageId::Cull: return {BufferId::VerticesScreen};
+        case StageId::Normals:
+            return {scene.settings.shading == pipeline::Shading::Flat ? BufferId::PolygonsVerdict
+                                                                      : BufferId::VerticesNormal};
+        case StageId::ShadowBuffer: return {BufferId::PolygonsNormal};
+        default: return secondBuffer(stage, scene);
+    }
+}
+
 }  // namespace app

@@ -113,17 +113,60 @@ std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Frame
     return all;
 }
 
+std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Steps& steps, pipeline::Moment at,
+                                                           pipeline::StepLevel level, const StageErrors& errors) {
+    auto all = stageStatus(steps.frame().get(), errors, false);
+    const QString current = toQString(stageInfo(at.stage).label);
+    for (const pipeline::StageId id : pipeline::kStages) {
+        StageStatus& status = all[index(id)];
+        if (status.state == StageState::LeftOut || id < at.stage) continue;
+        const bool over = id == at.stage && at.done == steps.total(id);
+        if (over) continue;
+        status.error.clear();
+        const QString summary = toQString(stageInfo(id).summary);
+        if (id > at.stage) {
+            status.state = StageState::NotYet;
+            status.time = QStringLiteral("–");
+            status.reason = status.counts = QStringLiteral("after %1").arg(current);
+        } else {
+            const pipeline::Steps::Progress made = steps.progress(at);
+            status.state = StageState::InProgress;
+            status.time = QStringLiteral("%1 of %2 %3").arg(count(made.done), count(made.of), toQString(made.unit));
+            status.reason = status.counts = toQString(steps.words(at, level));
+            status.progress = double(at.done) / double(steps.total(id));
+        }
+        status.tooltip = QStringLiteral("<b>%1</b>, %2<br>%3<br>%4")
+                             .arg(toQString(stageInfo(id).label), word(status.state), summary, status.reason);
+    }
+    return all;
+}
+
+namespace {
+
+QString formatOf(const pipeline::Scene& scene) {
+    const auto ref = pipeline::findSetting(scene, "precision");
+    const QString precision = QString::fromStdString(formatSetting(*ref, ref->get(scene)));
+    return QStringLiteral("%1, %2 × %3").arg(precision).arg(scene.settings.width).arg(scene.settings.height);
+}
+
+}  // namespace
+
+FrameStatus frameStatus(const pipeline::Steps& steps, pipeline::Moment at, pipeline::StepLevel level) {
+    const QString words = toQString(steps.words(at, level));
+    const auto comma = words.indexOf(QStringLiteral(", row"));
+    const QString made =
+        QStringLiteral("%1 of %2 steps").arg(count(steps.made(at, level)), count(steps.count(at.stage, level)));
+    return {QStringLiteral("Inside %1").arg(toQString(stageInfo(at.stage).label)),
+            comma < 0 ? words : words.left(comma), made, formatOf(steps.frame()->scene())};
+}
+
 FrameStatus frameStatus(const pipeline::Frame& frame) {
-    const pipeline::Settings& settings = frame.scene().settings;
     QStringList actions;
     if (const int n = countOf(frame, Action::Run)) actions += QStringLiteral("%1 ran").arg(n);
     if (const int n = countOf(frame, Action::Reuse)) actions += QStringLiteral("%1 reused").arg(n);
     if (const int n = countOf(frame, Action::LeaveOut)) actions += QStringLiteral("%1 left out").arg(n);
-    const auto ref = pipeline::findSetting(frame.scene(), "precision");
-    const QString precision = QString::fromStdString(formatSetting(*ref, ref->get(frame.scene())));
     return {QStringLiteral("Frame %1").arg(frame.number()), milliseconds(frame.milliseconds()),
-            actions.join(QStringLiteral(", ")),
-            QStringLiteral("%1, %2 × %3").arg(precision).arg(settings.width).arg(settings.height)};
+            actions.join(QStringLiteral(", ")), formatOf(frame.scene())};
 }
 
 QString frameSentence(const pipeline::Frame& frame) {

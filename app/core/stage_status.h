@@ -5,6 +5,7 @@
 #include <QStringList>
 
 #include "app/core/frame_worker.h"
+#include "pipeline/steps/steps.h"
 
 namespace app {
 
@@ -14,11 +15,12 @@ QString word(StageState state);  // "left out"
 // What a stage's card says. Numbers are empty where the stage has none.
 struct StageStatus {
     StageState state = StageState::NotYet;
-    QString time;     // "0.161 ms": of the run that made the result, reused or not
-    QString error;    // "3.9e-6" against double precision; "…" until it is computed
-    QString counts;   // "3 of 5 polygons kept", with the parts that are left out
-    QString reason;   // why the stage ran, was reused or left out
-    QString tooltip;  // rich text: the stage, its state and reason, and each of its parts
+    QString time;                      // "0.161 ms": of the run that made the result, reused or not
+    QString error;                     // "3.9e-6" against double precision; "…" until it is computed
+    QString counts;                    // "3 of 5 polygons kept", with the parts that are left out
+    QString reason;                    // why the stage ran, was reused or left out
+    QString tooltip;                   // rich text: the stage, its state and reason, and each of its parts
+    std::optional<double> progress{};  // 0 to 1, while it is being stepped through
 };
 
 // "1.5e-5 px"
@@ -28,6 +30,11 @@ QString errorOf(const pipeline::StageError& error);
 std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Frame* frame, const StageErrors& errors,
                                                            bool busy);
 
+// The same while the window stands inside a stage: that one is in progress, with its fragments and where it is in
+// place of time and counts; those after it are not yet.
+std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Steps& steps, pipeline::Moment at,
+                                                           pipeline::StepLevel level, const StageErrors& errors);
+
 // What the last place of the strip says.
 struct FrameStatus {
     QString title;    // "Frame 42"
@@ -36,6 +43,7 @@ struct FrameStatus {
     QString format;   // "float, 640 × 480"
 };
 FrameStatus frameStatus(const pipeline::Frame& frame);
+FrameStatus frameStatus(const pipeline::Steps& steps, pipeline::Moment at, pipeline::StepLevel level);
 
 // The frame in a sentence: "Shading ran again because material 0 changed; 4 stages were reused."
 QString frameSentence(const pipeline::Frame& frame);

@@ -1,6 +1,10 @@
 #include "app/desktop/main_window.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
 #include <QApplication>
+#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLabel>
@@ -22,6 +26,7 @@
 #include "app/desktop/panel_table.h"
 #include "app/desktop/pixel_field.h"
 #include "app/desktop/status_line.h"
+#include "app/desktop/step_actions.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/error_list.h"
 #include "app/panels/follow_theme.h"
@@ -31,6 +36,7 @@
 #include "app/panels/settings_panel.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
+#include "app/panels/timeline.h"
 
 namespace app {
 
@@ -43,6 +49,7 @@ MainWindow::MainWindow() : m_actions(new Actions(this)) {
     makeTop();
     makeCentre();
     makeDocks();
+    makeTimeline();
     m_status = new StatusLine(m_document, this);
     setStatusBar(m_status);
     m_palette = new CommandPalette(this);
@@ -156,6 +163,17 @@ void MainWindow::makeDocks() {
     connect(findChild<InspectorPanel*>(), &InspectorPanel::bufferAsked, m_views, &ViewArea::showBuffer);
 }
 
+// Under everything, from edge to edge.
+void MainWindow::makeTimeline() {
+    m_timelineBar = new QToolBar(tr("Timeline"), this);
+    m_timelineBar->setObjectName("timelineBar");
+    m_timelineBar->setMovable(false);
+    m_timelineBar->toggleViewAction()->setVisible(false);  // it is no panel
+    m_timeline = new Timeline(m_document, transportOf(*m_actions), m_timelineBar);
+    m_timelineBar->addWidget(m_timeline);
+    addToolBar(Qt::BottomToolBarArea, m_timelineBar);
+}
+
 void MainWindow::connectDocument() {
     connect(&m_document, &Document::sceneOpened, this, [this] {
         m_errors->hide();
@@ -167,6 +185,9 @@ void MainWindow::connectDocument() {
     connect(&m_document, &Document::pixelChanged, this, &MainWindow::enableActions);
     connect(&m_document, &Document::stageChanged, this, &MainWindow::enableActions);
     connect(&m_document, &Document::channelChanged, this, &MainWindow::enableActions);
+    connect(&m_document, &Document::selectionChanged, this, &MainWindow::enableActions);
+    connect(&m_document.stepper(), &Stepper::changed, this,
+            [this] { enableStepActions(*m_actions, m_document, m_width.has_value()); });
     connect(m_document.undoStack(), &QUndoStack::indexChanged, this, [this] {
         enableActions();
         showTitle();
@@ -230,6 +251,15 @@ bool MainWindow::dropsHere(QObject* watched, QEvent& event) {
     return true;
 }
 
+// What has the focus and a use of its own for the space bar, Home or End gets them; the timeline has them elsewhere.
+static bool keepsKey(QObject* watched, const QKeyEvent& key) {
+    if (key.modifiers() != Qt::NoModifier) return false;
+    const bool edge = key.key() == Qt::Key_Home || key.key() == Qt::Key_End;
+    const bool list = qobject_cast<QAbstractItemView*>(watched) || qobject_cast<QComboBox*>(watched);
+    if (edge) return list || qobject_cast<QAbstractSlider*>(watched);
+    return key.key() == Qt::Key_Space && (list || qobject_cast<QAbstractButton*>(watched));
+}
+
 // "Ctrl+←" and "Ctrl+→" go to a stage from anywhere, also from a text field that would take them.
 // At the first and the last stage they do nothing else instead.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
@@ -240,6 +270,10 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
         const bool isArrow = key->key() == Qt::Key_Left || key->key() == Qt::Key_Right;
         if (isArrow && key->modifiers() == Qt::ControlModifier) {
             event->setAccepted(event->type() == QEvent::KeyPress);
+            return true;
+        }
+        if (event->type() == QEvent::ShortcutOverride && keepsKey(watched, *key)) {
+            event->accept();
             return true;
         }
     }

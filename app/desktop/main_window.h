@@ -22,6 +22,7 @@ class StageStrip;
 class StartPage;
 class StatusLine;
 class StudyPanel;
+class Timeline;
 class ViewArea;
 struct PaletteEntry;
 
@@ -54,6 +55,7 @@ private:
     void makeTop();
     void makeCentre();
     void makeDocks();
+    void makeTimeline();
     void connectDocument();
     void showTitle();
     void showLessons();
@@ -86,6 +88,8 @@ private:
     StatusLine* m_status;
     LessonPanel* m_lessons;
     QToolBar* m_rail;
+    QToolBar* m_timelineBar;
+    Timeline* m_timeline;
     QMenu* m_recent;
     QList<PanelDock*> m_leftDocks, m_sideDocks, m_docks;  // each a part of the next
     CommandPalette* m_palette;

@@ -13,6 +13,7 @@
 #include "app/desktop/main_window.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/pixel_field.h"
+#include "app/desktop/step_actions.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/export_dialog.h"
@@ -77,6 +78,7 @@ void MainWindow::connectActions() {
     on(A::Check, [this] { showChecks(); });
     on(A::RunCommand, [this] { m_palette->open(commands()); });
     on(A::Keys, [this] { m_keys->open(); });
+    connectStepActions(*m_actions, m_document);
     for (std::size_t i = 0; i < kStageActions.size(); ++i)
         on(kStageActions[i], [this, i] { m_document.setStage(pipeline::kStages[i]); });
     for (std::size_t i = 0; i < kThemeActions.size(); ++i)
@@ -127,6 +129,7 @@ void MainWindow::enableActions() {
                           scene ? tr("Already at the last stage.") : noScene);
     m_actions->setEnabled(A::PreviousStage, scene && m_document.stage() != pipeline::StageId::Transform,
                           scene ? tr("Already at the first stage.") : noScene);
+    enableStepActions(*m_actions, m_document, scene);
     const QUndoStack& undo = *m_document.undoStack();
     m_actions->setEnabled(A::Undo, scene && undo.canUndo(), tr("Nothing to undo."));
     m_actions->setEnabled(A::Redo, scene && undo.canRedo(), tr("Nothing to redo."));

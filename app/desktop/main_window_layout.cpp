@@ -14,6 +14,7 @@
 #include "app/panels/scene_tree.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
+#include "app/panels/timeline.h"
 
 namespace app {
 namespace {
@@ -33,6 +34,7 @@ void MainWindow::showStartPage() {
     for (PanelDock* dock : m_docks) dock->hide();
     m_rail->hide();
     m_strip->hide();
+    m_timelineBar->hide();
     m_status->hide();
     setContentsMargins(0, 0, 0, 0);
     showTitle();
@@ -43,6 +45,7 @@ void MainWindow::showScene() {
     if (m_width) return;  // already on show
     m_pages->setCurrentWidget(m_views);
     m_strip->show();
+    m_timelineBar->show();
     m_status->show();
     setContentsMargins(8, 0, 8, 0);
     fitWidth(true);
@@ -63,6 +66,7 @@ void MainWindow::fitWidth(bool always) {
     const Width now = widthClass();
     const bool low = height() < 800 * (0.5 + 0.5 * Theme::current().scale());
     m_strip->setCompact(low || now != Width::Wide);
+    m_timeline->setCompact(low || now != Width::Wide);
     if (!always && now == m_width) return;
     m_width = now;
     const bool wide = now == Width::Wide;
@@ -82,7 +86,7 @@ void MainWindow::fitWidth(bool always) {
     // The tree shows its rows, the settings a material's; the lesson takes the rest.
     const int tree = findChild<SceneTree*>()->sizeHint().height() + Theme::current().px(44);
     const int settings = Theme::current().px(270);
-    const int around = Theme::current().px(190);  // menus, stages, status, gaps
+    const int around = Theme::current().px(250);  // menus, stages, timeline, status, gaps
     resizeDocks(left, {tree, settings, std::max(settings, height() - around - tree - settings)}, Qt::Vertical);
     enableActions();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <QFrame>
 #include <QSplitter>
@@ -58,6 +59,10 @@ ViewArea::ViewArea(Document& document, QWidget* parent)
     connect(m_thumbnails, &ThumbnailStrip::chosen, m_first, &BufferView::setBuffer);
     connect(m_first, &BufferView::bufferChanged, m_thumbnails, &ThumbnailStrip::setCurrent);
     connect(&document, &Document::stageChanged, this, &ViewArea::showStage);
+    // Going inside, or out again, shows buffers that are there.
+    connect(&document.stepper(), &Stepper::changed, this, [this] {
+        if (std::exchange(m_inside, m_document.stepper().isInside()) != m_document.stepper().isInside()) showInside();
+    });
     connect(&document, &Document::sceneOpened, this, &ViewArea::showStage);
     setSecond(false);
     resetSizes();
@@ -65,8 +70,20 @@ ViewArea::ViewArea(Document& document, QWidget* parent)
 
 void ViewArea::showStage() {
     if (!m_document.hasScene()) return;
-    m_first->setBuffer(mainBuffer(m_document.stage(), m_document.scene()));
-    m_second->setBuffer(secondBuffer(m_document.stage(), m_document.scene()));
+    const pipeline::StageId stage = m_document.stage();
+    const pipeline::Scene& scene = m_document.scene();
+    m_inside = m_document.stepper().isInside();
+    m_first->setBuffer(m_inside ? mainBufferInside(stage, scene) : mainBuffer(stage, scene));
+    m_second->setBuffer(m_inside ? secondBufferInside(stage, scene) : secondBuffer(stage, scene));
+}
+
+void ViewArea::showInside() {
+    if (!m_document.hasScene() || !m_inside) return;
+    const auto comesLater = [this](const BufferView* view) {
+        return bufferInfo(view->buffer().id).stage > m_document.stage();
+    };
+    if (comesLater(m_first)) m_first->setBuffer(mainBufferInside(m_document.stage(), m_document.scene()));
+    if (comesLater(m_second)) m_second->setBuffer(secondBufferInside(m_document.stage(), m_document.scene()));
 }
 
 void ViewArea::showBuffer(const pipeline::BufferName& buffer) { m_first->setBuffer(buffer); }

@@ -35,6 +35,7 @@ public:
 
 private:
     void showStage();
+    void showInside();
 
     Document& m_document;
     QSplitter* m_columns;
@@ -43,6 +44,7 @@ private:
     BufferView* m_second;
     View3dPanel* m_view3d;
     ThumbnailStrip* m_thumbnails;
+    bool m_inside = false;  // the stepper, when last looked at
 };
 
 }  // namespace app

@@ -164,6 +164,7 @@ void BufferView::refresh() {
     if (!shown) {
         const QString why = toQString(frame->whyAbsent(m_name));
         if (m_name.light >= int(frame->scene().lights.size())) return showMessage(why, false);
+        if (frame->until() < bufferInfo(m_name.id).stage) return showMessage(why, false);
         const bool comes = kept().forced || whyUseless(frame->scene(), m_name.id).empty();
         if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(why), true);
         return;

@@ -157,8 +157,8 @@ QWidget* ExportDialog::makeFoot() {
 }
 
 void ExportDialog::showFrame() {
-    if (!m_document.frame() || m_job) return;
-    m_buffers->setFrame(*m_document.frame());
+    if (!m_document.wholeFrame() || m_job) return;
+    m_buffers->setFrame(*m_document.wholeFrame());
     showSummary();
 }
 
@@ -178,14 +178,14 @@ std::shared_ptr<const pipeline::Scene> ExportDialog::sceneToExport() const {
 }
 
 void ExportDialog::showSummary() {
-    if (!m_document.frame()) return;
+    if (!m_document.wholeFrame()) return;
     const pipeline::ExportRequest wanted = request();
     const auto& settings = m_document.scene().settings;
     const double scale =
         double(m_width->text().toInt()) * m_height->text().toInt() / (double(settings.width) * settings.height);
     double bytes = 0;
     QStringList files = m_formats->sceneFiles();
-    for (const pipeline::PlannedFile& file : plannedFiles(*m_document.frame(), wanted)) {
+    for (const pipeline::PlannedFile& file : plannedFiles(*m_document.wholeFrame(), wanted)) {
         if (file.file.empty()) continue;
         const bool pixels = pipeline::bufferInfo(file.buffer.id).domain == pipeline::Domain::Pixel;
         bytes += double(file.bytes) * (pixels ? scale : 1);
@@ -207,7 +207,7 @@ void ExportDialog::showSummary() {
 
 void ExportDialog::start() {
     if (m_job) return;
-    m_job = new ExportJob(sceneToExport(), m_document.frame(), request(), this);
+    m_job = new ExportJob(sceneToExport(), m_document.wholeFrame(), request(), this);
     connect(m_job, &ExportJob::progressed, this, [this](double share, const QString& file) {
         m_progress->setValue(int(share * 1000));
         m_message->setText(file);

@@ -56,6 +56,11 @@ void paintMark(QPainter& painter, FragmentVerdict verdict, QPointF centre) {
             painter.setPen(QPen(c.leftOut, 2));
             painter.drawLine(centre - QPointF(4, 0), centre + QPointF(4, 0));
             break;
+        case FragmentVerdict::NotYet:
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(c.text3);
+            painter.drawEllipse(centre, 1.6, 1.6);
+            break;
     }
 }
 
@@ -85,9 +90,13 @@ void FragmentsSection::show(const pipeline::PixelReport& report) {
 }
 
 QString FragmentsSection::sentence() const {
-    const auto won = std::count_if(m_fragments.begin(), m_fragments.end(),
-                                   [](const FragmentReport& f) { return f.verdict != FragmentVerdict::NotNearer; });
-    QString text = tr("%1 came, %2 won").arg(m_fragments.size()).arg(won);
+    const auto count = [this](auto holds) {
+        return std::count_if(m_fragments.begin(), m_fragments.end(),
+                             [&](const FragmentReport& f) { return holds(f.verdict); });
+    };
+    const auto came = count(pipeline::came);
+    QString text = tr("%1 came, %2 won").arg(came).arg(count(pipeline::won));
+    if (const auto later = m_fragments.size() - std::size_t(came); later > 0) text += tr("; %1 to come").arg(later);
     if (!m_culled.empty()) text += tr("; %1 culled").arg(m_culled.size());
     return text;
 }
@@ -143,7 +152,7 @@ void FragmentsSection::paintEvent(QPaintEvent*) {
         int x = 0;
         const auto write = [&](const QFont& font, int width, Qt::Alignment alignment, const QString& text) {
             painter.setFont(font);
-            painter.setPen(f.verdict == FragmentVerdict::NotNearer ? c.text2 : c.text);
+            painter.setPen(!won(f.verdict) ? c.text2 : c.text);
             painter.drawText(QRect(x, y, width, line), Qt::AlignVCenter | alignment, text);
             x += width + gap;
         };

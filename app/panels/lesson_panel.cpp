@@ -184,7 +184,7 @@ void LessonPanel::setWindow() {
 }
 
 void LessonPanel::takeFrame() {
-    const pipeline::FramePtr& frame = m_document.frame();
+    const pipeline::FramePtr& frame = m_document.wholeFrame();
     if (!m_lesson || m_pageFrame || !frame || frame->scene() != current().state.scene) return;
     const auto text = lessons::filled(current().text, *frame);
     const auto question = current().question ? lessons::filled(current().question->text, *frame) : std::string();
@@ -211,7 +211,7 @@ void LessonPanel::check(const QString& typed) {
     const bool right = lessons::isRight(*answer, typed.toStdString(), question.tolerance);
     const lessons::Prose& said = right ? question.right : question.wrong;
     // Spoken about what the window shows, or about the page where that has not what it takes.
-    auto text = lessons::filled(said, m_document.frame() ? *m_document.frame() : *m_pageFrame);
+    auto text = lessons::filled(said, m_document.wholeFrame() ? *m_document.wholeFrame() : *m_pageFrame);
     if (!text) text = lessons::filled(said, *m_pageFrame);
     if (said.empty() || !text) text = (right ? tr("Right.") : tr("Not yet.")).toStdString();
     m_question->say(toQString(*text), right ? QuestionCard::Comment::Right : QuestionCard::Comment::NotYet);

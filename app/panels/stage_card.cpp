@@ -130,6 +130,12 @@ void StageCard::paintBox(QPainter& painter) const {
         for (int x = -height(); x < width(); x += step) painter.drawLine(x, height(), x + height(), 0);
     }
     if (m_onShow) painter.fillRect(QRectF(box.left(), box.top(), box.width(), theme.px(3)), c.accent);
+    if (m_status.progress) {
+        const QRectF foot(box.left() + theme.px(12), box.bottom() - theme.px(6), box.width() - 2 * theme.px(12),
+                          theme.px(3));
+        painter.fillRect(foot, c.hover);
+        painter.fillRect(QRectF(foot.left(), foot.top(), foot.width() * *m_status.progress, foot.height()), c.accent);
+    }
     painter.setClipping(false);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(m_onShow ? c.accent : leftOut ? c.outline : c.line, 1, leftOut ? Qt::DashLine : Qt::SolidLine));
@@ -173,6 +179,10 @@ void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {
     rest.setLeft(rest.left() + theme.px(m_compact ? 8 : 12));
     if (!m_compact) write(painter, rest, QStringLiteral("error "), theme.text(12), c.text2);
     write(painter, rest, m_status.error, theme.mono(12), c.text2);
+}
+
+void StageCard::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && m_status.state != StageState::LeftOut) emit entered();
 }
 
 void StageCard::keyPressEvent(QKeyEvent* event) {

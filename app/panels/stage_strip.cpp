@@ -17,6 +17,7 @@ StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m
         m_cards[index(stage)] = card;
         row->addWidget(card, 1);
         connect(card, &StageCard::clicked, this, [this, stage] { m_document.setStage(stage); });
+        connect(card, &StageCard::entered, this, [this, stage] { m_document.stepper().goTo(pipeline::Place{stage}); });
     }
     m_frame = new FrameCard(this);
     row->addWidget(m_frame);
@@ -36,6 +37,7 @@ StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m
     connect(&document, &Document::sceneOpened, this, &StageStrip::showFrame);
     connect(&document, &Document::frameReady, this, &StageStrip::showFrame);
     connect(&document, &Document::errorsReady, this, &StageStrip::showFrame);
+    connect(&document.stepper(), &Stepper::changed, this, &StageStrip::showFrame);
     connect(&document, &Document::stageChanged, this, &StageStrip::showStage);
     showFrame();
     showStage();
@@ -54,9 +56,16 @@ void StageStrip::showStage() {
 }
 
 void StageStrip::showFrame() {
-    const auto status = stageStatus(m_document.frame().get(), m_document.errors(), m_document.busy());
+    const Stepper& stepper = m_document.stepper();
+    const pipeline::Frame* whole = m_document.wholeFrame().get();
+    if (stepper.isInside() && stepper.steps()) {
+        const auto status = stageStatus(*stepper.steps(), *stepper.moment(), stepper.level(), m_document.errors());
+        for (StageCard* card : m_cards) card->setStatus(status[index(card->stage())]);
+        return m_frame->setStatus(frameStatus(*stepper.steps(), *stepper.moment(), stepper.level()));
+    }
+    const auto status = stageStatus(whole, m_document.errors(), m_document.busy());
     for (StageCard* card : m_cards) card->setStatus(status[index(card->stage())]);
-    m_frame->setFrame(m_document.frame().get());
+    m_frame->setStatus(whole ? std::optional(frameStatus(*whole)) : std::nullopt);
 }
 
 FrameCard::FrameCard(QWidget* parent) : QWidget(parent) {
@@ -64,8 +73,8 @@ FrameCard::FrameCard(QWidget* parent) : QWidget(parent) {
     followTheme(this, [this] { fit(); });
 }
 
-void FrameCard::setFrame(const pipeline::Frame* frame) {
-    m_status = frame ? std::optional(frameStatus(*frame)) : std::nullopt;
+void FrameCard::setStatus(const std::optional<FrameStatus>& status) {
+    m_status = status;
     const QString line =
         m_status
             ? QStringLiteral("%1, %2. %3. %4").arg(m_status->title, m_status->time, m_status->actions, m_status->format)

@@ -37,7 +37,7 @@ class FrameCard : public QWidget {
 public:
     explicit FrameCard(QWidget* parent = nullptr);
 
-    void setFrame(const pipeline::Frame* frame);
+    void setStatus(const std::optional<FrameStatus>& status);
     void setCompact(bool compact);
     void setBusy(bool busy);
 

@@ -111,6 +111,12 @@ void ThumbnailStrip::refresh() {
         item.why = toQString(whyUseless(frame->scene(), item.name.id));
         const QRect rect = itemRect(i);
         if (!rect.intersects(this->rect())) continue;
+        if (frame->until() < bufferInfo(item.name.id).stage) {  // while stepping inside an earlier stage
+            item.picture = {};
+            item.why = toQString(frame->whyAbsent(item.name));
+            absent << toQString(item.name.text()) + ": " + item.why;
+            continue;
+        }
         const QSize size(rect.width() - 6, rect.height() - Theme::current().px(24));
         if (QImage picture = thumbnail(*frame, item.name, size, polygons); !picture.isNull() || !item.why.isEmpty())
             item.picture = std::move(picture);

@@ -71,12 +71,13 @@ WhySection::Row& WhySection::addRow(const QString& label, StageId stage, BufferI
 }
 
 void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
-    const auto won = std::count_if(r.fragments.begin(), r.fragments.end(), [](const pipeline::FragmentReport& f) {
-        return f.verdict != pipeline::FragmentVerdict::NotNearer;
-    });
+    const auto count = [&r](auto holds) {
+        return std::count_if(r.fragments.begin(), r.fragments.end(),
+                             [&](const pipeline::FragmentReport& f) { return holds(f.verdict); });
+    };
     m_rows[0].value->setText(
         tr("centre %1").arg(digits(QString("(%1, %2)").arg(r.pixel.x + 0.5).arg(r.pixel.y + 0.5))));
-    QString fragments = tr("%1 came, %2 won").arg(r.fragments.size()).arg(won);
+    QString fragments = tr("%1 came, %2 won").arg(count(pipeline::came)).arg(count(pipeline::won));
     if (r.covered)
         fragments +=
             tr(" at z %1")

@@ -179,10 +179,15 @@ void View3dPanel::wantBuffers() {
 }
 
 void View3dPanel::takeFrame() {
-    const auto& frame = m_document.frame();
-    if (!frame) return;
-    const auto content = std::make_shared<const ViewContent>(
-        withSelection(contentOf(*frame, m_document.pixel()), *frame, m_document.selection()));
+    if (!m_document.frame()) return;
+    const Stepper& stepper = m_document.stepper();
+    const bool inside = stepper.isInside() && stepper.steps();
+    // Vertices without a place would all stand at the origin.
+    const bool placed = m_document.frame()->until() != pipeline::StageId::Transform;
+    const pipeline::FramePtr frame = inside && !placed ? m_document.wholeFrame() : m_document.frame();
+    ViewContent shown = withSelection(contentOf(*frame, m_document.pixel()), *frame, m_document.selection());
+    if (inside) shown = withProgress(shown, *stepper.steps(), *stepper.moment());
+    const auto content = std::make_shared<const ViewContent>(std::move(shown));
     const bool newScene = std::exchange(m_newScene, false);
     if (newScene) {
         // As many normals as can be told apart; the slider shows more or fewer.

@@ -299,4 +299,21 @@ std::array<Vec3d, 4> pictureCorners(const pipeline::View& view, double distance)
             pipeline::worldPoint(view, s, distance), pipeline::worldPoint(view, {0, s.y}, distance)};
 }
 
+ViewContent withProgress(const ViewContent& content, const pipeline::Steps& steps, pipeline::Moment moment) {
+    ViewContent result = content;
+    const std::vector<std::uint8_t> done = steps.polygonsDone(moment);
+    const auto current = steps.polygonOf(moment);
+    auto mesh = std::make_shared<ViewMesh>(*content.mesh);
+    for (Face& face : mesh->faces) {
+        const auto polygon = std::size_t(face.polygon);
+        face.shaded = polygon < done.size() && (done[polygon] || current == polygon);
+    }
+    result.mesh = std::move(mesh);
+    if (current && result.markedLoop.empty() && !result.markedBox && !result.markedVertex) {
+        const auto corners = steps.frame()->topology().corners(*current);
+        for (std::size_t i = 0; i < corners.size(); ++i) result.markedLoop.push_back(corners[i]);
+    }
+    return result;
+}
+
 }  // namespace app

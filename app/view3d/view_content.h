@@ -13,6 +13,7 @@
 #include "pipeline/inspect/formula.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/run/frame.h"
+#include "pipeline/steps/steps.h"
 
 namespace app {
 
@@ -107,6 +108,10 @@ struct ViewContent {
     std::optional<Vec3d> markedVertex;
     const std::vector<std::uint32_t>& outlinedLoop() const { return markedLoop.empty() ? pickedLoop : markedLoop; }
 };
+
+// While the window stands inside a stage: polygons that the stage is not done with lose their colour, and the one that
+// it is at is outlined where nothing else is.
+ViewContent withProgress(const ViewContent& content, const pipeline::Steps& steps, pipeline::Moment moment);
 
 // Reads from the frame whatever of these buffers it has: vertices.world, polygons.verdict,
 // polygons.normal, vertices.normal, polygons.intensity, vertices.intensity, color.

@@ -18,6 +18,7 @@ std::string_view name(FragmentVerdict verdict) {
         case FragmentVerdict::NotNearer: return "not nearer";
         case FragmentVerdict::PaintedLast: return "painted last, stays";
         case FragmentVerdict::PaintedOver: return "painted over";
+        case FragmentVerdict::NotYet: return "not drawn yet";
     }
     return {};
 }
@@ -166,13 +167,19 @@ void sumUp(PixelReport& report, std::size_t lights) {
 template <class Real>
 void reportFragments(const FrameData<Real>& data, PixelReport& report) {
     const auto record = replayPixel(data, report.pixel);
+    // Inside the stage some are still to come.
+    const auto arrived = std::size_t(data.zBuffer->overdraw.at(report.pixel));
     std::size_t lastWon = record.size();
-    for (std::size_t i = 0; i < record.size(); ++i)
+    for (std::size_t i = 0; i < std::min(arrived, record.size()); ++i)
         if (record[i].won) lastWon = i;
     const bool reversed = isReversed(data.transform->depthFormat);
     for (std::size_t i = 0; i < record.size(); ++i) {
         const FragmentRecord& f = record[i];
         const int polygon = int(data.transform->topology->triangles[f.triangle].polygon);
+        if (i >= arrived) {
+            report.fragments.push_back({polygon, f.depth, f.stored, FragmentVerdict::NotYet, depthText(f.depth)});
+            continue;
+        }
         if (data.keys.zBuffer.visibility != Visibility::ZBuffer) {
             report.fragments.push_back({polygon, f.depth, f.stored,
                                         i == lastWon ? FragmentVerdict::PaintedLast : FragmentVerdict::PaintedOver,
@@ -187,7 +194,8 @@ void reportFragments(const FrameData<Real>& data, PixelReport& report) {
                                     fmt::format("{} {} {}", depthText(f.depth), sign, depthText(f.stored))});
     }
     for (std::size_t i = 0; i < record.size(); ++i)
-        if (record[i].won) report.fragments[i].shadows = shadowEvents(data, record[i].triangle, report.pixel);
+        if (record[i].won && i < arrived)
+            report.fragments[i].shadows = shadowEvents(data, record[i].triangle, report.pixel);
     for (std::uint32_t polygon : culledAt(data, report.pixel))
         report.culled.push_back({int(polygon), letter(data.cull->verdicts[polygon]), data.cull->reason(polygon)});
 }

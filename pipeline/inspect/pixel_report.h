@@ -11,8 +11,17 @@
 
 namespace pipeline {
 
-enum class FragmentVerdict : unsigned char { WonStays, Overwritten, NotNearer, PaintedLast, PaintedOver };
+enum class FragmentVerdict : unsigned char {
+    WonStays,
+    Overwritten,
+    NotNearer,
+    PaintedLast,
+    PaintedOver,
+    NotYet,  // still to come: only while stepping inside the z-buffer stage
+};
 std::string_view name(FragmentVerdict verdict);  // "won, stays" …
+constexpr bool came(FragmentVerdict verdict) { return verdict != FragmentVerdict::NotYet; }
+constexpr bool won(FragmentVerdict verdict) { return came(verdict) && verdict != FragmentVerdict::NotNearer; }
 
 // One polygon's arrival at a pixel, in the order it was drawn.
 struct FragmentReport {

@@ -1,6 +1,7 @@
 // Looking ahead for the next step that has to do with something.
 #include <algorithm>
 
+#include "pipeline/scene/topology.h"
 #include "pipeline/steps/step_source.h"
 #include "pipeline/steps/steps.h"
 
@@ -48,6 +49,33 @@ std::optional<Moment> Steps::nextAt(Moment moment, Thing thing, std::uint32_t nu
                                                     : vertex && spot.phase->number(spot.element) == number;
         return here ? spot.phase->end(spot.element) - spot.phase->begin(spot.element) : 0;
     });
+}
+
+std::vector<std::uint8_t> Steps::polygonsDone(Moment moment) const {
+    moment = fitting(moment);
+    const Topology& topology = m_frame->topology();
+    std::vector<std::uint8_t> polygons(topology.polygonCount(), 0), vertices;
+    const StepPhase* now = nullptr;
+    for (const StepPhase& phase : phases(moment.stage))
+        if (!now || moment.done > phase.first) now = &phase;
+    if (!now) return polygons;
+    if (now->kind == ElementKind::Vertex || now->kind == ElementKind::VertexTerms)
+        vertices.resize(topology.vertexCount(), 0);
+    else if (now->kind == ElementKind::Layers || now->kind == ElementKind::Samples)
+        return std::vector<std::uint8_t>(topology.polygonCount(), 1);
+    for (std::size_t i = 0; i < now->count && now->first + now->end(i) <= moment.done; ++i) {
+        if (vertices.empty())
+            polygons[*polygonOf({moment.stage, now, i})] = 1;
+        else
+            vertices[now->number(i)] = 1;
+    }
+    if (vertices.empty()) return polygons;
+    for (std::size_t polygon = 0; polygon < polygons.size(); ++polygon) {
+        const Topology::Corners corners = topology.corners(polygon);
+        polygons[polygon] = 1;
+        for (std::size_t i = 0; i < corners.size(); ++i) polygons[polygon] &= vertices[corners[i]];
+    }
+    return polygons;
 }
 
 }  // namespace pipeline

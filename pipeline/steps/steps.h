@@ -51,6 +51,10 @@ public:
     enum class Thing : std::uint8_t { Object, Polygon, Vertex };
     std::optional<Moment> nextAt(Moment moment, Thing thing, std::uint32_t number) const;
 
+    // Per polygon, over all objects: 1 where the stage (of shading what it is at) is done with it, in the transform
+    // stage with all its vertices.
+    std::vector<std::uint8_t> polygonsDone(Moment moment) const;
+
     // What has been done of what the stage is at: "2 233 of 5 372 fragments" in parts, the unit in the plural.
     struct Progress {
         std::int64_t done = 0, of = 0;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/inspect/pixel_report.h"
 #include "pipeline/stages/cull.h"
 #include "tests/support/scenes.h"
 
@@ -155,6 +156,29 @@ TEST(Steps, RunToAPolygonStopsInEveryStageThatIsAtIt) {
     using enum StageId;
     // Normals of polygons; the terms of flat shading, and its pixels.
     EXPECT_EQ(stops, (std::vector<StageId>{Cull, Normals, StageId::ShadowBuffer, ZBuffer, Shading, Shading}));
+}
+
+TEST(Steps, KnowWhichPolygonsTheStageIsDoneWith) {
+    const Steps steps = uncutPyramid();
+    using Done = std::vector<std::uint8_t>;
+    EXPECT_EQ(steps.polygonsDone(steps.momentOf(*parsePlace("z-buffer/polygon=1"))), (Done{1, 1, 0, 0, 0}));
+    EXPECT_EQ(steps.polygonsDone(steps.momentOf(*parsePlace("z-buffer/polygon=2/row=270"))), (Done{1, 1, 0, 0, 0}));
+    // The faces have vertices 0 1 4, 1 2 4, 2 3 4, 0 4 3 and 0 3 2 1: without the top, the base alone.
+    EXPECT_EQ(steps.polygonsDone({StageId::Transform, 4}), (Done{0, 0, 0, 0, 1}));
+    EXPECT_EQ(steps.polygonsDone(steps.first()), (Done{0, 0, 0, 0, 0}));
+}
+
+TEST(Steps, InsideTheZBufferTheLedgerOfAPixelTellsWhatIsToCome) {
+    const Steps steps = uncutPyramid();
+    const glm::ivec2 pixel{258, 270};
+    const PixelReport whole = inspectPixel(*steps.frame(), pixel);
+    const Moment first = *steps.nextAt({StageId::ZBuffer, 0}, pixel);
+    const PixelReport there = inspectPixel(*steps.frameAt(first), pixel);
+    ASSERT_EQ(there.fragments.size(), whole.fragments.size());
+    ASSERT_EQ(there.fragments.size(), 2u);  // polygon 0 is hidden behind polygon 2
+    EXPECT_EQ(there.fragments[0].verdict, FragmentVerdict::WonStays);
+    EXPECT_EQ(there.fragments[1].verdict, FragmentVerdict::NotYet);
+    EXPECT_EQ(whole.fragments[0].verdict, FragmentVerdict::Overwritten);
 }
 
 TEST(Steps, SayInWordsWhereTheyAre) {

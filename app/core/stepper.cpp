@@ -1,0 +1,178 @@
+#include "app/core/stepper.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/core/text.h"
+
+namespace app {
+
+using pipeline::Moment;
+using pipeline::Place;
+
+namespace {
+
+constexpr int kTickMs = 33;
+// Steps a second at speed 1, per level: what the eye can follow, finer steps faster.
+constexpr std::array<double, pipeline::kStepLevelCount> kStepsPerSecond{1, 2, 4, 30, 60};
+
+}  // namespace
+
+Stepper::Stepper(QObject* parent) : QObject(parent) {
+    m_timer.setInterval(kTickMs);
+    connect(&m_timer, &QTimer::timeout, this, &Stepper::tick);
+    m_count.setSingleShot(true);
+    m_count.setInterval(150);
+    connect(&m_count, &QTimer::timeout, this, &Stepper::request);
+    m_worker = std::make_unique<StepWorker>([this](StepWorker::Result result) {
+        QMetaObject::invokeMethod(
+            this, [this, result = std::move(result)] { take(result); }, Qt::QueuedConnection);
+    });
+}
+
+Stepper::~Stepper() { m_worker.reset(); }
+
+void Stepper::setWhole(pipeline::FramePtr whole) {
+    m_whole = std::move(whole);
+    if (!m_whole) {
+        m_worker->forget();
+        m_oldestValid = m_ticket + 1;
+        m_timer.stop(), m_count.stop();
+        m_steps.reset(), m_place.reset(), m_bookmarks.clear();
+        m_waiting = 0;
+        emit changed();
+        return;
+    }
+    if (isInside())
+        request();
+    else
+        m_count.start();
+}
+
+void Stepper::request() {
+    m_count.stop();
+    if (m_whole) m_ticket = m_worker->request(m_whole, m_place);
+}
+
+void Stepper::take(StepWorker::Result result) {
+    m_taken = result.ticket;
+    if (result.ticket < m_oldestValid) return;
+    const bool counted = m_steps != result.steps;
+    m_steps = std::move(result.steps);
+    if (counted && m_waiting != 0) step(std::exchange(m_waiting, 0));
+    if (result.shown && isInside()) emit shown(result.shown);
+    if (counted) emit changed();
+}
+
+std::optional<Moment> Stepper::moment() const {
+    if (!m_steps) return std::nullopt;
+    return m_place ? m_steps->momentOf(*m_place) : m_steps->last();
+}
+
+QString Stepper::words() const {
+    const auto at = moment();
+    return at ? toQString(m_steps->words(*at, m_level)) : QString();
+}
+
+void Stepper::goTo(const Place& place) {
+    m_place = place;
+    request();
+    const auto at = moment();
+    emit stageReached(at ? at->stage : place.stage);
+    emit changed();
+}
+
+void Stepper::goTo(Moment moment) {
+    if (!m_steps) return;
+    if (moment >= m_steps->last()) return toLast();
+    goTo(m_steps->placeOf(moment));
+}
+
+void Stepper::leave() {
+    if (!isInside()) return;
+    m_timer.stop();
+    m_place.reset();
+    emit left();
+    emit changed();
+}
+
+void Stepper::toLast() {
+    leave();
+    emit stageReached(pipeline::StageId::Shading);
+}
+
+bool Stepper::canStep(int direction) const {
+    if (!m_whole) return false;
+    if (!m_steps) return direction < 0;
+    return direction > 0 ? isInside() : *moment() > m_steps->first();
+}
+
+void Stepper::step(int direction) {
+    if (!m_steps) {  // comes as soon as they are counted
+        m_waiting = direction;
+        return request();
+    }
+    const auto to = direction > 0 ? m_steps->next(*moment(), m_level) : m_steps->previous(*moment(), m_level);
+    if (to) goTo(*to);
+}
+
+void Stepper::toFirst() {
+    Place start{pipeline::StageId::Transform};
+    start.what = Place::What::Start;
+    goTo(start);
+}
+
+void Stepper::setLevel(Level level) {
+    if (level == m_level) return;
+    m_level = level;
+    emit changed();
+}
+
+void Stepper::setPlaying(bool playing) {
+    if (playing == isPlaying() || (playing && !m_whole)) return;
+    if (playing) {
+        if (!isInside()) toFirst();  // from the end again from the beginning
+        m_due = 1;
+        m_timer.start();
+    } else {
+        m_timer.stop();
+    }
+    emit changed();
+}
+
+void Stepper::setSpeed(double speed) {
+    m_speed = std::clamp(speed, 0.25, 16.0);
+    emit changed();
+}
+
+void Stepper::tick() {
+    if (!m_steps) return;
+    m_due += m_speed * kStepsPerSecond[std::size_t(m_level)] * kTickMs / 1000;
+    std::optional<Moment> to;
+    for (; m_due >= 1; --m_due)
+        if (const auto next = m_steps->next(to.value_or(*moment()), m_level)) to = next;
+    if (to) goTo(*to);
+}
+
+int Stepper::bookmarkHere() const {
+    const auto at = moment();
+    for (std::size_t i = 0; at && isInside() && i < m_bookmarks.size(); ++i)
+        if (m_steps->momentOf(m_bookmarks[i]) == *at) return int(i);
+    return -1;
+}
+
+void Stepper::toggleBookmark() {
+    if (!isInside() || !m_steps) return;
+    if (const int here = bookmarkHere(); here >= 0) return removeBookmark(std::size_t(here));
+    m_bookmarks.push_back(*m_place);
+    std::ranges::sort(m_bookmarks, {}, [this](const Place& place) { return m_steps->momentOf(place); });
+    emit changed();
+}
+
+void Stepper::removeBookmark(std::size_t i) {
+    if (i >= m_bookmarks.size()) return;
+    m_bookmarks.erase(m_bookmarks.begin() + std::ptrdiff_t(i));
+    emit changed();
+}
+
+}  // namespace app

@@ -1,0 +1,81 @@
+#pragma once
+#include <QObject>
+#include <QTimer>
+#include <vector>
+
+#include "app/core/step_worker.h"
+
+namespace app {
+
+// Where the window stands inside the frame: at its end, which is the frame as every view knows it, or at a moment
+// before, when it shows the state there. Plays, keeps bookmarks, and computes off the GUI thread. The place is known
+// by name, so that it holds while the scene changes.
+class Stepper : public QObject {
+    Q_OBJECT
+public:
+    using Level = pipeline::StepLevel;
+
+    explicit Stepper(QObject* parent = nullptr);
+    ~Stepper() override;
+
+    // The newest whole frame; null forgets all, bookmarks too.
+    void setWhole(pipeline::FramePtr whole);
+    // Of that frame or, until it is counted, of an earlier one; null before the first is.
+    const StepsPtr& steps() const { return m_steps; }
+
+    bool isInside() const { return m_place.has_value(); }
+    const std::optional<pipeline::Place>& place() const { return m_place; }
+    // Where the handle stands: the place among steps(); at the end of the frame where it is not inside. Nothing before
+    // there are steps.
+    std::optional<pipeline::Moment> moment() const;
+    bool isSettled() const { return m_taken == m_ticket; }  // nothing is being computed
+    QString words() const;                                  // "polygon 2, row 270, x 258"
+
+    void goTo(const pipeline::Place& place);
+    void goTo(pipeline::Moment moment);
+    void leave();              // the whole frame again, with the stage that is on show
+    void toLast();             // likewise, with the last stage
+    void step(int direction);  // 1 on, -1 back, by the level; from the end of the frame back into it
+    bool canStep(int direction) const;
+    void toFirst();
+
+    Level level() const { return m_level; }
+    void setLevel(Level level);
+    bool isPlaying() const { return m_timer.isActive(); }
+    void setPlaying(bool playing);
+    double speed() const { return m_speed; }  // 0.25 to 16
+    void setSpeed(double speed);
+
+    // In the order of the frame.
+    const std::vector<pipeline::Place>& bookmarks() const { return m_bookmarks; }
+    // The bookmark here, if there is one: its place in that order, else -1.
+    int bookmarkHere() const;
+    void toggleBookmark();
+    void removeBookmark(std::size_t i);
+
+signals:
+    void changed();                               // the place, the steps, level, speed, bookmarks, or whether it plays
+    void shown(const pipeline::FramePtr& frame);  // the state at the place
+    void left();                                  // the whole frame is to be shown again
+    void stageReached(pipeline::StageId stage);
+
+private:
+    void request();
+    void take(StepWorker::Result result);
+    void tick();
+    void sortBookmarks();
+
+    pipeline::FramePtr m_whole;
+    StepsPtr m_steps;
+    std::optional<pipeline::Place> m_place;
+    Level m_level = Level::Polygon;
+    double m_speed = 1, m_due = 0;  // steps that are due while it plays
+    std::vector<pipeline::Place> m_bookmarks;
+    QTimer m_timer;                                     // plays
+    QTimer m_count;                                     // counts the steps of a frame once no other follows at once
+    int m_waiting = 0;                                  // steps asked for before they were counted
+    long m_ticket = 0, m_taken = 0, m_oldestValid = 0;  // of requests
+    std::unique_ptr<StepWorker> m_worker;
+};
+
+}  // namespace app

@@ -1,0 +1,146 @@
+#include "app/panels/timeline.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "app/core/icons.h"
+#include "app/core/numbers.h"
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/segmented.h"
+#include "app/panels/step_bar.h"
+
+namespace app {
+namespace {
+
+constexpr std::array kSpeeds{0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+
+QString speedText(double speed) {
+    return speed == 0.25  ? QStringLiteral("¼×")
+           : speed == 0.5 ? QStringLiteral("½×")
+                          : QStringLiteral("%1×").arg(speed);
+}
+
+QStringList levelNames() {
+    QStringList names;
+    for (std::size_t level = 0; level < pipeline::kStepLevelCount; ++level)
+        names += toQString(name(pipeline::StepLevel(level)));
+    return names;
+}
+
+}  // namespace
+
+Timeline::Timeline(Document& document, const Transport& transport, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_by(new QLabel(tr("Step by"), this)),
+      m_levels(new Segmented(levelNames(), this)),
+      m_levelList(new QComboBox(this)),
+      m_bar(new StepBar(document.stepper(), this)),
+      m_words(new QLabel(this)),
+      m_speed(new QComboBox(this)) {
+    setObjectName("timeline");
+    setAccessibleName(tr("Timeline"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    Stepper& stepper = document.stepper();
+    auto* row = new QHBoxLayout(this);
+    const std::array actions{transport.first, transport.back, transport.play, transport.next, transport.last};
+    constexpr std::array kNames{"firstStep", "stepBack", "play", "stepOn", "lastStep"};
+    constexpr std::array kIcons{"first", "previous", "play", "next", "last"};
+    for (std::size_t i = 0; i < actions.size(); ++i)
+        row->addWidget(m_buttons[i] = addButton(actions[i], kNames[i], kIcons[i]));
+    m_by->setProperty("tone", 2);
+    m_levels->setObjectName("stepLevel");
+    m_levelList->setObjectName("stepLevelList");
+    m_levelList->setAccessibleName(tr("What a step is"));
+    for (const QString& level : levelNames()) m_levelList->addItem(tr("by %1").arg(level));
+    m_levels->setToolTip(tr("What a step is. A stage without such parts takes its own next larger ones."));
+    m_levelList->setToolTip(m_levels->toolTip());
+    m_words->setObjectName("stepWords");
+    m_speed->setObjectName("stepSpeed");
+    m_speed->setAccessibleName(tr("Speed"));
+    m_speed->setToolTip(tr("How fast it plays"));
+    for (const double speed : kSpeeds) m_speed->addItem(speedText(speed), speed);
+    m_speed->setCurrentIndex(2);
+    row->addWidget(m_by);
+    row->addWidget(m_levels);
+    row->addWidget(m_levelList);
+    row->addWidget(m_bar, 1);
+    row->addWidget(m_words);
+    row->addWidget(m_speed);
+
+    connect(m_levels, &Segmented::chosen, this, [&stepper](int level) { stepper.setLevel(Stepper::Level(level)); });
+    connect(m_levelList, &QComboBox::activated, this,
+            [&stepper](int level) { stepper.setLevel(Stepper::Level(level)); });
+    connect(m_speed, &QComboBox::activated, this,
+            [this, &stepper](int i) { stepper.setSpeed(m_speed->itemData(i).toDouble()); });
+    connect(&stepper, &Stepper::changed, this, &Timeline::show);
+    connect(&document, &Document::stageChanged, this, &Timeline::show);
+    followTheme(this, [this, row] {
+        const Theme& theme = Theme::current();
+        row->setContentsMargins(theme.px(4), 0, theme.px(4), 0);
+        row->setSpacing(theme.px(6));
+        m_by->setFont(theme.text(12));
+        m_words->setFont(theme.mono(12));
+        for (QComboBox* list : {m_speed, m_levelList}) list->setFont(theme.text(12));
+        setCompact(m_compact);
+    });
+    show();
+}
+
+QToolButton* Timeline::addButton(QAction* action, const char* name, const char* icon) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setObjectName(name);
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setIcon(app::icon(icon));
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAccessibleName(action->text());
+    connect(action, &QAction::changed, button, [this] { show(); });
+    return button;
+}
+
+void Timeline::setCompact(bool compact) {
+    m_compact = compact;
+    const Theme& theme = Theme::current();
+    setFixedHeight(theme.px(compact ? 40 : 50));  // and a margin of 3 above and below in the bar
+    m_levels->setVisible(!compact);
+    m_by->setVisible(!compact);
+    m_levelList->setVisible(compact);
+    m_bar->setCompact(compact);
+    // The longest words, so that the track does not move under the hand.
+    m_words->setFixedWidth(
+        QFontMetrics(m_words->font()).horizontalAdvance(QString(compact ? 25 : 29, QLatin1Char('0'))));
+    show();
+}
+
+QString Timeline::words() const { return m_words->text(); }
+
+void Timeline::show() {
+    const Stepper& stepper = m_document.stepper();
+    m_bar->setStage(m_document.stage());
+    m_levels->setCurrent(int(stepper.level()));
+    m_levelList->setCurrentIndex(int(stepper.level()));
+    constexpr std::array kIcons{"first", "previous", "play", "next", "last"};
+    for (std::size_t i = 0; i < m_buttons.size(); ++i) {
+        const bool pauses = i == 2 && stepper.isPlaying();
+        m_buttons[i]->setIcon(app::icon(pauses ? "pause" : kIcons[i]));
+        m_buttons[i]->setAccessibleName(m_buttons[i]->defaultAction()->text());
+    }
+    QString words = tr("whole frame"), counts;
+    if (stepper.isInside() && stepper.steps()) {
+        const pipeline::Steps& steps = *stepper.steps();
+        const pipeline::Moment at = *stepper.moment();
+        words = stepper.words();
+        const Stepper::Level level = stepper.level();
+        counts = tr("%1 of %2").arg(count(steps.made(at, level)), count(steps.count(at.stage, level)));
+        if (level == Stepper::Level::Object || level == Stepper::Level::Polygon) words += QStringLiteral(", ") + counts;
+    }
+    m_words->setText(QFontMetrics(m_words->font()).elidedText(words, Qt::ElideRight, m_words->width()));
+    m_words->setToolTip(counts.isEmpty() ? words : tr("%1: %2 steps of this kind in the stage").arg(words, counts));
+}
+
+}  // namespace app

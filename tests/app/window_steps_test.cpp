@@ -1,0 +1,105 @@
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+
+#include "app/desktop/actions.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/stage_card.h"
+#include "app/panels/stage_strip.h"
+#include "app/panels/step_bar.h"
+#include "app/panels/timeline.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+using pipeline::StageId;
+
+class WindowSteps : public WindowTest {
+protected:
+    Stepper& stepper() { return document().stepper(); }
+    void openAndCount() {
+        openPyramid();
+        ASSERT_TRUE(QTest::qWaitFor([this] { return stepper().steps() != nullptr; }, 30000));
+    }
+    void settle() {
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && stepper().isSettled(); }, 30000));
+    }
+};
+
+TEST_F(WindowSteps, KeysStepInsideAndBackIsTheSamePicture) {
+    openAndCount();
+    press("Home");
+    settle();
+    EXPECT_EQ(*stepper().moment(), stepper().steps()->first());
+    std::vector<QImage> forth;
+    std::vector<pipeline::Moment> moments;
+    while (stepper().isInside()) {
+        settle();
+        forth.push_back(pictureOnScreen());
+        moments.push_back(*stepper().moment());
+        press("F10");
+    }
+    ASSERT_GT(forth.size(), 15u);  // vertices, verdicts, normals, polygons, terms, polygons
+    for (std::size_t i = forth.size(); i-- > 0;) {
+        press("Shift+F10");
+        settle();
+        EXPECT_EQ(*stepper().moment(), moments[i]);
+        EXPECT_EQ(pictureOnScreen(), forth[i]) << text(*stepper().place());
+    }
+}
+
+TEST_F(WindowSteps, TheSelectionIsWhatCtrlF10RunsTo) {
+    openAndCount();
+    EXPECT_FALSE(window.actions()[ActionId::RunToSelection]->isEnabled());
+    document().pick(glm::ivec2(268, 281));
+    EXPECT_TRUE(window.actions()[ActionId::RunToSelection]->isEnabled());
+    press("Ctrl+F10");
+    settle();
+    EXPECT_EQ(document().stage(), StageId::ZBuffer);
+    EXPECT_EQ(stepper().steps()->pixelOf(*stepper().moment()), glm::ivec2(268, 281));
+    EXPECT_EQ(window.views().first().buffer().id, pipeline::BufferId::ZView);
+}
+
+TEST_F(WindowSteps, SpacePlaysUnlessAButtonHasTheFocus) {
+    openAndCount();
+    auto* button = find<QPushButton>("runCommand");
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_Space);
+    EXPECT_FALSE(stepper().isPlaying());
+    QTest::keyClick(QApplication::activePopupWidget() ? QApplication::activePopupWidget() : button, Qt::Key_Escape);
+    find<StepBar>("stepBar")->setFocus();
+    press("Space");
+    EXPECT_TRUE(stepper().isPlaying());
+    press("Space");
+    EXPECT_FALSE(stepper().isPlaying());
+}
+
+TEST_F(WindowSteps, BookmarksHaveKeys) {
+    openAndCount();
+    stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2"));
+    settle();
+    press("Ctrl+B");
+    press("End");
+    EXPECT_FALSE(stepper().isInside());
+    press("Ctrl+1");
+    EXPECT_EQ(text(*stepper().place()), "z-buffer/polygon=2");
+    EXPECT_FALSE(window.actions()[ActionId::Bookmark2]->isEnabled());
+}
+
+TEST_F(WindowSteps, ADoubleClickOnACardEndsTheStageAndLaterOnesAreNotYet) {
+    openAndCount();
+    StageStrip& strip = *find<StageStrip>("stageStrip");
+    QTest::mouseDClick(&strip.card(StageId::Cull), Qt::LeftButton);
+    settle();
+    EXPECT_TRUE(stepper().isInside());
+    EXPECT_EQ(document().frame()->until(), StageId::Cull);
+    EXPECT_EQ(strip.card(StageId::Cull).status().state, StageState::Ran);
+    EXPECT_EQ(strip.card(StageId::ShadowBuffer).status().state, StageState::LeftOut);
+    EXPECT_EQ(strip.card(StageId::ZBuffer).status().state, StageState::NotYet);
+    EXPECT_FALSE(window.views().second().message().contains("left out"));
+}
+
+}  // namespace
+}  // namespace app
