@@ -18,9 +18,9 @@ namespace app {
 namespace {
 
 constexpr std::array kCommands{
-    Command{"export", declareExport}, Command{"plan", declarePlan},   Command{"inspect", declareInspect},
-    Command{"study", declareStudy},   Command{"check", declareCheck}, Command{"bench", declareBench},
-    Command{"lesson", declareLesson},
+    Command{"export", declareExport}, Command{"plan", declarePlan},     Command{"inspect", declareInspect},
+    Command{"study", declareStudy},   Command{"check", declareCheck},   Command{"bench", declareBench},
+    Command{"film", declareFilm},     Command{"lesson", declareLesson},
 };
 
 constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};

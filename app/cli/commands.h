@@ -22,6 +22,7 @@ void declareInspect(CLI::App& program, const CliHost& host, int& status);
 void declareStudy(CLI::App& program, const CliHost& host, int& status);
 void declareBench(CLI::App& program, const CliHost& host, int& status);
 void declareCheck(CLI::App& program, const CliHost& host, int& status);
+void declareFilm(CLI::App& program, const CliHost& host, int& status);
 void declareLesson(CLI::App& program, const CliHost& host, int& status);
 
 }  // namespace app

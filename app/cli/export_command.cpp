@@ -11,6 +11,7 @@
 #include "pipeline/export/export_frame.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/steps/steps.h"
 
 namespace app {
 
@@ -23,6 +24,7 @@ struct ExportOptions {
     std::vector<std::string> formats{"npy", "png"};
     bool views = false;
     std::string pixel;
+    std::string at;  // a place inside a stage; empty: all stages
 };
 
 std::vector<std::string> formatNames() {
@@ -34,6 +36,7 @@ std::vector<std::string> formatNames() {
 
 // Says what is wrong with the options, if anything.
 std::string wrongUsage(const ExportOptions& options, const CliHost& host) {
+    if (!options.at.empty() && !options.frame.until.empty()) return "--at names the stage; --until cannot go with it";
     if (options.folder.empty()) return "-o needs the name of a folder";
     const std::vector<std::string> known = formatNames();
     for (const std::string& format : options.formats)
@@ -80,7 +83,18 @@ int runExport(const ExportOptions& options, const CliHost& host) {
         fmt::print(stderr, "shadescope export: {}\n", why);
         return kWrongUsage;
     }
-    auto wanted = wantedFrame(*scene, options.frame);
+    FrameArgument argument = options.frame;
+    std::optional<pipeline::Place> at;
+    if (!options.at.empty()) {
+        const auto place = pipeline::parsePlace(options.at);
+        if (!place) {
+            printErrors(place.errors());
+            return kWrongUsage;
+        }
+        at = *place;
+        argument.until = pipeline::stageInfo(at->stage).name;  // nothing later is looked at
+    }
+    auto wanted = wantedFrame(*scene, argument);
     if (!wanted) {
         printErrors(wanted.errors());
         return kWrongUsage;
@@ -90,8 +104,14 @@ int runExport(const ExportOptions& options, const CliHost& host) {
 
     pipeline::FrameRequest frameRequest = wanted->request;
     frameRequest.stop = interrupt.token();
-    const pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
-    pipeline::ExportRequest request{options.folder, wanted->buffers, options.formats, {}};
+    pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
+    pipeline::ExportRequest request{options.folder, wanted->buffers, options.formats, {}, {}};
+    if (at && frame) {
+        const pipeline::Steps steps(frame);
+        const pipeline::Moment moment = steps.momentOf(*at);
+        request.at = text(steps.placeOf(moment));
+        frame = steps.frameAt(moment, options.frame.threads, interrupt.token());
+    }
     if (options.views)
         request.writeMore = [&](const std::filesystem::path& folder) { return host.writeViews(*frame, pixel, folder); };
     const auto goOn = [&](double, std::string_view) { return !interrupt.asked(); };
@@ -122,6 +142,11 @@ void declareExport(CLI::App& program, const CliHost& host, int& status) {
         ->required()
         ->type_name("DIR");
     declareFrameArgument(*command, options->frame);
+    command
+        ->add_option(
+            "--at", options->at,
+            "The state inside a stage, right after a step: z-buffer/polygon=2, z-buffer/polygon=2/row=270/x=258")
+        ->type_name("PLACE");
     command->add_option("--format", options->formats, fmt::format("Any of {}", fmt::join(formatNames(), ", ")))
         ->type_name("NAME,...")
         ->delimiter(',')

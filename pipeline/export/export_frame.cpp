@@ -150,7 +150,7 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
 
     ByteFile out(staging.folder() / kManifest);
     // Replacing what is not UTF-8: a file's name may hold any bytes.
-    out.write(manifest(frame, askedFor(frame, request), written, *whole, *views)
+    out.write(manifest(frame, askedFor(frame, request), written, *whole, *views, request.at)
                   .dump(2, ' ', false, Json::error_handler_t::replace) +
               '\n');
     const auto bytes = out.close();

@@ -72,25 +72,27 @@ Json absent(const Frame& frame, const std::vector<BufferName>& asked) {
 }  // namespace
 
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
-              const std::vector<WrittenScene>& whole, const std::vector<std::string>& views) {
+              const std::vector<WrittenScene>& whole, const std::vector<std::string>& views, const std::string& at) {
     Json files = Json::array();
     for (const WrittenScene& file : whole)
         files.push_back({{"file", file.file}, {"format", file.exporter->name}, {"bytes", file.bytes}});
     Json described = Json::array();
     for (const WrittenBuffer& buffer : buffers) described.push_back(describe(buffer));
-    return {{"program", {{"name", "Shadescope"}, {"version", programVersion()}}},
-            {"scene", sceneToJson(frame.scene())},
-            {"settings", settingsToJson(frame.scene())},
-            {"remarks", remarksToJson(frame.scene())},
-            {"until", stageInfo(frame.until()).name},
-            {"plan", toJson(frame.plan())},
-            {"milliseconds", frame.milliseconds()},
-            {"stages", runTimes(frame)},
-            {"verdicts", verdicts()},
-            {"buffers", described},
-            {"absent", absent(frame, asked)},
-            {"files", files},
-            {"views", views}};
+    Json all{{"program", {{"name", "Shadescope"}, {"version", programVersion()}}},
+             {"scene", sceneToJson(frame.scene())},
+             {"settings", settingsToJson(frame.scene())},
+             {"remarks", remarksToJson(frame.scene())},
+             {"until", stageInfo(frame.until()).name},
+             {"plan", toJson(frame.plan())},
+             {"milliseconds", frame.milliseconds()},
+             {"stages", runTimes(frame)},
+             {"verdicts", verdicts()},
+             {"buffers", described},
+             {"absent", absent(frame, asked)},
+             {"files", files},
+             {"views", views}};
+    if (!at.empty()) all["at"] = at;
+    return all;
 }
 
 }  // namespace pipeline

@@ -29,6 +29,6 @@ struct WrittenScene {
 // The text of manifest.json: which program made this of what, with which settings and plan,
 // and what each file holds. `asked` are the buffers that were to be exported.
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
-              const std::vector<WrittenScene>& whole, const std::vector<std::string>& views);
+              const std::vector<WrittenScene>& whole, const std::vector<std::string>& views, const std::string& at);
 
 }  // namespace pipeline

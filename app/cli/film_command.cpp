@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/frame_argument.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/scene_argument.h"
+#include "pipeline/core/text.h"
+#include "pipeline/export/film.h"
+#include "pipeline/run/runner.h"
+
+namespace app {
+namespace {
+
+struct FilmOptions {
+    SceneArgument scene;
+    std::string target, buffer = "color", level = "polygon", from, to;
+    int pictures = 120, milliseconds = 100, threads = 0;
+    bool noCaptions = false;
+};
+
+// A place from the command line, or nothing after the reason went to standard error.
+std::optional<pipeline::Place> placeNamed(const std::string& option, const std::string& text) {
+    const auto place = pipeline::parsePlace(text);
+    if (place) return *place;
+    fmt::print(stderr, "shadescope film: {}: {}\n", option, format(place.errors()));
+    return std::nullopt;
+}
+
+int runFilm(const FilmOptions& options) {
+    const Interrupt interrupt;
+    int status = kDone;
+    const auto scene = loadScene(options.scene, status);
+    if (!scene) return status;
+    const auto wanted = wantedFrame(*scene, {{options.buffer}, {}, options.threads});
+    if (!wanted || wanted->buffers.size() != 1) {
+        printErrors(wanted ? pipeline::Errors{{{}, "a film shows one buffer", "its name"}} : wanted.errors());
+        return kWrongUsage;
+    }
+    const pipeline::BufferName buffer = wanted->buffers[0];
+    const pipeline::BufferInfo& info = bufferInfo(buffer.id);
+    if (info.domain != pipeline::Domain::Pixel && info.domain != pipeline::Domain::Texel) {
+        fmt::print(stderr, "shadescope film: {} has no pixels, so that there is nothing to film\n", buffer.text());
+        return kWrongUsage;
+    }
+    pipeline::Place from{info.stage}, to{info.stage};
+    from.what = pipeline::Place::What::Start;
+    for (auto [text, place, option] : {std::tuple{&options.from, &from, "--from"}, {&options.to, &to, "--to"}}) {
+        if (text->empty()) continue;
+        const auto named = placeNamed(option, *text);
+        if (!named) return kWrongUsage;
+        *place = *named;
+    }
+    pipeline::FrameRequest frameRequest = wanted->request;
+    frameRequest.until = std::max({info.stage, from.stage, to.stage});
+    frameRequest.stop = interrupt.token();
+    const pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
+    const auto cancelled = [] {
+        fmt::print(stderr, "Cancelled. Nothing was written.\n");
+        return kInterrupted;
+    };
+    if (!frame) return cancelled();
+    if (!frame->buffer(buffer)) {
+        fmt::print(stderr, "shadescope film: no {}. {}\n", buffer.text(), frame->whyAbsent(buffer));
+        return kWrongUsage;
+    }
+    const pipeline::Steps steps(frame);
+    const pipeline::FilmRequest request{buffer,
+                                        *pipeline::findStepLevel(options.level),
+                                        steps.momentOf(from),
+                                        steps.momentOf(to),
+                                        std::size_t(options.pictures),
+                                        options.milliseconds,
+                                        !options.noCaptions};
+    if (request.to < request.from) {
+        fmt::print(stderr, "shadescope film: --to comes before --from\n");
+        return kWrongUsage;
+    }
+    ProgressLine line("film");
+    const auto summary = writeFilm(steps, request, options.target, [&](std::size_t done, std::size_t all) {
+        line.show(done, all);
+        return !interrupt.asked();
+    });
+    if (!summary) {
+        printErrors(summary.errors());
+        return kCouldNotWrite;
+    }
+    if (summary->cancelled) return cancelled();
+    fmt::print(stderr, "{} pictures, {:.1f} MB, in {}\n", summary->pictures, double(summary->bytes) / 1e6,
+               options.target);
+    return kDone;
+}
+
+}  // namespace
+
+void declareFilm(CLI::App& program, const CliHost&, int& status) {
+    const auto options = std::make_shared<FilmOptions>();
+    CLI::App* command = program.add_subcommand("film", "Write a buffer's build-up, step by step, as a GIF or as PNGs");
+    declareSceneArgument(*command, options->scene);
+    command->add_option("-o,--output", options->target, "A file that ends in .gif, or a folder for PNG files")
+        ->required()
+        ->type_name("FILE.gif|DIR");
+    command->add_option("--buffer", options->buffer, "Which buffer the film shows")
+        ->type_name("NAME")
+        ->capture_default_str();
+    std::vector<std::string> levels;
+    for (std::size_t level = 0; level < pipeline::kStepLevelCount; ++level)
+        levels.emplace_back(name(pipeline::StepLevel(level)));
+    command->add_option("--by", options->level, fmt::format("A picture for each {}", fmt::join(levels, ", ")))
+        ->type_name("LEVEL")
+        ->check(CLI::IsMember(levels))
+        ->capture_default_str();
+    command->add_option("--from", options->from, "The first picture; the beginning of the buffer's stage unless given")
+        ->type_name("PLACE");
+    command->add_option("--to", options->to, "The last picture; the end of the buffer's stage unless given")
+        ->type_name("PLACE");
+    command->add_option("--pictures", options->pictures, "At most so many, evenly spread")
+        ->type_name("N")
+        ->check(CLI::Range(2, 10000))
+        ->capture_default_str();
+    command->add_option("--milliseconds", options->milliseconds, "How long a picture stays, in a GIF")
+        ->type_name("N")
+        ->check(CLI::Range(10, 60000))
+        ->capture_default_str();
+    command->add_flag("--no-captions", options->noCaptions, "Leave out the line below the picture");
+    declareThreads(*command, options->threads);
+    command->callback([options, &status] { status = runFilm(*options); });
+}
+
+}  // namespace app

@@ -1,0 +1,41 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+
+#include "pipeline/buffers/buffer2d.h"
+#include "pipeline/buffers/palette.h"
+#include "pipeline/core/result.h"
+#include "pipeline/steps/steps.h"
+
+namespace pipeline {
+
+// A film of a frame's build-up: one buffer, step by step, each picture with a line that says where it stands.
+struct FilmRequest {
+    BufferName buffer{BufferId::Color};
+    StepLevel level = StepLevel::Polygon;
+    Moment from, to;             // the first picture and the last
+    std::size_t pictures = 120;  // at most; where there are more steps, evenly spread ones, the last among them
+    int milliseconds = 100;      // a picture, in a GIF; the last stays ten times as long
+    bool captions = true;
+};
+
+// The moments that the film shows, ascending; `from` and `to` are among them.
+std::vector<Moment> filmMoments(const Steps& steps, const FilmRequest& request);
+
+// One picture: the buffer at the moment in the colours of the whole frame's range, so that they mean the same all
+// along, and below it a line in words. Before the buffer's stage has begun, black. The buffer has pixels.
+Buffer2D<Color8> filmPicture(const Steps& steps, Moment moment, const FilmRequest& request);
+
+// Called before each picture; false cancels.
+using FilmProgress = std::function<bool(std::size_t done, std::size_t all)>;
+struct FilmSummary {
+    bool cancelled = false;  // nothing was written
+    std::size_t pictures = 0;
+    std::uint64_t bytes = 0;
+};
+// Writes "FILE.gif", or into a folder step_0001.png, step_0002.png… All of it, or nothing. A GIF has at most 256
+// colours a picture. The same request gives the same bytes on one machine; another may have other letters.
+Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, const std::filesystem::path& target,
+                              const FilmProgress& progress = {});
+
+}  // namespace pipeline

@@ -1,0 +1,79 @@
+// One moment of a frame, and films of it, from the command line.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+#include "tests/support/files.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using test::run;
+
+TEST(ExportAt, WritesTheStateInsideAStageAndNamesItInTheManifest) {
+    const test::TemporaryFolder folder;
+    const auto done = run({"export", "pyramid", "-o", folder / "out", "--set", "cull=none", "--format", "npy", "--at",
+                           "z-buffer/polygon=2/row=270/x=258"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const auto manifest = nlohmann::json::parse(test::readText(folder / "out/manifest.json"));
+    EXPECT_EQ(manifest["at"], "z-buffer/polygon=2/row=270/x=258");
+    EXPECT_EQ(manifest["until"], "z-buffer");
+    EXPECT_FALSE(fs::exists(folder / "out/color.npy"));
+    // Polygons 3 and 4 have not come, and polygon 2 has no pixel below row 270.
+    const test::Npy ids = test::readNpy(folder / "out/polygon_id.npy");
+    ASSERT_EQ(ids.shape, (std::vector<std::size_t>{480, 640}));
+    EXPECT_EQ(ids.values[270 * 640 + 258], 2);
+    for (std::size_t i = 0; i < ids.values.size(); ++i) {
+        ASSERT_LE(ids.values[i], 2);
+        if (ids.values[i] == 2) {
+            ASSERT_LE(i, 270u * 640 + 258) << i;
+        }
+    }
+}
+
+TEST(ExportAt, RefusesAPlaceThatIsNone) {
+    const test::TemporaryFolder folder;
+    for (const char* place : {"zbuffer", "z-buffer/vertex=1", "cull/row=3"}) {
+        const auto done = run({"export", "pyramid", "-o", folder / "out", "--at", place});
+        EXPECT_EQ(done.status, 2) << place;
+        EXPECT_NE(done.err.find("expected"), std::string::npos) << done.err;
+    }
+    EXPECT_EQ(run({"export", "pyramid", "-o", folder / "out", "--at", "cull", "--until", "cull"}).status, 2);
+    EXPECT_EQ(run({"export", "pyramid", "-o", folder / "out", "--at", "cull", "--buffers", "color"}).status, 2);
+    EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(Film, IsAGifOrAFolderOfPictures) {
+    const test::TemporaryFolder folder;
+    const auto gif = run({"film", "pyramid", "--size", "320x240", "--buffer", "z_view", "-o", folder / "film.gif"});
+    ASSERT_EQ(gif.status, 0) << gif.err;
+    EXPECT_EQ(test::readText(folder / "film.gif").substr(0, 6), "GIF89a");
+    const auto pictures =
+        run({"film", "pyramid", "--size", "320x240", "--buffer", "z_view", "--no-captions", "-o", folder / "film"});
+    ASSERT_EQ(pictures.status, 0) << pictures.err;
+    // The beginning, and the three polygons that face the eye.
+    EXPECT_NE(pictures.err.find("4 pictures"), std::string::npos) << pictures.err;
+    EXPECT_EQ(test::readPng(folder / "film/step_0004.png").height, 240);
+    EXPECT_FALSE(fs::exists(folder / "film/step_0005.png"));
+}
+
+TEST(Film, RefusesWhatCannotBeFilmed) {
+    const test::TemporaryFolder folder;
+    const std::vector<std::vector<std::string>> wrong{{"--buffer", "vertices.world"},
+                                                      {"--buffer", "nothing"},
+                                                      {"--from", "nowhere"},
+                                                      {"--by", "row"},
+                                                      {"--from", "shading", "--to", "shading/start"}};
+    for (const auto& options : wrong) {
+        std::vector<std::string> all{"film", "pyramid", "-o", (folder / "film.gif").string()};
+        all.insert(all.end(), options.begin(), options.end());
+        const auto done = run(all);
+        EXPECT_EQ(done.status, 2) << options.back();
+        EXPECT_NE(done.err, "") << options.back();
+    }
+    EXPECT_FALSE(fs::exists(folder / "film.gif"));
+}
+
+}  // namespace

@@ -1,0 +1,113 @@
+// Step films: which moments they show, what a picture holds, and that a GIF is what a reader of GIFs takes it for.
+#include "pipeline/export/film.h"
+
+#include <gif_lib.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "tests/support/files.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+Steps smallPyramid() {
+    Scene scene = test::pyramid();
+    scene.settings.width = 64, scene.settings.height = 48;
+    scene.camera.pixelsPerUnit = 0.1;
+    return Steps(test::frameOf(scene));
+}
+
+FilmRequest zFilm(const Steps& steps) {
+    FilmRequest request;
+    request.buffer = {BufferId::ZView};
+    request.from = {StageId::ZBuffer, 0}, request.to = {StageId::ZBuffer, steps.total(StageId::ZBuffer)};
+    return request;
+}
+
+TEST(Film, HasAPictureForTheBeginningAndForEveryStep) {
+    const Steps steps = smallPyramid();
+    FilmRequest request = zFilm(steps);
+    const std::vector<Moment> moments = filmMoments(steps, request);
+    ASSERT_EQ(moments.size(), 4u);  // three of the five polygons face the eye
+    EXPECT_EQ(moments.front(), request.from);
+    EXPECT_EQ(moments.back(), request.to);
+}
+
+TEST(Film, ThinsManyStepsEvenlyAndKeepsTheEnds) {
+    const Steps steps = smallPyramid();
+    FilmRequest request = zFilm(steps);
+    request.level = StepLevel::Pixel, request.pictures = 11;
+    const std::vector<Moment> moments = filmMoments(steps, request);
+    ASSERT_EQ(moments.size(), 11u);
+    EXPECT_EQ(moments.front(), request.from);
+    EXPECT_EQ(moments.back(), request.to);
+    const double mean = double(request.to.done) / 10;
+    for (std::size_t i = 1; i < moments.size(); ++i)
+        EXPECT_NEAR(double(moments[i].done - moments[i - 1].done), mean, 1);
+}
+
+TEST(Film, APictureIsTheBufferInTheWholeFramesColours) {
+    const Steps steps = smallPyramid();
+    FilmRequest request = zFilm(steps);
+    const AnyBuffer whole = *steps.frame()->buffer(request.buffer);
+    const PaletteRange range = fittingRange(whole, statistics(whole), DepthFormat::Linear);
+    const Moment one = *steps.next(request.from, StepLevel::Polygon);
+    const Buffer2D<Color8> picture = filmPicture(steps, one, request);
+    const AnyBuffer there = *steps.frameAt(one)->buffer(request.buffer);
+    ASSERT_EQ(picture.size.x, 64);
+    ASSERT_GT(picture.size.y, 48);  // the words below
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x)
+            ASSERT_EQ(picture.at({x, y}), elementColor(there, std::size_t(x), std::size_t(y), range));
+    request.captions = false;
+    EXPECT_EQ(filmPicture(steps, one, request).size.y, 48);
+}
+
+TEST(Film, AGifHoldsThePicturesAndGoesOnForEver) {
+    const Steps steps = smallPyramid();
+    FilmRequest request = zFilm(steps);
+    request.captions = false;
+    const test::TemporaryFolder folder;
+    const auto file = folder.path() / "film.gif";
+    const auto summary = writeFilm(steps, request, file);
+    ASSERT_TRUE(summary) << format(summary.errors());
+    EXPECT_EQ(summary->pictures, 4u);
+    EXPECT_EQ(summary->bytes, std::filesystem::file_size(file));
+    int error = 0;
+    GifFileType* gif = DGifOpenFileName(file.c_str(), &error);
+    ASSERT_NE(gif, nullptr);
+    ASSERT_EQ(DGifSlurp(gif), GIF_OK);
+    EXPECT_EQ(gif->ImageCount, 4);
+    EXPECT_EQ(gif->SWidth, 64);
+    EXPECT_EQ(gif->SHeight, 48);
+    const Buffer2D<Color8> last = filmPicture(steps, request.to, request);
+    std::set<std::uint32_t> colors;
+    for (const Color8 c : last.pixels) colors.insert(std::uint32_t(c.r) << 16 | std::uint32_t(c.g) << 8 | c.b);
+    ASSERT_LE(colors.size(), 256u);  // else the GIF is not exact
+    const SavedImage& image = gif->SavedImages[3];
+    for (std::size_t i = 0; i < last.pixels.size(); ++i) {
+        const GifColorType color = image.ImageDesc.ColorMap->Colors[image.RasterBits[i]];
+        ASSERT_EQ(Color8(color.Red, color.Green, color.Blue), last.pixels[i]);
+    }
+    DGifCloseFile(gif, &error);
+}
+
+TEST(Film, AFolderHoldsThePicturesByNumberAndCancellingLeavesNothing) {
+    const Steps steps = smallPyramid();
+    const FilmRequest request = zFilm(steps);
+    const test::TemporaryFolder folder;
+    const auto stopped =
+        writeFilm(steps, request, folder.path() / "film", [](std::size_t done, std::size_t) { return done < 2; });
+    ASSERT_TRUE(stopped);
+    EXPECT_TRUE(stopped->cancelled);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "film"));
+    ASSERT_TRUE(writeFilm(steps, request, folder.path() / "film"));
+    for (const char* name : {"step_0001.png", "step_0002.png", "step_0003.png", "step_0004.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "film" / name)) << name;
+}
+
+}  // namespace
+}  // namespace pipeline
