@@ -180,6 +180,7 @@ void Document::showFrame(const FramePtr& frame) {
 void Document::showStage(StageId stage) {
     if (stage == m_stage) return;
     m_stage = stage;
+    m_stepper.setStage(stage);
     emit stageChanged();
     emit said(
         QString::fromStdString(std::string(stageInfo(stage).label) + ": " + std::string(stageInfo(stage).summary)));

@@ -70,7 +70,8 @@ std::vector<SettingRef> settingsOf(const Scene& scene, const SceneItem& item) {
     std::vector<SettingRef> settings = settingsOf(scene, groupOf(item.kind));
     std::erase_if(settings, [&](const SettingRef& setting) { return setting.index != item.index; });
     if (item.kind == SceneItem::Kind::Scene)
-        std::ranges::copy(settingsOf(scene, SettingGroup::LeavingOut), std::back_inserter(settings));
+        for (const SettingGroup group : {SettingGroup::Numerics, SettingGroup::LeavingOut})
+            std::ranges::copy(settingsOf(scene, group), std::back_inserter(settings));
     return settings;
 }
 

@@ -66,7 +66,7 @@ void Stepper::take(StepWorker::Result result) {
 
 std::optional<Moment> Stepper::moment() const {
     if (!m_steps) return std::nullopt;
-    return m_place ? m_steps->momentOf(*m_place) : m_steps->last();
+    return m_steps->momentOf(m_place.value_or(Place{m_stage}));
 }
 
 QString Stepper::words() const {
@@ -96,6 +96,11 @@ void Stepper::leave() {
     emit changed();
 }
 
+void Stepper::setStage(pipeline::StageId stage) {
+    m_stage = stage;
+    if (!isInside()) emit changed();
+}
+
 void Stepper::toLast() {
     leave();
     emit stageReached(pipeline::StageId::Shading);
@@ -103,8 +108,9 @@ void Stepper::toLast() {
 
 bool Stepper::canStep(int direction) const {
     if (!m_whole) return false;
-    if (!m_steps) return direction < 0;
-    return direction > 0 ? isInside() : *moment() > m_steps->first();
+    if (!m_steps) return direction < 0 || m_stage != pipeline::StageId::Shading;
+    if (isInside() && direction > 0) return true;  // at least to the whole frame
+    return direction > 0 ? *moment() < m_steps->last() : *moment() > m_steps->first();
 }
 
 void Stepper::step(int direction) {

@@ -25,17 +25,18 @@ public:
 
     bool isInside() const { return m_place.has_value(); }
     const std::optional<pipeline::Place>& place() const { return m_place; }
-    // Where the handle stands: the place among steps(); at the end of the frame where it is not inside. Nothing before
-    // there are steps.
+    // Where the handle stands: the place among steps(); at the end of the stage on show where it is not inside. Nothing
+    // before there are steps.
     std::optional<pipeline::Moment> moment() const;
     bool isSettled() const { return m_taken == m_ticket; }  // nothing is being computed
     QString words() const;                                  // "polygon 2, row 270, x 258"
 
     void goTo(const pipeline::Place& place);
     void goTo(pipeline::Moment moment);
-    void leave();              // the whole frame again, with the stage that is on show
-    void toLast();             // likewise, with the last stage
-    void step(int direction);  // 1 on, -1 back, by the level; from the end of the frame back into it
+    void leave();                            // the whole frame again, with the stage that is on show
+    void setStage(pipeline::StageId stage);  // the stage on show, from whose end steps lead on and back
+    void toLast();                           // likewise, with the last stage
+    void step(int direction);                // 1 on, -1 back, by the level; from the end of a stage into it or the next
     bool canStep(int direction) const;
     void toFirst();
 
@@ -68,6 +69,7 @@ private:
     pipeline::FramePtr m_whole;
     StepsPtr m_steps;
     std::optional<pipeline::Place> m_place;
+    pipeline::StageId m_stage = pipeline::StageId::Shading;
     Level m_level = Level::Polygon;
     double m_speed = 1, m_due = 0;  // steps that are due while it plays
     std::vector<pipeline::Place> m_bookmarks;

@@ -52,9 +52,10 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
     menu->addAction(tr("Copy picture"), this, &BufferHeader::copyPictureChosen);
     more->setMenu(menu);
     more->setPopupMode(QToolButton::InstantPopup);
-    for (QWidget* part : {static_cast<QWidget*>(m_fit), static_cast<QWidget*>(m_original),
-                          static_cast<QWidget*>(m_zoom), static_cast<QWidget*>(m_loupe), static_cast<QWidget*>(m_overlays),
-                          static_cast<QWidget*>(m_compare), static_cast<QWidget*>(more)})
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_fit), static_cast<QWidget*>(m_original), static_cast<QWidget*>(m_zoom),
+          static_cast<QWidget*>(m_loupe), static_cast<QWidget*>(m_overlays), static_cast<QWidget*>(m_compare),
+          static_cast<QWidget*>(more)})
         row->addWidget(part);
 
     connect(m_fit, &QToolButton::clicked, this, &BufferHeader::fitChosen);
@@ -103,7 +104,9 @@ void BufferHeader::show(const pipeline::BufferName& name, int channel) {
     arrange();
 }
 
-void BufferHeader::setZoom(double zoom) { m_zoom->setText(number(zoom, zoom >= 2 || zoom == 1 ? 0 : 2) + "×"); }
+void BufferHeader::setZoom(double zoom) {
+    m_zoom->setText(zoom > 0 ? number(zoom, zoom >= 2 || zoom == 1 ? 0 : 2) + "×" : QString());
+}
 
 void BufferHeader::setToggles(bool overlays, bool loupe) {
     m_overlays->setChecked(overlays);

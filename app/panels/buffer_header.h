@@ -18,7 +18,7 @@ public:
     explicit BufferHeader(const Document& document, QWidget* parent = nullptr);
 
     void show(const pipeline::BufferName& name, int channel);
-    void setZoom(double zoom);  // screen pixels per picture pixel
+    void setZoom(double zoom);  // screen pixels per picture pixel; 0: there is no picture
     void setToggles(bool overlays, bool loupe);
     BufferChooser* chooser() { return m_chooser; }
     void openCompareMenu();
@@ -26,7 +26,7 @@ public:
 signals:
     void channelChosen(int channel);  // -1: all
     void fitChosen();
-    void originalChosen();  // one to one
+    void originalChosen();               // one to one
     void overlayMenuOpens(QMenu* menu);  // it is to be filled
     void loupeToggled(bool on);
     void compareMenuOpens(QMenu* menu);  // it is to be filled

@@ -17,9 +17,9 @@ struct CanvasContent {
     QRectF focus;  // what is worth looking at, for fitting; empty: all of it
     QImage image;  // null where shapes are shown
     std::optional<ShapePicture> shapes;
-    std::vector<QPolygonF> edges;               // outlines over the image
-    std::vector<QImage> overlays;               // of the same size, over the image
-    std::optional<ShapePicture> verdicts;       // the same of polygons, half transparent
+    std::vector<QPolygonF> edges;          // outlines over the image
+    std::vector<QImage> overlays;          // of the same size, over the image
+    std::optional<ShapePicture> verdicts;  // the same of polygons, half transparent
     std::optional<pipeline::EdgeView> edgeView;
     std::function<QString(int, int)> strange;   // a mark on a number that should not be there; may be empty
     std::function<QStringList(int, int)> text;  // lines written into a pixel that is large enough

@@ -173,6 +173,7 @@ void BufferView::refresh() {
     m_shown = m_compare->show(frame, std::move(*shown));
     m_stack->setCurrentWidget(m_canvas);
     m_canvas->setContent(m_shown->content);
+    m_header->setZoom(m_canvas->zoom());
     m_foot->show(*m_shown, !keptRange());
     m_notice->setText(m_shown->empty.isEmpty() ? m_shown->notice : m_shown->empty);
     m_notice->setVisible(!m_notice->text().isEmpty());
@@ -196,6 +197,7 @@ void BufferView::showMessage(const QString& text, bool canCompute) {
     m_foot->hide();
     setAccessibleDescription(text);
     m_stack->setCurrentWidget(m_page);
+    m_header->setZoom(0);  // of no picture
 }
 
 void BufferView::showPixels() {

@@ -49,8 +49,8 @@ QString fragments(const Frame& frame, QSize size, std::vector<QImage>& images) {
     if (!buffer) return {};
     const auto counts = std::get<std::span<const std::int32_t>>(buffer->data);
     const auto most = *std::max_element(counts.begin(), counts.end());
-    images.push_back(imageOf(
-        size, [&](std::size_t i) { return counts[i] == 0 ? QRgb(0) : onTop(scaleColor(counts[i], 1, most)); }));
+    images.push_back(
+        imageOf(size, [&](std::size_t i) { return counts[i] == 0 ? QRgb(0) : onTop(scaleColor(counts[i], 1, most)); }));
     QStringList parts;
     if (most <= 6)
         for (int n = 1; n <= most; ++n) parts << swatch(scaleColor(n, 1, most), QString("×%1").arg(n));
@@ -79,8 +79,9 @@ QString polygonSizes(const Frame& frame, QSize size, std::vector<QImage>& images
     images.push_back(imageOf(size, [&](std::size_t i) {
         return ids[i] < 0 || areas[std::size_t(ids[i])] <= 0 ? QRgb(0) : onTop(colorOf(areas[std::size_t(ids[i])]));
     }));
-    return QString("size %1 %2").arg(swatch(colorOf(least), number(least, least < 10 ? 1 : 0)),
-                                     swatch(colorOf(most), number(most, most < 10 ? 1 : 0) + " px²"));
+    return QString("size %1 %2")
+        .arg(swatch(colorOf(least), number(least, least < 10 ? 1 : 0)),
+             swatch(colorOf(most), number(most, most < 10 ? 1 : 0) + " px²"));
 }
 
 QString depthTest(const Frame& frame, QSize size, std::vector<QImage>& images) {
@@ -100,7 +101,8 @@ QString depthTest(const Frame& frame, QSize size, std::vector<QImage>& images) {
 }
 
 // NaN and infinities have colours of their own already: they get a frame of marks, negative ones a hatch.
-QString strange(const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn, int channel, CanvasContent& content) {
+QString strange(const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn, int channel,
+                CanvasContent& content) {
     auto found = pipeline::strangeNumbers(buffer, channel, drawn);
     if (found.nan + found.infinite + found.negative == 0) return {};
     const auto width = std::size_t(content.size.width());

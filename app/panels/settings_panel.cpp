@@ -18,7 +18,7 @@ namespace {
 using pipeline::SettingGroup;
 
 // The tabs after the selected thing's.
-constexpr std::array kGroups{SettingGroup::Shading, SettingGroup::Depth, SettingGroup::Shadow, SettingGroup::Numerics};
+constexpr std::array kGroups{SettingGroup::Shading, SettingGroup::Depth, SettingGroup::Shadow};
 // More settings than this without effect are folded away.
 constexpr int kMostIdleRows = 3;
 

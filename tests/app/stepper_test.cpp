@@ -95,6 +95,19 @@ TEST_F(StepperTest, FromTheWholeFrameTheOnlyWayIsBack) {
     EXPECT_FALSE(stepper.canStep(-1));
 }
 
+TEST_F(StepperTest, FromTheEndOfAStageStepsLeadBothWays) {
+    document.setStage(pipeline::StageId::ZBuffer);
+    EXPECT_FALSE(stepper.isInside());
+    EXPECT_TRUE(stepper.canStep(1));
+    stepper.step(1);
+    EXPECT_TRUE(stepper.isInside());
+    EXPECT_EQ(stepper.moment()->stage, pipeline::StageId::Shading);
+    document.setStage(pipeline::StageId::ZBuffer);
+    stepper.step(-1);
+    EXPECT_EQ(stepper.moment()->stage, pipeline::StageId::ZBuffer);
+    EXPECT_LT(*stepper.moment(), stepper.steps()->momentOf({pipeline::StageId::ZBuffer}));
+}
+
 TEST_F(StepperTest, APlaceHoldsWhileTheSceneChanges) {
     goTo("z-buffer/polygon=2/row=270/x=258");
     const Place place = *stepper.place();
