@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 
-// Structs hold vectors here, which those of no fixed width forbid.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "pipeline/fast/targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pipeline/fast/shade_pixels.cpp"
 #include <hwy/foreach_target.h>

@@ -208,8 +208,7 @@ TEST(SubPixels, NoGridTearsASurface) {
                 holes += overdraw.value(x, y) == 0, twice += overdraw.value(x, y) > 1;
         }
         EXPECT_EQ(holes, 0) << bits;
-        // At the outline a coarse grid may turn a narrow polygon round, over its neighbour.
-        EXPECT_LE(twice, bits <= 2 ? 8 : 0) << bits;
+        EXPECT_EQ(twice, 0) << bits;
     }
 }
 
