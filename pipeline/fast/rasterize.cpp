@@ -23,25 +23,35 @@ using U = hn::RebindToUnsigned<F>;
 // Below this double holds every whole number.
 constexpr double kWhole = 9007199254740992.0;
 
+// Corners stand on a grid, and pixels' centres on one of half pixels: the edge functions of a triangle are multiples of
+// the square of the finer step, and double holds as many of these.
+double exactBelow(const SnappedTriangle& t) {
+    std::int64_t bits = kSubPixels / 2;
+    for (const glm::i64vec2& corner : t.corners) bits |= corner.x | corner.y;
+    const auto step = double(bits & -bits);
+    return kWhole * step * step;
+}
+
 // The edge functions of a triangle at the first pixel of its box in a tile, and their steps to the next column and row.
 // covers: at least the bias, where all three are inside.
 struct Edges {
     glm::ivec2 min, max;
     double value[3], column[3], row[3], bias[3];
-    bool whole = true;  // all of them in the box are below kWhole
+    bool exact = true;  // double holds all of them in the box
 
     Edges(const SnappedTriangle& t, Tile tile) {
         const Tile box = t.pixels();
         min = glm::max(tile.min, box.min), max = glm::min(tile.max, box.max);
         const EdgeFunction edges[3]{
             {t.corners[1], t.corners[2]}, {t.corners[2], t.corners[0]}, {t.corners[0], t.corners[1]}};
+        const double limit = exactBelow(t);
         for (int i = 0; i < 3; ++i) {
             value[i] = double(edges[i].atPixel(min));
             column[i] = -double(edges[i].dy) * double(kSubPixels), row[i] = double(edges[i].dx) * double(kSubPixels);
             bias[i] = edges[i].ownsBoundary() ? 0 : 1;
             const double most = std::abs(value[i]) + std::abs(column[i]) * std::max(0, max.x - min.x) +
                                 std::abs(row[i]) * std::max(0, max.y - min.y);
-            whole = whole && most < kWhole;
+            exact = exact && most < limit;
         }
     }
 };
@@ -104,7 +114,7 @@ void drawTile(const View& view, const TriangleBins<float>& bins, std::size_t ind
     for (const std::uint32_t& i : bins.bins[index]) {
         const RasterTriangle<float>& triangle = bins.triangles[i];
         const Edges edges(triangle.snapped, tile);
-        if (narrow || !edges.whole) {
+        if (narrow || !edges.exact) {
             zBuffer(view, DepthFormat::Linear, bins, std::span(&i, 1), tile, out);
             continue;
         }
@@ -150,7 +160,7 @@ void drawShadowTile(const View& face, const TriangleBins<float>& bins, std::size
     for (const std::uint32_t i : bins.bins[index]) {
         const RasterTriangle<float>& triangle = bins.triangles[i];
         const Edges edges(triangle.snapped, tile);
-        if (narrow || !edges.whole) {
+        if (narrow || !edges.exact) {
             forEachCovered(triangle.snapped, tile, [&](glm::ivec2 texel, const std::array<std::int64_t, 3>& e) {
                 float& stored = depth.at(texel);
                 stored = std::min(stored, interpolate(triangle, e, face.perspective).z);

@@ -241,7 +241,10 @@ TEST(Vectors, RasterizeHugeTrianglesToTheSameBits) {
     scene.camera.eye = {1, 1, 10}, scene.camera.target = {1.3, 1.1, 0}, scene.camera.up = {0, 1, 0};
     scene.camera.near = 1e-3, scene.camera.far = 1e6;
     scene.objects[0].transform.scale = Vec3d(1000);
-    expectTheSameBits(scene);
+    for (const int bits : {1, 8, 12, 16}) {
+        scene.settings.subPixelBits = bits;
+        expectTheSameBits(scene);
+    }
 }
 
 TEST(Fast, TakesSeveralPixelsAtATime) {
