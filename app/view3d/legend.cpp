@@ -44,18 +44,17 @@ void paintTip(QPainter& painter, VectorCode code, QPointF end, const QColor& ink
     }
 }
 
-// The cube's faces: outward direction, its letter, and its four corners in order.
+// The cube's faces: outward direction, and what their four corners are found from, in order.
 struct Side {
     CubeFace face;
-    Vec3d out, across;  // letter's reading direction is found from these
-    const char* letter;
+    Vec3d out, across;
 };
-constexpr std::array<Side, 6> kSides{{{CubeFace::X, {1, 0, 0}, {0, 1, 0}, "x"},
-                                      {CubeFace::Y, {0, 1, 0}, {0, 0, 1}, "y"},
-                                      {CubeFace::Z, {0, 0, 1}, {1, 0, 0}, "z"},
-                                      {CubeFace::MinusX, {-1, 0, 0}, {0, 0, 1}, "−x"},
-                                      {CubeFace::MinusY, {0, -1, 0}, {1, 0, 0}, "−y"},
-                                      {CubeFace::MinusZ, {0, 0, -1}, {0, 1, 0}, "−z"}}};
+constexpr std::array<Side, 6> kSides{{{CubeFace::X, {1, 0, 0}, {0, 1, 0}},
+                                      {CubeFace::Y, {0, 1, 0}, {0, 0, 1}},
+                                      {CubeFace::Z, {0, 0, 1}, {1, 0, 0}},
+                                      {CubeFace::MinusX, {-1, 0, 0}, {0, 0, 1}},
+                                      {CubeFace::MinusY, {0, -1, 0}, {1, 0, 0}},
+                                      {CubeFace::MinusZ, {0, 0, -1}, {0, 1, 0}}}};
 
 QPointF onCube(const QRectF& box, const OrbitCamera& camera, Vec3d p) {
     const double s = box.width() * 0.27;  // a cube's corner reaches √3 from its middle
@@ -127,7 +126,18 @@ void paintLegend(QPainter& painter, QPointF topLeft, const ViewOptions& options)
     painter.restore();
 }
 
-void paintCube(QPainter& painter, const QRectF& box, const OrbitCamera& camera) {
+QString letterOf(CubeFace face, ViewSpace space) {
+    for (const Side& side : kSides)
+        if (side.face == face)
+            for (const SpaceAxis& axis : axesOf(space)) {
+                const double along = glm::dot(axis.direction, side.out);
+                if (along > 0.5) return QString::fromUtf8(axis.name);
+                if (along < -0.5) return QStringLiteral("−") + QString::fromUtf8(axis.name);
+            }
+    return {};
+}
+
+void paintCube(QPainter& painter, const QRectF& box, const OrbitCamera& camera, ViewSpace space) {
     const Theme& theme = Theme::current();
     const ThemeColors& colors = theme.colors();
     painter.save();
@@ -148,8 +158,7 @@ void paintCube(QPainter& painter, const QRectF& box, const OrbitCamera& camera) 
         if (glm::dot(side.out, camera.forward) > -0.35) continue;
         painter.setPen(colors.text);
         const QPointF middle = onCube(box, camera, side.out);
-        painter.drawText(QRectF(middle - QPointF(12, 12), QSizeF(24, 24)), Qt::AlignCenter,
-                         QString::fromUtf8(side.letter));
+        painter.drawText(QRectF(middle - QPointF(12, 12), QSizeF(24, 24)), Qt::AlignCenter, letterOf(side.face, space));
     }
     painter.restore();
 }

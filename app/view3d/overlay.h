@@ -5,6 +5,7 @@
 
 #include "app/view3d/drawing.h"
 #include "app/view3d/view_options.h"
+#include "app/view3d/view_space.h"
 
 namespace app {
 
@@ -35,7 +36,9 @@ void paintLegend(QPainter& painter, QPointF topLeft, const ViewOptions& options)
 
 // The cube that turns with the camera. Its visible faces, and which of them a point is on.
 enum class CubeFace { None, X, Y, Z, MinusX, MinusY, MinusZ, Middle };
-void paintCube(QPainter& painter, const QRectF& box, const OrbitCamera& camera);
+// The letter of a face is the axis of the space that points out of it.
+QString letterOf(CubeFace face, ViewSpace space);
+void paintCube(QPainter& painter, const QRectF& box, const OrbitCamera& camera, ViewSpace space = ViewSpace::World);
 CubeFace cubeFaceAt(const QRectF& box, const OrbitCamera& camera, QPointF point);
 
 }  // namespace app

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/core/numbers.h"
+#include "app/view3d/lobe_drawing.h"
 #include "pipeline/core/numerics.h"
 
 namespace app {
@@ -67,6 +68,8 @@ public:
         const VectorArrow *anyL = find(m_content, VectorCode::L), *anyN = find(m_content, VectorCode::N);
         if (m_options.projection && anyL && anyN) projection(anyN->direction, anyL->direction);
         if (m_options.reflection && anyL && anyN) reflection(anyN->direction, anyL->direction, R != nullptr);
+        if (m_options.lobe)
+            for (const SpecularLobe& lobe : m_content.lobes) addLobe(lobe, 1, m_drawing);
         m_drawing.foot = Drawing::Marker{Vec3d(0.0), false};
         return std::move(m_drawing);
     }
@@ -252,11 +255,19 @@ std::shared_ptr<const ViewContent> pointContent(const ViewContent& content) {
     result->bounds.add({-1, -1, 0});
     result->bounds.add({1, 1, 1});
     result->foot = Vec3d(0.0);
+    const auto turned = [&](Vec3d d) { return Vec3d(glm::dot(d, x), glm::dot(d, y), glm::dot(d, z)); };
     for (VectorArrow v : content.vectors) {
         if (!v.main) continue;
         v.base = Vec3d(0.0);
-        v.direction = {glm::dot(v.direction, x), glm::dot(v.direction, y), glm::dot(v.direction, z)};
+        v.direction = turned(v.direction);
         result->vectors.push_back(v);
+    }
+    for (SpecularLobe lobe : content.lobes) {
+        if (!lobe.main) continue;
+        lobe.base = Vec3d(0.0);
+        lobe.axis = turned(lobe.axis);
+        lobe.probe = turned(lobe.probe);
+        result->lobes.push_back(lobe);
     }
     return result;
 }

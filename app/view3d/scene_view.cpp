@@ -1,11 +1,9 @@
 #include "app/view3d/scene_view.h"
 
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
-#include <cmath>
+#include <QStyle>
 
+#include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
@@ -15,8 +13,12 @@ namespace app {
 
 namespace {
 
-constexpr double kDegreesPerPixel = 0.4, kKeyStep = 5, kWheelStep = 1.15, kClickSlop = 4;
-constexpr int kFlightMilliseconds = 250, kZoomOutMilliseconds = 1200;
+constexpr int kFlightMilliseconds = 250, kZoomOutMilliseconds = 1200, kMoveMilliseconds = 400;
+
+// A desktop that asks for less motion gives its style no time for it.
+bool wantsMotion(const QWidget& widget) {
+    return widget.style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, &widget) > 0;
+}
 
 Vec3d directionOf(CubeFace face) {
     switch (face) {
@@ -41,8 +43,10 @@ protected:
         if (!m_view->shown() || !m_view->m_problem.isEmpty()) return;
         QPainter painter(this);
         paintOverlay(painter, m_view->m_drawing, m_view->viewFrame());
-        if (m_view->m_probe && m_view->m_space == ViewSpace::World)
-            paintProbe(painter, *m_view->m_probe, m_view->viewFrame());
+        if (!m_view->m_probe || m_view->isPoint() || m_view->isMoving()) return;
+        const SpaceMap& map = m_view->shown()->map;
+        if (!map.keepsLengths() && depthOf(map.view, *m_view->m_probe) < map.view.near) return;
+        paintProbe(painter, map.toSpace(*m_view->m_probe), m_view->viewFrame());
     }
 
 private:
@@ -89,11 +93,12 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
         refresh();
     });
     connect(m_cube, &ViewCorner::faceClicked, this, [this](CubeFace face) {
-        if (!m_content) return;
+        if (!shown() || isPoint()) return;
+        endMove();
         if (face == CubeFace::Middle) return go(ViewPreset::Iso);
         OrbitCamera camera = cameraOf(ViewPreset::Front);
         lookAlong(camera, directionOf(face));
-        frame(camera, sceneExtent(*m_content, m_options), viewFrame().size);
+        frame(camera, sceneExtent(*shown(), m_options), viewFrame().size);
         m_touched = true;
         flyTo(camera, kFlightMilliseconds);
     });
@@ -104,18 +109,37 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
         m_camera = between(m_from, m_to, t.toDouble());
         refresh();
     });
+    m_move.setStartValue(0.0);
+    m_move.setEndValue(1.0);
+    m_move.setDuration(kMoveMilliseconds);
+    m_move.setEasingCurve(QEasingCurve::OutCubic);
+    connect(&m_move, &QVariantAnimation::valueChanged, this, [this](const QVariant& t) {
+        if (!m_morph) return;
+        m_camera.fovY = m_morph->camera(t.toDouble()).fovY;
+        if (m_vtk) m_vtk->setContent(std::make_shared<const ViewContent>(m_morph->content(t.toDouble())), {});
+        refresh();
+    });
+    connect(&m_move, &QVariantAnimation::finished, this, &SceneView::endMove);
     connect(&Theme::current(), &Theme::changed, this, &SceneView::applyTheme);
     applyTheme();
 }
 
-SceneView::~SceneView() { m_flight.disconnect(this); }
+SceneView::~SceneView() {
+    m_flight.disconnect(this);
+    m_move.disconnect(this);
+}
+
+const std::shared_ptr<const ViewContent>& SceneView::shown() const { return isWorld() ? m_content : m_moved; }
 
 ViewFrame SceneView::viewFrame() const { return {m_camera, {std::max(width(), 1), std::max(height(), 1)}}; }
 
 void SceneView::setContent(std::shared_ptr<const ViewContent> content, bool newScene) {
     m_content = std::move(content);
-    m_point = m_content ? pointContent(*m_content) : nullptr;
-    if (newScene) m_touched = m_otherTouched = false;
+    if (newScene) {
+        m_touched = false;
+        m_cameras.clear();
+    }
+    endMove();
     showContent();
 }
 
@@ -129,19 +153,46 @@ void SceneView::setProbe(std::optional<Vec3d> point) {
     m_overlay->update();
 }
 
-void SceneView::setSpace(ViewSpace space) {
+void SceneView::setSpace(SpaceId space) {
     if (space == m_space) return;
     m_flight.stop();
+    endMove();
+    const OrbitCamera before = m_camera;
+    const auto from = m_content ? mapOf(*m_content, m_space) : std::nullopt;
+    if (m_touched) m_cameras[m_space] = m_camera;
     m_space = space;
-    std::swap(m_camera, m_otherCamera);
-    std::swap(m_touched, m_otherTouched);
-    m_camera.orthographic = m_otherCamera.orthographic;
+    const auto kept = m_cameras.find(space);
+    m_touched = kept != m_cameras.end();
+    m_camera = m_touched ? kept->second : OrbitCamera();
+    m_camera.orthographic = before.orthographic;
+    showContent();
+    if (from && shown() && !isPoint() && wantsMotion(*this)) moveTo(*from, before);
+}
+
+void SceneView::moveTo(const SpaceMap& from, const OrbitCamera& camera) {
+    m_morph.emplace(*m_content, from, camera, shown()->map, m_camera);
+    m_move.start();
+}
+
+void SceneView::endMove() {
+    if (!m_morph) return;
+    m_camera = m_morph->camera(1);
+    m_morph.reset();
+    m_move.stop();
     showContent();
 }
 
 void SceneView::showContent() {
-    const bool ground = m_space == ViewSpace::World && m_content;
-    if (m_vtk) m_vtk->setContent(shown(), ground ? groundLines(*m_content) : std::vector<InkedLine>{});
+    m_moved.reset();
+    if (m_content && isPoint()) m_moved = pointContent(*m_content);
+    if (m_content && !isWorld() && !isPoint())
+        if (const auto map = mapOf(*m_content, m_space))
+            m_moved = std::make_shared<const ViewContent>(inSpace(*m_content, *map));
+    std::vector<InkedLine> ground;
+    if (shown() && !isPoint() && shown()->map.keepsLengths()) ground = groundLines(*m_content);
+    if (shown())
+        for (InkedLine& line : ground) line.a = shown()->map.toSpace(line.a), line.b = shown()->map.toSpace(line.b);
+    if (m_vtk) m_vtk->setContent(shown(), ground);
     frameIfUntouched();
     refresh();
 }
@@ -150,7 +201,7 @@ void SceneView::setOptions(const ViewOptions& options) {
     if (options == m_options) return;
     m_options = options;
     if (m_vtk) m_vtk->setOptions(options);
-    if (m_space == ViewSpace::Point) frameIfUntouched();  // a construction may reach out of the hemisphere
+    if (isPoint()) frameIfUntouched();  // a construction may reach out of the hemisphere
     refresh();
 }
 
@@ -164,9 +215,8 @@ void SceneView::setCamera(const OrbitCamera& camera) {
 }
 
 OrbitCamera SceneView::cameraOf(ViewPreset preset) const {
-    return m_space == ViewSpace::World
-               ? presetCamera(preset, *m_content, m_options, viewFrame().size, m_camera.orthographic)
-               : pointCamera(preset, *m_point, m_options, viewFrame().size, m_camera.orthographic);
+    const auto camera = isPoint() ? pointCamera : presetCamera;
+    return camera(preset, *shown(), m_options, viewFrame().size, m_camera.orthographic);
 }
 
 void SceneView::go(ViewPreset preset) {
@@ -176,7 +226,7 @@ void SceneView::go(ViewPreset preset) {
 }
 
 void SceneView::zoomOut() {
-    if (m_space != ViewSpace::World || !m_content) return;
+    if (!isWorld() || !m_content) return;
     ViewOptions options = m_options;
     options.eye = options.frustum = true;
     setOptions(options);
@@ -189,7 +239,7 @@ void SceneView::zoomOut() {
 
 void SceneView::flyTo(const OrbitCamera& camera, int milliseconds) {
     m_flight.stop();
-    m_flight.setDuration(milliseconds);
+    m_flight.setDuration(wantsMotion(*this) ? milliseconds : 0);
     m_from = m_camera;
     m_to = camera;
     m_flight.start();
@@ -217,22 +267,25 @@ void SceneView::refresh() {
         options.shown.fill(false);
         options.shown[static_cast<std::size_t>(m_alone)] = true;
     }
-    if (!works)
+    if (!works || isMoving())
         m_drawing = {};
-    else if (m_space == ViewSpace::World)
-        m_drawing = drawWorld(*m_content, options, viewFrame());
     else
-        m_drawing = drawPoint(*m_point, options, viewFrame());
+        m_drawing = (isPoint() ? drawPoint : drawWorld)(*shown(), options, viewFrame());
     if (m_vtk) m_vtk->setView(viewFrame(), m_drawing);
-    m_sentence->setText(!m_problem.isEmpty() ? m_problem
-                        : !m_content         ? m_emptyText
-                                             : tr("Click a pixel of an object to see the vectors at its point."));
+    m_sentence->setText(sentence());
     m_sentence->setVisible(!works);
-    m_legend->setVisible(works);
-    m_cube->setVisible(works && m_space == ViewSpace::World);
+    m_legend->setVisible(works && shown()->map.keepsLengths());
+    m_cube->setVisible(works && !isPoint());
     m_legend->setOptions(m_options);
-    m_cube->setCamera(m_camera);
+    m_cube->setCamera(m_camera, m_space.space);
     m_overlay->update();
+}
+
+QString SceneView::sentence() const {
+    if (!m_problem.isEmpty()) return m_problem;
+    if (!m_content) return m_emptyText;
+    if (isPoint()) return tr("Click a pixel of an object to see the vectors at its point.");
+    return tr("Light %1 has no shadow buffer in this frame, so it looks from nowhere.").arg(m_space.light);
 }
 
 void SceneView::applyTheme() {
@@ -267,101 +320,6 @@ void SceneView::resizeEvent(QResizeEvent* event) {
     placeCorners();
     frameIfUntouched();
     refresh();
-}
-
-Ray SceneView::rayAt(QPointF position) const {
-    return rayThrough(m_camera, viewFrame().size, {position.x(), position.y()});
-}
-
-void SceneView::mousePressEvent(QMouseEvent* event) {
-    m_pressedAt = m_last = event->position();
-    const bool shift = event->modifiers() & Qt::ShiftModifier, control = event->modifiers() & Qt::ControlModifier;
-    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift)) {
-        m_drag = Drag::Pan;
-    } else if (event->button() == Qt::LeftButton) {
-        m_drag = control && m_space == ViewSpace::World ? Drag::Pick : Drag::Click;
-        if (m_drag == Drag::Pick) emit clicked(rayAt(event->position()));
-    }
-}
-
-void SceneView::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF position = event->position(), d = position - m_last;
-    if (m_drag == Drag::None) {
-        if (m_content && m_space == ViewSpace::World) emit hovered(rayAt(position));
-        return;
-    }
-    if (m_drag == Drag::Pick) {
-        emit clicked(rayAt(position));
-        return;
-    }
-    // A click may tremble by a few pixels before it is a drag.
-    if (m_drag == Drag::Click && (position - m_pressedAt).manhattanLength() < kClickSlop) return;
-    if (m_drag == Drag::Click) m_drag = Drag::Orbit;
-    m_last = position;
-    m_flight.stop();
-    m_touched = true;
-    if (m_drag == Drag::Orbit)
-        orbit(m_camera, -d.x() * kDegreesPerPixel, d.y() * kDegreesPerPixel);
-    else
-        pan(m_camera, {d.x(), d.y()}, viewFrame().size);
-    refresh();
-}
-
-void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_drag == Drag::Click && m_content && m_space == ViewSpace::World) emit clicked(rayAt(event->position()));
-    m_drag = Drag::None;
-}
-
-void SceneView::leaveEvent(QEvent* event) {
-    QWidget::leaveEvent(event);
-    emit left();
-}
-
-void SceneView::wheelEvent(QWheelEvent* event) {
-    const double notches = event->angleDelta().y() / 120.0;
-    if (!shown() || notches == 0) return;
-    m_flight.stop();
-    m_touched = true;
-    zoomAt(m_camera, std::pow(kWheelStep, -notches), {event->position().x(), event->position().y()}, viewFrame().size);
-    refresh();
-    event->accept();
-}
-
-void SceneView::keyPressEvent(QKeyEvent* event) {
-    const bool plain = !(event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier));
-    if (!plain || !shown() || !keyAction(event->key())) QWidget::keyPressEvent(event);
-}
-
-bool SceneView::keyAction(int key) {
-    const auto turn = [this](double aroundZ, double overTop) {
-        OrbitCamera camera = m_camera;
-        orbit(camera, aroundZ, overTop);
-        setCamera(camera);
-    };
-    const auto zoom = [this](double factor) {
-        OrbitCamera camera = m_camera;
-        zoomAt(camera, factor, viewFrame().size / 2.0, viewFrame().size);
-        setCamera(camera);
-    };
-    switch (key) {
-        case Qt::Key_1: go(ViewPreset::Front); return true;
-        case Qt::Key_3: go(ViewPreset::Side); return true;
-        case Qt::Key_7: go(ViewPreset::Top); return true;
-        case Qt::Key_9:
-        case Qt::Key_R: go(ViewPreset::Iso); return true;
-        case Qt::Key_0: go(ViewPreset::Eye); return true;
-        case Qt::Key_A: go(ViewPreset::Everything); return true;
-        case Qt::Key_Z: zoomOut(); return true;
-        case Qt::Key_5: setOrthographic(!m_camera.orthographic); return true;
-        case Qt::Key_Left: turn(-kKeyStep, 0); return true;
-        case Qt::Key_Right: turn(kKeyStep, 0); return true;
-        case Qt::Key_Up: turn(0, kKeyStep); return true;
-        case Qt::Key_Down: turn(0, -kKeyStep); return true;
-        case Qt::Key_Plus:
-        case Qt::Key_Equal: zoom(1 / kWheelStep); return true;
-        case Qt::Key_Minus: zoom(kWheelStep); return true;
-        default: return false;
-    }
 }
 
 }  // namespace app

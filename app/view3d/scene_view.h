@@ -2,9 +2,11 @@
 #include <QLabel>
 #include <QVariantAnimation>
 #include <QWidget>
+#include <map>
 #include <memory>
 #include <optional>
 
+#include "app/view3d/space_content.h"
 #include "app/view3d/vtk_widget.h"
 #include "app/view3d/world_drawing.h"
 
@@ -12,13 +14,10 @@ namespace app {
 
 class ViewCorner;
 
-// What a view looks at: the whole scene, or the vectors at the picked point alone.
-enum class ViewSpace { World, Point };
-
 // A 3D view with its camera: what VTK renders, letters and legend over it, mouse and keys.
 // Left drag orbits, middle or Shift+left drag pans, the wheel zooms to the cursor; a click gives
 // the ray under it. Keys: 1 front, 3 side, 7 top, 9 iso, 0 from the eye, Z out of it, 5 orthographic,
-// R the first view again, A everything; arrows orbit, + and − zoom.
+// R the first view again, A everything; arrows orbit, + and − zoom; S the next space.
 class SceneView : public QWidget {
     Q_OBJECT
 public:
@@ -29,9 +28,11 @@ public:
     void setContent(std::shared_ptr<const ViewContent> content, bool newScene);
     void setEmptyText(const QString& sentence);
     const std::shared_ptr<const ViewContent>& content() const { return m_content; }
-    // Each space keeps its own camera.
-    void setSpace(ViewSpace space);
-    ViewSpace space() const { return m_space; }
+    // Each space keeps its own camera. The polygons move there in 400 ms, or at once where motion is
+    // not wanted, or to and from the hemisphere at the point.
+    void setSpace(SpaceId space);
+    SpaceId space() const { return m_space; }
+    bool isMoving() const { return m_morph.has_value(); }  // from one space to another
     void setOptions(const ViewOptions& options);
     const ViewOptions& options() const { return m_options; }
 
@@ -52,8 +53,9 @@ public:
 signals:
     void optionsChanged();  // by the legend
     void orthographicChanged(bool orthographic);
-    void clicked(const app::Ray& ray);  // in world space; so hovered
-    void hovered(const app::Ray& ray);
+    void clicked(const app::Hit& hit);  // on a polygon; in world space, whatever space is on show
+    void hovered(const std::optional<app::Hit>& hit);
+    void spaceAsked(int step);  // 1 the next one, −1 the one before
     void left();
 
 protected:
@@ -74,25 +76,30 @@ private:
     void placeCorners();
     void frameIfUntouched();
     void showContent();
-    const std::shared_ptr<const ViewContent>& shown() const {
-        return m_space == ViewSpace::World ? m_content : m_point;
-    }
+    const std::shared_ptr<const ViewContent>& shown() const;
+    bool isWorld() const { return m_space.space == ViewSpace::World; }
+    bool isPoint() const { return m_space.space == ViewSpace::Point; }
+    void moveTo(const SpaceMap& from, const OrbitCamera& camera);
+    void endMove();
+    QString sentence() const;
     OrbitCamera cameraOf(ViewPreset preset) const;
     void flyTo(const OrbitCamera& camera, int milliseconds);
     bool keyAction(int key);
-    Ray rayAt(QPointF position) const;
+    std::optional<Hit> hitAt(QPointF position) const;
 
-    ViewSpace m_space = ViewSpace::World;
+    SpaceId m_space;
     std::shared_ptr<const ViewContent> m_content;  // of the world
-    std::shared_ptr<const ViewContent> m_point;    // of the picked point; null where none is picked
+    // As the space on show has it; null where no point is picked, or a light has no shadow buffer.
+    std::shared_ptr<const ViewContent> m_moved;
     QString m_emptyText;
     std::optional<Vec3d> m_probe;
     VectorCode m_alone = VectorCode::None;  // the vector under the cursor in the legend, shown by itself
     ViewOptions m_options;
-    OrbitCamera m_camera, m_otherCamera;  // of the space on show; of the other
-    Drawing m_drawing;
+    OrbitCamera m_camera;
     // The user has moved the camera; until then each new size is framed anew.
-    bool m_touched = false, m_otherTouched = false;
+    bool m_touched = false;
+    std::map<SpaceId, OrbitCamera> m_cameras;  // that the user has moved, of the spaces not on show
+    Drawing m_drawing;
     QString m_problem;
 
     VtkWidget* m_vtk = nullptr;  // null where there is no OpenGL
@@ -100,6 +107,8 @@ private:
     ViewCorner* m_legend;
     ViewCorner* m_cube;
     QLabel* m_sentence;
+    std::optional<SpaceMorph> m_morph;
+    QVariantAnimation m_move;  // along m_morph
     QVariantAnimation m_flight;
     OrbitCamera m_from, m_to;
 

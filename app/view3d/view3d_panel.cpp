@@ -11,8 +11,25 @@
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/view3d/view_settings.h"
+#include "pipeline/plan/needs.h"
 
 namespace app {
+
+namespace {
+
+QString remarkOf(ViewSpace space) {
+    switch (space) {
+        case ViewSpace::World: return {};
+        case ViewSpace::Eye: return View3dPanel::tr("x right, y up, z away from the eye");
+        case ViewSpace::Clip: return View3dPanel::tr("after the division by w: −1 to 1");
+        case ViewSpace::Screen: return View3dPanel::tr("x, y in pixels, z from 0 to 1");
+        case ViewSpace::Light: return View3dPanel::tr("as its shadow buffer sees it");
+        case ViewSpace::Point: break;
+    }
+    return View3dPanel::tr("unit hemisphere, N up");
+}
+
+}  // namespace
 
 View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setAccessibleName(tr("3D view"));
@@ -30,12 +47,15 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(m_view, &SceneView::clicked, this, &View3dPanel::pick);
     connect(m_view, &SceneView::hovered, this, &View3dPanel::hover);
     connect(m_view, &SceneView::left, this, [this] { m_document.hover({}); });
+    connect(m_view, &SceneView::spaceAsked, this, &View3dPanel::stepSpace);
     connect(m_view, &SceneView::optionsChanged, this, &View3dPanel::showOptions);
     connect(m_view, &SceneView::orthographicChanged, m_orthographic, &QToolButton::setChecked);
     connect(&document, &Document::sceneOpened, this, [this] {
         m_newScene = true;
+        m_awaited.reset();
         m_view->setContent(nullptr, true);
         m_view->setEmptyText({});
+        if (m_view->space().space == ViewSpace::Light) setSpace({});
     });
     connect(&document, &Document::sceneChanged, this, &View3dPanel::wantBuffers);
     connect(&document, &Document::frameReady, this, &View3dPanel::takeFrame);
@@ -43,7 +63,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(&document, &Document::selectionChanged, this, &View3dPanel::takeSelection);
     connect(&document, &Document::hoverChanged, this, &View3dPanel::takeHover);
     connect(&Theme::current(), &Theme::changed, this, &View3dPanel::applyTheme);
-    setSpace(ViewSpace::World);
+    showSpace();
     applyTheme();
     showOptions();
     wantBuffers();
@@ -60,8 +80,8 @@ void View3dPanel::buildHeader() {
     m_space->setPopupMode(QToolButton::InstantPopup);
     auto* spaces = new QMenu(m_space);
     spaces->setLayoutDirection(Qt::LeftToRight);
-    connect(spaces->addAction(tr("World space")), &QAction::triggered, this, [this] { setSpace(ViewSpace::World); });
-    connect(spaces->addAction(tr("At the point")), &QAction::triggered, this, [this] { setSpace(ViewSpace::Point); });
+    spaces->setToolTipsVisible(true);
+    connect(spaces, &QMenu::aboutToShow, this, [this, spaces] { fillSpaces(*spaces); });
     m_space->setMenu(spaces);
     m_remark = new QLabel(m_header);
     m_remark->setProperty("tone", "3");
@@ -143,6 +163,20 @@ void View3dPanel::applyTheme() {
     m_space->setFont(theme.text(13, 600));
     m_remark->setFont(theme.text(12));
     for (auto* button : m_header->findChildren<QToolButton*>()) button->setIconSize(QSize(theme.px(16), theme.px(16)));
+    arrangeHeader();
+}
+
+// The remark goes before the buttons do.
+void View3dPanel::arrangeHeader() {
+    int buttons = 0;
+    for (const auto* button : m_header->findChildren<QToolButton*>())
+        buttons += button->sizeHint().width() + m_header->layout()->spacing();
+    m_remark->setVisible(m_remark->sizeHint().width() + buttons + Theme::current().px(16) <= width());
+}
+
+void View3dPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrangeHeader();
 }
 
 void View3dPanel::changeOptions(const ViewOptions& options) {
@@ -160,22 +194,92 @@ void View3dPanel::showOptions() {
     m_eye->setChecked(options.eye);
 }
 
-void View3dPanel::setSpace(ViewSpace space) {
-    m_view->setSpace(space);
-    const bool world = space == ViewSpace::World;
-    m_space->setText(world ? tr("World space") : tr("At the point"));
-    m_remark->setText(world ? QString() : tr("unit hemisphere, N up"));
-    for (auto [button, tip] : {std::pair{m_normals, tr("Normals of the polygons or vertices")},
-                               {m_lights, tr("Where the lights are")},
-                               {m_eye, tr("The scene's eye, its picture plane, and the ray to the picked point")}}) {
-        button->setEnabled(world);
-        button->setToolTip(world ? tip : tr("Only in world space. %1").arg(tip));
+void View3dPanel::setSpace(SpaceId space) {
+    m_awaited.reset();
+    const bool isLight = space.space == ViewSpace::Light;
+    if (isLight && !(m_view->content() && mapOf(*m_view->content(), space))) {
+        m_awaited = space;
+        wantBuffers();
+        return;
     }
+    m_view->setSpace(space);
+    showSpace();
+    wantBuffers();
+}
+
+void View3dPanel::showSpace() {
+    const SpaceId id = m_view->space();
+    const bool isPoint = id.space == ViewSpace::Point;
+    const bool keepsLengths = id.space != ViewSpace::Clip && id.space != ViewSpace::Screen;
+    m_space->setText(toQString(nameOf(id)));
+    m_space->setToolTip(tr("What this view shows: %1 (S the next space)").arg(toQString(nameOf(id))));
+    m_remark->setText(remarkOf(id.space));
+    arrangeHeader();
+    const auto enable = [](QToolButton* button, const QString& tip, bool enabled, const QString& whyNot) {
+        button->setEnabled(enabled);
+        button->setToolTip(enabled ? tip : whyNot + ' ' + tip);
+    };
+    const QString flat = tr("Here lengths and angles mean nothing: the space is no picture of the world's."),
+                  atPoint = tr("Not at the point.");
+    enable(m_normals, tr("Normals of the polygons or vertices"), !isPoint && keepsLengths, isPoint ? atPoint : flat);
+    enable(m_vectors, tr("N, L, V, R and H at the picked point"), keepsLengths, flat);
+    enable(m_lights, tr("Where the lights are"), !isPoint && keepsLengths, isPoint ? atPoint : flat);
+    enable(m_eye, tr("The scene's eye, its picture plane, and the ray to the picked point"), !isPoint, atPoint);
+}
+
+namespace {
+
+std::vector<SpaceId> spacesOf(const Document& document) {
+    std::vector<SpaceId> spaces{{ViewSpace::World}, {ViewSpace::Eye}, {ViewSpace::Clip}, {ViewSpace::Screen}};
+    if (document.hasScene())
+        for (std::size_t k = 0; k < document.scene().lights.size(); ++k) spaces.push_back({ViewSpace::Light, int(k)});
+    spaces.push_back({ViewSpace::Point});
+    return spaces;
+}
+
+QString whyNotLight(const Document& document, int light) {
+    if (const auto why = whyUseless(document.scene(), pipeline::BufferId::ShadowBuffer); !why.empty())
+        return toQString(why);
+    return document.scene().lights[std::size_t(light)].castsShadow ? QString()
+                                                                   : View3dPanel::tr("This light casts no shadow.");
+}
+
+}  // namespace
+
+void View3dPanel::fillSpaces(QMenu& menu) {
+    menu.clear();
+    for (const SpaceId& id : spacesOf(m_document)) {
+        QAction* action = menu.addAction(toQString(nameOf(id)), this, [this, id] { setSpace(id); });
+        action->setCheckable(true);
+        action->setChecked(id == m_view->space());
+        action->setToolTip(remarkOf(id.space));
+        if (id.space != ViewSpace::Light) continue;
+        const QString whyNot = whyNotLight(m_document, id.light);
+        action->setEnabled(whyNot.isEmpty());
+        if (!whyNot.isEmpty()) action->setToolTip(whyNot);
+    }
+}
+
+// Those that cannot be shown are passed over.
+void View3dPanel::stepSpace(int step) {
+    const std::vector<SpaceId> spaces = spacesOf(m_document);
+    const auto now = std::ranges::find(spaces, m_awaited.value_or(m_view->space()));
+    auto i = now == spaces.end() ? 0 : std::size_t(now - spaces.begin());
+    do i = (i + spaces.size() + std::size_t(step)) % spaces.size();
+    while (spaces[i].space == ViewSpace::Light && !whyNotLight(m_document, spaces[i].light).isEmpty());
+    setSpace(spaces[i]);
+}
+
+bool View3dPanel::wantsFrusta() const {
+    return m_view->options().lightFrusta || m_awaited || m_view->space().space == ViewSpace::Light;
 }
 
 void View3dPanel::wantBuffers() {
     if (!m_document.hasScene()) return;
-    m_document.want(this, contentBuffers(m_document.scene(), m_view->options().normals == NormalsShown::Vertices));
+    auto wanted = contentBuffers(m_document.scene(), m_view->options().normals == NormalsShown::Vertices);
+    const bool useful = whyUseless(m_document.scene(), pipeline::BufferId::ShadowBuffer).empty();
+    if (wantsFrusta() && useful) wanted |= pipeline::setOf({pipeline::BufferId::ShadowBuffer});
+    m_document.want(this, wanted);
 }
 
 void View3dPanel::takeFrame() {
@@ -186,6 +290,7 @@ void View3dPanel::takeFrame() {
     const bool placed = m_document.frame()->until() != pipeline::StageId::Transform;
     const pipeline::FramePtr frame = inside && !placed ? m_document.wholeFrame() : m_document.frame();
     ViewContent shown = withSelection(contentOf(*frame, m_document.pixel()), *frame, m_document.selection());
+    if (wantsFrusta()) shown.frusta = lightFrusta(*frame);
     if (inside) shown = withProgress(shown, *stepper.steps(), *stepper.moment());
     const auto content = std::make_shared<const ViewContent>(std::move(shown));
     const bool newScene = std::exchange(m_newScene, false);
@@ -197,6 +302,7 @@ void View3dPanel::takeFrame() {
         changeOptions(options);
     }
     m_view->setContent(content, newScene);
+    if (m_awaited && mapOf(*content, *m_awaited)) setSpace(*m_awaited);
 }
 
 void View3dPanel::takePixel() {
@@ -219,22 +325,19 @@ void View3dPanel::takeHover() {
     m_view->setProbe(content && pixel ? pointShownBy(*content, *pixel) : std::nullopt);
 }
 
-void View3dPanel::pick(const Ray& ray) {
+void View3dPanel::pick(const Hit& hit) {
     const auto& frame = m_document.frame();
     if (!frame || !m_view->content()) return;
-    const auto hit = firstHit(*m_view->content(), ray);
-    if (!hit) return;
-    const Shown shown = pixelShowing(*frame, *m_view->content(), *hit);
+    const Shown shown = pixelShowing(*frame, *m_view->content(), hit);
     if (shown.pixel)
         m_document.pick(shown.pixel);
     else
         emit m_document.said(toQString(shown.whyNot));
 }
 
-void View3dPanel::hover(const Ray& ray) {
+void View3dPanel::hover(const std::optional<Hit>& hit) {
     const auto& frame = m_document.frame();
     if (!frame || !m_view->content()) return;
-    const auto hit = firstHit(*m_view->content(), ray);
     m_document.hover(hit ? pixelShowing(*frame, *m_view->content(), *hit).pixel : std::nullopt);
 }
 

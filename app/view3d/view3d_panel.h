@@ -6,11 +6,12 @@
 #include "app/view3d/scene_view.h"
 
 class QLabel;
+class QMenu;
 class QToolButton;
 
 namespace app {
 
-// The 3D view of the document's frame: the scene in world space with normals, the vectors at the
+// The 3D view of the document's frame: the scene in any of its spaces with normals, the vectors at the
 // picked point, lights, eye and frustum. A click picks the pixel that shows the point under it.
 class View3dPanel : public QWidget {
     Q_OBJECT
@@ -19,22 +20,30 @@ public:
 
     SceneView& view() { return *m_view; }
     void changeOptions(const ViewOptions& options);
-    // World space, or the hemisphere at the picked point.
-    void setSpace(ViewSpace space);
+    // A light's space waits for the frame that brings its shadow buffer.
+    void setSpace(SpaceId space);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void buildHeader();
+    void arrangeHeader();
+    void fillSpaces(QMenu& menu);
+    void showSpace();
+    void stepSpace(int step);
     QToolButton* addToggle(const QString& icon, const QString& name, const QString& tip);
     QToolButton* addMenuButton(const QString& icon, const QString& name, const QString& tip);
     void applyTheme();
     void showOptions();
+    bool wantsFrusta() const;
     void wantBuffers();
     void takeFrame();
     void takePixel();
     void takeSelection();
     void takeHover();
-    void pick(const Ray& ray);
-    void hover(const Ray& ray);
+    void pick(const Hit& hit);
+    void hover(const std::optional<Hit>& hit);
 
     Document& m_document;
     SceneView* m_view;
@@ -44,6 +53,7 @@ private:
     QToolButton *m_orthographic, *m_normals, *m_vectors, *m_lights, *m_eye;
     NormalsShown m_lastNormals = NormalsShown::Polygons;  // what the toggle brings back
     bool m_newScene = true;
+    std::optional<SpaceId> m_awaited;  // the space to go to when its frame is there
 };
 
 }  // namespace app

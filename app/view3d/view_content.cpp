@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/view3d/face_colors.h"
+#include "pipeline/illumination/illumination.h"
 #include "pipeline/scene/topology.h"
 
 namespace app {
@@ -62,14 +63,16 @@ void addNormals(const Frame& frame, const pipeline::Topology& topology, ViewMesh
             const Vec3d normal = row3(*normals, p);
             mesh.polygonNormalColors.emplace_back((normal + 1.0) / 2.0);
             if (finite(normal) && normal != Vec3d(0.0))
-                mesh.polygonNormals.push_back({sum / double(corners.size()), glm::normalize(normal)});
+                mesh.polygonNormals.push_back(
+                    {sum / double(corners.size()), glm::normalize(normal), mesh.polygonNormalColors.back()});
         }
     if (const auto normals = frame.buffer({BufferId::VerticesNormal}))
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
             const Vec3d normal = row3(*normals, v);
             mesh.vertexNormalColors.emplace_back((normal + 1.0) / 2.0);
             if (finite(normal) && normal != Vec3d(0.0))
-                mesh.vertexNormals.push_back({mesh.positions[v], glm::normalize(normal)});
+                mesh.vertexNormals.push_back(
+                    {mesh.positions[v], glm::normalize(normal), mesh.vertexNormalColors.back()});
         }
 }
 
@@ -143,6 +146,24 @@ void addVectors(const pipeline::PixelReport& report, ViewContent& content) {
     }
 }
 
+void addLobes(const pipeline::Scene& scene, const pipeline::PixelReport& report, ViewContent& content) {
+    const pipeline::Object& object = scene.objects[std::size_t(report.object)];
+    const pipeline::Material& material = report.back && object.backMaterial ? *object.backMaterial : object.material;
+    if (material.specular == Vec3d(0.0)) return;
+    const pipeline::Illumination illumination = pipeline::illuminationOf(scene.settings);
+    const bool halfway = pipeline::usesHalfway(illumination.model, material);
+    const bool factored = halfway && illumination.model != pipeline::Model::OpenGl;
+    const double exponent = material.exponent * (factored ? illumination.exponentFactor : 1);
+    for (const pipeline::Evaluation& at : report.evaluations)
+        for (const pipeline::LightReport& light : at.lights) {
+            const Vec3d axis = halfway ? light.H : light.R, probe = halfway ? at.N : at.V;
+            if (!(light.nDotL > 0) || !finite(axis) || !(glm::length(axis) > 0)) continue;
+            content.lobes.push_back({halfway ? VectorCode::H : VectorCode::R, light.light, at.position,
+                                     glm::normalize(axis), glm::normalize(probe), exponent, light.specularPower,
+                                     content.foot == at.position});
+        }
+}
+
 void addPixel(const Frame& frame, glm::ivec2 pixel, const pipeline::Topology& topology, ViewContent& content) {
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= content.eye.size.x || pixel.y >= content.eye.size.y) return;
     if (frame.until() < pipeline::StageId::ZBuffer || content.mesh->positions.empty()) return;
@@ -153,6 +174,7 @@ void addPixel(const Frame& frame, glm::ivec2 pixel, const pipeline::Topology& to
     const auto corners = topology.corners(std::size_t(report.polygon));
     for (std::size_t i = 0; i < corners.size(); ++i) content.pickedLoop.push_back(corners[i]);
     addVectors(report, content);
+    addLobes(frame.scene(), report, content);
 }
 
 }  // namespace
@@ -199,6 +221,7 @@ ViewContent withPixel(const ViewContent& content, const Frame& frame, std::optio
     result.pickedPolygon = -1;
     result.pickedLoop.clear();
     result.vectors.clear();
+    result.lobes.clear();
     if (pixel) addPixel(frame, *pixel, pipeline::makeTopology(pipeline::meshesOf(frame.scene())), result);
     return result;
 }

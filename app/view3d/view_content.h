@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "app/core/selection.h"
+#include "app/view3d/light_frustum.h"
 #include "app/view3d/orbit_camera.h"
+#include "app/view3d/view_picture.h"
+#include "app/view3d/view_space.h"
 #include "pipeline/inspect/bounds.h"
 #include "pipeline/inspect/formula.h"
 #include "pipeline/inspect/pixel_report.h"
@@ -20,7 +23,7 @@ namespace app {
 using pipeline::VectorCode;
 
 // What a 3D view shows of a frame, as plain data: made by contentOf, drawn by WorldScene and
-// paintOverlay. All positions are in world space. Nothing here depends on a theme, on the
+// paintOverlay. All positions are in world space, or where inSpace made it, in that of `map`. Nothing here depends on a theme, on the
 // camera of the view or on the size of the window.
 
 // A triangle of a polygon. Colours are sRGB, 0 to 1, as the frame buffer would hold them.
@@ -33,6 +36,7 @@ struct Face {
 
 struct NormalArrow {
     Vec3d base, direction;  // direction has unit length
+    glm::vec3 color{0.5f};  // (N + 1) / 2 of N in world space
 };
 
 // One of the five vectors where the illumination was evaluated.
@@ -42,6 +46,17 @@ struct VectorArrow {
     Vec3d base, direction;  // direction has unit length
     bool main = true;       // false at the lesser of the three vertices of Gouraud shading
     std::string letter;     // "N"; "L₁" where the scene has more than one light
+};
+
+// cos^n of the angle to `axis`, as a surface around it. What it is where `probe` cuts it is the factor
+// of the specular term: Phong's (R·V)^n has it around R, Blinn's (N·H)^n around H.
+struct SpecularLobe {
+    VectorCode code = VectorCode::R;  // of the axis
+    int light = 0;
+    Vec3d base{0.0}, axis{0, 0, 1}, probe{0, 0, 1};  // the probe is V, or N; both unit
+    double exponent = 1;                             // the model's factor included
+    double power = 0;                                // where the probe cuts it; 0 beyond 90°
+    bool main = true;
 };
 
 struct LightMark {
@@ -68,12 +83,6 @@ struct ObjectBounds {
     pipeline::BoundingSphere sphere;
 };
 
-// The frame buffer, for the picture plane. Row 0 on top.
-struct Picture {
-    glm::ivec2 size{0};
-    std::vector<pipeline::Color8> pixels;
-};
-
 // The polygons of a frame. Shared, because a newly picked pixel changes nothing in it.
 struct ViewMesh {
     std::vector<Vec3d> positions;  // of every vertex, as vertices.world
@@ -83,17 +92,19 @@ struct ViewMesh {
     std::vector<NormalArrow> polygonNormals, vertexNormals;      // empty where the frame has none
     // Unit normals as colours, (N + 1) / 2: per polygon, and per vertex where the frame has those.
     std::vector<glm::vec3> polygonNormalColors, vertexNormalColors;
-    std::vector<ObjectBounds> objects;  // per object; empty where the frame has no vertices
-    Picture picture;                    // empty before the first pixel is shaded
+    std::vector<ObjectBounds> objects;  // per object, in world space; empty where the frame has no vertices
+    Picture picture;                    // the frame buffer; empty before the first pixel is shaded
 };
 
 struct ViewContent {
     std::shared_ptr<const ViewMesh> mesh;  // never null
+    SpaceMap map;                          // from world space to where this stands
     double faceStrength = 1;               // of the faces' colours over the background; 0 leaves none
     std::vector<LightMark> lights;
-    pipeline::View eye;          // the scene's camera
-    double pictureDistance = 1;  // of the picture plane from the eye, along its viewing direction
-    Bounds bounds;               // of the objects; where they have no extent, of a unit cube around them
+    std::vector<LightFrustum> frusta;  // where they were asked for: see lightFrusta
+    pipeline::View eye;                // the scene's camera
+    double pictureDistance = 1;        // of the picture plane from the eye, along its viewing direction
+    Bounds bounds;                     // of the objects; where they have no extent, of a unit cube around them
 
     // The picked pixel; nothing where none is picked or nothing was drawn there.
     std::optional<Vec3d> point;  // what the pixel shows
@@ -101,10 +112,11 @@ struct ViewContent {
     std::int32_t pickedPolygon = -1;
     std::vector<std::uint32_t> pickedLoop;  // its vertices in order
     std::vector<VectorArrow> vectors;
+    std::vector<SpecularLobe> lobes;  // of the lights that have a specular term there
 
     // What is selected beside the pixel.
     std::vector<std::uint32_t> markedLoop;           // a polygon's vertices in order
-    std::optional<pipeline::BoundingBox> markedBox;  // of an object
+    std::optional<pipeline::BoundingBox> markedBox;  // of an object, in world space
     std::optional<Vec3d> markedVertex;
     const std::vector<std::uint32_t>& outlinedLoop() const { return markedLoop.empty() ? pickedLoop : markedLoop; }
 };

@@ -25,13 +25,16 @@ QString meaning(VectorCode code) {
     return {};
 }
 
-QString name(CubeFace face) {
+QString name(CubeFace face, ViewSpace space) {
+    const auto along = [space](CubeFace away, const char* key) {
+        return ViewCorner::tr("Look along %1%2").arg(letterOf(away, space), QString::fromUtf8(key));
+    };
     switch (face) {
-        case CubeFace::X: return ViewCorner::tr("Look along −x (3)");
-        case CubeFace::Y: return ViewCorner::tr("Look along −y");
+        case CubeFace::X: return along(CubeFace::MinusX, " (3)");
+        case CubeFace::Y: return along(CubeFace::MinusY, "");
         case CubeFace::Z: return ViewCorner::tr("Look down from the top (7)");
-        case CubeFace::MinusX: return ViewCorner::tr("Look along x");
-        case CubeFace::MinusY: return ViewCorner::tr("Look along y (1)");
+        case CubeFace::MinusX: return along(CubeFace::X, "");
+        case CubeFace::MinusY: return along(CubeFace::Y, " (1)");
         case CubeFace::MinusZ: return ViewCorner::tr("Look up from below");
         case CubeFace::Middle: return ViewCorner::tr("Iso view (9)");
         case CubeFace::None: break;
@@ -62,9 +65,10 @@ void ViewCorner::setOptions(const ViewOptions& options) {
     update();
 }
 
-void ViewCorner::setCamera(const OrbitCamera& camera) {
-    if (camera == m_camera) return;
+void ViewCorner::setCamera(const OrbitCamera& camera, ViewSpace space) {
+    if (camera == m_camera && space == m_space) return;
     m_camera = camera;
+    m_space = space;
     update();
 }
 
@@ -73,7 +77,7 @@ void ViewCorner::paintEvent(QPaintEvent*) {
     if (m_kind == Kind::Legend)
         paintLegend(painter, {0, 0}, m_options);
     else
-        paintCube(painter, rect(), m_camera);
+        paintCube(painter, rect(), m_camera, m_space);
 }
 
 VectorCode ViewCorner::vectorAt(QPointF position) const {
@@ -109,7 +113,7 @@ bool ViewCorner::event(QEvent* event) {
     const auto* help = static_cast<QHelpEvent*>(event);
     QString text;
     if (m_kind == Kind::Cube) {
-        text = name(cubeFaceAt(rect(), m_camera, help->pos()));
+        text = name(cubeFaceAt(rect(), m_camera, help->pos()), m_space);
     } else if (const VectorCode code = vectorAt(help->pos()); code != VectorCode::None) {
         text = meaning(code) + (m_options.shows(code) ? tr(". A click hides it.") : tr(". A click shows it."));
     }

@@ -13,7 +13,7 @@ public:
     ViewCorner(Kind kind, QWidget* parent);
 
     void setOptions(const ViewOptions& options);
-    void setCamera(const OrbitCamera& camera);
+    void setCamera(const OrbitCamera& camera, ViewSpace space);
     QSize sizeHint() const override;
 
 signals:
@@ -36,6 +36,7 @@ private:
     ViewOptions m_options;
     VectorCode m_hovered = VectorCode::None;
     OrbitCamera m_camera;
+    ViewSpace m_space = ViewSpace::World;
 };
 
 }  // namespace app

@@ -9,6 +9,8 @@ namespace app {
 enum class NormalsShown { Off, Polygons, Vertices };
 // What the faces are coloured by: as the frame buffer has them, or (N + 1) / 2 as red, green and blue.
 enum class FacesShown { Shaded, Normals };
+// What the normals' arrows are coloured by: all as N, or each by its own direction, (N + 1) / 2.
+enum class NormalColors { OfN, Direction };
 
 // What of a ViewContent is drawn, and how large. Lengths are in logical pixels.
 struct ViewOptions {
@@ -18,9 +20,12 @@ struct ViewOptions {
     double vectorLength = 130;  // 4 to 400
     bool vectors = true, lights = true, eye = true;
     FacesShown faces = FacesShown::Shaded;
-    bool boxes = false, spheres = false;                            // around every object
-    bool frustum = false;                                           // of the scene's camera, between near and far plane
-    bool projection = false, reflection = false;                    // at the point: (N·L)N, and how it makes R
+    bool boxes = false, spheres = false;          // around every object
+    bool frustum = false;                         // of the scene's camera, between near and far plane
+    bool projection = false, reflection = false;  // at the point: (N·L)N, and how it makes R
+    NormalColors normalColors = NormalColors::OfN;
+    bool lobe = false;                                              // of the specular term, at the point
+    bool lightFrusta = false;                                       // what the lights see, with their shadow buffers
     std::array<bool, 6> shown{true, true, true, true, true, true};  // by VectorCode
 
     bool shows(pipeline::VectorCode code) const { return vectors && shown[static_cast<std::size_t>(code)]; }

@@ -34,37 +34,44 @@ ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
     grid->setContentsMargins(padding, padding, padding, padding);
     grid->setHorizontalSpacing(padding);
     grid->setVerticalSpacing(Theme::current().px(8));
-    m_normals = new QComboBox(this);
-    m_normals->addItems({tr("Off"), tr("Polygon normals"), tr("Vertex normals")});
-    m_normals->setAccessibleName(tr("Normals"));
-    m_normals->setToolTip(tr("Which normals stand on the objects"));
-    auto* label = new QLabel(tr("Normals"), this);
-    label->setBuddy(m_normals);
-    grid->addWidget(label, 0, 0);
-    grid->addWidget(m_normals, 0, 1, 1, 2);
+    m_normals = addChoice(tr("Normals"), tr("Which normals stand on the objects"),
+                          {tr("Off"), tr("Polygon normals"), tr("Vertex normals")});
     m_normalLength = addSlider(tr("Length"), tr("Length of a normal's arrow, 4 to 400 pixels"), 0, kSteps);
     m_every =
         addSlider(tr("Every k-th"), tr("Shows every k-th normal, so that a dense mesh stays readable"), 0, kSteps);
+    m_normalColors = addChoice(tr("Their colour"), tr("All as N, or each by its direction: (N + 1) / 2 as RGB"),
+                               {tr("As N"), tr("By direction, RGB")});
     m_vectorLength =
         addSlider(tr("Vectors"), tr("Length of N, L, V, R and H at the picked point, 4 to 400 pixels"), 0, kSteps);
-    m_faces = new QComboBox(this);
-    m_faces->addItems({tr("As shaded"), tr("Normals as RGB")});
-    m_faces->setAccessibleName(tr("Faces"));
-    m_faces->setToolTip(tr("Colours of the faces: the frame buffer's, or (N + 1) / 2 as red, green and blue"));
-    auto* faces = new QLabel(tr("Faces"), this);
-    faces->setBuddy(m_faces);
-    grid->addWidget(faces, grid->rowCount(), 0);
-    grid->addWidget(m_faces, grid->rowCount() - 1, 1, 1, 2);
-    addHeading(tr("In world space"));
+    m_faces =
+        addChoice(tr("Faces"), tr("Colours of the faces: the frame buffer's, or (N + 1) / 2 as red, green and blue"),
+                  {tr("As shaded"), tr("Normals as RGB")});
+    addHeading(tr("Around the scene"));
     addSwitch(tr("Bounding boxes"), tr("The smallest box along the axes around each object"), &ViewOptions::boxes);
     addSwitch(tr("Bounding spheres"), tr("A small sphere around each object"), &ViewOptions::spheres);
     addSwitch(tr("Frustum"), tr("What the scene's camera sees, from its near to its far plane"), &ViewOptions::frustum);
-    addHeading(tr("At the point"));
+    addSwitch(tr("Light frusta"), tr("What each light sees, from its shadow buffer to the farthest polygon"),
+              &ViewOptions::lightFrusta);
+    addHeading(tr("At the picked point"));
+    addSwitch(tr("Specular lobe"), tr("cosⁿ around R in Phong's model, around H in Blinn's"), &ViewOptions::lobe);
     addSwitch(tr("Projection of L on N"), tr("(N·L)N, and the rest of L at a right angle"), &ViewOptions::projection);
     addSwitch(tr("Law of reflection"), tr("R = 2(N·L)N − L as its construction"), &ViewOptions::reflection);
-    connect(m_normals, &QComboBox::currentIndexChanged, this, &ViewSettings::take);
-    connect(m_faces, &QComboBox::currentIndexChanged, this, &ViewSettings::take);
     setOptions({});
+}
+
+QComboBox* ViewSettings::addChoice(const QString& name, const QString& tip, const QStringList& choices) {
+    auto* grid = static_cast<QGridLayout*>(layout());
+    const int row = grid->rowCount();
+    auto* box = new QComboBox(this);
+    box->addItems(choices);
+    box->setAccessibleName(name);
+    box->setToolTip(tip);
+    auto* label = new QLabel(name, this);
+    label->setBuddy(box);
+    grid->addWidget(label, row, 0);
+    grid->addWidget(box, row, 1, 1, 2);
+    connect(box, &QComboBox::currentIndexChanged, this, &ViewSettings::take);
+    return box;
 }
 
 ViewSettings::Row ViewSettings::addSlider(const QString& name, const QString& tip, int low, int high) {
@@ -107,12 +114,13 @@ void ViewSettings::addSwitch(const QString& name, const QString& tip, bool ViewO
 void ViewSettings::setOptions(const ViewOptions& options) {
     m_options = options;
     const QSignalBlocker a(m_normals), b(m_normalLength.slider), c(m_every.slider), d(m_vectorLength.slider),
-        e(m_faces);
+        e(m_faces), f(m_normalColors);
     m_normals->setCurrentIndex(int(options.normals));
     m_normalLength.slider->setValue(stepOf(options.normalLength));
     m_every.slider->setValue(stepOfEvery(options.everyNormal));
     m_vectorLength.slider->setValue(stepOf(options.vectorLength));
     m_faces->setCurrentIndex(int(options.faces));
+    m_normalColors->setCurrentIndex(int(options.normalColors));
     for (const auto& [box, shown] : m_switches) {
         const QSignalBlocker quiet(box);
         box->setChecked(options.*shown);
@@ -126,6 +134,7 @@ void ViewSettings::take() {
     m_options.everyNormal = everyOf(m_every.slider->value());
     m_options.vectorLength = lengthOf(m_vectorLength.slider->value());
     m_options.faces = static_cast<FacesShown>(m_faces->currentIndex());
+    m_options.normalColors = static_cast<NormalColors>(m_normalColors->currentIndex());
     for (const auto& [box, shown] : m_switches) m_options.*shown = box->isChecked();
     showValues();
     emit changed(m_options);
@@ -138,6 +147,7 @@ void ViewSettings::showValues() {
     const bool any = m_options.normals != NormalsShown::Off;
     m_normalLength.slider->setEnabled(any);
     m_every.slider->setEnabled(any);
+    m_normalColors->setEnabled(any);
 }
 
 }  // namespace app

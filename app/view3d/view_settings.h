@@ -36,7 +36,8 @@ private:
     void showValues();
 
     ViewOptions m_options;
-    QComboBox *m_normals, *m_faces;
+    QComboBox* addChoice(const QString& name, const QString& tip, const QStringList& choices);
+    QComboBox *m_normals, *m_normalColors, *m_faces;
     std::vector<std::pair<QCheckBox*, bool ViewOptions::*>> m_switches;
     Row m_normalLength{}, m_every{}, m_vectorLength{};
 };

@@ -160,6 +160,7 @@ vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, in
     auto directions = vtkSmartPointer<vtkDoubleArray>::New();
     directions->SetNumberOfComponents(3);
     directions->SetName("direction");
+    auto rgb = newColors();
     // Every k-th by count would fall into step with the rows of a regular mesh; multiples of the
     // golden ratio, taken where their fraction is below 1/k, never do.
     constexpr double kGolden = 0.6180339887498949;
@@ -170,19 +171,21 @@ vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, in
         if (except && glm::length(arrows[i].base - *except) <= 1e-5 * glm::length(*except)) continue;
         addPoint(*points, arrows[i].base);
         directions->InsertNextTuple3(arrows[i].direction.x, arrows[i].direction.y, arrows[i].direction.z);
+        addColor(*rgb, toColor(arrows[i].color));
     }
     data->SetPoints(points);
     data->GetPointData()->AddArray(directions);
+    data->GetPointData()->SetScalars(rgb);
     return data;
 }
 
-vtkSmartPointer<vtkPolyData> pictureQuad(const ViewContent& content) {
+vtkSmartPointer<vtkPolyData> pictureQuad(const std::array<Vec3d, 4>& corners) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     auto points = newPoints();
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     auto texture = vtkSmartPointer<vtkFloatArray>::New();
     texture->SetNumberOfComponents(2);
-    for (const Vec3d& corner : pictureCorners(content.eye, content.pictureDistance)) addPoint(*points, corner);
+    for (const Vec3d& corner : corners) addPoint(*points, corner);
     // Texture rows count upwards, the picture's downwards.
     for (const auto& [u, v] : {std::pair{0, 1}, {1, 1}, {1, 0}, {0, 0}}) texture->InsertNextTuple2(u, v);
     const vtkIdType ids[4]{0, 1, 2, 3};

@@ -1,6 +1,8 @@
 #include "app/view3d/world_drawing.h"
 
 #include "app/view3d/aids_drawing.h"
+#include "app/view3d/lobe_drawing.h"
+#include "app/view3d/space_drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,20 +27,19 @@ double groundHeight(const ViewContent& content) {
     return b.min.z >= 0 && b.min.z <= b.radius() ? 0.0 : b.min.z;
 }
 
-struct Axis {
-    const char* name;
-    Vec3d direction;
-};
-constexpr std::array<Axis, 3> kAxes{{{"x", {1, 0, 0}}, {"y", {0, 1, 0}}, {"z", {0, 0, 1}}}};
-
-// The axes start at the world's origin, or where that is far off, at the foot of the scene's bounds.
+// The axes start at the space's origin, or where that is far off, at the foot of the scene's bounds.
 Vec3d axesOrigin(const ViewContent& content) {
     const Bounds& b = content.bounds;
+    if (content.map.space == ViewSpace::Clip) return Vec3d(0.0);
+    if (content.map.space == ViewSpace::Screen) return {b.min.x, b.min.y, b.max.z};  // the top left corner
     return glm::length(b.centre()) <= kGridReach * b.radius() ? Vec3d(0.0)
                                                               : Vec3d(b.min.x, b.min.y, groundHeight(content));
 }
 
-double axisLength(const ViewContent& content) { return content.bounds.radius() * 0.8; }
+double axisLength(const ViewContent& content) {
+    if (content.map.space == ViewSpace::Screen) return 1.12 * (content.bounds.max.z - content.bounds.min.z);
+    return content.bounds.radius() * 0.8;
+}
 
 // Where the middle ray of a light at infinity begins, and the way to its neighbours.
 struct RayPlace {
@@ -88,7 +89,7 @@ public:
     }
 
     Drawing take() {
-        if (m_options.vectors) vectors();
+        if (m_options.vectors || m_options.lobe) vectors();
         if (m_options.lights)
             for (const LightMark& light : m_content.lights)
                 light.atInfinity ? raysAtInfinity(light) : pointLight(light);
@@ -118,7 +119,7 @@ private:
 
     void axes() {
         const Vec3d origin = axesOrigin(m_content);
-        for (const Axis& axis : kAxes) {
+        for (const SpaceAxis& axis : axesOf(m_content.map.space)) {
             const Vec3d end = origin + axisLength(m_content) * axis.direction;
             m_drawing.lines.push_back({origin, end, Ink::Outline, 1, 1});
             if (isHidden(m_content, m_view.camera, end)) continue;
@@ -147,6 +148,9 @@ private:
                                         .distance = {},
                                         .ink = inkOf(v.code)});
         }
+        for (const SpecularLobe& lobe : m_content.lobes)
+            if (m_options.lobe)
+                addLobe(lobe, m_options.vectorLength * unitAt(lobe.base) * (lobe.main ? 1 : 0.6), m_drawing);
         const auto marker = [this](const std::optional<Vec3d>& at) -> std::optional<Drawing::Marker> {
             if (!at) return {};
             return Drawing::Marker{*at, isHidden(m_content, m_view.camera, *at)};
@@ -189,11 +193,16 @@ private:
     void aids() {
         auto& lines = m_drawing.lines;
         for (const ObjectBounds& bounds : m_content.mesh->objects) {
-            if (m_options.boxes) addBox(bounds.box, Ink::Text, lines);
-            if (m_options.spheres) addSphere(bounds.sphere, Ink::Edge, m_view.camera, lines);
+            if (m_options.boxes) addWorldBox(m_content, bounds.box, Ink::Text, lines);
+            if (m_options.spheres && m_content.map.keepsLengths())
+                addSphere({m_content.map.toSpace(bounds.sphere.centre), bounds.sphere.radius}, Ink::Edge, m_view.camera,
+                          lines);
         }
-        if (m_content.markedBox) addBox(*m_content.markedBox, Ink::Text, lines);
+        if (m_content.markedBox) addWorldBox(m_content, *m_content.markedBox, Ink::Text, lines);
         m_drawing.vertex = m_content.markedVertex;
+        for (const LightFrustum& frustum : m_content.frusta)
+            if (isShown(frustum, m_content, m_options)) addLightFrustum(frustum, m_drawing);
+        if (!m_content.map.keepsLengths()) return addSpaceBox(m_content.map, m_drawing);
         const bool fromEye = glm::length(m_content.eye.eye - m_view.camera.position()) < 1e-6 * m_view.camera.distance;
         if (m_options.frustum && !fromEye) addFrustum(m_content.eye, m_drawing);
     }
@@ -205,6 +214,8 @@ private:
         const pipeline::View& eye = m_content.eye;
         // Who looks through the eye does not see it.
         if (glm::length(eye.eye - m_view.camera.position()) < 1e-6 * m_view.camera.distance) return;
+        // In clip and screen space it is infinitely far: parallel lines lead to the picture.
+        if (!m_content.map.keepsLengths()) return pictureFrame();
         Solid solid = ring(7, 1.6);
         append(solid, ball({0, 0, 0}, 2.4));
         mark(Ink::V, solid, eye.eye, towardsObserver(eye.eye));
@@ -215,14 +226,21 @@ private:
                                     .distance = unitsAway(glm::length(eye.eye - reference())),
                                     .ink = Ink::V});
         if (m_content.foot) dotted(*m_content.foot, eye.perspective ? eye.eye : onEyePlane(*m_content.foot));
+        pictureFrame();
+    }
+
+    void pictureFrame() {
+        const pipeline::View& eye = m_content.eye;
         // Lines from an eye outside the view would cross it without saying where they come from.
         if (!showsWholeEye(m_content, m_view)) return;
         const auto corners = pictureCorners(eye, m_content.pictureDistance);
-        const auto foot = pictureCorners(eye, 0);  // the eye itself, four times, in perspective
+        // In perspective the eye itself, four times; in clip and screen space the near side.
+        const auto foot = pictureCorners(eye, m_content.map.keepsLengths() ? 0 : eye.near);
         for (std::size_t i = 0; i < 4; ++i) {
             m_drawing.lines.push_back({foot[i], corners[i], Ink::V, 1, 1});
             m_drawing.lines.push_back({corners[i], corners[(i + 1) % 4], Ink::V, 1, 1});
         }
+        if (!m_content.map.keepsLengths() && m_content.point) dotted(*m_content.point, onEyePlane(*m_content.point));
     }
 
     // Where an orthographic eye's ray to a point starts.
@@ -304,6 +322,13 @@ bool showsWholeEye(const ViewContent& content, const ViewFrame& view) {
 std::vector<Vec3d> sceneExtent(const ViewContent& content, const ViewOptions& options) {
     const auto corners = content.bounds.corners();
     std::vector<Vec3d> points(corners.begin(), corners.end());
+    const auto add = [&](const std::array<Vec3d, 4>& more) { points.insert(points.end(), more.begin(), more.end()); };
+    if (!content.map.keepsLengths()) add(pictureCorners(content.eye, content.pictureDistance));
+    if (content.map.space == ViewSpace::Light)
+        for (const LightFrustum& frustum : content.frusta)
+            if (isShown(frustum, content, options))
+                for (const double z : {frustum.view.perspective ? 0 : frustum.plane, frustum.plane, frustum.end})
+                    add(pictureCorners(frustum.view, z));
     if (options.lights)
         for (const LightMark& light : content.lights)
             if (light.atInfinity) {
@@ -351,15 +376,18 @@ OrbitCamera presetCamera(ViewPreset preset, const ViewContent& content, const Vi
         default: {
             const Vec3d towardsEye = content.eye.perspective ? content.eye.eye - centre : -content.eye.forward;
             // Far to the side, the eye's frustum and the scene stand next to each other.
-            const double beside = preset == ViewPreset::Everything ? -78 : -40, above = 15;  // degrees
+            // The eye and its picture belong to the other spaces.
+            const bool apart = content.map.space != ViewSpace::World && content.map.space != ViewSpace::Light;
+            const double beside = preset == ViewPreset::Everything ? -78 : apart ? -62 : -40, above = 15;  // degrees
             const double azimuth = std::atan2(towardsEye.y, towardsEye.x) + glm::radians(beside);
             const double elevation = glm::radians(above);
             lookAlong(camera, {-std::cos(azimuth) * std::cos(elevation), -std::sin(azimuth) * std::cos(elevation),
                                -std::sin(elevation)});
         }
     }
-    frame(camera, preset == ViewPreset::Everything ? everythingExtent(content, options) : sceneExtent(content, options),
-          size, 0.11);
+    // In its own space the eye belongs to what is shown.
+    const bool eyeToo = preset == ViewPreset::Everything || content.map.space == ViewSpace::Eye;
+    frame(camera, eyeToo ? everythingExtent(content, options) : sceneExtent(content, options), size, 0.11);
     return camera;
 }
 

@@ -5,7 +5,7 @@
 
 namespace app {
 
-// The ground grid, as lines that fade out away from the scene.
+// The ground grid of the world, as lines that fade out away from the scene. `content` in world space.
 std::vector<InkedLine> groundLines(const ViewContent& content);
 // The step of that grid: 1, 2 or 5 times a power of ten.
 double gridStep(const ViewContent& content);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 
+#include "app/view3d/space_drawing.h"
 #include "app/view3d/vtk_data.h"
 #include "app/view3d/world_drawing.h"
 
@@ -51,7 +52,7 @@ WorldScene::WorldScene(vtkOpenGLRenderWindow& window) {
     m_edges = addLayer(*m_world);
     m_pickedOuter = addLayer(*m_world);
     m_pickedInner = addLayer(*m_world);
-    m_picture = addLayer(*m_world);
+    m_picture = addPlane();
     m_lines = addLayer(*m_world);
     m_solids = addLayer(*m_world);
     m_vectors = addLayer(*m_world);
@@ -69,11 +70,6 @@ WorldScene::WorldScene(vtkOpenGLRenderWindow& window) {
     // The far sides of slightly larger solids: what shows of them is a rim around the solids.
     m_halos.actor->GetProperty()->FrontfaceCullingOn();
 
-    m_texture = vtkSmartPointer<vtkTexture>::New();
-    m_texture->InterpolateOff();
-    m_picture.actor->SetTexture(m_texture);
-    m_picture.actor->VisibilityOff();
-
     m_normals = addGlyphs(*m_world);
     m_normalHalos = addGlyphs(*m_world);
     m_normalHalos.actor->GetProperty()->FrontfaceCullingOn();
@@ -89,6 +85,14 @@ WorldScene::Layer WorldScene::addLayer(vtkRenderer& renderer) {
     layer.actor->GetProperty()->LightingOff();
     renderer.AddActor(layer.actor);
     return layer;
+}
+
+WorldScene::Plane WorldScene::addPlane() {
+    Plane plane{addLayer(*m_world), vtkSmartPointer<vtkTexture>::New()};
+    plane.texture->InterpolateOff();
+    plane.layer.actor->SetTexture(plane.texture);
+    plane.layer.actor->VisibilityOff();
+    return plane;
 }
 
 WorldScene::Glyphs WorldScene::addGlyphs(vtkRenderer& renderer) {
@@ -117,8 +121,9 @@ void WorldScene::setContent(std::shared_ptr<const ViewContent> content, const st
     if (!sameMesh) {
         m_edges.mapper->SetInputData(edgesData(mesh));
         if (!mesh.picture.pixels.empty()) {
-            m_picture.mapper->SetInputData(pictureQuad(*m_content));
-            m_texture->SetInputData(pictureImage(mesh.picture));
+            m_picture.layer.mapper->SetInputData(
+                pictureQuad(pictureCorners(m_content->eye, m_content->pictureDistance)));
+            m_picture.texture->SetInputData(pictureImage(mesh.picture));
         }
         colorMesh();
     }
@@ -126,10 +131,24 @@ void WorldScene::setContent(std::shared_ptr<const ViewContent> content, const st
     colorLines();
 }
 
+void WorldScene::placeFrusta() {
+    std::size_t used = 0;
+    if (m_content)
+        for (const LightFrustum& frustum : m_content->frusta) {
+            if (!isShown(frustum, *m_content, m_options)) continue;
+            if (used == m_frusta.size()) m_frusta.push_back(addPlane());
+            Plane& plane = m_frusta[used++];
+            plane.layer.mapper->SetInputData(pictureQuad(pictureCorners(frustum.view, frustum.plane)));
+            plane.texture->SetInputData(pictureImage(frustum.picture));
+        }
+    for (std::size_t i = 0; i < m_frusta.size(); ++i) m_frusta[i].layer.actor->SetVisibility(i < used);
+}
+
 void WorldScene::setOptions(const ViewOptions& options) {
     const bool otherFaces = options.faces != m_options.faces;
     m_options = options;
     if (otherFaces) colorMesh();
+    placeFrusta();
     std::span<const NormalArrow> arrows;
     if (m_content && options.normals == NormalsShown::Polygons) arrows = m_content->mesh->polygonNormals;
     if (m_content && options.normals == NormalsShown::Vertices) arrows = m_content->mesh->vertexNormals;
@@ -139,6 +158,7 @@ void WorldScene::setOptions(const ViewOptions& options) {
         glyphs->mapper->SetInputData(data);
         glyphs->actor->SetVisibility(!arrows.empty());
     }
+    m_normals.mapper->SetScalarVisibility(options.normalColors == NormalColors::Direction);
     // A rim lifts single arrows off their faces; around hundreds it is clutter, and slow.
     constexpr vtkIdType kMostRims = 150;
     if (data->GetNumberOfPoints() > kMostRims) m_normalHalos.actor->VisibilityOff();
@@ -192,8 +212,8 @@ void WorldScene::setView(const ViewFrame& view, const Drawing& drawing, double p
         for (const InkedSolid& inked : *solids) append(halos, inflated(inked.solid, kHalo * inked.unit));
     m_halos.mapper->SetInputData(solidData(halos));
     scaleNormals(view);
-    m_picture.actor->SetVisibility(m_content && m_options.eye && !m_content->mesh->picture.pixels.empty() &&
-                                   showsWholeEye(*m_content, view));
+    m_picture.layer.actor->SetVisibility(m_content && m_options.eye && !m_content->mesh->picture.pixels.empty() &&
+                                         showsWholeEye(*m_content, view));
     placeCamera(view);
 }
 

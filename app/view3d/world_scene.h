@@ -2,6 +2,7 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <vector>
 
 #include "app/view3d/drawing.h"
 #include "app/view3d/view_content.h"
@@ -42,19 +43,25 @@ private:
         vtkSmartPointer<vtkGlyph3DMapper> mapper;
         vtkSmartPointer<vtkActor> actor;
     };
+    struct Plane {
+        Layer layer;
+        vtkSmartPointer<vtkTexture> texture;
+    };
     Layer addLayer(vtkRenderer& renderer);
+    Plane addPlane();
     Glyphs addGlyphs(vtkRenderer& renderer);
     void colorMesh();
     void colorLines();
+    void placeFrusta();
     void placeCamera(const ViewFrame& view);
     void fadeEdges(const ViewFrame& view);
     void scaleNormals(const ViewFrame& view);
 
     vtkSmartPointer<vtkRenderer> m_world, m_over;
-    Layer m_faces, m_edges, m_ground, m_pickedOuter, m_pickedInner, m_lines, m_solids, m_vectors, m_halos, m_shine,
-        m_picture;
+    Layer m_faces, m_edges, m_ground, m_pickedOuter, m_pickedInner, m_lines, m_solids, m_vectors, m_halos, m_shine;
+    Plane m_picture;
+    std::vector<Plane> m_frusta;  // the shadow buffers; as many as were ever needed
     Glyphs m_normals, m_normalHalos;
-    vtkSmartPointer<vtkTexture> m_texture;
 
     std::shared_ptr<const ViewContent> m_content;
     std::vector<InkedLine> m_groundLines;

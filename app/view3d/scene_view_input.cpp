@@ -1,0 +1,122 @@
+// The mouse and the keys of a SceneView.
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "app/view3d/scene_view.h"
+
+namespace app {
+
+namespace {
+
+constexpr double kDegreesPerPixel = 0.4, kKeyStep = 5, kWheelStep = 1.15, kClickSlop = 4;
+
+}  // namespace
+
+std::optional<Hit> SceneView::hitAt(QPointF position) const {
+    if (!shown() || isPoint() || isMoving()) return {};
+    auto hit = firstHit(*shown(), rayThrough(m_camera, viewFrame().size, {position.x(), position.y()}));
+    if (hit) hit->at = shown()->map.toWorld(hit->at);
+    return hit;
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+    endMove();
+    m_pressedAt = m_last = event->position();
+    const bool shift = event->modifiers() & Qt::ShiftModifier, control = event->modifiers() & Qt::ControlModifier;
+    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift)) {
+        m_drag = Drag::Pan;
+    } else if (event->button() == Qt::LeftButton) {
+        m_drag = control && !isPoint() ? Drag::Pick : Drag::Click;
+        if (const auto hit = hitAt(event->position()); hit && m_drag == Drag::Pick) emit clicked(*hit);
+    }
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF position = event->position(), d = position - m_last;
+    if (m_drag == Drag::None) {
+        if (m_content && !isPoint()) emit hovered(hitAt(position));
+        return;
+    }
+    if (m_drag == Drag::Pick) {
+        if (const auto hit = hitAt(position)) emit clicked(*hit);
+        return;
+    }
+    // A click may tremble by a few pixels before it is a drag.
+    if (m_drag == Drag::Click && (position - m_pressedAt).manhattanLength() < kClickSlop) return;
+    if (m_drag == Drag::Click) m_drag = Drag::Orbit;
+    m_last = position;
+    m_flight.stop();
+    m_touched = true;
+    if (m_drag == Drag::Orbit)
+        orbit(m_camera, -d.x() * kDegreesPerPixel, d.y() * kDegreesPerPixel);
+    else
+        pan(m_camera, {d.x(), d.y()}, viewFrame().size);
+    refresh();
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+    const bool picks = m_drag == Drag::Click;
+    m_drag = Drag::None;
+    if (!picks) return;
+    if (const auto hit = hitAt(event->position())) emit clicked(*hit);
+}
+
+void SceneView::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    emit left();
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+    const double notches = event->angleDelta().y() / 120.0;
+    if (!shown() || notches == 0) return;
+    m_flight.stop();
+    endMove();
+    m_touched = true;
+    zoomAt(m_camera, std::pow(kWheelStep, -notches), {event->position().x(), event->position().y()}, viewFrame().size);
+    refresh();
+    event->accept();
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+    const bool plain = !(event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier));
+    if (plain && event->key() == Qt::Key_S) return emit spaceAsked(event->modifiers() & Qt::ShiftModifier ? -1 : 1);
+    if (!plain || !shown()) return QWidget::keyPressEvent(event);
+    endMove();
+    if (!keyAction(event->key())) QWidget::keyPressEvent(event);
+}
+
+bool SceneView::keyAction(int key) {
+    const auto turn = [this](double aroundZ, double overTop) {
+        OrbitCamera camera = m_camera;
+        orbit(camera, aroundZ, overTop);
+        setCamera(camera);
+    };
+    const auto zoom = [this](double factor) {
+        OrbitCamera camera = m_camera;
+        zoomAt(camera, factor, viewFrame().size / 2.0, viewFrame().size);
+        setCamera(camera);
+    };
+    switch (key) {
+        case Qt::Key_1: go(ViewPreset::Front); return true;
+        case Qt::Key_3: go(ViewPreset::Side); return true;
+        case Qt::Key_7: go(ViewPreset::Top); return true;
+        case Qt::Key_9:
+        case Qt::Key_R: go(ViewPreset::Iso); return true;
+        case Qt::Key_0: go(ViewPreset::Eye); return true;
+        case Qt::Key_A: go(ViewPreset::Everything); return true;
+        case Qt::Key_Z: zoomOut(); return true;
+        case Qt::Key_5: setOrthographic(!m_camera.orthographic); return true;
+        case Qt::Key_Left: turn(-kKeyStep, 0); return true;
+        case Qt::Key_Right: turn(kKeyStep, 0); return true;
+        case Qt::Key_Up: turn(0, kKeyStep); return true;
+        case Qt::Key_Down: turn(0, -kKeyStep); return true;
+        case Qt::Key_Plus:
+        case Qt::Key_Equal: zoom(1 / kWheelStep); return true;
+        case Qt::Key_Minus: zoom(kWheelStep); return true;
+        default: return false;
+    }
+}
+
+}  // namespace app

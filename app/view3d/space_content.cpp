@@ -1,0 +1,229 @@
+#include "app/view3d/space_content.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace app {
+
+namespace {
+
+// Cuts polygons at z_view = near; a cut edge gets one vertex, shared by all that have the edge.
+class NearCut {
+public:
+    explicit NearCut(const ViewContent& world) : m_world(world) {
+        for (const Vec3d& p : world.mesh->positions) m_above.push_back(depthOf(world.eye, p) - world.eye.near);
+    }
+    bool needed() const {
+        return std::ranges::any_of(m_above, [](double above) { return above < 0; });
+    }
+
+    ViewContent take() {
+        m_mesh = *m_world.mesh;
+        m_mesh.faces.clear();
+        m_mesh.edges.clear();
+        for (const Face& face : m_world.mesh->faces) cut(face);
+        for (const auto& [a, b] : m_world.mesh->edges) {
+            if (m_above[a] < 0 && m_above[b] < 0) continue;
+            m_mesh.edges.emplace_back(m_above[a] < 0 ? between(a, b) : a, m_above[b] < 0 ? between(a, b) : b);
+        }
+        ViewContent result = m_world;
+        result.pickedLoop = cut(m_world.pickedLoop);
+        result.markedLoop = cut(m_world.markedLoop);
+        if (m_world.markedVertex && depthOf(m_world.eye, *m_world.markedVertex) < m_world.eye.near)
+            result.markedVertex.reset();
+        result.mesh = std::make_shared<const ViewMesh>(std::move(m_mesh));
+        return result;
+    }
+
+private:
+    std::uint32_t between(std::uint32_t a, std::uint32_t b) {
+        const auto [place, isNew] = m_cuts.try_emplace(std::minmax(a, b), std::uint32_t(m_mesh.positions.size()));
+        if (isNew) {
+            const double t = m_above[a] / (m_above[a] - m_above[b]);
+            m_mesh.positions.push_back(glm::mix(m_mesh.positions[a], m_mesh.positions[b], t));
+            if (!m_mesh.vertexNormalColors.empty())
+                m_mesh.vertexNormalColors.push_back(
+                    glm::mix(m_mesh.vertexNormalColors[a], m_mesh.vertexNormalColors[b], float(t)));
+        }
+        return place->second;
+    }
+
+    // I. E. Sutherland and G. W. Hodgman, "Reentrant polygon clipping", Communications of the ACM, 1974.
+    std::vector<std::uint32_t> cut(const std::vector<std::uint32_t>& loop) {
+        std::vector<std::uint32_t> kept;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
+            if (m_above[a] >= 0) kept.push_back(a);
+            if ((m_above[a] < 0) != (m_above[b] < 0)) kept.push_back(between(a, b));
+        }
+        return kept;
+    }
+
+    void cut(const Face& face) {
+        std::vector<std::pair<std::uint32_t, glm::vec3>> kept;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t a = face.vertices[i], b = face.vertices[(i + 1) % 3];
+            if (m_above[a] >= 0) kept.emplace_back(a, face.colors[i]);
+            if ((m_above[a] < 0) == (m_above[b] < 0)) continue;
+            const auto t = float(m_above[a] / (m_above[a] - m_above[b]));
+            kept.emplace_back(between(a, b), glm::mix(face.colors[i], face.colors[(i + 1) % 3], t));
+        }
+        for (std::size_t i = 2; i < kept.size(); ++i)
+            m_mesh.faces.push_back({{kept[0].first, kept[i - 1].first, kept[i].first},
+                                    {kept[0].second, kept[i - 1].second, kept[i].second},
+                                    face.polygon,
+                                    face.shaded});
+    }
+
+    const ViewContent& m_world;
+    std::vector<double> m_above;  // z_view − near, per vertex of the world
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_cuts;
+    ViewMesh m_mesh;
+};
+
+double meanEdge(const ViewMesh& mesh) {
+    double sum = 0;
+    for (const auto& [a, b] : mesh.edges) sum += glm::length(mesh.positions[a] - mesh.positions[b]);
+    return mesh.edges.empty() ? 0 : sum / double(mesh.edges.size());
+}
+
+void turnArrows(const SpaceMap& map, std::vector<NormalArrow>& arrows) {
+    for (NormalArrow& arrow : arrows) arrow = {map.toSpace(arrow.base), map.turned(arrow.direction), arrow.color};
+}
+
+void moveRigidly(const SpaceMap& map, ViewContent& content, ViewMesh& mesh) {
+    turnArrows(map, mesh.polygonNormals);
+    turnArrows(map, mesh.vertexNormals);
+    for (LightMark& light : content.lights) {
+        light.direction = map.turned(light.direction);
+        light.position = map.toSpace(light.position);
+    }
+    for (LightFrustum& frustum : content.frusta) frustum.view = map.turned(frustum.view);
+    content.eye = map.turned(content.eye);
+    for (VectorArrow& v : content.vectors) v.base = map.toSpace(v.base), v.direction = map.turned(v.direction);
+    for (SpecularLobe& lobe : content.lobes) {
+        lobe.base = map.toSpace(lobe.base);
+        lobe.axis = map.turned(lobe.axis);
+        lobe.probe = map.turned(lobe.probe);
+    }
+    content.bounds = {};
+    for (const Vec3d& p : mesh.positions) content.bounds.add(p);
+    if (!content.bounds.any || !(content.bounds.radius() > 0)) {
+        const Vec3d centre = content.bounds.any ? content.bounds.centre() : Vec3d(0.0);
+        content.bounds.add(centre - 0.5);
+        content.bounds.add(centre + 0.5);
+    }
+}
+
+void leaveOutAngles(const SpaceMap& map, ViewContent& content, ViewMesh& mesh) {
+    mesh.polygonNormals.clear();
+    mesh.vertexNormals.clear();
+    content.vectors.clear();
+    content.lobes.clear();
+    content.lights.clear();
+    content.frusta.clear();
+    content.eye = flatEye(map);
+    content.pictureDistance = 0;
+    const SpaceBox box = visibleBox(map);
+    content.bounds = {box.min, box.max, true};
+}
+
+// Of content that is cut at the near plane where the map asks for it.
+ViewContent moved(const ViewContent& world, const SpaceMap& map) {
+    if (map.space == ViewSpace::World) return world;
+    ViewContent content = world;
+    ViewMesh mesh = *content.mesh;
+    // Corners made by the cut lie on the plane but for their rounding.
+    const double near = world.eye.near - 1e-9 * std::abs(world.eye.near);
+    const auto hasPlace = [&](Vec3d p) { return map.keepsLengths() || depthOf(world.eye, p) >= near; };
+    // What was cut off is no polygon's corner any more: any place does.
+    for (Vec3d& p : mesh.positions) p = hasPlace(p) ? map.toSpace(p) : Vec3d(0.0);
+    for (std::optional<Vec3d>* p : {&content.point, &content.foot, &content.markedVertex})
+        if (*p) *p = hasPlace(**p) ? std::optional(map.toSpace(**p)) : std::nullopt;
+    content.map = map;
+    if (map.keepsLengths())
+        moveRigidly(map, content, mesh);
+    else
+        leaveOutAngles(map, content, mesh);
+    mesh.meanEdge = meanEdge(mesh);
+    content.mesh = std::make_shared<const ViewMesh>(std::move(mesh));
+    return content;
+}
+
+// Where a point stands before a camera, in units of the distance to what it looks at.
+Vec3d before(const OrbitCamera& camera, Vec3d p) {
+    const Vec3d d = (p - camera.target) / camera.distance;
+    return {glm::dot(d, camera.right), glm::dot(d, camera.up), glm::dot(d, camera.forward)};
+}
+
+Vec3d placedBefore(const OrbitCamera& camera, Vec3d q) {
+    return camera.target + camera.distance * (q.x * camera.right + q.y * camera.up + q.z * camera.forward);
+}
+
+}  // namespace
+
+std::optional<SpaceMap> mapOf(const ViewContent& world, SpaceId id) {
+    switch (id.space) {
+        case ViewSpace::World: return SpaceMap{};
+        case ViewSpace::Eye:
+        case ViewSpace::Clip:
+        case ViewSpace::Screen: return SpaceMap{.space = id.space, .view = world.eye};
+        case ViewSpace::Point: return {};
+        case ViewSpace::Light: break;
+    }
+    for (const LightFrustum& frustum : world.frusta)
+        if (frustum.light == id.light) return SpaceMap{id.space, frustum.view, frustum.light, frustum.face};
+    return {};
+}
+
+ViewContent clippedAtNear(const ViewContent& world) {
+    NearCut cut(world);
+    return cut.needed() ? cut.take() : world;
+}
+
+ViewContent inSpace(const ViewContent& world, const SpaceMap& map) {
+    return moved(map.keepsLengths() ? world : clippedAtNear(world), map);
+}
+
+SpaceMorph::SpaceMorph(const ViewContent& world, const SpaceMap& mapFrom, const OrbitCamera& from,
+                       const SpaceMap& mapTo, const OrbitCamera& to)
+    : m_from(from), m_to(to) {
+    const bool cut = !(mapFrom.keepsLengths() && mapTo.keepsLengths());
+    const ViewContent both = cut ? clippedAtNear(world) : world;
+    const ViewContent begin = moved(both, mapFrom);
+    m_content = moved(both, mapTo);
+    m_end = m_content.mesh->positions;
+    for (const Vec3d& p : begin.mesh->positions) m_begin.push_back(placedBefore(to, before(from, p)));
+    ViewMesh mesh = *m_content.mesh;
+    mesh.polygonNormals.clear();
+    mesh.vertexNormals.clear();
+    mesh.objects.clear();
+    mesh.picture = {};
+    m_content.mesh = std::make_shared<const ViewMesh>(std::move(mesh));
+    m_content.vectors.clear();
+    m_content.lobes.clear();
+    m_content.lights.clear();
+    m_content.frusta.clear();
+    m_content.markedBox.reset();
+    m_content.markedVertex.reset();
+    m_content.point.reset();
+    m_content.foot.reset();
+}
+
+ViewContent SpaceMorph::content(double t) const {
+    ViewContent result = m_content;
+    ViewMesh mesh = *m_content.mesh;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) mesh.positions[i] = glm::mix(m_begin[i], m_end[i], t);
+    mesh.meanEdge = meanEdge(mesh);
+    result.mesh = std::make_shared<const ViewMesh>(std::move(mesh));
+    return result;
+}
+
+OrbitCamera SpaceMorph::camera(double t) const {
+    OrbitCamera camera = m_to;
+    camera.fovY = glm::mix(m_from.fovY, m_to.fovY, t);
+    return camera;
+}
+
+}  // namespace app
