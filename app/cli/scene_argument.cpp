@@ -5,36 +5,18 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 
 #include "app/cli/cli.h"
+#include "app/state/state_scene.h"
 #include "pipeline/core/text.h"
-#include "pipeline/formats/scene_reader.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace app {
 
-namespace fs = std::filesystem;
 using pipeline::Errors;
 using pipeline::Scene;
 
 namespace {
-
-// A file goes before a built-in scene of the same name.
-pipeline::Result<Scene> readNamed(const std::string& name) {
-    std::error_code ignored;
-    if (fs::exists(name, ignored)) return pipeline::readScene(name);
-    const auto scenes = pipeline::builtInScenes();
-    const auto found = std::ranges::find(scenes, name, &pipeline::BuiltInScene::name);
-    if (found != scenes.end()) return pipeline::readScene(found->file);
-    if (name.find_first_of("./") != name.npos) return pipeline::readScene(name);  // says why it cannot be read
-    std::vector<std::string> names;
-    for (const pipeline::BuiltInScene& scene : scenes) names.push_back(scene.name);
-    return pipeline::Error{{},
-                           fmt::format("no file and no built-in scene {}; the nearest is {}", pipeline::inQuotes(name),
-                                       pipeline::inQuotes(pipeline::nearest(name, names))),
-                           {}};
-}
 
 pipeline::Result<Scene> applySettings(Scene scene, const SceneArgument& argument) {
     if (!argument.size.empty()) {
@@ -72,7 +54,7 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, int& statu
         status = why;
         return nullptr;
     };
-    auto read = readNamed(argument.scene);
+    auto read = readNamedScene(argument.scene, {});
     if (!read) return refuse(read.errors(), kBadInput);
     if (Errors errors = checkScene(*read); !errors.empty()) {
         for (pipeline::Error& error : errors)

@@ -75,7 +75,8 @@ bool Document::open(const QString& file) {
         emit failed(errors);
         return false;
     }
-    setScene(std::move(scene).value());
+    const auto read = std::make_shared<const Scene>(*scene);
+    setScene(*read, {QFileInfo(file).absoluteFilePath(), read});
     if (file.endsWith(".png", Qt::CaseInsensitive))
         if (const auto stage = stageShownBy(file)) setStage(*stage);
     return true;
@@ -96,12 +97,14 @@ bool Document::save(const QString& file) {
         return false;
     }
     m_undo.setClean();
+    m_kept = {QFileInfo(file).absoluteFilePath(), m_scene};
     emit said(tr("The scene is saved as %1.").arg(QFileInfo(file).fileName()));
     return true;
 }
 
-void Document::setScene(Scene scene) {
+void Document::setScene(Scene scene, Kept kept) {
     m_undo.clear();
+    m_kept = std::move(kept);
     m_live = false;
     m_scene = std::make_shared<const Scene>(std::move(scene));
     // A picked pixel, polygon numbers and errors of the other scene mean nothing here.

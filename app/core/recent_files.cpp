@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QSettings>
+#include <algorithm>
 
 namespace app {
 
@@ -11,26 +12,50 @@ std::vector<RecentFile> recentFiles() {
     const int n = settings.beginReadArray("recent");
     for (int i = 0; i < n; ++i) {
         settings.setArrayIndex(i);
-        RecentFile entry{settings.value("file").toString(), settings.value("when").toDateTime()};
+        RecentFile entry{settings.value("file").toString(), settings.value("when").toDateTime(),
+                         settings.value("where").toString(), settings.value("state").toString()};
         if (QFileInfo::exists(entry.file)) files.push_back(std::move(entry));
     }
     return files;
 }
 
-void addRecentFile(const QString& file) {
-    const QString path = QFileInfo(file).absoluteFilePath();
-    std::vector<RecentFile> files = recentFiles();
-    std::erase_if(files, [&](const RecentFile& entry) { return entry.file == path; });
-    files.insert(files.begin(), RecentFile{path, QDateTime::currentDateTime()});
-    if (files.size() > std::size_t(kMaxRecentFiles)) files.resize(kMaxRecentFiles);
+namespace {
+
+void writeRecentFiles(const std::vector<RecentFile>& files) {
     QSettings settings;
+    settings.remove("recent");
     settings.beginWriteArray("recent", int(files.size()));
     for (std::size_t i = 0; i < files.size(); ++i) {
         settings.setArrayIndex(int(i));
         settings.setValue("file", files[i].file);
         settings.setValue("when", files[i].when);
+        settings.setValue("where", files[i].where);
+        settings.setValue("state", files[i].state);
     }
     settings.endArray();
+}
+
+}  // namespace
+
+void addRecentFile(const QString& file) {
+    RecentFile entry{QFileInfo(file).absoluteFilePath(), QDateTime::currentDateTime()};
+    std::vector<RecentFile> files = recentFiles();
+    const auto before = std::ranges::find(files, entry.file, &RecentFile::file);
+    if (before != files.end()) {
+        entry.where = before->where, entry.state = before->state;
+        files.erase(before);
+    }
+    files.insert(files.begin(), std::move(entry));
+    if (files.size() > std::size_t(kMaxRecentFiles)) files.resize(kMaxRecentFiles);
+    writeRecentFiles(files);
+}
+
+void rememberPlace(const QString& file, const QString& where, const QString& state) {
+    std::vector<RecentFile> files = recentFiles();
+    const auto entry = std::ranges::find(files, file, &RecentFile::file);
+    if (entry == files.end()) return;
+    entry->where = where, entry->state = state;
+    writeRecentFiles(files);
 }
 
 }  // namespace app

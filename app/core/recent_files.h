@@ -9,11 +9,16 @@ namespace app {
 struct RecentFile {
     QString file;    // absolute path
     QDateTime when;  // opened last
+    QString where =
+        {};  // "z-buffer/polygon=2 · pixel 268, 281": where the window stood when it was closed; may be empty
+    QString state = {};  // the same as TOML: app/state/window_state.h
 };
 
 inline constexpr int kMaxRecentFiles = 8;
 
 std::vector<RecentFile> recentFiles();  // those that still exist
 void addRecentFile(const QString& file);
+// Of a file in the list; does nothing for any other.
+void rememberPlace(const QString& file, const QString& where, const QString& state);
 
 }  // namespace app

@@ -181,4 +181,9 @@ void Stepper::removeBookmark(std::size_t i) {
     emit changed();
 }
 
+void Stepper::setBookmarks(std::vector<pipeline::Place> bookmarks) {
+    m_bookmarks = std::move(bookmarks);
+    emit changed();
+}
+
 }  // namespace app

@@ -53,6 +53,7 @@ public:
     int bookmarkHere() const;
     void toggleBookmark();
     void removeBookmark(std::size_t i);
+    void setBookmarks(std::vector<pipeline::Place> bookmarks);  // in the order of the frame
 
 signals:
     void changed();                               // the place, the steps, level, speed, bookmarks, or whether it plays

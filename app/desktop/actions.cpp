@@ -14,6 +14,8 @@ std::span<const ActionRow> actionTable() {
         {A::SaveAs, "File", "Save scene as…", "Ctrl+S; Ctrl+Shift+S",
          "Writes the scene with all its settings as a TOML file."},
         {A::Export, "File", "Export buffers…", "Ctrl+E", "Writes the buffers of this frame to a folder.", false, true},
+        {A::RestoreSession, "File", "Restore the session at start", "",
+         "Begins the next time with what the window shows when it is closed.", true, true},
         {A::Close, "File", "Close", "Ctrl+W", "Closes the scene and shows the start page.", false, true},
         {A::Quit, "File", "Quit", "Ctrl+Q", "Closes the window."},
 

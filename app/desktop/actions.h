@@ -12,6 +12,7 @@ enum class ActionId : unsigned char {
     Open,
     SaveAs,
     Export,
+    RestoreSession,
     Close,
     Quit,
     Undo,

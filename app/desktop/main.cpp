@@ -1,4 +1,5 @@
 // The program: a command, or the window.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -24,6 +25,8 @@ app::CliHost makeHost() {
     return host;
 }
 
+constexpr std::string_view kNoSession = "--no-session";
+
 int refuse(const std::string& message) {
     std::fputs(("shadescope: " + message + "\nRun shadescope --help to see what there is.\n").c_str(), stderr);
     return app::kWrongUsage;
@@ -37,12 +40,12 @@ bool hasDisplay() {
     return false;
 }
 
-int openWindow(int argc, char** argv, const std::string& file) {
+int openWindow(int argc, char** argv, const std::string& file, bool session) {
     if (!hasDisplay()) return refuse("there is no display for the window; the commands need none");
-    return app::runWindow(argc, argv, QString::fromLocal8Bit(file.c_str()));
+    return app::runWindow(argc, argv, {QString::fromLocal8Bit(file.c_str()), session});
 }
 #else
-int openWindow(int, char**, const std::string&) {
+int openWindow(int, char**, const std::string&, bool) {
     std::fputs("shadescope: this build has no window\n\n", stderr);
     std::fputs(app::helpText(makeHost()).c_str(), stderr);
     return app::kWrongUsage;
@@ -53,6 +56,8 @@ int openWindow(int, char**, const std::string&) {
 
 int main(int argc, char** argv) {
     pipeline::keepFreedMemory();
+    const bool session = !(argc > 1 && std::string_view(argv[1]) == kNoSession);
+    if (!session) std::rotate(argv + 1, argv + 2, argv + argc--);  // Qt reads the rest
     const std::string first = argc > 1 ? argv[1] : "";
     if (app::isForCli(first)) return app::runCli(argc, argv, makeHost());
     if (first.starts_with("--")) return refuse("there is no option " + pipeline::inQuotes(first));
@@ -61,5 +66,5 @@ int main(int argc, char** argv) {
     if (file && first.find_first_of("./") == first.npos && !std::filesystem::exists(first, ignored))
         return refuse("there is no file and no command " + pipeline::inQuotes(first) + "; the nearest command is " +
                       app::nearestCommand(first));
-    return openWindow(argc, argv, file ? first : "");
+    return openWindow(argc, argv, file ? first : "", session);
 }

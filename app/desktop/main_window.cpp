@@ -25,6 +25,7 @@
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/pixel_field.h"
+#include "app/desktop/session.h"
 #include "app/desktop/status_line.h"
 #include "app/desktop/step_actions.h"
 #include "app/desktop/view_area.h"
@@ -130,6 +131,7 @@ void MainWindow::makeCentre() {
     setCentralWidget(centre);
     connect(m_start, &StartPage::openRequested, this, &MainWindow::chooseFile);
     connect(m_start, &StartPage::fileChosen, this, &MainWindow::openFile);
+    connect(m_start, &StartPage::recentChosen, this, &MainWindow::openRecent);
     connect(m_start, &StartPage::lessonChosen, this, &MainWindow::openLesson);
     connect(m_start, &StartPage::keysRequested, (*m_actions)[ActionId::Keys], &QAction::trigger);
 }
@@ -201,7 +203,7 @@ void MainWindow::connectDocument() {
 }
 
 bool MainWindow::openFile(const QString& file) {
-    if (!m_document.open(file)) return false;
+    if (!mayLeaveScene() || !m_document.open(file)) return false;
     addRecentFile(file);
     return true;
 }
@@ -220,7 +222,7 @@ void MainWindow::showLessons() {
 }
 
 void MainWindow::openLesson(const QString& name) {
-    if (!m_lessons->open(name)) return;
+    if (!mayLeaveScene() || !m_lessons->open(name)) return;
     for (PanelDock* dock : m_docks)
         if (dock->objectName() == "lesson") dock->show();
 }
@@ -281,6 +283,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!mayLeaveScene()) return event->ignore();
+    if (m_session) m_session->save(!m_document.isChanged());
     if (m_width == Width::Wide) saveLayout(*this);
     saveTheme();
     QMainWindow::closeEvent(event);

@@ -2,6 +2,7 @@
 #include <QMainWindow>
 
 #include "app/core/document.h"
+#include "app/core/document_state.h"
 
 class QLabel;
 class QMenu;
@@ -18,6 +19,7 @@ class KeySheet;
 class LessonPanel;
 class PanelDock;
 class PixelField;
+class Session;
 class StageStrip;
 class StartPage;
 class StatusLine;
@@ -38,7 +40,15 @@ public:
     ViewArea& views() { return *m_views; }
     const Actions& actions() const { return *m_actions; }
 
-    bool openFile(const QString& file);  // what goes wrong stands in the error list
+    // What goes wrong stands in the error list. Asks before changes to the scene on show are lost; false where it stays.
+    bool openFile(const QString& file);
+    bool openRecent(const QString& file);  // where the window stood when it was left
+    // What the window shows, its scene named from `folder`; nothing on the start page, or where the scene is too large.
+    std::optional<WindowState> state(const std::filesystem::path& folder) const;
+    // Asks nothing. False where the scene cannot be had.
+    bool showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes);
+    // Keeps the session in a folder from now on; restores the last one first, unless it is switched off.
+    void startSession(const QString& folder, bool restore);
     void openLesson(const QString& name);
     void showStartPage();
 
@@ -65,11 +75,16 @@ private:
     void connectActions();
     void enableActions();
     void chooseFile();
-    void saveScene();
+    bool saveScene();  // false: not saved
     void exportBuffers();
     void showStudy();
     void showChecks();
     std::vector<PaletteEntry> commands();
+    // main_window_state.cpp: what is on show, and leaving it
+    bool showsScene() const;
+    bool mayLeaveScene();
+    void closeScene();
+    void rememberWhere();
     // main_window_layout.cpp: what stands where in which width
     enum class Width { Narrow, Medium, Wide };  // below 1100, below 1440, from there on
     Width widthClass() const;
@@ -95,6 +110,7 @@ private:
     CommandPalette* m_palette;
     KeySheet* m_keys;
     PixelField* m_pixelField;
+    Session* m_session = nullptr;
     StudyPanel* m_study = nullptr;   // a window of its own; made when first asked for
     CheckPanel* m_checks = nullptr;  // likewise
     std::optional<Width> m_width;    // as last laid out; nothing on the start page

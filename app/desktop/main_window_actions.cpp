@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 
 #include "app/core/recent_files.h"
+#include "app/core/session_file.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
@@ -57,7 +58,8 @@ void MainWindow::connectActions() {
     on(A::Open, [this] { chooseFile(); });
     on(A::SaveAs, [this] { saveScene(); });
     on(A::Export, [this] { exportBuffers(); });
-    on(A::Close, [this] { showStartPage(); });
+    on(A::Close, [this] { closeScene(); });
+    on(A::RestoreSession, [](bool wanted) { SessionFile::setWanted(wanted); });
     on(A::Quit, [this] { close(); });
     on(A::Undo, [this] { m_document.undoStack()->undo(); });
     on(A::Redo, [this] { m_document.undoStack()->redo(); });
@@ -93,13 +95,12 @@ void MainWindow::connectActions() {
     file->insertMenu(actions[A::SaveAs], m_recent);
     file->insertMenu(actions[A::SaveAs], builtIn);
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
-        builtIn->addAction(toQString(scene.title),
-                           [this, path = toQString(scene.file.string())] { m_document.open(path); });
+        builtIn->addAction(toQString(scene.title), [this, path = toQString(scene.file.string())] { openFile(path); });
     }
     connect(file, &QMenu::aboutToShow, this, [this] {
         m_recent->clear();
         for (const RecentFile& recent : recentFiles())
-            m_recent->addAction(QFileInfo(recent.file).fileName(), [this, path = recent.file] { openFile(path); });
+            m_recent->addAction(QFileInfo(recent.file).fileName(), [this, path = recent.file] { openRecent(path); });
         m_recent->setEnabled(!m_recent->isEmpty());
     });
     QMenu* view = actions.menu("View");
@@ -139,6 +140,7 @@ void MainWindow::enableActions() {
     actions[kStageActions[index(m_document.stage())]]->setChecked(true);
     actions[kChannelActions[std::size_t(m_document.channel())]]->setChecked(true);
     actions[A::TwoBufferViews]->setChecked(m_views->hasSecond());
+    actions[A::RestoreSession]->setChecked(SessionFile::isWanted());
     actions[A::Thumbnails]->setChecked(m_views->hasThumbnails());
     for (PanelDock* dock : m_docks) dock->toggleViewAction()->setEnabled(scene);
 }
@@ -148,13 +150,13 @@ void MainWindow::chooseFile() {
     if (!file.isEmpty()) openFile(file);
 }
 
-void MainWindow::saveScene() {
+bool MainWindow::saveScene() {
     const QFileInfo opened(toQString(m_document.scene().file));
     const QString proposed = opened.dir().filePath(opened.completeBaseName() + QStringLiteral(".toml"));
     QString file = QFileDialog::getSaveFileName(this, tr("Save the scene"), proposed, tr("Scenes (*.toml)"));
-    if (file.isEmpty()) return;
+    if (file.isEmpty()) return false;
     if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".toml");
-    m_document.save(file);
+    return m_document.save(file);
 }
 
 void MainWindow::exportBuffers() {
@@ -194,7 +196,7 @@ std::vector<PaletteEntry> MainWindow::commands() {
     }
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
         all.push_back({toQString(scene.title), tr("Scene"), QString(), QString(),
-                       [this, path = toQString(scene.file.string())] { m_document.open(path); }});
+                       [this, path = toQString(scene.file.string())] { openFile(path); }});
     }
     return all;
 }

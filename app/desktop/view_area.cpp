@@ -95,6 +95,26 @@ void ViewArea::showBuffers(const QStringList& names) {
     if (names.size() > 1 && height() > Theme::current().px(560)) setSecond(true);
 }
 
+// "one" and "two": buffer views, beside the 3D view.
+void ViewArea::fill(WindowState& state) const {
+    state.arrangement = hasSecond() ? "two" : "one";
+    state.views = {m_first->state()};
+    if (hasSecond()) state.views.push_back(m_second->state());
+    state.space = m_view3d->state();
+}
+
+pipeline::Errors ViewArea::lookAt(const WindowState& state) {
+    pipeline::Errors errors;
+    const auto add = [&](const pipeline::Errors& more) { errors.insert(errors.end(), more.begin(), more.end()); };
+    if (state.arrangement != "one" && state.arrangement != "two")
+        add({{{}, "there is no arrangement \"" + state.arrangement + '"', "one or two"}});
+    setSecond(state.arrangement == "two");
+    if (!state.views.empty()) add(m_first->lookAt(state.views[0]));
+    if (state.views.size() > 1) add(m_second->lookAt(state.views[1]));
+    add(m_view3d->lookAt(state.space));
+    return errors;
+}
+
 bool ViewArea::hasSecond() const { return !m_second->parentWidget()->isHidden(); }
 void ViewArea::setSecond(bool shown) { m_second->parentWidget()->setVisible(shown); }
 bool ViewArea::hasThumbnails() const { return !m_thumbnails->isHidden(); }

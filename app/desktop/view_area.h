@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "app/core/document.h"
+#include "app/state/window_state.h"
 
 class QSplitter;
 
@@ -26,6 +27,9 @@ public:
     void setSecond(bool shown);
     bool hasThumbnails() const;
     void setThumbnails(bool shown);
+    // What the views show: into a state, and as a state has it. Errors: what there is not.
+    void fill(WindowState& state) const;
+    pipeline::Errors lookAt(const WindowState& state);
     // Views side by side in equal parts.
     void resetSizes();
 

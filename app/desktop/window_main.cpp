@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QSettings>
 
+#include "app/core/session_file.h"
 #include "app/core/text.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
@@ -20,13 +21,14 @@ void prepareApplication() {
     QGuiApplication::setApplicationDisplayName("Shadescope");
 }
 
-int runWindow(int argc, char** argv, const QString& file) {
+int runWindow(int argc, char** argv, const WindowStart& start) {
     prepareApplication();
     QApplication application(argc, argv);
     restoreTheme();
     MainWindow window;
     window.show();
-    if (!file.isEmpty()) window.openFile(file);
+    if (start.session) window.startSession(SessionFile::usualFolder(), start.file.isEmpty());
+    if (!start.file.isEmpty()) window.openFile(start.file);
     return application.exec();
 }
 

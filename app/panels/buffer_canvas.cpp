@@ -1,7 +1,5 @@
 #include "app/panels/buffer_canvas.h"
 
-#include <QApplication>
-#include <QMouseEvent>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,10 +46,33 @@ double BufferCanvas::fittingZoom() const {
 }
 
 void BufferCanvas::fit(bool whole) {
+    m_part.reset();
     m_fits = true;
     const QRectF all(QPointF(0, 0), QSizeF(m_content.size));
     m_focus = whole || m_content.focus.isEmpty() ? all : m_content.focus;
     placeFocus();
+}
+
+std::optional<BufferShown::Zoom> BufferCanvas::part() const {
+    if (m_part) return m_part;
+    if (m_fits || m_content.size.isEmpty()) return {};
+    const QPointF center = m_placement.toPicture(QRectF(rect()).center());
+    return BufferShown::Zoom{m_placement.zoom, {center.x(), center.y()}, {double(width()), double(height())}};
+}
+
+void BufferCanvas::showPart(const std::optional<BufferShown::Zoom>& part) {
+    if (!part) return fit();
+    m_part = part;
+    m_fits = false;
+    placePart();
+}
+
+void BufferCanvas::placePart() {
+    if (m_content.size.isEmpty()) return;
+    const double larger = std::min(width() / m_part->view[0], height() / m_part->view[1]);
+    double zoom = std::clamp(m_part->factor * larger, kZooms.front(), 2 * kZooms.back());
+    if (larger != 1 && zoom >= 2) zoom = std::floor(zoom);
+    place({QRectF(rect()).center() - QPointF(m_part->center[0], m_part->center[1]) * zoom, zoom});
 }
 
 void BufferCanvas::placeFocus() {
@@ -81,6 +102,7 @@ void BufferCanvas::place(Placement placement) {
 
 void BufferCanvas::setZoom(double zoom, QPointF anchor) {
     m_fits = false;
+    m_part.reset();
     const QPointF picture = m_placement.toPicture(anchor);
     place({anchor - picture * zoom, zoom});
 }
@@ -99,14 +121,17 @@ void BufferCanvas::stepZoom(int steps) { setZoom(nextZoom(zoom(), steps)); }
 
 void BufferCanvas::setContent(CanvasContent content) {
     const bool isNewSize = content.size != m_content.size;
+    // What is picked and marked stays until it is told anew.
+    content.picked = m_content.picked, content.hovered = m_content.hovered;
     m_content = std::move(content);
-    if (isNewSize) fit();
+    if (isNewSize) m_part ? placePart() : fit();
     updateAll();
 }
 
 void BufferCanvas::setPicked(std::optional<QPoint> pixel) {
+    const bool isNew = pixel != m_content.picked;
     m_content.picked = pixel;
-    if (pixel && !m_fits) {
+    if (pixel && isNew && !m_fits) {
         const QPointF at = m_placement.toWidget(QPointF(*pixel) + QPointF(0.5, 0.5));
         const double margin = std::min(0.5 * m_placement.zoom + 8, 0.4 * std::min(width(), height()));
         const QRectF inner = QRectF(rect()).adjusted(margin, margin, -margin, -margin);
@@ -189,61 +214,8 @@ void BufferCanvas::paintEvent(QPaintEvent*) {
 
 void BufferCanvas::resizeEvent(QResizeEvent*) {
     if (m_fits) placeFocus();
+    if (m_part) placePart();
     updateAll();
-}
-
-void BufferCanvas::wheelEvent(QWheelEvent* event) {
-    constexpr int kStep = 120;  // eighths of a degree
-    m_wheel += event->angleDelta().y();
-    const int steps = m_wheel / kStep;
-    m_wheel %= kStep;
-    if (steps != 0 && !m_content.size.isEmpty()) setZoom(nextZoom(zoom(), steps), event->position());
-    event->accept();
-}
-
-void BufferCanvas::mousePressEvent(QMouseEvent* event) {
-    m_pressed = event->position();
-    m_dragFrom = m_placement.origin;
-    m_drags = false;
-    m_wipes = isOnHandle(m_wipe, rect(), m_pressed);
-}
-
-void BufferCanvas::mouseMoveEvent(QMouseEvent* event) {
-    if (m_wipes && event->buttons()) return emit wiped(std::clamp(event->position().x() / width(), 0.0, 1.0));
-    setCursor(isOnHandle(m_wipe, rect(), event->position()) ? Qt::SplitHCursor : Qt::CrossCursor);
-    if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) {
-        const QPointF moved = event->position() - m_pressed;
-        if (event->modifiers() & Qt::ControlModifier) {
-            if (const auto pixel = pixelAt(event->position())) emit picked(*pixel);
-            m_drags = true;
-        } else if (m_drags || moved.manhattanLength() >= QApplication::startDragDistance()) {
-            m_drags = true;
-            m_fits = false;
-            place({m_dragFrom + moved, m_placement.zoom});
-            return;
-        }
-    }
-    emit hovered(pixelAt(event->position()));
-}
-
-void BufferCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton || m_drags || std::exchange(m_wipes, false)) return;
-    if (const auto pixel = pixelAt(event->position())) emit picked(*pixel);
-}
-
-void BufferCanvas::leaveEvent(QEvent*) { emit hovered(std::nullopt); }
-
-void BufferCanvas::keyPressEvent(QKeyEvent* event) {
-    const int step = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
-    switch (event->modifiers() & Qt::ControlModifier ? 0 : event->key()) {
-        case Qt::Key_Left: emit nudged({-step, 0}); return;
-        case Qt::Key_Right: emit nudged({step, 0}); return;
-        case Qt::Key_Up: emit nudged({0, -step}); return;
-        case Qt::Key_Down: emit nudged({0, step}); return;
-        case Qt::Key_Plus: stepZoom(1); return;
-        case Qt::Key_Minus: stepZoom(-1); return;
-        default: QWidget::keyPressEvent(event);
-    }
 }
 
 }  // namespace app

@@ -4,6 +4,7 @@
 
 #include "app/panels/buffer_painter.h"
 #include "app/panels/wipe.h"
+#include "app/state/window_state.h"
 
 namespace app {
 
@@ -40,6 +41,10 @@ public:
     void setZoom(double zoom);  // anchored at the picked pixel, else in the middle
     void stepZoom(int steps);
     double zoom() const;
+    // The part in view, of pictures in the size of the one on show or the next one; nothing: as much as fits. A part stays
+    // in view when the view changes its size, until the user zooms or moves.
+    std::optional<BufferShown::Zoom> part() const;
+    void showPart(const std::optional<BufferShown::Zoom>& part);
     // The steps of the wheel: whole from 2 up. The next one in the direction of `steps`.
     static double nextZoom(double zoom, int steps);
 
@@ -70,6 +75,7 @@ private:
     void drawBase(QPainter& painter, QPixmap& base, const CanvasContent& content, QRect part);
     void place(Placement placement);
     void placeFocus();
+    void placePart();
     double fittingZoom() const;
     QPointF anchor() const;
 
@@ -78,7 +84,8 @@ private:
     Wipe m_wipe;
     QPixmap m_base, m_otherBase;  // as painted without the marks; null when it has to be painted anew
     Placement m_placement;
-    QRectF m_focus;  // what fits
+    QRectF m_focus;                           // what fits
+    std::optional<BufferShown::Zoom> m_part;  // as it was asked for
     bool m_fits = true, m_showEdges = false;
     QPointF m_pressed, m_dragFrom;
     bool m_drags = false, m_wipes = false;

@@ -7,6 +7,7 @@
 #include "app/core/document.h"
 #include "app/panels/overlays.h"
 #include "app/panels/shown_buffer.h"
+#include "app/state/window_state.h"
 
 class QLabel;
 class QPushButton;
@@ -38,6 +39,9 @@ public:
     void setRange(pipeline::PaletteRange range);
     void setOverlay(OverlayId overlay, bool shown);
     void setShowLoupe(bool show);
+    // How the buffer is looked at, and the same again. Errors: what there is not, left out.
+    BufferShown state() const;
+    pipeline::Errors lookAt(const BufferShown& state);
     BufferCanvas* canvas() { return m_canvas; }
     BufferCompare& compare() { return *m_compare; }
     ConditionBar& condition() { return *m_condition; }

@@ -15,6 +15,7 @@ constexpr std::size_t index(OverlayId id) { return static_cast<std::size_t>(id);
 
 struct OverlayInfo {
     OverlayId id;
+    const char* key;  // in files
     const char* name;
     const char* tip;
     pipeline::BufferSet needs;

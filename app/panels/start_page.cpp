@@ -208,7 +208,8 @@ void StartPage::refreshRecent() {
         when->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         columns->addWidget(when, 1);
         m_recent->addWidget(row);
-        connect(line, &QPushButton::clicked, this, [this, file = entry.file] { emit fileChosen(file); });
+        if (!entry.where.isEmpty()) m_recent->addWidget(makeLabel(entry.where, 12, 400, 3, this));
+        connect(line, &QPushButton::clicked, this, [this, file = entry.file] { emit recentChosen(file); });
     }
 }
 

@@ -31,6 +31,7 @@ public:
 signals:
     void openRequested();
     void fileChosen(const QString& file);
+    void recentChosen(const QString& file);
     void lessonChosen(const QString& name);
     void keysRequested();
 

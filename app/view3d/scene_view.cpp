@@ -197,6 +197,14 @@ void SceneView::showContent() {
     refresh();
 }
 
+void SceneView::frameAnew() {
+    m_flight.stop();
+    endMove();
+    m_touched = false;
+    frameIfUntouched();
+    refresh();
+}
+
 void SceneView::setOptions(const ViewOptions& options) {
     if (options == m_options) return;
     m_options = options;
@@ -207,6 +215,7 @@ void SceneView::setOptions(const ViewOptions& options) {
 
 void SceneView::setCamera(const OrbitCamera& camera) {
     m_flight.stop();
+    endMove();
     const bool turned = camera.orthographic != m_camera.orthographic;
     m_camera = camera;
     m_touched = true;

@@ -196,6 +196,7 @@ void View3dPanel::showOptions() {
 
 void View3dPanel::setSpace(SpaceId space) {
     m_awaited.reset();
+    m_wanted.reset();
     const bool isLight = space.space == ViewSpace::Light;
     if (isLight && !(m_view->content() && mapOf(*m_view->content(), space))) {
         m_awaited = space;
@@ -303,6 +304,7 @@ void View3dPanel::takeFrame() {
     }
     m_view->setContent(content, newScene);
     if (m_awaited && mapOf(*content, *m_awaited)) setSpace(*m_awaited);
+    showWanted();
 }
 
 void View3dPanel::takePixel() {

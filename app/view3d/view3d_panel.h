@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/core/document.h"
+#include "app/state/window_state.h"
 #include "app/view3d/scene_view.h"
 
 class QLabel;
@@ -23,6 +24,11 @@ public:
     // A light's space waits for the frame that brings its shadow buffer.
     void setSpace(SpaceId space);
 
+    // How the view is looked at, and the same again; before the first frame of a scene, once it is there. Errors: what the
+    // view does not have, left out.
+    SpaceShown state() const;
+    pipeline::Errors lookAt(const SpaceShown& state);
+
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
@@ -38,6 +44,7 @@ private:
     void showOptions();
     bool wantsFrusta() const;
     void wantBuffers();
+    void showWanted();
     void takeFrame();
     void takePixel();
     void takeSelection();
@@ -52,6 +59,12 @@ private:
     QLabel* m_remark;
     QToolButton *m_orthographic, *m_normals, *m_vectors, *m_lights, *m_eye;
     NormalsShown m_lastNormals = NormalsShown::Polygons;  // what the toggle brings back
+    struct Wanted {
+        ViewOptions options;
+        SpaceId space;
+        std::optional<SpaceShown::Camera> camera;
+    };
+    std::optional<Wanted> m_wanted;  // once the scene's first frame is there
     bool m_newScene = true;
     std::optional<SpaceId> m_awaited;  // the space to go to when its frame is there
 };

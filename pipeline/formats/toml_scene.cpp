@@ -259,22 +259,9 @@ private:
 }  // namespace
 
 Result<Scene> readTomlScene(const SourceText& source, const FileLoader& load) {
-    if (source.text.size() > kMaxTomlBytes)
-        return Error{{source.name, 0, 0},
-                     fmt::format("the file is larger than {} bytes", groupedDigits(kMaxTomlBytes)),
-                     "a smaller file"};
-    if (const auto stray = strayCharacter(source.text))
-        return Error{{source.name, stray->line, stray->column},
-                     "this is not TOML: a character that is not ASCII stands outside quotes and comments",
-                     "a string in quotes"};
-    const toml::parse_result parsed = toml::parse(source.text);
-    if (!parsed) {
-        const toml::source_position at = parsed.error().source().begin;
-        return Error{{source.name, static_cast<int>(at.line), static_cast<int>(at.column)},
-                     fmt::format("this is not TOML: {}", parsed.error().description()),
-                     {}};
-    }
-    return TomlSceneReader(source, load).read(parsed.table());
+    const auto table = parseToml(source);
+    if (!table) return table.errors();
+    return TomlSceneReader(source, load).read(*table);
 }
 
 bool looksLikeTomlScene(std::string_view start) {

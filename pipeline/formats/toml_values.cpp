@@ -7,6 +7,9 @@
 #include <tuple>
 
 #include "pipeline/core/text.h"
+#include "pipeline/formats/text_scanner.h"
+#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml_text.h"
 
 namespace pipeline {
 namespace {
@@ -40,6 +43,25 @@ std::optional<double> finite(const toml::node& node) {
 std::string range(double min, double max) { return fmt::format("{} to {}", shortestText(min), shortestText(max)); }
 
 }  // namespace
+
+Result<toml::table> parseToml(const SourceText& source) {
+    if (source.text.size() > kMaxTomlBytes)
+        return Error{{source.name, 0, 0},
+                     fmt::format("the file is larger than {} bytes", groupedDigits(kMaxTomlBytes)),
+                     "a smaller file"};
+    if (const auto stray = strayCharacter(source.text))
+        return Error{{source.name, stray->line, stray->column},
+                     "this is not TOML: a character that is not ASCII stands outside quotes and comments",
+                     "a string in quotes"};
+    toml::parse_result parsed = toml::parse(source.text);
+    if (!parsed) {
+        const toml::source_position at = parsed.error().source().begin;
+        return Error{{source.name, static_cast<int>(at.line), static_cast<int>(at.column)},
+                     fmt::format("this is not TOML: {}", parsed.error().description()),
+                     {}};
+    }
+    return std::move(parsed).table();
+}
 
 std::optional<double> TomlValues::number(const toml::node& node, const std::string& path, double min, double max) {
     const std::optional<double> value = finite(node);

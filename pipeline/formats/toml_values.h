@@ -15,10 +15,14 @@
 #pragma pop_macro("NDEBUG")
 
 #include "pipeline/core/result.h"
+#include "pipeline/formats/scene_folder.h"
 #include "pipeline/scene/settings_table.h"
 
-// Values of a TOML scene, each checked against the range of its setting.
+// Values of a TOML file of this program, each checked against the range of its setting.
 namespace pipeline {
+
+// The table that a text is; at most kMaxTomlBytes of it.
+Result<toml::table> parseToml(const SourceText& source);
 
 // Collects what is wrong with the values of one file.
 class TomlValues {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -14,26 +15,13 @@
 namespace pipeline {
 namespace {
 
-// As toml++ writes it: in double quotes and escaped.
-std::string stringText(std::string_view text) {
-    std::ostringstream out;
-    const toml::value<std::string> node(text);
-    using enum toml::format_flags;
-    out << toml::toml_formatter(
-        node, toml::toml_formatter::default_flags & ~allow_literal_strings & ~allow_multi_line_strings);
-    return out.str();
-}
-
-// The fewest digits that read as the same number. A whole number is an integer of TOML, which has no -0.
-std::string numberText(double value) { return value == 0 && std::signbit(value) ? "-0.0" : shortestText(value); }
-
 class TomlWriter {
 public:
     explicit TomlWriter(const Scene& scene) : m_scene(scene) {}
 
     Result<std::string> write() {
-        if (!m_scene.name.empty()) line("title", stringText(m_scene.name));
-        if (!m_scene.look.empty()) line("look", stringText(m_scene.look));
+        if (!m_scene.name.empty()) line("title", tomlString(m_scene.name));
+        if (!m_scene.look.empty()) line("look", tomlString(m_scene.look));
         m_known.lights.assign(m_scene.lights.size(), Light());
         for (const Object& object : m_scene.objects) {
             Object& known = m_known.objects.emplace_back();
@@ -56,7 +44,7 @@ private:
     void line(std::string_view key, const std::string& value) { m_text += fmt::format("{} = {}\n", key, value); }
 
     static std::string vectorText(Vec3d v) {
-        return fmt::format("[{}, {}, {}]", numberText(v.x), numberText(v.y), numberText(v.z));
+        return fmt::format("[{}, {}, {}]", tomlNumber(v.x), tomlNumber(v.y), tomlNumber(v.z));
     }
     static bool same(Vec3d a, Vec3d b) {
         for (int i = 0; i < 3; ++i)
@@ -100,12 +88,12 @@ private:
 
     static std::string settingText(const Setting& row, double value) {
         switch (row.kind) {
-            case SettingKind::Choice: return stringText(row.choices[std::size_t(value)]);
+            case SettingKind::Choice: return tomlString(row.choices[std::size_t(value)]);
             case SettingKind::Switch: return value != 0 ? "true" : "false";
             case SettingKind::Integer: return fmt::format("{}", std::int64_t(value));
             case SettingKind::Number: break;
         }
-        return numberText(value);
+        return tomlNumber(value);
     }
 
     // A table whose head stands there only where something does, or always.
@@ -120,17 +108,17 @@ private:
     void object(std::size_t i) {
         const Object& object = m_scene.objects[i];
         m_text += "\n[[object]]\n";
-        line("name", stringText(object.name));
+        line("name", tomlString(object.name));
         if (object.shape)
-            line("shape", stringText(name(object.shape->kind)));
+            line("shape", tomlString(name(object.shape->kind)));
         else
             mesh(*object.mesh);
         settings("object.#.", i);
         if (!object.transform.turns.empty()) {
             m_text += "turns = [";
             for (const AxisTurn& turn : object.transform.turns)
-                m_text += fmt::format("[{}, {}, {}, {}], ", numberText(turn.angle), numberText(turn.axis.x),
-                                      numberText(turn.axis.y), numberText(turn.axis.z));
+                m_text += fmt::format("[{}, {}, {}, {}], ", tomlNumber(turn.angle), tomlNumber(turn.axis.x),
+                                      tomlNumber(turn.axis.y), tomlNumber(turn.axis.z));
             m_text += "]\n";
         }
         table("[object.material]", "material.#.", i);
@@ -164,6 +152,28 @@ private:
 };
 
 }  // namespace
+
+// As toml++ writes it.
+std::string tomlString(std::string_view text) {
+    std::ostringstream out;
+    const toml::value<std::string> node(text);
+    using enum toml::format_flags;
+    out << toml::toml_formatter(
+        node, toml::toml_formatter::default_flags & ~allow_literal_strings & ~allow_multi_line_strings);
+    return out.str();
+}
+
+std::string tomlText(std::string_view text) {
+    const auto plain = [](char c) {
+        return c == '\n' || c == '\t' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f);
+    };
+    const bool asItIs = text.find('\n') != text.npos && text.find("'''") == text.npos && !text.ends_with('\'') &&
+                        std::ranges::all_of(text, plain);
+    return asItIs ? fmt::format("'''\n{}'''", text) : tomlString(text);
+}
+
+// A whole number is an integer of TOML, which has no -0.
+std::string tomlNumber(double value) { return value == 0 && std::signbit(value) ? "-0.0" : shortestText(value); }
 
 Result<std::string> toTomlScene(const Scene& scene) { return TomlWriter(scene).write(); }
 

@@ -1,0 +1,89 @@
+#include "app/core/document_state.h"
+
+#include "app/core/text.h"
+#include "app/state/state_scene.h"
+
+namespace app {
+
+namespace fs = std::filesystem;
+using pipeline::Result;
+using pipeline::Scene;
+
+namespace {
+
+fs::path toPath(const QString& file) { return file.toStdString(); }
+
+Result<Scene> originalOf(const Document& document, const WindowState& state, const fs::path& folder, bool isOpen) {
+    if (isOpen) return *document.kept().scene;
+    if (!state.scene.empty()) return readNamedScene(state.scene, folder);
+    if (!state.sceneText.empty()) return Scene();
+    return pipeline::Error{{}, "the state names no scene", "a scene file, or the name of a built-in scene"};
+}
+
+bool showScene(Document& document, const WindowState& state, const fs::path& folder, SceneChanges changes) {
+    const fs::path file = state.scene.empty() ? fs::path() : sceneFile(state.scene, folder);
+    std::error_code ignored;
+    const bool isOpen =
+        !file.empty() && document.kept().scene && fs::equivalent(file, toPath(document.kept().file), ignored);
+    const Result<Scene> original = originalOf(document, state, folder, isOpen);
+    if (!original) {
+        emit document.failed(original.errors());
+        return false;
+    }
+    Result<Scene> shown = sceneOf(state, *original);
+    if (!shown) {
+        emit document.failed(shown.errors());
+        return false;
+    }
+    Scene scene = std::move(shown).value();
+    scene.file = original->file;
+    if (!isOpen) {
+        Document::Kept kept;
+        if (!file.empty())
+            kept = {toQString(fs::absolute(file, ignored).string()), std::make_shared<const Scene>(*original)};
+        document.setScene(changes == SceneChanges::Given ? scene : *original, kept);
+    }
+    document.replace(std::move(scene), changes == SceneChanges::Given ? Document::tr("to what is kept")
+                                                                      : Document::tr("changes of the last session"));
+    if (changes == SceneChanges::Given) document.undoStack()->setClean();
+    return true;
+}
+
+}  // namespace
+
+Result<WindowState> stateOf(const Document& document, const fs::path& folder) {
+    WindowState state;
+    const Document::Kept& kept = document.kept();
+    if (!kept.file.isEmpty()) state.scene = sceneName(toPath(kept.file), folder);
+    const pipeline::Errors errors = describeScene(state, document.scene(), kept.scene.get());
+    if (!errors.empty()) return errors;
+    state.stage = document.stage();
+    state.place = document.stepper().place();
+    state.step = document.stepper().level();
+    if (const auto pixel = document.pixel()) state.pixel = {pixel->x, pixel->y};
+    state.channel = document.channel();
+    state.bookmarks = document.stepper().bookmarks();
+    return state;
+}
+
+bool show(Document& document, const WindowState& state, const fs::path& folder, SceneChanges changes) {
+    if (!showScene(document, state, folder, changes)) return false;
+    Stepper& stepper = document.stepper();
+    stepper.setPlaying(false);
+    stepper.setLevel(state.step);
+    if (!state.bookmarks.empty()) stepper.setBookmarks(state.bookmarks);
+    document.setStage(state.stage);
+    if (state.place) stepper.goTo(*state.place);
+    document.setChannel(state.channel);
+    document.pick(state.pixel ? std::optional(glm::ivec2((*state.pixel)[0], (*state.pixel)[1])) : std::nullopt);
+    document.select(std::nullopt);
+    return true;
+}
+
+QString placeText(const WindowState& state) {
+    QString words = toQString(state.place ? text(*state.place) : std::string(stageInfo(state.stage).name));
+    if (state.pixel) words += Document::tr(" · pixel %1, %2").arg((*state.pixel)[0]).arg((*state.pixel)[1]);
+    return words;
+}
+
+}  // namespace app

@@ -1,0 +1,25 @@
+#pragma once
+#include <filesystem>
+
+#include "app/core/document.h"
+#include "app/state/window_state.h"
+
+namespace app {
+
+// What the document shows: scene, stage, step, pixel, channel, bookmarks; views and space as they begin. The scene is
+// named from `folder`. Only when it has a scene. Errors: the scene is too large for a text.
+pipeline::Result<WindowState> stateOf(const Document& document, const std::filesystem::path& folder);
+
+// How the scene of a state is taken.
+enum class SceneChanges {
+    Given,  // what the state changes in its file belongs to it: nothing to be kept
+    Ours    // changes that were not saved, as one step of undo
+};
+// Shows it. A scene from the file that is open stays the same document with one more step of undo. When the scene cannot
+// be had the one before stays, the document's failed() tells why, and this gives false.
+bool show(Document& document, const WindowState& state, const std::filesystem::path& folder, SceneChanges changes);
+
+// "Z-buffer, polygon 2, row 270 · pixel 268, 281": where a state stands.
+QString placeText(const WindowState& state);
+
+}  // namespace app

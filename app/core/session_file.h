@@ -1,0 +1,36 @@
+#pragma once
+#include <QString>
+#include <optional>
+
+#include "app/state/window_state.h"
+
+namespace app {
+
+// The session of the last run: a state in a file of the program's own. While it is being restored it stands under
+// another name, so that one which ends the program is not tried again.
+class SessionFile {
+public:
+    explicit SessionFile(const QString& folder);
+
+    static QString usualFolder();
+    static bool isWanted();  // the user's switch; on to begin with
+    static void setWanted(bool wanted);
+
+    struct Left {
+        std::optional<WindowState> state;
+        pipeline::Errors errors;  // why there is none although there was a file
+        QString aside;            // where that file is now; else empty
+    };
+    Left take();
+    void settle();                         // it has been restored
+    bool write(const WindowState& state);  // whole or not at all
+    void remove();
+    const QString& file() const { return m_file; }
+
+private:
+    QString setAside(const QString& file);
+
+    QString m_file, m_tried;
+};
+
+}  // namespace app

@@ -1,0 +1,33 @@
+#pragma once
+#include <QObject>
+#include <QTimer>
+#include <functional>
+
+#include "app/core/session_file.h"
+
+namespace app {
+
+class Document;
+
+// Keeps what the window shows in the session's file: a few seconds after every change, so that little is lost when the
+// program ends by accident, and when it is told to.
+class Session : public QObject {
+    Q_OBJECT
+public:
+    // state: what the window shows now; nothing where it shows no scene.
+    Session(Document& document, const QString& folder, std::function<std::optional<WindowState>()> state,
+            QObject* parent);
+
+    SessionFile& file() { return m_file; }
+    // What was read has been shown, or could not be.
+    void begin();
+    // withChanges: what was not saved too; else the next session begins with the file.
+    void save(bool withChanges = true);
+
+private:
+    SessionFile m_file;
+    std::function<std::optional<WindowState>()> m_state;
+    QTimer m_soon;
+};
+
+}  // namespace app

@@ -1,0 +1,117 @@
+#include "app/state/cue_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "app/state/state_text.h"
+#include "pipeline/core/text.h"
+#include "pipeline/formats/scene_folder.h"
+#include "pipeline/formats/toml_scene.h"
+#include "pipeline/formats/toml_writer.h"
+
+namespace app {
+
+using pipeline::Error;
+using pipeline::Result;
+using pipeline::TomlValues;
+
+namespace {
+
+constexpr std::size_t kMaxCues = 1000;
+const KnownKeys kListKeys{"title", "minutes", "cue"};
+const KnownKeys kCueKeys{"name", "caption", "note"};
+
+}  // namespace
+
+std::string toToml(const CueList& list) {
+    std::string text;
+    if (!list.title.empty()) text += fmt::format("title = {}\n", pipeline::tomlString(list.title));
+    text += fmt::format("minutes = {}\n", list.minutes);
+    for (const Cue& cue : list.cues) {
+        text += fmt::format("\n[[cue]]\nname = {}\n", pipeline::tomlString(cue.name));
+        if (!cue.caption.empty()) text += fmt::format("caption = {}\n", pipeline::tomlString(cue.caption));
+        if (!cue.note.empty()) text += fmt::format("note = {}\n", pipeline::tomlText(cue.note));
+        text += stateText(cue.state, "cue.");
+    }
+    return text;
+}
+
+Result<CueList> readCues(std::string_view text, const std::string& file) {
+    const auto table = pipeline::parseToml({text, file});
+    if (!table) return table.errors();
+    TomlValues values(file);
+    CueList list;
+    for (const auto& [key, node] : *table)
+        if (std::ranges::find(kListKeys, key.str()) == kListKeys.end())
+            values.unknown(key, std::string(key.str()), kListKeys);
+    if (const auto* node = table->get("title")) list.title = values.text(*node, "title").value_or("");
+    if (const auto* node = table->get("minutes"))
+        list.minutes = int(values.number(*node, "minutes", 1, 600).value_or(list.minutes));
+    const auto* cues = table->get("cue");
+    for (const toml::table* one : cues ? values.tables(*cues, "cue", kMaxCues) : std::vector<const toml::table*>()) {
+        const std::string path = fmt::format("cue.{}", list.cues.size());
+        Cue cue;
+        cue.state = readStateTable(*one, path, kCueKeys, values);
+        for (auto [key, into] : {std::pair{"name", &cue.name}, {"caption", &cue.caption}, {"note", &cue.note}})
+            if (const auto* node = one->get(key)) *into = values.text(*node, path + '.' + key).value_or("");
+        if (cue.name.empty()) values.fail(one->source(), path + " has no name", "a name");
+        if (std::ranges::find(list.cues, cue.name, &Cue::name) != list.cues.end())
+            values.fail(one->source(), path + ": another cue is called " + pipeline::inQuotes(cue.name),
+                        "another name");
+        if (cue.state.scene.empty() && cue.state.sceneText.empty())
+            values.fail(one->source(), path + " has no scene", "a file, or the name of a built-in scene");
+        list.cues.push_back(std::move(cue));
+    }
+    const pipeline::Errors errors = values.errors();
+    if (!errors.empty()) return errors;
+    return list;
+}
+
+Result<CueList> readCueFile(const std::filesystem::path& file) {
+    const auto text = pipeline::readFile(file, pipeline::kMaxTomlBytes);
+    if (!text) {
+        pipeline::Errors errors = text.errors();
+        for (Error& error : errors)
+            if (error.where.file.empty()) error.where.file = file.string();
+        return errors;
+    }
+    return readCues(*text, file.string());
+}
+
+Result<std::size_t> findCue(const CueList& list, std::string_view name) {
+    const auto found = std::ranges::find(list.cues, name, &Cue::name);
+    if (found != list.cues.end()) return std::size_t(found - list.cues.begin());
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (error == std::errc() && end == name.data() + name.size() && number >= 1 && number <= list.cues.size())
+        return number - 1;
+    std::vector<std::string> names;
+    for (const Cue& cue : list.cues) names.push_back(cue.name);
+    return Error{{},
+                 fmt::format("no cue {}", pipeline::inQuotes(name)),
+                 names.empty() ? std::string("a list with cues")
+                               : fmt::format("a number from 1 to {}, or a name; the nearest is {}", names.size(),
+                                             pipeline::inQuotes(pipeline::nearest(std::string(name), names)))};
+}
+
+Result<CueName> parseCueName(std::string_view text) {
+    std::error_code ignored;
+    for (std::size_t colon = text.find(':'); colon != text.npos; colon = text.find(':', colon + 1)) {
+        const std::filesystem::path file(text.substr(0, colon));
+        if (std::filesystem::is_regular_file(file, ignored)) return CueName{file, std::string(text.substr(colon + 1))};
+    }
+    return Error{{}, "no cue " + pipeline::inQuotes(text), "FILE:NAME or FILE:NUMBER, of a file that is there"};
+}
+
+std::string freeName(const CueList& list, const std::string& wanted) {
+    const auto taken = [&](const std::string& name) {
+        return std::ranges::find(list.cues, name, &Cue::name) != list.cues.end();
+    };
+    std::string name = wanted;
+    for (int number = 2; taken(name); ++number) name = fmt::format("{} {}", wanted, number);
+    return name;
+}
+
+}  // namespace app

@@ -1,0 +1,47 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/state/window_state.h"
+
+namespace app {
+
+// One thing to show in a talk, as the window shows it, with what to say.
+struct Cue {
+    std::string name;
+    std::string caption = {};  // what the audience reads below the picture; empty: the name
+    std::string note = {};     // for the lecturer alone; lines
+    WindowState state = {};
+    bool operator==(const Cue&) const = default;
+};
+
+struct CueList {
+    std::string title = {};
+    int minutes = 45;  // how long the talk is, 1 to 600
+    std::vector<Cue> cues = {};
+    bool operator==(const CueList&) const = default;
+};
+
+inline constexpr char kCueEnding[] = ".cues";
+
+// A cue list as TOML: [[cue]] with name, caption, note, and the keys of a state. Scenes are named from the file's folder.
+std::string toToml(const CueList& list);
+pipeline::Result<CueList> readCues(std::string_view text, const std::string& file);
+pipeline::Result<CueList> readCueFile(const std::filesystem::path& file);
+
+// By its name, or by its number from 1 where no cue has that name. Errors name the nearest.
+pipeline::Result<std::size_t> findCue(const CueList& list, std::string_view name);
+
+// "FILE:NAME", the file the shortest beginning that exists.
+struct CueName {
+    std::filesystem::path file;
+    std::string name;
+};
+pipeline::Result<CueName> parseCueName(std::string_view text);
+
+// A name that no other cue of the list has: "Shading", "Shading 2".
+std::string freeName(const CueList& list, const std::string& wanted);
+
+}  // namespace app

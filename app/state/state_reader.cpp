@@ -1,0 +1,233 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/state/state_text.h"
+#include "pipeline/buffers/buffer_table.h"
+#include "pipeline/core/text.h"
+
+namespace app {
+
+using pipeline::Place;
+using pipeline::StageId;
+using pipeline::TomlValues;
+using std::string_view;
+
+namespace {
+
+constexpr double kMost = 1e300;  // of any number: all but what is none
+constexpr std::size_t kMaxViews = 16, kMaxList = 10000;
+constexpr std::array<string_view, 3> kChannels{"red", "green", "blue"};
+
+const KnownKeys kKeys{"scene", "set",      "scene_text",  "stage", "place",     "step",
+                      "pixel", "equation", "arrangement", "view",  "bookmarks", "view3d"};
+const KnownKeys kViewKeys{"buffer", "channel", "range", "overlays", "zoom", "center", "size"};
+const KnownKeys kSpaceKeys{"space", "target", "right", "up", "forward", "distance", "fov", "orthographic", "options"};
+
+std::vector<string_view> stageNames() {
+    std::vector<string_view> names;
+    for (const StageId stage : pipeline::kStages) names.push_back(stageInfo(stage).name);
+    return names;
+}
+std::vector<string_view> stepNames() {
+    std::vector<string_view> names;
+    for (std::size_t i = 0; i < pipeline::kStepLevelCount; ++i) names.push_back(name(pipeline::StepLevel(i)));
+    return names;
+}
+
+class StateReader {
+public:
+    StateReader(const std::string& path, TomlValues& values)
+        : m_path(path.empty() ? "" : path + '.'), m_values(values) {}
+
+    WindowState read(const toml::table& table, const KnownKeys& others) {
+        KnownKeys keys = kKeys;
+        keys.insert(keys.end(), others.begin(), others.end());
+        known(table, m_path, keys);
+        WindowState state;
+        text(table, "scene", state.scene);
+        text(table, "scene_text", state.sceneText);
+        text(table, "arrangement", state.arrangement);
+        state.set = strings(table, "set", m_path);
+        const auto stages = stageNames(), steps = stepNames();
+        if (const auto* node = table.get("stage"))
+            if (const auto i = m_values.choice(*node, m_path + "stage", stages)) state.stage = pipeline::kStages[*i];
+        if (const auto* node = table.get("step"))
+            if (const auto i = m_values.choice(*node, m_path + "step", steps)) state.step = pipeline::StepLevel(*i);
+        if (const auto* node = table.get("equation"))
+            if (const auto i = m_values.choice(*node, m_path + "equation", kChannels)) state.channel = int(*i);
+        if (const auto* node = table.get("place")) state.place = place(*node, m_path + "place");
+        if (const auto* node = table.get("pixel"))
+            if (const auto xy = m_values.numbers(*node, m_path + "pixel", 2, 0, 1 << 20))
+                state.pixel = {int((*xy)[0]), int((*xy)[1])};
+        if (const auto* node = table.get("bookmarks")) state.bookmarks = places(*node);
+        if (const auto* node = table.get("view")) {
+            state.views.clear();
+            for (const toml::table* view : m_values.tables(*node, m_path + "view", kMaxViews))
+                state.views.push_back(readView(*view, m_path + "view."));
+            if (state.views.empty()) state.views.emplace_back();
+        }
+        if (const auto* node = table.get("view3d"))
+            if (const toml::table* space = m_values.table(*node, m_path + "view3d"))
+                state.space = readSpace(*space, m_path + "view3d.");
+        return state;
+    }
+
+private:
+    void known(const toml::table& table, const std::string& path, const KnownKeys& keys) {
+        for (const auto& [key, node] : table)
+            if (std::ranges::find(keys, key.str()) == keys.end())
+                m_values.unknown(key, path + std::string(key.str()), keys);
+    }
+    void text(const toml::table& table, string_view key, std::string& value) {
+        if (const auto* node = table.get(key))
+            value = m_values.text(*node, m_path + std::string(key)).value_or(std::move(value));
+    }
+    std::vector<std::string> strings(const toml::table& table, string_view key, const std::string& path) {
+        std::vector<std::string> all;
+        const toml::node* node = table.get(key);
+        if (!node) return all;
+        const toml::array* array = node->as_array();
+        if (!array || array->size() > kMaxList)
+            m_values.refuse(*node, path + std::string(key), "an array of strings");
+        else
+            for (const toml::node& one : *array)
+                if (auto string = m_values.text(one, path + std::string(key))) all.push_back(std::move(*string));
+        return all;
+    }
+    std::optional<Place> place(const toml::node& node, const std::string& path) {
+        const auto words = m_values.text(node, path);
+        if (!words) return {};
+        const auto place = pipeline::parsePlace(*words);
+        if (place) return *place;
+        m_values.fail(node.source(), path + ": " + place.errors().front().found, place.errors().front().expected);
+        return {};
+    }
+    std::vector<Place> places(const toml::node& node) {
+        std::vector<Place> all;
+        const toml::array* array = node.as_array();
+        if (!array) m_values.refuse(node, m_path + "bookmarks", "an array of places");
+        for (std::size_t i = 0; array && i < std::min(array->size(), kMaxList); ++i)
+            if (const auto one = place((*array)[i], m_path + "bookmarks")) all.push_back(*one);
+        return all;
+    }
+    template <std::size_t n>
+    std::optional<std::array<double, n>> numbers(const toml::table& table, string_view key, const std::string& path,
+                                                 double min = -kMost) {
+        const auto* node = table.get(key);
+        const auto found = node ? m_values.numbers(*node, path + std::string(key), n, min, kMost) : std::nullopt;
+        if (!found) return {};
+        std::array<double, n> all{};
+        std::ranges::copy(*found, all.begin());
+        return all;
+    }
+
+    BufferShown readView(const toml::table& table, const std::string& path) {
+        known(table, path, kViewKeys);
+        BufferShown view;
+        if (const auto* node = table.get("buffer"))
+            if (const auto words = m_values.text(*node, path + "buffer")) {
+                if (pipeline::findBuffer(*words))
+                    view.buffer = *words;
+                else
+                    m_values.fail(node->source(), path + "buffer is " + pipeline::inQuotes(*words),
+                                  "the name of a buffer; the nearest is \"" + pipeline::nearestBuffer(*words) + '"');
+            }
+        if (const auto* node = table.get("channel"))
+            if (const auto number = m_values.number(*node, path + "channel", -1, 2)) view.channel = int(*number);
+        if (const auto* node = table.get("range")) {
+            view.range = numbers<2>(table, "range", path);
+            if (view.range && (*view.range)[0] == (*view.range)[1]) {
+                m_values.fail(node->source(), path + "range ends where it begins", "two numbers");
+                view.range.reset();
+            }
+        }
+        if (table.contains("overlays")) view.overlays = strings(table, "overlays", path);
+        if (const auto* node = table.get("zoom")) {
+            const auto factor = m_values.number(*node, path + "zoom", 1e-3, 1e3);
+            const auto center = numbers<2>(table, "center", path), size = numbers<2>(table, "size", path, 1);
+            if (factor && center && size)
+                view.zoom = {*factor, *center, *size};
+            else if (factor)
+                m_values.fail(node->source(), path + "zoom stands without center or size", "all three");
+        }
+        return view;
+    }
+
+    SpaceShown readSpace(const toml::table& table, const std::string& path) {
+        known(table, path, kSpaceKeys);
+        SpaceShown space;
+        if (const auto* node = table.get("space"))
+            space.space = m_values.text(*node, path + "space").value_or(space.space);
+        if (const auto* node = table.get("distance")) space.camera = readCamera(*node, table, path);
+        if (const auto* node = table.get("options"))
+            if (const toml::table* options = m_values.table(*node, path + "options"))
+                for (const auto& [key, value] : *options)
+                    if (const auto number =
+                            m_values.number(value, path + "options." + std::string(key.str()), -kMost, kMost))
+                        space.options[std::string(key.str())] = *number;
+        return space;
+    }
+
+    std::optional<SpaceShown::Camera> readCamera(const toml::node& distance, const toml::table& table,
+                                                 const std::string& path) {
+        SpaceShown::Camera camera;
+        const auto vector = [&](string_view key, pipeline::Vec3d& into) {
+            const auto xyz = numbers<3>(table, key, path);
+            if (xyz) into = {(*xyz)[0], (*xyz)[1], (*xyz)[2]};
+            return xyz.has_value();
+        };
+        const auto length = m_values.number(distance, path + "distance", 1e-300, kMost);
+        const bool placed = vector("target", camera.target) && vector("right", camera.right) &&
+                            vector("up", camera.up) && vector("forward", camera.forward);
+        if (!length) return {};
+        if (!placed || !isOrthonormal(camera)) {
+            m_values.fail(distance.source(), path + "distance stands without a camera around it",
+                          "target, right, up and forward, the last three orthonormal");
+            return {};
+        }
+        camera.distance = *length;
+        if (const auto* node = table.get("fov"))
+            camera.fov = m_values.number(*node, path + "fov", 1e-3, 179).value_or(camera.fov);
+        if (const auto* node = table.get("orthographic")) {
+            if (const auto* value = node->as_boolean())
+                camera.orthographic = value->get();
+            else
+                m_values.refuse(*node, path + "orthographic", "true or false");
+        }
+        return camera;
+    }
+
+    // Within what a few hundred turns of the mouse may leave.
+    static bool isOrthonormal(const SpaceShown::Camera& camera) {
+        constexpr double kLoose = 1e-6;
+        const std::array axes{camera.right, camera.up, camera.forward};
+        for (std::size_t i = 0; i < axes.size(); ++i)
+            for (std::size_t k = 0; k <= i; ++k)
+                if (!(std::abs(glm::dot(axes[i], axes[k]) - (i == k ? 1 : 0)) < kLoose)) return false;
+        return true;
+    }
+
+    std::string m_path;
+    TomlValues& m_values;
+};
+
+}  // namespace
+
+WindowState readStateTable(const toml::table& table, const std::string& path, const KnownKeys& others,
+                           TomlValues& values) {
+    return StateReader(path, values).read(table, others);
+}
+
+pipeline::Result<WindowState> readState(std::string_view text, const std::string& file) {
+    const auto table = pipeline::parseToml({text, file});
+    if (!table) return table.errors();
+    TomlValues values(file);
+    WindowState state = readStateTable(*table, "", {}, values);
+    const pipeline::Errors errors = values.errors();
+    if (!errors.empty()) return errors;
+    return state;
+}
+
+}  // namespace app

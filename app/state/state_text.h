@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include "app/state/window_state.h"
+#include "pipeline/formats/toml_values.h"
+
+// A state as a part of a TOML file.
+namespace app {
+
+// The keys of a state, then its tables; `prefix` stands before the tables' names: "cue.".
+std::string stateText(const WindowState& state, const std::string& prefix);
+
+// More keys of the same table, which the caller has read.
+using KnownKeys = std::vector<std::string>;
+// Reads a table that holds a state beside those keys; what is wrong goes into `values`.
+WindowState readStateTable(const toml::table& table, const std::string& path, const KnownKeys& others,
+                           pipeline::TomlValues& values);
+
+}  // namespace app

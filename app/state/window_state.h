@@ -1,0 +1,72 @@
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/core/real.h"
+#include "pipeline/core/result.h"
+#include "pipeline/plan/stage.h"
+#include "pipeline/steps/moment.h"
+
+namespace app {
+
+// How one buffer is looked at.
+struct BufferShown {
+    std::string buffer = "color";                     // its name: "n_dot_l.0"
+    int channel = -1;                                 // -1: all
+    std::optional<std::array<double, 2>> range = {};  // of the palette; nothing: fits every frame
+    std::vector<std::string> overlays{"strange"};     // their names
+    // Nothing: as much as fits. Screen pixels a picture pixel, and the point of the picture in the middle of a view of
+    // this size; a larger view shows the same part larger.
+    struct Zoom {
+        double factor = 1;
+        std::array<double, 2> center{}, view{};
+        bool operator==(const Zoom&) const = default;
+    };
+    std::optional<Zoom> zoom = {};
+    bool operator==(const BufferShown&) const = default;
+};
+
+// How the 3D view is looked at. World space, world units; fov in degrees.
+struct SpaceShown {
+    std::string space = "world";  // its name
+    struct Camera {
+        pipeline::Vec3d target{0.0}, right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0};  // orthonormal
+        double distance = 1, fov = 30;
+        bool orthographic = false;
+        bool operator==(const Camera&) const = default;
+    };
+    std::optional<Camera> camera = {};           // nothing: the first one, which the view chooses
+    std::map<std::string, double> options = {};  // those that are not as they begin; a switch is 0 or 1
+    bool operator==(const SpaceShown&) const = default;
+};
+
+// What the window shows, whatever its theme, size and docks: enough to see the same again. A session, a cue and a
+// picture's text are one of these; files have it in TOML.
+struct WindowState {
+    // A scene file, from the folder of the file that names it, or the name of a built-in scene; empty: the scene that
+    // comes with the state, as in a picture.
+    std::string scene = {};
+    std::vector<std::string> set = {};  // what has been changed in it since: "camera.theta=50"
+    std::string sceneText = {};         // the whole scene as TOML, where settings cannot say what has changed
+    pipeline::StageId stage = pipeline::StageId::Shading;
+    std::optional<pipeline::Place> place = {};  // inside the frame; nothing: at its end
+    pipeline::StepLevel step = pipeline::StepLevel::Polygon;
+    std::optional<std::array<int, 2>> pixel = {};  // x, y; row 0 on top
+    int channel = 2;                               // of the equation: 0 r, 1 g, 2 b
+    std::string arrangement = "one";               // of the views: its name
+    std::vector<BufferShown> views{BufferShown()};
+    SpaceShown space = {};
+    std::vector<pipeline::Place> bookmarks = {};
+    bool operator==(const WindowState&) const = default;
+};
+
+// The state as TOML; readState gives it back, every number the same.
+std::string toToml(const WindowState& state);
+
+// Errors name `file` with line and column.
+pipeline::Result<WindowState> readState(std::string_view text, const std::string& file);
+
+}  // namespace app

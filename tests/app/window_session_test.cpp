@@ -1,0 +1,177 @@
+// What the window shows, kept and shown again: states, sessions, recent files, and the question before changes are lost.
+#include <QFile>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTest>
+
+#include "app/core/recent_files.h"
+#include "app/core/session_file.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/error_list.h"
+#include "app/view3d/view3d_panel.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+class WindowSession : public WindowTest {
+protected:
+    // A window far from how it begins.
+    void goFar() {
+        openPyramid();
+        document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
+        EXPECT_TRUE(waitForFrame());
+        EXPECT_TRUE(QTest::qWaitFor([this] { return document().stepper().steps() != nullptr; }, 10000));
+        document().stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2"));
+        waitForState();
+        document().pick(glm::ivec2(268, 281));
+        window.views().setSecond(true);
+        BufferView& first = window.views().first();
+        first.setBuffer({pipeline::BufferId::ZView});
+        first.setRange({700, 600});
+        first.setOverlay(OverlayId::Edges, true);
+        first.canvas()->setZoom(8, QPointF(100, 100));
+        OrbitCamera camera = window.views().view3d().view().camera();
+        orbit(camera, 31, 7);
+        window.views().view3d().view().setCamera(camera);
+    }
+    void waitForState() {
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && document().stepper().isSettled(); }, 30000));
+    }
+    // Presses a button of the question as soon as it is asked.
+    void answer(const QString& button, const std::function<void()>& act) {
+        bool asked = false;
+        QTimer::singleShot(0, &window, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            asked = box != nullptr;
+            for (QAbstractButton* one : box ? box->buttons() : QList<QAbstractButton*>())
+                if (one->text() == button) return one->click();
+            if (box) box->reject();
+        });
+        act();
+        QCoreApplication::processEvents();
+        EXPECT_TRUE(asked);
+    }
+};
+
+TEST_F(WindowSession, AStateShownAgainIsTheSameState) {
+    goFar();
+    const auto far = window.state({});
+    ASSERT_TRUE(far);
+    EXPECT_EQ(far->scene, "pyramid");
+    EXPECT_EQ(far->set, std::vector<std::string>{"camera.theta=47.25"});
+    const QImage picture = pictureOnScreen();
+
+    answer("Drop", [this] { ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene"))); });
+    window.views().first().autofit(true);
+    document().stepper().leave();
+    document().setStage(pipeline::StageId::Cull);
+    EXPECT_TRUE(waitForFrame());
+    ASSERT_TRUE(window.showState(*far, {}, SceneChanges::Given));
+    EXPECT_TRUE(waitForFrame());
+    waitForState();
+    QTest::qWait(100);
+    const auto again = window.state({});
+    ASSERT_TRUE(again);
+    EXPECT_EQ(toToml(*again), toToml(*far));
+    EXPECT_EQ(pictureOnScreen(), picture);
+    EXPECT_FALSE(document().isChanged()) << "the change belongs to the state";
+}
+
+TEST_F(WindowSession, TheNextStartShowsWhatWasLeftAndTheChangesAreStillUnsaved) {
+    window.startSession(folder.path(), true);
+    EXPECT_FALSE(document().hasScene());
+    goFar();
+    const auto far = window.state({});
+    EXPECT_TRUE(SessionFile(folder.path()).write(*far));
+
+    MainWindow next;
+    next.resize(window.size());
+    next.show();
+    next.startSession(folder.path(), true);
+    ASSERT_TRUE(next.document().hasScene());
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return !next.document().busy() && next.document().stepper().isSettled(); }, 30000));
+    EXPECT_EQ(next.document().scene().camera.theta, 47.25);
+    EXPECT_EQ(text(*next.document().stepper().place()), "z-buffer/polygon=2");
+    EXPECT_EQ(next.document().pixel(), glm::ivec2(268, 281));
+    EXPECT_TRUE(next.document().isChanged());
+    next.document().undoStack()->undo();
+    EXPECT_FALSE(next.document().isChanged());
+    EXPECT_NE(next.document().scene().camera.theta, 47.25);
+}
+
+TEST_F(WindowSession, ABrokenSessionIsReportedAndLeftAside) {
+    QFile file(SessionFile(folder.path()).file());
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("scene = \"pyramid\"\nstage = \"shad");
+    file.close();
+    window.startSession(folder.path(), true);
+    EXPECT_FALSE(document().hasScene());
+    auto* errors = find<ErrorList>("errorList");
+    EXPECT_TRUE(errors->isVisible());
+    EXPECT_TRUE(errors->text().contains("session.broken.toml")) << errors->text().toStdString();
+    EXPECT_TRUE(errors->text().contains("session.toml:2:")) << errors->text().toStdString();
+    EXPECT_TRUE(QFile::exists(folder.filePath("session.broken.toml")));
+    EXPECT_FALSE(file.exists());
+}
+
+TEST_F(WindowSession, ASessionThatEndedTheProgramIsNotTriedAgain) {
+    WindowState state;
+    state.scene = "pyramid";
+    SessionFile file(folder.path());
+    ASSERT_TRUE(file.write(state));
+    EXPECT_TRUE(file.take().state);  // and then the program is gone
+    window.startSession(folder.path(), true);
+    EXPECT_FALSE(document().hasScene());
+    EXPECT_TRUE(find<ErrorList>("errorList")->text().contains("ended while it restored"));
+    EXPECT_FALSE(file.take().state);
+    EXPECT_TRUE(file.take().errors.empty());
+}
+
+TEST_F(WindowSession, SwitchedOffItBeginsOnTheStartPageAndLeavesNothing) {
+    SessionFile::setWanted(false);
+    WindowState state;
+    state.scene = "pyramid";
+    SessionFile file(folder.path());
+    ASSERT_TRUE(file.write(state));
+    window.startSession(folder.path(), true);
+    EXPECT_FALSE(document().hasScene());
+    window.close();
+    EXPECT_FALSE(QFile::exists(file.file()));
+}
+
+TEST_F(WindowSession, AsksBeforeChangesAreLost) {
+    openPyramid();
+    document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
+    answer("Go back", [this] { press("Ctrl+W"); });
+    EXPECT_TRUE(document().isChanged());
+    EXPECT_TRUE(window.views().isVisible());
+    answer("Go back", [this] { EXPECT_FALSE(window.openFile(resourceScene("two_pyramids.scene"))); });
+    EXPECT_EQ(document().scene().name, "pyramid.scene");
+    answer("Go back", [this] { EXPECT_FALSE(window.close()); });
+    answer("Drop", [this] { EXPECT_TRUE(window.openFile(resourceScene("two_pyramids.scene"))); });
+    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
+    press("Ctrl+W");  // nothing has changed, and nothing is asked
+    EXPECT_FALSE(window.views().isVisible());
+}
+
+TEST_F(WindowSession, ARecentFileOpensWhereItWasLeft) {
+    goFar();
+    answer("Drop", [this] { press("Ctrl+W"); });
+    const auto recent = recentFiles();
+    ASSERT_EQ(recent.size(), 1u);
+    EXPECT_EQ(recent[0].where, "z-buffer/polygon=2 · pixel 268, 281");
+    ASSERT_TRUE(window.openRecent(recent[0].file));
+    EXPECT_TRUE(waitForFrame());
+    EXPECT_EQ(text(*document().stepper().place()), "z-buffer/polygon=2");
+    EXPECT_EQ(document().pixel(), glm::ivec2(268, 281));
+    EXPECT_NE(document().scene().camera.theta, 47.25) << "the changes were dropped";
+    EXPECT_FALSE(document().isChanged());
+}
+
+}  // namespace
+}  // namespace app

@@ -1,0 +1,164 @@
+// What the window shows as text: there and back the same, and what is wrong is told with its place.
+#include "app/state/window_state.h"
+
+#include <gtest/gtest.h>
+
+#include "app/state/cue_list.h"
+#include "app/state/state_scene.h"
+#include "pipeline/formats/scene_reader.h"
+#include "tests/support/files.h"
+#include "tests/support/scenes.h"
+
+namespace app {
+namespace {
+
+// Everything other than it begins, with numbers that have no short decimals.
+WindowState rich() {
+    WindowState state;
+    state.scene = "folder/a \"b\".toml";
+    state.set = {"camera.theta=50", "shading=phong"};
+    state.stage = pipeline::StageId::ZBuffer;
+    state.place = *pipeline::parsePlace("z-buffer/polygon=2/row=270/x=258");
+    state.step = pipeline::StepLevel::Pixel;
+    state.pixel = {268, 281};
+    state.channel = 0;
+    state.arrangement = "four";
+    BufferShown view{"n_dot_l.0", -1, std::array{1e300, -1.0 / 3}, {"edges", "verdict"}, {}};
+    view.zoom = {12, {268.5, 1.0 / 7}, {801, 600}};
+    state.views = {view, {"normal", 2}};
+    state.space.space = "point";
+    SpaceShown::Camera camera;
+    camera.target = {0.1, -1.0 / 3, 1e-17};
+    camera.right = {0.6, 0.8, -0.0}, camera.forward = {-0.8, 0.6, 0}, camera.up = {0, 0, 1};
+    camera.distance = 719.1234567890123, camera.fov = 31.4, camera.orthographic = true;
+    state.space.camera = camera;
+    state.space.options = {{"boxes", 1}, {"normal_length", 12.5}};
+    state.bookmarks = {*pipeline::parsePlace("cull/polygon=1"), *pipeline::parsePlace("shading/layers")};
+    return state;
+}
+
+std::string errorsIn(std::string_view text) {
+    const auto state = readState(text, "s.toml");
+    return state ? "" : format(state.errors());
+}
+
+TEST(WindowState, IsTheSameAfterWritingAndReading) {
+    for (const WindowState& state : {WindowState(), rich()}) {
+        const std::string text = toToml(state);
+        const auto again = readState(text, "s.toml");
+        ASSERT_TRUE(again) << format(again.errors()) << text;
+        EXPECT_TRUE(*again == state) << text << "\nbecame\n" << toToml(*again);
+    }
+}
+
+TEST(WindowState, WhatIsWrongIsToldWithItsPlace) {
+    EXPECT_EQ(errorsIn("stage = \"shadng\"\n"),
+              "s.toml:1:9: stage is \"shadng\", expected \"transform\", \"cull\", \"normals\", \"shadow-buffer\", "
+              "\"z-buffer\" or \"shading\"\n");
+    EXPECT_EQ(errorsIn("stage = \"cull\"\npixl = [1, 2]\n"), "s.toml:2:1: no key \"pixl\"; the nearest is \"pixel\"\n");
+    EXPECT_TRUE(errorsIn("place = \"z-buffer/polygn=2\"\n").starts_with("s.toml:1:9: place: "));
+    EXPECT_TRUE(errorsIn("[[view]]\nbuffer = \"dept\"\n").starts_with("s.toml:2:10: view.buffer is \"dept\""));
+    EXPECT_TRUE(errorsIn("[[view]]\nbuffer = \"dept\"\n").find("the nearest is \"depth\"") != std::string::npos);
+    EXPECT_TRUE(errorsIn("[[view]]\nrange = [2, 2]\n").starts_with("s.toml:2:9: view.range ends where it begins"));
+    EXPECT_TRUE(errorsIn("[[view]]\nzoom = 4\n").starts_with("s.toml:2:8: view.zoom stands without"));
+    EXPECT_TRUE(errorsIn("[view3d]\ndistance = 4\ntarget = [0, 0, 0]\n").starts_with("s.toml:2:12: view3d.distance"));
+    EXPECT_TRUE(errorsIn("pixel = [1]\n").starts_with("s.toml:1:9: pixel is an array of 1, expected an array of 2"));
+    EXPECT_TRUE(errorsIn("stage = \n").starts_with("s.toml:1:"));
+}
+
+TEST(WindowState, ChangedSettingsAreKeptAsSettings) {
+    const pipeline::Scene original = test::pyramid();
+    pipeline::Scene changed = original;
+    changed.camera.theta = 47.1234567890123;
+    changed.objects[0].material.exponent = 4;
+    WindowState state;
+    EXPECT_TRUE(describeScene(state, changed, &original).empty());
+    EXPECT_EQ(state.set.size(), 2u);
+    EXPECT_TRUE(state.sceneText.empty());
+    const auto again = sceneOf(state, original);
+    ASSERT_TRUE(again);
+    EXPECT_TRUE(*again == changed);
+}
+
+TEST(WindowState, WhatSettingsCannotSayIsKeptAsText) {
+    const pipeline::Scene original = test::pyramid();
+    pipeline::Scene changed = original;
+    changed.objects.push_back(changed.objects[0]);
+    changed.objects[1].name = "another", changed.objects[1].transform.translation.x = 3;
+    WindowState state;
+    EXPECT_TRUE(describeScene(state, changed, &original).empty());
+    EXPECT_FALSE(state.sceneText.empty());
+    const auto written = readState(toToml(state), "s.toml");
+    ASSERT_TRUE(written) << format(written.errors());
+    const auto again = sceneOf(*written, original);
+    ASSERT_TRUE(again) << format(again.errors());
+    EXPECT_EQ(test::firstDifference(*test::frameOf(changed), *test::frameOf(*again)), "");
+}
+
+TEST(WindowState, AScenesNameLeadsBackToIt) {
+    const test::TemporaryFolder folder;
+    const auto pyramid = pipeline::resourceFolder() / "scenes" / "pyramid.scene";
+    EXPECT_EQ(sceneName(pyramid, folder.path()), "pyramid");
+    EXPECT_TRUE(std::filesystem::equivalent(sceneFile("pyramid", folder.path()), pyramid));
+    std::filesystem::create_directory(folder / "in");
+    test::writeText(folder / "in" / "own.toml", "[[object]]\nshape = \"sphere\"\n");
+    EXPECT_EQ(sceneName(folder / "in" / "own.toml", folder.path()), "in/own.toml");
+    EXPECT_EQ(sceneName(folder / "in" / "own.toml", folder / "else"), (folder / "in" / "own.toml").string());
+    EXPECT_TRUE(readNamedScene("in/own.toml", folder.path()));
+    const auto none = readNamedScene("pyramit", folder.path());
+    ASSERT_FALSE(none);
+    EXPECT_EQ(format(none.errors()), "no file and no built-in scene \"pyramit\"; the nearest is \"pyramid\"\n");
+}
+
+TEST(CueList, IsTheSameAfterWritingAndReading) {
+    CueList list{"Lecture 1", 50, {{"Why no highlight?", "R leaves 66.6°", "Ask first.\nThen \"turn\" it.", rich()}}};
+    list.cues.push_back({"Next", {}, "one line, it's", rich()});
+    list.cues[1].state.set.clear();
+    const std::string text = toToml(list);
+    const auto again = readCues(text, "a.cues");
+    ASSERT_TRUE(again) << format(again.errors()) << text;
+    EXPECT_TRUE(*again == list) << text;
+    EXPECT_NE(text.find("note = '''\nAsk first.\nThen \"turn\" it.'''"), std::string::npos) << "reads as a text";
+}
+
+TEST(CueList, WhatIsWrongIsToldWithItsPlace) {
+    const auto wrong = [](std::string_view text) {
+        const auto list = readCues(text, "a.cues");
+        return list ? "" : format(list.errors());
+    };
+    EXPECT_EQ(wrong("[[cue]]\nname = \"a\"\n"),
+              "a.cues:1:1: cue.0 has no scene, expected a file, or the name of a built-in scene\n");
+    EXPECT_TRUE(wrong("[[cue]]\nscene = \"pyramid\"\n").starts_with("a.cues:1:1: cue.0 has no name"));
+    EXPECT_TRUE(wrong("[[cue]]\nname = \"a\"\nscene = \"p\"\n[[cue]]\nname = \"a\"\nscene = \"p\"\n")
+                    .starts_with("a.cues:4:1: cue.1: another cue is called \"a\""));
+    EXPECT_TRUE(wrong("minutes = 0\n").starts_with("a.cues:1:11: minutes is 0, expected a number from 1 to 600"));
+    EXPECT_TRUE(
+        wrong("[[cue]]\nname = \"a\"\nscene = \"p\"\n[[cue.view]]\nbufer = \"color\"\n").starts_with("a.cues:5:1:"));
+}
+
+TEST(CueList, ACueIsFoundByNameAndByNumber) {
+    const CueList list{{}, 45, {{"One"}, {"3"}, {"Last"}}};
+    EXPECT_EQ(*findCue(list, "Last"), 2u);
+    EXPECT_EQ(*findCue(list, "1"), 0u);
+    EXPECT_EQ(*findCue(list, "3"), 1u);  // a name goes before a number
+    const auto none = findCue(list, "Lst");
+    ASSERT_FALSE(none);
+    EXPECT_EQ(format(none.errors()),
+              "no cue \"Lst\", expected a number from 1 to 3, or a name; the nearest is \"Last\"\n");
+    EXPECT_FALSE(findCue(list, "4"));
+    EXPECT_EQ(freeName(list, "One"), "One 2");
+    EXPECT_EQ(freeName(list, "Two"), "Two");
+}
+
+TEST(CueList, AFileAndACueInOneWord) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "a.cues", "");
+    const auto name = parseCueName((folder / "a.cues").string() + ":Back: why");
+    ASSERT_TRUE(name);
+    EXPECT_EQ(name->file, folder / "a.cues");
+    EXPECT_EQ(name->name, "Back: why");
+    EXPECT_FALSE(parseCueName((folder / "b.cues").string() + ":1"));
+}
+
+}  // namespace
+}  // namespace app
