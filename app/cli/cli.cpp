@@ -31,9 +31,11 @@ constexpr const char* kFooter =
 
 void declareProgram(CLI::App& program, const CliHost& host, int& status) {
     program.name("shadescope");
-    program.description(std::string("See how polygons become a picture, one step at a time.\n") +
-                        (host.hasWindow ? "shadescope [FILE] opens the window; a command needs no display."
-                                        : "This build has no window: it has the commands alone."));
+    program.description(
+        std::string("See how polygons become a picture, one step at a time.\n") +
+        (host.hasWindow
+             ? "shadescope [FILE] opens the window, shadescope present FILE[:CUE] a talk; a command needs no display."
+             : "This build has no window: it has the commands alone."));
     program.set_help_flag("-h,--help", "Print this help");
     program.set_help_all_flag("--help-all", "Print the help of every command");
     program.set_version_flag("--version", fmt::format("shadescope {}", pipeline::programVersion()));

@@ -7,6 +7,7 @@
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/scene_argument.h"
+#include "app/state/cue_list.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/export_frame.h"
 #include "pipeline/export/exporter.h"
@@ -24,7 +25,8 @@ struct ExportOptions {
     std::vector<std::string> formats{"npy", "png"};
     bool views = false;
     std::string pixel;
-    std::string at;  // a place inside a stage; empty: all stages
+    std::string cue;  // FILE:NAME; empty: the scene argument
+    std::string at;   // a place inside a stage; empty: all stages
 };
 
 std::vector<std::string> formatNames() {
@@ -37,6 +39,7 @@ std::vector<std::string> formatNames() {
 // Says what is wrong with the options, if anything.
 std::string wrongUsage(const ExportOptions& options, const CliHost& host) {
     if (!options.at.empty() && !options.frame.until.empty()) return "--at names the stage; --until cannot go with it";
+    if (options.cue.empty() == options.scene.scene.empty()) return "one scene or one --cue, not both";
     if (options.folder.empty()) return "-o needs the name of a folder";
     const std::vector<std::string> known = formatNames();
     for (const std::string& format : options.formats)
@@ -70,13 +73,40 @@ void tellLeftOut(const pipeline::Frame& frame, const pipeline::ExportRequest& re
     }
 }
 
-int runExport(const ExportOptions& options, const CliHost& host) {
+// What the cue shows, where the other options do not say otherwise. False: the reasons went to standard error.
+bool takeCue(ExportOptions& options, int& status) {
+    const auto refuse = [&](const pipeline::Errors& errors, int why) {
+        printErrors(errors);
+        status = why;
+        return false;
+    };
+    const auto named = parseCueName(options.cue);
+    if (!named) return refuse(named.errors(), kWrongUsage);
+    const auto list = readCueFile(named->file);
+    if (!list) return refuse(list.errors(), kBadInput);
+    const auto found = findCue(*list, named->name);
+    if (!found) return refuse(found.errors(), kWrongUsage);
+    const WindowState& state = list->cues[*found].state;
+    options.scene.state = state;
+    options.scene.folder = named->file.parent_path();
+    if (options.at.empty() && options.frame.until.empty() && state.place) options.at = text(*state.place);
+    if (options.views && options.pixel.empty() && state.pixel)
+        options.pixel = fmt::format("{},{}", (*state.pixel)[0], (*state.pixel)[1]);
+    if (options.frame.buffers == FrameArgument().buffers) {
+        options.frame.buffers.clear();
+        for (const BufferShown& view : state.views) options.frame.buffers.push_back(view.buffer);
+    }
+    return true;
+}
+
+int runExport(ExportOptions options, const CliHost& host) {
     if (const std::string wrong = wrongUsage(options, host); !wrong.empty()) {
         fmt::print(stderr, "shadescope export: {}\n", wrong);
         return kWrongUsage;
     }
     const Interrupt interrupt;
     int status = kDone;
+    if (!options.cue.empty() && !takeCue(options, status)) return status;
     const auto scene = loadScene(options.scene, status);
     if (!scene) return status;
     if (const std::string why = refused(*scene, options.formats); !why.empty()) {
@@ -137,7 +167,9 @@ int runExport(const ExportOptions& options, const CliHost& host) {
 void declareExport(CLI::App& program, const CliHost& host, int& status) {
     const auto options = std::make_shared<ExportOptions>();
     CLI::App* command = program.add_subcommand("export", "Run the pipeline, write the buffers and manifest.json");
-    declareSceneArgument(*command, options->scene);
+    declareSceneArgument(*command, options->scene, SceneArgument::Need::Maybe);
+    command->add_option("--cue", options->cue, "A cue of a talk in place of SCENE: its scene, place and buffers")
+        ->type_name("FILE:NAME");
     command->add_option("-o,--output", options->folder, "The folder to write into; made when it is missing")
         ->required()
         ->type_name("DIR");

@@ -39,8 +39,9 @@ pipeline::Result<Scene> applySettings(Scene scene, const SceneArgument& argument
 
 }  // namespace
 
-void declareSceneArgument(CLI::App& command, SceneArgument& argument) {
-    command.add_option("SCENE", argument.scene, "A scene file, or the name of a built-in scene")->required();
+void declareSceneArgument(CLI::App& command, SceneArgument& argument, SceneArgument::Need need) {
+    command.add_option("SCENE", argument.scene, "A scene file, or the name of a built-in scene")
+        ->required(need == SceneArgument::Need::Always);
     command.add_option("--size", argument.size, "Size of the picture in pixels")->type_name("WxH");
     command.add_option("--set", argument.set, "Change a setting of the scene; may be repeated; plan --json lists them")
         ->type_name("KEY=VALUE")
@@ -54,7 +55,7 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, int& statu
         status = why;
         return nullptr;
     };
-    auto read = readNamedScene(argument.scene, {});
+    auto read = argument.state ? sceneOf(*argument.state, argument.folder) : readNamedScene(argument.scene, {});
     if (!read) return refuse(read.errors(), kBadInput);
     if (Errors errors = checkScene(*read); !errors.empty()) {
         for (pipeline::Error& error : errors)

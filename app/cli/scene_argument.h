@@ -1,9 +1,11 @@
 #pragma once
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/state/window_state.h"
 #include "pipeline/core/result.h"
 #include "pipeline/scene/scene.h"
 
@@ -16,12 +18,16 @@ namespace app {
 // What every command on a scene takes: SCENE, --set, --size, --no-leave-out.
 struct SceneArgument {
     std::string scene;
-    std::vector<std::string> set;  // KEY=VALUE, applied in order
-    std::string size;              // WxH; empty: the scene's
-    bool noLeaveOut = false;       // everything runs
+    std::vector<std::string> set;           // KEY=VALUE, applied in order
+    std::string size;                       // WxH; empty: the scene's
+    bool noLeaveOut = false;                // everything runs
+    std::optional<WindowState> state = {};  // what it shows in place of `scene`, its files from `folder`
+    std::filesystem::path folder = {};
+    enum class Need { Always, Maybe };
 };
 
-void declareSceneArgument(CLI::App& command, SceneArgument& argument);
+void declareSceneArgument(CLI::App& command, SceneArgument& argument,
+                          SceneArgument::Need need = SceneArgument::Need::Always);
 
 // The scene with its settings applied, or nothing after the reasons went to standard error and
 // `status` was set to kBadInput or kWrongUsage.

@@ -13,8 +13,18 @@ namespace {
 
 fs::path toPath(const QString& file) { return file.toStdString(); }
 
-Result<Scene> originalOf(const Document& document, const WindowState& state, const fs::path& folder, bool isOpen) {
-    if (isOpen) return *document.kept().scene;
+}  // namespace
+
+bool isOpen(const Document& document, const WindowState& state, const fs::path& folder) {
+    std::error_code ignored;
+    return !state.scene.empty() && document.kept().scene &&
+           fs::equivalent(sceneFile(state.scene, folder), toPath(document.kept().file), ignored);
+}
+
+namespace {
+
+Result<Scene> originalOf(const Document& document, const WindowState& state, const fs::path& folder, bool open) {
+    if (open) return *document.kept().scene;
     if (!state.scene.empty()) return readNamedScene(state.scene, folder);
     if (!state.sceneText.empty()) return Scene();
     return pipeline::Error{{}, "the state names no scene", "a scene file, or the name of a built-in scene"};
@@ -23,9 +33,8 @@ Result<Scene> originalOf(const Document& document, const WindowState& state, con
 bool showScene(Document& document, const WindowState& state, const fs::path& folder, SceneChanges changes) {
     const fs::path file = state.scene.empty() ? fs::path() : sceneFile(state.scene, folder);
     std::error_code ignored;
-    const bool isOpen =
-        !file.empty() && document.kept().scene && fs::equivalent(file, toPath(document.kept().file), ignored);
-    const Result<Scene> original = originalOf(document, state, folder, isOpen);
+    const bool open = isOpen(document, state, folder);
+    const Result<Scene> original = originalOf(document, state, folder, open);
     if (!original) {
         emit document.failed(original.errors());
         return false;
@@ -37,7 +46,7 @@ bool showScene(Document& document, const WindowState& state, const fs::path& fol
     }
     Scene scene = std::move(shown).value();
     scene.file = original->file;
-    if (!isOpen) {
+    if (!open) {
         Document::Kept kept;
         if (!file.empty())
             kept = {toQString(fs::absolute(file, ignored).string()), std::make_shared<const Scene>(*original)};

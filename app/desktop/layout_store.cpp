@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr int kLayoutVersion = 1;  // of what stands in the window; another one makes old layouts void
+constexpr int kLayoutVersion = 2;  // of what stands in the window; another one makes old layouts void
 
 QString layoutKey(const QMainWindow& window) {
     const QSize size = window.screen()->size();

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/cli/cli.h"
+#include "app/state/cue_list.h"
 #include "pipeline/core/text.h"
 #include "pipeline/run/memory.h"
 #ifdef SHADESCOPE_WINDOW
@@ -40,17 +41,35 @@ bool hasDisplay() {
     return false;
 }
 
-int openWindow(int argc, char** argv, const std::string& file, bool session) {
+int openWindow(int argc, char** argv, const std::string& file, const app::CueName& cue, bool session) {
     if (!hasDisplay()) return refuse("there is no display for the window; the commands need none");
-    return app::runWindow(argc, argv, {QString::fromLocal8Bit(file.c_str()), session});
+    return app::runWindow(argc, argv,
+                          {.cues = QString::fromStdString(cue.file.string()),
+                           .cue = QString::fromStdString(cue.name),
+                           .file = QString::fromLocal8Bit(file.c_str()),
+                           .session = session});
 }
 #else
-int openWindow(int, char**, const std::string&, bool) {
+int openWindow(int, char**, const std::string&, const app::CueName&, bool) {
     std::fputs("shadescope: this build has no window\n\n", stderr);
     std::fputs(app::helpText(makeHost()).c_str(), stderr);
     return app::kWrongUsage;
 }
 #endif
+
+// "present FILE" and "present FILE:CUE".
+int present(int argc, char** argv, bool session) {
+    if (argc != 3) return refuse("present takes one cue list: present FILE, or present FILE:CUE");
+    const auto named = app::parseCueName(argv[2]);
+    const app::CueName cue = named ? *named : app::CueName{argv[2], {}};
+    const auto list = app::readCueFile(cue.file);
+    const auto found = !list              ? pipeline::Result<std::size_t>(list.errors())
+                       : cue.name.empty() ? pipeline::Result<std::size_t>(0)
+                                          : findCue(*list, cue.name);
+    if (found) return openWindow(1, argv, {}, cue, session);
+    std::fputs(format(found.errors()).c_str(), stderr);
+    return app::kBadInput;
+}
 
 }  // namespace
 
@@ -60,11 +79,12 @@ int main(int argc, char** argv) {
     if (!session) std::rotate(argv + 1, argv + 2, argv + argc--);  // Qt reads the rest
     const std::string first = argc > 1 ? argv[1] : "";
     if (app::isForCli(first)) return app::runCli(argc, argv, makeHost());
+    if (first == "present") return present(argc, argv, session);
     if (first.starts_with("--")) return refuse("there is no option " + pipeline::inQuotes(first));
     const bool file = !first.empty() && first[0] != '-';  // "-platform" and the like are for Qt
     std::error_code ignored;
     if (file && first.find_first_of("./") == first.npos && !std::filesystem::exists(first, ignored))
         return refuse("there is no file and no command " + pipeline::inQuotes(first) + "; the nearest command is " +
                       app::nearestCommand(first));
-    return openWindow(argc, argv, file ? first : "", session);
+    return openWindow(argc, argv, file ? first : "", {}, session);
 }

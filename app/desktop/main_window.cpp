@@ -25,6 +25,7 @@
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/pixel_field.h"
+#include "app/desktop/presentation.h"
 #include "app/desktop/session.h"
 #include "app/desktop/status_line.h"
 #include "app/desktop/step_actions.h"
@@ -38,6 +39,7 @@
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
 #include "app/panels/timeline.h"
+#include "app/state/cue_list.h"
 
 namespace app {
 
@@ -56,6 +58,7 @@ MainWindow::MainWindow() : m_actions(new Actions(this)) {
     m_palette = new CommandPalette(this);
     m_keys = new KeySheet(*m_actions, this);
     m_pixelField = new PixelField(this);
+    connectCues();
     connectActions();
     connectDocument();
     followTheme(this, [this] {
@@ -70,7 +73,7 @@ MainWindow::MainWindow() : m_actions(new Actions(this)) {
                 .arg(theme.px(4)));
         m_title->setFont(theme.text());
         m_rail->setIconSize(QSize(theme.px(18), theme.px(18)));
-        fitWidth(true);
+        if (!m_presents) fitWidth(true);
     });
     qApp->installEventFilter(this);
     resize(QSize(1680, 1000).boundedTo(screen()->availableSize()));
@@ -155,6 +158,7 @@ void MainWindow::makeDocks() {
         addAction(toggle);
         m_rail->addAction(toggle);
     }
+    tabCues();
     m_docks.front()->addButton((*m_actions)[ActionId::Undo], "undo");
     m_docks.front()->addButton((*m_actions)[ActionId::Redo], "redo");
     auto* tree = findChild<SceneTree*>();
@@ -203,6 +207,7 @@ void MainWindow::connectDocument() {
 }
 
 bool MainWindow::openFile(const QString& file) {
+    if (file.endsWith(kCueEnding)) return openCues(file);
     if (!mayLeaveScene() || !m_document.open(file)) return false;
     addRecentFile(file);
     return true;
@@ -256,7 +261,8 @@ bool MainWindow::dropsHere(QObject* watched, QEvent& event) {
 // What has the focus and a use of its own for the space bar, Home or End gets them; the timeline has them elsewhere.
 static bool keepsKey(QObject* watched, const QKeyEvent& key) {
     if (key.modifiers() != Qt::NoModifier) return false;
-    const bool edge = key.key() == Qt::Key_Home || key.key() == Qt::Key_End;
+    const bool edge = key.key() == Qt::Key_Home || key.key() == Qt::Key_End || key.key() == Qt::Key_PageUp ||
+                      key.key() == Qt::Key_PageDown;
     const bool list = qobject_cast<QAbstractItemView*>(watched) || qobject_cast<QComboBox*>(watched);
     if (edge) return list || qobject_cast<QAbstractSlider*>(watched);
     return key.key() == Qt::Key_Space && (list || qobject_cast<QAbstractButton*>(watched));
@@ -283,6 +289,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    m_presentation->end();
     if (!mayLeaveScene()) return event->ignore();
     if (m_session) m_session->save(!m_document.isChanged());
     if (m_width == Width::Wide) saveLayout(*this);

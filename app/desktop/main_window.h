@@ -13,12 +13,14 @@ namespace app {
 
 class Actions;
 class CheckPanel;
+class CuePanel;
 class CommandPalette;
 class ErrorList;
 class KeySheet;
 class LessonPanel;
 class PanelDock;
 class PixelField;
+class Presentation;
 class Session;
 class StageStrip;
 class StartPage;
@@ -48,6 +50,10 @@ public:
     // Asks nothing. False where the scene cannot be had.
     bool showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes);
     // Keeps the session in a folder from now on; restores the last one first, unless it is switched off.
+    bool openCues(const QString& file, const QString& name = {});  // and shows the cue, the first where none is named
+    void present();                                                // begins, or ends
+    Presentation& presentation() { return *m_presentation; }
+    CuePanel& cues() { return *m_cues; }
     void startSession(const QString& folder, bool restore);
     void openLesson(const QString& name);
     void showStartPage();
@@ -85,11 +91,18 @@ private:
     bool mayLeaveScene();
     void closeScene();
     void rememberWhere();
+    // main_window_cues.cpp: cues, and presenting
+    void connectCues();
+    void enableCueActions();
+    std::optional<WindowState> cueState() const;
+    void keepCue();
+    void goToCue(int cue);
     // main_window_layout.cpp: what stands where in which width
     enum class Width { Narrow, Medium, Wide };  // below 1100, below 1440, from there on
     Width widthClass() const;
     void fitWidth(bool always);
     void resetLayout();
+    void tabCues();
     void showOneLeftDock(PanelDock* shown);
 
     Document m_document;
@@ -110,6 +123,9 @@ private:
     CommandPalette* m_palette;
     KeySheet* m_keys;
     PixelField* m_pixelField;
+    CuePanel* m_cues;
+    Presentation* m_presentation;
+    bool m_presents = false;  // from before it begins to after it has ended
     Session* m_session = nullptr;
     StudyPanel* m_study = nullptr;   // a window of its own; made when first asked for
     CheckPanel* m_checks = nullptr;  // likewise

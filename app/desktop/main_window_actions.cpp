@@ -131,6 +131,7 @@ void MainWindow::enableActions() {
     m_actions->setEnabled(A::PreviousStage, scene && m_document.stage() != pipeline::StageId::Transform,
                           scene ? tr("Already at the first stage.") : noScene);
     enableStepActions(*m_actions, m_document, scene);
+    enableCueActions();
     const QUndoStack& undo = *m_document.undoStack();
     m_actions->setEnabled(A::Undo, scene && undo.canUndo(), tr("Nothing to undo."));
     m_actions->setEnabled(A::Redo, scene && undo.canRedo(), tr("Nothing to redo."));

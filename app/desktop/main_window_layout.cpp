@@ -79,7 +79,7 @@ void MainWindow::fitWidth(bool always) {
     for (PanelDock* dock : m_sideDocks) {
         const bool isLeft = m_leftDocks.contains(dock);
         docks += dock;
-        if (isLeft) left += dock;
+        if (isLeft && dock->objectName() != "cues") left += dock;  // it has the lesson's place
         widths += dockWidth(isLeft ? 296 : wide ? 456 : 384);
     }
     resizeDocks(docks, widths, Qt::Horizontal);
@@ -89,6 +89,17 @@ void MainWindow::fitWidth(bool always) {
     const int around = Theme::current().px(250);  // menus, stages, timeline, status, gaps
     resizeDocks(left, {tree, settings, std::max(settings, height() - around - tree - settings)}, Qt::Vertical);
     enableActions();
+}
+
+// The cues have the lesson's place: who gives a talk takes no lesson.
+void MainWindow::tabCues() {
+    PanelDock *lesson = nullptr, *cues = nullptr;
+    for (PanelDock* dock : m_docks) {
+        if (dock->objectName() == "lesson") lesson = dock;
+        if (dock->objectName() == "cues") cues = dock;
+    }
+    tabifyDockWidget(lesson, cues);
+    lesson->raise();
 }
 
 void MainWindow::resetLayout() {
@@ -102,6 +113,7 @@ void MainWindow::resetLayout() {
                                : Qt::BottomDockWidgetArea,
                       dock);
     }
+    tabCues();
     m_views->resetSizes();
     fitWidth(true);
 }

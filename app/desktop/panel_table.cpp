@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/panels/cue_panel.h"
 #include "app/panels/inspector_panel.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/scene_tree.h"
@@ -23,6 +24,7 @@ std::span<const PanelRow> panelTable() {
         {"scene", "Scene", "cube", "Ctrl+Alt+1", Qt::LeftDockWidgetArea, make<SceneTree>},
         {"settings", "Settings", "sliders", "Ctrl+Alt+2", Qt::LeftDockWidgetArea, make<SettingsPanel>},
         {"lesson", "Lesson", "book", "Ctrl+Alt+3", Qt::LeftDockWidgetArea, make<LessonPanel>},
+        {"cues", "Cues", "film", "Ctrl+Alt+6", Qt::LeftDockWidgetArea, make<CuePanel>},
         {"inspector", "Inspector", "inspector", "Ctrl+Alt+4", Qt::RightDockWidgetArea, make<InspectorPanel>},
         {"tables", "Tables", "grid", "Ctrl+Alt+5", Qt::BottomDockWidgetArea, make<TablesPanel>},
     });

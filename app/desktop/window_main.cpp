@@ -27,8 +27,9 @@ int runWindow(int argc, char** argv, const WindowStart& start) {
     restoreTheme();
     MainWindow window;
     window.show();
-    if (start.session) window.startSession(SessionFile::usualFolder(), start.file.isEmpty());
+    if (start.session) window.startSession(SessionFile::usualFolder(), start.file.isEmpty() && start.cues.isEmpty());
     if (!start.file.isEmpty()) window.openFile(start.file);
+    if (!start.cues.isEmpty() && window.openCues(start.cues, start.cue)) window.present();
     return application.exec();
 }
 

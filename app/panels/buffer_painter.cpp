@@ -158,11 +158,11 @@ void paintChecker(QPainter& painter, QRect rect) {
 void paintCanvas(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible,
                  bool showEdges) {
     const ThemeColors& c = Theme::current().colors();
-    painter.fillRect(visible, c.bg);
+    if (content.hasGround) painter.fillRect(visible, c.bg);
     if (content.size.isEmpty()) return;
     const QRect pixels = visiblePixels(content, placement, visible);
     const QRectF picture(placement.origin, QSizeF(content.size) * placement.zoom);
-    paintChecker(painter, picture.toAlignedRect().intersected(visible));
+    if (content.hasGround) paintChecker(painter, picture.toAlignedRect().intersected(visible));
     if (!content.image.isNull() && !pixels.isEmpty()) {
         paintImage(painter, content, placement, pixels);
         if (content.verdicts) {

@@ -70,6 +70,8 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     takeFrame();
 }
 
+void View3dPanel::setBare(bool bare) { m_header->setVisible(!bare); }
+
 void View3dPanel::buildHeader() {
     m_header = new QWidget(this);
     auto* row = new QHBoxLayout(m_header);

@@ -20,6 +20,7 @@ public:
     explicit View3dPanel(Document& document, QWidget* parent = nullptr);
 
     SceneView& view() { return *m_view; }
+    void setBare(bool bare);  // without the header
     void changeOptions(const ViewOptions& options);
     // A light's space waits for the frame that brings its shadow buffer.
     void setSpace(SpaceId space);
@@ -63,6 +64,7 @@ private:
         ViewOptions options;
         SpaceId space;
         std::optional<SpaceShown::Camera> camera;
+        SpaceShown asked;
     };
     std::optional<Wanted> m_wanted;  // once the scene's first frame is there
     bool m_newScene = true;

@@ -84,6 +84,7 @@ std::optional<SpaceId> spaceNamed(std::string_view name) {
 }  // namespace
 
 SpaceShown View3dPanel::state() const {
+    if (m_wanted) return m_wanted->asked;
     SpaceShown state;
     state.space = keyOf(m_view->space());
     for (const OptionRow& row : kOptions) {
@@ -112,7 +113,7 @@ pipeline::Errors View3dPanel::lookAt(const SpaceShown& state) {
     if (!space)
         errors.push_back(
             {{}, "the 3D view has no space \"" + state.space + '"', "world, eye, clip, screen, light 0 or point"});
-    m_wanted = Wanted{options, space.value_or(SpaceId()), state.camera};
+    m_wanted = Wanted{options, space.value_or(SpaceId()), state.camera, state};
     if (!m_newScene) showWanted();
     return errors;
 }

@@ -80,7 +80,7 @@ TEST_F(WindowSteps, BookmarksHaveKeys) {
     openAndCount();
     stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2"));
     settle();
-    press("Ctrl+B");
+    press("Ctrl+Shift+B");
     press("End");
     EXPECT_FALSE(stepper().isInside());
     press("Ctrl+1");

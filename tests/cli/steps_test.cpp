@@ -1,6 +1,7 @@
 // One moment of a frame, and films of it, from the command line.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -43,6 +44,35 @@ TEST(ExportAt, RefusesAPlaceThatIsNone) {
     EXPECT_EQ(run({"export", "pyramid", "-o", folder / "out", "--at", "cull", "--until", "cull"}).status, 2);
     EXPECT_EQ(run({"export", "pyramid", "-o", folder / "out", "--at", "cull", "--buffers", "color"}).status, 2);
     EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+// Polygons 0 and 1 of the pyramid are drawn, 2 is not yet, whatever the scene's own settings are.
+TEST(ExportCue, WritesWhatTheCueShows) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "talk.cues",
+                    "[[cue]]\nname = \"Start\"\nscene = \"pyramid\"\n"
+                    "[[cue]]\nname = \"Two: polygons\"\nscene = \"pyramid\"\nset = [\"cull=none\"]\n"
+                    "stage = \"z-buffer\"\nplace = \"z-buffer/polygon=1\"\n[[cue.view]]\nbuffer = \"polygon_id\"\n");
+    for (const char* name : {":Two: polygons", ":2"}) {
+        const auto done = run({"export", "--cue", (folder / "talk.cues").string() + name, "-o", folder / "out",
+                               "--format", "npy", "--size", "320x240"});
+        ASSERT_EQ(done.status, 0) << done.err;
+        EXPECT_FALSE(fs::exists(folder / "out/depth.npy"));
+        const test::Npy ids = test::readNpy(folder / "out/polygon_id.npy");
+        EXPECT_EQ(ids.shape, (std::vector<std::size_t>{240, 320}));
+        EXPECT_EQ(*std::max_element(ids.values.begin(), ids.values.end()), 1);
+    }
+    const auto none = run({"export", "--cue", (folder / "talk.cues").string() + ":Strt", "-o", folder / "none"});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("the nearest is \"Start\""), std::string::npos) << none.err;
+    test::writeText(folder / "bad.cues", "[[cue]]\nname = \"a\"\nscene = \"pyramid\"\nstage = \"cul\"\n");
+    const auto bad = run({"export", "--cue", (folder / "bad.cues").string() + ":a", "-o", folder / "none"});
+    EXPECT_EQ(bad.status, 3);
+    EXPECT_NE(bad.err.find("bad.cues:4:9: cue.0.stage is \"cul\""), std::string::npos) << bad.err;
+    EXPECT_EQ(run({"export", "pyramid", "--cue", (folder / "talk.cues").string() + ":1", "-o", folder / "none"}).status,
+              2);
+    EXPECT_EQ(run({"export", "-o", folder / "none"}).status, 2);
+    EXPECT_FALSE(fs::exists(folder / "none"));
 }
 
 TEST(Film, IsAGifOrAFolderOfPictures) {

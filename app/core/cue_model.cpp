@@ -1,0 +1,220 @@
+#include "app/core/cue_model.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <algorithm>
+
+#include "app/core/document_state.h"
+#include "app/core/text.h"
+#include "app/state/state_scene.h"
+
+namespace app {
+
+namespace fs = std::filesystem;
+
+CueModel::CueModel(const QString& file, QObject* parent) : QAbstractListModel(parent), m_ownFile(file), m_file(file) {
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(500);
+    connect(&m_soon, &QTimer::timeout, this, &CueModel::write);
+    if (QFileInfo::exists(file)) open(file);
+}
+
+CueModel::~CueModel() {
+    if (m_soon.isActive()) write();
+}
+
+fs::path CueModel::folder() const { return QFileInfo(m_file).absolutePath().toStdString(); }
+
+void CueModel::setCurrent(int i) {
+    if (i < -1 || i >= size() || i == m_current) return;
+    const int before = std::exchange(m_current, i);
+    for (const int row : {before, i})
+        if (row >= 0) tell(row);
+    emit changed();
+}
+
+void CueModel::tell(int i) { emit dataChanged(index(i), index(i)); }
+
+bool CueModel::open(const QString& file) {
+    if (m_soon.isActive()) write();
+    const auto list = readCueFile(file.toStdString());
+    if (!list) {
+        emit failed(list.errors());
+        return false;
+    }
+    beginResetModel();
+    m_list = *list;
+    m_file = QFileInfo(file).absoluteFilePath();
+    m_current = -1;
+    m_removed.reset();
+    endResetModel();
+    emit changed();
+    return true;
+}
+
+bool CueModel::saveAs(const QString& file) {
+    const fs::path from = folder(), to = QFileInfo(file).absolutePath().toStdString();
+    for (Cue& cue : m_list.cues)
+        if (!cue.state.scene.empty()) cue.state.scene = sceneName(sceneFile(cue.state.scene, from), to);
+    m_file = QFileInfo(file).absoluteFilePath();
+    write();
+    emit changed();
+    return true;
+}
+
+void CueModel::clear() {
+    if (m_soon.isActive()) write();
+    beginResetModel();
+    m_list = {};
+    m_file = m_ownFile;
+    m_current = -1;
+    m_removed.reset();
+    endResetModel();
+    write();
+    emit changed();
+}
+
+void CueModel::write() {
+    m_soon.stop();
+    QDir().mkpath(QFileInfo(m_file).path());
+    QSaveFile out(m_file);
+    const std::string text = toToml(m_list);
+    const bool written = out.open(QIODevice::WriteOnly) &&
+                         out.write(text.data(), qint64(text.size())) == qint64(text.size()) && out.commit();
+    if (!written)
+        emit failed({{{m_file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}});
+}
+
+void CueModel::setMinutes(int minutes) {
+    m_list.minutes = std::clamp(minutes, 1, 600);
+    writeSoon();
+    emit changed();
+}
+
+int CueModel::add(Cue cue) {
+    const int row = m_current + 1;
+    cue.name = freeName(m_list, cue.name);
+    beginInsertRows({}, row, row);
+    m_list.cues.insert(m_list.cues.begin() + row, std::move(cue));
+    endInsertRows();
+    setCurrent(row);
+    writeSoon();
+    return row;
+}
+
+void CueModel::setState(int i, const WindowState& state) {
+    m_list.cues[std::size_t(i)].state = state;
+    writeSoon();
+    tell(i);
+    emit changed();
+}
+
+bool CueModel::rename(int i, const QString& name) {
+    const std::string wanted = name.trimmed().toStdString();
+    if (wanted.empty()) return false;
+    for (int k = 0; k < size(); ++k)
+        if (k != i && cue(k).name == wanted) return false;
+    m_list.cues[std::size_t(i)].name = wanted;
+    writeSoon();
+    tell(i);
+    emit changed();
+    return true;
+}
+
+void CueModel::setCaption(int i, const QString& caption) {
+    m_list.cues[std::size_t(i)].caption = caption.toStdString();
+    writeSoon();
+    emit changed();
+}
+
+void CueModel::setNote(int i, const QString& note) {
+    m_list.cues[std::size_t(i)].note = note.toStdString();
+    writeSoon();
+    emit changed();
+}
+
+void CueModel::move(int from, int to) {
+    if (from == to || from < 0 || to < 0 || from >= size() || to >= size()) return;
+    moveRows({}, from, 1, {}, to > from ? to + 1 : to);
+}
+
+bool CueModel::moveRows(const QModelIndex&, int row, int count, const QModelIndex&, int child) {
+    if (count != 1 || row < 0 || row >= size() || child < 0 || child > size()) return false;
+    if (!beginMoveRows({}, row, row, {}, child)) return false;
+    const auto begin = m_list.cues.begin();
+    const int to = child > row ? child - 1 : child;
+    if (to > row)
+        std::rotate(begin + row, begin + row + 1, begin + to + 1);
+    else
+        std::rotate(begin + to, begin + row, begin + row + 1);
+    if (m_current == row)
+        m_current = to;
+    else if (m_current > row && m_current <= to)
+        --m_current;
+    else if (m_current < row && m_current >= to)
+        ++m_current;
+    endMoveRows();
+    writeSoon();
+    emit changed();
+    return true;
+}
+
+void CueModel::remove(int i) {
+    if (i < 0 || i >= size()) return;
+    beginRemoveRows({}, i, i);
+    m_removed.emplace(i, cue(i));
+    m_list.cues.erase(m_list.cues.begin() + i);
+    // PgDn then leads to the cue that comes next.
+    if (m_current >= i) --m_current;
+    endRemoveRows();
+    if (m_current >= 0) tell(m_current);
+    writeSoon();
+    emit changed();
+}
+
+void CueModel::putBack() {
+    if (!m_removed) return;
+    auto [row, cue] = *std::exchange(m_removed, std::nullopt);
+    row = std::min(row, size());
+    cue.name = freeName(m_list, cue.name);
+    beginInsertRows({}, row, row);
+    m_list.cues.insert(m_list.cues.begin() + row, std::move(cue));
+    if (m_current >= row) ++m_current;
+    endInsertRows();
+    writeSoon();
+    emit changed();
+}
+
+int CueModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : size(); }
+
+QVariant CueModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= size()) return {};
+    const Cue& one = cue(index.row());
+    switch (role) {
+        case Qt::DisplayRole: return QStringLiteral("%1  %2").arg(index.row() + 1).arg(toQString(one.name));
+        case Qt::EditRole: return toQString(one.name);
+        case Qt::ToolTipRole:
+        case PlaceRole: return placeText(one.state);
+        case NoteRole: return toQString(one.note);
+        case CurrentRole: return index.row() == m_current;
+        case Qt::AccessibleTextRole: {
+            const QString text =
+                tr("Cue %1, %2, %3").arg(index.row() + 1).arg(toQString(one.name), placeText(one.state));
+            return index.row() == m_current ? text + tr(", on show") : text;
+        }
+        default: return {};
+    }
+}
+
+bool CueModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    return role == Qt::EditRole && index.isValid() && rename(index.row(), value.toString());
+}
+
+Qt::ItemFlags CueModel::flags(const QModelIndex& index) const {
+    // Dropped between rows, never onto one.
+    if (!index.isValid()) return Qt::ItemIsDropEnabled;
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled;
+}
+
+}  // namespace app

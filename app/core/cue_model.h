@@ -1,0 +1,69 @@
+#pragma once
+#include <QAbstractListModel>
+#include <QString>
+#include <QTimer>
+
+#include "app/state/cue_list.h"
+
+namespace app {
+
+// The cues of a talk: a row a cue, and the file that they are in. What is changed is written to the
+// file a moment later.
+class CueModel : public QAbstractListModel {
+    Q_OBJECT
+public:
+    enum Role { PlaceRole = Qt::UserRole, NoteRole, CurrentRole };  // where the cue stands, in words; its note; bool
+
+    // file: where the list is until another one is opened; need not be there.
+    explicit CueModel(const QString& file, QObject* parent = nullptr);
+    ~CueModel() override;
+
+    const CueList& list() const { return m_list; }
+    const QString& file() const { return m_file; }
+    std::filesystem::path folder() const;  // from which scenes are named
+    int size() const { return int(m_list.cues.size()); }
+    const Cue& cue(int i) const { return m_list.cues[std::size_t(i)]; }
+    int current() const { return m_current; }  // the cue shown last; -1: none
+    const Cue* currentCue() const { return m_current < 0 ? nullptr : &cue(m_current); }
+    void setCurrent(int i);
+
+    // When the file cannot be read the list stays, and failed() tells why.
+    bool open(const QString& file);
+    bool saveAs(const QString& file);  // and goes on there; scenes are named from its folder
+    void write();                      // now, what has been changed
+    void clear();                      // an empty list in the file of the beginning
+    void setMinutes(int minutes);
+
+    int add(Cue cue);  // after the current one, under a free name; gives its row and makes it current
+    void setState(int i, const WindowState& state);
+    bool rename(int i, const QString& name);  // not to nothing, nor to the name of another
+    void setCaption(int i, const QString& caption);
+    void setNote(int i, const QString& note);
+    void move(int from, int to);  // to: its row afterwards
+    void remove(int i);
+    bool canPutBack() const { return m_removed.has_value(); }
+    void putBack();  // what was removed last
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+    bool moveRows(const QModelIndex& from, int row, int count, const QModelIndex& to, int child) override;
+
+signals:
+    void changed();  // the list, its file, or which cue is current
+    void failed(const pipeline::Errors& errors);
+
+private:
+    void writeSoon() { m_soon.start(); }
+    void tell(int i);
+
+    QString m_ownFile, m_file;
+    CueList m_list;
+    int m_current = -1;
+    QTimer m_soon;
+    std::optional<std::pair<int, Cue>> m_removed;
+};
+
+}  // namespace app

@@ -1,0 +1,81 @@
+#include "app/desktop/caption_line.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "app/core/theme.h"
+
+namespace app {
+namespace {
+
+constexpr double kLetters = 14.1;  // 26 px in 1080 lines
+
+}  // namespace
+
+QSize CaptionLine::sizeHint() const { return {200, Theme::current().px(28)}; }
+
+void CaptionLine::setText(const QString& stage, const QString& sentence) {
+    m_stage = stage, m_sentence = sentence;
+    setAccessibleName(stage + ". " + sentence);
+    update();
+}
+
+void CaptionLine::setCues(int count, int current) {
+    m_count = count, m_current = current;
+    update();
+}
+
+void CaptionLine::setKey(const QString& key) {
+    m_key = key;
+    update();
+}
+
+void CaptionLine::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::current();
+    const ThemeColors& colors = theme.colors();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    double right = width();
+    // The key's place stays empty without it: the dots do not move.
+    const QFont keyFont = theme.text(12, 500);
+    const double keyWidth =
+        std::max(QFontMetrics(keyFont).horizontalAdvance("Shift+F10"), QFontMetrics(keyFont).horizontalAdvance(m_key)) +
+        theme.px(12);
+    right -= keyWidth;
+    if (!m_key.isEmpty()) {
+        const double own = QFontMetrics(keyFont).horizontalAdvance(m_key) + theme.px(12);
+        const QRectF box(width() - own, 1, own - 1, height() - 2);
+        painter.setPen(colors.outline);
+        painter.setBrush(colors.raised);
+        painter.drawRoundedRect(box, theme.px(4), theme.px(4));
+        painter.setFont(keyFont);
+        painter.setPen(colors.text);
+        painter.drawText(box, Qt::AlignCenter, m_key);
+    }
+    // As many dots as fit into a third of the line.
+    const double dot = theme.px(6), gap = theme.px(5), pill = 2.4 * dot;
+    const int shown = std::min(m_count, int(width() / 3 / (dot + gap)));
+    const int first = std::clamp(m_current - shown / 2, 0, std::max(0, m_count - shown));
+    right -= theme.px(12) + shown * (dot + gap) + (pill - dot);
+    double x = right;
+    for (int i = first; i < first + shown; ++i) {
+        const bool now = i == m_current;
+        const QRectF box(x, (height() - dot) / 2, now ? pill : dot, dot);
+        painter.setPen(i > m_current ? QPen(colors.text3, 1.5) : QPen(Qt::NoPen));
+        painter.setBrush(i > m_current ? QBrush(Qt::NoBrush) : QBrush(now ? colors.accent : colors.text3));
+        painter.drawRoundedRect(box, dot / 2, dot / 2);
+        x += box.width() + gap;
+    }
+    const QFont stageFont = theme.text(kLetters, 600), font = theme.text(kLetters);
+    painter.setFont(stageFont);
+    painter.setPen(colors.accent);
+    painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft, m_stage);
+    const int left = QFontMetrics(stageFont).horizontalAdvance(m_stage) + theme.px(12);
+    const int room = int(right) - theme.px(12) - left;
+    painter.setFont(font);
+    painter.setPen(colors.text);
+    painter.drawText(QRect(left, 0, room, height()), Qt::AlignVCenter | Qt::AlignLeft,
+                     QFontMetrics(font).elidedText(m_sentence, Qt::ElideRight, room));
+}
+
+}  // namespace app

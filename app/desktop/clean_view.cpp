@@ -1,0 +1,291 @@
+#include "app/desktop/clean_view.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/text.h"
+#include "app/desktop/caption_line.h"
+#include "app/desktop/pen_layer.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_header.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/math_view.h"
+#include "app/view3d/view3d_panel.h"
+#include "pipeline/inspect/pixel_report.h"
+
+namespace app {
+namespace {
+
+constexpr int kKeyMs = 1200, kCursorMs = 2000;
+
+QFrame* framed(QWidget* view) {
+    auto* frame = new QFrame;
+    frame->setProperty("kind", "panel");
+    auto* column = new QVBoxLayout(frame);
+    column->setContentsMargins(1, 1, 1, 1);
+    column->addWidget(view);
+    return frame;
+}
+
+// Over the top left corner of a view.
+QLabel* nameOver(QWidget* view) {
+    auto* label = new QLabel(view);
+    label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    label->setProperty("kind", "overlay");
+    label->setMargin(5);
+    return label;
+}
+
+}  // namespace
+
+double CleanView::scaleFor(int height) {
+    const double scale = 22.0 / 12 * height / 1080;
+    return std::min(std::ceil(scale * 20) / 20, 2.5);  // in the theme's steps
+}
+
+CleanView::CleanView(Document& document, CueModel& cues) : m_document(document), m_cues(cues), m_pen(nullptr) {
+    setObjectName("cleanView");
+    setWindowTitle(tr("Shadescope, presentation"));
+    setAutoFillBackground(true);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(makeViews(), 1);
+    column->addWidget(makeEquation());
+    m_caption = new CaptionLine(this);
+    column->addWidget(m_caption);
+    m_pen = new PenLayer(this);
+    m_keyTime.setSingleShot(true);
+    m_keyTime.setInterval(kKeyMs);
+    connect(&m_keyTime, &QTimer::timeout, this, [this] { m_caption->setKey({}); });
+    m_cursorTime.setSingleShot(true);
+    m_cursorTime.setInterval(kCursorMs);
+    connect(&m_cursorTime, &QTimer::timeout, this, [this] {
+        if (!std::exchange(m_cursorHidden, true)) QApplication::setOverrideCursor(Qt::BlankCursor);
+    });
+    connect(&document, &Document::frameReady, this, &CleanView::showEquation);
+    connect(&document, &Document::pixelChanged, this, &CleanView::showEquation);
+    connect(&document, &Document::channelChanged, this, &CleanView::showEquation);
+    connect(&document, &Document::stageChanged, this, &CleanView::showCaption);
+    connect(&document.stepper(), &Stepper::changed, this, &CleanView::showCaption);
+    connect(&cues, &CueModel::changed, this, [this] {
+        m_pen->clearLines();
+        showCaption();
+    });
+    followTheme(this, [this] { applyTheme(); });
+    qApp->installEventFilter(this);
+    showEquation();
+    showCaption();
+    m_cursorTime.start();
+}
+
+CleanView::~CleanView() {
+    qApp->removeEventFilter(this);
+    if (m_cursorHidden) QApplication::restoreOverrideCursor();
+    // The views go while the document that they observe is still there.
+    qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
+}
+
+QWidget* CleanView::makeViews() {
+    auto* row = new QWidget(this);
+    auto* columns = new QHBoxLayout(row);
+    columns->setContentsMargins(0, 0, 0, 0);
+    m_first = new BufferView(m_document);
+    m_second = new BufferView(m_document);
+    m_space = new View3dPanel(m_document);
+    m_space->setBare(true);
+    m_firstFrame = framed(m_first), m_secondFrame = framed(m_second), m_spaceFrame = framed(m_space);
+    for (QWidget* frame : {m_firstFrame, m_secondFrame, m_spaceFrame}) columns->addWidget(frame, 1);
+    for (BufferView* view : {m_first, m_second}) view->findChild<BufferHeader*>()->hide();
+    m_firstName = nameOver(m_first->canvas()), m_secondName = nameOver(m_second->canvas());
+    connect(m_first, &BufferView::bufferChanged, this, &CleanView::showNames);
+    connect(m_second, &BufferView::bufferChanged, this, &CleanView::showNames);
+    setViewCount(m_views);
+    followTheme(row, [columns] { columns->setSpacing(Theme::current().px(13)); });
+    return row;
+}
+
+QWidget* CleanView::makeEquation() {
+    m_equationRow = new QWidget(this);
+    auto* columns = new QHBoxLayout(m_equationRow);
+    columns->setContentsMargins(0, 0, 0, 0);
+    m_math = new MathView(m_equationRow);
+    m_math->setBaseSize(20.8);  // 38 px in 1080 lines
+    m_math->setFocusPolicy(Qt::NoFocus);
+    m_value = new QLabel(m_equationRow);
+    m_swatch = new QLabel(m_equationRow);
+    m_swatch->setFrameShape(QFrame::Box);
+    columns->addWidget(m_math, 1);
+    columns->addWidget(m_value, 0, Qt::AlignVCenter);
+    columns->addWidget(m_swatch, 0, Qt::AlignVCenter);
+    return m_equationRow;
+}
+
+void CleanView::applyTheme() {
+    const Theme& theme = Theme::current();
+    layout()->setContentsMargins(theme.px(19), theme.px(15), theme.px(19), theme.px(10));
+    static_cast<QVBoxLayout*>(layout())->setSpacing(theme.px(12));
+    for (QLabel* name : {m_firstName, m_secondName}) name->setFont(theme.text(13, 600));
+    m_value->setFont(theme.mono(13));
+    m_swatch->setFixedSize(theme.px(64), theme.px(64));
+    m_equationRow->layout()->setSpacing(theme.px(12));
+    showNames();
+    showEquation();
+}
+
+void CleanView::setViewCount(int views) {
+    m_views = std::clamp(views, 1, 2);
+    m_secondFrame->setVisible(m_views == 2 && m_twoBuffers);
+    m_spaceFrame->setVisible(m_views == 2 && !m_twoBuffers);
+    emit changed();
+}
+
+pipeline::Errors CleanView::lookAt(const WindowState& state) {
+    pipeline::Errors errors;
+    const auto add = [&](const pipeline::Errors& more) { errors.insert(errors.end(), more.begin(), more.end()); };
+    m_twoBuffers = state.views.size() > 1;
+    setViewCount(m_views);
+    if (!state.views.empty()) add(m_first->lookAt(state.views[0]));
+    if (m_twoBuffers) add(m_second->lookAt(state.views[1]));
+    add(m_space->lookAt(state.space));
+    showNames();
+    return errors;
+}
+
+void CleanView::showNames() {
+    for (auto [label, view] : {std::pair{m_firstName, m_first}, {m_secondName, m_second}}) {
+        label->setText(toQString(view->buffer().text()));
+        label->adjustSize();
+        label->move(Theme::current().px(5), Theme::current().px(5));
+    }
+}
+
+// The lines of the equation itself: symbols, numbers, result. A lecture has no room for where they come from.
+void CleanView::showEquation() {
+    const pipeline::FramePtr& frame = m_document.frame();
+    const auto pixel = m_document.pixel();
+    std::optional<pipeline::PixelReport> report;
+    if (frame && pixel && pixel->x < frame->scene().settings.width && pixel->y < frame->scene().settings.height)
+        report = inspectPixel(*frame, *pixel);
+    const bool shows = report && report->covered && frame->buffer({pipeline::BufferId::Color});
+    m_equationRow->setVisible(shows);
+    if (!shows) return;
+    std::vector<pipeline::EquationLine> lines;
+    for (pipeline::EquationLine& line : equation(*frame, *report, m_document.channel()))
+        if (lines.size() < 4 && (line.role == "symbols" || line.role == "numbers" || line.role == "result")) {
+            line.remark.clear();
+            lines.push_back(std::move(line));
+        }
+    m_math->setLines(std::move(lines), true);
+    const auto& c = report->color;
+    // A font set while the row is hidden does not outlive a style sheet that comes meanwhile.
+    m_value->setFont(Theme::current().mono(13));
+    m_value->setText(tr("frame buffer\n%1 %2 %3").arg(int(c.r)).arg(int(c.g)).arg(int(c.b)));
+    m_value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    QPixmap swatch(m_swatch->size());
+    swatch.fill(QColor(c.r, c.g, c.b));
+    m_swatch->setPixmap(swatch);
+}
+
+QString CleanView::caption() const { return m_caption->sentence(); }
+QString CleanView::shownKey() const { return m_caption->key(); }
+
+void CleanView::showCaption() {
+    const auto& stage = stageInfo(m_document.stage());
+    const Cue* cue = m_cues.currentCue();
+    QString sentence = cue ? toQString(cue->caption.empty() ? cue->name : cue->caption) : toQString(stage.summary);
+    const Stepper& stepper = m_document.stepper();
+    const bool moved = cue && stepper.place() != cue->state.place;
+    if (stepper.isInside() && (!cue || moved)) sentence = stepper.words();
+    m_caption->setText(toQString(stage.label), sentence);
+    m_caption->setCues(m_cues.size(), m_cues.current());
+}
+
+bool CleanView::takeKey(int key) {
+    using Cover = PenLayer::Cover;
+    switch (key) {
+        case Qt::Key_B:
+        case Qt::Key_Period: m_pen->setCover(m_pen->cover() == Cover::Black ? Cover::None : Cover::Black); break;
+        case Qt::Key_W: m_pen->setCover(m_pen->cover() == Cover::White ? Cover::None : Cover::White); break;
+        case Qt::Key_P: m_pen->setPen(!m_pen->hasPen()); break;
+        case Qt::Key_O:
+            m_pen->pointAt(mapFromGlobal(QCursor::pos()));
+            m_pen->setSpotlight(!m_pen->hasSpotlight());
+            break;
+        case Qt::Key_1: setViewCount(1); break;
+        case Qt::Key_2: setViewCount(2); break;
+        case Qt::Key_F4: emit swapAsked(); break;
+        case Qt::Key_Escape:
+            if (m_pen->cover() != Cover::None || m_pen->hasPen() || m_pen->hasSpotlight() || m_pen->hasLines()) {
+                m_pen->setCover(Cover::None);
+                m_pen->setPen(false);
+                m_pen->setSpotlight(false);
+                m_pen->clearLines();
+                break;
+            }
+            emit left();
+            return true;
+        default: return false;
+    }
+    emit changed();
+    return true;
+}
+
+void CleanView::showKey(const QKeyEvent& key) {
+    if (key.isAutoRepeat()) return;
+    switch (key.key()) {
+        case Qt::Key_Shift:
+        case Qt::Key_Control:
+        case Qt::Key_Alt:
+        case Qt::Key_AltGr:
+        case Qt::Key_Meta:
+        case Qt::Key_unknown: return;
+        default: break;
+    }
+    m_caption->setKey(QKeySequence(key.keyCombination()).toString(QKeySequence::NativeText));
+    m_keyTime.start();
+}
+
+void CleanView::wakeCursor() {
+    if (std::exchange(m_cursorHidden, false)) QApplication::restoreOverrideCursor();
+    m_cursorTime.start();
+}
+
+// Keys here mean the same wherever the focus is: a buffer view would take B for its blue channel.
+bool CleanView::eventFilter(QObject* watched, QEvent* event) {
+    auto* widget = qobject_cast<QWidget*>(watched);
+    if (!widget || widget->window() != this) return QWidget::eventFilter(watched, event);
+    if (event->type() == QEvent::MouseMove) {
+        m_pen->pointAt(widget->mapTo(this, static_cast<QMouseEvent*>(event)->position().toPoint()));
+        wakeCursor();
+    }
+    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
+        return QWidget::eventFilter(watched, event);
+    const auto& key = *static_cast<QKeyEvent*>(event);
+    const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    constexpr std::array kOwn{Qt::Key_B, Qt::Key_Period, Qt::Key_W,  Qt::Key_P,     Qt::Key_O,
+                              Qt::Key_1, Qt::Key_2,      Qt::Key_F4, Qt::Key_Escape};
+    const bool own = plain && std::ranges::find(kOwn, key.key()) != kOwn.end();
+    if (event->type() == QEvent::ShortcutOverride) {
+        showKey(key);
+        if (own) event->accept();
+        return own;
+    }
+    return own && !key.isAutoRepeat() ? takeKey(key.key()) : QWidget::eventFilter(watched, event);
+}
+
+void CleanView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_pen->setGeometry(rect());
+    m_pen->raise();
+}
+
+void CleanView::closeEvent(QCloseEvent* event) {
+    event->ignore();
+    emit left();
+}
+
+}  // namespace app

@@ -1,0 +1,136 @@
+// Cues and presenting, in the MainWindow.
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+
+#include "app/core/text.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/main_window.h"
+#include "app/desktop/panel_dock.h"
+#include "app/desktop/presentation.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/cue_panel.h"
+#include "app/panels/error_list.h"
+
+namespace app {
+namespace {
+
+using A = ActionId;
+
+// Whose keys work while presenting too.
+constexpr std::array kKeys{
+    A::NextCue,      A::PreviousCue, A::KeepCue,   A::Present,    A::NextStage,      A::PreviousStage,
+    A::Play,         A::StepOn,      A::StepBack,  A::FirstStep,  A::LastStep,       A::RunToSelection,
+    A::Undo,         A::Redo,        A::Transform, A::Cull,       A::Normals,        A::ShadowBuffer,
+    A::ZBuffer,      A::Shading,     A::DarkTheme, A::LightTheme, A::ProjectorTheme, A::RedChannel,
+    A::GreenChannel, A::BlueChannel, A::Bookmark1, A::Bookmark2,  A::Bookmark3,      A::Bookmark4,
+    A::Bookmark5,    A::Bookmark6,   A::Bookmark7, A::Bookmark8,  A::Bookmark9,      A::Bookmark10};
+
+QString cueFilter() { return MainWindow::tr("Cue lists (*%1)").arg(kCueEnding); }
+
+}  // namespace
+
+void MainWindow::connectCues() {
+    m_cues = findChild<CuePanel*>();
+    m_presentation = new Presentation(m_document, m_cues->model(), *this);
+    connect(m_cues, &CuePanel::asked, this, &MainWindow::goToCue);
+    connect(m_cues, &CuePanel::keepAsked, this, &MainWindow::keepCue);
+    connect(m_cues, &CuePanel::replaceAsked, this, [this] {
+        CueModel& model = m_cues->model();
+        if (const auto now = cueState(); now && model.current() >= 0) model.setState(model.current(), *now);
+    });
+    connect(m_cues, &CuePanel::openAsked, this, [this] {
+        const QString file = QFileDialog::getOpenFileName(this, tr("Open a cue list"), QString(), cueFilter());
+        if (!file.isEmpty()) openFile(file);
+    });
+    connect(m_cues, &CuePanel::saveAsAsked, this, [this] {
+        QString file = QFileDialog::getSaveFileName(this, tr("Save the cue list"), m_cues->model().file(), cueFilter());
+        if (file.isEmpty()) return;
+        if (QFileInfo(file).suffix().isEmpty()) file += kCueEnding;
+        m_cues->model().saveAs(file);
+    });
+    connect(m_cues, &CuePanel::presentAsked, this, &MainWindow::present);
+    connect(&m_cues->model(), &CueModel::changed, this, &MainWindow::enableCueActions);
+    connect(&m_cues->model(), &CueModel::failed, this, [this](const pipeline::Errors& errors) {
+        m_errors->report(tr("The cue list before is still open."), errors);
+    });
+    connect(m_presentation, &Presentation::cueAsked, this, &MainWindow::goToCue);
+    connect(m_presentation, &Presentation::ended, this, [this] { m_presents = false; });
+    const auto on = [&](A id, auto run) { connect((*m_actions)[id], &QAction::triggered, this, run); };
+    on(A::KeepCue, [this] { keepCue(); });
+    on(A::NextCue, [this] { goToCue(m_cues->model().current() + 1); });
+    on(A::PreviousCue, [this] { goToCue(m_cues->model().current() - 1); });
+    on(A::Present, [this] { present(); });
+    (*m_actions)[A::NotesScreen]->setChecked(true);
+}
+
+void MainWindow::enableCueActions() {
+    const CueModel& model = m_cues->model();
+    const QString none = tr("There are no cues; Ctrl+B keeps what you see as one.");
+    m_actions->setEnabled(A::KeepCue, showsScene(), tr("Open a scene first."));
+    m_actions->setEnabled(A::NextCue, model.current() + 1 < model.size(),
+                          model.size() == 0 ? none : tr("This is the last cue."));
+    m_actions->setEnabled(A::PreviousCue, model.current() > 0, model.size() == 0 ? none : tr("This is the first cue."));
+    m_actions->setEnabled(A::Present, showsScene() || model.size() > 0, tr("Open a scene or a cue list first."));
+    m_actions->setEnabled(A::NotesScreen, QGuiApplication::screens().size() > 1,
+                          tr("There is one screen; the notes stand in the panel Cues."));
+}
+
+// A cue is a place of a talk, not of someone's work: it has no bookmarks.
+std::optional<WindowState> MainWindow::cueState() const {
+    auto now = state(m_cues->model().folder());
+    if (now) now->bookmarks.clear();
+    return now;
+}
+
+void MainWindow::keepCue() {
+    const auto now = cueState();
+    if (!now) return;
+    CueModel& model = m_cues->model();
+    const int row = model.add({std::string(stageInfo(now->stage).label), {}, {}, *now});
+    emit m_document.said(tr("Kept as cue %1, %2. F2 names it.").arg(row + 1).arg(toQString(model.cue(row).name)));
+    for (PanelDock* dock : m_docks)
+        if (dock->objectName() == "cues" && m_width == Width::Wide) dock->show(), dock->raise();
+}
+
+void MainWindow::goToCue(int cue) {
+    CueModel& model = m_cues->model();
+    if (cue < 0 || cue >= model.size()) return;
+    const WindowState state = model.cue(cue).state;
+    // A talk is not stopped by a question. Within a file the changes stay, as steps of undo.
+    if (!m_presentation->isOn() && !isOpen(m_document, state, model.folder()) && !mayLeaveScene()) return;
+    if (!showState(state, model.folder(), SceneChanges::Given)) return;
+    m_presentation->lookAt(state);
+    model.setCurrent(cue);
+}
+
+bool MainWindow::openCues(const QString& file, const QString& name) {
+    CueModel& model = m_cues->model();
+    if (!model.open(file)) return false;
+    int first = 0;
+    if (!name.isEmpty()) {
+        const auto found = findCue(model.list(), name.toStdString());
+        if (!found) {
+            m_errors->report(tr("%1 has no such cue.").arg(QFileInfo(file).fileName()), found.errors());
+            return false;
+        }
+        first = int(*found);
+    }
+    goToCue(first);
+    for (PanelDock* dock : m_docks)
+        if (dock->objectName() == "cues" && m_width == Width::Wide) dock->show(), dock->raise();
+    return true;
+}
+
+void MainWindow::present() {
+    if (m_presentation->isOn()) return m_presentation->end();
+    if (!showsScene()) goToCue(std::max(0, m_cues->model().current()));
+    const auto now = state({});
+    if (!now) return;
+    QList<QAction*> keys;
+    for (const A id : kKeys) keys << (*m_actions)[id];
+    m_presents = true;
+    m_presentation->begin(*now, keys, (*m_actions)[A::NotesScreen]->isChecked());
+}
+
+}  // namespace app

@@ -1,0 +1,58 @@
+#pragma once
+#include <QObject>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "app/core/cue_model.h"
+#include "app/core/document.h"
+#include "app/core/theme.h"
+
+class QAction;
+class QScreen;
+class QWidget;
+
+namespace app {
+
+class CleanView;
+class NotesWindow;
+
+// A talk: the clean view on one screen and, where there is another, the notes on it. Letters are as large as the
+// audience's screen needs them while it lasts.
+class Presentation : public QObject {
+    Q_OBJECT
+public:
+    Presentation(Document& document, CueModel& cues, QWidget& window);
+    ~Presentation() override;
+
+    bool isOn() const { return m_clean != nullptr; }
+    // keys: actions whose keys work in the clean view and in the notes.
+    void begin(const WindowState& state, const QList<QAction*>& keys, bool withNotes);
+    void end();
+    pipeline::Errors lookAt(const WindowState& state);
+    CleanView* cleanView() { return m_clean.get(); }
+    NotesWindow* notes() { return m_notes.get(); }
+
+signals:
+    void cueAsked(int cue);
+    void ended();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void place();
+    void magnify();
+    void restoreScales();
+
+    Document& m_document;
+    CueModel& m_cues;
+    QWidget& m_window;
+    std::unique_ptr<CleanView> m_clean;
+    std::unique_ptr<NotesWindow> m_notes;
+    bool m_swapped = false;
+    double m_scale = 1;                  // of the letters, while it lasts
+    std::map<ThemeId, double> m_scales;  // the user's, of the themes that have been in force
+};
+
+}  // namespace app

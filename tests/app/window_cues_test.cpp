@@ -1,0 +1,219 @@
+// Cues: kept, shown again exactly, ordered; and presenting them.
+#include <QLabel>
+#include <QListView>
+#include <QPlainTextEdit>
+#include <QTest>
+
+#include "app/core/theme.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/clean_view.h"
+#include "app/desktop/notes_window.h"
+#include "app/desktop/pen_layer.h"
+#include "app/desktop/presentation.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/cue_panel.h"
+#include "app/panels/math_view.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+class WindowCues : public WindowTest {
+protected:
+    WindowCues() {
+        model().clear();
+        EXPECT_TRUE(model().saveAs(folder.filePath("talk.cues")));
+    }
+    CueModel& model() { return window.cues().model(); }
+    void settle() {
+        EXPECT_TRUE(waitForFrame());
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && document().stepper().isSettled(); }, 30000));
+        QTest::qWait(50);
+    }
+    // Three cues that differ in scene, setting, place, buffer, zoom and pixel.
+    void makeThree() {
+        openPyramid();
+        document().pick(glm::ivec2(268, 281));
+        press("Ctrl+B");
+        document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
+        settle();
+        document().stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2"));
+        settle();
+        window.views().first().canvas()->setZoom(8, QPointF(50, 60));
+        press("Ctrl+B");
+        // Given to the talk: not what was changed in the scene is asked for.
+        document().undoStack()->setClean();
+        ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
+        settle();
+        document().setStage(pipeline::StageId::Normals);
+        settle();
+        press("Ctrl+B");
+        ASSERT_EQ(model().size(), 3);
+    }
+    struct Seen {
+        std::string state;
+        QImage picture;
+        pipeline::FramePtr frame;
+    };
+    Seen see() { return {toToml(*window.state(model().folder())), pictureOnScreen(), document().frame()}; }
+};
+
+TEST_F(WindowCues, ForthAndBackIsTheSame) {
+    makeThree();
+    std::vector<Seen> first;
+    for (int i = 0; i < 3; ++i) {
+        if (i == 0)
+            for (int k = 0; k < 2; ++k) press("PgUp"), settle();
+        else
+            press("PgDown"), settle();
+        first.push_back(see());
+    }
+    for (int i = 1; i >= 0; --i) {
+        press("PgUp");
+        settle();
+        const Seen again = see();
+        EXPECT_EQ(again.state, first[std::size_t(i)].state);
+        EXPECT_EQ(again.picture, first[std::size_t(i)].picture) << i;
+        for (const auto& name : pipeline::allBuffers(again.frame->scene().lights.size())) {
+            const auto a = again.frame->buffer(name), b = first[std::size_t(i)].frame->buffer(name);
+            if (!a || !b) continue;
+            EXPECT_TRUE(a->data.index() == b->data.index() && a->count() == b->count()) << name.text();
+            for (std::size_t k = 0; k < a->count(); k += 7) ASSERT_EQ(a->flat(k), b->flat(k)) << name.text();
+        }
+    }
+    EXPECT_EQ(model().current(), 0);
+    EXPECT_FALSE(window.actions()[ActionId::PreviousCue]->isEnabled());
+}
+
+TEST_F(WindowCues, TheListIsAFileThatOpensAgain) {
+    makeThree();
+    EXPECT_TRUE(model().rename(1, "Two polygons"));
+    EXPECT_FALSE(model().rename(0, "Two polygons")) << "names are told apart";
+    model().setNote(1, "Ask first.");
+    model().write();
+    const auto list = readCueFile(folder.filePath("talk.cues").toStdString());
+    ASSERT_TRUE(list) << format(list.errors());
+    ASSERT_EQ(list->cues.size(), 3u);
+    EXPECT_EQ(list->cues[1].name, "Two polygons");
+    EXPECT_EQ(list->cues[1].note, "Ask first.");
+    EXPECT_EQ(list->cues[1].state.set, std::vector<std::string>{"camera.theta=47.25"});
+    EXPECT_EQ(list->cues[2].state.scene, "two_pyramids");
+    model().clear();
+    EXPECT_TRUE(window.openFile(folder.filePath("talk.cues")));
+    EXPECT_EQ(model().size(), 3);
+    EXPECT_EQ(model().current(), 0);
+}
+
+TEST_F(WindowCues, CuesMoveAreRemovedAndPutBackByKeys) {
+    makeThree();
+    QListView& list = window.cues().list();
+    for (int i = 0; i < 3; ++i) model().rename(i, QString("ABC").mid(i, 1));
+    const auto order = [&] {
+        QString text;
+        for (int i = 0; i < model().size(); ++i) text += QString::fromStdString(model().cue(i).name);
+        return text;
+    };
+    EXPECT_EQ(model().current(), 2);
+    list.setCurrentIndex(model().index(0));
+    list.setFocus();
+    QTest::keyClick(&list, Qt::Key_Down, Qt::AltModifier);
+    EXPECT_EQ(order(), "BAC");
+    model().move(2, 0);
+    EXPECT_EQ(order(), "CBA");
+    EXPECT_EQ(model().current(), 0) << "it is still C";
+    list.setCurrentIndex(model().index(1));
+    QTest::keyClick(&list, Qt::Key_Delete);
+    EXPECT_EQ(order(), "CA");
+    model().putBack();
+    EXPECT_EQ(order(), "CBA");
+    EXPECT_FALSE(model().canPutBack());
+}
+
+TEST_F(WindowCues, NotesAreWrittenToTheCueOnShow) {
+    makeThree();
+    auto* note = find<QPlainTextEdit>("cueNote");
+    note->setPlainText("third");
+    model().setCurrent(0);
+    EXPECT_EQ(note->toPlainText(), "");
+    note->setPlainText("first");
+    EXPECT_EQ(model().cue(0).note, "first");
+    EXPECT_EQ(model().cue(2).note, "third");
+}
+
+TEST_F(WindowCues, ACueWhoseSceneIsGoneLeavesEverythingAsItIs) {
+    makeThree();
+    Cue cue = model().cue(0);
+    cue.state.scene = "gone.scene";
+    model().setCurrent(2);
+    model().add(cue);
+    model().setCurrent(2);
+    press("PgDown");
+    EXPECT_EQ(model().current(), 2);
+    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
+}
+
+TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
+    makeThree();
+    model().setCaption(0, "R leaves away from the eye.");
+    const double scale = Theme::current().scale();
+    press("PgUp"), settle();
+    press("PgUp"), settle();
+    press("Ctrl+F11");
+    ASSERT_TRUE(window.presentation().isOn());
+    CleanView& view = *window.presentation().cleanView();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    QApplication::setActiveWindow(&view);
+    settle();
+    EXPECT_EQ(view.caption(), "R leaves away from the eye.");
+    EXPECT_TRUE(view.findChild<MathView*>()->isVisible());
+    EXPECT_EQ(view.first().buffer().id, pipeline::BufferId::Color);
+    // No letters under 2 % of the height.
+    for (const QLabel* label : view.findChildren<QLabel*>())
+        if (label->isVisible() && !label->text().isEmpty()) {
+            EXPECT_GE(label->font().pixelSize(), int(0.02 * view.screen()->size().height()))
+                << label->text().toStdString();
+        }
+    QTest::keyClick(&view, Qt::Key_PageDown);
+    settle();
+    EXPECT_EQ(model().current(), 1);
+    EXPECT_EQ(view.shownKey(), "PgDown");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.shownKey().isEmpty(); }, 5000));
+    QTest::keyClick(&view, Qt::Key_B);
+    EXPECT_EQ(view.grab().toImage().pixelColor(view.width() / 2, view.height() / 2), QColor(Qt::black));
+    QTest::keyClick(&view, Qt::Key_W);
+    EXPECT_EQ(view.grab().toImage().pixelColor(view.width() / 2, view.height() / 2), QColor(Qt::white));
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(window.presentation().isOn()) << "first what covers the views goes";
+    QTest::keyClick(&view, Qt::Key_P);
+    EXPECT_TRUE(view.pen().hasPen());
+    QTest::mousePress(&view.pen(), Qt::LeftButton, {}, {100, 100});
+    QTest::mouseMove(&view.pen(), {300, 200});
+    QTest::mouseRelease(&view.pen(), Qt::LeftButton, {}, {300, 200});
+    EXPECT_TRUE(view.pen().hasLines());
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_FALSE(view.pen().hasLines());
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.presentation().isOn(); }, 5000));
+    EXPECT_EQ(Theme::current().scale(), scale);
+}
+
+TEST_F(WindowCues, NotesHaveTheNextCueThePlaceAndTheTime) {
+    makeThree();
+    model().setNote(0, "Ask first.");
+    model().setCurrent(0);
+    NotesWindow notes(model(), window);
+    notes.resize(1280, 720);
+    notes.show();
+    EXPECT_EQ(notes.place(), "cue 1 of 3");
+    EXPECT_EQ(notes.notes(), "Ask first.");
+    EXPECT_TRUE(notes.timer().startsWith("0:0")) << notes.timer().toStdString();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return notes.hasNextPicture(); }, 30000));
+    model().setCurrent(2);
+    EXPECT_EQ(notes.place(), "cue 3 of 3");
+    EXPECT_FALSE(notes.hasNextPicture());
+}
+
+}  // namespace
+}  // namespace app
