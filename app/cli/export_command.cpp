@@ -99,6 +99,17 @@ bool takeCue(ExportOptions& options, int& status) {
     return true;
 }
 
+// What a picture opens again beside its scene: the cue, or place and pixel.
+std::string stateToCarry(const ExportOptions& options, const std::optional<pipeline::Place>& at,
+                         const std::optional<glm::ivec2>& pixel) {
+    WindowState state = options.scene.state.value_or(WindowState());
+    state.scene.clear(), state.set.clear(), state.sceneText.clear();
+    if (!options.scene.state && !at && !pixel) return {};
+    if (at) state.place = at, state.stage = at->stage;
+    if (pixel) state.pixel = {pixel->x, pixel->y};
+    return toToml(state);
+}
+
 int runExport(ExportOptions options, const CliHost& host) {
     if (const std::string wrong = wrongUsage(options, host); !wrong.empty()) {
         fmt::print(stderr, "shadescope export: {}\n", wrong);
@@ -142,6 +153,7 @@ int runExport(ExportOptions options, const CliHost& host) {
         request.at = text(steps.placeOf(moment));
         frame = steps.frameAt(moment, options.frame.threads, interrupt.token());
     }
+    request.state = stateToCarry(options, at, pixel);
     if (options.views)
         request.writeMore = [&](const std::filesystem::path& folder) { return host.writeViews(*frame, pixel, folder); };
     const auto goOn = [&](double, std::string_view) { return !interrupt.asked(); };

@@ -77,6 +77,11 @@ Result<WindowState> stateOf(const Document& document, const fs::path& folder) {
 
 bool show(Document& document, const WindowState& state, const fs::path& folder, SceneChanges changes) {
     if (!showScene(document, state, folder, changes)) return false;
+    showPlace(document, state);
+    return true;
+}
+
+void showPlace(Document& document, const WindowState& state) {
     Stepper& stepper = document.stepper();
     stepper.setPlaying(false);
     stepper.setLevel(state.step);
@@ -86,7 +91,6 @@ bool show(Document& document, const WindowState& state, const fs::path& folder, 
     document.setChannel(state.channel);
     document.pick(state.pixel ? std::optional(glm::ivec2((*state.pixel)[0], (*state.pixel)[1])) : std::nullopt);
     document.select(std::nullopt);
-    return true;
 }
 
 QString placeText(const WindowState& state) {

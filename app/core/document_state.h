@@ -19,6 +19,9 @@ enum class SceneChanges {
 // be had the one before stays, the document's failed() tells why, and this gives false.
 bool show(Document& document, const WindowState& state, const std::filesystem::path& folder, SceneChanges changes);
 
+// The same without its scene.
+void showPlace(Document& document, const WindowState& state);
+
 // Whether the document has the file that the state's scene comes from.
 bool isOpen(const Document& document, const WindowState& state, const std::filesystem::path& folder);
 

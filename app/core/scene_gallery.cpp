@@ -59,6 +59,9 @@ SceneGallery::SceneGallery(QObject* parent)
     : QObject(parent), m_scenes(pipeline::builtInScenes()), m_pictures(m_scenes.size()) {
     m_thread = std::jthread([this, scenes = m_scenes](const std::stop_token& stop) {
         for (std::size_t i = 0; i < scenes.size() && !stop.stop_requested(); ++i) {
+            std::unique_lock lock(m_mutex);
+            if (!m_changed.wait(lock, stop, [this] { return m_watched; })) return;
+            lock.unlock();
             QMetaObject::invokeMethod(
                 this,
                 [this, i, picture = render(scenes[i], stop)] {
@@ -68,6 +71,14 @@ SceneGallery::SceneGallery(QObject* parent)
                 Qt::QueuedConnection);
         }
     });
+}
+
+void SceneGallery::setWatched(bool watched) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_watched = watched;
+    }
+    m_changed.notify_all();
 }
 
 SceneGallery::~SceneGallery() {

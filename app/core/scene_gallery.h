@@ -1,6 +1,8 @@
 #pragma once
 #include <QImage>
 #include <QObject>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 
 #include "pipeline/formats/scene_reader.h"
@@ -18,6 +20,8 @@ class SceneGallery : public QObject {
 public:
     explicit SceneGallery(QObject* parent = nullptr);
     ~SceneGallery() override;  // stops the pictures that are still being made
+    // Whether somebody looks: pictures are made only meanwhile, so that a scene that opens has the processor to itself.
+    void setWatched(bool watched);
 
     const std::vector<pipeline::BuiltInScene>& scenes() const { return m_scenes; }
     // 4:3; empty until it is there, and for a scene that cannot be read.
@@ -29,6 +33,9 @@ signals:
 private:
     std::vector<pipeline::BuiltInScene> m_scenes;
     std::vector<QImage> m_pictures;
+    std::mutex m_mutex;
+    std::condition_variable_any m_changed;
+    bool m_watched = false;
     std::jthread m_thread;
 };
 

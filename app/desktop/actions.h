@@ -12,6 +12,8 @@ enum class ActionId : unsigned char {
     Open,
     SaveAs,
     Export,
+    Slide,
+    Film,
     RestoreSession,
     Close,
     Quit,

@@ -209,6 +209,7 @@ void MainWindow::connectDocument() {
 bool MainWindow::openFile(const QString& file) {
     if (file.endsWith(kCueEnding)) return openCues(file);
     if (!mayLeaveScene() || !m_document.open(file)) return false;
+    showCarriedState(file);
     addRecentFile(file);
     return true;
 }

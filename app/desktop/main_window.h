@@ -91,6 +91,9 @@ private:
     bool mayLeaveScene();
     void closeScene();
     void rememberWhere();
+    void showCarriedState(const QString& picture);
+    void exportSlide();
+    void exportFilm();
     // main_window_cues.cpp: cues, and presenting
     void connectCues();
     void enableCueActions();

@@ -58,6 +58,8 @@ void MainWindow::connectActions() {
     on(A::Open, [this] { chooseFile(); });
     on(A::SaveAs, [this] { saveScene(); });
     on(A::Export, [this] { exportBuffers(); });
+    on(A::Slide, [this] { exportSlide(); });
+    on(A::Film, [this] { exportFilm(); });
     on(A::Close, [this] { closeScene(); });
     on(A::RestoreSession, [](bool wanted) { SessionFile::setWanted(wanted); });
     on(A::Quit, [this] { close(); });
@@ -123,8 +125,9 @@ void MainWindow::enableActions() {
         m_actions->setEnabled(id, scene, noScene);
     for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);
     m_actions->setEnabled(A::SaveAs, scene, noScene);
-    m_actions->setEnabled(A::Export, scene && m_document.frame(),
-                          scene ? tr("The first frame is not ready yet.") : noScene);
+    for (const A id : {A::Export, A::Slide, A::Film})
+        m_actions->setEnabled(id, scene && m_document.frame(),
+                              scene ? tr("The first frame is not ready yet.") : noScene);
     m_actions->setEnabled(A::Unpick, scene && m_document.pixel(), tr("Pick a pixel first."));
     m_actions->setEnabled(A::NextStage, scene && m_document.stage() != pipeline::StageId::Shading,
                           scene ? tr("Already at the last stage.") : noScene);
@@ -162,6 +165,10 @@ bool MainWindow::saveScene() {
 
 void MainWindow::exportBuffers() {
     auto* dialog = new ExportDialog(m_document, this);
+    if (auto now = state({})) {
+        now->scene.clear(), now->set.clear(), now->sceneText.clear();  // it stands beside it
+        dialog->setState(toToml(*now));
+    }
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }

@@ -10,8 +10,11 @@
 #include "app/desktop/keep_changes.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/session.h"
+#include "app/desktop/slide_dialog.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
+#include "app/panels/film_dialog.h"
 
 namespace app {
 
@@ -56,6 +59,33 @@ void MainWindow::rememberWhere() {
     now->set.clear();
     now->sceneText.clear();
     rememberPlace(m_document.kept().file, placeText(*now), toQString(toToml(*now)));
+}
+
+// A picture's scene is open; what the window showed then comes with it.
+void MainWindow::showCarriedState(const QString& picture) {
+    if (!picture.endsWith(".png", Qt::CaseInsensitive)) return;
+    const auto state = stateInPicture(picture);
+    if (!state)
+        return m_errors->report(tr("The scene is open; what the picture says about the views is not read."),
+                                state.errors());
+    if (!state->has_value()) return;
+    showPlace(m_document, **state);
+    if (const pipeline::Errors errors = m_views->lookAt(**state); !errors.empty())
+        m_errors->report(tr("Not all of it could be shown."), errors);
+}
+
+void MainWindow::exportSlide() {
+    const auto now = state({});
+    if (!now) return;
+    auto* dialog = new SlideDialog(m_document, *m_views, *now, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void MainWindow::exportFilm() {
+    auto* dialog = new FilmDialog(m_document, m_views->first().buffer(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void MainWindow::closeScene() {

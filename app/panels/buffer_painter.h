@@ -13,10 +13,10 @@ namespace app {
 
 // What a canvas shows, ready to paint. Positions are in picture pixels.
 struct CanvasContent {
-    QSize size;    // of the picture; empty: nothing to show
-    QRectF focus;  // what is worth looking at, for fitting; empty: all of it
+    QSize size;             // of the picture; empty: nothing to show
+    QRectF focus;           // what is worth looking at, for fitting; empty: all of it
     bool hasGround = true;  // behind and around the picture; else nothing is painted there
-    QImage image;  // null where shapes are shown
+    QImage image;           // null where shapes are shown
     std::optional<ShapePicture> shapes;
     std::vector<QPolygonF> edges;          // outlines over the image
     std::vector<QImage> overlays;          // of the same size, over the image

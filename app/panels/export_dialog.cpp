@@ -167,6 +167,7 @@ pipeline::ExportRequest ExportDialog::request() const {
     request.folder = m_folder->text().toStdString();
     request.formats = m_formats->chosen();
     request.buffers = m_buffers->chosen();
+    request.state = m_state;
     return request;
 }
 

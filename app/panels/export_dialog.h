@@ -22,6 +22,8 @@ class ExportDialog : public QDialog {
 public:
     explicit ExportDialog(Document& document, QWidget* parent = nullptr);
 
+    // What pictures carry beside the scene, as TOML.
+    void setState(std::string state) { m_state = std::move(state); }
     pipeline::ExportRequest request() const;
 
 private:
@@ -43,6 +45,7 @@ private:
     QProgressBar* m_progress;
     QPushButton *m_export, *m_cancel, *m_showFolder;
     ExportJob* m_job = nullptr;
+    std::string m_state;
 };
 
 }  // namespace app

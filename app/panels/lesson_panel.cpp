@@ -25,6 +25,7 @@ LessonPanel::LessonPanel(Document& document, QWidget* parent)
       m_stack(new QStackedWidget(this)),
       m_errors(new ErrorList(this)) {
     setObjectName("lesson");
+    m_errors->setObjectName("lessonErrors");  // the window has a list of its own
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

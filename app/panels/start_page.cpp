@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "app/core/recent_files.h"
@@ -227,9 +228,18 @@ void StartPage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
 }
 
+void StartPage::hideEvent(QHideEvent* event) {
+    m_gallery.setWatched(false);
+    QWidget::hideEvent(event);
+}
+
 void StartPage::showEvent(QShowEvent* event) {
     refreshRecent();
     QWidget::showEvent(event);
+    // Once the page itself is on the screen, and not when a scene is opened right away.
+    QTimer::singleShot(200, this, [this] {
+        if (isVisible()) m_gallery.setWatched(true);
+    });
     if (!m_scenes->cards().isEmpty()) m_scenes->cards().front()->setFocus(Qt::TabFocusReason);
 }
 

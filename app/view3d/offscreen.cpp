@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <QPainter>
 #include <QSaveFile>
+#include <algorithm>
 #include <array>
 
 #include "app/core/theme.h"
@@ -74,6 +75,21 @@ public:
         return paint(view, drawWorld(*m_content, m_options, view), true);
     }
 
+    QImage renderShot(const OrbitCamera& camera, const ViewShot& shot) {
+        m_scene.setContent(m_content, shot.hasGround ? groundLines(*m_content) : std::vector<InkedLine>{});
+        const ViewFrame view{camera, m_size};
+        const Drawing drawing = (shot.isPoint ? drawPoint : drawWorld)(*m_content, m_options, view);
+        m_scene.setView(view, drawing, m_pixelRatio);
+        QImage image = shot.transparent ? renderTransparent() : m_window->render();
+        QPainter painter(&image);
+        painter.scale(m_pixelRatio, m_pixelRatio);
+        paintOverlay(painter, drawing, view);
+        constexpr double kMargin = 12;
+        if (m_content->point && m_content->map.keepsLengths())
+            paintLegend(painter, {kMargin, m_size.y - kMargin - legendSize().height()}, m_options);
+        return image;
+    }
+
     // "At the point"; from then on the window shows `point` in place of the world.
     QImage renderPoint(std::shared_ptr<const ViewContent> point) {
         m_scene.setContent(point, {});
@@ -82,6 +98,25 @@ public:
     }
 
 private:
+    // What is opaque looks the same on black and on white; a channel of the ground itself differs by 255.
+    QImage renderTransparent() {
+        m_scene.setBackground(Qt::black);
+        const QImage black = m_window->render();
+        m_scene.setBackground(Qt::white);
+        const QImage white = m_window->render();
+        QImage image(black.size(), QImage::Format_ARGB32_Premultiplied);
+        for (int y = 0; y < image.height(); ++y) {
+            const uchar *b = black.constScanLine(y), *w = white.constScanLine(y);
+            auto* out = reinterpret_cast<QRgb*>(image.scanLine(y));
+            for (int x = 0; x < image.width(); ++x, b += 3, w += 3) {
+                const int through = std::clamp(w[1] - b[1], 0, 255), alpha = 255 - through;
+                // On black, a colour stands as premultiplied already.
+                out[x] =
+                    qRgba(std::min<int>(b[0], alpha), std::min<int>(b[1], alpha), std::min<int>(b[2], alpha), alpha);
+            }
+        }
+        return image;
+    }
     QImage paint(const ViewFrame& view, const Drawing& drawing, bool withCube) {
         m_scene.setView(view, drawing, m_pixelRatio);
         QImage image = m_window->render();
@@ -110,6 +145,13 @@ pipeline::Result<QImage> renderView(const ViewContent& content, const ViewOption
     const auto window = HeadlessWindow::create(size);
     if (!window) return window.errors();
     return ViewRenderer(*window, std::make_shared<const ViewContent>(content), options, size, 1).render(preset);
+}
+
+pipeline::Result<QImage> renderView(std::shared_ptr<const ViewContent> content, const ViewOptions& options,
+                                    const OrbitCamera& camera, const ViewShot& shot) {
+    const auto window = HeadlessWindow::create(shot.size);
+    if (!window) return window.errors();
+    return ViewRenderer(*window, std::move(content), options, shot.size, shot.pixelRatio).renderShot(camera, shot);
 }
 
 pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::Frame& frame,

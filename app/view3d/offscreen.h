@@ -18,6 +18,17 @@ namespace app {
 pipeline::Result<QImage> renderView(const ViewContent& content, const ViewOptions& options, ViewPreset preset,
                                     glm::ivec2 size);
 
+// The same through any camera, of any space or of the hemisphere at a point, with transparency: a pixel is rendered on
+// black and on white, and what differs is what shines through. pixelRatio: device pixels a logical one; letters and
+// lines grow with it.
+struct ViewShot {
+    glm::ivec2 size{1280, 960};  // pixels
+    double pixelRatio = 1;
+    bool transparent = false, isPoint = false, hasGround = false;
+};
+pipeline::Result<QImage> renderView(std::shared_ptr<const ViewContent> content, const ViewOptions& options,
+                                    const OrbitCamera& camera, const ViewShot& shot);
+
 // The 3D views of a frame as PNG files of 1280 × 960 pixels in `folder`: world.png, front.png,
 // side.png, top.png, eye.png and everything.png (the eye and its picture plane included), with
 // the vectors of `pixel` where one is given, and then point.png, the hemisphere there. Works without a display; makes a QGuiApplication

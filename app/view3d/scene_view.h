@@ -42,7 +42,9 @@ public:
     const OrbitCamera& camera() const { return m_camera; }
     void setCamera(const OrbitCamera& camera);
     bool isTouched() const { return m_touched; }  // the user has moved the camera; else it follows the view's size
-    void frameAnew();                             // as if not
+    // What the view shows as a picture of another size, rendered without the screen. Errors: nothing to show, no OpenGL.
+    pipeline::Result<QImage> picture(QSize size, bool transparent) const;
+    void frameAnew();            // as if not
     void go(ViewPreset preset);  // in 250 ms, or at once where motion is not wanted
     // From the scene's own eye out of it, until its frustum is seen whole.
     void zoomOut();

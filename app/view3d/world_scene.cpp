@@ -164,6 +164,10 @@ void WorldScene::setOptions(const ViewOptions& options) {
     if (data->GetNumberOfPoints() > kMostRims) m_normalHalos.actor->VisibilityOff();
 }
 
+void WorldScene::setBackground(const QColor& color) {
+    m_world->SetBackground(color.redF(), color.greenF(), color.blueF());
+}
+
 void WorldScene::setColors(const ThemeColors& colors) {
     m_colors = colors;
     m_world->SetBackground(colors.view.redF(), colors.view.greenF(), colors.view.blueF());

@@ -31,6 +31,7 @@ public:
     void setContent(std::shared_ptr<const ViewContent> content, const std::vector<InkedLine>& ground);
     void setOptions(const ViewOptions& options);
     void setColors(const ThemeColors& colors);
+    void setBackground(const QColor& color);  // until the next setColors
     // What changes with the camera. pixelRatio: device pixels per logical pixel of view.size.
     void setView(const ViewFrame& view, const Drawing& drawing, double pixelRatio);
 

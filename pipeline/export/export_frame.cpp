@@ -26,9 +26,11 @@ std::string fileName(const BufferName& buffer, const Exporter& exporter) {
     return buffer.text() + '.' + std::string(exporter.name);
 }
 
-ExportItem makeItem(const Frame& frame, const AnyBuffer& buffer, std::shared_ptr<const std::string> scene) {
+ExportItem makeItem(const Frame& frame, const AnyBuffer& buffer, std::shared_ptr<const std::string> scene,
+                    std::shared_ptr<const std::string> state) {
     const BufferStatistics found = statistics(buffer);
-    return {buffer, found, fittingRange(buffer, found, frame.scene().settings.depthFormat), std::move(scene)};
+    return {buffer, found, fittingRange(buffer, found, frame.scene().settings.depthFormat), std::move(scene),
+            std::move(state)};
 }
 
 // What a picture carries: nothing where it would be larger than the picture.
@@ -114,12 +116,13 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
     cancelled.cancelled = true;
     std::vector<WrittenBuffer> written;
     const std::shared_ptr<const std::string> scene = sceneToCarry(frame);
+    const auto state = request.state.empty() ? nullptr : std::make_shared<const std::string>(request.state);
     double done = 0;
     for (const PlannedFile& file : files) {
         const auto buffer = frame.buffer(file.buffer);
         if (!buffer) continue;
         if (written.empty() || !(written.back().item.buffer.name == file.buffer))
-            written.push_back({makeItem(frame, *buffer, scene), {}});
+            written.push_back({makeItem(frame, *buffer, scene, state), {}});
         if (file.file.empty()) continue;
         if (!goOn(done / total, file.file)) return cancelled;
         const Exporter* exporter = findExporter(file.format);

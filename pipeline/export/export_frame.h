@@ -18,7 +18,8 @@ struct ExportRequest {
     // Writes more files into the folder it is given, for the same export: pictures of the 3D
     // views. Gives their names. May be empty.
     std::function<Result<std::vector<std::filesystem::path>>(const std::filesystem::path& folder)> writeMore;
-    std::string at{};  // where inside a stage the frame stands, as a Place is written; for the manifest
+    std::string state{};  // what the window shows, as TOML, for pictures that carry their scene; may be empty
+    std::string at{};     // where inside a stage the frame stands, as a Place is written; for the manifest
 };
 
 // One file of a buffer, or the reason there is none.

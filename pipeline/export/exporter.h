@@ -18,6 +18,7 @@ struct ExportItem {
     BufferStatistics found;
     PaletteRange range;                          // what a picture of it maps to the palette's ends
     std::shared_ptr<const std::string> scene{};  // as TOML, for files that carry it; null: none does
+    std::shared_ptr<const std::string> state{};  // likewise, what the window shows
 };
 
 // A file format. A new one is its pair of files and a row in exporter_table.cpp.

@@ -3,7 +3,7 @@
 #include <png.h>
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <csetjmp>
 #include <functional>
 #include <span>
@@ -19,36 +19,38 @@ namespace pipeline {
 namespace {
 
 struct Texts {
-    std::array<std::string, 5> values;
-    std::array<png_text, 5> chunks{};
-    int count = 0;
+    std::vector<PngText> values;  // the chunks point into them
+    std::vector<png_text> chunks;
 };
 
-void describe(const ExportItem& item, Texts& texts) {
-    static std::array<std::string, 5> keys{"Title", "Software", "Palette", "Range", kSceneChunk};
+// In UTF-8 and packed what is for this program; the others are for people with a viewer.
+png_text chunkOf(PngText& value, bool packed) {
     static char none[] = "";
-    texts.values = {item.buffer.name.text(), "Shadescope " + std::string(programVersion()),
-                    std::string(paletteName(item.buffer.info->palette)),
-                    shortestText(item.range.first) + ' ' + shortestText(item.range.last),
-                    item.scene ? *item.scene : std::string()};
-    texts.count = item.scene ? 5 : 4;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        texts.chunks[i].compression = PNG_TEXT_COMPRESSION_NONE;
-        texts.chunks[i].key = keys[i].data();
-        texts.chunks[i].text = texts.values[i].data();
-        texts.chunks[i].text_length = texts.values[i].size();
-    }
-    // In UTF-8, and packed: the other chunks are for people with a viewer, this one is for this program.
-    png_text& scene = texts.chunks[4];
-    scene.compression = PNG_ITXT_COMPRESSION_zTXt;
-    scene.itxt_length = scene.text_length, scene.text_length = 0;
-    scene.lang = scene.lang_key = none;
+    png_text chunk{};
+    chunk.compression = packed ? PNG_ITXT_COMPRESSION_zTXt : PNG_TEXT_COMPRESSION_NONE;
+    chunk.key = value.key.data();
+    chunk.text = value.text.data();
+    (packed ? chunk.itxt_length : chunk.text_length) = value.text.size();
+    if (packed) chunk.lang = chunk.lang_key = none;
+    return chunk;
+}
+
+void describe(const ExportItem& item, Texts& texts) {
+    texts.values = {{"Title", item.buffer.name.text()},
+                    {"Software", "Shadescope " + std::string(programVersion())},
+                    {"Palette", std::string(paletteName(item.buffer.info->palette))},
+                    {"Range", shortestText(item.range.first) + ' ' + shortestText(item.range.last)}};
+    const std::size_t plain = texts.values.size();
+    if (item.scene) texts.values.push_back({kSceneChunk, *item.scene});
+    if (item.scene && item.state) texts.values.push_back({kStateChunk, *item.state});
+    for (std::size_t i = 0; i < texts.values.size(); ++i) texts.chunks.push_back(chunkOf(texts.values[i], i >= plain));
 }
 
 // What is written, and where to.
 struct Picture8 {
     std::size_t columns, rows;
-    std::function<void(std::size_t row, std::vector<Color8>& colors)> fill;
+    std::size_t channels;  // 3, or 4 with transparency
+    std::function<void(std::size_t row, std::vector<png_byte>& bytes)> fill;
     std::function<bool(std::span<const std::byte>)> put;  // false: give up
 };
 
@@ -62,24 +64,25 @@ void ignore(png_structp, png_const_charp) {}
 
 // libpng reports by longjmp: everything with a destructor lives in the caller. False when it
 // gave up.
-bool encode(png_structp png, png_infop info, Picture8& picture, std::vector<Color8>& row, Texts* texts) {
+bool encode(png_structp png, png_infop info, Picture8& picture, std::vector<png_byte>& row, Texts* texts) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_write_fn(png, &picture, append, flush);
     png_set_IHDR(png, info, static_cast<png_uint_32>(picture.columns), static_cast<png_uint_32>(picture.rows), 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 picture.channels == 4 ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    if (texts) png_set_text(png, info, texts->chunks.data(), texts->count);
+    if (texts) png_set_text(png, info, texts->chunks.data(), int(texts->chunks.size()));
     png_write_info(png, info);
     for (std::size_t y = 0; y < picture.rows; ++y) {
         picture.fill(y, row);
-        png_write_row(png, &row[0].x);
+        png_write_row(png, row.data());
     }
     png_write_end(png, info);
     return true;
 }
 
 bool writePicture(Picture8 picture, Texts* texts) {
-    std::vector<Color8> row(picture.columns);
+    std::vector<png_byte> row(picture.columns * picture.channels);
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     const bool encoded = info && encode(png, info, picture, row, texts);
@@ -108,29 +111,53 @@ Result<std::uint64_t> writePng(const ExportItem& item, const std::filesystem::pa
     ByteFile out(file);
     Texts texts;
     describe(item, texts);
-    const auto fill = [&](std::size_t y, std::vector<Color8>& row) {
-        for (std::size_t x = 0; x < row.size(); ++x) row[x] = elementColor(item.buffer, x, y, item.range);
+    const auto fill = [&](std::size_t y, std::vector<png_byte>& row) {
+        for (std::size_t x = 0; x < item.buffer.columns(); ++x) {
+            const Color8 color = elementColor(item.buffer, x, y, item.range);
+            for (std::size_t c = 0; c < 3; ++c) row[3 * x + c] = color[int(c)];
+        }
     };
     const auto put = [&](std::span<const std::byte> bytes) {
         out.write(bytes);
         return out.good();
     };
-    const bool encoded = out.good() && writePicture({item.buffer.columns(), item.buffer.rows(), fill, put}, &texts);
+    const bool encoded = out.good() && writePicture({item.buffer.columns(), item.buffer.rows(), 3, fill, put}, &texts);
     if (!encoded && out.good()) return Error{{file.string()}, "could not write: the picture is too large for PNG", {}};
     return out.close();
 }
 
-std::string pngOf(const Buffer2D<Color8>& picture) {
+namespace {
+
+// The file's bytes; empty where libpng gives up.
+std::string bytesOf(std::size_t columns, std::size_t rows, std::size_t channels,
+                    std::function<void(std::size_t, std::vector<png_byte>&)> fill, Texts* texts) {
     std::string bytes;
-    const auto fill = [&](std::size_t y, std::vector<Color8>& row) {
-        std::copy_n(picture.pixels.begin() + std::ptrdiff_t(y * row.size()), row.size(), row.begin());
-    };
     const auto put = [&](std::span<const std::byte> more) {
         bytes.append(reinterpret_cast<const char*>(more.data()), more.size());
         return true;
     };
-    if (!writePicture({std::size_t(picture.size.x), std::size_t(picture.size.y), fill, put}, nullptr)) return {};
+    if (!writePicture({columns, rows, channels, std::move(fill), put}, texts)) return {};
     return bytes;
+}
+
+}  // namespace
+
+std::string pngOf(const Buffer2D<Color8>& picture) {
+    const auto fill = [&](std::size_t y, std::vector<png_byte>& row) {
+        for (int x = 0; x < picture.size.x; ++x)
+            for (int c = 0; c < 3; ++c) row[std::size_t(3 * x + c)] = picture.at({x, int(y)})[c];
+    };
+    return bytesOf(std::size_t(picture.size.x), std::size_t(picture.size.y), 3, fill, nullptr);
+}
+
+std::string pngOf(std::span<const std::uint8_t> rgba, glm::ivec2 size, const std::vector<PngText>& texts) {
+    assert(rgba.size() == std::size_t(size.x) * std::size_t(size.y) * 4);
+    Texts carried{texts, {}};
+    for (PngText& text : carried.values) carried.chunks.push_back(chunkOf(text, true));
+    const auto fill = [&](std::size_t y, std::vector<png_byte>& row) {
+        std::copy_n(rgba.begin() + std::ptrdiff_t(y * row.size()), row.size(), row.begin());
+    };
+    return bytesOf(std::size_t(size.x), std::size_t(size.y), 4, fill, &carried);
 }
 
 }  // namespace pipeline

@@ -1,5 +1,7 @@
 #pragma once
+#include <span>
 #include <string>
+#include <vector>
 
 #include "pipeline/buffers/buffer2d.h"
 #include "pipeline/export/exporter.h"
@@ -10,6 +12,8 @@ namespace pipeline {
 // range stand in text chunks, as does the scene where the item has it: pipeline/formats/png_scene.h reads it again.
 // Unbounded values as palette.h says.
 inline constexpr char kSceneChunk[] = "Shadescope scene";
+// What the window showed, as TOML; the scene stands beside it.
+inline constexpr char kStateChunk[] = "Shadescope state";
 inline constexpr std::size_t kMaxCarriedScene = std::size_t{1} << 20;  // bytes of text
 
 std::uint64_t pngEstimate(const AnyBuffer& buffer);
@@ -17,6 +21,12 @@ Result<std::uint64_t> writePng(const ExportItem& item, const std::filesystem::pa
 
 // A picture in sRGB as the bytes of a PNG file; empty where it is too large for the format.
 std::string pngOf(const Buffer2D<Color8>& picture);
+
+// The same with transparency: rgba row by row, 4 bytes a pixel, not premultiplied. texts: in UTF-8, packed.
+struct PngText {
+    std::string key, text;
+};
+std::string pngOf(std::span<const std::uint8_t> rgba, glm::ivec2 size, const std::vector<PngText>& texts);
 
 // "ember", "slope", "eight", "verdict", "direction", "color".
 std::string_view paletteName(Palette palette);

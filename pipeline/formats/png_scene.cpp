@@ -62,6 +62,8 @@ Result<Scene> readPngScene(const SourceText& source, const FileLoader&) {
     return readTomlScene({scene, source.name}, none);
 }
 
+std::string carriedState(std::string_view png) { return looksLikePng(png) ? textOf(png, kStateChunk) : std::string(); }
+
 std::string shownBuffer(std::string_view png) { return looksLikePng(png) ? textOf(png, "Title") : std::string(); }
 
 }  // namespace pipeline

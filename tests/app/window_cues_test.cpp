@@ -176,9 +176,9 @@ TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
                 << label->text().toStdString();
         }
     QTest::keyClick(&view, Qt::Key_PageDown);
+    EXPECT_EQ(view.shownKey(), "PgDown");
     settle();
     EXPECT_EQ(model().current(), 1);
-    EXPECT_EQ(view.shownKey(), "PgDown");
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.shownKey().isEmpty(); }, 5000));
     QTest::keyClick(&view, Qt::Key_B);
     EXPECT_EQ(view.grab().toImage().pixelColor(view.width() / 2, view.height() / 2), QColor(Qt::black));

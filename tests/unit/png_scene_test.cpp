@@ -2,7 +2,9 @@
 #include "pipeline/formats/png_scene.h"
 
 #include <gtest/gtest.h>
+#include <png.h>
 
+#include <array>
 #include <fstream>
 #include <random>
 
@@ -38,6 +40,35 @@ TEST(PngScene, OpensAgainWithTheSameFrame) {
     EXPECT_TRUE(again->settings == scene.settings);
     EXPECT_EQ(test::firstDifference(*test::frameOf(scene), *test::frameOf(*again)), "");
     EXPECT_EQ(shownBuffer(test::readText(file)), "z_view");
+}
+
+TEST(PngScene, CarriesWhatTheWindowShows) {
+    const test::TemporaryFolder folder;
+    ExportRequest request;
+    request.folder = folder / "out";
+    request.formats = {"png"};
+    request.buffers = {{BufferId::Color}};
+    request.state = "stage = \"shading\"\n# Größe\n";
+    ASSERT_TRUE(exportFrame(*test::frameOf(test::pyramid()), request, {}));
+    const std::string png = test::readText(folder / "out" / "color.png");
+    EXPECT_EQ(carriedState(png), request.state);
+    EXPECT_TRUE(readPngScene({png, "color.png"}, kNoFiles));
+    EXPECT_EQ(carriedState(pngOf({{4, 4}, Color8(7)})), "");
+}
+
+// Two pixels: half transparent red, and nothing.
+TEST(PngScene, ATransparentPictureKeepsItsAlphaAndItsTexts) {
+    const std::array<std::uint8_t, 8> pixels{200, 10, 20, 128, 1, 2, 3, 0};
+    const std::string png = pngOf(pixels, {2, 1}, {{kSceneChunk, "Größe"}, {kStateChunk, "pixel = [1, 2]"}});
+    EXPECT_EQ(carriedState(png), "pixel = [1, 2]");
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    ASSERT_TRUE(png_image_begin_read_from_memory(&image, png.data(), png.size()));
+    EXPECT_TRUE(image.format & PNG_FORMAT_FLAG_ALPHA);
+    image.format = PNG_FORMAT_RGBA;
+    std::array<std::uint8_t, 8> read{};
+    ASSERT_TRUE(png_image_finish_read(&image, nullptr, read.data(), 0, nullptr));
+    EXPECT_EQ(read, pixels);
 }
 
 TEST(PngScene, APictureOfAnotherProgramIsRefused) {

@@ -1,0 +1,86 @@
+#include "app/core/film_job.h"
+
+#include "app/core/text.h"
+#include "pipeline/run/runner.h"
+
+namespace app {
+namespace {
+
+using pipeline::Errors;
+using pipeline::FilmSummary;
+using pipeline::Result;
+
+Result<FilmSummary> write(std::shared_ptr<const pipeline::Scene> scene, const FilmOrder& order,
+                          const std::stop_token& stop, const pipeline::FilmProgress& progress) {
+    const pipeline::FrameRequest wanted{.wanted = pipeline::setOf({order.buffer.id}), .stop = stop};
+    const pipeline::FramePtr frame = runFrame(std::move(scene), wanted, nullptr);
+    if (!frame) return FilmSummary{.cancelled = true};
+    if (!frame->buffer(order.buffer))
+        return pipeline::Error{
+            {}, "no " + order.buffer.text() + ". " + std::string(frame->whyAbsent(order.buffer)), {}};
+    const pipeline::Steps steps(frame);
+    const pipeline::FilmRequest request{order.buffer,
+                                        order.level,
+                                        steps.momentOf(order.from),
+                                        steps.momentOf(order.to),
+                                        std::size_t(order.pictures),
+                                        order.milliseconds,
+                                        order.captions};
+    if (request.to < request.from)
+        return pipeline::Error{{}, "the film ends before it begins", "a later place for its end"};
+    return writeFilm(steps, request, order.target, progress);
+}
+
+QString quoted(const std::string& text) {
+    const QString word = toQString(text);
+    return word.contains(u' ') ? u'"' + word + u'"' : word;
+}
+
+}  // namespace
+
+FilmOrder filmOf(const pipeline::BufferName& buffer) {
+    FilmOrder order;
+    order.buffer = buffer;
+    order.from.stage = order.to.stage = bufferInfo(buffer.id).stage;
+    order.from.what = pipeline::Place::What::Start;
+    return order;
+}
+
+QString filmCommand(const pipeline::Scene& scene, const FilmOrder& order) {
+    const FilmOrder usual = filmOf(order.buffer);
+    QString command = "shadescope film " + quoted(scene.file.empty() ? scene.name : scene.file) + " --buffer " +
+                      toQString(order.buffer.text()) + " --by " + toQString(name(order.level));
+    if (order.from != usual.from) command += " --from " + toQString(text(order.from));
+    if (order.to != usual.to) command += " --to " + toQString(text(order.to));
+    command += QString(" --pictures %1").arg(order.pictures);
+    if (order.target.extension() == ".gif") command += QString(" --milliseconds %1").arg(order.milliseconds);
+    if (!order.captions) command += " --no-captions";
+    return command + " -o " + quoted(order.target.string());
+}
+
+FilmJob::FilmJob(std::shared_ptr<const pipeline::Scene> scene, FilmOrder order, QObject* parent) : QObject(parent) {
+    // Signals leave in this object's own thread, and not at all once it is gone.
+    const auto later = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
+    m_thread =
+        std::jthread([this, later, scene = std::move(scene), order = std::move(order)](const std::stop_token& stop) {
+            const auto progress = [&](std::size_t done, std::size_t all) {
+                later([this, share = double(done) / double(all)] { emit progressed(share); });
+                return !stop.stop_requested();
+            };
+            const auto result = write(scene, order, stop, progress);
+            later([this, result] {
+                if (result) {
+                    emit finished(*result);
+                } else {
+                    emit failed(result.errors());
+                }
+            });
+        });
+}
+
+FilmJob::~FilmJob() {
+    m_thread.request_stop();
+    m_thread.join();
+}
+
+}  // namespace app

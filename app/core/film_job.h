@@ -1,0 +1,42 @@
+#pragma once
+#include <QObject>
+#include <filesystem>
+#include <thread>
+
+#include "pipeline/export/film.h"
+
+namespace app {
+
+// What a film shows, by places that hold in any frame.
+struct FilmOrder {
+    pipeline::BufferName buffer{pipeline::BufferId::Color};
+    pipeline::StepLevel level = pipeline::StepLevel::Polygon;
+    pipeline::Place from, to;
+    int pictures = 120, milliseconds = 100;
+    bool captions = true;
+    std::filesystem::path target;  // a file that ends in .gif, or a folder
+};
+// From before the first step of the buffer's stage to its end.
+FilmOrder filmOf(const pipeline::BufferName& buffer);
+// "./run film pyramid.scene --buffer z_view -o film.gif": the same as a command.
+QString filmCommand(const pipeline::Scene& scene, const FilmOrder& order);
+
+// Writes a film on a thread of its own. One job, one film.
+class FilmJob : public QObject {
+    Q_OBJECT
+public:
+    FilmJob(std::shared_ptr<const pipeline::Scene> scene, FilmOrder order, QObject* parent = nullptr);
+    ~FilmJob() override;  // cancels what still runs, and waits
+
+    void cancel() { m_thread.request_stop(); }
+
+signals:
+    void progressed(double share);
+    void finished(const pipeline::FilmSummary& summary);
+    void failed(const pipeline::Errors& errors);
+
+private:
+    std::jthread m_thread;
+};
+
+}  // namespace app

@@ -1,0 +1,186 @@
+#include "app/desktop/slide_dialog.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "app/core/text.h"
+#include "app/panels/buffer_painter.h"
+#include "app/panels/follow_theme.h"
+
+namespace app {
+namespace {
+
+constexpr std::array<QSize, 4> kSizes{QSize(1280, 720), QSize(1920, 1080), QSize(1600, 1200), QSize(3840, 2160)};
+constexpr int kMaxSide = 8192;
+
+}  // namespace
+
+SlideDialog::SlideDialog(const Document& document, ViewArea& views, WindowState state, QWidget* parent)
+    : QDialog(parent), m_document(document), m_views(views), m_state(std::move(state)) {
+    setObjectName("slideDialog");
+    setWindowTitle(tr("Picture for a slide"));
+    m_picture = new QLabel(this);
+    m_picture->setAlignment(Qt::AlignCenter);
+    m_picture->setMinimumSize(320, 240);
+    m_picture->setAccessibleName(tr("Preview"));
+    m_message = new QLabel(this);
+    m_message->setWordWrap(true);
+    m_message->setObjectName("slideMessage");
+    auto* halves = new QHBoxLayout;
+    halves->addWidget(m_picture, 1);
+    halves->addWidget(makeFields());
+    auto* copyIt = new QPushButton(tr("Copy"), this);
+    auto* close = new QPushButton(tr("Close"), this);
+    m_save = new QPushButton(tr("Save…"), this);
+    m_save->setProperty("kind", "primary");
+    m_save->setDefault(true);
+    connect(copyIt, &QPushButton::clicked, this, &SlideDialog::copy);
+    connect(close, &QPushButton::clicked, this, &SlideDialog::reject);
+    connect(m_save, &QPushButton::clicked, this, &SlideDialog::choose);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_message, 1);
+    row->addWidget(copyIt);
+    row->addWidget(close);
+    row->addWidget(m_save);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(halves, 1);
+    column->addLayout(row);
+    followTheme(this, [this, column] {
+        const Theme& theme = Theme::current();
+        column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
+        resize(theme.px(900), theme.px(480));
+    });
+    m_ready = true;
+    preview();
+}
+
+QWidget* SlideDialog::makeFields() {
+    auto* fields = new QWidget(this);
+    auto* form = new QFormLayout(fields);
+    m_what = new QComboBox(fields);
+    m_what->setObjectName("slideWhat");
+    m_what->addItem(tr("Buffer: %1").arg(toQString(m_state.views.front().buffer)), int(SlideRequest::What::First));
+    if (m_state.views.size() > 1)
+        m_what->addItem(tr("Buffer: %1").arg(toQString(m_state.views[1].buffer)), int(SlideRequest::What::Second));
+    m_what->addItem(tr("3D view"), int(SlideRequest::What::Space));
+    m_what->addItem(tr("Buffer and 3D view"), int(SlideRequest::What::Beside));
+    m_sizes = new QComboBox(fields);
+    for (const QSize& size : kSizes) m_sizes->addItem(tr("%1 × %2").arg(size.width()).arg(size.height()));
+    m_sizes->addItem(tr("other"));
+    m_sizes->setCurrentIndex(1);
+    const auto side = [&](int value, const QString& name) {
+        auto* spin = new QSpinBox(fields);
+        spin->setRange(16, kMaxSide);
+        spin->setValue(value);
+        spin->setAccessibleName(name);
+        connect(spin, &QSpinBox::valueChanged, this, &SlideDialog::preview);
+        return spin;
+    };
+    m_width = side(1920, tr("Width in pixels")), m_height = side(1080, tr("Height in pixels"));
+    connect(m_sizes, &QComboBox::activated, this, [this](int i) {
+        if (i >= int(kSizes.size())) return;
+        m_width->setValue(kSizes[std::size_t(i)].width());
+        m_height->setValue(kSizes[std::size_t(i)].height());
+    });
+    const auto check = [&](const QString& text, bool on) {
+        auto* box = new QCheckBox(text, fields);
+        box->setChecked(on);
+        connect(box, &QCheckBox::toggled, this, &SlideDialog::preview);
+        return box;
+    };
+    m_transparent = check(tr("Transparent background"), true);
+    m_caption = check(tr("Caption"), false);
+    m_marks = check(tr("The picked pixel"), true);
+    connect(m_what, &QComboBox::currentIndexChanged, this, &SlideDialog::preview);
+    auto* pixels = new QHBoxLayout;
+    pixels->addWidget(m_width);
+    pixels->addWidget(new QLabel(QStringLiteral("×"), fields));
+    pixels->addWidget(m_height);
+    form->addRow(tr("Picture of"), m_what);
+    form->addRow(tr("Size"), m_sizes);
+    form->addRow(tr("Pixels"), pixels);
+    for (QCheckBox* box : {m_transparent, m_caption, m_marks}) form->addRow(QString(), box);
+    auto* note = new QLabel(tr("The file carries the scene and what the window shows: dropped on the window, it opens "
+                               "them again."),
+                            fields);
+    note->setWordWrap(true);
+    note->setProperty("tone", 2);
+    form->addRow(note);
+    return fields;
+}
+
+SlideRequest SlideDialog::request() const {
+    return {SlideRequest::What(m_what->currentData().toInt()),
+            {m_width->value(), m_height->value()},
+            m_transparent->isChecked(),
+            m_caption->isChecked(),
+            m_marks->isChecked()};
+}
+
+QString SlideDialog::message() const { return m_message->text(); }
+
+// In the proportions of the picture, on the checker that stands for nothing.
+void SlideDialog::preview() {
+    if (!m_ready) return;
+    SlideRequest small = request();
+    const QSize room = m_picture->size().expandedTo({480, 270});
+    const QSize shown = small.size.scaled(room, Qt::KeepAspectRatio);
+    small.size = shown;
+    const auto image = slidePicture(m_document, m_views, small);
+    m_save->setEnabled(bool(image));
+    m_message->setText(image ? QString() : toQString(format(image.errors())).trimmed());
+    if (!image) return m_picture->setPixmap({});
+    QPixmap pixmap(shown);
+    QPainter painter(&pixmap);
+    paintChecker(painter, pixmap.rect());
+    painter.drawImage(0, 0, *image);
+    painter.end();
+    m_picture->setPixmap(pixmap);
+}
+
+bool SlideDialog::save(const QString& file) {
+    QApplication::setOverrideCursor(Qt::WaitCursor);
+    const auto image = slidePicture(m_document, m_views, request());
+    const std::string png = image ? slidePng(*image, m_document, m_state) : std::string();
+    QApplication::restoreOverrideCursor();
+    if (!image) {
+        m_message->setText(toQString(format(image.errors())).trimmed());
+        return false;
+    }
+    QSaveFile out(file);
+    const bool written = !png.empty() && out.open(QIODevice::WriteOnly) &&
+                         out.write(png.data(), qint64(png.size())) == qint64(png.size()) && out.commit();
+    m_message->setText(written ? tr("Saved as %1.").arg(QFileInfo(file).fileName())
+                               : tr("Could not write %1: %2").arg(file, out.errorString()));
+    return written;
+}
+
+void SlideDialog::choose() {
+    const QString base = QFileInfo(toQString(m_document.scene().name)).completeBaseName();
+    QString file = QFileDialog::getSaveFileName(this, tr("Picture for a slide"), QDir::home().filePath(base + ".png"),
+                                                tr("Pictures (*.png)"));
+    if (file.isEmpty()) return;
+    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".png");
+    save(file);
+}
+
+void SlideDialog::copy() {
+    if (const auto image = slidePicture(m_document, m_views, request())) {
+        QApplication::clipboard()->setImage(*image);
+        m_message->setText(tr("Copied the picture."));
+    }
+}
+
+}  // namespace app

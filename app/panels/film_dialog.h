@@ -1,0 +1,47 @@
+#pragma once
+#include <QDialog>
+
+#include "app/core/document.h"
+#include "app/core/film_job.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace app {
+
+// A film of a buffer's build-up, step by step: which buffer, what a step is, how many pictures, and where it goes. Written
+// with progress and cancel.
+class FilmDialog : public QDialog {
+    Q_OBJECT
+public:
+    // buffer: the one that it offers first, where that has pixels.
+    FilmDialog(Document& document, const pipeline::BufferName& buffer, QWidget* parent = nullptr);
+
+    FilmOrder order() const;
+    QString message() const;
+
+private:
+    QWidget* makeFields(const pipeline::BufferName& buffer);
+    QWidget* makeFoot();
+    void showOrder();
+    void chooseTarget();
+    void start();
+    void finish(const QString& sentence, bool done);
+
+    Document& m_document;
+    QComboBox *m_buffer, *m_level, *m_end;
+    QSpinBox *m_pictures, *m_milliseconds;
+    QCheckBox* m_captions;
+    QLineEdit *m_target = nullptr, *m_command = nullptr;
+    QLabel* m_message;
+    QProgressBar* m_progress;
+    QPushButton *m_start, *m_cancel, *m_showFolder;
+    FilmJob* m_job = nullptr;
+};
+
+}  // namespace app

@@ -1,0 +1,115 @@
+// How long the window takes to start, and how many frames a second it shows while a slider is dragged. Needs a display.
+// window_bench [SCENE …]: built-in scenes by name; without any, all of them. Other work on the machine makes the times
+// longer; the processor's time of the window's thread and of all threads, which it hardly changes, stands beside.
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <vector>
+
+#include "app/desktop/layout_store.h"
+#include "app/desktop/main_window.h"
+#include "app/desktop/view_area.h"
+#include "app/desktop/window_main.h"
+#include "app/view3d/view3d_panel.h"
+#include "pipeline/formats/built_in_scenes.h"
+
+namespace {
+
+constexpr int kSteps = 40;
+
+QByteArray load() {
+    QFile file("/proc/loadavg");
+    return file.open(QIODevice::ReadOnly) ? file.readAll().split(' ').value(0) : QByteArray("unknown");
+}
+
+double cpu(clockid_t clock) {
+    timespec time{};
+    clock_gettime(clock, &time);
+    return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
+}
+double windowCpu() { return cpu(CLOCK_THREAD_CPUTIME_ID); }
+double wholeCpu() { return cpu(CLOCK_PROCESS_CPUTIME_ID); }
+
+void settle(app::Document& document) {
+    QElapsedTimer since;
+    since.start();
+    while ((!document.frame() || document.busy()) && since.elapsed() < 60000)
+        QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+    QCoreApplication::processEvents();
+}
+
+// Turns the camera as a hand at its slider does: as soon as the picture of one step is on the screen, the next.
+// Milliseconds a step, ascending.
+std::vector<double> drag(app::MainWindow& window, int steps) {
+    app::Document& document = window.document();
+    const char* key = document.scene().camera.kind == pipeline::CameraKind::Spherical ? "camera.theta" : "camera.fov";
+    const auto setting = *findSetting(document.scene(), key);
+    const double begin = setting.get(document.scene());
+    std::vector<double> times;
+    for (int i = 1; i <= steps; ++i) {
+        QElapsedTimer step;
+        step.start();
+        document.change(setting, begin + 0.25 * (i <= steps / 2 ? i : steps - i), app::Document::Change::Live);
+        while ((!document.frame() || document.frame()->sharedScene()->camera != document.scene().camera) &&
+               step.elapsed() < 10000)
+            QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 5);
+        // What the frame has made dirty is painted now.
+        window.views().repaint();
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+        times.push_back(double(step.nsecsElapsed()) / 1e6);
+    }
+    document.change(setting, begin, app::Document::Change::Done);
+    std::ranges::sort(times);
+    return times;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    QElapsedTimer start;
+    start.start();
+    const QTemporaryDir settings;
+    qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
+    app::prepareApplication();
+    QApplication application(argc, argv);
+    app::restoreTheme();
+    const double ready = double(start.nsecsElapsed()) / 1e6;
+    app::MainWindow window;
+    window.setGeometry(0, 0, 1680, 1000);
+    const double made = double(start.nsecsElapsed()) / 1e6;
+    window.show();
+    QCoreApplication::processEvents();
+    const double shown = double(start.nsecsElapsed()) / 1e6;
+    std::printf("load %s\nstart page usable after %.0f ms: Qt %.0f, window made %.0f, shown %.0f\n", load().constData(),
+                shown, ready, made - ready, shown - made);
+    std::printf("%-28s %10s %10s %10s %8s\n", "scene, 640 x 480", "opens ms", "step ms", "worst ms", "frames/s");
+    const QStringList wanted = application.arguments().mid(1);
+    for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
+        const QString name = QString::fromStdString(scene.name);
+        if (!wanted.isEmpty() && !wanted.contains(name)) continue;
+        QElapsedTimer opening;
+        opening.start();
+        if (!window.openFile(QString::fromStdString(scene.file.string()))) continue;
+        settle(window.document());
+        const double opened = double(opening.nsecsElapsed()) / 1e6;
+        pipeline::Scene sized = window.document().scene();
+        sized.settings.width = 640, sized.settings.height = 480;
+        window.document().replace(sized, "size");
+        settle(window.document());
+        drag(window, 8);
+        const double windowBefore = windowCpu(), wholeBefore = wholeCpu();
+        const std::vector<double> times = drag(window, kSteps);
+        const double middle = times[times.size() / 2];
+        std::printf("%-28s %9.0f %9.1f %9.1f %9.1f %12.1f %10.1f\n", scene.name.c_str(), opened, middle, times.back(),
+                    1000 / middle, (windowCpu() - windowBefore) / kSteps, (wholeCpu() - wholeBefore) / kSteps);
+        std::fflush(stdout);
+        window.document().undoStack()->setClean();
+    }
+    std::printf("load %s\n", load().constData());
+    return 0;
+}

@@ -1,0 +1,143 @@
+// Pictures for slides, step films, and pictures that open what they show.
+#include <QComboBox>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTest>
+
+#include "app/core/document_state.h"
+#include "app/desktop/slide_dialog.h"
+#include "app/desktop/slide_picture.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/film_dialog.h"
+#include "app/view3d/view3d_panel.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+using What = SlideRequest::What;
+
+class WindowSlide : public WindowTest {
+protected:
+    WindowSlide() {
+        openPyramid();
+        document().pick(glm::ivec2(268, 281));
+    }
+    QImage picture(const SlideRequest& request) {
+        const auto image = slidePicture(document(), window.views(), request);
+        EXPECT_TRUE(image) << format(image.errors());
+        return image ? *image : QImage();
+    }
+    void settle() {
+        EXPECT_TRUE(waitForFrame());
+        EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && document().stepper().isSettled(); }, 30000));
+    }
+};
+
+TEST_F(WindowSlide, HasTheSizeAskedForAndNoGround) {
+    for (const What what : {What::First, What::Space, What::Beside}) {
+        const QImage image = picture({what, {1000, 600}, true, false, false});
+        ASSERT_EQ(image.size(), QSize(1000, 600));
+        EXPECT_EQ(qAlpha(image.pixel(1, 1)), 0) << int(what);
+        EXPECT_EQ(qAlpha(image.pixel(998, 2)), 0) << int(what);
+        int opaque = 0;
+        for (int y = 0; y < 600; y += 3)
+            for (int x = 0; x < 1000; x += 3) opaque += qAlpha(image.pixel(x, y)) == 255 ? 1 : 0;
+        EXPECT_GT(opaque, 2000) << int(what);
+    }
+    const QImage ground = picture({What::First, {400, 300}, false, false, false});
+    EXPECT_EQ(qAlpha(ground.pixel(1, 1)), 255);
+}
+
+// The pyramid's own colour stands in the picture as the frame buffer has it, on any ground.
+TEST_F(WindowSlide, KeepsTheColoursOfTheBuffer) {
+    const QColor own = frameColor({268, 281});
+    for (const bool transparent : {false, true}) {
+        const QImage image = picture({What::First, {1280, 960}, transparent, false, false});
+        int same = 0;
+        for (int y = 0; y < image.height(); y += 5)
+            for (int x = 0; x < image.width(); x += 5) same += image.pixelColor(x, y) == own ? 1 : 0;
+        EXPECT_GT(same, 500);
+    }
+}
+
+TEST_F(WindowSlide, ACaptionStandsBelow) {
+    const QImage without = picture({What::First, {900, 540}, true, false, false});
+    const QImage with = picture({What::First, {900, 540}, true, true, false});
+    const auto inked = [](const QImage& image) {
+        int count = 0;
+        for (int y = 540 - 28; y < 540; ++y)
+            for (int x = 0; x < 400; ++x) count += qAlpha(image.pixel(x, y)) > 128 ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(inked(without), 0);
+    EXPECT_GT(inked(with), 200);
+}
+
+TEST_F(WindowSlide, TheFileOpensTheSceneAndTheState) {
+    document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
+    settle();
+    document().stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2"));
+    settle();
+    window.views().first().setBuffer({pipeline::BufferId::ZView});
+    window.views().first().canvas()->setZoom(8, QPointF(50, 60));
+    const auto shown = window.state({});
+    SlideDialog dialog(document(), window.views(), *shown);
+    const QString file = folder.filePath("slide.png");
+    ASSERT_TRUE(dialog.save(file)) << dialog.message().toStdString();
+    document().undoStack()->setClean();
+    ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
+    settle();
+
+    ASSERT_TRUE(window.openFile(file));
+    settle();
+    EXPECT_EQ(document().scene().camera.theta, 47.25);
+    auto again = window.state({});
+    ASSERT_TRUE(again);
+    WindowState expected = *shown;  // the scene comes with the picture, not from the file that it was read from
+    again->scene = expected.scene, again->set = expected.set, again->sceneText = expected.sceneText;
+    EXPECT_EQ(toToml(*again), toToml(expected));
+}
+
+TEST_F(WindowSlide, APictureOfABufferIsNoPromiseOfAnother) {
+    window.views().setSecond(false);
+    EXPECT_FALSE(slidePicture(document(), window.views(), {What::Second, {400, 300}, true, false, false}))
+        << "there is one buffer view";
+    QFile other(folder.filePath("other.png"));
+    ASSERT_TRUE(QImage(4, 4, QImage::Format_RGB32).save(other.fileName()));
+    const auto state = stateInPicture(other.fileName());
+    ASSERT_TRUE(state);
+    EXPECT_FALSE(state->has_value());
+}
+
+TEST_F(WindowSlide, AFilmIsWrittenWithProgressAndCanBeCancelled) {
+    FilmDialog dialog(document(), {pipeline::BufferId::ZView});
+    EXPECT_EQ(dialog.order().buffer.id, pipeline::BufferId::ZView);
+    auto* target = dialog.findChild<QLineEdit*>("filmTarget");
+    target->setText(folder.filePath("film.gif"));
+    dialog.findChild<QPushButton*>("filmStart")->click();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog.message().isEmpty(); }, 60000));
+    // The beginning, and the three polygons that face the eye.
+    EXPECT_TRUE(dialog.message().startsWith("4 pictures")) << dialog.message().toStdString();
+    QFile gif(folder.filePath("film.gif"));
+    ASSERT_TRUE(gif.open(QIODevice::ReadOnly));
+    EXPECT_EQ(gif.read(6), "GIF89a");
+
+    target->setText(folder.filePath("pictures"));
+    dialog.findChild<QComboBox*>("filmLevel")->setCurrentText("pixel");
+    dialog.findChild<QSpinBox*>("filmPictures")->setValue(2000);
+    dialog.findChild<QPushButton*>("filmStart")->click();
+    dialog.findChild<QPushButton*>("filmCancel")->click();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog.message().isEmpty(); }, 60000));
+    EXPECT_EQ(dialog.message(), "Cancelled. Nothing was written.");
+    EXPECT_FALSE(QFile::exists(folder.filePath("pictures/step_0001.png")));
+}
+
+}  // namespace
+}  // namespace app
