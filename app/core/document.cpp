@@ -152,6 +152,22 @@ void Document::change(const SettingRef& ref, double value, Change kind) {
     }
 }
 
+void Document::edit(Scene scene, const QString& text, Change kind) {
+    if (const auto errors = checkScene(scene); !errors.empty()) {
+        emit failed(errors);
+        return;
+    }
+    const bool sameDrag = m_live && !m_dragged && m_edited == text;
+    if (!sameDrag) ++m_drag;
+    m_live = kind == Change::Live;
+    m_dragged.reset();
+    m_edited = text;
+    if (scene != *m_scene)
+        m_undo.push(new SceneStep(*this, m_scene, std::make_shared<const Scene>(std::move(scene)), text, m_drag));
+    else if (sameDrag && kind == Change::Done)
+        requestFrameSoon();
+}
+
 void Document::replace(Scene scene, const QString& text) {
     if (const auto errors = checkScene(scene); !errors.empty()) {
         emit failed(errors);

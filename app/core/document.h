@@ -78,6 +78,9 @@ public:
     // nothing and are reported through failed().
     enum class Change { Live, Done };
     void change(const pipeline::SettingRef& setting, double value, Change kind = Change::Done);
+    // Several numbers at once: the Live edits of one `text` up to Done are one step of undo, named by it.
+    // Back at the scene that it began with it leaves no step.
+    void edit(pipeline::Scene scene, const QString& text, Change kind);
     // Replaces the scene in one step of undo, named by `text`.
     void replace(pipeline::Scene scene, const QString& text);
 
@@ -142,7 +145,8 @@ private:
     // A drag: Live changes of one setting, one step of undo.
     bool m_live = false;
     int m_drag = 0;
-    std::optional<pipeline::SettingRef> m_dragged;
+    std::optional<pipeline::SettingRef> m_dragged;  // nothing: what m_edited names
+    QString m_edited;
 
     std::unique_ptr<FrameWorker> m_worker;
 };

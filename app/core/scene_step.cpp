@@ -4,8 +4,8 @@
 
 namespace app {
 
-SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text)
-    : m_document(document), m_before(std::move(before)), m_after(std::move(after)) {
+SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, int drag)
+    : m_document(document), m_before(std::move(before)), m_after(std::move(after)), m_drag(drag) {
     setText(text);
 }
 
@@ -17,7 +17,7 @@ SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const 
 bool SceneStep::mergeWith(const QUndoCommand* other) {
     const auto& newer = static_cast<const SceneStep&>(*other);  // same id: a step of the same drag
     m_after = newer.m_after;
-    nameAfterSetting();
+    if (m_setting) nameAfterSetting();
     setObsolete(*m_before == *m_after);  // dragged back to where it began
     return true;
 }

@@ -11,7 +11,7 @@ public:
     using ScenePtr = std::shared_ptr<const pipeline::Scene>;
 
     // drag: steps with the same number >= 0 merge; -1 never does.
-    SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text);
+    SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, int drag = -1);
     SceneStep(Document& document, ScenePtr before, ScenePtr after, const pipeline::SettingRef& setting, int drag);
 
     int id() const override { return m_drag; }

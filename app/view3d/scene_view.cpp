@@ -43,6 +43,7 @@ protected:
         if (!m_view->shown() || !m_view->m_problem.isEmpty()) return;
         QPainter painter(this);
         paintOverlay(painter, m_view->m_drawing, m_view->viewFrame());
+        m_view->paintHandles(painter);
         if (!m_view->m_probe || m_view->isPoint() || m_view->isMoving()) return;
         const SpaceMap& map = m_view->shown()->map;
         if (!map.keepsLengths() && depthOf(map.view, *m_view->m_probe) < map.view.near) return;
@@ -307,6 +308,8 @@ void SceneView::applyTheme() {
     placeCorners();
     refresh();
 }
+
+void SceneView::updateOverlay() { m_overlay->update(); }
 
 void SceneView::placeCorners() {
     const int margin = Theme::current().px(8);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/view3d/handles.h"
 #include "app/view3d/space_content.h"
 #include "app/view3d/vtk_widget.h"
 #include "app/view3d/world_drawing.h"
@@ -17,7 +18,8 @@ class ViewCorner;
 // A 3D view with its camera: what VTK renders, letters and legend over it, mouse and keys.
 // Left drag orbits, middle or Shift+left drag pans, the wheel zooms to the cursor; a click gives
 // the ray under it. Keys: 1 front, 3 side, 7 top, 9 iso, 0 from the eye, Z out of it, 5 orthographic,
-// R the first view again, A everything; arrows orbit, + and − zoom; S the next space.
+// R the first view again, A everything; arrows orbit, + and − zoom; S the next space. While a handle
+// is dragged x, y and z hold it to an axis and Esc puts it back.
 class SceneView : public QWidget {
     Q_OBJECT
 public:
@@ -38,6 +40,14 @@ public:
 
     // A point of the world that another view's cursor is on, marked lightly.
     void setProbe(std::optional<Vec3d> point);
+
+    // What can be dragged, in world space alone. While one is dragged the new ones wait.
+    void setHandles(std::vector<Handle> handles);
+    const std::vector<Handle>& handles() const { return m_handles; }
+    bool isDragging() const { return m_drag == Drag::Handle; }
+    // Stands beside the cursor while a handle is dragged or the cursor is on one.
+    void setNumbers(const QString& text);
+    const QString& numbers() const { return m_numbers; }
 
     const OrbitCamera& camera() const { return m_camera; }
     void setCamera(const OrbitCamera& camera);
@@ -61,6 +71,10 @@ signals:
     void hovered(const std::optional<app::Hit>& hit);
     void spaceAsked(int step);  // 1 the next one, −1 the one before
     void left();
+    // A handle, as it was when it was taken hold of, is to be at `at`; `done` with the button's release.
+    void dragged(const app::Handle& handle, app::Vec3d at, bool done);
+    void dragCancelled(const app::Handle& handle);
+    void handleHovered(const app::Handle* handle);  // null: none any more
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -73,7 +87,7 @@ protected:
 
 private:
     class Overlay;
-    enum class Drag { None, Click, Orbit, Pan, Pick };
+    enum class Drag { None, Click, Orbit, Pan, Pick, Handle };
 
     void refresh();  // after a change of camera, content, options or theme
     void applyTheme();
@@ -90,6 +104,14 @@ private:
     void flyTo(const OrbitCamera& camera, int milliseconds);
     bool keyAction(int key);
     std::optional<Hit> hitAt(QPointF position) const;
+    bool beginDrag(QPointF position);
+    void dragTo(QPointF position);
+    void endDrag();
+    bool dragKey(int key);
+    void findHandle(QPointF position);
+    bool showsHandles() const { return m_options.handles && isWorld() && shown() && !isMoving(); }
+    void paintHandles(QPainter& painter) const;
+    void updateOverlay();
 
     SpaceId m_space;
     std::shared_ptr<const ViewContent> m_content;  // of the world
@@ -118,6 +140,13 @@ private:
 
     Drag m_drag = Drag::None;
     QPointF m_pressedAt, m_last;
+
+    std::vector<Handle> m_handles;
+    std::optional<std::size_t> m_hot;  // the handle that the cursor is near
+    Handle m_held;                     // as it was when it was taken hold of
+    Vec3d m_heldAt{0.0};               // where it is now
+    DragAxis m_axis = DragAxis::Screen;
+    QString m_numbers;
 };
 
 }  // namespace app

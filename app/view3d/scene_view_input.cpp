@@ -27,6 +27,8 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
     const bool shift = event->modifiers() & Qt::ShiftModifier, control = event->modifiers() & Qt::ControlModifier;
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift)) {
         m_drag = Drag::Pan;
+    } else if (event->button() == Qt::LeftButton && !control && beginDrag(event->position())) {
+        m_drag = Drag::Handle;
     } else if (event->button() == Qt::LeftButton) {
         m_drag = control && !isPoint() ? Drag::Pick : Drag::Click;
         if (const auto hit = hitAt(event->position()); hit && m_drag == Drag::Pick) emit clicked(*hit);
@@ -35,7 +37,9 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF position = event->position(), d = position - m_last;
+    if (m_drag == Drag::Handle) return dragTo(position);
     if (m_drag == Drag::None) {
+        findHandle(position);
         if (m_content && !isPoint()) emit hovered(hitAt(position));
         return;
     }
@@ -57,6 +61,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+    if (m_drag == Drag::Handle) return endDrag();
     const bool picks = m_drag == Drag::Click;
     m_drag = Drag::None;
     if (!picks) return;
@@ -65,6 +70,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SceneView::leaveEvent(QEvent* event) {
     QWidget::leaveEvent(event);
+    if (m_drag == Drag::None) findHandle({-1e6, -1e6});
     emit left();
 }
 
@@ -81,6 +87,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
     const bool plain = !(event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier));
+    if (m_drag == Drag::Handle && dragKey(event->key())) return;
     if (plain && event->key() == Qt::Key_S) return emit spaceAsked(event->modifiers() & Qt::ShiftModifier ? -1 : 1);
     if (!plain || !shown()) return QWidget::keyPressEvent(event);
     endMove();

@@ -17,6 +17,19 @@ namespace app {
 
 namespace {
 
+// The object that is selected, or that the picked pixel shows.
+std::optional<std::size_t> ownerOf(const Document& document) {
+    const auto& selection = document.selection();
+    const pipeline::Frame& frame = *document.frame();
+    const auto ofPolygon = [&](std::size_t polygon) { return frame.placeOf(int(polygon)).object; };
+    if (selection && selection->kind == Selection::Kind::Object) return selection->index;
+    if (selection && selection->kind == Selection::Kind::Polygon) return ofPolygon(selection->index);
+    if (selection || !document.pixel()) return {};
+    const auto polygon = polygonAt(frame, *document.pixel());
+    if (!polygon) return {};
+    return ofPolygon(*polygon);
+}
+
 QString remarkOf(ViewSpace space) {
     switch (space) {
         case ViewSpace::World: return {};
@@ -47,6 +60,9 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(m_view, &SceneView::clicked, this, &View3dPanel::pick);
     connect(m_view, &SceneView::hovered, this, &View3dPanel::hover);
     connect(m_view, &SceneView::left, this, [this] { m_document.hover({}); });
+    connect(m_view, &SceneView::dragged, this, &View3dPanel::drag);
+    connect(m_view, &SceneView::dragCancelled, this, &View3dPanel::cancelDrag);
+    connect(m_view, &SceneView::handleHovered, this, &View3dPanel::showNumbers);
     connect(m_view, &SceneView::spaceAsked, this, &View3dPanel::stepSpace);
     connect(m_view, &SceneView::optionsChanged, this, &View3dPanel::showOptions);
     connect(m_view, &SceneView::orthographicChanged, m_orthographic, &QToolButton::setChecked);
@@ -305,6 +321,7 @@ void View3dPanel::takeFrame() {
         changeOptions(options);
     }
     m_view->setContent(content, newScene);
+    showHandles();
     if (m_awaited && mapOf(*content, *m_awaited)) setSpace(*m_awaited);
     showWanted();
 }
@@ -314,6 +331,7 @@ void View3dPanel::takePixel() {
     if (!frame || !m_view->content()) return;
     m_view->setContent(std::make_shared<const ViewContent>(withPixel(*m_view->content(), *frame, m_document.pixel())),
                        false);
+    showHandles();
 }
 
 void View3dPanel::takeSelection() {
@@ -321,6 +339,7 @@ void View3dPanel::takeSelection() {
     if (!frame || !m_view->content()) return;
     m_view->setContent(
         std::make_shared<const ViewContent>(withSelection(*m_view->content(), *frame, m_document.selection())), false);
+    showHandles();
 }
 
 void View3dPanel::takeHover() {
@@ -343,6 +362,31 @@ void View3dPanel::hover(const std::optional<Hit>& hit) {
     const auto& frame = m_document.frame();
     if (!frame || !m_view->content()) return;
     m_document.hover(hit ? pixelShowing(*frame, *m_view->content(), *hit).pixel : std::nullopt);
+}
+
+// Of the frame on show, so that handles stand where the picture has them.
+void View3dPanel::showHandles() {
+    const auto& frame = m_document.frame();
+    if (!frame || !m_view->content()) return;
+    m_view->setHandles(handlesOf(frame->scene(), *m_view->content(), ownerOf(m_document)));
+}
+
+void View3dPanel::drag(const Handle& handle, Vec3d at, bool done) {
+    if (!m_beforeDrag) m_beforeDrag = std::make_shared<const pipeline::Scene>(m_document.scene());
+    m_document.edit(withHandleAt(*m_beforeDrag, handle, at), tr("move %1").arg(toQString(handle.name)),
+                    done ? Document::Change::Done : Document::Change::Live);
+    showNumbers(&handle);
+    if (done) m_beforeDrag.reset();
+}
+
+void View3dPanel::cancelDrag(const Handle& handle) {
+    if (!m_beforeDrag) return;
+    m_document.edit(*m_beforeDrag, tr("move %1").arg(toQString(handle.name)), Document::Change::Done);
+    m_beforeDrag.reset();
+}
+
+void View3dPanel::showNumbers(const Handle* handle) {
+    m_view->setNumbers(handle ? toQString(handle->name + ": " + numbersOf(m_document.scene(), *handle)) : QString());
 }
 
 }  // namespace app

@@ -52,6 +52,10 @@ private:
     void takeHover();
     void pick(const Hit& hit);
     void hover(const std::optional<Hit>& hit);
+    void showHandles();
+    void drag(const Handle& handle, Vec3d at, bool done);
+    void cancelDrag(const Handle& handle);
+    void showNumbers(const Handle* handle);
 
     Document& m_document;
     SceneView* m_view;
@@ -68,7 +72,8 @@ private:
     };
     std::optional<Wanted> m_wanted;  // once the scene's first frame is there
     bool m_newScene = true;
-    std::optional<SpaceId> m_awaited;  // the space to go to when its frame is there
+    std::shared_ptr<const pipeline::Scene> m_beforeDrag;  // null while nothing is dragged
+    std::optional<SpaceId> m_awaited;                     // the space to go to when its frame is there
 };
 
 }  // namespace app

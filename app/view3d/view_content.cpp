@@ -77,8 +77,9 @@ void addNormals(const Frame& frame, const pipeline::Topology& topology, ViewMesh
 }
 
 void addLights(const pipeline::Scene& scene, ViewContent& content) {
-    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        const pipeline::Light& light = scene.lights[k];
+    const std::vector<pipeline::Light> lights = pipeline::lightsInWorldSpace(scene, content.eye);
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+        const pipeline::Light& light = lights[k];
         LightMark mark;
         mark.light = int(k);
         mark.caption = "light " + std::to_string(k);
@@ -207,8 +208,8 @@ ViewContent contentOf(const Frame& frame, std::optional<glm::ivec2> pixel) {
     addNormals(frame, topology, *mesh);
     addPicture(frame, *mesh);
     content.mesh = std::move(mesh);
-    addLights(frame.scene(), content);
     content.eye = pipeline::makeView(frame.scene());
+    addLights(frame.scene(), content);
     content.pictureDistance = pictureDistance(frame.scene(), content);
     if (pixel) addPixel(frame, *pixel, topology, content);
     return content;

@@ -24,6 +24,7 @@ struct ViewOptions {
     bool frustum = false;                         // of the scene's camera, between near and far plane
     bool projection = false, reflection = false;  // at the point: (N·L)N, and how it makes R
     NormalColors normalColors = NormalColors::OfN;
+    bool handles = true;                                            // of lights, camera and objects
     bool lobe = false;                                              // of the specular term, at the point
     bool lightFrusta = false;                                       // what the lights see, with their shadow buffers
     std::array<bool, 6> shown{true, true, true, true, true, true};  // by VectorCode

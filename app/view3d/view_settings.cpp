@@ -52,6 +52,7 @@ ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
     addSwitch(tr("Frustum"), tr("What the scene's camera sees, from its near to its far plane"), &ViewOptions::frustum);
     addSwitch(tr("Light frusta"), tr("What each light sees, from its shadow buffer to the farthest polygon"),
               &ViewOptions::lightFrusta);
+    addSwitch(tr("Handles"), tr("Lights, camera and objects can be dragged"), &ViewOptions::handles);
     addHeading(tr("At the picked point"));
     addSwitch(tr("Specular lobe"), tr("cosⁿ around R in Phong's model, around H in Blinn's"), &ViewOptions::lobe);
     addSwitch(tr("Projection of L on N"), tr("(N·L)N, and the rest of L at a right angle"), &ViewOptions::projection);

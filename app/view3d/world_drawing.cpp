@@ -277,6 +277,8 @@ private:
 
 }  // namespace
 
+Vec3d lightDisc(const LightMark& light, const ViewContent& content) { return raysOf(light, content).disc; }
+
 double gridStep(const ViewContent& content) {
     const double wanted = content.bounds.radius() / 2.5;
     const double decade = std::pow(10.0, std::floor(std::log10(wanted)));

@@ -7,6 +7,8 @@ namespace app {
 
 // The ground grid of the world, as lines that fade out away from the scene. `content` in world space.
 std::vector<InkedLine> groundLines(const ViewContent& content);
+// Where a light at infinity is drawn: the middle one of its three discs.
+Vec3d lightDisc(const LightMark& light, const ViewContent& content);
 // The step of that grid: 1, 2 or 5 times a power of ten.
 double gridStep(const ViewContent& content);
 

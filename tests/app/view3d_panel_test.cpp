@@ -197,6 +197,91 @@ TEST_F(View3dWindow, AtThePointTheDiscIsThePolygonsColour) {
     EXPECT_GT(countNear(picture(), at({335, 137.5, 25}), 4, QColor(37, 93, 167)), 20);
 }
 
+namespace {
+
+const app::Handle& lightHandle(const SceneView& view) { return view.handles().front(); }
+
+}  // namespace
+
+TEST_F(View3dWindow, ADraggedLightIsOneStepOfUndo) {
+    openPyramid();
+    document.pick(kRightFace);
+    const pipeline::Scene before = document.scene();
+    ASSERT_EQ(lightHandle(view).name, "light 0");
+    const QPoint at = view.mapFrom(&panel, this->at(lightHandle(view).at));
+    const app::OrbitCamera camera = view.camera();
+    QTest::mouseMove(&view, at);
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    QSignalSpy ready(&document, &Document::frameReady);
+    QTest::mouseMove(&view, at + QPoint(20, 5));
+    EXPECT_TRUE(view.isDragging());
+    EXPECT_TRUE(view.numbers().startsWith("light 0: x "));
+    ASSERT_TRUE(ready.wait()) << "the frame follows before the button is let go";
+    EXPECT_NE(document.frame()->scene().lights[0].position, before.lights[0].position);
+    QTest::mouseMove(&view, at + QPoint(40, 10));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(40, 10));
+    EXPECT_EQ(document.undoStack()->count(), 1);
+    EXPECT_EQ(document.undoStack()->undoText(), "move light 0");
+    EXPECT_EQ(view.camera(), camera) << "the view does not turn with what is dragged";
+    document.undoStack()->undo();
+    EXPECT_EQ(document.scene(), before);
+}
+
+TEST_F(View3dWindow, EscapePutsADraggedHandleBack) {
+    openPyramid();
+    const pipeline::Scene before = document.scene();
+    const QPoint at = view.mapFrom(&panel, this->at(lightHandle(view).at));
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    QTest::mouseMove(&view, at + QPoint(30, 0));
+    EXPECT_NE(document.scene(), before);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_EQ(document.scene(), before);
+    EXPECT_EQ(document.undoStack()->count(), 0) << "as if it had never been taken hold of";
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(30, 0));
+    EXPECT_EQ(document.scene(), before);
+}
+
+TEST_F(View3dWindow, HandlesAreForWorldSpace) {
+    openPyramid();
+    const QPoint at = view.mapFrom(&panel, this->at(lightHandle(view).at));
+    panel.setSpace({app::ViewSpace::Eye});
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    EXPECT_FALSE(view.isDragging());
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at);
+}
+
+TEST_F(View3dWindow, KeysGoFromSpaceToSpace) {
+    openPyramid();
+    const auto comesTo = [&](app::ViewSpace space) {
+        QTest::keyClick(&view, Qt::Key_S);
+        return QTest::qWaitFor([&] { return view.space().space == space && !view.isMoving(); }, 5000);
+    };
+    EXPECT_TRUE(comesTo(app::ViewSpace::Eye));
+    EXPECT_TRUE(comesTo(app::ViewSpace::Clip));
+    EXPECT_FALSE(panel.findChild<QToolButton*>("normals")->isEnabled());
+    EXPECT_TRUE(comesTo(app::ViewSpace::Screen));
+    EXPECT_TRUE(comesTo(app::ViewSpace::Point)) << "the pyramid's light has no shadow buffer";
+    EXPECT_TRUE(comesTo(app::ViewSpace::World));
+    QTest::keyClick(&view, Qt::Key_S, Qt::ShiftModifier);
+    EXPECT_EQ(view.space().space, app::ViewSpace::Point);
+}
+
+TEST_F(View3dWindow, AClickPicksInEverySpace) {
+    openPyramid();
+    for (const app::ViewSpace space : {app::ViewSpace::Eye, app::ViewSpace::Clip, app::ViewSpace::Screen}) {
+        document.pick({});
+        panel.setSpace({space});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !view.isMoving(); }, 5000));
+        view.go(app::ViewPreset::Eye);
+        QTest::qWait(400);
+        const auto map = app::mapOf(*view.content(), {space});
+        clickAt(map->toSpace({335, 125, 50}));
+        ASSERT_TRUE(document.pixel()) << int(space);
+        EXPECT_NEAR(document.pixel()->x, 277.2, 1.5);
+        EXPECT_NEAR(document.pixel()->y, 274.4, 1.5);
+    }
+}
+
 TEST_F(View3dWindow, EveryControlHasANameAndATip) {
     for (const QToolButton* button : panel.findChildren<QToolButton*>()) {
         EXPECT_FALSE(button->accessibleName().isEmpty());
