@@ -7,6 +7,8 @@
 #include <QRegularExpression>
 #include <cstring>
 
+#include "pipeline/export/exr_file.h"
+
 namespace app {
 
 using pipeline::AnyBuffer;
@@ -85,6 +87,7 @@ Result<AnyBuffer> readColors(const QString& file, const AnyBuffer& like) {
 }  // namespace
 
 Result<AnyBuffer> readPicture(const QString& file, const AnyBuffer& like) {
+    if (file.endsWith(".exr", Qt::CaseInsensitive)) return pipeline::readExr(file.toStdString(), like);
     return file.endsWith(".npy", Qt::CaseInsensitive) ? readNpy(file, like) : readColors(file, like);
 }
 

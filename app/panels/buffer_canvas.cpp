@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "app/panels/follow_theme.h"
 
@@ -49,14 +48,14 @@ void BufferCanvas::fit(bool whole) {
     m_part.reset();
     m_fits = true;
     const QRectF all(QPointF(0, 0), QSizeF(m_content.size));
-    m_focus = whole || m_content.focus.isEmpty() ? all : m_content.focus;
+    m_focus = whole || m_content.focus.isEmpty() ? all : painted(m_content).focus;
     placeFocus();
 }
 
 std::optional<BufferShown::Zoom> BufferCanvas::part() const {
     if (m_part) return m_part;
     if (m_fits || m_content.size.isEmpty()) return {};
-    const QPointF center = m_placement.toPicture(QRectF(rect()).center());
+    const QPointF center = toShown(m_placement.toPicture(QRectF(rect()).center()));
     return BufferShown::Zoom{m_placement.zoom, {center.x(), center.y()}, {double(width()), double(height())}};
 }
 
@@ -72,7 +71,8 @@ void BufferCanvas::placePart() {
     const double larger = std::min(width() / m_part->view[0], height() / m_part->view[1]);
     double zoom = std::clamp(m_part->factor * larger, kZooms.front(), 2 * kZooms.back());
     if (larger != 1 && zoom >= 2) zoom = std::floor(zoom);
-    place({QRectF(rect()).center() - QPointF(m_part->center[0], m_part->center[1]) * zoom, zoom});
+    const QPointF center = toShown({m_part->center[0], m_part->center[1]});
+    place({QRectF(rect()).center() - center * zoom, zoom});
 }
 
 void BufferCanvas::placeFocus() {
@@ -81,7 +81,7 @@ void BufferCanvas::placeFocus() {
 }
 
 void BufferCanvas::toggleFit() {
-    const bool showsFocus = m_fits && m_focus == m_content.focus;
+    const bool showsFocus = m_fits && m_focus == painted(m_content).focus;
     fit(showsFocus);
 }
 
@@ -109,7 +109,7 @@ void BufferCanvas::setZoom(double zoom, QPointF anchor) {
 
 QPointF BufferCanvas::anchor() const {
     if (m_content.picked) {
-        const QPointF at = m_placement.toWidget(QPointF(*m_content.picked) + QPointF(0.5, 0.5));
+        const QPointF at = m_placement.toWidget(toShown(QPointF(*m_content.picked) + QPointF(0.5, 0.5)));
         if (QRectF(rect()).contains(at)) return at;
     }
     return QRectF(rect()).center();
@@ -123,6 +123,8 @@ void BufferCanvas::setContent(CanvasContent content) {
     const bool isNewSize = content.size != m_content.size;
     // What is picked and marked stays until it is told anew.
     content.picked = m_content.picked, content.hovered = m_content.hovered;
+    content.pinned = m_content.pinned;
+    content.region = m_content.region;
     m_content = std::move(content);
     if (isNewSize) m_part ? placePart() : fit();
     updateAll();
@@ -132,24 +134,13 @@ void BufferCanvas::setPicked(std::optional<QPoint> pixel) {
     const bool isNew = pixel != m_content.picked;
     m_content.picked = pixel;
     if (pixel && isNew && !m_fits) {
-        const QPointF at = m_placement.toWidget(QPointF(*pixel) + QPointF(0.5, 0.5));
+        const QPointF at = m_placement.toWidget(toShown(QPointF(*pixel) + QPointF(0.5, 0.5)));
         const double margin = std::min(0.5 * m_placement.zoom + 8, 0.4 * std::min(width(), height()));
         const QRectF inner = QRectF(rect()).adjusted(margin, margin, -margin, -margin);
         const QPointF inside(std::clamp(at.x(), inner.left(), inner.right()),
                              std::clamp(at.y(), inner.top(), inner.bottom()));
         if (inside != at) place({m_placement.origin + inside - at, m_placement.zoom});
     }
-    update();
-}
-
-void BufferCanvas::setHovered(std::optional<QPoint> pixel) {
-    if (pixel == m_content.hovered) return;
-    m_content.hovered = pixel;
-    update();
-}
-
-void BufferCanvas::setMarked(std::vector<QPolygonF> outlines) {
-    m_content.marked = std::move(outlines);
     update();
 }
 
@@ -166,7 +157,7 @@ void BufferCanvas::setShowEdges(bool show) {
 }
 
 std::optional<QPoint> BufferCanvas::pixelAt(QPointF widget) const {
-    const QPointF p = m_placement.toPicture(widget);
+    const QPointF p = toShown(m_placement.toPicture(widget));
     const QPoint pixel(int(std::floor(p.x())), int(std::floor(p.y())));
     if (!QRect(QPoint(0, 0), m_content.size).contains(pixel)) return {};
     return pixel;
@@ -196,7 +187,7 @@ void BufferCanvas::drawBase(QPainter& painter, QPixmap& base, const CanvasConten
         base = QPixmap(size() * devicePixelRatio());
         base.setDevicePixelRatio(devicePixelRatio());
         QPainter basePainter(&base);
-        paintCanvas(basePainter, content, m_placement, rect(), m_showEdges);
+        paintCanvas(basePainter, painted(content), m_placement, rect(), m_showEdges);
     }
     painter.setClipRect(part);
     painter.drawPixmap(0, 0, base);
@@ -208,7 +199,13 @@ void BufferCanvas::paintEvent(QPaintEvent*) {
     const int border = m_other ? m_wipe.border(width()) : width();
     drawBase(painter, m_base, m_content, {0, 0, border, height()});
     if (m_other) drawBase(painter, m_otherBase, *m_other, {border, 0, width() - border, height()});
-    paintMarks(painter, m_content, m_placement, rect());
+    CanvasContent marks;  // without the images
+    marks.size = m_content.size;
+    marks.picked = m_content.picked, marks.hovered = m_content.hovered;
+    marks.marked = m_content.marked, marks.pinned = m_content.pinned, marks.region = m_content.region;
+    if (m_content.shapes) marks.shapes.emplace();
+    paintMarks(painter, painted(marks), m_placement, rect());
+    if (m_flipped && !m_content.size.isEmpty()) paintOrigin(painter, m_placement, m_content.size);
     paintWipe(painter, m_wipe, rect());
 }
 

@@ -25,10 +25,19 @@ public:
     const Wipe& wipe() const { return m_wipe; }
     // The picture that fills the view, or the part of A.
     const CanvasContent& seen() const { return m_other && m_wipe.share == 0 ? *m_other : m_content; }
+    // As it is painted: turned over where it is flipped.
+    CanvasContent painted(const CanvasContent& content) const;
+    QPointF toShown(QPointF picture) const;       // from the picture's own place to where the placement has it
     void setPicked(std::optional<QPoint> pixel);  // moves into view what is not
     void setHovered(std::optional<QPoint> pixel);
     void setMarked(std::vector<QPolygonF> outlines);
     void setEdgeView(std::optional<pipeline::EdgeView> view);
+    void setPinned(std::vector<std::pair<int, QPoint>> pinned);
+    void setRegion(std::optional<QRect> region);
+    // Row 0 at the foot. Everything that is given and said still counts rows from the top.
+    void setFlipped(bool flipped);
+    bool isFlipped() const { return m_flipped; }
+    QRect visiblePart() const;  // of the picture, pixels
     void setShowEdges(bool show);
     bool showsEdges() const { return m_showEdges; }
 
@@ -55,7 +64,8 @@ public:
 
 signals:
     void picked(QPoint pixel);
-    void nudged(QPoint by);  // arrow keys: 1, with Shift 10
+    void regionDragged(QRect region);  // with the right button, or Ctrl and Shift
+    void nudged(QPoint by);            // arrow keys: 1, with Shift 10
     void hovered(std::optional<QPoint> pixel);
     void zoomChanged(double zoom);
     void wiped(double share);  // by its handle
@@ -76,6 +86,7 @@ private:
     void place(Placement placement);
     void placeFocus();
     void placePart();
+    void dragRegion(QPointF to);
     double fittingZoom() const;
     QPointF anchor() const;
 
@@ -86,7 +97,7 @@ private:
     Placement m_placement;
     QRectF m_focus;                           // what fits
     std::optional<BufferShown::Zoom> m_part;  // as it was asked for
-    bool m_fits = true, m_showEdges = false;
+    bool m_fits = true, m_showEdges = false, m_flipped = false, m_measures = false;
     QPointF m_pressed, m_dragFrom;
     bool m_drags = false, m_wipes = false;
     int m_wheel = 0;  // what is left of turning by less than a step

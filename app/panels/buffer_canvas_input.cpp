@@ -1,7 +1,8 @@
-// What the mouse and the keys do in a BufferCanvas.
+// The mouse and the keys of a BufferCanvas.
 #include <QApplication>
 #include <QMouseEvent>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/panels/buffer_canvas.h"
@@ -21,12 +22,16 @@ void BufferCanvas::mousePressEvent(QMouseEvent* event) {
     m_pressed = event->position();
     m_dragFrom = m_placement.origin;
     m_drags = false;
+    constexpr auto kBoth = Qt::ControlModifier | Qt::ShiftModifier;
+    m_measures = event->button() == Qt::RightButton ||
+                 (event->button() == Qt::LeftButton && (event->modifiers() & kBoth) == kBoth);
     m_wipes = isOnHandle(m_wipe, rect(), m_pressed);
 }
 
 void BufferCanvas::mouseMoveEvent(QMouseEvent* event) {
     if (m_wipes && event->buttons()) return emit wiped(std::clamp(event->position().x() / width(), 0.0, 1.0));
     setCursor(isOnHandle(m_wipe, rect(), event->position()) ? Qt::SplitHCursor : Qt::CrossCursor);
+    if (m_measures && event->buttons()) return dragRegion(event->position());
     if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) {
         const QPointF moved = event->position() - m_pressed;
         if (event->modifiers() & Qt::ControlModifier) {
@@ -44,8 +49,22 @@ void BufferCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void BufferCanvas::mouseReleaseEvent(QMouseEvent* event) {
+    if (std::exchange(m_measures, false)) return;
     if (event->button() != Qt::LeftButton || m_drags || std::exchange(m_wipes, false)) return;
     if (const auto pixel = pixelAt(event->position())) emit picked(*pixel);
+}
+
+// From where it was pressed, within the picture.
+void BufferCanvas::dragRegion(QPointF to) {
+    if ((to - m_pressed).manhattanLength() < QApplication::startDragDistance() || m_content.size.isEmpty()) return;
+    const auto pixel = [this](QPointF at) {
+        const QPointF p = toShown(m_placement.toPicture(at));
+        return QPoint(std::clamp(int(std::floor(p.x())), 0, m_content.size.width() - 1),
+                      std::clamp(int(std::floor(p.y())), 0, m_content.size.height() - 1));
+    };
+    const QPoint a = pixel(m_pressed), b = pixel(to);
+    emit regionDragged(QRect(QPoint(std::min(a.x(), b.x()), std::min(a.y(), b.y())),
+                             QPoint(std::max(a.x(), b.x()), std::max(a.y(), b.y()))));
 }
 
 void BufferCanvas::leaveEvent(QEvent*) { emit hovered(std::nullopt); }
@@ -55,8 +74,8 @@ void BufferCanvas::keyPressEvent(QKeyEvent* event) {
     switch (event->modifiers() & Qt::ControlModifier ? 0 : event->key()) {
         case Qt::Key_Left: emit nudged({-step, 0}); return;
         case Qt::Key_Right: emit nudged({step, 0}); return;
-        case Qt::Key_Up: emit nudged({0, -step}); return;
-        case Qt::Key_Down: emit nudged({0, step}); return;
+        case Qt::Key_Up: emit nudged({0, m_flipped ? step : -step}); return;
+        case Qt::Key_Down: emit nudged({0, m_flipped ? -step : step}); return;
         case Qt::Key_Plus: stepZoom(1); return;
         case Qt::Key_Minus: stepZoom(-1); return;
         default: QWidget::keyPressEvent(event);

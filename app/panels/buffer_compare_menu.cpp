@@ -69,7 +69,7 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
 
 void BufferCompare::chooseFile() {
     const QString file = QFileDialog::getOpenFileName(m_bar->window(), tr("Compare with a file"), QString(),
-                                                      tr("Pictures and arrays (*.png *.npy);;All files (*)"));
+                                                      tr("Pictures and arrays (*.png *.npy *.exr);;All files (*)"));
     if (!file.isEmpty()) compareWith(OtherSource{.kind = OtherSource::Kind::File, .file = file});
 }
 

@@ -46,10 +46,19 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
     connect(others, &QMenu::aboutToShow, this, [this, others] { emit compareMenuOpens(others); });
     m_compare->setMenu(others);
     m_compare->setPopupMode(QToolButton::InstantPopup);
-    auto* more = button("more", tr("More"), tr("Copy what is shown"));
+    auto* more = button("more", tr("More"), tr("Copy, pins, statistics, which way up"));
     auto* menu = new QMenu(more);
     menu->addAction(tr("Copy value"), this, &BufferHeader::copyValueChosen);
     menu->addAction(tr("Copy picture"), this, &BufferHeader::copyPictureChosen);
+    menu->addAction(tr("Copy the pinned values"), this, &BufferHeader::copyPinsChosen);
+    menu->addSeparator();
+    menu->addAction(tr("Pin the picked pixel\tP"), this, &BufferHeader::pinChosen);
+    menu->addAction(tr("Take all pins away\tShift+P"), this, &BufferHeader::unpinAllChosen);
+    menu->addAction(tr("Statistics of what is visible\tM"), this, &BufferHeader::measureChosen);
+    menu->addSeparator();
+    m_flip = menu->addAction(tr("Row 0 at the foot\tY"));
+    m_flip->setCheckable(true);
+    connect(m_flip, &QAction::triggered, this, &BufferHeader::flipChosen);
     more->setMenu(menu);
     more->setPopupMode(QToolButton::InstantPopup);
     for (QWidget* part :
@@ -92,7 +101,9 @@ QToolButton* BufferHeader::button(const QString& iconName, const QString& name, 
 void BufferHeader::show(const pipeline::BufferName& name, int channel) {
     const pipeline::BufferInfo& info = bufferInfo(name.id);
     m_chooser->setName(name);
-    m_caption->setText(captionOf(info, channel));
+    m_caption->setText(
+        captionOf(info, channel)
+            .replace("row 0 on top", m_flip->isChecked() ? tr("row 0 at the foot") : QStringLiteral("row 0 on top")));
     const QStringList names = channelNames(info);
     m_channelCount = info.channels;
     for (int c = 0; c < names.size(); ++c) {
@@ -107,6 +118,8 @@ void BufferHeader::show(const pipeline::BufferName& name, int channel) {
 void BufferHeader::setZoom(double zoom) {
     m_zoom->setText(zoom > 0 ? number(zoom, zoom >= 2 || zoom == 1 ? 0 : 2) + "×" : QString());
 }
+
+void BufferHeader::setFlipped(bool flipped) { m_flip->setChecked(flipped); }
 
 void BufferHeader::setToggles(bool overlays, bool loupe) {
     m_overlays->setChecked(overlays);

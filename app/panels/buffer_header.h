@@ -3,6 +3,7 @@
 
 #include "app/panels/buffer_chooser.h"
 
+class QAction;
 class QLabel;
 class QMenu;
 class QToolButton;
@@ -20,6 +21,7 @@ public:
     void show(const pipeline::BufferName& name, int channel);
     void setZoom(double zoom);  // screen pixels per picture pixel; 0: there is no picture
     void setToggles(bool overlays, bool loupe);
+    void setFlipped(bool flipped);
     BufferChooser* chooser() { return m_chooser; }
     void openCompareMenu();
 
@@ -32,6 +34,11 @@ signals:
     void compareMenuOpens(QMenu* menu);  // it is to be filled
     void copyValueChosen();
     void copyPictureChosen();
+    void copyPinsChosen();
+    void pinChosen();
+    void unpinAllChosen();
+    void measureChosen();
+    void flipChosen(bool flipped);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -44,6 +51,7 @@ private:
     ElidedLabel* m_caption;
     QToolButton *m_channels[3], *m_fit, *m_original, *m_overlays, *m_loupe, *m_compare;
     QLabel* m_zoom;
+    QAction* m_flip;
     int m_channelCount = 1;
 };
 

@@ -142,6 +142,23 @@ void paintPicked(QPainter& painter, QPoint picked, const Placement& placement, Q
     paintDouble(painter, 2.5, 5, [&] { painter.drawRect(frame); });
 }
 
+void paintPinned(QPainter& painter, int number, QPoint pixel, const Placement& placement) {
+    QRectF frame(placement.toWidget(pixel), QSizeF(placement.zoom, placement.zoom));
+    if (frame.width() < 6) frame = QRectF(frame.center() - QPointF(3, 3), QSizeF(6, 6));
+    painter.setBrush(Qt::NoBrush);
+    paintDouble(painter, 1.5, 3.5, [&] { painter.drawRect(frame); });
+    QFont font = Theme::current().mono(13);
+    font.setBold(true);
+    const double side = QFontMetricsF(font).height();
+    const QRectF square(frame.topRight() + QPointF(2, -side - 1), QSizeF(side, side));
+    painter.setPen(QPen(Qt::white, 1));
+    painter.setBrush(Qt::black);
+    painter.drawRect(square);
+    painter.setFont(font);
+    painter.drawText(square, Qt::AlignCenter, QString::number(number));
+    painter.setBrush(Qt::NoBrush);
+}
+
 }  // namespace
 
 void paintChecker(QPainter& painter, QRect rect) {
@@ -194,6 +211,12 @@ void paintMarks(QPainter& painter, const CanvasContent& content, const Placement
         });
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
+    if (content.region)
+        paintDouble(painter, 1.5, 3.5, [&] {
+            painter.drawRect(
+                QRectF(placement.toWidget(content.region->topLeft()), QSizeF(content.region->size()) * placement.zoom));
+        });
+    for (const auto& [number, pixel] : content.pinned) paintPinned(painter, number, pixel, placement);
     if (content.hovered && content.hovered != content.picked) {
         painter.setBrush(Qt::NoBrush);
         const QRectF frame(placement.toWidget(*content.hovered), QSizeF(placement.zoom, placement.zoom));
@@ -204,6 +227,22 @@ void paintMarks(QPainter& painter, const CanvasContent& content, const Placement
         const bool hasCrossHair = placement.zoom < 24 && !content.shapes;
         paintPicked(painter, *content.picked, placement, visible, hasCrossHair);
     }
+}
+
+void paintOrigin(QPainter& painter, const Placement& placement, QSize size) {
+    const ThemeColors& c = Theme::current().colors();
+    const QFont font = Theme::current().mono(12);
+    const QFontMetricsF metrics(font);
+    const QString text = QStringLiteral("0, 0");
+    const QPointF corner = placement.toWidget(QPointF(0, size.height()));
+    const QRectF box(corner + QPointF(2, -metrics.height() - 4),
+                     QSizeF(metrics.horizontalAdvance(text) + 8, metrics.height() + 2));
+    painter.setPen(QPen(c.line, 1));
+    painter.setBrush(c.surface);
+    painter.drawRect(box);
+    painter.setPen(c.text);
+    painter.setFont(font);
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <QPolygonF>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/panels/shape_picture.h"
@@ -25,7 +26,9 @@ struct CanvasContent {
     std::function<QString(int, int)> strange;   // a mark on a number that should not be there; may be empty
     std::function<QStringList(int, int)> text;  // lines written into a pixel that is large enough
     std::optional<QPoint> picked, hovered;
-    std::vector<QPolygonF> marked;  // outlines of what is selected; a single corner is a vertex
+    std::vector<std::pair<int, QPoint>> pinned;  // number and pixel
+    std::optional<QRect> region;                 // whose statistics are on show
+    std::vector<QPolygonF> marked;               // outlines of what is selected; a single corner is a vertex
 };
 
 // Where the picture stands: its corner in the widget, and device-independent pixels per picture pixel.
@@ -42,8 +45,10 @@ inline constexpr double kGridZoom = 10, kEdgeZoom = 12, kTextZoom = 56;
 // themselves.
 void paintCanvas(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible,
                  bool showEdges);
-// The picked and the hovered pixel.
+// The picked, the hovered and the pinned pixels, the region.
 void paintMarks(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible);
+// "0, 0" at the lower left corner, for a picture that is turned over.
+void paintOrigin(QPainter& painter, const Placement& placement, QSize size);
 // The checker that stands for "nothing drawn".
 void paintChecker(QPainter& painter, QRect rect);
 

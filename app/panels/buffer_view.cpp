@@ -47,9 +47,12 @@ void BufferView::observe() {
     connect(m_header, &BufferHeader::fitChosen, m_canvas, &BufferCanvas::toggleFit);
     connect(m_header, &BufferHeader::originalChosen, m_canvas, [this] { m_canvas->setZoom(1); });
     observeOverlays();
+    observeMarks();
     connect(m_header, &BufferHeader::loupeToggled, this, &BufferView::setShowLoupe);
     connect(m_header, &BufferHeader::copyValueChosen, this,
             [this] { QApplication::clipboard()->setText(m_readout->text()); });
+    connect(m_header, &BufferHeader::copyPinsChosen, this,
+            [this] { QApplication::clipboard()->setText(m_pins->text()); });
     connect(m_header, &BufferHeader::copyPictureChosen, this, [this] {
         if (m_shown) QApplication::clipboard()->setImage(m_shown->content.image);
     });
@@ -180,6 +183,8 @@ void BufferView::refresh() {
     setAccessibleDescription(m_shown->description);
     markSelection();
     showPixels();
+    showPins();
+    showRegion();
 }
 
 void BufferView::markSelection() {

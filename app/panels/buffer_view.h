@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/core/document.h"
+#include "app/core/region_statistics.h"
 #include "app/panels/overlays.h"
 #include "app/panels/shown_buffer.h"
 #include "app/state/window_state.h"
@@ -22,6 +23,7 @@ class ConditionBar;
 enum class CompareMode : unsigned char;
 class Loupe;
 class RangeFoot;
+class RegionPanel;
 class StageDifferences;
 
 // Any buffer of the document's frame, by name. The old picture stays while a new one is computed;
@@ -38,6 +40,8 @@ public:
     void autofit(bool keep);  // keep: the range follows every frame
     void setRange(pipeline::PaletteRange range);
     void setOverlay(OverlayId overlay, bool shown);
+    void setRegion(const std::optional<Region>& region);  // whose statistics stand in the corner
+    void setFlipped(bool flipped);                        // row 0 at the foot
     void setShowLoupe(bool show);
     // How the buffer is looked at, and the same again. Errors: what there is not, left out.
     BufferShown state() const;
@@ -80,6 +84,12 @@ private:
     bool standsOnPicture() const;
     QString readout(QPoint pixel) const;
     void placeOverlays();
+    void observeMarks();
+    void showRegion();
+    void measure();
+    void togglePin();
+    void goToPin(int number);
+    void showPins();
 
     Document& m_document;
     pipeline::BufferName m_name{pipeline::BufferId::Color};
@@ -100,6 +110,9 @@ private:
     QPushButton* m_compute;
     Loupe* m_loupe;
     RangeFoot* m_foot;
+    RegionPanel* m_region;
+    std::optional<Region> m_regionShown;
+    QLabel* m_pins;
     QWidget* m_working;
     QTimer m_slow;
 };

@@ -1,6 +1,7 @@
 // The keys of a BufferView that has the focus.
 #include <QKeyEvent>
 
+#include "app/core/pinned_pixels.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
@@ -12,6 +13,8 @@ namespace app {
 
 void BufferView::keyPressEvent(QKeyEvent* event) {
     if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return QWidget::keyPressEvent(event);
+    const bool shift = event->modifiers() & Qt::ShiftModifier;
+    if (event->key() >= Qt::Key_1 && event->key() <= Qt::Key_9) return goToPin(event->key() - Qt::Key_0);
     switch (event->key()) {
         case Qt::Key_N: return autofit(event->modifiers() & Qt::ShiftModifier);
         case Qt::Key_R: return setChannel(0);
@@ -22,6 +25,10 @@ void BufferView::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Shift: return m_compare->holdOther(true);
         case Qt::Key_QuoteLeft: return event->isAutoRepeat() ? void() : m_compare->holdPrevious(true);
         case Qt::Key_Slash: return m_condition->open();
+        case Qt::Key_P: return shift ? PinnedPixels::of(m_document).clear() : togglePin();
+        case Qt::Key_M: return measure();
+        case Qt::Key_Y: return setFlipped(!m_canvas->isFlipped());
+        case Qt::Key_Escape: return m_regionShown ? setRegion({}) : QWidget::keyPressEvent(event);
         case Qt::Key_T: return compareBy(CompareMode::Blink);
         case Qt::Key_W: return compareBy(CompareMode::Wipe);
         case Qt::Key_D: return compareBy(CompareMode::Difference);

@@ -12,6 +12,7 @@
 #include "app/panels/follow_theme.h"
 #include "app/panels/loupe.h"
 #include "app/panels/range_foot.h"
+#include "app/panels/region_panel.h"
 #include "app/panels/stage_differences.h"
 
 namespace app {
@@ -41,6 +42,8 @@ void BufferView::build() {
     m_loupe = new Loupe(m_canvas);
     m_readout = overlay(m_canvas);
     m_notice = overlay(m_canvas);
+    m_pins = overlay(m_canvas);
+    m_region = new RegionPanel(m_canvas);
     m_working = new QWidget(m_canvas);
     m_working->hide();
     m_slow.setSingleShot(true);
@@ -73,6 +76,7 @@ void BufferView::build() {
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_readout->setFont(theme.mono(12));
+        m_pins->setFont(theme.mono(12));
         m_notice->setFont(theme.text(12));
         m_notice->setTextFormat(Qt::RichText);
         m_message->setFont(theme.text(13));
@@ -96,6 +100,18 @@ void BufferView::placeOverlays() {
     m_notice->adjustSize();
     const int right = m_loupe->isVisibleTo(m_canvas) ? m_loupe->width() + kMargin : 0;
     m_notice->move(m_canvas->width() - m_notice->width() - kMargin - right, kMargin);
+    // Above the readout, and the region beside it or above.
+    m_pins->adjustSize();
+    const int top = m_readout->isVisibleTo(m_canvas) ? m_readout->y() : m_canvas->height();
+    m_pins->move(kMargin, top - m_pins->height() - kMargin);
+    // Where it covers neither the pins' values nor, if there is a choice, the region.
+    const int beside = m_canvas->width() - m_region->width() - 2 * kMargin;
+    const bool isTight = m_pins->isVisibleTo(m_canvas) && m_pins->geometry().right() > beside;
+    const auto& region = m_canvas->content().region;
+    const bool isLow = region && m_canvas->visiblePart().center().y() < region->center().y();
+    const bool onTop = isTight || isLow != m_canvas->isFlipped();
+    m_region->move(m_canvas->width() - m_region->width() - kMargin,
+                   onTop ? kMargin : m_canvas->height() - m_region->height() - kMargin);
     m_working->setGeometry(0, 0, m_canvas->width(), 3);
     m_loupe->follow();
 }

@@ -31,7 +31,7 @@ void Loupe::follow() {
 }
 
 void Loupe::paintEvent(QPaintEvent*) {
-    const CanvasContent& content = m_canvas->content();
+    const CanvasContent content = m_canvas->painted(m_canvas->content());
     const std::optional<QPoint> centre = content.hovered ? content.hovered : content.picked;
     QPainter painter(this);
     const QRect inner = rect().adjusted(1, 1, -1, -1);
@@ -39,7 +39,7 @@ void Loupe::paintEvent(QPaintEvent*) {
         const QPointF middle = QPointF(*centre) + QPointF(0.5, 0.5);
         const Placement placement{QPointF(inner.center()) + QPointF(0.5, 0.5) - middle * kZoom, kZoom};
         painter.setClipRect(inner);
-        paintCanvas(painter, m_canvas->seen(), placement, inner, true);
+        paintCanvas(painter, m_canvas->painted(m_canvas->seen()), placement, inner, true);
         painter.setClipping(false);
         const QRectF frame(placement.toWidget(*centre), QSizeF(kZoom, kZoom));
         painter.setPen(QPen(Qt::black, 4));

@@ -58,6 +58,7 @@ constexpr auto kOptions = std::to_array<OptionRow>({
     flag<&ViewOptions::reflection>("reflection"),
     choice<&ViewOptions::normalColors, NormalColors>("normal_colors", 0, 1),
     flag<&ViewOptions::lobe>("lobe"),
+    flag<&ViewOptions::handles>("handles"),
     flag<&ViewOptions::lightFrusta>("light_frusta"),
     vector<Code::N>("vector_n"),
     vector<Code::L>("vector_l"),

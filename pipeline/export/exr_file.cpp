@@ -4,8 +4,11 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
+#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +77,45 @@ Result<std::uint64_t> writeExr(const ExportItem& item, const std::filesystem::pa
     ByteFile out(file);
     out.write(stream.bytes());
     return out.close();
+}
+
+Result<AnyBuffer> readExr(const std::filesystem::path& file, const AnyBuffer& like) {
+    const auto wrong = [&](std::string found, std::string expected) {
+        return Error{{file.string()}, std::move(found), std::move(expected)};
+    };
+    try {
+        Imf::InputFile in(file.c_str());
+        const Imath::Box2i window = in.header().dataWindow();
+        const auto width = std::size_t(window.max.x - window.min.x + 1),
+                   height = std::size_t(window.max.y - window.min.y + 1);
+        constexpr std::size_t kMostPixels = std::size_t{1} << 30;  // a header can announce anything
+        if (width > kMostPixels / height) return wrong(fmt::format("{} × {} pixels", width, height), "at most 2^30");
+        std::string has, wanted;
+        for (auto it = in.header().channels().begin(); it != in.header().channels().end(); ++it)
+            has += std::string(has.empty() ? "" : " ") + it.name();
+        const std::vector<const char*> names = channelNames(*like.info);
+        const std::size_t channels = names.size();
+        for (const char* name : names) wanted += std::string(wanted.empty() ? "" : " ") + name;
+        for (const char* name : names)
+            if (!in.header().channels().findChannel(name))
+                return wrong("its channels are " + has, fmt::format("{}, as for {}", wanted, like.name.text()));
+        auto numbers = std::make_shared<std::vector<float>>(width * height * channels);
+        Imf::FrameBuffer pixels;
+        const std::size_t step = sizeof(float) * channels, line = step * width;
+        for (std::size_t c = 0; c < channels; ++c) {
+            // The library counts from the window's origin, which need not be 0, 0.
+            char* first = reinterpret_cast<char*>(numbers->data() + c);
+            first -= std::ptrdiff_t(step) * window.min.x + std::ptrdiff_t(line) * window.min.y;
+            pixels.insert(names[c], Imf::Slice(Imf::FLOAT, first, step, line));
+        }
+        in.setFrameBuffer(pixels);
+        in.readPixels(window.min.y, window.max.y);
+        AnyBuffer read{like.name, like.info, {height, width}, std::span<const float>(*numbers), numbers};
+        if (channels > 1) read.shape.push_back(channels);
+        return read;
+    } catch (const std::exception& problem) {  // OpenEXR reports no other way
+        return wrong(std::string("could not read: ") + problem.what(), {});
+    }
 }
 
 }  // namespace pipeline

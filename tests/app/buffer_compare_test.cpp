@@ -12,6 +12,7 @@
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/stage_differences.h"
+#include "pipeline/export/exr_file.h"
 #include "pipeline/export/npy_file.h"
 #include "tests/support/scenes.h"
 
@@ -140,6 +141,33 @@ TEST_F(BufferCompareTest, AnExportedArrayIsTheSameAsItsBuffer) {
     const auto color = *document.frame()->buffer({BufferId::Color});
     ASSERT_TRUE(pipeline::writeNpy({color, statistics(color), {}}, file));
     compareWith({.kind = Kind::File, .file = folder.filePath("color.npy")});
+    EXPECT_EQ(compare.found()->differing, 0u);
+}
+
+TEST_F(BufferCompareTest, AnExportedExrIsTheSameAsItsBuffer) {
+    QTemporaryDir folder;
+    for (const BufferId id : {BufferId::Color, BufferId::ZView, BufferId::Position}) {
+        const QString file = folder.filePath(QString("%1.exr").arg(int(id)));
+        pipeline::Scene scene = ball(pipeline::Shading::Gouraud);
+        const auto buffer = *test::frameOf(scene, pipeline::setOf({id}))->buffer({id});
+        ASSERT_TRUE(pipeline::writeExr({buffer, statistics(buffer), {}}, file.toStdString()));
+        const auto read = app::readPicture(file, buffer);
+        ASSERT_TRUE(read) << format(read.errors().front());
+        ASSERT_EQ(read->shape, buffer.shape);
+        for (std::size_t i = 0; i < buffer.count(); ++i) ASSERT_EQ(read->flat(i), buffer.flat(i)) << i;
+    }
+    const auto color = *document.frame()->buffer({BufferId::Color});
+    const auto wrong = app::readPicture(folder.filePath(QString("%1.exr").arg(int(BufferId::Position))), color);
+    ASSERT_FALSE(wrong) << "a vector is no colour";
+    EXPECT_NE(format(wrong.errors().front()).find("its channels are X Y Z"), std::string::npos);
+    QFile out(folder.filePath("broken.exr"));
+    EXPECT_TRUE(out.open(QIODevice::WriteOnly) && out.write("nothing") == 7);
+    out.close();
+    const auto broken = app::readPicture(folder.filePath("broken.exr"), color);
+    ASSERT_FALSE(broken);
+    EXPECT_NE(format(broken.errors().front()).find("broken.exr"), std::string::npos);
+    ASSERT_TRUE(pipeline::writeExr({color, statistics(color), {}}, folder.filePath("color.exr").toStdString()));
+    compareWith({.kind = Kind::File, .file = folder.filePath("color.exr")});
     EXPECT_EQ(compare.found()->differing, 0u);
 }
 

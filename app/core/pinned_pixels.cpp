@@ -1,0 +1,46 @@
+#include "app/core/pinned_pixels.h"
+
+#include <algorithm>
+
+namespace app {
+
+PinnedPixels& PinnedPixels::of(Document& document) {
+    if (auto* pins = document.findChild<PinnedPixels*>()) return *pins;
+    return *new PinnedPixels(document);
+}
+
+PinnedPixels::PinnedPixels(Document& document) : QObject(&document), m_document(document) {
+    connect(&document, &Document::sceneOpened, this, &PinnedPixels::clear);
+    connect(&document, &Document::sceneChanged, this, &PinnedPixels::changed);
+}
+
+std::optional<glm::ivec2> PinnedPixels::pin(int number) const {
+    if (number < 1 || number > kMost || !m_document.hasScene()) return {};
+    const auto& pin = m_pins[std::size_t(number - 1)];
+    const pipeline::Settings& settings = m_document.scene().settings;
+    if (!pin || pin->x >= settings.width || pin->y >= settings.height) return {};
+    return pin;
+}
+
+bool PinnedPixels::toggle(glm::ivec2 pixel) {
+    auto place = std::ranges::find(m_pins, std::optional(pixel));
+    const bool isNew = place == m_pins.end();
+    if (isNew) place = std::ranges::find_if(m_pins, [](const auto& pin) { return !pin; });
+    if (place == m_pins.end()) return false;
+    *place = isNew ? std::optional(pixel) : std::nullopt;
+    emit changed();
+    return true;
+}
+
+void PinnedPixels::clear() {
+    m_pins = {};
+    emit changed();
+}
+
+bool PinnedPixels::any() const {
+    for (int number = 1; number <= kMost; ++number)
+        if (pin(number)) return true;
+    return false;
+}
+
+}  // namespace app

@@ -1,0 +1,74 @@
+#include "app/panels/region_panel.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/core/icons.h"
+#include "app/panels/follow_theme.h"
+#include "app/panels/shown_buffer.h"
+
+namespace app {
+
+namespace {
+
+// The lines of regionText as a table: names on the left, numbers flush right.
+QString asTable(const QString& text) {
+    QString table = QStringLiteral("<table cellspacing='0' cellpadding='1'>");
+    const QStringList lines = text.split('\n');
+    for (qsizetype i = 0; i + 1 < lines.size(); ++i) {
+        table += QStringLiteral("<tr>");
+        const QStringList cells = lines[i].split('\t');
+        for (qsizetype c = 0; c < cells.size(); ++c)
+            table += QStringLiteral("<td align='%1'>%2&nbsp;&nbsp;</td>")
+                         .arg(c == 0 ? "left" : "right", cells[c].toHtmlEscaped());
+        table += QStringLiteral("</tr>");
+    }
+    return table + QStringLiteral("</table>") + lines.back().toHtmlEscaped();
+}
+
+}  // namespace
+
+RegionPanel::RegionPanel(QWidget* parent) : QFrame(parent), m_table(new QLabel(this)) {
+    setProperty("kind", "overlay");
+    setAccessibleName(tr("Statistics of the region"));
+    m_table->setTextFormat(Qt::RichText);
+    auto* copy = new QToolButton(this);
+    copy->setIcon(icon("copy"));
+    copy->setAccessibleName(tr("Copy the statistics"));
+    copy->setToolTip(tr("Copy the statistics as text, with tabs between the columns"));
+    auto* close = new QToolButton(this);
+    close->setIcon(icon("close"));
+    close->setAccessibleName(tr("Close the statistics"));
+    close->setToolTip(tr("Close (Esc)"));
+    connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(m_text); });
+    connect(close, &QToolButton::clicked, this, &RegionPanel::closed);
+    auto* row = new QHBoxLayout(this);
+    row->addWidget(m_table);
+    auto* buttons = new QVBoxLayout;
+    buttons->addWidget(close);
+    buttons->addWidget(copy);
+    buttons->addStretch();
+    row->addLayout(buttons);
+    followTheme(this, [this, row] {
+        const int padding = Theme::current().px(6);
+        row->setContentsMargins(padding, padding, padding, padding);
+        m_table->setFont(Theme::current().mono(12));
+        adjustSize();
+    });
+    hide();
+}
+
+void RegionPanel::show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region, int channel) {
+    setVisible(region.has_value());
+    if (!region) return;
+    m_text = regionText(buffer, *region, channel, channelNames(*buffer.info));
+    m_table->setText(asTable(m_text));
+    setAccessibleDescription(m_text);
+    adjustSize();
+}
+
+}  // namespace app

@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QLabel>
+#include <QTest>
+#include <cmath>
+#include <limits>
+
+#include "app/core/pinned_pixels.h"
+#include "app/core/region_statistics.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/canvas_flip.h"
+#include "app/panels/region_panel.h"
+#include "tests/support/scenes.h"
+
+// Pinned pixels, the statistics of a region, and a picture that is turned over.
+namespace {
+
+using app::BufferCanvas;
+using app::BufferView;
+using app::Document;
+using app::PinnedPixels;
+using app::Region;
+using pipeline::BufferId;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
+
+// 4 × 2 numbers: −1 2 2 nan / 5 ∞ 2 −∞
+pipeline::AnyBuffer numbers() {
+    auto data =
+        std::make_shared<std::vector<double>>(std::vector{-1.0, 2.0, 2.0, kNan, 5.0, kInfinity, 2.0, -kInfinity});
+    return {{BufferId::ZView}, &pipeline::bufferInfo(BufferId::ZView), {2, 4}, std::span<const double>(*data), data};
+}
+
+struct BufferMarksTest : testing::Test {
+    Document document;
+    BufferView view{document}, other{document};
+
+    BufferMarksTest() {
+        for (BufferView* v : {&view, &other}) {
+            v->resize(640, 560);
+            v->show();
+        }
+        document.setScene(test::pyramid());
+        view.setBuffer({BufferId::ZView});
+        EXPECT_TRUE(QTest::qWaitFor(
+            [&] {
+                return !document.busy() && view.shown() && view.shown()->buffer.name == view.buffer() && other.shown();
+            },
+            10000));
+    }
+    QPoint widgetAt(QPoint pixel) {
+        const BufferCanvas& canvas = *view.canvas();
+        return canvas.placement().toWidget(canvas.toShown(QPointF(pixel) + QPointF(0.5, 0.5))).toPoint();
+    }
+};
+
+constexpr glm::ivec2 kOnPolygon2{268, 281};
+
+}  // namespace
+
+// Of −1, 2, 2, 5, 2: the mean is 2, the squares 9 + 0 + 0 + 9 + 0 over 5 make a variance of 3.6.
+TEST(RegionStatistics, CountsWhatIsThere) {
+    const auto all = app::regionStatistics(numbers(), {{3, 1}, {0, 0}}, 0);
+    EXPECT_EQ(all.count, 8u);
+    EXPECT_EQ(all.finite, 5u);
+    EXPECT_EQ(all.nan, 1u);
+    EXPECT_EQ(all.infinite, 2u);
+    EXPECT_EQ(all.negative, 2u) << "−1 and −∞";
+    EXPECT_EQ(all.min, -1);
+    EXPECT_EQ(all.max, 5);
+    EXPECT_DOUBLE_EQ(*all.mean, 2);
+    EXPECT_DOUBLE_EQ(*all.deviation, std::sqrt(3.6));
+    EXPECT_EQ(all.distinct, 3u);
+    const auto one = app::regionStatistics(numbers(), {{2, 1}, {2, 1}}, 0);
+    EXPECT_EQ(one.count, 1u);
+    EXPECT_EQ(one.deviation, 0);
+    const auto none = app::regionStatistics(numbers(), {{3, 0}, {3, 0}}, 0);
+    EXPECT_FALSE(none.mean || none.min || none.distinct) << "a NaN has no mean";
+    EXPECT_EQ(app::regionStatistics(numbers(), {{-5, -5}, {0, 0}}, 0).count, 1u) << "only what lies in the buffer";
+}
+
+// A mean of squares less the square of the mean would lose this spread of 1 in 10^9 altogether in float.
+TEST(RegionStatistics, AreStableFarFromZero) {
+    auto data = std::make_shared<std::vector<double>>();
+    for (int i = 0; i < 1000; ++i) data->push_back(1e9 + i % 2);
+    const pipeline::AnyBuffer buffer{
+        {BufferId::ZView}, &pipeline::bufferInfo(BufferId::ZView), {1, 1000}, std::span<const double>(*data), data};
+    EXPECT_NEAR(*app::regionStatistics(buffer, {{0, 0}, {999, 0}}, 0).deviation, 0.5, 1e-9);
+}
+
+TEST_F(BufferMarksTest, PinsTakeTheLeastFreeNumber) {
+    PinnedPixels& pins = PinnedPixels::of(document);
+    EXPECT_EQ(&pins, &PinnedPixels::of(document)) << "there is one set";
+    for (int i = 0; i < 9; ++i) EXPECT_TRUE(pins.toggle({i, 0}));
+    EXPECT_FALSE(pins.toggle({20, 20})) << "nine are all";
+    EXPECT_TRUE(pins.toggle({4, 0})) << "and a pinned one lets go";
+    EXPECT_FALSE(pins.pin(5));
+    EXPECT_TRUE(pins.toggle({20, 20}));
+    EXPECT_EQ(pins.pin(5), glm::ivec2(20, 20));
+    const auto width = findSetting(document.scene(), "width");
+    ASSERT_TRUE(width);
+    document.change(*width, 16);
+    EXPECT_FALSE(pins.pin(5)) << "the picture has become smaller";
+    document.undoStack()->undo();
+    EXPECT_TRUE(pins.pin(5));
+    document.setScene(test::pyramid());
+    EXPECT_FALSE(pins.any()) << "another scene";
+}
+
+TEST_F(BufferMarksTest, EveryViewShowsThePinsAndItsOwnValues) {
+    document.pick(kOnPolygon2);
+    QTest::keyClick(&view, Qt::Key_P);
+    for (BufferView* v : {&view, &other}) {
+        ASSERT_EQ(v->canvas()->content().pinned.size(), 1u);
+        EXPECT_EQ(v->canvas()->content().pinned[0], (std::pair{1, QPoint(268, 281)}));
+    }
+    const auto table = [](BufferView& v) {
+        for (const QLabel* label : v.findChildren<QLabel*>())
+            if (label->accessibleName() == "Pinned pixels") return label->text();
+        return QString();
+    };
+    // z_view of the picked pixel differs from its colour, 37 93 167.
+    EXPECT_TRUE(table(view).startsWith("1  x 268 y 281 → 6")) << table(view).toStdString();
+    EXPECT_EQ(table(other), "1  x 268 y 281 → 37 93 167");
+    document.pick(glm::ivec2{1, 1});
+    QTest::keyClick(&view, Qt::Key_1);
+    EXPECT_EQ(document.pixel(), kOnPolygon2);
+    QTest::keyClick(&view, Qt::Key_P, Qt::ShiftModifier);
+    EXPECT_TRUE(other.canvas()->content().pinned.empty());
+}
+
+TEST_F(BufferMarksTest, ADraggedRegionTellsItsStatistics) {
+    BufferCanvas& canvas = *view.canvas();
+    const QPoint from = widgetAt({260, 276}), to = widgetAt({269, 280});
+    QTest::mousePress(&canvas, Qt::RightButton, {}, from);
+    QTest::mouseMove(&canvas, to);
+    QTest::mouseRelease(&canvas, Qt::RightButton, {}, to);
+    const auto* panel = view.findChild<app::RegionPanel*>();
+    ASSERT_TRUE(panel->isVisibleTo(&view));
+    EXPECT_EQ(canvas.content().region, QRect(QPoint(260, 276), QPoint(269, 280)));
+    EXPECT_TRUE(panel->text().contains("10 × 5 from 260, 276")) << panel->text().toStdString();
+    EXPECT_FALSE(document.pixel()) << "it picks nothing";
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_FALSE(panel->isVisibleTo(&view));
+    EXPECT_FALSE(canvas.content().region);
+}
+
+TEST_F(BufferMarksTest, WithoutAMouseItMeasuresBetweenTwoPins) {
+    PinnedPixels& pins = PinnedPixels::of(document);
+    pins.toggle({265, 290});
+    pins.toggle({260, 280});
+    QTest::keyClick(&view, Qt::Key_M);
+    EXPECT_EQ(view.canvas()->content().region, QRect(QPoint(260, 280), QPoint(265, 290)));
+}
+
+TEST_F(BufferMarksTest, TurnedOverThePictureKeepsItsNumbers) {
+    const QImage upright = view.canvas()->content().image;
+    QTest::keyClick(&view, Qt::Key_Y);
+    BufferCanvas& canvas = *view.canvas();
+    ASSERT_TRUE(canvas.isFlipped());
+    const app::CanvasContent painted = canvas.painted(canvas.content());
+    EXPECT_EQ(painted.image.pixel(268, 479 - 281), upright.pixel(268, 281));
+    EXPECT_EQ(painted.text(268, 479 - 281), canvas.content().text(268, 281));
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, widgetAt({268, 281}));
+    EXPECT_EQ(document.pixel(), kOnPolygon2) << "a click picks the pixel that is seen";
+    EXPECT_EQ(canvas.pixelAt(widgetAt({268, 281})), QPoint(268, 281));
+    QTest::keyClick(&canvas, Qt::Key_Up);
+    EXPECT_EQ(document.pixel(), glm::ivec2(268, 282)) << "up on the screen is the next row";
+    const app::CanvasContent twice = app::upsideDown(app::upsideDown(canvas.content()));
+    EXPECT_EQ(twice.image, canvas.content().image);
+    EXPECT_EQ(twice.edges, canvas.content().edges);
+    EXPECT_EQ(twice.focus, canvas.content().focus);
+}
