@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include "app/core/mix_model.h"
 #include "app/core/scene_step.h"
 #include "app/core/stage_status.h"
 #include "app/core/text.h"
@@ -32,6 +33,7 @@ Document::Document(QObject* parent) : QObject(parent) {
             QMetaObject::invokeMethod(
                 this, [this, frame = std::move(frame), check] { takeCheck(frame, check); }, Qt::QueuedConnection);
         });
+    m_mixer = std::make_unique<MixModel>(*this);
     connect(&m_stepper, &Stepper::stageReached, this, &Document::showStage);
     connect(&m_stepper, &Stepper::shown, this, &Document::showFrame);
     connect(&m_stepper, &Stepper::left, this, [this] { showFrame(m_whole); });
@@ -39,6 +41,7 @@ Document::Document(QObject* parent) : QObject(parent) {
 
 Document::~Document() {
     m_worker.reset();
+    m_mixer.reset();
     m_undo.disconnect();  // clearing itself, it would tell observers that may be gone
 }
 
@@ -240,6 +243,12 @@ void Document::setChannel(int channel) {
     if (channel == m_channel) return;
     m_channel = channel;
     emit channelChanged();
+}
+
+void Document::point(const QString& refers) {
+    if (refers == m_pointed) return;
+    m_pointed = refers;
+    emit pointedChanged();
 }
 
 void Document::want(const QObject* who, BufferSet buffers) {

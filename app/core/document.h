@@ -15,6 +15,8 @@
 
 namespace app {
 
+class MixModel;
+
 // A setting's value before the newest step of undo.
 struct SettingChange {
     pipeline::SettingRef setting;
@@ -46,11 +48,14 @@ public:
     const std::optional<Selection>& selection() const { return m_selection; }
     std::optional<glm::ivec2> hovered() const { return m_hovered; }
     int channel() const { return m_channel; }  // 0 r, 1 g, 2 b: for the equation
+    // The buffer or setting that a part of the equation under the cursor stands for; empty where there is none.
+    const QString& pointed() const { return m_pointed; }
     // Per stage, once computed (in idle time, after each frame); nothing before.
     const StageErrors& errors() const { return m_check.errors; }
     // How many numbers in the frame's buffers are none; known when the errors are.
     std::optional<std::size_t> nanCount() const { return m_checked ? std::optional(m_check.nan) : std::nullopt; }
     QUndoStack* undoStack() { return &m_undo; }
+    MixModel& mixer() { return *m_mixer; }  // how the terms are mixed in the pictures on show
     // What the newest step of undo changed, where it changed one setting.
     std::optional<SettingChange> lastChange() const;
     // The scene before the newest step of undo, a whole drag being one; null where there is none.
@@ -91,6 +96,7 @@ public:
     void select(std::optional<Selection> selection);  // nothing where the scene has no such thing
     void hover(std::optional<glm::ivec2> pixel);
     void setChannel(int channel);
+    void point(const QString& refers);
     // The buffers that `who` shows. What nobody wants is not computed. Forgotten with `who`.
     void want(const QObject* who, pipeline::BufferSet buffers);
 
@@ -104,6 +110,7 @@ signals:
     void selectionChanged();
     void hoverChanged();
     void channelChanged();
+    void pointedChanged();
     void busyChanged(bool busy);  // a frame is being computed
     void failed(const pipeline::Errors& errors);
     void said(const QString& sentence);  // for the status bar
@@ -129,6 +136,7 @@ private:
     std::optional<glm::ivec2> m_pixel, m_hovered;
     std::optional<Selection> m_selection;
     int m_channel = 2;
+    QString m_pointed;
     FrameCheck m_check;
     bool m_checked = false;
     std::map<const QObject*, pipeline::BufferSet> m_wanted;
@@ -149,6 +157,7 @@ private:
     QString m_edited;
 
     std::unique_ptr<FrameWorker> m_worker;
+    std::unique_ptr<MixModel> m_mixer;
 };
 
 }  // namespace app

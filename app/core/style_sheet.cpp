@@ -47,6 +47,8 @@ QToolButton { background: transparent; color: @text2; border: 1px solid transpar
 QToolButton:checked { background: @tint; color: @accent; }
 QToolButton[kind="fold"], QToolButton[kind="fold"]:checked { background: transparent; color: @text; padding: 2u 4u 2u 0; }
 QToolButton[kind="fold"]:hover { color: @accent; }
+QToolButton[kind="strip"] { background: @raised; border: 1px solid @outline; padding: 0; min-width: 0; min-height: 0; }
+QToolButton[kind="strip"]:checked { background: @fill; color: @onFill; border-color: @fill; }
 QToolButton::menu-indicator { image: none; }
 QToolButton[kind="segment"], QPushButton[kind="segment"] { background: @raised; color: @text2;
   border: 1px solid @outline; border-radius: 0; padding: 0 10u; min-height: 22u; }
@@ -71,6 +73,7 @@ QCheckBox::indicator:checked, QMenu::indicator:checked, QAbstractItemView::indic
   border-color: @fill; image: url(:/icons/control-check.svg); }
 QCheckBox:disabled, QRadioButton:disabled { color: @text3; }
 
+QLabel[pointed="true"] { background: @tint; border-radius: 4u; }
 QSlider { background: transparent; }
 QSlider::groove:horizontal { height: 4u; border-radius: 2u; background: @hover; }
 QSlider::sub-page:horizontal { height: 4u; border-radius: 2u; background: @accent; }

@@ -1,97 +1,211 @@
 #include "app/panels/terms_section.h"
 
-#include <QPainter>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/mix_model.h"
 #include "app/core/numbers.h"
+#include "app/core/text.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/gain_bar.h"
+#include "pipeline/stages/shading.h"
 
 namespace app {
 
-TermsSection::TermsSection(QWidget* parent) : QWidget(parent) {
-    setAccessibleName(tr("Terms of the intensity"));
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    followTheme(this, [this] {
-        updateGeometry();
-        update();
-    });
+using pipeline::TermKind;
+using pipeline::TermMix;
+using pipeline::TermStrip;
+
+namespace {
+
+double valueOf(const TermStrip& strip, const pipeline::PixelReport& report, int channel) {
+    const auto k = std::size_t(std::max(0, strip.light));
+    switch (strip.kind) {
+        case TermKind::Emission: return report.emission[channel];
+        case TermKind::Ambient: return report.ambient[channel];
+        case TermKind::Diffuse: return report.diffuse[k][channel];
+        case TermKind::Specular: return report.specular[k][channel];
+    }
+    return 0;
 }
 
-int TermsSection::rowHeight() const { return Theme::current().px(24); }
+}  // namespace
 
-QSize TermsSection::sizeHint() const {
-    return {Theme::current().px(320), (int(m_terms.size()) + 1) * rowHeight() + Theme::current().px(2)};
+TermsSection::TermsSection(Document& document, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_grid(new QGridLayout),
+      m_sum(new QLabel(this)),
+      m_words(new QLabel(this)),
+      m_reset(new QPushButton(tr("Every term as it is"), this)) {
+    setAccessibleName(tr("Terms of the intensity"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(m_grid);
+    column->addWidget(m_sum);
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(m_words, 1);
+    foot->addWidget(m_reset);
+    column->addLayout(foot);
+    m_grid->setColumnStretch(3, 1);
+    m_sum->setTextFormat(Qt::RichText);
+    m_words->setWordWrap(true);
+    m_words->setProperty("tone", "2");
+    m_reset->setProperty("kind", "link");
+    connect(m_reset, &QPushButton::clicked, &document.mixer(), &MixModel::reset);
+    connect(&document.mixer(), &MixModel::changed, this, &TermsSection::showMix);
+    followTheme(this, [this] { styleRows(); });
+}
+
+void TermsSection::build(std::size_t count) {
+    for (const Strip& strip : m_strips)
+        for (QWidget* part :
+             std::initializer_list<QWidget*>{strip.solo, strip.mute, strip.name, strip.gain, strip.value, strip.bar})
+            delete part;
+    m_strips.clear();
+    const auto toggle = [this](const char* letter, std::size_t i, bool TermStrip::*field) {
+        auto* button = new QToolButton(this);
+        button->setText(letter);
+        button->setCheckable(true);
+        button->setProperty("kind", "strip");
+        connect(button, &QToolButton::clicked, this, [this, i, field](bool on) {
+            TermMix mix = m_document.mixer().mix();
+            mix[i].*field = on;
+            m_document.mixer().set(mix);
+        });
+        return button;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const int row = int(i);
+        const QString name = toQString(m_document.mixer().mix()[i].name());
+        Strip strip{toggle("S", i, &TermStrip::solo),
+                    toggle("M", i, &TermStrip::muted),
+                    new QLabel(name, this),
+                    new QLabel(this),
+                    new QLabel(this),
+                    new GainBar(this)};
+        strip.solo->setToolTip(tr("Solo: this term alone, in every picture of the frame buffer."));
+        strip.mute->setToolTip(tr("Mute: the picture without this term."));
+        strip.solo->setAccessibleName(tr("Solo %1").arg(name));
+        strip.mute->setAccessibleName(tr("Mute %1").arg(name));
+        strip.bar->setAccessibleName(tr("Gain of %1").arg(name));
+        strip.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_grid->addWidget(strip.solo, row, 0);
+        m_grid->addWidget(strip.mute, row, 1);
+        m_grid->addWidget(strip.name, row, 2);
+        m_grid->addWidget(strip.bar, row, 3);
+        m_grid->addWidget(strip.gain, row, 4);
+        m_grid->addWidget(strip.value, row, 5);
+        connect(strip.bar, &GainBar::moved, this, [this, i](double gain) {
+            TermMix mix = m_document.mixer().mix();
+            mix[i].gain = gain;
+            m_document.mixer().set(mix);
+        });
+        m_strips.push_back(strip);
+    }
+    styleRows();
+}
+
+void TermsSection::styleRows() {
+    const Theme& theme = Theme::current();
+    m_grid->setHorizontalSpacing(theme.px(4));
+    m_grid->setVerticalSpacing(theme.px(2));
+    m_grid->setColumnMinimumWidth(5, QFontMetrics(theme.mono(12)).horizontalAdvance("0 000.000"));
+    m_grid->setColumnMinimumWidth(4, QFontMetrics(theme.mono(12)).horizontalAdvance("×0.00"));
+    for (const Strip& strip : m_strips) {
+        for (QToolButton* button : {strip.solo, strip.mute}) {
+            button->setFont(theme.text(12, 600));
+            button->setFixedSize(theme.px(22), theme.px(22));
+        }
+        strip.name->setFont(theme.text(12));
+        for (QLabel* digits : {strip.gain, strip.value}) digits->setFont(theme.mono(12));
+    }
+    for (QLabel* label : {m_sum, m_words}) label->setFont(theme.text(12));
+    m_reset->setFont(theme.text(12));
+    showMix();
 }
 
 void TermsSection::show(const pipeline::PixelReport& report, int channel) {
-    m_terms = {{tr("ambient"), report.ambient[channel]}};
-    for (std::size_t k = 0; k < report.diffuse.size(); ++k) {
-        m_terms.push_back({tr("diffuse %1").arg(k), report.diffuse[k][channel]});
-        m_terms.push_back({tr("specular %1").arg(k), report.specular[k][channel]});
+    const TermMix& mix = m_document.mixer().mix();
+    m_values.clear();
+    for (const TermStrip& strip : mix) {
+        // The frame lags behind a scene with another number of lights: its terms follow.
+        if (strip.light >= int(report.diffuse.size())) return m_values.clear();
+        m_values.push_back(valueOf(strip, report, channel));
     }
-    if (report.emission[channel] != 0) m_terms.push_back({tr("emission"), report.emission[channel]});
     m_intensity = report.intensity[channel];
+    m_iMax = report.iMax;
+    if (m_strips.size() != mix.size()) build(mix.size());
     setAccessibleDescription(sentence());
-    updateGeometry();
-    update();
+    showMix();
 }
 
 double TermsSection::sum() const {
     double sum = 0;
-    for (const Term& term : m_terms) sum += term.value;
+    for (const double value : m_values) sum += value;
+    return sum;
+}
+
+double TermsSection::mixed() const {
+    const TermMix& mix = m_document.mixer().mix();
+    double sum = 0;
+    for (std::size_t i = 0; i < std::min(mix.size(), m_values.size()); ++i)
+        sum += pipeline::weight(mix, i) * m_values[i];
     return sum;
 }
 
 QString TermsSection::sentence() const {
+    const TermMix& mix = m_document.mixer().mix();
     QStringList parts;
-    for (const Term& term : m_terms) parts << term.name + ' ' + intensity(term.value);
+    for (std::size_t i = 0; i < std::min(mix.size(), m_values.size()); ++i)
+        if (mix[i].kind != TermKind::Emission || m_values[i] != 0)
+            parts << toQString(mix[i].name()) + ' ' + intensity(m_values[i]);
     return parts.join(", ");
 }
 
-void TermsSection::paintEvent(QPaintEvent*) {
-    const Theme& theme = Theme::current();
-    const ThemeColors& c = theme.colors();
-    QPainter painter(this);
-    const QFont text = theme.text(12), digits = theme.mono(12);
-    int nameWidth = 0;
-    for (const Term& term : m_terms) nameWidth = std::max(nameWidth, QFontMetrics(text).horizontalAdvance(term.name));
-    const int valueWidth = QFontMetrics(digits).horizontalAdvance("00 000.000"), gap = theme.px(10);
-    const int barLeft = nameWidth + gap, barWidth = std::max(0, width() - barLeft - valueWidth - gap);
-    const double whole = std::max(std::abs(m_intensity), std::abs(sum()));
-    int y = 0;
-    for (const Term& term : m_terms) {
-        const QRect row(0, y, width(), rowHeight());
-        painter.setFont(text);
-        painter.setPen(c.text);
-        painter.drawText(row, Qt::AlignVCenter | Qt::AlignLeft, term.name);
-        QRectF bar(barLeft, y + (rowHeight() - theme.px(10)) / 2, barWidth, theme.px(10));
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(c.hover);
-        painter.drawRoundedRect(bar, 2, 2);
-        if (whole > 0 && term.value > 0) {
-            bar.setWidth(std::max(1.0, bar.width() * std::min(1.0, term.value / whole)));
-            painter.setBrush(c.text2);
-            painter.drawRect(bar);
-        }
-        painter.setFont(digits);
-        painter.setPen(c.text);
-        painter.drawText(row, Qt::AlignVCenter | Qt::AlignRight, intensity(term.value));
-        y += rowHeight();
+void TermsSection::showMix() {
+    const MixModel& mixer = m_document.mixer();
+    const TermMix& mix = mixer.mix();
+    m_reset->setVisible(!mixer.isPlain());
+    m_words->setText(mixer.isPlain() ? QString() : mixer.sentence());
+    m_words->setVisible(!m_words->text().isEmpty());
+    if (m_strips.size() != mix.size() || m_values.size() != mix.size()) return;
+    const double whole = std::max({std::abs(m_intensity), std::abs(sum()), std::abs(mixed())});
+    for (std::size_t i = 0; i < mix.size(); ++i) {
+        const Strip& strip = m_strips[i];
+        const double weight = pipeline::weight(mix, i), value = weight * m_values[i];
+        // What nothing emits needs no strip.
+        const bool isShown = mix[i].kind != TermKind::Emission || m_values[i] != 0 || mix[i].gain != 1;
+        for (QWidget* part :
+             std::initializer_list<QWidget*>{strip.solo, strip.mute, strip.name, strip.gain, strip.value, strip.bar})
+            part->setVisible(isShown);
+        strip.solo->setChecked(mix[i].solo);
+        strip.mute->setChecked(mix[i].muted);
+        strip.bar->show(whole > 0 ? value / whole : 0, mix[i].gain, weight == 0);
+        strip.gain->setText(mix[i].gain == 1 ? QString() : QStringLiteral("×%1").arg(mix[i].gain));
+        strip.value->setText(intensity(value));
+        strip.name->setEnabled(weight != 0);
+        strip.value->setEnabled(weight != 0);
     }
-    const QRect row(0, y, width(), rowHeight());
-    auto write = [&, x = 0](const QFont& font, const QColor& color, const QString& words) mutable {
-        painter.setFont(font);
-        painter.setPen(color);
-        painter.drawText(row.adjusted(x, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, words);
-        x += painter.fontMetrics().horizontalAdvance(words) + theme.px(6);
-    };
     // Adding up in another order than the stage did costs a few last digits.
     const bool isZero = std::abs(residual()) <= 1e-6 * whole;
-    write(text, c.text2, tr("Sum"));
-    write(digits, c.text, intensity(sum()));
-    write(text, c.text2, tr("residual"));
-    write(digits, isZero ? c.run : c.failed, isZero ? QString("0") : errorText(residual()));
+    const ThemeColors& c = Theme::current().colors();
+    const auto mono = [](const QString& text) {
+        return QStringLiteral("<span style=\"font-family:'JetBrains Mono','DejaVu Sans Mono'\">%1</span>").arg(text);
+    };
+    QString text = tr("Sum %1 &nbsp; residual ").arg(mono(intensity(sum()))) +
+                   QStringLiteral("<span style=\"color:%1\">%2</span>")
+                       .arg((isZero ? c.run : c.failed).name(), mono(isZero ? "0" : errorText(residual())));
+    if (!mixer.isPlain()) {
+        const int shown = pipeline::frameBufferValue(pipeline::Vec3d(mixed()), m_iMax).r;
+        text += tr("<br>Mixed %1, in the frame buffer %2").arg(mono(intensity(mixed())), mono(QString::number(shown)));
+        if (mixed() > m_iMax) text += tr(" (above I<sub>max</sub> = %1: clamped)").arg(mono(intensity(m_iMax)));
+    }
+    m_sum->setText(text);
 }
 
 }  // namespace app

@@ -2,36 +2,48 @@
 #include <QWidget>
 #include <vector>
 
+#include "app/core/document.h"
 #include "pipeline/inspect/pixel_report.h"
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QToolButton;
 
 namespace app {
 
-// The terms of one channel's intensity as parts of their sum, and what the sum leaves over.
+class GainBar;
+
+// The terms of one channel's intensity as strips of a mixing desk, what they come to, and what the sum leaves over of
+// the intensity that the stage has computed. The mix holds for every pixel: pictures of the frame buffer show it.
 class TermsSection : public QWidget {
     Q_OBJECT
 public:
-    explicit TermsSection(QWidget* parent = nullptr);
+    explicit TermsSection(Document& document, QWidget* parent = nullptr);
 
     void show(const pipeline::PixelReport& report, int channel);
     QString sentence() const;
-    double sum() const;
+    double sum() const;                                      // of the terms as they are
+    double mixed() const;                                    // with their gains
     double residual() const { return m_intensity - sum(); }  // must read 0
 
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return {200, sizeHint().height()}; }
-
-protected:
-    void paintEvent(QPaintEvent* event) override;
-
 private:
-    struct Term {
-        QString name;
-        double value;
+    struct Strip {
+        QToolButton *solo, *mute;
+        QLabel *name, *gain, *value;
+        GainBar* bar;
     };
-    int rowHeight() const;
+    void build(std::size_t count);
+    void showMix();
+    void styleRows();
 
-    std::vector<Term> m_terms;
-    double m_intensity = 0;
+    Document& m_document;
+    QGridLayout* m_grid;
+    QLabel *m_sum, *m_words;
+    QPushButton* m_reset;
+    std::vector<Strip> m_strips;   // as the mix has them
+    std::vector<double> m_values;  // likewise
+    double m_intensity = 0, m_iMax = 0;
 };
 
 }  // namespace app

@@ -1,0 +1,51 @@
+#include "app/core/background_job.h"
+
+namespace app {
+
+BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {}
+BackgroundJob::~BackgroundJob() = default;
+
+void BackgroundJob::start(std::function<std::function<void()>(const Control&)> job, Running running) {
+    if (!m_worker) m_worker = std::make_unique<NewestWorker>();
+    const bool wasBusy = busy();
+    if (running == Running::Stop) m_oldestValid = m_ticket + 1;
+    const long ticket = ++m_ticket;
+    // What is invoked runs later, in the thread of this object, and is dropped by Qt when the object is gone by then.
+    const auto progress = [this, ticket, last = 0](double share) mutable {
+        const int percent = int(100 * share);
+        if (percent == last) return;
+        last = percent;
+        QMetaObject::invokeMethod(
+            this,
+            [this, ticket, share] {
+                if (ticket >= m_oldestValid) emit progressed(share);
+            },
+            Qt::QueuedConnection);
+    };
+    m_worker->ask(
+        [this, ticket, job = std::move(job), progress](const std::stop_token& stop) {
+            const auto done = job({stop, progress});
+            if (stop.stop_requested()) return;
+            QMetaObject::invokeMethod(
+                this, [this, ticket, done] { take(ticket, done); }, Qt::QueuedConnection);
+        },
+        running);
+    if (!wasBusy) emit busyChanged(true);
+}
+
+void BackgroundJob::take(long ticket, const std::function<void()>& done) {
+    if (ticket < m_oldestValid) return;
+    m_taken = ticket;
+    done();
+    if (!busy()) emit busyChanged(false);
+}
+
+void BackgroundJob::forget() {
+    m_oldestValid = m_ticket + 1;
+    const bool wasBusy = busy();
+    m_taken = m_ticket;
+    if (m_worker) m_worker->forget();
+    if (wasBusy) emit busyChanged(false);
+}
+
+}  // namespace app

@@ -1,0 +1,22 @@
+#pragma once
+#include <QString>
+#include <vector>
+
+#include "pipeline/inspect/formula.h"
+#include "pipeline/scene/settings_table.h"
+
+namespace app {
+
+// What a part of the equation stands for, in other views.
+
+// The vectors whose buffer it is, or whose dot product: "n_dot_l.0" gives N and L. None for anything else.
+std::vector<pipeline::VectorCode> vectorsOf(const QString& refers);
+
+// The settings that two scenes do not agree on, in the order of the table; those that only one of them has are left
+// out.
+std::vector<pipeline::SettingRef> differingSettings(const pipeline::Scene& a, const pipeline::Scene& b);
+
+// "n exponent" is known as n, "k_r red" as k_r; another label by its words.
+QString symbolOf(const pipeline::SettingRef& setting);
+
+}  // namespace app

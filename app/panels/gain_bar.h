@@ -1,0 +1,36 @@
+#pragma once
+#include <QWidget>
+
+namespace app {
+
+// A term as a part of the sum that it belongs to, and its gain: the bar is what it adds, the mark its gain on a scale
+// from 0 to 4. Any press or drag sets the gain, a double click makes it 1; keys: arrows a tenth, Home 0, End 4, 1.
+class GainBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit GainBar(QWidget* parent = nullptr);
+
+    // share: of the sum, with the gain; 0 to 1. isOff: muted, or another strip is solo.
+    void show(double share, double gain, bool isOff);
+    double gain() const { return m_gain; }
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return {40, sizeHint().height()}; }
+
+signals:
+    void moved(double gain);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void drag(double x);
+
+    double m_share = 0, m_gain = 1;
+    bool m_off = false;
+};
+
+}  // namespace app

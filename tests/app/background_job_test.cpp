@@ -1,0 +1,116 @@
+#include "app/core/background_job.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+#include <atomic>
+
+namespace app {
+namespace {
+
+using Control = BackgroundJob::Control;
+
+// Waits on the job's thread until it is told to go on or to stop.
+struct Gate {
+    std::atomic<bool> open{false};
+    bool wait(const Control& control) const {
+        while (!open && !control.stop.stop_requested()) std::this_thread::yield();
+        return open;
+    }
+};
+
+}  // namespace
+
+TEST(BackgroundJob, GivesItsResultInThisThread) {
+    BackgroundJob job;
+    int result = 0;
+    const auto here = std::this_thread::get_id();
+    job.ask([here](const Control&) { return std::this_thread::get_id() == here ? 1 : 2; },
+            [&](int given) { result = std::this_thread::get_id() == here ? given : 3; });
+    EXPECT_TRUE(job.busy());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return result != 0; }, 10000));
+    EXPECT_EQ(result, 2) << "computed on another thread, given in this one";
+    EXPECT_FALSE(job.busy());
+}
+
+TEST(BackgroundJob, ANewerOneStopsWhatRunsAndReplacesWhatWaits) {
+    BackgroundJob job;
+    Gate gate;
+    std::vector<int> given;
+    const auto ask = [&](int number) {
+        job.ask(
+            [&gate, number](const Control& control) {
+                if (number == 1) gate.wait(control);
+                return number;
+            },
+            [&](int result) { given.push_back(result); });
+    };
+    for (const int number : {1, 2, 3}) ask(number);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !job.busy(); }, 10000));
+    ASSERT_FALSE(given.empty());
+    EXPECT_EQ(given.back(), 3);
+    EXPECT_EQ(std::ranges::count(given, 1), 0);
+}
+
+TEST(BackgroundJob, WhatRunsMayFinishWhereThatIsAsked) {
+    BackgroundJob job;
+    Gate gate;
+    std::atomic<bool> begun{false};
+    std::vector<int> given;
+    job.ask(
+        [&](const Control& control) {
+            begun = true;
+            gate.wait(control);
+            return 1;
+        },
+        [&](int result) { given.push_back(result); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return begun.load(); }, 10000));
+    job.ask([](const Control&) { return 2; }, [&](int result) { given.push_back(result); },
+            BackgroundJob::Running::Finish);
+    gate.open = true;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !job.busy(); }, 10000));
+    EXPECT_EQ(given, (std::vector{1, 2}));
+}
+
+TEST(BackgroundJob, ForgottenWorkGivesNothing) {
+    BackgroundJob job;
+    bool isGiven = false;
+    Gate gate;
+    std::atomic<bool> over{false};
+    job.ask(
+        [&](const Control& control) {
+            gate.wait(control);
+            over = true;
+            return 0;
+        },
+        [&](int) { isGiven = true; });
+    job.forget();
+    EXPECT_FALSE(job.busy());
+    QTest::qWait(50);
+    EXPECT_FALSE(isGiven);
+    // What goes away with work under way asks it to stop, and waits.
+    {
+        BackgroundJob other;
+        other.ask([&](const Control& control) { return gate.wait(control); }, [&](bool) { isGiven = true; });
+    }
+    EXPECT_FALSE(isGiven);
+}
+
+TEST(BackgroundJob, SaysHowFarItIs) {
+    BackgroundJob job;
+    QSignalSpy progress(&job, &BackgroundJob::progressed);
+    QSignalSpy busy(&job, &BackgroundJob::busyChanged);
+    bool done = false;
+    job.ask(
+        [](const Control& control) {
+            for (const double share : {0.25, 0.5, 0.5, 1.0}) control.progress(share);
+            return 0;
+        },
+        [&](int) { done = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return done; }, 10000));
+    EXPECT_EQ(progress.size(), 3) << "the same percentage is no news";
+    EXPECT_EQ(busy.size(), 2);
+}
+
+}  // namespace app
