@@ -24,6 +24,13 @@ std::span<const ActionRow> actionTable() {
 
         {A::Undo, "Edit", "Undo", "Ctrl+Z", "Takes the last change back."},
         {A::Redo, "Edit", "Redo", "Ctrl+Shift+Z", "Makes the change again."},
+        {A::CopyEquationText, "Edit", "Copy equation as text", "Ctrl+Shift+C", "Copies the picked pixel's equation.",
+         false, true},
+        {A::CopyEquationMarkdown, "Edit", "Copy equation as Markdown", "", "Copies it with its formulas between $$."},
+        {A::CopyEquationLatex, "Edit", "Copy equation as LaTeX", "", "Copies it as an align* of amsmath."},
+        {A::CopyEquationJson, "Edit", "Copy equation as JSON", "", "Copies its lines as text and LaTeX, for programs."},
+        {A::KeepResult, "Edit", "Keep the result before", "Alt+K",
+         "Keeps what the picked pixel's intensity was before the last change, or drops it.", true},
 
         {A::TwoBufferViews, "View", "Second buffer view", "Ctrl+Alt+2", "Shows a second buffer below the first.", true},
         {A::Thumbnails, "View", "Thumbnails", "Ctrl+T", "Shows the buffers small, in the order of the stages.", true},
@@ -48,6 +55,8 @@ std::span<const ActionRow> actionTable() {
         {A::StepBack, "Run", "Step back", "Shift+F10", "Takes one step back, exactly."},
         {A::RunToSelection, "Run", "Run to the selection", "Ctrl+F10",
          "Goes on until something happens to the picked pixel, or to what is selected."},
+        {A::StopWhere, "Run", "Stop where…", "Ctrl+Shift+F10",
+         "Goes on until a condition begins to hold at a pixel; asks for the condition first."},
         {A::FirstStep, "Run", "First step", "Home", "Goes to before the first step: nothing has run."},
         {A::LastStep, "Run", "Whole frame", "End", "Goes to the end of the frame."},
         {A::KeepCue, "Run", "Keep as a cue", "Ctrl+B", "Keeps what you see as the next cue of a talk.", false, true},
@@ -73,6 +82,8 @@ std::span<const ActionRow> actionTable() {
 
         {A::GoToPixel, "Inspect", "Go to pixel…", "Ctrl+G", "Picks a pixel by its numbers."},
         {A::Unpick, "Inspect", "Pick nothing", "Ctrl+Shift+G", "Forgets the picked pixel."},
+        {A::Condition, "Inspect", "Condition…", "Ctrl+/",
+         "Asks a question of every pixel: n_dot_l.0 > 0.9 && x < 300."},
         {A::RedChannel, "Inspect", "Equation in red", "Alt+R", "Writes the equation of the red part.", true, true},
         {A::GreenChannel, "Inspect", "Equation in green", "Alt+G", "Writes the equation of the green part.", true},
         {A::BlueChannel, "Inspect", "Equation in blue", "Alt+B", "Writes the equation of the blue part.", true},

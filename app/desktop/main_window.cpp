@@ -166,7 +166,13 @@ void MainWindow::makeDocks() {
     connect(tree, &SceneTree::selected, settings, &SettingsPanel::select);
     m_lessons = findChild<LessonPanel*>();
     connect(m_lessons, &LessonPanel::showBuffers, m_views, &ViewArea::showBuffers);
-    connect(findChild<InspectorPanel*>(), &InspectorPanel::bufferAsked, m_views, &ViewArea::showBuffer);
+    auto* inspector = findChild<InspectorPanel*>();
+    connect(inspector, &InspectorPanel::bufferAsked, m_views, &ViewArea::showBuffer);
+    connect(inspector, &InspectorPanel::settingAsked, this, [this, settings](const QString& key) {
+        for (PanelDock* dock : m_leftDocks)
+            if (dock->objectName() == "settings" && dock->isHidden()) dock->toggleViewAction()->trigger();
+        settings->showSetting(key);
+    });
 }
 
 // Under everything, from edge to edge.

@@ -10,6 +10,7 @@
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
+#include "app/desktop/explain_actions.h"
 #include "app/desktop/key_sheet.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/panel_dock.h"
@@ -19,6 +20,7 @@
 #include "app/panels/check_panel.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/inspector_panel.h"
 #include "app/panels/study_panel.h"
 #include "pipeline/formats/format_table.h"
 #include "pipeline/formats/scene_reader.h"
@@ -83,6 +85,7 @@ void MainWindow::connectActions() {
     on(A::RunCommand, [this] { m_palette->open(commands()); });
     on(A::Keys, [this] { m_keys->open(); });
     connectStepActions(*m_actions, m_document);
+    connectExplainActions(*m_actions, m_document, *findChild<InspectorPanel*>(), *m_views);
     for (std::size_t i = 0; i < kStageActions.size(); ++i)
         on(kStageActions[i], [this, i] { m_document.setStage(pipeline::kStages[i]); });
     for (std::size_t i = 0; i < kThemeActions.size(); ++i)
@@ -135,6 +138,7 @@ void MainWindow::enableActions() {
                           scene ? tr("Already at the first stage.") : noScene);
     enableStepActions(*m_actions, m_document, scene);
     enableCueActions();
+    enableExplainActions(*m_actions, m_document, *findChild<InspectorPanel*>(), scene);
     const QUndoStack& undo = *m_document.undoStack();
     m_actions->setEnabled(A::Undo, scene && undo.canUndo(), tr("Nothing to undo."));
     m_actions->setEnabled(A::Redo, scene && undo.canRedo(), tr("Nothing to redo."));

@@ -2,8 +2,10 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QToolButton>
 #include <algorithm>
 
+#include "app/core/pointed.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"
@@ -38,6 +40,27 @@ QString resultText(const std::vector<EquationLine>& lines) {
     return text;
 }
 
+// ", with n = 4": what the settings that have changed were before.
+QString settingsText(const pipeline::Scene& before, const pipeline::Scene& now) {
+    constexpr std::size_t kMost = 2;
+    const std::vector<pipeline::SettingRef> changed = differingSettings(before, now);
+    if (changed.empty() || changed.size() > kMost) return changed.empty() ? QString() : EquationSection::tr(", before");
+    QStringList settings;
+    for (const pipeline::SettingRef& setting : changed)
+        settings << QStringLiteral("%1 = %2").arg(symbolOf(setting),
+                                                  toQString(formatSetting(setting, setting.get(before))));
+    return EquationSection::tr(", with %1").arg(settings.join(", "));
+}
+
+QString modelName(pipeline::Model model) {
+    switch (model) {
+        case pipeline::Model::Phong: return QStringLiteral("Phong (L1)");
+        case pipeline::Model::BlinnPhong: return QStringLiteral("Blinn–Phong");
+        case pipeline::Model::OpenGl: return QStringLiteral("OpenGL");
+    }
+    return {};
+}
+
 // Where the terms were evaluated is said at the end, below the vectors, when it is said once.
 void moveRemarkDown(std::vector<EquationLine>& lines) {
     if (lines.empty() ||
@@ -56,31 +79,45 @@ EquationSection::EquationSection(Document& document, QWidget* parent)
       m_math(new MathView(this)),
       m_switcher(new QWidget(this)),
       m_model(new QLabel(m_switcher)),
+      m_keep(new QToolButton(m_switcher)),
       m_channels(new Segmented({"r", "g", "b"}, m_switcher)) {
     auto* row = new QHBoxLayout(m_switcher);
     row->setContentsMargins(0, 0, 0, 0);
     row->addStretch();
+    row->addWidget(m_keep);
     row->addWidget(m_model);
     row->addWidget(m_channels);
     m_channels->setAccessibleName(tr("Channel of the equation"));
+    m_keep->setText(tr("Keep"));
+    m_keep->setCheckable(true);
+    m_keep->setAccessibleName(tr("Keep the result before"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_math);
     m_math->setAccessibleName(tr("Illumination equation"));
 
     connect(m_channels, &Segmented::chosen, &document, &Document::setChannel);
-    connect(m_math, &MathView::pointedAt, this, &EquationSection::pointedAt);
+    connect(m_keep, &QToolButton::clicked, this, &EquationSection::setKept);
+    connect(m_math, &MathView::pointedAt, &document, &Document::point);
     connect(m_math, &MathView::activated, this, [this](const QString& refers) {
-        if (const auto name = pipeline::findBuffer(refers.toStdString())) emit bufferAsked(*name);
+        if (const auto name = pipeline::findBuffer(refers.toStdString())) return emit bufferAsked(*name);
+        if (m_document.hasScene() && pipeline::findSetting(m_document.scene(), refers.toStdString()))
+            emit settingAsked(refers);
     });
     m_model->setProperty("tone", "2");
-    followTheme(this, [this] { m_model->setFont(Theme::current().text(12)); });
+    followTheme(this, [this] {
+        m_model->setFont(Theme::current().text(12));
+        m_keep->setFont(Theme::current().text(12));
+    });
+    layLines(false);
 }
 
 void EquationSection::forget() {
     m_pixel.reset();
     m_plain.clear();
+    m_now = m_before = {};
     m_was.clear();
+    m_kept.clear();
 }
 
 QString EquationSection::sentence() const {
@@ -92,28 +129,46 @@ void EquationSection::show(const pipeline::Frame& frame, const pipeline::PixelRe
     const int channel = m_document.channel();
     m_channels->setCurrent(channel);
     static const QStringList names{tr("red"), tr("green"), tr("blue")};
-    m_model->setText(tr("Phong (L1), %1").arg(names[channel]));
+    m_model->setText(QStringLiteral("%1, %2").arg(modelName(frame.scene().settings.model), names[channel]));
 
-    std::vector<EquationLine> plain = equation(frame, report, channel);
+    m_plain = equation(frame, report, channel);
     const bool isSamePlace = m_pixel == report.pixel && m_channel == channel;
-    if (!isSamePlace) {
-        m_was.clear();
-    } else if (const QString before = resultText(m_plain); !before.isEmpty() && before != resultText(plain)) {
-        m_was = tr("was %1").arg(before);
-        if (const auto change = m_document.lastChange(); change && change->before != change->after)
-            m_was += tr(", with %1 = %2")
-                         .arg(toQString(change->setting.setting->label),
-                              toQString(formatSetting(change->setting, change->before)));
-    }
     m_pixel = report.pixel;
     m_channel = channel;
-    m_plain = plain;
+    const Result now{frame.sharedScene(), resultText(m_plain)};
+    if (!isSamePlace) {
+        m_before = {};
+        m_was.clear();
+    } else if (now.scene != m_now.scene) {
+        // While a slider is dragged all its values are one step of undo: what was is what was before it.
+        if (!m_before.scene || m_document.sceneBefore() != m_before.scene) m_before = m_now;
+        const bool isNews = !m_before.text.isEmpty() && m_before.text != now.text;
+        m_was = isNews ? m_before.text + settingsText(*m_before.scene, *now.scene) : QString();
+    }
+    m_now = now;
+    layLines(isSamePlace);
+}
 
-    moveRemarkDown(plain);
-    if (!m_was.isEmpty())
-        if (const EquationLine* result = resultOf(plain))
-            plain.insert(plain.begin() + (result - plain.data()) + 1, words("was", m_was));
-    m_math->setLines(std::move(plain), isSamePlace);
+void EquationSection::setKept(bool kept) {
+    if (kept && m_was.isEmpty()) kept = false;
+    m_kept = kept ? m_was : QString();
+    layLines(false);
+}
+
+void EquationSection::layLines(bool showChange) {
+    std::vector<EquationLine> lines = m_plain;
+    moveRemarkDown(lines);
+    if (const EquationLine* result = resultOf(lines)) {
+        auto after = lines.begin() + (result - lines.data()) + 1;
+        if (!m_was.isEmpty() && m_was != m_kept) after = lines.insert(after, words("was", tr("was %1").arg(m_was))) + 1;
+        if (!m_kept.isEmpty()) lines.insert(after, words("was", tr("kept %1").arg(m_kept)));
+    }
+    m_math->setLines(std::move(lines), showChange);
+    m_keep->setVisible(canKeep());
+    m_keep->setChecked(keeps());
+    m_keep->setToolTip(keeps() ? tr("Drops the line that was kept.")
+                               : tr("Keeps the line before, whatever changes from here on."));
+    emit keptChanged();
 }
 
 }  // namespace app

@@ -6,6 +6,7 @@
 #include "pipeline/inspect/pixel_report.h"
 
 class QLabel;
+class QToolButton;
 
 namespace app {
 
@@ -23,21 +24,36 @@ public:
     QString sentence() const;
     QWidget* switcher() { return m_switcher; }  // r g b, with the model's name: for the section's title
     MathView* math() { return m_math; }
+    // What the result was stays in sight, whatever changes, until it is dropped.
+    bool canKeep() const { return !m_was.isEmpty() || !m_kept.isEmpty(); }
+    bool keeps() const { return !m_kept.isEmpty(); }
+    void setKept(bool kept);
 
 signals:
-    void pointedAt(const QString& refers);
     void bufferAsked(const pipeline::BufferName& name);
+    void settingAsked(const QString& key);
+    void keptChanged();  // keeps(), or canKeep()
 
 private:
+    void layLines(bool showChange);
+
+    // A result, and the scene that gave it.
+    struct Result {
+        std::shared_ptr<const pipeline::Scene> scene;
+        QString text;  // "45.000 + 69.714 + 0.025 = 114.739"
+    };
+
     Document& m_document;
     MathView* m_math;
     QWidget* m_switcher;
     QLabel* m_model;
+    QToolButton* m_keep;
     Segmented* m_channels;
     std::optional<glm::ivec2> m_pixel;  // of what is shown
     int m_channel = -1;
     std::vector<pipeline::EquationLine> m_plain;  // what is shown, without notes of ours
-    QString m_was;                                // the result before the newest change; may be empty
+    Result m_now, m_before;                       // before the newest step of undo, a whole drag being one
+    QString m_was, m_kept;                        // "45.000 + 69.714 = 114.714, with n = 4"; may be empty
 };
 
 }  // namespace app

@@ -21,7 +21,7 @@ InspectorPanel::InspectorPanel(Document& document, QWidget* parent) : QWidget(pa
     build();
     connect(m_why, &WhySection::bufferAsked, this, &InspectorPanel::bufferAsked);
     connect(m_equation, &EquationSection::bufferAsked, this, &InspectorPanel::bufferAsked);
-    connect(m_equation, &EquationSection::pointedAt, this, &InspectorPanel::pointedAt);
+    connect(m_equation, &EquationSection::settingAsked, this, &InspectorPanel::settingAsked);
     connect(&document, &Document::sceneOpened, this, [this] {
         m_equation->forget();
         refresh();
@@ -70,7 +70,7 @@ void InspectorPanel::build() {
 
     m_why = new WhySection(m_document);
     m_equation = new EquationSection(m_document);
-    m_terms = new TermsSection;
+    m_terms = new TermsSection(m_document);
     m_fragments = new FragmentsSection;
     m_whyFold = new Section(tr("Why this colour"), m_why);
     m_equationFold = new Section(tr("Equation"), m_equation, m_equation->switcher());

@@ -26,9 +26,8 @@ public:
     EquationSection& equation() { return *m_equation; }
 
 signals:
-    // A part of the equation is under the cursor: the buffer or setting that it stands for, or empty.
-    void pointedAt(const QString& refers);
     void bufferAsked(const pipeline::BufferName& name);  // show this buffer
+    void settingAsked(const QString& key);               // and this setting
 
 private:
     void build();

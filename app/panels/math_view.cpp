@@ -10,6 +10,8 @@
 
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
+#include "pipeline/export/json.h"
+#include "pipeline/inspect/equation_text.h"
 
 namespace app {
 
@@ -17,14 +19,8 @@ namespace {
 
 using pipeline::EquationLine;
 
-QString joined(const std::vector<EquationLine>& lines, std::string (*write)(const pipeline::Formula&)) {
-    QStringList texts;
-    for (const EquationLine& line : lines) {
-        QString text = toQString(write(line.formula));
-        if (!line.remark.empty()) text += "   " + toQString(line.remark);
-        texts << text;
-    }
-    return texts.join('\n');
+QString written(const std::vector<EquationLine>& lines, pipeline::EquationFormat format) {
+    return toQString(equationText(lines, format));
 }
 
 }  // namespace
@@ -70,9 +66,12 @@ void MathView::setBaseSize(double logicalPixels) {
     layOut();
 }
 
-QString MathView::asText() const { return joined(m_lines, pipeline::toText); }
-QString MathView::asMarkdown() const { return joined(m_lines, pipeline::toMarkdown); }
-QString MathView::asLatex() const { return joined(m_lines, pipeline::toLatex); }
+QString MathView::asText() const { return written(m_lines, pipeline::EquationFormat::Text).trimmed(); }
+QString MathView::asMarkdown() const { return written(m_lines, pipeline::EquationFormat::Markdown); }
+QString MathView::asLatex() const { return written(m_lines, pipeline::EquationFormat::Latex); }
+QString MathView::asJson() const {
+    return toQString(pipeline::toJson(m_lines).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+}
 
 int MathView::heightForWidth(int width) const {
     return int(std::ceil(layoutEquation(m_lines, m_baseSize * Theme::current().scale(), width - 2).height));
@@ -205,6 +204,7 @@ void MathView::contextMenuEvent(QContextMenuEvent* event) {
     add(tr("Copy as text"), &MathView::asText);
     add(tr("Copy as Markdown"), &MathView::asMarkdown);
     add(tr("Copy as LaTeX"), &MathView::asLatex);
+    add(tr("Copy as JSON"), &MathView::asJson);
     menu.exec(event->globalPos());
 }
 

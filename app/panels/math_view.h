@@ -25,6 +25,7 @@ public:
     QString asText() const;
     QString asMarkdown() const;
     QString asLatex() const;
+    QString asJson() const;
 
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;

@@ -73,7 +73,9 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
     }
     connect(&document, &Document::sceneChanged, this, &SettingRow::showScene);
     connect(document.undoStack(), &QUndoStack::indexChanged, this, &SettingRow::showScene);
+    connect(&document, &Document::pointedChanged, this, &SettingRow::showPointed);
     showScene();
+    showPointed();
 }
 
 void SettingRow::addNumber(QGridLayout& form, int row, QWidget* parent) {
@@ -137,6 +139,15 @@ void SettingRow::showScene() {
         control->setEnabled(!isIdle());
     }
     setShown(m_shown);
+}
+
+// The equation's symbol for this setting is under the cursor.
+void SettingRow::showPointed() {
+    const bool isPointed = toQString(m_setting.key()) == m_document.pointed();
+    m_label->setProperty("pointed", isPointed);
+    m_label->style()->polish(m_label);
+    for (QWidget* control : m_controls)
+        if (auto* slider = qobject_cast<ValueSlider*>(control)) slider->setRinged(isPointed);
 }
 
 void SettingRow::setShown(bool shown) {

@@ -25,6 +25,7 @@ private:
     void addNumber(QGridLayout& form, int row, QWidget* parent);
     void addChoice(QGridLayout& form, int row, QWidget* parent);
     void showScene();
+    void showPointed();
     void change(double value, Document::Change kind);
 
     Document& m_document;

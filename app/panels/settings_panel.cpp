@@ -94,6 +94,23 @@ void SettingsPanel::select(const SceneItem& item) {
     m_tabs->setCurrentIndex(0);  // builds
 }
 
+void SettingsPanel::showSetting(const QString& key) {
+    const pipeline::Scene& scene = m_document.scene();
+    const auto found = pipeline::findSetting(scene, key.toStdString());
+    if (!found) return;
+    const auto has = [&](const auto& settings) { return std::ranges::find(settings, *found) != settings.end(); };
+    for (std::size_t i = 0; i < kGroups.size(); ++i)
+        if (has(settingsOf(scene, kGroups[i]))) m_tabs->setCurrentIndex(int(i) + 1);
+    for (const OutlineRow& row : outline(scene))
+        if (has(settingsOf(scene, row.item))) select(row.item);
+    const auto controls = m_scroll->findChildren<QWidget*>(key);
+    for (QWidget* control : controls)
+        if (control->focusPolicy() != Qt::NoFocus) {
+            control->setFocus(Qt::OtherFocusReason);
+            return m_scroll->ensureWidgetVisible(control);
+        }
+}
+
 std::vector<pipeline::SettingRef> SettingsPanel::settingsOnShow() const {
     const int tab = m_tabs->currentIndex();
     return tab == 0 ? settingsOf(m_document.scene(), m_item)

@@ -20,7 +20,8 @@ class SettingsPanel : public QWidget {
 public:
     explicit SettingsPanel(Document& document, QWidget* parent = nullptr);
 
-    void select(const SceneItem& item);  // and shows its tab
+    void select(const SceneItem& item);    // and shows its tab
+    void showSetting(const QString& key);  // its tab, with the keys going to its control
 
 private:
     void build();  // the controls of the tab on show

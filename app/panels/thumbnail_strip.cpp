@@ -44,6 +44,7 @@ ThumbnailStrip::ThumbnailStrip(Document& document, QWidget* parent) : QWidget(pa
     connect(&document, &Document::frameReady, this, [this] { m_later.start(); });
     connect(&document, &Document::stageChanged, this, &ThumbnailStrip::rebuild);
     connect(&document, &Document::sceneOpened, this, &ThumbnailStrip::rebuild);
+    connect(&document, &Document::pointedChanged, this, qOverload<>(&ThumbnailStrip::update));
     followTheme(this, [this] {
         updateGeometry();
         refresh();
@@ -189,8 +190,9 @@ void ThumbnailStrip::paintItem(QPainter& painter, const Item& item, const QRect&
     const QRect label(rect.left() + 2, rect.bottom() - theme.px(20), rect.width() - 4, theme.px(19));
     painter.drawText(label, Qt::AlignCenter,
                      painter.fontMetrics().elidedText(toQString(item.name.text()), Qt::ElideMiddle, label.width()));
-    if (isMarked) {
-        painter.setPen(QPen(c.focus, 2));
+    const bool isPointed = toQString(item.name.text()) == m_document.pointed();
+    if (isMarked || isPointed) {
+        painter.setPen(QPen(isPointed ? c.accent : c.focus, 2));
         painter.setBrush(Qt::NoBrush);
         painter.drawRoundedRect(box.adjusted(1, 1, -1, -1), 4, 4);
     }

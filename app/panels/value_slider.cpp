@@ -58,6 +58,11 @@ void ValueSlider::stepBy(double steps) {
     emit released(value);
 }
 
+void ValueSlider::setRinged(bool ringed) {
+    m_ringed = ringed;
+    update();
+}
+
 void ValueSlider::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
@@ -77,9 +82,9 @@ void ValueSlider::paintEvent(QPaintEvent*) {
         const double x = position(*m_mark).x();
         painter.fillRect(QRectF(x - 1, left.y() - theme.px(5), 2, theme.px(10)), c.text3);
     }
-    if (hasFocus()) {
+    if (hasFocus() || m_ringed) {
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(c.focus, 2));
+        painter.setPen(QPen(hasFocus() ? c.focus : c.accent, 2));
         painter.drawEllipse(knob, radius + 3, radius + 3);
     }
     painter.setPen(QPen(accent, 2));

@@ -16,6 +16,7 @@ public:
 
     void setValue(double value);                 // says nothing
     void setMark(std::optional<double> before);  // the former value, or none
+    void setRinged(bool ringed);                 // another view points at what it sets
     bool isDragged() const { return m_dragged; }
 
     QSize sizeHint() const override;
@@ -43,7 +44,7 @@ private:
     double m_low, m_high, m_step;
     double m_value = 0;
     std::optional<double> m_mark;
-    bool m_dragged = false;
+    bool m_dragged = false, m_ringed = false;
 };
 
 }  // namespace app

@@ -90,8 +90,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
         emit optionsChanged();
     });
     connect(m_legend, &ViewCorner::vectorHovered, this, [this](VectorCode code) {
-        m_alone = code;
-        refresh();
+        setAlone(code == VectorCode::None ? std::vector<VectorCode>{} : std::vector{code});
     });
     connect(m_cube, &ViewCorner::faceClicked, this, [this](CubeFace face) {
         if (!shown() || isPoint()) return;
@@ -146,6 +145,12 @@ void SceneView::setContent(std::shared_ptr<const ViewContent> content, bool newS
 
 void SceneView::setEmptyText(const QString& sentence) {
     m_emptyText = sentence;
+    refresh();
+}
+
+void SceneView::setAlone(const std::vector<VectorCode>& codes) {
+    if (codes == m_alone) return;
+    m_alone = codes;
     refresh();
 }
 
@@ -272,10 +277,10 @@ void SceneView::frameIfUntouched() {
 void SceneView::refresh() {
     const bool works = m_problem.isEmpty() && shown() != nullptr;
     ViewOptions options = m_options;
-    if (m_alone != VectorCode::None) {
+    if (!m_alone.empty()) {
         options.vectors = true;
         options.shown.fill(false);
-        options.shown[static_cast<std::size_t>(m_alone)] = true;
+        for (const VectorCode code : m_alone) options.shown[static_cast<std::size_t>(code)] = true;
     }
     if (!works || isMoving())
         m_drawing = {};

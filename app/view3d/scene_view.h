@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/view3d/handles.h"
 #include "app/view3d/space_content.h"
@@ -38,6 +39,8 @@ public:
     void setOptions(const ViewOptions& options);
     const ViewOptions& options() const { return m_options; }
 
+    // These vectors alone, without the other ones, for as long as another view points at them; none: all again.
+    void setAlone(const std::vector<VectorCode>& codes);
     // A point of the world that another view's cursor is on, marked lightly.
     void setProbe(std::optional<Vec3d> point);
 
@@ -119,7 +122,7 @@ private:
     std::shared_ptr<const ViewContent> m_moved;
     QString m_emptyText;
     std::optional<Vec3d> m_probe;
-    VectorCode m_alone = VectorCode::None;  // the vector under the cursor in the legend, shown by itself
+    std::vector<VectorCode> m_alone;  // under the cursor in the legend or the equation, shown by themselves
     ViewOptions m_options;
     OrbitCamera m_camera;
     // The user has moved the camera; until then each new size is framed anew.

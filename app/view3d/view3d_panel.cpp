@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "app/core/icons.h"
+#include "app/core/pointed.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/view3d/view_settings.h"
@@ -78,6 +79,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(&document, &Document::pixelChanged, this, &View3dPanel::takePixel);
     connect(&document, &Document::selectionChanged, this, &View3dPanel::takeSelection);
     connect(&document, &Document::hoverChanged, this, &View3dPanel::takeHover);
+    connect(&document, &Document::pointedChanged, this, [this] { m_view->setAlone(vectorsOf(m_document.pointed())); });
     connect(&Theme::current(), &Theme::changed, this, &View3dPanel::applyTheme);
     showSpace();
     applyTheme();

@@ -44,17 +44,17 @@ Json vectorsToJson(const std::vector<Vec3d>& vectors) {
     return array;
 }
 
-Json equationToJson(const Frame& frame, const PixelReport& report, int channel) {
-    Json lines = Json::array();
-    for (const EquationLine& line : equation(frame, report, channel))
-        lines.push_back({{"role", line.role},
+}  // namespace
+
+Json toJson(const std::vector<EquationLine>& lines) {
+    Json array = Json::array();
+    for (const EquationLine& line : lines)
+        array.push_back({{"role", line.role},
                          {"text", toText(line.formula)},
                          {"latex", toLatex(line.formula)},
                          {"remark", line.remark}});
-    return lines;
+    return array;
 }
-
-}  // namespace
 
 Json toJson(const Vec3d& vector) { return {vector.x, vector.y, vector.z}; }
 
@@ -165,9 +165,9 @@ Json toJson(const Frame& frame, const PixelReport& report) {
                      {"i_max", report.iMax},
                      {"evaluations", evaluations},
                      {"equation",
-                      {{"r", equationToJson(frame, report, 0)},
-                       {"g", equationToJson(frame, report, 1)},
-                       {"b", equationToJson(frame, report, 2)}}}});
+                      {{"r", toJson(equation(frame, report, 0))},
+                       {"g", toJson(equation(frame, report, 1))},
+                       {"b", toJson(equation(frame, report, 2))}}}});
     }
     Json layers = Json::array();
     for (const LayerReport& layer : report.layers)

@@ -19,6 +19,7 @@ Json settingsToJson(const Scene& scene);
 Json sceneToJson(const Scene& scene);
 // What `inspect` prints, as values. The equation for each of r, g and b.
 Json toJson(const Frame& frame, const PixelReport& report);
+Json toJson(const std::vector<EquationLine>& lines);  // role, text, latex, remark of each
 
 Json toJson(const Vec3d& vector);  // [x, y, z]
 // What is strange about a scene: about and text of each remark.

@@ -154,6 +154,25 @@ std::string toLatex(const Formula& formula) {
     return {};
 }
 
+std::string latexWords(std::string_view text) {
+    std::string latex;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto found =
+            std::ranges::find_if(kLatex, [&](const auto& entry) { return text.substr(i).starts_with(entry.first); });
+        if (found == kLatex.end()) {
+            latex += text[i++];
+            continue;
+        }
+        std::string_view sign = found->second;
+        while (sign.ends_with(' ')) sign.remove_suffix(1);
+        // \{ \% \_ are signs of text too; \cdot and ^{2} are not.
+        const bool isText = sign.size() == 2 && sign[0] == '\\' && !isLetter(sign[1]);
+        latex += isText ? std::string(sign) : '$' + std::string(sign) + '$';
+        i += found->first.size();
+    }
+    return latex;
+}
+
 std::string toMarkdown(const Formula& formula) { return '$' + toLatex(formula) + '$'; }
 
 }  // namespace pipeline

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pipeline {
@@ -29,5 +30,7 @@ struct Formula {
 std::string toText(const Formula& formula);
 std::string toLatex(const Formula& formula);     // without $
 std::string toMarkdown(const Formula& formula);  // $…$
+// A sentence for the inside of \text{…}: signs that plain text lacks stand between $.
+std::string latexWords(std::string_view text);
 
 }  // namespace pipeline

@@ -5,7 +5,10 @@
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 
+#include "app/core/mix_model.h"
+#include "app/core/pointed.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/math_view.h"
 #include "app/panels/terms_section.h"
@@ -72,6 +75,62 @@ TEST_F(InspectorPanelTest, TellsWhatTheNumbersWereBeforeAChange) {
     EXPECT_FALSE(equation().contains("was "));
 }
 
+// With n = 4, then 2. A kept line stays for all changes, the other one is that of the newest.
+TEST_F(InspectorPanelTest, KeepsAResultAcrossChanges) {
+    const auto setting = pipeline::findSetting(document.scene(), "material.0.n");
+    EXPECT_FALSE(panel.equation().canKeep()) << "nothing has changed";
+    document.change(*setting, 4);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return equation().contains("was 45.000 + 69.714 + 0.025"); }, 10000));
+    panel.equation().setKept(true);
+    EXPECT_TRUE(equation().contains("kept 45.000 + 69.714 + 0.025 = 114.739, with n = 8")) << equation().toStdString();
+    document.change(*setting, 2);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return equation().contains("0.3974^2"); }, 10000));
+    EXPECT_TRUE(equation().contains("was 45.000 + 69.714 + 0.998 = 115.712, with n = 4")) << equation().toStdString();
+    EXPECT_TRUE(equation().contains("kept 45.000 + 69.714 + 0.025"));
+    panel.equation().setKept(false);
+    EXPECT_FALSE(equation().contains("kept"));
+}
+
+// A drag is one change: what was is what was before it began.
+TEST_F(InspectorPanelTest, ComparesWithTheStartOfADrag) {
+    const auto setting = pipeline::findSetting(document.scene(), "material.0.n");
+    for (const double n : {7.0, 6.0, 5.0, 4.0}) {
+        document.change(*setting, n, Document::Change::Live);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }, 10000));
+    }
+    EXPECT_TRUE(equation().contains("was 45.000 + 69.714 + 0.025 = 114.739, with n = 8")) << equation().toStdString();
+    document.undoStack()->undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }, 10000));
+    EXPECT_TRUE(equation().contains("was 45.000 + 69.714 + 0.998 = 115.712, with n = 4")) << equation().toStdString();
+}
+
+TEST_F(InspectorPanelTest, APointedSymbolIsKnownToTheOtherViews) {
+    QSignalSpy changed(&document, &Document::pointedChanged);
+    emit panel.equation().math()->pointedAt("n_dot_l.0");
+    ASSERT_EQ(changed.size(), 1);
+    EXPECT_EQ(app::vectorsOf(document.pointed()), (std::vector{pipeline::VectorCode::N, pipeline::VectorCode::L}));
+    emit panel.equation().math()->pointedAt("material.0.n");
+    EXPECT_TRUE(app::vectorsOf(document.pointed()).empty());
+}
+
+// Ambient alone: 45 of 114.739; the strips leave the terms themselves as they are.
+TEST_F(InspectorPanelTest, StripsMixTheTerms) {
+    auto* terms = panel.findChild<app::TermsSection*>();
+    QToolButton* solo = nullptr;
+    for (auto* button : terms->findChildren<QToolButton*>())
+        if (button->accessibleName() == "Solo ambient") solo = button;
+    ASSERT_NE(solo, nullptr);
+    solo->click();
+    EXPECT_NEAR(terms->mixed(), 45, 1e-9);
+    EXPECT_NEAR(terms->sum(), 114.739, 5e-4);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document.mixer().picture().has_value(); }, 10000));
+    EXPECT_EQ(document.mixer().picture()->color.value(268, 281, 2), 66) << "round(255·45/175)";
+    EXPECT_TRUE(shows("Mix of terms: ambient alone"));
+    document.mixer().reset();
+    EXPECT_FALSE(document.mixer().picture());
+    EXPECT_FALSE(solo->isChecked());
+}
+
 TEST_F(InspectorPanelTest, BackgroundSaysSoAndHasNoEquation) {
     document.pick(glm::ivec2(3, 3));
     EXPECT_FALSE(panel.report()->covered);
@@ -91,4 +150,11 @@ TEST_F(InspectorPanelTest, ASymbolOpensItsBuffer) {
     EXPECT_EQ(asked[0][0].value<pipeline::BufferName>(), (pipeline::BufferName{pipeline::BufferId::Diffuse, 0}));
     emit panel.equation().math()->activated("material.0.n");  // a setting is no buffer
     EXPECT_EQ(asked.size(), 1);
+}
+
+TEST_F(InspectorPanelTest, ASymbolOfASettingAsksForItsControl) {
+    QSignalSpy asked(&panel, &InspectorPanel::settingAsked);
+    emit panel.equation().math()->activated("material.0.n");
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_EQ(asked[0][0].toString(), "material.0.n");
 }

@@ -1,6 +1,7 @@
 // What `inspect` and the inspector say about a pixel.
 #include <gtest/gtest.h>
 
+#include "pipeline/inspect/equation_text.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "tests/support/scenes.h"
 
@@ -25,6 +26,28 @@ N·L = (0, 0.894, 0.447)·(0.577, 0.577, 0.577) = 0.7746 | 39.2°
 R = 2 (N·L) N − L = (−0.577, 0.808, 0.115)
 R·V = (−0.577, 0.808, 0.115)·(0.386, 0.678, 0.626) = 0.3974 | 66.6°
 )");
+}
+
+// As a page sets it: aligned at the first equals sign, words in \text, one line break between lines.
+TEST(Equation, AsLatexAndMarkdown) {
+    const FramePtr frame = test::frameOf(test::pyramid());
+    const auto lines = equation(*frame, inspectPixel(*frame, {268, 281}), 2);
+    const std::string latex = equationText(lines, EquationFormat::Latex);
+    EXPECT_TRUE(latex.starts_with("% \\usepackage{amsmath, cancel}\n\\begin{align*}\nI_{\\text{b}} &= ")) << latex;
+    EXPECT_TRUE(latex.ends_with("\n\\end{align*}\n"));
+    EXPECT_NE(latex.find("\n&= 45.000 + 69.714 + 0.025 = 114.739 \\\\\n"), std::string::npos) << latex;
+    EXPECT_NE(latex.find("&\\text{Flat: evaluated once, at the mean of the vertices (335, 125, 50)} \\\\"),
+              std::string::npos);
+    EXPECT_NE(latex.find("0.7746\\quad \\text{39.2$^{\\circ}$}"), std::string::npos) << latex;
+    const std::string markdown = equationText(lines, EquationFormat::Markdown);
+    EXPECT_TRUE(markdown.starts_with("$$\n\\begin{aligned}\n"));
+    EXPECT_TRUE(markdown.ends_with("\n\\end{aligned}\n$$\n"));
+    EXPECT_EQ(equationText({}, EquationFormat::Latex), "");
+}
+
+TEST(Equation, WordsForLatexKeepWhatPlainTextHas) {
+    EXPECT_EQ(latexWords("light 0, 50 % {a_b}"), "light 0, 50 \\% \\{a\\_b\\}");
+    EXPECT_EQ(latexWords("N·L ≤ 0"), "N$\\cdot$L $\\le$ 0");
 }
 
 // Back faces the eye and turns away from the light: N·L = -0.0429, so the bracket counts as 0.
