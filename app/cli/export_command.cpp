@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/cli/commands.h"
+#include "app/cli/derived_argument.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/scene_argument.h"
@@ -21,6 +22,7 @@ namespace {
 struct ExportOptions {
     SceneArgument scene;
     FrameArgument frame;
+    DerivedArgument derived;
     std::string folder;
     std::vector<std::string> formats{"npy", "png"};
     bool views = false;
@@ -140,13 +142,19 @@ int runExport(ExportOptions options, const CliHost& host) {
         printErrors(wanted.errors());
         return kWrongUsage;
     }
+    const auto needed = buffersFor(options.derived, *scene);
+    if (!needed) {
+        printErrors(needed.errors());
+        return kWrongUsage;
+    }
     std::optional<glm::ivec2> pixel;
     if (!options.pixel.empty() && !(pixel = pixelIn(*scene, options.pixel))) return kWrongUsage;
 
     pipeline::FrameRequest frameRequest = wanted->request;
     frameRequest.stop = interrupt.token();
+    frameRequest.wanted |= *needed;
     pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
-    pipeline::ExportRequest request{options.folder, wanted->buffers, options.formats, {}, {}};
+    pipeline::ExportRequest request{options.folder, wanted->buffers, options.formats, {}, {}, {}};
     if (at && frame) {
         const pipeline::Steps steps(frame);
         const pipeline::Moment moment = steps.momentOf(*at);
@@ -162,6 +170,13 @@ int runExport(ExportOptions options, const CliHost& host) {
         return kInterrupted;
     };
     if (!frame) return cancelled();
+    auto derived = derivedOf(options.derived, *frame, options.frame.threads, interrupt.token());
+    if (!derived) {
+        printErrors(derived.errors());
+        return kBadInput;
+    }
+    if (interrupt.asked()) return cancelled();
+    request.derived = std::move(derived).value();
     const auto summary = exportFrame(*frame, request, goOn);
     if (!summary) {
         printErrors(summary.errors());
@@ -186,6 +201,7 @@ void declareExport(CLI::App& program, const CliHost& host, int& status) {
         ->required()
         ->type_name("DIR");
     declareFrameArgument(*command, options->frame);
+    declareDerived(*command, options->derived);
     command
         ->add_option(
             "--at", options->at,

@@ -172,6 +172,7 @@ void BufferView::refresh() {
         if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(why), true);
         return;
     }
+    showMix(*frame, *shown);
     layOver(*frame, *shown);
     m_shown = m_compare->show(frame, std::move(*shown));
     m_stack->setCurrentWidget(m_canvas);
@@ -180,6 +181,7 @@ void BufferView::refresh() {
     m_foot->show(*m_shown, !keptRange());
     m_notice->setText(m_shown->empty.isEmpty() ? m_shown->notice : m_shown->empty);
     m_notice->setVisible(!m_notice->text().isEmpty());
+    m_notice->setAttribute(Qt::WA_TransparentForMouseEvents, !m_notice->text().contains("href"));
     setAccessibleDescription(m_shown->description);
     markSelection();
     showPixels();

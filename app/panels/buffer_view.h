@@ -24,6 +24,7 @@ enum class CompareMode : unsigned char;
 class Loupe;
 class RangeFoot;
 class RegionPanel;
+class ShadowOverlay;
 class StageDifferences;
 
 // Any buffer of the document's frame, by name. The old picture stays while a new one is computed;
@@ -49,6 +50,7 @@ public:
     BufferCanvas* canvas() { return m_canvas; }
     BufferCompare& compare() { return *m_compare; }
     ConditionBar& condition() { return *m_condition; }
+    ShadowOverlay& shadows() { return *m_shadows; }
     const std::optional<ShownBuffer>& shown() const { return m_shown; }
     QString message() const;  // what stands in place of the picture; empty when there is one
 
@@ -78,6 +80,7 @@ private:
     void showPixels();
     void markSelection();
     void showEdgeFunctions();
+    void showMix(const pipeline::Frame& frame, ShownBuffer& shown) const;
     void layOver(const pipeline::Frame& frame, ShownBuffer& shown) const;
     void nudge(QPoint by);
     void compareBy(CompareMode mode);
@@ -98,6 +101,7 @@ private:
     std::optional<QPoint> m_localHover;  // of a picture that is not the document's
 
     OverlaySet m_overlays;
+    ShadowOverlay* m_shadows = nullptr;
 
     BufferHeader* m_header;
     QStackedLayout* m_stack;

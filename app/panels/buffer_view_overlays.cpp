@@ -1,10 +1,14 @@
 // What a BufferView lays over its picture.
+#include <QLabel>
+
+#include "app/core/mix_model.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/loupe.h"
+#include "app/panels/shadow_overlay.h"
 
 namespace app {
 
@@ -16,14 +20,24 @@ constexpr OverlaySet kAlwaysOn = OverlaySet(1ull << index(OverlayId::Strange));
 
 void BufferView::observeOverlays() {
     m_overlays = kAlwaysOn;
+    m_shadows = new ShadowOverlay(m_document, this);
+    connect(m_shadows, &ShadowOverlay::changed, this, [this] {
+        setShowLoupe(m_loupe->isVisibleTo(m_canvas));  // the button of the overlays
+        refresh();
+    });
+    connect(m_notice, &QLabel::linkActivated, this, [this] { m_shadows->setLight(std::nullopt); });
     connect(m_header, &BufferHeader::overlayMenuOpens, this, [this](QMenu* menu) {
         fillOverlayMenu(*menu, m_overlays, bufferInfo(m_name.id),
                         [this](OverlayId id, bool on) { setOverlay(id, on); });
+        m_shadows->fillMenu(*menu, whyNoOverlays(bufferInfo(m_name.id)));
         menu->addSeparator();
         QAction* condition = menu->addAction(tr("Condition…"), m_condition, &ConditionBar::open);
         condition->setToolTip(tr("Veils the pixels for which a condition does not hold (/)"));
     });
     connect(m_condition, &ConditionBar::changed, this, &BufferView::refresh);
+    connect(&m_document.mixer(), &MixModel::pictureReady, this, [this] {
+        if (m_name.id == pipeline::BufferId::Color) refresh();
+    });
 }
 
 void BufferView::setOverlay(OverlayId overlay, bool shown) {
@@ -36,12 +50,31 @@ void BufferView::setOverlay(OverlayId overlay, bool shown) {
 
 void BufferView::setShowLoupe(bool show) {
     m_loupe->setVisible(show);
-    m_header->setToggles((m_overlays & ~kAlwaysOn).any(), show);
+    m_header->setToggles((m_overlays & ~kAlwaysOn).any() || m_shadows->light(), show);
     placeOverlays();
+}
+
+// The picture that the terms make as they are mixed stands where the frame buffer would.
+void BufferView::showMix(const pipeline::Frame& frame, ShownBuffer& shown) const {
+    const MixModel& mixer = m_document.mixer();
+    if (m_name.id != pipeline::BufferId::Color || mixer.isPlain()) return;
+    const auto& mixed = mixer.picture();
+    if (mixed && mixed->color.shape == shown.buffer.shape) {
+        const QString notice = shown.notice;
+        shown = showBuffer(frame, mixed->color, {}, shown.look.channel, shown.look.range);
+        shown.notice = notice;
+    }
+    shown.notice = mixer.sentence() + (shown.notice.isEmpty() ? QString() : "<br>" + shown.notice);
 }
 
 void BufferView::layOver(const pipeline::Frame& frame, ShownBuffer& shown) const {
     addOverlays(frame, m_overlays, shown);
+    if (m_shadows->light() && whyNoOverlays(*shown.buffer.info).isEmpty()) {
+        const QImage image = m_shadows->image();
+        if (image.size() == shown.content.size) shown.content.overlays.push_back(image);
+        const QString notice = m_shadows->notice();
+        if (!notice.isEmpty()) shown.notice = shown.notice.isEmpty() ? notice : notice + "<br>" + shown.notice;
+    }
     const auto& mask = m_condition->mask();
     const bool fits = mask && QSize(mask->size.x, mask->size.y) == shown.content.size;
     if (fits && whyNoOverlays(*shown.buffer.info).isEmpty()) shown.content.overlays.push_back(veilOf(*mask));

@@ -68,6 +68,26 @@ Result<std::vector<WrittenScene>> writeScene(const Frame& frame, const ExportReq
     return written;
 }
 
+// In every chosen format that can hold them.
+Result<std::vector<WrittenDerived>> writeDerived(const Frame& frame, const ExportRequest& request,
+                                                 const fs::path& folder) {
+    std::vector<WrittenDerived> written;
+    for (const ExportRequest::Derived& derived : request.derived) {
+        written.push_back({derived.name, derived.meaning, {}});
+        for (const std::string& format : request.formats) {
+            const Exporter* exporter = findExporter(format);
+            if (!exporter) continue;
+            const AnyBuffer& buffer = exporter->usesPalette && derived.picture ? *derived.picture : derived.numbers;
+            if (!exporter->refuses(*buffer.info).empty()) continue;
+            const std::string file = derived.name + '.' + std::string(exporter->name);
+            const auto bytes = exporter->write(makeItem(frame, buffer, nullptr), folder / file);
+            if (!bytes) return bytes.errors();
+            written.back().files.push_back({file, exporter, *bytes});
+        }
+    }
+    return written;
+}
+
 // The staging folder's name must not reach the user: they asked for `folder`.
 Errors inFolder(Errors errors, const fs::path& folder) {
     for (Error& error : errors)
@@ -141,6 +161,14 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
         summary.bytes += file.bytes;
     }
 
+    const auto derived = writeDerived(frame, request, staging.folder());
+    if (!derived) return inFolder(derived.errors(), request.folder);
+    for (const WrittenDerived& one : *derived)
+        for (const WrittenFile& file : one.files) {
+            summary.files.push_back(file.file);
+            summary.bytes += file.bytes;
+        }
+
     if (!goOn(done / total, request.writeMore ? "views" : kManifest)) return cancelled;
     const auto views = writeViews(request, staging.folder());
     if (!views) return inFolder(views.errors(), request.folder);
@@ -153,7 +181,7 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
 
     ByteFile out(staging.folder() / kManifest);
     // Replacing what is not UTF-8: a file's name may hold any bytes.
-    out.write(manifest(frame, askedFor(frame, request), written, *whole, *views, request.at)
+    out.write(manifest(frame, askedFor(frame, request), written, *whole, *derived, *views, request.at)
                   .dump(2, ' ', false, Json::error_handler_t::replace) +
               '\n');
     const auto bytes = out.close();

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +20,15 @@ struct ExportRequest {
     // views. Gives their names. May be empty.
     std::function<Result<std::vector<std::filesystem::path>>(const std::filesystem::path& folder)> writeMore;
     std::string state{};  // what the window shows, as TOML, for pictures that carry their scene; may be empty
-    std::string at{};     // where inside a stage the frame stands, as a Place is written; for the manifest
+    // Made from the frame beside its own buffers: a mix of terms, a map of verdicts, a condition's mask.
+    struct Derived {
+        std::string name;                  // of the files, without an ending: "shadow_verdict.0"
+        std::string meaning;               // one sentence
+        AnyBuffer numbers;                 // for files that hold numbers
+        std::optional<AnyBuffer> picture;  // for files that show colours, in place of the numbers
+    };
+    std::vector<Derived> derived{};
+    std::string at{};  // where inside a stage the frame stands, as a Place is written; for the manifest
 };
 
 // One file of a buffer, or the reason there is none.

@@ -72,7 +72,8 @@ Json absent(const Frame& frame, const std::vector<BufferName>& asked) {
 }  // namespace
 
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
-              const std::vector<WrittenScene>& whole, const std::vector<std::string>& views, const std::string& at) {
+              const std::vector<WrittenScene>& whole, const std::vector<WrittenDerived>& derived,
+              const std::vector<std::string>& views, const std::string& at) {
     Json files = Json::array();
     for (const WrittenScene& file : whole)
         files.push_back({{"file", file.file}, {"format", file.exporter->name}, {"bytes", file.bytes}});
@@ -91,6 +92,11 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
              {"absent", absent(frame, asked)},
              {"files", files},
              {"views", views}};
+    for (const WrittenDerived& one : derived) {
+        Json names = Json::array();
+        for (const WrittenFile& file : one.files) names.push_back(file.file);
+        all["derived"].push_back({{"name", one.name}, {"meaning", one.meaning}, {"files", names}});
+    }
     if (!at.empty()) all["at"] = at;
     return all;
 }

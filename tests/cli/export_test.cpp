@@ -17,6 +17,44 @@ using test::scene;
 
 Json manifestOf(const fs::path& folder) { return Json::parse(test::readText(folder / "manifest.json")); }
 
+TEST(Export, WritesWhatIsMadeFromTheFrame) {
+    const test::TemporaryFolder folder;
+    const auto done =
+        run({"export", "shadow_bias", "-o", folder / "out", "--buffers", "color", "--format", "npy,png",
+             "--shadow-verdicts", "--where", "polygon_id >= 0", "--mix", "ambient=0,diffuse.0=0,specular.0=0"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const test::Npy verdicts = test::readNpy(folder / "out/shadow_verdict.0.npy");
+    EXPECT_EQ(verdicts.descr, "<i4");
+    EXPECT_GT(std::ranges::count(verdicts.values, 2), 1000) << "acne";
+    const test::Npy mask = test::readNpy(folder / "out/condition.npy");
+    EXPECT_EQ(mask.descr, "|u1");
+    EXPECT_EQ(std::ranges::count(mask.values, 1),
+              std::ranges::count_if(verdicts.values, [](double v) { return v >= 0; }))
+        << "every drawn pixel of this scene has a verdict";
+    EXPECT_TRUE(std::ranges::all_of(test::readNpy(folder / "out/mix.npy").values, [](double v) { return v == 0; }))
+        << "no term is left";
+    for (const char* file : {"shadow_verdict.0.png", "condition.png", "mix.png"})
+        EXPECT_TRUE(fs::exists(folder.path() / "out" / file)) << file;
+    const Json manifest = manifestOf(folder.path() / "out");
+    ASSERT_EQ(manifest["derived"].size(), 3u);
+    EXPECT_EQ(manifest["derived"][0]["name"], "shadow_verdict.0");
+}
+
+TEST(Export, RefusesWhatCannotBeMade) {
+    const test::TemporaryFolder folder;
+    const auto refused = [&](std::vector<std::string> more) {
+        std::vector<std::string> all{"export", "pyramid", "-o", folder / "out"};
+        all.insert(all.end(), more.begin(), more.end());
+        const auto done = run(all);
+        EXPECT_NE(done.status, 0);
+        EXPECT_FALSE(fs::exists(folder.path() / "out"));
+        return done.err;
+    };
+    EXPECT_NE(refused({"--mix", "diffuse.1=2"}).find("expected emission, ambient, diffuse.0, specular.0"),
+              std::string::npos);
+    EXPECT_NE(refused({"--where", "z_vew < 1"}).find("z_view"), std::string::npos);
+}
+
 TEST(Export, WritesThePyramidsBuffers) {
     const test::TemporaryFolder folder;
     const auto done = run({"export", scene("pyramid.scene"), "-o", folder / "out"});

@@ -1,0 +1,149 @@
+#include "pipeline/study/shadow_verdict.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <atomic>
+#include <numeric>
+
+#include "pipeline/study/ray_caster.h"
+#include "pipeline/study/ray_light.h"
+
+namespace pipeline {
+namespace {
+
+// Squares along each side of an area light: half of the light or more is what counts.
+constexpr int kCells = 8;
+
+constexpr BufferInfo kNumbers{BufferId::Shadow,
+                              "shadow_verdict",
+                              StageId::Shading,
+                              Domain::Pixel,
+                              Element::Int32,
+                              1,
+                              true,
+                              "",
+                              "",
+                              "0 lit, 1 shadowed, 2 acne, 3 leak: the shadow factor against exact rays.",
+                              Palette::Categorical,
+                              -1};
+
+}  // namespace
+
+std::span<const ShadowVerdictInfo, kShadowVerdictCount> shadowVerdictTable() {
+    static const std::array<ShadowVerdictInfo, kShadowVerdictCount> kTable{{
+        {"lit", "rays reach the light, and the frame has light", Color8(0xF1, 0xEF, 0xEA)},
+        {"shadowed", "rays are blocked, and the frame has a shadow", Color8(0x33, 0x2A, 0x5E)},
+        {"acne", "false shadow: rays reach the light, the frame has a shadow", Color8(0xDA, 0x7B, 0x66)},
+        {"leak", "false light: rays are blocked, the frame has light", Color8(0x9C, 0xC3, 0xDF)},
+    }};
+    return kTable;
+}
+
+std::string whyNoShadowVerdicts(const Scene& scene, std::size_t light) {
+    if (scene.settings.model == Model::OpenGl) return "OpenGL's model has no shadows.";
+    if (light >= scene.lights.size()) return fmt::format("The scene has no light {}.", light);
+    if (!scene.lights[light].castsShadow) return fmt::format("Light {} casts no shadow.", light);
+    const std::string why = whyNoRays(scene, RaySurfaces::Polygons);
+    return why.empty() ? why : fmt::format("There are no exact rays here: {}.", why);
+}
+
+std::optional<ExactShadows> exactShadows(const Scene& scene, std::size_t light, int threads, std::stop_token stop,
+                                         const RayProgress& progress) {
+    using namespace rays;
+    const RayScene<double> world = makeRayScene<double>(scene, RaySurfaces::Polygons);
+    const RayLighting<double> lighting = makeLighting<double>(scene);
+    const glm::ivec2 size{scene.settings.width, scene.settings.height};
+    ExactShadows exact{light, {size, -1}, {size, 0.0f}};
+    std::atomic<int> done{0};
+    oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
+    arena.execute([&] {
+        oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, size.y, 1), [&](const auto& rows) {
+            for (int y = rows.begin(); y < rows.end() && !stop.stop_requested(); ++y) {
+                for (int x = 0; x < size.x; ++x) {
+                    const SurfacePoint<double> at =
+                        firstSeen(world, world.camera.through(Vec2<double>(x + 0.5, y + 0.5)));
+                    if (at.object < 0) continue;
+                    const std::size_t i = exact.seen.offset({x, y});
+                    exact.object.pixels[i] = at.object;
+                    exact.seen.pixels[i] = float(lightSeen(world, lighting, light, at, kCells));
+                }
+                if (progress) progress(double(++done) / size.y);
+            }
+        });
+    });
+    if (stop.stop_requested()) return std::nullopt;
+    return exact;
+}
+
+bool haveSameRays(const Scene& a, const Scene& b) {
+    Scene other = b;
+    other.settings.shadowSize = a.settings.shadowSize;
+    other.settings.shadowBias = a.settings.shadowBias;
+    other.settings.shadowBiasValue = a.settings.shadowBiasValue;
+    other.settings.shadowFilter = a.settings.shadowFilter;
+    return a == other;
+}
+
+std::size_t ShadowVerdicts::judged() const { return std::accumulate(counts.begin(), counts.end(), std::size_t(0)); }
+
+double ShadowVerdicts::percent(ShadowVerdict v) const {
+    return judged() > 0 ? 100.0 * double(counts[std::size_t(v)]) / double(judged()) : 0;
+}
+
+std::optional<ShadowVerdicts> judgeShadows(const Frame& frame, const ExactShadows& exact) {
+    const auto shadow = frame.buffer({BufferId::Shadow, int(exact.light)});
+    const auto objects = frame.buffer({BufferId::ObjectId});
+    const glm::ivec2 size = exact.seen.size;
+    if (!shadow || !objects || objects->columns() != std::size_t(size.x) || objects->rows() != std::size_t(size.y))
+        return std::nullopt;
+    ShadowVerdicts found{exact.light, {size, -1}};
+    const auto ids = std::get<std::span<const std::int32_t>>(objects->data);
+    std::visit(
+        [&](const auto& factors) {
+            for (std::size_t i = 0; i < ids.size(); ++i) {
+                if (ids[i] < 0) continue;
+                if (exact.object.pixels[i] != ids[i]) {
+                    ++found.elsewhere;
+                    continue;
+                }
+                const bool lit = double(factors[i]) >= 0.5, seen = exact.seen.pixels[i] >= 0.5f;
+                const ShadowVerdict verdict = seen ? (lit ? ShadowVerdict::Lit : ShadowVerdict::Acne)
+                                                   : (lit ? ShadowVerdict::Leak : ShadowVerdict::Shadowed);
+                found.verdicts.pixels[i] = std::int32_t(verdict);
+                ++found.counts[std::size_t(verdict)];
+            }
+        },
+        shadow->data);
+    return found;
+}
+
+AnyBuffer numbersOf(const ShadowVerdicts& verdicts) {
+    const auto owner = std::make_shared<std::vector<std::int32_t>>(verdicts.verdicts.pixels);
+    const glm::ivec2 size = verdicts.verdicts.size;
+    return {{BufferId::Shadow, int(verdicts.light)},
+            &kNumbers,
+            {std::size_t(size.y), std::size_t(size.x)},
+            std::span<const std::int32_t>(*owner),
+            owner};
+}
+
+AnyBuffer pictureOf(const ShadowVerdicts& verdicts) {
+    const glm::ivec2 size = verdicts.verdicts.size;
+    const auto owner = std::make_shared<std::vector<std::uint8_t>>(3 * verdicts.verdicts.pixels.size());
+    for (std::size_t i = 0; i < verdicts.verdicts.pixels.size(); ++i) {
+        const std::int32_t verdict = verdicts.verdicts.pixels[i];
+        if (verdict < 0) continue;
+        const Color8 color = shadowVerdictTable()[std::size_t(verdict)].color;
+        for (int c = 0; c < 3; ++c) (*owner)[3 * i + std::size_t(c)] = color[c];
+    }
+    return {{BufferId::Color},
+            &bufferInfo(BufferId::Color),
+            {std::size_t(size.y), std::size_t(size.x), 3},
+            std::span<const std::uint8_t>(*owner),
+            owner};
+}
+
+}  // namespace pipeline

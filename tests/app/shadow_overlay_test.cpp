@@ -1,0 +1,74 @@
+#include "app/panels/shadow_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <QMenu>
+#include <QTest>
+
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
+#include "pipeline/scene/settings_table.h"
+#include "tests/support/scenes.h"
+
+namespace {
+
+using app::BufferView;
+using app::Document;
+
+// A box that hovers over a ground, lit aslant, with a coarse shadow buffer.
+pipeline::Scene hoveringBox() {
+    pipeline::Scene scene;
+    scene.camera.kind = pipeline::CameraKind::LookAt;
+    scene.camera.eye = {0, -8, 6};
+    scene.camera.target = {0, 0, 0.5};
+    scene.objects.push_back(
+        {"ground", test::box({-4, -4, -1}, {4, 4, 0}), {}, {pipeline::Vec3d(0.7), pipeline::Vec3d(0), 1}});
+    scene.objects.push_back(
+        {"box", test::box({-1, -1, 1}, {1, 1, 2}), {}, {pipeline::Vec3d(0.7), pipeline::Vec3d(0), 1}});
+    scene.lights.push_back({pipeline::LightKind::AtInfinity, {1, -0.5, 1}, 100, pipeline::Vec3d(1), true});
+    scene.settings.width = 160, scene.settings.height = 120;
+    scene.settings.shadowSize = 64;
+    scene.settings.shadowBias = pipeline::ShadowBias::Constant;
+    return scene;
+}
+
+struct ShadowOverlayTest : testing::Test {
+    Document document;
+    BufferView view{document};
+
+    ShadowOverlayTest() {
+        view.resize(600, 500);
+        view.show();
+        document.setScene(hoveringBox());
+        EXPECT_TRUE(QTest::qWaitFor([&] { return document.frame() != nullptr; }, 10000));
+    }
+};
+
+TEST_F(ShadowOverlayTest, LaysTheVerdictsOverThePictureAndFollowsTheBias) {
+    view.shadows().setLight(0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shadows().verdicts().has_value(); }, 20000));
+    EXPECT_GT(view.shadows().verdicts()->counts[std::size_t(pipeline::ShadowVerdict::Acne)], 100u) << "no bias";
+    ASSERT_FALSE(view.canvas()->content().overlays.empty());
+    EXPECT_EQ(view.canvas()->content().overlays[0].size(), QSize(160, 120));
+    EXPECT_TRUE(view.shown()->notice.contains("acne"));
+    document.change(*pipeline::findSetting(document.scene(), "shadow.bias_value"), 50);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return view.shadows().verdicts()->counts[std::size_t(pipeline::ShadowVerdict::Leak)] > 100; }, 20000))
+        << "a bias larger than the scene lets all light through";
+    view.shadows().setLight(std::nullopt);
+    EXPECT_TRUE(view.canvas()->content().overlays.empty());
+}
+
+TEST_F(ShadowOverlayTest, AMenuOffersEveryLightOrSaysWhyNot) {
+    QMenu menu;
+    view.shadows().fillMenu(menu, {});
+    ASSERT_EQ(menu.actions().size(), 1);
+    EXPECT_TRUE(menu.actions()[0]->isEnabled());
+    document.change(*pipeline::findSetting(document.scene(), "light.0.shadow"), 0);
+    QMenu other;
+    view.shadows().fillMenu(other, {});
+    EXPECT_FALSE(other.actions()[0]->isEnabled());
+    EXPECT_EQ(other.actions()[0]->toolTip(), "Light 0 casts no shadow.");
+}
+
+}  // namespace

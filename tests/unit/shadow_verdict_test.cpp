@@ -1,0 +1,125 @@
+// Shadow factors against exact rays.
+#include "pipeline/study/shadow_verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+// A ground and a box over it, lit from straight above, seen from above: the box hides its own shadow but for what
+// perspective shows beside it.
+Scene boxOverGround() {
+    Scene scene;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, -8, 6};
+    scene.camera.target = {0, 0, 0.5};
+    scene.objects.push_back({"ground", test::box({-4, -4, -1}, {4, 4, 0}), {}, {Vec3d(0.7), Vec3d(0), 1}});
+    scene.objects.push_back({"box", test::box({-1, -1, 1}, {1, 1, 2}), {}, {Vec3d(0.7), Vec3d(0), 1}});
+    scene.lights.push_back({LightKind::AtInfinity, {0, 0, 1}, 100, Vec3d(1), true});
+    scene.ambient.intensity = 30;
+    scene.settings.width = 120, scene.settings.height = 90;
+    return scene;
+}
+
+FramePtr frameFor(const Scene& scene) {
+    FrameRequest request;
+    request.wanted = setOf({BufferId::Shadow, BufferId::Position});
+    return runFrame(std::make_shared<const Scene>(scene), request, nullptr);
+}
+
+std::size_t count(const ShadowVerdicts& found, ShadowVerdict verdict) { return found.counts[std::size_t(verdict)]; }
+
+ShadowVerdicts judge(const Scene& scene) {
+    return judgeShadows(*frameFor(scene), exactShadows(scene, 0, 1).value()).value();
+}
+
+}  // namespace
+
+// Light from straight above: a place on the ground (z = 0) lies in the box's shadow where |x| < 1 and |y| < 1, every
+// place on a top is lit. So the rays are held against what anybody can say.
+TEST(ShadowVerdict, RaysSayWhatTheGeometrySays) {
+    const Scene scene = boxOverGround();
+    const ExactShadows exact = exactShadows(scene, 0, 1).value();
+    const FramePtr frame = frameFor(scene);
+    const AnyBuffer position = *frame->buffer({BufferId::Position});
+    std::size_t shadowed = 0;
+    for (int y = 0; y < scene.settings.height; ++y)
+        for (int x = 0; x < scene.settings.width; ++x) {
+            const auto at = [&](int c) { return position.value(std::size_t(x), std::size_t(y), c); };
+            const std::size_t i = exact.seen.offset({x, y});
+            const double edge = std::abs(std::max(std::abs(at(0)), std::abs(at(1))) - 1);
+            if (exact.object.pixels[i] != 0 || std::abs(at(2)) > 1e-4 || edge < 1e-3) continue;  // the ground's top
+            const bool below = std::max(std::abs(at(0)), std::abs(at(1))) < 1;
+            ASSERT_EQ(exact.seen.pixels[i], below ? 0.0f : 1.0f) << x << ',' << y;
+            shadowed += below;
+        }
+    EXPECT_GT(shadowed, 50u);
+}
+
+TEST(ShadowVerdict, AFineBufferWithItsOwnBiasIsRightAlmostEverywhere) {
+    const ShadowVerdicts found = judge(boxOverGround());
+    EXPECT_GT(count(found, ShadowVerdict::Lit), 1000u);
+    EXPECT_GT(count(found, ShadowVerdict::Shadowed), 50u);
+    EXPECT_LT(found.percent(ShadowVerdict::Acne) + found.percent(ShadowVerdict::Leak), 1.0);
+    const AnyBuffer objects = *frameFor(boxOverGround())->buffer({BufferId::ObjectId});
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < objects.count(); ++i) drawn += objects.flat(i) >= 0;
+    EXPECT_EQ(found.judged() + found.elsewhere, drawn) << "every drawn pixel, or its ray meets another object";
+}
+
+// Without a bias a slanting light finds its own surface in the coarse buffer: acne. With a bias larger than everything
+// nothing is in shadow any more: all that was shadowed leaks.
+TEST(ShadowVerdict, ABiasTradesAcneForLeaks) {
+    Scene scene = boxOverGround();
+    scene.lights[0].position = {1, -0.5, 1};
+    scene.settings.shadowSize = 64;
+    scene.settings.shadowBias = ShadowBias::Constant;
+    scene.settings.shadowBiasValue = 0;
+    const ShadowVerdicts none = judge(scene);
+    EXPECT_GT(none.percent(ShadowVerdict::Acne), 5.0);
+    scene.settings.shadowBiasValue = 100;
+    const ShadowVerdicts large = judge(scene);
+    EXPECT_EQ(count(large, ShadowVerdict::Acne), 0u);
+    EXPECT_GT(count(large, ShadowVerdict::Leak), 50u);
+}
+
+TEST(ShadowVerdict, RaysHoldWhileOnlyTheBufferChanges) {
+    const Scene scene = boxOverGround();
+    Scene other = scene;
+    other.settings.shadowBiasValue = 3, other.settings.shadowSize = 32, other.settings.shadowFilter = 2;
+    EXPECT_TRUE(haveSameRays(scene, other));
+    other.lights[0].position.x = 1;
+    EXPECT_FALSE(haveSameRays(scene, other));
+}
+
+TEST(ShadowVerdict, SaysWhyThereIsNone) {
+    Scene scene = boxOverGround();
+    EXPECT_EQ(whyNoShadowVerdicts(scene, 0), "");
+    EXPECT_EQ(whyNoShadowVerdicts(scene, 1), "The scene has no light 1.");
+    scene.lights[0].castsShadow = false;
+    EXPECT_EQ(whyNoShadowVerdicts(scene, 0), "Light 0 casts no shadow.");
+    scene.settings.model = Model::OpenGl;
+    EXPECT_EQ(whyNoShadowVerdicts(scene, 0), "OpenGL's model has no shadows.");
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(exactShadows(boxOverGround(), 0, 1, stop.get_token()));
+}
+
+TEST(ShadowVerdict, IsExportedAsNumbersAndColours) {
+    const ShadowVerdicts found = judge(boxOverGround());
+    const AnyBuffer numbers = numbersOf(found), picture = pictureOf(found);
+    EXPECT_EQ(numbers.shape, (std::vector<std::size_t>{90, 120}));
+    EXPECT_EQ(picture.shape, (std::vector<std::size_t>{90, 120, 3}));
+    const auto first = std::ranges::find(found.verdicts.pixels, int(ShadowVerdict::Shadowed));
+    ASSERT_NE(first, found.verdicts.pixels.end());
+    const auto i = std::size_t(first - found.verdicts.pixels.begin());
+    EXPECT_EQ(numbers.flat(i), 1);
+    EXPECT_EQ(picture.flat(3 * i), 0x33);
+}
+
+}  // namespace pipeline
