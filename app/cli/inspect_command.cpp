@@ -8,9 +8,12 @@
 #include "app/cli/scene_argument.h"
 #include "lessons/condition.h"
 #include "pipeline/export/json.h"
+#include "pipeline/export/plot_file.h"
 #include "pipeline/export/table_json.h"
-#include "pipeline/inspect/pixel_report.h"
+#include "pipeline/inspect/equation_text.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/study/scanline_plot.h"
+#include "pipeline/study/shadow_verdict.h"
 
 namespace app {
 
@@ -20,8 +23,9 @@ struct InspectOptions {
     SceneArgument scene;
     std::string pixel, table, where;
     std::string format = "text";
+    std::optional<int> row;
     int threads = 0;
-    bool json = false;
+    bool json = false, shadowVerdicts = false;
 };
 
 pipeline::FramePtr frameOf(std::shared_ptr<const pipeline::Scene> scene, const InspectOptions& options,
@@ -32,7 +36,15 @@ pipeline::FramePtr frameOf(std::shared_ptr<const pipeline::Scene> scene, const I
     return runFrame(std::move(scene), request, nullptr);
 }
 
+// Says what the format should be, unless it is one of `known`.
+bool knowsFormat(const InspectOptions& options, std::span<const std::string_view> known, const char* expected) {
+    if (std::ranges::find(known, options.format) != known.end()) return true;
+    printErrors({{{}, fmt::format("--format is \"{}\"", options.format), expected}});
+    return false;
+}
+
 int printTable(std::shared_ptr<const pipeline::Scene> scene, const InspectOptions& options) {
+    if (!knowsFormat(options, pipeline::kTableFormats, "text, csv, markdown or latex for a table")) return kWrongUsage;
     const auto id = pipeline::findTable(options.table).value();  // CLI11 has checked both words
     const auto format = std::ranges::find(pipeline::kTableFormats, options.format);
     const auto write = [](std::string_view text) { fmt::print("{}", text); };
@@ -77,16 +89,76 @@ int printWhere(const std::shared_ptr<const pipeline::Scene>& scene, const Inspec
     return kDone;
 }
 
+int printRow(const std::shared_ptr<const pipeline::Scene>& scene, const InspectOptions& options) {
+    constexpr std::array<std::string_view, 3> kFormats{"text", "csv", "svg"};
+    if (!knowsFormat(options, kFormats, "csv or svg for a row")) return kWrongUsage;
+    const int row = *options.row;
+    if (row < 0 || row >= scene->settings.height) {
+        printErrors(
+            {{{}, fmt::format("--row is {}", row), fmt::format("a row from 0 to {}", scene->settings.height - 1)}});
+        return kWrongUsage;
+    }
+    const pipeline::FramePtr frame = frameOf(scene, options, pipeline::setOf({pipeline::BufferId::Intensity}));
+    const auto section = shadedSection(frame, row, options.threads);
+    if (options.format == "svg")
+        fmt::print("{}",
+                   plotSvg(layOut(pipeline::ScanlinePlot{&*section}, {1200, 600, 16}), pipeline::PlotTheme::Light));
+    else
+        fmt::print("{}", sectionCsv(*section));
+    return kDone;
+}
+
+// Per light how many pixels are lit, shadowed, and wrong in either way.
+int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const InspectOptions& options) {
+    const pipeline::FramePtr frame = frameOf(scene, options, pipeline::setOf({pipeline::BufferId::Shadow}));
+    pipeline::Json lights = pipeline::Json::array();
+    for (std::size_t k = 0; k < scene->lights.size(); ++k) {
+        pipeline::Json light{{"light", k}};
+        if (const std::string why = whyNoShadowVerdicts(*scene, k); !why.empty()) {
+            light["why"] = why;
+            if (!options.json) fmt::print("light {}: {}\n", k, why);
+            lights.push_back(light);
+            continue;
+        }
+        const auto verdicts = judgeShadows(*frame, *exactShadows(*scene, k, options.threads)).value();
+        light["judged"] = verdicts.judged();
+        light["elsewhere"] = verdicts.elsewhere;
+        if (!options.json) fmt::print("light {}: {} pixels against exact rays\n", k, verdicts.judged());
+        for (std::size_t v = 0; v < pipeline::kShadowVerdictCount; ++v) {
+            const pipeline::ShadowVerdictInfo& info = pipeline::shadowVerdictTable()[v];
+            light[std::string(info.name)] = verdicts.counts[v];
+            if (options.json) continue;
+            fmt::print("  {:<9}{:>8} {:>7.2f} %  {}\n", info.name, verdicts.counts[v],
+                       verdicts.percent(pipeline::ShadowVerdict(v)), info.meaning);
+        }
+        if (verdicts.elsewhere > 0 && !options.json)
+            fmt::print("  {} pixels at outlines, where the ray meets another object\n", verdicts.elsewhere);
+        lights.push_back(light);
+    }
+    if (options.json) fmt::print("{}\n", lights.dump(2));
+    return kDone;
+}
+
 int runInspect(const InspectOptions& options) {
     int status = kDone;
     const auto scene = loadScene(options.scene, status);
     if (!scene) return status;
     if (!options.table.empty()) return printTable(scene, options);
     if (!options.where.empty()) return printWhere(scene, options);
+    if (options.shadowVerdicts) return printShadows(scene, options);
+    if (options.row) return printRow(scene, options);
     const auto pixel = pixelIn(*scene, options.pixel);
     if (!pixel) return kWrongUsage;
+    if (!knowsFormat(options, pipeline::kEquationFormats, "text, markdown or latex for a pixel")) return kWrongUsage;
+    const auto format = std::ranges::find(pipeline::kEquationFormats, options.format);
     const pipeline::FramePtr frame = frameOf(scene, options);
     const pipeline::PixelReport report = inspectPixel(*frame, *pixel);
+    if (format != pipeline::kEquationFormats.begin()) {  // text is all that is known
+        for (int channel = 0; channel < 3; ++channel)
+            fmt::print("{}", equationText(equation(*frame, report, channel),
+                                          pipeline::EquationFormat(format - pipeline::kEquationFormats.begin())));
+        return kDone;
+    }
     if (options.json)
         fmt::print("{}\n", toJson(*frame, report).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
     else
@@ -105,20 +177,26 @@ void declareInspect(CLI::App& program, const CliHost&, int& status) {
     what->add_option("--pixel", options->pixel, "Column and row, from 0 at the top left")->type_name("X,Y");
     std::vector<std::string> tables;
     for (std::size_t i = 0; i < pipeline::kTableCount; ++i) tables.emplace_back(name(pipeline::TableId(i)));
-    CLI::Option* table =
-        what->add_option("--table", options->table, "An array of the scene: " + CLI::detail::join(tables, ", "))
-            ->type_name("TABLE")
-            ->check(CLI::IsMember(tables));
-    what->add_option("--where", options->where, "The pixels that a condition holds for: \"n_dot_l.0 < 0.5\"")
-        ->type_name("CONDITION");
+    what->add_option("--table", options->table, "An array of the scene: " + CLI::detail::join(tables, ", "))
+        ->type_name("TABLE")
+        ->check(CLI::IsMember(tables));
+    CLI::Option* where =
+        what->add_option("--where", options->where, "The pixels that a condition holds for: \"n_dot_l.0 < 0.5\"")
+            ->type_name("CONDITION");
+    CLI::Option* verdicts = what->add_flag("--shadow-verdicts", options->shadowVerdicts,
+                                           "Per light the pixels lit, shadowed, acne and leak, against exact rays");
+    what->add_option("--row", options->row, "The section along a row: depths and intensities, as CSV")->type_name("Y");
     what->require_option(1);
-    const std::vector<std::string> formats(pipeline::kTableFormats.begin(), pipeline::kTableFormats.end());
-    CLI::Option* format =
-        command->add_option("--format", options->format, "How to write the table: " + CLI::detail::join(formats, ", "))
-            ->type_name("FORMAT")
-            ->check(CLI::IsMember(formats))
-            ->needs(table);
+    std::vector<std::string> formats(pipeline::kTableFormats.begin(), pipeline::kTableFormats.end());
+    formats.emplace_back("svg");
+    CLI::Option* format = command
+                              ->add_option("--format", options->format,
+                                           "Of a table text, csv, markdown or latex; of a pixel its equation alone, "
+                                           "markdown or latex; of a row csv or svg")
+                              ->type_name("FORMAT")
+                              ->check(CLI::IsMember(formats));
     declareThreads(*command, options->threads);
+    format->excludes(where)->excludes(verdicts);
     command->add_flag("--json", options->json, "Print JSON")->excludes(format);
     command->callback([options, &status] { status = runInspect(*options); });
 }

@@ -5,6 +5,7 @@
 #include "app/panels/cue_panel.h"
 #include "app/panels/inspector_panel.h"
 #include "app/panels/lesson_panel.h"
+#include "app/panels/scanline_panel.h"
 #include "app/panels/scene_tree.h"
 #include "app/panels/settings_panel.h"
 #include "app/panels/tables_panel.h"
@@ -27,6 +28,7 @@ std::span<const PanelRow> panelTable() {
         {"cues", "Cues", "film", "Ctrl+Alt+6", Qt::LeftDockWidgetArea, make<CuePanel>},
         {"inspector", "Inspector", "inspector", "Ctrl+Alt+4", Qt::RightDockWidgetArea, make<InspectorPanel>},
         {"tables", "Tables", "grid", "Ctrl+Alt+5", Qt::BottomDockWidgetArea, make<TablesPanel>},
+        {"scanline", "Section along a row", "histogram", "Ctrl+Alt+6", Qt::BottomDockWidgetArea, make<ScanlinePanel>},
     });
     return kTable;
 }

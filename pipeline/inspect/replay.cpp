@@ -10,11 +10,10 @@
 namespace pipeline {
 namespace {
 
-// The pieces of the scene's triangles for which keep(polygon) holds and that cover the pixel.
+// The pieces of the scene's triangles for which keep(polygon) holds and that cover a pixel of the tile.
 template <class Real, class Keep>
-TriangleBins<Real> piecesAt(const FrameData<Real>& data, glm::ivec2 pixel, Keep keep) {
+TriangleBins<Real> piecesAt(const FrameData<Real>& data, Tile tile, Keep keep) {
     const TransformOutput<Real>& in = *data.transform;
-    const Tile tile{pixel, pixel + 1};
     TriangleBins<Real> pieces;
     for (std::size_t t = 0; t < in.topology->triangles.size(); ++t) {
         const Triangle& triangle = in.topology->triangles[t];
@@ -38,14 +37,13 @@ std::vector<std::uint8_t> opaquePolygons(const FrameData<Real>& data) {
 
 // The order is a matter of all triangles, not only of those that cover the pixel.
 template <class Real>
-std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, glm::ivec2 pixel) {
+std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, Tile tile) {
     const TransformOutput<Real>& in = *data.transform;
     const TriangleBins<Real> bins =
         binTriangles<Real>(*in.topology, in.view, in.viewSpace, data.verdicts(), {}, opaquePolygons(data));
     const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.viewSpace, bins, data.keys.zBuffer.split);
     std::vector<std::uint32_t> pieces(order.pieces.size());
     std::iota(pieces.begin(), pieces.end(), 0u);
-    const Tile tile{pixel, pixel + 1};
     ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, in.depthFormat);
     std::vector<FragmentRecord> record;
     paint<Real>(in.view, bins, order, pieces, tile, scratch, &record);
@@ -53,8 +51,7 @@ std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, glm::ivec
 }
 
 template <class Real, class Draws>
-std::vector<FragmentRecord> replayOutlines(const FrameData<Real>& data, glm::ivec2 pixel, Draws draws) {
-    const Tile tile{pixel, pixel + 1};
+std::vector<FragmentRecord> replayOutlines(const FrameData<Real>& data, Tile tile, Draws draws) {
     const OutlineBins<Real> bins = binOutlines<Real>(*data.transform, tile, draws);
     ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, DepthFormat::Linear);
     std::vector<FragmentRecord> record;
@@ -65,23 +62,27 @@ std::vector<FragmentRecord> replayOutlines(const FrameData<Real>& data, glm::ive
 }  // namespace
 
 template <class Real>
-std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel) {
+std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile) {
     const std::vector<Verdict>& verdicts = data.verdicts();
-    if (data.keys.zBuffer.visibility == Visibility::Painter) return replayPainter(data, pixel);
+    if (data.keys.zBuffer.visibility == Visibility::Painter) return replayPainter(data, tile);
     if (data.keys.zBuffer.visibility == Visibility::None)
-        return replayOutlines(data, pixel, [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
+        return replayOutlines(data, tile, [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
     const std::vector<std::uint8_t> drawn = opaquePolygons(data);
-    const TriangleBins<Real> pieces = piecesAt(data, pixel, [&](std::uint32_t polygon) {
+    const TriangleBins<Real> pieces = piecesAt(data, tile, [&](std::uint32_t polygon) {
         return (verdicts.empty() || goesOn(verdicts[polygon])) && (drawn.empty() || drawn[polygon]);
     });
     std::vector<std::uint32_t> order(pieces.triangles.size());
     std::iota(order.begin(), order.end(), 0u);
-    const Tile tile{pixel, pixel + 1};
     const DepthFormat format = data.transform->depthFormat;
     ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, format);
     std::vector<FragmentRecord> record;
     zBuffer<Real>(data.transform->view, format, pieces, order, tile, scratch, &record);
     return record;
+}
+
+template <class Real>
+std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel) {
+    return replayTile(data, {pixel, pixel + 1});
 }
 
 template <class Real>
@@ -99,16 +100,17 @@ template <class Real>
 std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixel) {
     const std::vector<Verdict>& verdicts = data.verdicts();
     if (verdicts.empty()) return {};
+    const Tile tile{pixel, pixel + 1};
     std::vector<std::uint32_t> polygons;
     const auto add = [&](std::uint32_t triangle) {
         polygons.push_back(data.transform->topology->triangles[triangle].polygon);
     };
     if (data.keys.zBuffer.visibility == Visibility::None) {
         const auto dropped = [&](std::uint32_t polygon) { return !data.hasOutline(polygon); };
-        for (const FragmentRecord& fragment : replayOutlines(data, pixel, dropped)) add(fragment.triangle);
+        for (const FragmentRecord& fragment : replayOutlines(data, tile, dropped)) add(fragment.triangle);
     } else {
         const TriangleBins<Real> pieces =
-            piecesAt(data, pixel, [&](std::uint32_t polygon) { return !goesOn(verdicts[polygon]); });
+            piecesAt(data, tile, [&](std::uint32_t polygon) { return !goesOn(verdicts[polygon]); });
         for (const RasterTriangle<Real>& piece : pieces.triangles) add(piece.id);
     }
     polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
@@ -116,6 +118,7 @@ std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixe
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                      \
+    template std::vector<FragmentRecord> replayTile(const FrameData<Real>&, Tile);        \
     template std::vector<FragmentRecord> replayPixel(const FrameData<Real>&, glm::ivec2); \
     template std::vector<Layer<Real>> replayLayers(const FrameData<Real>&, glm::ivec2);   \
     template std::vector<std::uint32_t> culledAt(const FrameData<Real>&, glm::ivec2);

@@ -11,6 +11,10 @@ namespace pipeline {
 template <class Real>
 std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel);
 
+// The same for all pixels of a tile, in the order they were drawn.
+template <class Real>
+std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile);
+
 // The layers of translucent surfaces over one pixel, in the order in which they are laid over it.
 template <class Real>
 std::vector<Layer<Real>> replayLayers(const FrameData<Real>& data, glm::ivec2 pixel);

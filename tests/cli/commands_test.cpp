@@ -121,6 +121,15 @@ TEST(Inspect, AsJson) {
     EXPECT_EQ(json["fragments"][0]["verdict"], "won, stays");
 }
 
+TEST(Inspect, WritesTheEquationForAPage) {
+    const auto latex = run({"inspect", "pyramid", "--pixel", "268,281", "--format", "latex"});
+    EXPECT_EQ(latex.status, 0) << latex.err;
+    EXPECT_TRUE(latex.out.starts_with("% \\usepackage")) << latex.out;
+    EXPECT_TRUE(has(latex.out, "I_{\\text{g}} &= "));
+    const auto markdown = run({"inspect", "pyramid", "--pixel", "268,281", "--format", "markdown"});
+    EXPECT_TRUE(markdown.out.starts_with("$$\n")) << markdown.out;
+}
+
 TEST(Inspect, RefusesAPixelOutsideThePicture) {
     for (const char* pixel : {"640,0", "0,480", "-1,0", "1", "1,2,3", "a,b", ""}) {
         const auto done = run({"inspect", "pyramid", std::string("--pixel=") + pixel});
@@ -158,6 +167,22 @@ TEST(Inspect, PrintsATableInEveryFormat) {
     const Json json = Json::parse(run({"inspect", "pyramid", "--table", "lights", "--json"}).out);
     EXPECT_EQ(json["columns"][2]["lecture"], "Lx");
     EXPECT_EQ(json["rows"][0][2], 500);
+}
+
+TEST(Inspect, WritesTheSectionAlongARow) {
+    const auto csv = run({"inspect", "pyramid", "--row", "281"});
+    EXPECT_EQ(csv.status, 0) << csv.err;
+    EXPECT_TRUE(csv.out.starts_with("x,seen,z_view.1,z_view.2,flat.r,")) << csv.out.substr(0, 80);
+    EXPECT_TRUE(has(run({"inspect", "pyramid", "--row", "281", "--format", "svg"}).out, "<svg"));
+    EXPECT_EQ(run({"inspect", "pyramid", "--row", "480"}).status, 2);
+    EXPECT_EQ(run({"inspect", "pyramid", "--row", "281", "--format", "latex"}).status, 2);
+}
+
+TEST(Inspect, HoldsShadowsAgainstRays) {
+    const Json json = Json::parse(run({"inspect", "shadow_bias", "--shadow-verdicts", "--json"}).out);
+    EXPECT_GT(json[0]["acne"], 1000) << "a coarse shadow buffer without a bias";
+    EXPECT_TRUE(has(run({"inspect", "shadow_bias", "--shadow-verdicts"}).out, "acne"));
+    EXPECT_TRUE(has(run({"inspect", "gl_cube", "--shadow-verdicts"}).out, "OpenGL's model has no shadows."));
 }
 
 TEST(Inspect, WantsAPixelOrATable) {

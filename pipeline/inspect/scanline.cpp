@@ -1,0 +1,154 @@
+#include "pipeline/inspect/scanline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "pipeline/core/text.h"
+#include "pipeline/inspect/replay.h"
+#include "pipeline/run/runner.h"
+
+namespace pipeline {
+namespace {
+
+constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
+constexpr std::array<std::string_view, 3> kShadingNames{"flat", "gouraud", "phong"};
+
+template <class Real>
+void addRuns(const FrameData<Real>& data, ScanlineSection& section) {
+    if (!data.zBuffer) return;
+    const Tile row{{0, section.row}, {section.width, section.row + 1}};
+    const std::vector<FragmentRecord> record = replayTile(data, row);
+    // While stepping inside the stage some of a pixel's fragments are still to come.
+    std::vector<std::int32_t> arrived(std::size_t(section.width), 0);
+    std::vector<std::size_t> last(std::size_t(section.width), record.size());
+    std::vector<bool> came(record.size());
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        const auto x = std::size_t(record[i].pixel.x);
+        came[i] = arrived[x] < data.zBuffer->overdraw.at(record[i].pixel);
+        ++arrived[x];
+        if (came[i] && record[i].won) last[x] = i;
+    }
+    std::map<int, std::vector<ScanlineRun::Sample>> samples;
+    std::vector<int> order;  // of drawing
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        if (!came[i]) continue;
+        const int polygon = int(data.transform->topology->triangles[record[i].triangle].polygon);
+        auto& of = samples[polygon];
+        if (of.empty()) order.push_back(polygon);
+        of.push_back({record[i].pixel.x, record[i].depth, last[std::size_t(record[i].pixel.x)] == i});
+    }
+    for (const int polygon : order) {
+        auto& of = samples[polygon];
+        std::ranges::stable_sort(of, {}, &ScanlineRun::Sample::x);
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            const bool begins = i == 0 || of[i].x > of[i - 1].x + 1;
+            if (begins) section.runs.push_back({polygon, {}});
+            section.runs.back().samples.push_back(of[i]);
+        }
+    }
+    section.storesDepth = !data.zBuffer->depth.empty();
+    section.nearIsLarger = isReversed(data.transform->depthFormat);
+    if (data.shading) section.iMax = data.shading->iMax;
+}
+
+std::vector<Vec3d> intensitiesOf(const Frame& frame, int row) {
+    const auto intensity = frame.buffer({BufferId::Intensity});
+    const auto polygons = frame.buffer({BufferId::PolygonId});
+    if (!intensity || !polygons) return {};
+    std::vector<Vec3d> values(polygons->columns(), Vec3d(std::numeric_limits<double>::quiet_NaN()));
+    for (std::size_t x = 0; x < values.size(); ++x) {
+        if (polygons->value(x, std::size_t(row)) < 0) continue;
+        for (int c = 0; c < 3; ++c) values[x][c] = intensity->value(x, std::size_t(row), c);
+    }
+    return values;
+}
+
+// Of a polygon's first fragment there.
+std::optional<double> depthAt(const ScanlineSection& section, int polygon, int x) {
+    for (const ScanlineRun& run : section.runs)
+        if (run.polygon == polygon)
+            for (const ScanlineRun::Sample& sample : run.samples)
+                if (sample.x == x) return sample.depth;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<int> ScanlineSection::winnerAt(int x) const {
+    for (const ScanlineRun& run : runs)
+        for (const ScanlineRun::Sample& sample : run.samples)
+            if (sample.x == x && sample.stays) return run.polygon;
+    return std::nullopt;
+}
+
+std::pair<int, int> ScanlineSection::extent() const {
+    if (runs.empty()) return {0, width - 1};
+    int first = width, last = 0;
+    for (const ScanlineRun& run : runs) {
+        first = std::min(first, run.samples.front().x);
+        last = std::max(last, run.samples.back().x);
+    }
+    return {first, last};
+}
+
+ScanlineSection scanlineSection(const Frame& frame, int row) {
+    ScanlineSection section;
+    section.row = row;
+    section.width = frame.scene().settings.width;
+    readStages(frame, [&](const auto& data) { addRuns(data, section); });
+    return section;
+}
+
+std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int threads, std::stop_token stop) {
+    ScanlineSection section = scanlineSection(*frame, row);
+    if (frame->until() != StageId::Shading) return section;  // inside an earlier stage nothing is shaded yet
+    const auto same = std::ranges::find(kShadings, frame->scene().settings.shading) - kShadings.begin();
+    section.intensity[std::size_t(same)] = intensitiesOf(*frame, row);
+    for (std::size_t i = 0; i < kShadings.size(); ++i) {
+        if (i == std::size_t(same)) continue;
+        auto scene = std::make_shared<Scene>(frame->scene());
+        scene->settings.shading = kShadings[i];
+        FrameRequest request;
+        request.wanted = setOf({BufferId::Intensity});
+        request.threads = threads;
+        request.stop = stop;
+        const FramePtr other = runFrame(std::move(scene), request, frame);
+        if (!other) return std::nullopt;
+        section.intensity[i] = intensitiesOf(*other, row);
+    }
+    return section;
+}
+
+std::string sectionCsv(const ScanlineSection& section) {
+    std::vector<int> polygons;  // each once, in the order of drawing
+    for (const ScanlineRun& run : section.runs)
+        if (std::ranges::find(polygons, run.polygon) == polygons.end()) polygons.push_back(run.polygon);
+    std::string out = "x,seen";
+    for (const int polygon : polygons) out += fmt::format(",{}.{}", section.storesDepth ? "depth" : "z_view", polygon);
+    for (std::size_t i = 0; i < kShadingNames.size(); ++i)
+        if (!section.intensity[i].empty())
+            for (const char* channel : {"r", "g", "b"}) out += fmt::format(",{}.{}", kShadingNames[i], channel);
+    out += "\r\n";
+    for (int x = 0; x < section.width; ++x) {
+        const auto winner = section.winnerAt(x);
+        out += fmt::format("{},{}", x, winner ? std::to_string(*winner) : std::string());
+        for (const int polygon : polygons) {
+            const auto depth = depthAt(section, polygon, x);
+            out += ',' + (depth ? shortestText(*depth) : std::string());
+        }
+        for (const std::vector<Vec3d>& intensity : section.intensity) {
+            if (intensity.empty()) continue;
+            const Vec3d value = intensity[std::size_t(x)];
+            for (int c = 0; c < 3; ++c)
+                out += std::isfinite(value[c]) ? ',' + shortestText(value[c]) : std::string(",");
+        }
+        out += "\r\n";
+    }
+    return out;
+}
+
+}  // namespace pipeline

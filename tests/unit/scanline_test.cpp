@@ -1,0 +1,133 @@
+// Sections along a row.
+#include "pipeline/inspect/scanline.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/inspect/pixel_report.h"
+#include "pipeline/study/scanline_plot.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+FramePtr frameFor(const Scene& scene) {
+    FrameRequest request;
+    request.wanted = setOf({BufferId::Intensity});
+    return runFrame(std::make_shared<const Scene>(scene), request, nullptr);
+}
+
+// A row in which several polygons lie behind one another; 0 where there is none.
+int crowdedRow(const Frame& frame) {
+    for (int row = 0; row < frame.scene().settings.height; ++row) {
+        const ScanlineSection section = scanlineSection(frame, row);
+        const auto isHidden = [](const ScanlineRun& run) { return !run.samples.front().stays; };
+        if (section.runs.size() > 2 && std::ranges::any_of(section.runs, isHidden)) return row;
+    }
+    return 0;
+}
+
+// What every pixel's own replay tells, one after the other.
+void expectTheSameAsPixels(const Frame& frame, int row) {
+    const ScanlineSection section = scanlineSection(frame, row);
+    for (int x = 0; x < frame.scene().settings.width; ++x) {
+        const PixelReport pixel = inspectPixel(frame, {x, row});
+        std::vector<std::pair<int, double>> expected, found;
+        int seen = -1;
+        for (const FragmentReport& fragment : pixel.fragments) {
+            expected.emplace_back(fragment.polygon, fragment.depth);
+            if (fragment.verdict == FragmentVerdict::WonStays || fragment.verdict == FragmentVerdict::PaintedLast)
+                seen = fragment.polygon;
+        }
+        for (const ScanlineRun& run : section.runs)
+            for (const ScanlineRun::Sample& sample : run.samples)
+                if (sample.x == x) found.emplace_back(run.polygon, sample.depth);
+        std::ranges::sort(expected);
+        std::ranges::sort(found);
+        ASSERT_EQ(found, expected) << x << ',' << row;
+        ASSERT_EQ(section.winnerAt(x).value_or(-1), seen) << x << ',' << row;
+    }
+}
+
+}  // namespace
+
+TEST(ScanlineSection, HasTheFragmentsOfEveryPixelOfItsRow) {
+    for (const unsigned seed : {2u, 5u, 7u}) {
+        Scene scene = test::randomScene(seed);
+        if (scene.settings.visibility == Visibility::None) scene.settings.visibility = Visibility::ZBuffer;
+        const FramePtr frame = test::frameOf(scene);
+        const int row = crowdedRow(*frame);
+        EXPECT_GT(row, 0) << seed;
+        for (const int further : {0, 2}) expectTheSameAsPixels(*frame, row + further);
+    }
+}
+
+// Row 281 of lecture 1's pyramid: polygons 1 and 2 side by side, each one run, and nothing else.
+TEST(ScanlineSection, OfThePyramid) {
+    const ScanlineSection section = scanlineSection(*test::frameOf(test::pyramid()), 281);
+    ASSERT_EQ(section.runs.size(), 2u);
+    EXPECT_EQ(section.runs[0].polygon, 1);
+    EXPECT_EQ(section.runs[1].polygon, 2);
+    for (const ScanlineRun& run : section.runs)
+        EXPECT_TRUE(std::ranges::all_of(run.samples, &ScanlineRun::Sample::stays)) << "nothing lies before them";
+    EXPECT_EQ(section.winnerAt(268), 2);
+    EXPECT_FALSE(section.winnerAt(0));
+    EXPECT_TRUE(scanlineSection(*test::frameOf(test::pyramid()), 3).empty());
+}
+
+// Against frames that were asked for each shading method on their own.
+TEST(ScanlineSection, IntensitiesAreThoseOfEachShadingMethod) {
+    Scene scene = test::pyramid();
+    const auto section = shadedSection(frameFor(scene), 281, 1);
+    ASSERT_TRUE(section);
+    for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+        scene.settings.shading = shading;
+        const FramePtr frame = frameFor(scene);
+        const AnyBuffer intensity = *frame->buffer({BufferId::Intensity});
+        for (int x = 0; x < scene.settings.width; ++x) {
+            const Vec3d value = section->intensity[std::size_t(shading)][std::size_t(x)];
+            ASSERT_EQ(std::isnan(value.x), !section->winnerAt(x)) << x;
+            for (int c = 0; c < 3 && !std::isnan(value.x); ++c)
+                ASSERT_EQ(value[c], intensity.value(std::size_t(x), 281, c)) << x;
+        }
+    }
+    EXPECT_NEAR(section->intensity[std::size_t(Shading::Flat)][268].z, 114.739, 5e-4);
+}
+
+TEST(ScanlineSection, IsWrittenAsATable) {
+    const auto section = shadedSection(frameFor(test::pyramid()), 281, 1);
+    const std::string csv = sectionCsv(*section);
+    EXPECT_TRUE(csv.starts_with("x,seen,z_view.1,z_view.2,flat.r,flat.g,flat.b,gouraud.r,")) << csv.substr(0, 100);
+    EXPECT_EQ(std::ranges::count(csv, '\n'), 641) << "a heading and a line per pixel";
+    EXPECT_NE(csv.find("\r\n0,,,,,,"), std::string::npos) << "nothing is drawn at x = 0";
+    EXPECT_NE(csv.find("\r\n268,2,,671."), std::string::npos);
+}
+
+// Bold and solid where a polygon is seen, thin and dashed where it is hidden; nothing leaves the drawing.
+TEST(ScanlinePlot, DrawsEveryRunOnceAndNothingOutside) {
+    Scene scene = test::randomScene(7);
+    scene.settings.visibility = Visibility::ZBuffer;
+    const FramePtr frame = frameFor(scene);
+    const auto section = shadedSection(frame, crowdedRow(*frame), 1);
+    ASSERT_TRUE(section && !section->empty());
+    const PlotDrawing drawing = layOut(ScanlinePlot{&*section, 0, 3, 5}, {900, 400, 14});
+    std::size_t solid = 0, dashed = 0;
+    for (const PlotLine& line : drawing.lines) {
+        for (const auto& point : line.points) {
+            EXPECT_GE(point.x, 0);
+            EXPECT_LE(point.x, drawing.width);
+            EXPECT_GE(point.y, 0);
+            EXPECT_LE(point.y, drawing.height);
+        }
+        solid += line.ink.role == PlotRole::Series && line.dash == PlotDash::Solid;
+        dashed += line.ink.role == PlotRole::Series && line.dash == PlotDash::Dashed;
+    }
+    EXPECT_GT(solid, 0u);
+    EXPECT_GT(dashed, 0u);
+    const ScanlineAxis axis = axisOf(*section, {900, 400, 14});
+    for (const int x : {int(axis.first), int(axis.first) + 3}) EXPECT_EQ(axis.pixelAt(axis.place(x + 0.5)), x);
+}
+
+}  // namespace pipeline
