@@ -141,7 +141,7 @@ std::optional<Error> addBuffers(const ConditionNode& node, const Frame& frame, s
 
 }  // namespace
 
-pipeline::Result<ConditionMask> evaluate(const Condition& condition, const Frame& frame) {
+pipeline::Result<ConditionMask> evaluate(const Condition& condition, const Frame& frame, const std::stop_token& stop) {
     const auto polygons = frame.buffer({pipeline::BufferId::PolygonId});
     if (!polygons) return Error{{}, "no polygon_id in this frame: the z-buffer has not run"};
     const auto ids = std::get<std::span<const std::int32_t>>(polygons->data);
@@ -150,6 +150,7 @@ pipeline::Result<ConditionMask> evaluate(const Condition& condition, const Frame
 
     ConditionMask mask{{int(polygons->columns()), int(polygons->rows())}, std::vector<bool>(ids.size())};
     for (std::size_t first = 0; first < ids.size(); first += kRun) {
+        if (stop.stop_requested()) return Error{{}, "stopped"};
         const std::size_t count = std::min(kRun, ids.size() - first);
         const auto isDrawn = [](std::int32_t id) { return id >= 0; };
         const auto drawn = std::size_t(std::ranges::count_if(ids.subspan(first, count), isDrawn));
@@ -164,6 +165,35 @@ pipeline::Result<ConditionMask> evaluate(const Condition& condition, const Frame
     }
     return mask;
 }
+
+namespace {
+
+constexpr pipeline::BufferInfo kMask{pipeline::BufferId::Color,
+                                     "condition",
+                                     pipeline::StageId::Shading,
+                                     pipeline::Domain::Pixel,
+                                     pipeline::Element::UInt8,
+                                     1,
+                                     false,
+                                     "",
+                                     "",
+                                     "1 where the condition holds.",
+                                     pipeline::Palette::Sequential,
+                                     0};
+
+AnyBuffer bufferOf(const ConditionMask& mask, const pipeline::BufferInfo& info, std::uint8_t on) {
+    const auto channels = std::size_t(info.channels);
+    const auto owner = std::make_shared<std::vector<std::uint8_t>>(channels * mask.holds.size());
+    for (std::size_t i = 0; i < owner->size(); ++i) (*owner)[i] = mask.holds[i / channels] ? on : 0;
+    std::vector<std::size_t> shape{std::size_t(mask.size.y), std::size_t(mask.size.x)};
+    if (channels > 1) shape.push_back(channels);
+    return {{pipeline::BufferId::Color}, &info, std::move(shape), std::span<const std::uint8_t>(*owner), owner};
+}
+
+}  // namespace
+
+AnyBuffer numbersOf(const ConditionMask& mask) { return bufferOf(mask, kMask, 1); }
+AnyBuffer pictureOf(const ConditionMask& mask) { return bufferOf(mask, bufferInfo(pipeline::BufferId::Color), 255); }
 
 std::optional<glm::ivec2> nextHolding(const ConditionMask& mask, std::optional<glm::ivec2> from, bool forward) {
     const std::size_t n = mask.holds.size();

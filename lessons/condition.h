@@ -1,4 +1,5 @@
 #pragma once
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,8 +64,13 @@ struct ConditionMask {
     std::vector<bool> holds;  // row by row
     std::size_t count = 0, drawn = 0;
 };
-// Comparisons with NaN are false. An error names the buffer that the frame lacks.
-pipeline::Result<ConditionMask> evaluate(const Condition& condition, const pipeline::Frame& frame);
+// Comparisons with NaN are false. An error names the buffer that the frame lacks, or says "stopped".
+pipeline::Result<ConditionMask> evaluate(const Condition& condition, const pipeline::Frame& frame,
+                                         const std::stop_token& stop = {});
+
+// As buffers to export: {H, W} uint8, 1 where it holds, else 0; {H, W, 3} uint8, white and black.
+pipeline::AnyBuffer numbersOf(const ConditionMask& mask);
+pipeline::AnyBuffer pictureOf(const ConditionMask& mask);
 
 // The pixel for which the condition holds after (or before) `from` in reading order, and from the
 // other end on; nothing where it holds nowhere.

@@ -12,6 +12,7 @@
 #include "app/core/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
+#include "lessons/condition_stop.h"
 
 namespace app {
 
@@ -22,6 +23,7 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
       m_said(new ElidedLabel(this)),
       m_previous(new QToolButton(this)),
       m_next(new QToolButton(this)),
+      m_stop(new QToolButton(this)),
       m_close(new QToolButton(this)) {
     hide();
     m_text->setAccessibleName(tr("Condition over all pixels"));
@@ -34,19 +36,25 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
     };
     button(m_previous, "chevron-left", tr("The pixel before for which it holds (Shift+Enter)"));
     button(m_next, "chevron-right", tr("The next pixel for which it holds (Enter)"));
+    button(m_stop, "flag", tr("On to the next step after which it holds at a pixel (Ctrl+Enter)"));
     button(m_close, "close", tr("No condition (Esc)"));
     auto* grid = new QGridLayout(this);
     grid->addWidget(m_text, 0, 0);
     grid->addWidget(m_previous, 0, 1);
     grid->addWidget(m_next, 0, 2);
-    grid->addWidget(m_close, 0, 3);
-    grid->addWidget(m_said, 1, 0, 1, 4);
+    grid->addWidget(m_stop, 0, 3);
+    grid->addWidget(m_close, 0, 4);
+    grid->addWidget(m_said, 1, 0, 1, 5);
     grid->setColumnStretch(0, 1);
 
     connect(m_text, &QLineEdit::textChanged, this, &ConditionBar::read);
     connect(m_previous, &QToolButton::clicked, this, [this] { goTo(false); });
     connect(m_next, &QToolButton::clicked, this, [this] { goTo(true); });
+    connect(m_stop, &QToolButton::clicked, this, &ConditionBar::runToStop);
     connect(m_close, &QToolButton::clicked, this, &ConditionBar::close);
+    connect(&m_searching, &BackgroundJob::progressed, this, [this](double share) {
+        say(tr("Looking for the next step, %1 %. Esc cancels.").arg(int(100 * share)), false);
+    });
     connect(&m_document, &Document::frameReady, this, &ConditionBar::evaluate);
     connect(&m_document, &Document::sceneChanged, this, &ConditionBar::read);  // lights may come and go
     followTheme(this, [this, grid] {
@@ -55,7 +63,7 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
         grid->setSpacing(theme.px(2));
         m_text->setFont(theme.mono(13));
         m_said->setFont(theme.text(12));
-        for (QToolButton* made : {m_previous, m_next, m_close}) made->setIconSize(QSize(1, 1) * theme.px(16));
+        for (QToolButton* made : {m_previous, m_next, m_stop, m_close}) made->setIconSize(QSize(1, 1) * theme.px(16));
     });
 }
 
@@ -84,14 +92,17 @@ void ConditionBar::say(const QString& text, bool isWrong) {
 }
 
 void ConditionBar::read() {
+    if (m_condition && (isHidden() || m_condition->text != m_text->text().toStdString())) m_mask.reset();
     m_condition.reset();
     const std::string text = m_text->text().toStdString();
     if (isHidden() || !m_document.hasScene() || m_text->text().trimmed().isEmpty()) {
         m_document.want(this, {});
-        return evaluate();
+        evaluate();
+        return emit changed();
     }
     auto read = lessons::parseCondition(text, {{}, 1, 1}, m_document.scene());
     if (!read) {
+        m_asking.forget();
         m_mask.reset();
         const pipeline::Error& error = read.errors().front();
         QString sentence = tr("Column %1: %2").arg(error.where.column).arg(toQString(error.found));
@@ -105,24 +116,53 @@ void ConditionBar::read() {
 }
 
 void ConditionBar::evaluate() {
-    const bool had = m_mask.has_value();
-    m_mask.reset();
+    m_searching.forget();
     if (!m_condition || !m_document.frame()) {
+        m_asking.forget();
+        const bool had = m_mask.has_value();
+        m_mask.reset();
         say({}, false);
         if (had) emit changed();
         return;
     }
-    auto found = lessons::evaluate(*m_condition, *m_document.frame());
+    // The mask before stays until this one is there; one of another condition has gone already.
+    m_asking.ask(
+        [condition = *m_condition, frame = m_document.frame()](const BackgroundJob::Control& control) {
+            return lessons::evaluate(condition, *frame, control.stop);
+        },
+        [this](const pipeline::Result<lessons::ConditionMask>& found) { take(found); });
+}
+
+void ConditionBar::take(const pipeline::Result<lessons::ConditionMask>& found) {
+    m_mask.reset();
     if (!found) {
         say(m_document.busy() ? tr("The buffers are being computed.") : toQString(found.errors().front().found), false);
         return emit changed();
     }
-    m_mask = std::move(found).value();
+    m_mask = *found;
     const double share = m_mask->drawn > 0 ? 100.0 * double(m_mask->count) / double(m_mask->drawn) : 0;
     say(tr("Holds for %1 of %2 drawn pixels, %3 %")
             .arg(count(qint64(m_mask->count)), count(qint64(m_mask->drawn)), number(share, 1)),
         false);
     emit changed();
+}
+
+void ConditionBar::runToStop() {
+    const Stepper& stepper = m_document.stepper();
+    if (!m_condition) return;
+    if (!stepper.steps()) return say(tr("The steps of the frame are being counted."), false);
+    const StepsPtr steps = stepper.steps();
+    const pipeline::Moment from = stepper.isInside() && stepper.moment() ? *stepper.moment() : steps->first();
+    m_searching.ask(
+        [condition = *m_condition, steps, from](const BackgroundJob::Control& control) {
+            return nextStop(*steps, from, condition, control.stop, control.progress);
+        },
+        [this](const std::optional<lessons::ConditionStop>& found) {
+            if (!found) return say(tr("No later step makes it hold at a pixel."), false);
+            m_document.stepper().goTo(found->moment);
+            m_document.pick(found->pixel);
+            emit m_document.said(tr("The condition holds at %1, %2.").arg(found->pixel.x).arg(found->pixel.y));
+        });
 }
 
 void ConditionBar::goTo(bool next) {
@@ -133,8 +173,10 @@ void ConditionBar::goTo(bool next) {
 void ConditionBar::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
         case Qt::Key_Return:
-        case Qt::Key_Enter: return goTo(!(event->modifiers() & Qt::ShiftModifier));
-        case Qt::Key_Escape: return close();
+        case Qt::Key_Enter:
+            if (event->modifiers() & Qt::ControlModifier) return runToStop();
+            return goTo(!(event->modifiers() & Qt::ShiftModifier));
+        case Qt::Key_Escape: return m_searching.busy() ? evaluate() : close();
         default: event->accept();  // letters typed here are no keys of the view
     }
 }

@@ -2,6 +2,7 @@
 #include <QWidget>
 #include <optional>
 
+#include "app/core/background_job.h"
 #include "app/core/document.h"
 #include "lessons/condition.h"
 
@@ -11,8 +12,8 @@ class QToolButton;
 
 namespace app {
 
-// A condition over all pixels, typed: says for how many it holds, and goes from one to the next. It
-// follows the scene.
+// A condition over all pixels, typed: says for how many it holds, goes from one to the next, and on to the next moment
+// of the frame at which it begins to hold. It follows the scene, and asks off the GUI thread.
 class ConditionBar : public QWidget {
     Q_OBJECT
 public:
@@ -25,9 +26,13 @@ public:
     const std::optional<lessons::ConditionMask>& mask() const { return m_mask; }
     QString said() const;  // the count, or what is wrong
     void goTo(bool next);  // the pixel after or before the picked one
+    // To the next step that makes it hold at a pixel, from where the stepper stands, else from the frame's beginning.
+    void runToStop();
+    bool hasCondition() const { return m_condition.has_value(); }
+    bool busy() const { return m_asking.busy() || m_searching.busy(); }
 
 signals:
-    void changed();  // the mask
+    void changed();  // the mask, or that there is none
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -35,14 +40,16 @@ protected:
 private:
     void read();      // the text
     void evaluate();  // on the newest frame
+    void take(const pipeline::Result<lessons::ConditionMask>& found);
     void say(const QString& text, bool isWrong);
 
     Document& m_document;
     QLineEdit* m_text;
     QLabel* m_said;
-    QToolButton *m_previous, *m_next, *m_close;
+    QToolButton *m_previous, *m_next, *m_stop, *m_close;
     std::optional<lessons::Condition> m_condition;
     std::optional<lessons::ConditionMask> m_mask;
+    BackgroundJob m_asking, m_searching;
 };
 
 // Veils the pixels of a mask's picture for which it does not hold.

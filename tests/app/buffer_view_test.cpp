@@ -305,6 +305,13 @@ TEST_F(BufferViewTest, AConditionVeilsThePixelsForWhichItDoesNotHold) {
     ASSERT_TRUE(document.pixel());
     EXPECT_LT(z.value(std::size_t(document.pixel()->x), std::size_t(document.pixel()->y)), 700);
     EXPECT_EQ(qAlpha(canvas().content().overlays[0].pixel(document.pixel()->x, document.pixel()->y)), 0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document.stepper().steps() != nullptr; }, 10000));
+    view.condition().runToStop();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return document.stepper().isInside() && document.stepper().isSettled(); }, 20000));
+    EXPECT_EQ(document.stepper().moment()->stage, pipeline::StageId::ZBuffer);
+    document.stepper().leave();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.condition().busy(); }, 10000));
     view.condition().setText("z_vew < 700");
     EXPECT_EQ(view.condition().said(), "Column 1: no buffer \"z_vew\"; the nearest is \"z_view\"");
     EXPECT_TRUE(canvas().content().overlays.empty());
