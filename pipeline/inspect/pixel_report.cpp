@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "pipeline/inspect/replay.h"
+#include "pipeline/inspect/shadow_blocker.h"
 #include "pipeline/inspect/shadow_events.h"
 #include "pipeline/scene/area_light.h"
 
@@ -146,6 +147,21 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
     }
 }
 
+// Which polygon stands before a light that does not reach the pixel.
+template <class Real>
+void explainShadows(const FrameData<Real>& data, PixelReport& report) {
+    if (data.keys.shading.illumination.model == Model::OpenGl) return;
+    for (std::size_t k = 0; k < report.shadow.size(); ++k) {
+        if (report.shadow[k] != 0 || data.keys.shading.lights[k].kind == LightKind::Area) continue;
+        std::string why;  // the same for every vertex that the pixel is interpolated from
+        for (Evaluation& e : report.evaluations) {
+            if (!(e.lights[k].nDotL > 0)) continue;
+            if (why.empty()) why = whyShadowed(data, k, report.position, std::uint32_t(report.polygon), report.back);
+            e.lights[k].note = why;
+        }
+    }
+}
+
 // Intensities and terms as the frame has them: the weighted sum of the evaluations.
 void sumUp(PixelReport& report, std::size_t lights) {
     report.diffuse.assign(lights, Vec3d(0));
@@ -279,6 +295,7 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
         for (std::size_t k = 0; k < lights; ++k)
             report.shadowPlaces.push_back(shadowPlace(data.keys.shading.lights[k], report.shadow[k]));
     evaluateAll(data, triangle, b, report);
+    explainShadows(data, report);
     sumUp(report, lights);
 }
 

@@ -1,6 +1,8 @@
 // What `inspect` and the inspector say about a pixel.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "pipeline/inspect/equation_text.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "tests/support/scenes.h"
@@ -48,6 +50,37 @@ TEST(Equation, AsLatexAndMarkdown) {
 TEST(Equation, WordsForLatexKeepWhatPlainTextHas) {
     EXPECT_EQ(latexWords("light 0, 50 % {a_b}"), "light 0, 50 \\% \\{a\\_b\\}");
     EXPECT_EQ(latexWords("N·L ≤ 0"), "N$\\cdot$L $\\le$ 0");
+}
+
+// A lamp straight above a hovering box and a ground, seen aslant: below the box every point is in the shadow of its
+// bottom, face 0 of the box (polygons 6 to 11, after the ground's). A constant bias of 0 in a coarse buffer shadows what
+// nothing stands before.
+TEST(Equation, NamesThePolygonThatCastsTheShadow) {
+    Scene scene;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, -8, 6};
+    scene.camera.target = {0, 0, 0.5};
+    scene.objects.push_back({"ground", test::box({-4, -4, -1}, {4, 4, 0}), {}, {Vec3d(0.7), Vec3d(0), 1}});
+    scene.objects.push_back({"box", test::box({-1, -1, 1}, {1, 1, 2}), {}, {Vec3d(0.7), Vec3d(0), 1}});
+    scene.lights.push_back({LightKind::AtInfinity, {0, 0, 1}, 100, Vec3d(1), true});
+    scene.settings.width = 120, scene.settings.height = 90;
+    const auto notes = [](const Scene& of) {
+        const FramePtr frame = test::frameOf(of);
+        std::map<std::string, int> counts;
+        for (int y = 0; y < of.settings.height; ++y)
+            for (int x = 0; x < of.settings.width; ++x)
+                for (const Evaluation& e : inspectPixel(*frame, {x, y}).evaluations)
+                    if (e.lights[0].shadow == 0 && e.lights[0].nDotL > 0) ++counts[e.lights[0].note];
+        return counts;
+    };
+    const std::string below = "In the shadow of polygon 6, before light 0: only the ambient term counts.";
+    auto counts = notes(scene);
+    EXPECT_GT(counts[below], 50);
+    scene.lights[0].position = {1, -0.5, 1};
+    scene.settings.shadowSize = 64;
+    scene.settings.shadowBias = ShadowBias::Constant;
+    counts = notes(scene);
+    EXPECT_GT(counts["The shadow buffer of light 0 is wrong here: no polygon stands before it (acne)."], 50);
 }
 
 // Back faces the eye and turns away from the light: N·L = -0.0429, so the bracket counts as 0.

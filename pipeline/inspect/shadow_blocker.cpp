@@ -1,0 +1,65 @@
+#include "pipeline/inspect/shadow_blocker.h"
+
+#include <fmt/format.h>
+
+namespace pipeline {
+namespace {
+
+// How far along `way` from `from` it meets a triangle, as a factor of it; nothing where it does not.
+std::optional<double> meets(Vec3d from, Vec3d way, Vec3d a, Vec3d b, Vec3d c) {
+    const Vec3d ab = b - a, ac = c - a, across = glm::cross(way, ac);
+    const double volume = glm::dot(ab, across);
+    if (volume == 0) return std::nullopt;
+    const Vec3d fromA = from - a;
+    const double u = glm::dot(fromA, across) / volume;
+    const Vec3d other = glm::cross(fromA, ab);
+    const double v = glm::dot(way, other) / volume;
+    if (!(u >= 0 && v >= 0 && u + v <= 1)) return std::nullopt;
+    const double t = glm::dot(ac, other) / volume;
+    return t > 0 ? std::optional(t) : std::nullopt;
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t light, Vec3d position,
+                                       std::uint32_t polygon) {
+    const TransformOutput<Real>& in = *data.transform;
+    const Light& from = data.keys.shading.lights[light];
+    const bool atInfinity = from.kind == LightKind::AtInfinity;
+    const Vec3d way = atInfinity ? from.position : from.position - position;
+    std::optional<std::uint32_t> first;
+    double nearest = atInfinity ? std::numeric_limits<double>::infinity() : 1;
+    for (const Triangle& triangle : in.topology->triangles) {
+        if (triangle.polygon == polygon) continue;
+        if (!in.transparent.empty() && in.transparent[in.topology->polygonObject[triangle.polygon]]) continue;
+        const auto& v = triangle.vertices;
+        const auto t = meets(position, way, Vec3d(in.world[v[0]]), Vec3d(in.world[v[1]]), Vec3d(in.world[v[2]]));
+        if (!t || *t >= nearest) continue;
+        nearest = *t;
+        first = triangle.polygon;
+    }
+    return first;
+}
+
+template <class Real>
+std::string whyShadowed(const FrameData<Real>& data, std::size_t light, Vec3d position, std::uint32_t polygon,
+                        bool back) {
+    const Light& from = data.keys.shading.lights[light];
+    const Vec3d front(data.normals->polygon[polygon]);
+    const Vec3d way = from.kind == LightKind::AtInfinity ? from.position : from.position - position;
+    if (!(glm::dot(back ? -front : front, way) > 0))
+        return fmt::format("Polygon {} faces away from light {}: only the ambient term counts.", polygon, light);
+    if (const auto blocker = blockerOf(data, light, position, polygon))
+        return fmt::format("In the shadow of polygon {}, before light {}: only the ambient term counts.", *blocker,
+                           light);
+    return fmt::format("The shadow buffer of light {} is wrong here: no polygon stands before it (acne).", light);
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                            \
+    template std::optional<std::uint32_t> blockerOf(const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t); \
+    template std::string whyShadowed(const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t, bool);
+SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
+#undef SHADESCOPE_INSTANTIATE
+
+}  // namespace pipeline
