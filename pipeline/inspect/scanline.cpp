@@ -22,13 +22,14 @@ void addRuns(const FrameData<Real>& data, ScanlineSection& section) {
     if (!data.zBuffer) return;
     const Tile row{{0, section.row}, {section.width, section.row + 1}};
     const std::vector<FragmentRecord> record = replayTile(data, row);
-    // While stepping inside the stage some of a pixel's fragments are still to come.
+    // While stepping inside the stage some of a pixel's fragments are still to come; a whole frame may not have counted.
+    const Buffer2D<std::int32_t>& overdraw = data.zBuffer->overdraw;
     std::vector<std::int32_t> arrived(std::size_t(section.width), 0);
     std::vector<std::size_t> last(std::size_t(section.width), record.size());
     std::vector<bool> came(record.size());
     for (std::size_t i = 0; i < record.size(); ++i) {
         const auto x = std::size_t(record[i].pixel.x);
-        came[i] = arrived[x] < data.zBuffer->overdraw.at(record[i].pixel);
+        came[i] = overdraw.empty() || arrived[x] < overdraw.at(record[i].pixel);
         ++arrived[x];
         if (came[i] && record[i].won) last[x] = i;
     }
