@@ -28,7 +28,7 @@ std::span<const PanelRow> panelTable() {
         {"cues", "Cues", "film", "Ctrl+Alt+6", Qt::LeftDockWidgetArea, make<CuePanel>},
         {"inspector", "Inspector", "inspector", "Ctrl+Alt+4", Qt::RightDockWidgetArea, make<InspectorPanel>},
         {"tables", "Tables", "grid", "Ctrl+Alt+5", Qt::BottomDockWidgetArea, make<TablesPanel>},
-        {"scanline", "Section along a row", "histogram", "Ctrl+Alt+6", Qt::BottomDockWidgetArea, make<ScanlinePanel>},
+        {"scanline", "Section along a row", "histogram", "Ctrl+Alt+7", Qt::BottomDockWidgetArea, make<ScanlinePanel>},
     });
     return kTable;
 }
