@@ -34,6 +34,7 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
         m_canvas->setWipe(wipe());
     });
     connect(&m_other, &OtherFrame::ready, this, &BufferCompare::changed);
+    connect(&m_difference, &DifferenceJob::ready, this, &BufferCompare::changed);
     connect(m_bar, &CompareBar::modeChosen, this, [this](CompareMode mode) {
         if (mode != m_mode) setMode(mode);
     });
@@ -150,7 +151,7 @@ ShownBuffer BufferCompare::show(const FramePtr& frame, ShownBuffer a) {
         if (drawnA.empty() != drawnB.empty())  // one has a background, the other has none
             drawnA = drawnB = drawnA.empty() ? drawnB : drawnA;
         if (why.isEmpty())
-            m_found = compareBuffers(a.buffer, *m_b, channel, m_metric, drawnA, drawnB);
+            m_found = m_difference.answer({a.buffer, *m_b, channel, m_metric, std::move(drawnA), std::move(drawnB)});
         else
             m_why = source.kind == Kind::PreviousStage
                         ? tr("The two stages leave different things: look from one to the other.")
@@ -186,6 +187,7 @@ Wipe BufferCompare::wipe() const {
 }
 
 void BufferCompare::tell() {
+    if (!m_found && m_why.isEmpty()) m_why = tr("The difference is being computed.");
     QString sentence = m_found ? findingText(*m_found) : m_why;
     if (m_found && m_frameB == m_other.frame() && m_other.busy()) sentence += tr(" (B follows)");
     QString whyNoWorst;

@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <optional>
 
+#include "app/core/difference_job.h"
 #include "app/core/document.h"
 #include "app/core/other_frame.h"
 #include "app/core/other_source.h"
@@ -62,6 +63,7 @@ private:
     BufferCanvas* m_canvas;
     CompareBar* m_bar;
     OtherFrame m_other;
+    DifferenceJob m_difference;
     QTimer m_blink;
     std::optional<OtherSource> m_source;
     CompareMode m_mode = CompareMode::A;

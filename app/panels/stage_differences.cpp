@@ -54,8 +54,6 @@ StageDifferences::StageDifferences(Document& document, BufferCompare& compare, Q
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_title);
     column->addWidget(m_list, 1);
-    m_next.setInterval(0);
-    connect(&m_next, &QTimer::timeout, this, &StageDifferences::compareNext);
     connect(&compare, &BufferCompare::changed, this, &StageDifferences::start);
     connect(&document, &Document::frameReady, this, &StageDifferences::start);
     connect(m_list, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
@@ -93,7 +91,7 @@ void StageDifferences::open(QPoint global) {
 }
 
 void StageDifferences::hideEvent(QHideEvent*) {
-    m_next.stop();
+    m_job.forget();
     m_document.want(this, {});
 }
 
@@ -115,14 +113,19 @@ void StageDifferences::start() {
     m_list->clear();
     for (const pipeline::AnyBuffer& buffer : a->buffers())
         if (b->buffer(buffer.name)) m_names.push_back(buffer.name);
-    m_next.start();
+    compareNext();
 }
 
-// One buffer at a time: the window stays awake.
+// One buffer at a time, off the GUI thread: the first rows are there at once.
 void StageDifferences::compareNext() {
-    if (m_names.empty()) return m_next.stop();
-    add(stageDifference(*m_a, *m_b, m_names.front()));
+    if (m_names.empty()) return m_job.forget();
+    const pipeline::BufferName name = m_names.front();
     m_names.pop_front();
+    m_job.ask([a = m_a, b = m_b, name](const BackgroundJob::Control&) { return stageDifference(*a, *b, name); },
+              [this](const StageDifference& row) {
+                  add(row);
+                  compareNext();
+              });
 }
 
 void StageDifferences::add(const StageDifference& row) {

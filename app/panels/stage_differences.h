@@ -1,8 +1,8 @@
 #pragma once
 #include <QFrame>
-#include <QTimer>
 #include <deque>
 
+#include "app/core/background_job.h"
 #include "app/core/document.h"
 #include "pipeline/inspect/compare.h"
 
@@ -38,7 +38,7 @@ private:
     BufferCompare& m_compare;
     QLabel* m_title;
     QTreeWidget* m_list;
-    QTimer m_next;
+    BackgroundJob m_job;
     pipeline::FramePtr m_a, m_b;
     std::deque<pipeline::BufferName> m_names;  // still to be compared
     std::vector<pipeline::StageDifference> m_rows;
