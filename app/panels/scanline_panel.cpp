@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "app/core/text.h"
+#include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/scanline_plot_view.h"
 #include "pipeline/export/plot_file.h"
@@ -20,7 +21,7 @@ ScanlinePanel::ScanlinePanel(Document& document, QWidget* parent)
       m_document(document),
       m_spin(new QSpinBox(this)),
       m_name(new QLabel(tr("Row"), this)),
-      m_said(new QLabel(this)),
+      m_said(new ElidedLabel(this)),
       m_csv(new QToolButton(this)),
       m_svg(new QToolButton(this)),
       m_plot(new ScanlinePlotView(this)) {
@@ -119,9 +120,9 @@ void ScanlinePanel::compute() {
             m_section = section;
             m_plot->setSection(section, m_document.channel());
             m_plot->setSentence(tr("No polygon covers a pixel of row %1.").arg(section->row));
-            m_said->setText(section->empty() ? QString()
-                                             : tr("bold: seen, dashed: hidden; intensities of flat, Gouraud and Phong "
-                                                  "shading at the same points"));
+            m_said->setText(section->empty()
+                                ? QString()
+                                : tr("bold: seen, dashed: hidden; flat, Gouraud and Phong at the same points"));
             m_plot->setAccessibleDescription(
                 tr("Row %1, %2 runs of polygons").arg(section->row).arg(section->runs.size()));
             for (QToolButton* button : {m_csv, m_svg}) button->setEnabled(!section->empty());
