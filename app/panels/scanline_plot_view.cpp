@@ -20,7 +20,7 @@ ScanlinePlotView::ScanlinePlotView(QWidget* parent) : QWidget(parent) {
 }
 
 QSize ScanlinePlotView::sizeHint() const { return {Theme::current().px(900), Theme::current().px(300)}; }
-QSize ScanlinePlotView::minimumSizeHint() const { return {200, 110}; }
+QSize ScanlinePlotView::minimumSizeHint() const { return {200, 170}; }
 
 pipeline::PlotSize ScanlinePlotView::plotSize() const {
     return {double(width()), double(height()), double(Theme::current().px(13.5))};

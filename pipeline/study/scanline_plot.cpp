@@ -82,7 +82,26 @@ void placeAxes(Layout& l, const PlotSize& size) {
     l.intensity = {middle + gap / 2, bottom, most > 0 ? 1.05 * most : 1, 0};
 }
 
-void drawGrid(Layout& l) {
+// The numbers at a column of pixels.
+std::string numbersAt(const Layout& l, int pixel) {
+    std::string words = fmt::format("x {}", pixel);
+    if (const auto winner = l.section().winnerAt(pixel)) {
+        for (const ScanlineRun& run : l.section().runs)
+            for (const ScanlineRun::Sample& sample : run.samples)
+                if (run.polygon == *winner && sample.x == pixel && sample.stays)
+                    words += fmt::format(":  polygon {} at {:.7g}", *winner, sample.depth);
+    } else {
+        words += ":  nothing drawn";
+    }
+    for (std::size_t i = 0; i < kShadings.size(); ++i) {
+        const auto& values = l.section().intensity[i];
+        if (std::size_t(pixel) >= values.size() || !std::isfinite(values[std::size_t(pixel)][l.plot.channel])) continue;
+        words += fmt::format(",  {} {:.3f}", kShadings[i], values[std::size_t(pixel)][l.plot.channel]);
+    }
+    return words;
+}
+
+void drawGrid(Layout& l, const std::string& told) {
     const ScanlineSection& section = l.section();
     const bool both = hasIntensity(section);
     const double foot = both ? l.intensity.bottom : l.depth.bottom;
@@ -104,9 +123,13 @@ void drawGrid(Layout& l) {
             l.line({{l.x.left, y}, {l.x.right, y}}, kGrid, 1);
             l.text({l.x.left - 0.5 * l.u, y + 0.3 * l.u}, Anchor::End, fmt::format("{:.6g}", value), kWords);
         }
-        l.text({l.x.left, axis.top - 0.5 * l.u}, Anchor::Start, name, kText, true);
+        if (!name.empty()) l.text({l.x.left, axis.top - 0.5 * l.u}, Anchor::Start, name, kText, true);
     };
-    rows(l.depth, section.storesDepth ? "depth, nearest on top" : "z_view, nearest on top");
+    // The numbers under the cursor stand in the same line, at its right; they come first where both have no room.
+    const std::string depthName = section.storesDepth ? "depth, nearest on top" : "z_view, nearest on top";
+    const double room = l.x.right - l.x.left - textWidth(told, 0.9 * l.u) - l.u;
+    rows(l.depth, textWidth(depthName, 0.9 * l.u) * 1.1 < room ? depthName : std::string());
+    if (!told.empty()) l.text({l.x.right, l.depth.top - 0.5 * l.u}, Anchor::End, told, kText);
     if (both) rows(l.intensity, fmt::format("intensity, {}", kChannels[std::size_t(l.plot.channel)]));
 }
 
@@ -193,25 +216,6 @@ void markColumn(Layout& l, int pixel, PlotInk ink, double width) {
     if (hasIntensity(l.section())) l.line({{x, l.intensity.top}, {x, l.intensity.bottom}}, ink, width);
 }
 
-// The numbers under the cursor, in the line above the depths.
-void tell(Layout& l, int pixel) {
-    std::string words = fmt::format("x {}", pixel);
-    if (const auto winner = l.section().winnerAt(pixel)) {
-        for (const ScanlineRun& run : l.section().runs)
-            for (const ScanlineRun::Sample& sample : run.samples)
-                if (run.polygon == *winner && sample.x == pixel && sample.stays)
-                    words += fmt::format(":  polygon {} at {:.7g}", *winner, sample.depth);
-    } else {
-        words += ":  nothing drawn";
-    }
-    for (std::size_t i = 0; i < kShadings.size(); ++i) {
-        const auto& values = l.section().intensity[i];
-        if (std::size_t(pixel) >= values.size() || !std::isfinite(values[std::size_t(pixel)][l.plot.channel])) continue;
-        words += fmt::format(",  {} {:.3f}", kShadings[i], values[std::size_t(pixel)][l.plot.channel]);
-    }
-    l.text({l.x.right, 1.1 * l.u}, Anchor::End, words, kText);
-}
-
 }  // namespace
 
 int ScanlineAxis::pixelAt(double at) const {
@@ -230,13 +234,13 @@ ScanlineAxis axisOf(const ScanlineSection& section, const PlotSize& size) {
 PlotDrawing layOut(const ScanlinePlot& plot, const PlotSize& size) {
     Layout l{plot, size.text, axisOf(*plot.section, size)};
     placeAxes(l, size);
-    drawGrid(l);
+    const auto column = plot.hovered ? plot.hovered : plot.picked;
+    drawGrid(l, column ? numbersAt(l, *column) : std::string());
     if (plot.picked) markColumn(l, *plot.picked, {PlotRole::Front, 0}, 2);
     if (plot.hovered) markColumn(l, *plot.hovered, kWords, 1);
     for (const ScanlineRun& run : plot.section->runs) drawRun(l, run);
     nameRuns(l);
     drawIntensities(l);
-    if (const auto told = plot.hovered ? plot.hovered : plot.picked) tell(l, *told);
     return std::move(l.drawing);
 }
 

@@ -15,7 +15,7 @@ namespace pipeline {
 namespace {
 
 // Squares along each side of an area light: half of the light or more is what counts.
-constexpr int kCells = 8;
+constexpr int kCells = 4;
 
 constexpr BufferInfo kNumbers{BufferId::Shadow,
                               "shadow_verdict",
