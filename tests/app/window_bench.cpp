@@ -85,9 +85,12 @@ int main(int argc, char** argv) {
     window.show();
     QCoreApplication::processEvents();
     const double shown = double(start.nsecsElapsed()) / 1e6;
-    std::printf("load %s\nstart page usable after %.0f ms: Qt %.0f, window made %.0f, shown %.0f\n", load().constData(),
-                shown, ready, made - ready, shown - made);
-    std::printf("%-28s %10s %10s %10s %8s\n", "scene, 640 x 480", "opens ms", "step ms", "worst ms", "frames/s");
+    std::printf(
+        "load %s\nstart page usable after %.0f ms (processor, window's thread: %.0f ms): Qt %.0f, window made %.0f, "
+        "shown %.0f\n",
+        load().constData(), shown, windowCpu(), ready, made - ready, shown - made);
+    std::printf("%-28s %9s %9s %9s %9s %12s %10s\n", "scene, 640 x 480", "opens ms", "step ms", "worst ms", "frames/s",
+                "window cpu", "all cpu");
     const QStringList wanted = application.arguments().mid(1);
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
         const QString name = QString::fromStdString(scene.name);
