@@ -1,19 +1,43 @@
 #pragma once
 #include <cassert>
 #include <cstddef>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 namespace pipeline {
 
+// Leaves what a vector grows by as it finds it: what is written in full need not be written twice.
+template <class T>
+struct LeavesRaw : std::allocator<T> {
+    template <class U>
+    struct rebind {
+        using other = LeavesRaw<U>;
+    };
+    template <class U>
+    void construct(U* at) noexcept(std::is_nothrow_default_constructible_v<U>) {
+        ::new (static_cast<void*>(at)) U;
+    }
+    template <class U, class... Arguments>
+    void construct(U* at, Arguments&&... arguments) {
+        std::construct_at(at, std::forward<Arguments>(arguments)...);
+    }
+};
+
 // One T per pixel, row by row from the top left.
 template <class T>
 struct Buffer2D {
+    using Pixels = std::vector<T, LeavesRaw<T>>;
     glm::ivec2 size{0};
-    std::vector<T> pixels;
+    Pixels pixels;
 
     Buffer2D() = default;
+    // Every pixel has to be written before any is read.
+    explicit Buffer2D(glm::ivec2 extent) : size(extent), pixels(std::size_t(extent.x) * std::size_t(extent.y)) {}
     Buffer2D(glm::ivec2 extent, T fill) : size(extent), pixels(std::size_t(extent.x) * std::size_t(extent.y), fill) {}
 
     bool empty() const { return pixels.empty(); }

@@ -40,7 +40,10 @@ HWY_INLINE Floats dot(Floats3 a, Floats3 b) { return hn::MulAdd(a.x, b.x, hn::Mu
 // Length 1; (0, 0, 0) stays.
 HWY_INLINE Floats3 unit(Floats3 a) {
     const Floats square = dot(a, a);
-    const Floats inverse = hn::Div(all(1), hn::Sqrt(square));
+    // An estimate, and one of Newton's steps: within 2^-22.
+    const Floats estimate = hn::ApproximateReciprocalSqrt(square);
+    const Floats inverse =
+        hn::Mul(estimate, hn::NegMulAdd(hn::Mul(hn::Mul(all(0.5F), square), estimate), estimate, all(1.5F)));
     return scaled(a, hn::IfThenElseZero(hn::Gt(square, all(0)), inverse));
 }
 

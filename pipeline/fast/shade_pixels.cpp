@@ -9,9 +9,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
-#include <hwy/contrib/math/math-inl.h>
-
-#include "pipeline/fast/lanes.h"
+#include "pipeline/fast/power.h"
+#include "pipeline/fast/surfaces.h"
 #include "pipeline/stages/shading_terms.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -61,19 +60,6 @@ struct Surfaces {
     Floats3 weights;  // over the corners of the triangle
     Ints polygon, vertices[3];
 };
-
-// |a - b|²/2 = 1 - a·b, of unit vectors.
-HWY_INLINE Floats halfSquare(Floats3 a, Floats3 b) {
-    const Floats3 difference = a - b;
-    return hn::Mul(all(0.5F), dot(difference, difference));
-}
-
-// (a·b)^exponent where `counts` says so and a·b > 0, else 0: powerOfCosine's form. q: halfSquare(a, b).
-HWY_INLINE Floats powerOfCosines(Floats q, Floats exponent, Mask counts) {
-    const Mask valid = hn::And(counts, hn::Lt(q, all(1)));
-    const Floats small = hn::IfThenElseZero(valid, q);
-    return hn::IfThenElseZero(valid, hn::Exp(F(), hn::Mul(exponent, hn::Log1p(F(), hn::Neg(small)))));
-}
 
 // How many of the texels that filtering looks at see the points lit: litTexels, of a light at infinity.
 HWY_INLINE Floats litShare(const LightView<float>& light, const ShadowSettings& settings, Floats3 position,
@@ -242,96 +228,87 @@ HWY_INLINE hn::Vec<hn::Rebind<std::uint8_t, F>> bytes(Floats intensity, float to
     return hn::DemoteTo(hn::Rebind<std::uint8_t, F>(), hn::ConvertTo(I(), hn::Add(clamped, all(0.5F))));
 }
 
-// The pixels of one row from x on, as many as a vector holds.
-struct Row {
-    const std::uint32_t* triangle;
-    const float* barycentric;  // three a pixel
-    const float* zView;
-    float* intensity;     // three a pixel
-    std::uint8_t* color;  // likewise
-};
-
-HWY_INLINE Surfaces surfacesOf(const Common& scene, Floats3 b, Floats zView, Ints triangle, glm::ivec2 first) {
+// Of the vector at `at` of a block, the block's first pixel being `first`.
+HWY_INLINE Surfaces surfacesOf(const Common& scene, const SurfaceBlock& block, std::size_t at, glm::ivec2 first) {
     const ShadingSources<float>& in = scene.in;
-    static_assert(sizeof(Triangle) == 16);
-    const auto* words = reinterpret_cast<const std::int32_t*>(in.transform.topology->triangles.data());
-    const Ints at = hn::ShiftLeft<2>(triangle);
     Surfaces out;
-    Ints* vertices = out.vertices;
-    for (int i = 0; i < 3; ++i) vertices[i] = hn::GatherIndex(I(), words, hn::Add(at, hn::Set(I(), i)));
-    const auto interpolate = [&](const std::vector<Vec3<float>>& values) HWY_ATTR {
-        const Floats3 origin = gather(values, vertices[0]);
-        return scaledPlus(gather(values, vertices[2]) - origin, b.z,
-                          scaledPlus(gather(values, vertices[1]) - origin, b.y, origin));
-    };
-    out.weights = b;
-    out.polygon = hn::GatherIndex(I(), words, hn::Add(at, hn::Set(I(), 3)));
+    out.polygon = hn::Load(I(), &block.polygon[at]);
+    out.position = scene.position ? load(block.position, at) : all(Vec3<float>(0));
     if (scene.inputs.shading != Shading::Phong) {
-        out.position = scene.position ? interpolate(in.transform.world) : all(Vec3<float>(0));
+        out.weights = load(block.weights, at);
+        const auto ids = hn::Load(U(), &block.triangle[at]);
+        const auto none = hn::Eq(ids, hn::Set(U(), kNoTriangle));
+        const Ints triangle = hn::BitCast(I(), hn::IfThenZeroElse(none, ids));
+        static_assert(sizeof(Triangle) == 16);
+        const auto* words = reinterpret_cast<const std::int32_t*>(in.transform.topology->triangles.data());
+        for (int i = 0; i < 3; ++i)
+            out.vertices[i] = hn::GatherIndex(I(), words, hn::Add(hn::ShiftLeft<2>(triangle), hn::Set(I(), i)));
         return out;
     }
-    out.N = unit(interpolate(in.normals.vertex));
+    out.N = unit(load(block.normal, at));
     const View& view = in.transform.view;
-    if (scene.position) {
-        out.position = interpolate(in.transform.world);
-    } else {  // worldPoint, at the pixels' centres
+    if (!scene.position) {  // worldPoint, at the pixels' centres
+        const Floats zView = hn::Load(F(), &block.zView[at]);
         const Floats spread = view.perspective ? zView : all(1);
-        const Floats x = hn::Add(hn::Iota(F(), float(first.x)), all(float(0.5 - view.centre.x)));
-        const float y = float(view.centre.y - first.y - 0.5);
-        const Floats3 along = scaledPlus(all(Vec3<float>(view.up)), hn::Mul(spread, all(y / float(view.scale.y))),
-                                         all(Vec3<float>(view.eye)));
-        out.position = scaledPlus(
-            all(Vec3<float>(view.forward)), zView,
-            scaledPlus(all(Vec3<float>(view.right)), hn::Mul(hn::Mul(x, all(float(1 / view.scale.x))), spread), along));
+        const Floats column = hn::ConvertTo(F(), columnOf(int(at))), row = hn::ConvertTo(F(), rowOf(int(at)));
+        const float left = float(first.x + 0.5 - view.centre.x), top = float(view.centre.y - first.y - 0.5);
+        const Floats x = hn::Mul(hn::Mul(hn::Add(column, all(left)), all(float(1 / view.scale.x))), spread);
+        const Floats y = hn::Mul(hn::Mul(hn::Sub(all(top), row), all(float(1 / view.scale.y))), spread);
+        out.position = scaledPlus(all(Vec3<float>(view.forward)), zView,
+                                  scaledPlus(all(Vec3<float>(view.right)), x,
+                                             scaledPlus(all(Vec3<float>(view.up)), y, all(Vec3<float>(view.eye)))));
     }
     out.V = view.perspective ? unit(all(Vec3<float>(view.eye)) - out.position) : all(-Vec3<float>(view.forward));
     return out;
 }
 
-HWY_INLINE void shadeRow(const Common& scene, const Row& row, glm::ivec2 first, Look& look, ShadingCounts& counts) {
-    const auto ids = hn::LoadU(U(), row.triangle);
-    const auto none = hn::Eq(ids, hn::Set(U(), kNoTriangle));
+HWY_INLINE void shadeVector(const Common& scene, const TileSurfaces& tile, std::size_t at, glm::ivec2 first, Look& look,
+                            TileColors& out, ShadingCounts& counts) {
+    const SurfaceBlock& block = tile[at / kBlockPixels];
+    const std::size_t inBlock = at % kBlockPixels;
+    const auto none = hn::Eq(hn::Load(U(), &block.triangle[inBlock]), hn::Set(U(), kNoTriangle));
     if (hn::AllTrue(U(), none)) return;
     const Mask hit = hn::RebindMask(F(), hn::Not(none));
-    const Ints triangle = hn::BitCast(I(), hn::IfThenZeroElse(none, ids));
-    Floats3 b;
-    hn::LoadInterleaved3(F(), row.barycentric, b.x, b.y, b.z);
-    const Surfaces at = surfacesOf(scene, b, hn::IfThenElse(hit, hn::LoadU(F(), row.zView), all(1)), triangle, first);
+    const Surfaces surfaces = surfacesOf(scene, block, inBlock, first);
 
     const Topology& topology = *scene.in.transform.topology;
     Floats3 intensity = all(Vec3<float>(0));
     Mask left = hit;
     if (scene.inputs.shading != Shading::Phong) {
-        const Floats3 some = gathered(scene, at, hit, counts);
+        const Floats3 some = gathered(scene, surfaces, hit, counts);
         intensity = {hn::IfThenElseZero(hit, some.x), hn::IfThenElseZero(hit, some.y), hn::IfThenElseZero(hit, some.z)};
         left = hn::AndNot(hit, hit);
     }
     Ints objects = hn::Zero(I());
     if (topology.meshes.size() > 1)
-        objects =
-            hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(topology.polygonObject.data()), at.polygon);
+        objects = hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(topology.polygonObject.data()),
+                                  surfaces.polygon);
     HWY_ALIGN std::int32_t object[16];
     hn::Store(objects, I(), object);
     while (!hn::AllFalse(F(), left)) {
         const std::int32_t next = object[hn::FindKnownFirstTrue(F(), left)];
         const Mask same = hn::And(left, hn::RebindMask(F(), hn::Eq(objects, hn::Set(I(), next))));
         look.become(scene.inputs, std::size_t(next));
-        const Floats3 some = illuminate(scene, look, at, same, counts);
+        const Floats3 some = illuminate(scene, look, surfaces, same, counts);
         intensity = {hn::IfThenElse(same, some.x, intensity.x), hn::IfThenElse(same, some.y, intensity.y),
                      hn::IfThenElse(same, some.z, intensity.z)};
         left = hn::AndNot(same, left);
     }
-    hn::StoreInterleaved3(intensity.x, intensity.y, intensity.z, F(), row.intensity);
-    hn::StoreInterleaved3(bytes(intensity.x, scene.toByte), bytes(intensity.y, scene.toByte),
-                          bytes(intensity.z, scene.toByte), hn::Rebind<std::uint8_t, F>(), row.color);
+    HWY_ALIGN float numbers[16];
+    HWY_ALIGN std::uint8_t bytesOfColor[16];
+    const Floats channels[3]{intensity.x, intensity.y, intensity.z};
+    for (int c = 0; c < 3; ++c) {
+        hn::Store(channels[c], F(), numbers);
+        putInRows(numbers, at, out.intensity[c]);
+        hn::Store(bytes(channels[c], scene.toByte), hn::Rebind<std::uint8_t, F>(), bytesOfColor);
+        putInRows(bytesOfColor, at, out.color[c]);
+    }
 }
 
 }  // namespace
 
 ShadingCounts shadeTileInVectors(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
                                  ShadingOutput<float>& out) {
-    const ZBufferOutput<float>& z = in.zBuffer;
-    std::vector<Vec3<float>>& intensity = out.vectors[index(BufferId::Intensity)][0].pixels;
     Common scene{inputs, in, out, false, 0};
     const auto usesPosition = [](const Light& light) {
         return light.castsShadow || light.kind != LightKind::AtInfinity;
@@ -340,33 +317,13 @@ ShadingCounts shadeTileInVectors(const ShadingInputs& inputs, const ShadingSourc
     scene.toByte = out.iMax > 0 ? float(255 / out.iMax) : 0;
     Look look;
     ShadingCounts counts;
-    const int lanes = int(hn::Lanes(F()));
-    for (int y = tile.min.y; y < tile.max.y; ++y) {
-        int x = tile.min.x;
-        for (; x + lanes <= tile.max.x; x += lanes) {
-            const std::size_t at = z.triangle.offset({x, y});
-            shadeRow(scene,
-                     {&z.triangle.pixels[at], &z.barycentric.pixels[at].x, &z.zView.pixels[at], &intensity[at].x,
-                      &out.color.pixels[at].x},
-                     {x, y}, look, counts);
-        }
-        if (x == tile.max.x) continue;
-        // The rest of the row, in a vector's room of its own.
-        std::array<std::uint32_t, 16> triangles;
-        triangles.fill(kNoTriangle);
-        std::array<Vec3<float>, 16> weights{}, intensities{};
-        std::array<float, 16> depths{};
-        std::array<Color8, 16> colors{};
-        const std::size_t at = z.triangle.offset({x, y});
-        const auto rest = std::min(triangles.size(), std::size_t(tile.max.x - x));
-        std::copy_n(&z.triangle.pixels[at], rest, triangles.begin());
-        std::copy_n(&z.barycentric.pixels[at], rest, weights.begin());
-        std::copy_n(&z.zView.pixels[at], rest, depths.begin());
-        shadeRow(scene, {triangles.data(), &weights[0].x, depths.data(), &intensities[0].x, &colors[0].x}, {x, y}, look,
-                 counts);
-        std::copy_n(intensities.begin(), rest, &intensity[at]);
-        std::copy_n(colors.begin(), rest, &out.color.pixels[at]);
-    }
+    TileSurfaces surfaces;
+    TileColors colors;
+    findSurfaces(inputs, in, scene.position, tile, surfaces);
+    for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F()))
+        shadeVector(scene, surfaces, at, tile.min + pixelOf(at / kBlockPixels * kBlockPixels), look, colors, counts);
+    writePixels(colors.intensity, tile, out.vectors[index(BufferId::Intensity)][0]);
+    writePixels(colors.color, tile, out.color);
     return counts;
 }
 
@@ -380,6 +337,14 @@ namespace pipeline {
 
 HWY_EXPORT(shadeTileInVectors);
 HWY_EXPORT(lanesHere);
+
+void leaveTileDark(Tile tile, ShadingOutput<float>& out) {
+    for (int y = tile.min.y; y < tile.max.y; ++y) {
+        const std::size_t at = out.color.offset({tile.min.x, y});
+        std::fill_n(&out.color.pixels[at], tile.max.x - tile.min.x, Color8(0));
+        std::fill_n(&out.vectors[index(BufferId::Intensity)][0].pixels[at], tile.max.x - tile.min.x, Vec3<float>(0));
+    }
+}
 
 ShadingCounts shadePixelsFast(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
                               ShadingOutput<float>& out) {

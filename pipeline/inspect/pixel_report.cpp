@@ -184,7 +184,8 @@ template <class Real>
 void reportFragments(const FrameData<Real>& data, PixelReport& report) {
     const auto record = replayPixel(data, report.pixel);
     // Inside the stage some are still to come.
-    const auto arrived = std::size_t(data.zBuffer->overdraw.at(report.pixel));
+    const Buffer2D<std::int32_t>& overdraw = data.zBuffer->overdraw;
+    const std::size_t arrived = overdraw.empty() ? record.size() : std::size_t(overdraw.at(report.pixel));
     std::size_t lastWon = record.size();
     for (std::size_t i = 0; i < std::min(arrived, record.size()); ++i)
         if (record[i].won) lastWon = i;
@@ -237,7 +238,8 @@ void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size
     };
     Vec3<Real> opaque(0), added(0);
     Real left = 1;
-    if (triangle != kNoTriangle) opaque = intensityOf(triangle, data.zBuffer->barycentric.pixels[at]);
+    if (triangle != kNoTriangle)
+        opaque = intensityOf(triangle, barycentricAt(*data.transform, *data.zBuffer, report.pixel));
     for (const Layer<Real>& layer : replayLayers(data, report.pixel)) {
         const std::uint32_t polygon = topology.triangles[layer.triangle].polygon;
         const Real a =
@@ -266,7 +268,7 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
     if (data.shading && !data.keys.shading.outlines) reportLayers(data, triangle, at, report);
     if (triangle == kNoTriangle) return;
     const Topology& topology = *data.transform->topology;
-    const Vec3<Real> b = data.zBuffer->barycentric.pixels[at];
+    const Vec3<Real> b = barycentricAt(*data.transform, *data.zBuffer, report.pixel);
     report.covered = true;
     report.polygon = int(topology.triangles[triangle].polygon);
     report.object = int(topology.polygonObject[std::size_t(report.polygon)]);

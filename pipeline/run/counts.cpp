@@ -34,10 +34,7 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
             return plural(faces, "shadow buffer") + fmt::format(" of {}²", data.keys.shadowBuffer.size);
         }
         case StageId::ZBuffer: {
-            long long arrived = 0, won = 0;
-            for (std::int32_t n : data.zBuffer->overdraw.pixels) arrived += n;
-            for (std::int32_t n : data.zBuffer->depthWrites.pixels) won += n;
-            return fmt::format("{} fragments, {} {}{}", arrived, won,
+            return fmt::format("{} fragments, {} {}{}", data.zBuffer->arrived, data.zBuffer->won,
                                data.keys.zBuffer.visibility == Visibility::ZBuffer ? "won" : "written",
                                data.zBuffer->note);
         }

@@ -43,6 +43,13 @@ AnyBuffer view(const BufferName& name, const Buffer2D<T>& b, std::shared_ptr<con
                 std::move(owner));
 }
 
+// Nothing where it was not kept.
+template <class T>
+std::optional<AnyBuffer> kept(const BufferName& name, const Buffer2D<T>& b, std::shared_ptr<const void> owner) {
+    if (b.empty()) return {};
+    return view(name, b, std::move(owner));
+}
+
 // object_id or polygon_id, from the triangle seen in each pixel.
 template <class Real>
 AnyBuffer ids(const BufferName& name, const FrameData<Real>& data) {
@@ -136,9 +143,9 @@ std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& dat
         case ZView: return view(name, data.zBuffer->zView, data.zBuffer);
         case ObjectId:
         case PolygonId: return ids(name, data);
-        case Barycentric: return view(name, data.zBuffer->barycentric, data.zBuffer);
-        case Overdraw: return view(name, data.zBuffer->overdraw, data.zBuffer);
-        case DepthWrites: return view(name, data.zBuffer->depthWrites, data.zBuffer);
+        case Barycentric: return kept(name, data.zBuffer->barycentric, data.zBuffer);
+        case Overdraw: return kept(name, data.zBuffer->overdraw, data.zBuffer);
+        case DepthWrites: return kept(name, data.zBuffer->depthWrites, data.zBuffer);
         default: return shaded(name, data);
     }
 }

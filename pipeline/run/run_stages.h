@@ -7,8 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/fast/cull.h"
+#include "pipeline/fast/normals.h"
 #include "pipeline/fast/rasterize.h"
 #include "pipeline/fast/shade_pixels.h"
+#include "pipeline/fast/transform.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/parallel.h"
 #include "pipeline/stages/outlines.h"
@@ -22,20 +25,39 @@ namespace pipeline {
 // Enough work for one piece that handing it out does not show.
 inline constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1, kSampleGrain = 1;
 
+// What the kernels of pipeline/fast read beside; in float alone.
+inline void snapVertices(TransformOutput<float>& out, Threads& threads) {
+    out.snapped.bits = out.view.subPixelBits;
+    out.snapped.resize(out.viewSpace.size());
+    threads.forRange(out.viewSpace.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
+        snapInVectors(out.view, out.viewSpace, begin, end, out.snapped);
+    });
+}
+
 template <class Real>
 std::shared_ptr<const TransformOutput<Real>> runTransform(const TransformInputs& inputs, Threads& threads) {
     auto out = std::make_shared<TransformOutput<Real>>(prepareTransform<Real>(inputs));
     for (std::size_t object = 0; object < inputs.transforms.size(); ++object)
         threads.forRange(inputs.topology->meshes[object]->positions.size(), kVertexGrain,
-                         [&](std::size_t begin, std::size_t end) { transform(inputs, object, begin, end, *out); });
+                         [&](std::size_t begin, std::size_t end) {
+                             if constexpr (std::is_same_v<Real, float>)
+                                 transformInVectors(inputs, object, begin, end, *out);
+                             else
+                                 transform(inputs, object, begin, end, *out);
+                         });
+    if constexpr (std::is_same_v<Real, float>) snapVertices(*out, threads);
     return out;
 }
 
 template <class Real>
 std::shared_ptr<const CullOutput> runCull(const CullInputs& inputs, const TransformOutput<Real>& in, Threads& threads) {
     auto out = std::make_shared<CullOutput>(prepareCull(in.topology->polygonCount()));
-    threads.forRange(in.topology->polygonCount(), kPolygonGrain,
-                     [&](std::size_t begin, std::size_t end) { cull(inputs, in, begin, end, *out); });
+    threads.forRange(in.topology->polygonCount(), kPolygonGrain, [&](std::size_t begin, std::size_t end) {
+        if constexpr (std::is_same_v<Real, float>)
+            cullInVectors(inputs, in, begin, end, *out);
+        else
+            cull(inputs, in, begin, end, *out);
+    });
     return out;
 }
 
@@ -43,12 +65,42 @@ template <class Real>
 std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
                                                       Threads& threads) {
     auto out = std::make_shared<NormalsOutput<Real>>(prepareNormals(inputs, in));
-    threads.forRange(in.topology->polygonCount(), kPolygonGrain,
-                     [&](std::size_t begin, std::size_t end) { polygonNormals(inputs, in, begin, end, *out); });
+    threads.forRange(in.topology->polygonCount(), kPolygonGrain, [&](std::size_t begin, std::size_t end) {
+        if constexpr (std::is_same_v<Real, float>)
+            polygonNormalsInVectors(inputs, in, begin, end, *out);
+        else
+            polygonNormals(inputs, in, begin, end, *out);
+    });
     if (inputs.vertexNormals)
         for (std::size_t object = 0; object < in.topology->meshes.size(); ++object)
             if (!threads.stopped()) vertexNormals(inputs, in, object, *out);
     return out;
+}
+
+// Triangles set up piece by piece.
+inline std::shared_ptr<const TrianglePieces> setUpAll(const SetUpInputs& inputs, Threads& threads) {
+    auto out = std::make_shared<TrianglePieces>(prepareSetUp(inputs));
+    threads.forRange(out->pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t piece = begin; piece < end; ++piece) setUpPiece(inputs, piece, *out);
+    });
+    return out;
+}
+
+// What a face of a light sees, in float.
+inline void drawShadowFace(const TransformOutput<float>& in, const View& face, Buffer2D<float>& depth,
+                           Threads& threads) {
+    std::vector<Vec3<float>> positions(in.world.size());
+    SnappedVertices snapped;
+    snapped.bits = face.subPixelBits;
+    snapped.resize(positions.size());
+    threads.forRange(positions.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
+        toLightViewInVectors(face, in.world, begin, end, positions);
+        snapInVectors(face, positions, begin, end, snapped);
+    });
+    const auto pieces = setUpAll({*in.topology, face, positions, snapped}, threads);
+    threads.forRange(pieces->tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) shadowBufferInVectors(face, *pieces, tile, depth);
+    });
 }
 
 template <class Real>
@@ -56,15 +108,15 @@ std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBuff
                                                                 const TransformOutput<Real>& in, Threads& threads) {
     auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in));
     const auto drawFace = [&](LightView<Real>& light, std::size_t face) {
-        const TriangleBins<Real> bins = binForLight(in, light.faces[face]);
-        threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t tile = begin; tile < end; ++tile) {
-                if constexpr (std::is_same_v<Real, float>)
-                    shadowBufferInVectors(light.faces[face], bins, tile, light.depth[face]);
-                else
+        if constexpr (std::is_same_v<Real, float>) {
+            drawShadowFace(in, light.faces[face], light.depth[face], threads);
+        } else {
+            const TriangleBins<Real> bins = binForLight(in, light.faces[face]);
+            threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t tile = begin; tile < end; ++tile)
                     shadowBuffer(light.faces[face], bins, tile, light.depth[face]);
-            }
-        });
+            });
+        }
     };
     for (std::vector<LightView<Real>>& samples : out->lights)
         threads.forRange(samples.size(), kSampleGrain, [&](std::size_t begin, std::size_t end) {
@@ -73,6 +125,12 @@ std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBuff
                     drawFace(samples[i], face);
         });
     return out;
+}
+
+template <class Real>
+void sumCounts(ZBufferOutput<Real>& out) {
+    for (std::int32_t n : out.overdraw.pixels) out.arrived += n;
+    for (std::int32_t n : out.depthWrites.pixels) out.won += n;
 }
 
 template <class Real>
@@ -85,29 +143,47 @@ std::shared_ptr<const ZBufferOutput<Real>> runOutlines(const FrameData<Real>& da
     threads.forRange(bins.tiles.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile) drawOutlines(view, bins, tile, *out);
     });
+    sumCounts(*out);
     out->note = fmt::format("; {} outline{}", bins.polygons, bins.polygons == 1 ? "" : "s");
     return out;
 }
 
 // In float in vectors, with the same bits.
-template <class Real>
-void zBufferOfTile(const TransformOutput<Real>& in, const TriangleBins<Real>& bins, std::size_t tile,
-                   ZBufferOutput<Real>& out) {
-    if constexpr (std::is_same_v<Real, float>)
-        if (in.depthFormat == DepthFormat::Linear) return zBufferInVectors(in.view, bins, tile, out);
-    zBuffer(in.view, in.depthFormat, bins, bins.bins[tile], bins.tile(tile), out);
+inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBufferInputs& inputs,
+                                                                       const TransformOutput<float>& in,
+                                                                       const SetUpInputs& setUp, Threads& threads) {
+    auto out = std::make_shared<ZBufferOutput<float>>();
+    out->zView = Buffer2D<float>(in.view.size), out->triangle = Buffer2D<std::uint32_t>(in.view.size);  // tile by tile
+    if (inputs.weights) out->barycentric = {in.view.size, Vec3<float>(0)};
+    if (inputs.counts) out->overdraw = out->depthWrites = {in.view.size, 0};
+    const auto pieces = setUpAll(setUp, threads);
+    out->pieces = pieces;
+    for (const TrianglePiece& piece : pieces->pieces) out->clipped += piece.clipped, out->unclipped += piece.unclipped;
+    for (std::size_t tile = 0; tile < pieces->tileCount(); ++tile) out->tileIsDrawn.push_back(pieces->touches(tile));
+    std::vector<TileCounts> counts(pieces->tileCount());
+    threads.forRange(counts.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile)
+            counts[tile] = zBufferInVectors(in.view, *pieces, tile, *out);
+    });
+    for (const TileCounts& tile : counts) out->arrived += tile.arrived, out->won += tile.won;
+    return out;
 }
 
 template <class Real>
 std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs, const TransformOutput<Real>& in,
                                                       const CullOutput* cull, Threads& threads) {
-    auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
     std::span<const Verdict> verdicts;
     if (cull) verdicts = cull->verdicts;
     std::span<const std::uint8_t> inside;
     if (cull && !inputs.clipAll) inside = cull->inside;
     const std::vector<std::uint8_t> drawn =
         drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, cull);
+    if constexpr (std::is_same_v<Real, float>)
+        if (inputs.visibility == Visibility::ZBuffer && in.depthFormat == DepthFormat::Linear)
+            return runZBufferInVectors(
+                inputs, in, {*in.topology, in.view, in.viewSpace, in.snapped, verdicts, inside, drawn, inputs.clipAll},
+                threads);
+    auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
     const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, verdicts, inside, drawn);
     out->clipped = bins.clipped, out->unclipped = bins.unclipped;
     for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
@@ -120,11 +196,14 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
         });
         out->note = fmt::format("; {} triangles in order, {} split", order.pieces.size() - order.splits, order.splits);
         if (order.unordered > 0) out->note += fmt::format(", {} out of order at the limit", order.unordered);
+        sumCounts(*out);
         return out;
     }
     threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) zBufferOfTile(in, bins, tile, *out);
+        for (std::size_t tile = begin; tile < end; ++tile)
+            zBuffer(in.view, in.depthFormat, bins, bins.bins[tile], bins.tile(tile), *out);
     });
+    sumCounts(*out);
     return out;
 }
 
@@ -167,6 +246,8 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
     threads.forRange(drawn.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile) {
             if (!inputs.parts.emptyTiles && !drawn[tile]) {
+                if constexpr (std::is_same_v<Real, float>)
+                    if (inputs.parts.fast) leaveTileDark(tileOf(in.transform.view.size, tile), out);
                 counts.add({.emptyTiles = 1});
                 continue;
             }
@@ -194,16 +275,17 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
     auto moved = std::make_shared<TransformOutput<Real>>(*data.transform);
     FrameData<Real> sample = data;
     sample.transform = moved;
-    std::vector<Vec3<Real>> first;
+    typename Buffer2D<Vec3<Real>>::Pixels first;
     Buffer2D<Vec3<Real>>& mean = out.vectors[index(BufferId::Antialiased)][0];
     for (std::size_t i = 0; i < places.size() && !threads.stopped(); ++i) {
         moved->view.centre = data.transform->view.centre - places[i];
+        if constexpr (std::is_same_v<Real, float>) snapVertices(*moved, threads);
         if (data.cull) sample.cull = runCull(data.keys.cull, *moved, threads);
         sample.zBuffer = runVisibility(sample, threads);
         ShadingOutput<Real> shaded = prepareShading(inputs, sample.shadingSources(), {});
         shaded.polygons = out.polygons, shaded.vertices = out.vertices, shaded.verticesBack = out.verticesBack;
         shadePicture(inputs, sample.shadingSources(), shaded, counts, threads);
-        const std::vector<Vec3<Real>>& intensity = shaded.vectors[index(BufferId::Intensity)][0].pixels;
+        const auto& intensity = shaded.vectors[index(BufferId::Intensity)][0].pixels;
         if (i == 0) mean.pixels = first = intensity;
         // Differences from the first: where all samples are alike, their mean is what each of them is.
         for (std::size_t p = 0; p < first.size(); ++p)

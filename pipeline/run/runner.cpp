@@ -57,7 +57,9 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                    {settings.normalWeight, bool(needs.vertexNormals), settings.forms.polygonNormal,
                     settings.forms.cornerAngle, settings.forms.unit},
                    {{}, settings.shadowSize},
-                   {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene)},
+                   {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene),
+                    needs.buffers[index(BufferId::Overdraw)] || needs.buffers[index(BufferId::DepthWrites)],
+                    needs.buffers[index(BufferId::Barycentric)] || !needs.fastShading},
                    {settings.shading,
                     settings.shading == Shading::Flat ? Interpolation::Perspective : settings.interpolation,
                     settings.visibility == Visibility::None,
@@ -102,6 +104,8 @@ public:
         frame->m_needs = needsOf(*scene, request.wanted);
         const double needed = millisecondsSince(decides);
         StageKeys keys = stageKeys(*scene, frame->m_needs, frame->m_topology);  // what the stages read
+        if (request.until < StageId::Shading)                                   // nobody shades what was interpolated
+            keys.zBuffer.weights = frame->m_needs.buffers[index(BufferId::Barycentric)];
         const Clock::time_point plans = Clock::now();
         frame->m_plan = decide(*scene, request, frame->m_needs, keys, before);
         frame->m_planMilliseconds = needed + millisecondsSince(plans);

@@ -118,8 +118,8 @@ std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& co
         signedArea2 -= area2;
         if (area2 == 0) continue;
         if (area2 < 0) std::swap(order[1], order[2]);  // counter-clockwise: turned round for the edge functions
-        const auto smallest =
-            std::min_element(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return w[a] < w[b]; });
+        const auto smallest = std::min_element(order.begin(), order.end(),
+                                               [&](std::size_t a, std::size_t b) { return Real(w[a]) < Real(w[b]); });
         std::rotate(order.begin(), smallest, order.end());
 
         RasterTriangle<Real> out;

@@ -5,6 +5,7 @@
 
 #include "pipeline/scene/topology.h"
 #include "pipeline/stages/depth.h"
+#include "pipeline/stages/snapped_vertices.h"
 #include "pipeline/stages/view.h"
 
 namespace pipeline {
@@ -49,6 +50,7 @@ struct TransformOutput {
     // Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is not in front of
     // the near plane: it has no place on the screen, and no infinity may stand in for one.
     std::vector<Vec3<Real>> screen;
+    SnappedVertices snapped{};  // in float, for pipeline/fast; else empty
 };
 
 template <class Real>

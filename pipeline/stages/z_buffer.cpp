@@ -19,6 +19,20 @@ ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format) {
 }
 
 template <class Real>
+Vec3<Real> barycentricAt(const TransformOutput<Real>& in, std::uint32_t triangle, glm::ivec2 pixel) {
+    const auto& v = in.topology->triangles[triangle].vertices;
+    Vec3<Real> weights(0);
+    // Of the pieces that clipping leaves, one covers the pixel.
+    const auto look = [&](const RasterTriangle<Real>& piece) {
+        forEachCovered(piece.snapped, {pixel, pixel + 1}, [&](glm::ivec2, const std::array<std::int64_t, 3>& e) {
+            weights = interpolate(piece, e, in.view.perspective).barycentric;
+        });
+    };
+    setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, triangle, look);
+    return weights;
+}
+
+template <class Real>
 void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bins, std::span<const std::uint32_t> order,
              Tile tile, ZBufferOutput<Real>& out, std::vector<FragmentRecord>* record) {
     const DepthCode code(view, format);
@@ -48,6 +62,7 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                 \
     template ZBufferOutput<Real> prepareZBuffer(Tile, DepthFormat);                                                  \
+    template Vec3<Real> barycentricAt(const TransformOutput<Real>&, std::uint32_t, glm::ivec2);                      \
     template void zBuffer(const View&, DepthFormat, const TriangleBins<Real>&, std::span<const std::uint32_t>, Tile, \
                           ZBufferOutput<Real>&, std::vector<FragmentRecord>*);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,24 +22,42 @@ struct ZBufferInputs {
     bool split = true;                            // Painter
     bool clipAll = true;                          // also polygons that culling found whole in the picture
     std::vector<TranslucentSides> translucent{};  // per object: what stage 6 draws later; empty when nothing
+    // What is left behind beside z_view, depth and triangle; pipeline/fast alone leaves it out.
+    bool counts = true;   // overdraw and depth writes
+    bool weights = true;  // barycentric weights
     bool operator==(const ZBufferInputs&) const = default;
 };
 
+struct TrianglePieces;  // pipeline/fast/set_up.h
+
 template <class Real>
 struct ZBufferOutput {
-    glm::ivec2 origin{0};                   // the pixel that stands first; (0, 0) but for a replay
-    Buffer2D<double> depth;                 // as stored, exactly; empty in format Linear, where it is zView
-    Buffer2D<Real> zView;                   // world units; +infinity where nothing was drawn
-    Buffer2D<std::uint32_t> triangle;       // index into Topology::triangles; kNoTriangle
-    Buffer2D<Vec3<Real>> barycentric;       // perspective-correct weights over that triangle's corners
-    Buffer2D<std::int32_t> overdraw;        // fragments that arrived
-    Buffer2D<std::int32_t> depthWrites;     // fragments that won
-    std::string note;                       // what the painter's order took; may be empty
-    std::vector<std::uint8_t> tileIsDrawn;  // per tile of kTileSize, row by row: whether a triangle touches it
-    long long clipped = 0, unclipped = 0;   // triangles that went through the clipper; that did not
+    glm::ivec2 origin{0};                // the pixel that stands first; (0, 0) but for a replay
+    Buffer2D<double> depth;              // as stored, exactly; empty in format Linear, where it is zView
+    Buffer2D<Real> zView;                // world units; +infinity where nothing was drawn
+    Buffer2D<std::uint32_t> triangle;    // index into Topology::triangles; kNoTriangle
+    Buffer2D<Vec3<Real>> barycentric;    // perspective-correct weights over that triangle's corners; may be empty
+    Buffer2D<std::int32_t> overdraw;     // fragments that arrived; may be empty
+    Buffer2D<std::int32_t> depthWrites;  // fragments that won; may be empty
+    long long arrived = 0, won = 0;      // the same over all pixels
+    std::shared_ptr<const TrianglePieces> pieces{};  // what was drawn, where pipeline/fast did
+    std::string note;                                // what the painter's order took; may be empty
+    std::vector<std::uint8_t> tileIsDrawn;           // per tile of kTileSize, row by row: whether a triangle touches it
+    long long clipped = 0, unclipped = 0;            // triangles that went through the clipper; that did not
 };
 template <class Real>
 ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format);
+
+// The weights at a pixel that the triangle covers, as they stand in barycentric where that is kept.
+template <class Real>
+Vec3<Real> barycentricAt(const TransformOutput<Real>& in, std::uint32_t triangle, glm::ivec2 pixel);
+// Those of the triangle that is seen in a pixel.
+template <class Real>
+Vec3<Real> barycentricAt(const TransformOutput<Real>& in, const ZBufferOutput<Real>& zBuffer, glm::ivec2 pixel) {
+    const std::size_t at = zBuffer.triangle.offset(pixel);
+    return zBuffer.barycentric.empty() ? barycentricAt(in, zBuffer.triangle.pixels[at], pixel)
+                                       : zBuffer.barycentric.pixels[at];
+}
 
 // One arrival, for a replay that records.
 struct FragmentRecord {

@@ -37,6 +37,7 @@ template <class Real>
 class Source : public StepSource {
 public:
     explicit Source(FramePtr whole) : m_frame(std::move(whole)), m_data(*dataOf<Real>(*m_frame)) {
+        m_data.keys.shading.parts.fast = false;  // single pixels are shaded exactly
         const Topology& topology = *m_data.transform->topology;
         for (const StageId stage : kStages) runs[index(stage)] = m_data.has(stage);
         using enum ElementKind;
@@ -93,6 +94,14 @@ private:
         all.push_back(std::move(phase));
     }
 
+    // The steps of shading read what fast arithmetic leaves out.
+    void completeZBuffer() {
+        if (!m_data.shading || !m_data.zBuffer->barycentric.empty()) return;
+        Threads threads(0, {});
+        m_data.zBuffer = std::make_shared<ZBufferOutput<Real>>(
+            drawnSoFar(m_data, m_drawing, m_drawing.ranges.size(), Reach{}, threads));
+    }
+
     void addLights() {
         if (!m_data.shadowBuffer) return;
         const Topology& topology = *m_data.transform->topology;
@@ -108,6 +117,7 @@ private:
 
     void addDrawing() {
         m_drawing = takeApart(m_data);
+        completeZBuffer();
         const bool painted = m_data.keys.zBuffer.visibility == Visibility::Painter;
         StepPhase phase{.kind = painted ? ElementKind::Piece : ElementKind::Polygon,
                         .count = m_drawing.ranges.size(),
@@ -227,7 +237,7 @@ private:
     }
 
     FramePtr m_frame;
-    const FrameData<Real>& m_data;
+    FrameData<Real> m_data;
     Drawing<Real> m_drawing;
     Seen m_seen;
     const StepPhase* m_pixelPhase = nullptr;

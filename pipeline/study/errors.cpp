@@ -232,7 +232,8 @@ void fill(const Frame& frame, const BufferName& name, glm::ivec2 size, Buffer2D<
     const auto buffer = frame.buffer(name);
     if (!buffer) return;
     out.size = size;
-    out.pixels = numbersOf(*buffer);
+    const std::vector<double> numbers = numbersOf(*buffer);
+    out.pixels.assign(numbers.begin(), numbers.end());
 }
 
 }  // namespace

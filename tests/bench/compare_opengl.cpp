@@ -23,11 +23,13 @@ namespace {
 using pipeline::Json;
 
 struct Options {
-    std::vector<std::string> only;
+    std::vector<std::string> only, parts;
     int threads = 0;  // 0: 1 and 2
     Turns turns;
     bool json = false, stages = false;
 };
+
+std::string key(Part part) { return part == Part::Depth ? "depth" : part == Part::Phong ? "phong" : "shadow"; }
 
 // One row of the table.
 struct Point {
@@ -225,6 +227,7 @@ int run(const Options& options) {
     for (const Workload& workload : workloads()) {
         if (!options.only.empty() && std::ranges::find(options.only, workload.name) == options.only.end()) continue;
         for (const Part part : kParts) {
+            if (!options.parts.empty() && std::ranges::find(options.parts, key(part)) == options.parts.end()) continue;
             for (const int threads : {1, 2}) {
                 if (options.threads != 0 && options.threads != threads) continue;
                 const Json row = inChild({workload, part, threads}, options);
@@ -261,6 +264,9 @@ int main(int argc, char** argv) {
     for (const bench::Workload& workload : bench::workloads()) names.push_back(workload.name);
     program.add_option("--only", options.only, "Workloads, by their number of polygons")
         ->check(CLI::IsMember(names))
+        ->delimiter(',');
+    program.add_option("--parts", options.parts, "What is drawn of them")
+        ->check(CLI::IsMember({"depth", "phong", "shadow"}))
         ->delimiter(',');
     program.add_option("--threads", options.threads, "Threads and processors; 0: 1, then 2")->check(CLI::Range(0, 2));
     program.add_option("--rounds", options.turns.rounds, "Rounds")->check(CLI::Range(1, 1000))->capture_default_str();

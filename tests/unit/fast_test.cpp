@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "pipeline/fast/shade_pixels.h"
 #include "pipeline/run/frame_data.h"
@@ -143,9 +144,24 @@ TEST(Fast, LeavesTheOtherBuffersToTheBit) {
     const Scene scene = spheres();
     BufferSet others;
     for (const BufferInfo& info : bufferTable()) others[index(info.id)] = info.stage != StageId::Shading;
-    EXPECT_EQ(
-        test::firstDifference(*picture(in(scene, Arithmetic::Fast)), *picture(in(scene, Arithmetic::Exact)), others),
-        "");
+    const BufferSet wanted = others | setOf({BufferId::Color});
+    EXPECT_EQ(test::firstDifference(*test::frameOf(in(scene, Arithmetic::Fast), wanted),
+                                    *test::frameOf(in(scene, Arithmetic::Exact), wanted), others),
+              "");
+}
+
+// Weights and counts are kept where somebody asks for them, and a frame that has them serves one that needs less.
+TEST(Fast, KeepsWeightsAndCountsForWhoAsks) {
+    const Scene scene = in(spheres(), Arithmetic::Fast);
+    const FramePtr less = test::frameOf(scene, setOf({BufferId::Color}));
+    EXPECT_FALSE(less->buffer({BufferId::Overdraw}));
+    EXPECT_EQ(less->whyAbsent({BufferId::Overdraw}), "Nobody has asked for it yet.");
+    EXPECT_FALSE(less->buffer({BufferId::Barycentric}));
+    const FramePtr more = test::frameOf(scene, setOf({BufferId::Overdraw, BufferId::Barycentric}), 0, less);
+    EXPECT_EQ(more->plan()[index(StageId::ZBuffer)].why, "Other buffers are asked for.");
+    EXPECT_TRUE(more->buffer({BufferId::Overdraw}) && more->buffer({BufferId::Barycentric}));
+    const FramePtr again = test::frameOf(scene, setOf({BufferId::Color}), 0, more);
+    EXPECT_EQ(again->plan()[index(StageId::ZBuffer)].action, Action::Reuse);
 }
 
 TEST(Fast, CountsWhatExactCounts) {
@@ -192,9 +208,22 @@ TEST(Fast, GivesWayWhereItHasNoKernel) {
 
 // The stages' own text, a pixel at a time, against the vectors that the runner takes in float.
 void expectTheSameBits(const Scene& scene) {
-    const FramePtr frame = picture(scene);
+    const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color, BufferId::Overdraw, BufferId::Barycentric}));
     const FrameData<float>& data = *dataOf<float>(*frame);
     const TransformOutput<float>& in = *data.transform;
+    TransformOutput<float> transformed = prepareTransform<float>(data.keys.transform);
+    for (std::size_t object = 0; object < scene.objects.size(); ++object)
+        transform(data.keys.transform, object, 0, in.topology->meshes[object]->positions.size(), transformed);
+    EXPECT_EQ(transformed.world, in.world);
+    EXPECT_EQ(transformed.viewSpace, in.viewSpace);
+    EXPECT_EQ(transformed.screen, in.screen);
+    if (data.cull) {
+        CullOutput culled = prepareCull(in.topology->polygonCount());
+        cull(data.keys.cull, in, 0, in.topology->polygonCount(), culled);
+        EXPECT_EQ(culled.verdicts, data.cull->verdicts);
+        EXPECT_EQ(culled.signedAreas, data.cull->signedAreas);
+        EXPECT_EQ(culled.inside, data.cull->inside);
+    }
     const TriangleBins<float> bins = binTriangles<float>(*in.topology, in.view, in.viewSpace, data.verdicts());
     ZBufferOutput<float> out = prepareZBuffer<float>({{0, 0}, in.view.size}, DepthFormat::Linear);
     for (std::size_t tile = 0; tile < bins.bins.size(); ++tile)
@@ -204,6 +233,17 @@ void expectTheSameBits(const Scene& scene) {
     EXPECT_EQ(out.barycentric.pixels, data.zBuffer->barycentric.pixels);
     EXPECT_EQ(out.overdraw.pixels, data.zBuffer->overdraw.pixels);
     EXPECT_EQ(out.depthWrites.pixels, data.zBuffer->depthWrites.pixels);
+    const auto sum = [](const Buffer2D<std::int32_t>& counts) {
+        return std::accumulate(counts.pixels.begin(), counts.pixels.end(), 0LL);
+    };
+    EXPECT_EQ(sum(out.overdraw), data.zBuffer->arrived);
+    EXPECT_EQ(sum(out.depthWrites), data.zBuffer->won);
+    for (int y = 0; y < in.view.size.y; y += 7)
+        for (int x = 0; x < in.view.size.x; x += 5) {
+            const std::uint32_t id = out.triangle.at({x, y});
+            if (id == kNoTriangle) continue;
+            EXPECT_EQ(barycentricAt(in, id, {x, y}), out.barycentric.at({x, y}));
+        }
     if (!data.shadowBuffer) return;
     for (const auto& samples : data.shadowBuffer->lights) {
         for (const LightView<float>& light : samples) {

@@ -22,7 +22,7 @@ std::string at(const Steps& steps, std::string_view place) {
 }
 
 TEST(Steps, CountWhatTheStagesWorkThrough) {
-    const Steps steps(test::frameOf(test::pyramid(), setOf({BufferId::Color})));
+    const Steps steps(test::frameOf(test::pyramid(), setOf({BufferId::Color, BufferId::Overdraw})));
     EXPECT_EQ(steps.count(StageId::Transform, StepLevel::Polygon), 5);  // vertices: the stage knows no polygons
     EXPECT_EQ(steps.count(StageId::Cull, StepLevel::Pixel), 5);
     EXPECT_FALSE(steps.runs(StageId::ShadowBuffer));  // convex and alone
@@ -34,6 +34,20 @@ TEST(Steps, CountWhatTheStagesWorkThrough) {
     const AnyBuffer arrived = *steps.frame()->buffer({BufferId::Overdraw});
     for (std::size_t i = 0; i < arrived.count(); ++i) fragments += std::int64_t(arrived.flat(i));
     EXPECT_EQ(steps.count(StageId::ZBuffer, StepLevel::Pixel), fragments);
+}
+
+// Fast arithmetic leaves out what the steps of shading read: they make it up, and come to the same picture.
+TEST(Steps, ShadeInFastArithmeticToo) {
+    Scene scene = test::pyramid();
+    scene.settings.shading = Shading::Phong;
+    scene.settings.arithmetic = Arithmetic::Fast;
+    const FramePtr whole = test::frameOf(scene, setOf({BufferId::Color}));
+    const Steps steps(whole);
+    const FramePtr last = steps.frameAt({StageId::Shading, steps.total(StageId::Shading)});
+    EXPECT_EQ(test::firstDifference(*last, *whole, setOf({BufferId::Color, BufferId::Intensity})), "");
+    const FramePtr first = steps.frameAt({StageId::Shading, 0});
+    const AnyBuffer dark = *first->buffer({BufferId::Intensity});
+    for (std::size_t i = 0; i < dark.count(); ++i) ASSERT_EQ(dark.flat(i), 0);
 }
 
 TEST(Steps, AStageThatIsLeftOutIsPassedOver) {

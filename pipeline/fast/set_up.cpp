@@ -1,0 +1,263 @@
+#include "pipeline/fast/set_up.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "pipeline/fast/targets.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/fast/set_up.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+//
+#include "pipeline/fast/lanes.h"
+
+#ifndef SHADESCOPE_SET_UP_BINNER
+#define SHADESCOPE_SET_UP_BINNER
+namespace pipeline {
+namespace {
+
+// The largest side of a small triangle's box, steps. An edge function is a difference of two products, of a side of the
+// triangle and the distance of a pixel up to three pixels beyond the box: L (L + 3 pixels) < 2^30 keeps it below 2^31.
+// And its pixels have to be counted in 8 bits.
+std::int32_t largestBox(int bits) {
+    const double beyond = 3.0 * double(1 << bits);
+    const double exact = (std::sqrt(beyond * beyond + 4 * 0x1p30) - beyond) / 2;
+    return std::int32_t(std::min(exact - 1, 250.0 * double(1 << bits)));
+}
+
+// Takes up triangles in order, and sorts them by tile in the end.
+class Binner {
+public:
+    Binner(const TrianglePieces& all, TrianglePiece& out) : m_all(all), m_out(out) {}
+
+    void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
+        const glm::ivec2 first = low / kTileSize, last = (high - 1) / kTileSize;
+        for (int y = first.y; y <= last.y; ++y)
+            for (int x = first.x; x <= last.x; ++x) {
+                m_tiles.push_back(std::uint32_t(y * m_all.tiles.x + x));
+                m_indices.push_back(index);
+            }
+    }
+    void addOther(const RasterTriangle<float>& triangle) {
+        const Tile box = triangle.snapped.pixels();
+        const glm::ivec2 low = glm::max(box.min, glm::ivec2(0)), high = glm::min(box.max, m_all.size);
+        if (low.x >= high.x || low.y >= high.y) return;
+        add(std::uint32_t(m_out.others.size()) | TrianglePiece::kOther, low, high);
+        m_out.others.push_back(triangle);
+    }
+    void finish() {
+        m_out.firstOfTile.assign(m_all.tileCount() + 1, 0);
+        for (const std::uint32_t tile : m_tiles) ++m_out.firstOfTile[tile + 1];
+        for (std::size_t i = 1; i < m_out.firstOfTile.size(); ++i) m_out.firstOfTile[i] += m_out.firstOfTile[i - 1];
+        m_out.lists.resize(m_tiles.size());
+        std::vector<std::uint32_t> next(m_out.firstOfTile.begin(), m_out.firstOfTile.end() - 1);
+        for (std::size_t i = 0; i < m_tiles.size(); ++i) m_out.lists[next[m_tiles[i]]++] = m_indices[i];
+    }
+
+private:
+    const TrianglePieces& m_all;
+    TrianglePiece& m_out;
+    std::vector<std::uint32_t> m_tiles, m_indices;
+};
+
+}  // namespace
+}  // namespace pipeline
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace pipeline::HWY_NAMESPACE {
+namespace {
+
+// What is set up of as many triangles as a vector holds.
+struct Fields {
+    HWY_ALIGN std::int32_t a1[16], b1[16], c1[16], a2[16], b2[16], c2[16], area[16], owns[16], order[16];
+    HWY_ALIGN std::int32_t lowX[16], lowY[16], highX[16], highY[16];
+    HWY_ALIGN float w0[16], w1[16], w2[16];
+};
+
+HWY_INLINE std::uint32_t bitsOf(Mask mask) {
+    std::uint64_t bits = 0;
+    hn::StoreMaskBits(F(), mask, reinterpret_cast<std::uint8_t*>(&bits));
+    return std::uint32_t(bits);
+}
+HWY_INLINE Ints pick(Mask mask, Ints yes, Ints no) { return hn::IfThenElse(hn::RebindMask(I(), mask), yes, no); }
+HWY_INLINE Mask asFloats(hn::Mask<I> mask) { return hn::RebindMask(F(), mask); }
+
+// The triangles in `live`, set up; gives those that are small, and in `others` those that are set up one by one.
+HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* triangles, std::uint32_t live, Fields& out,
+                                     std::uint32_t& others) {
+    const I whole;
+    const SnappedVertices& from = in.vertices;
+    Ints v[3], polygon;
+    static_assert(sizeof(Triangle) == 16);
+    hn::LoadInterleaved4(whole, reinterpret_cast<const std::int32_t*>(triangles), v[0], v[1], v[2], polygon);
+    const auto* planes = reinterpret_cast<const std::int32_t*>(from.planes.data());
+    const Ints beside = hn::Or(hn::Or(hn::GatherIndex(whole, planes, v[0]), hn::GatherIndex(whole, planes, v[1])),
+                               hn::GatherIndex(whole, planes, v[2]));
+    const auto cut = hn::Ne(hn::And(beside, hn::Set(whole, std::int32_t(SnappedVertices::kCut))), hn::Zero(whole));
+    Ints x[3], y[3];
+    for (int i = 0; i < 3; ++i) {
+        x[i] = hn::GatherIndex(whole, from.x.data(), v[i]);
+        y[i] = hn::GatherIndex(whole, from.y.data(), v[i]);
+    }
+    const Ints lowX = hn::Min(x[0], hn::Min(x[1], x[2])), highX = hn::Max(x[0], hn::Max(x[1], x[2]));
+    const Ints lowY = hn::Min(y[0], hn::Min(y[1], y[2])), highY = hn::Max(y[0], hn::Max(y[1], y[2]));
+    const Ints limit = hn::Set(whole, in.clipAll ? 0 : largestBox(from.bits) + 1);
+    const auto isSmall =
+        hn::AndNot(cut, hn::And(hn::Lt(hn::Sub(highX, lowX), limit), hn::Lt(hn::Sub(highY, lowY), limit)));
+    const std::uint32_t small = bitsOf(asFloats(isSmall)) & live;
+    others = live & ~small;
+    if (small == 0) return 0;
+
+    // SnappedTriangle::pixels, within the picture.
+    const int bits = from.bits;
+    const Ints half = hn::Set(whole, 1 << (bits - 1)), one = hn::Set(whole, 1);
+    const auto pixelsBelow = [&](Ints steps) HWY_ATTR { return hn::ShiftRightSame(hn::Sub(steps, half), bits); };
+    const auto firstFrom = [&](Ints steps) HWY_ATTR {
+        return hn::Max(hn::Zero(whole), hn::Add(pixelsBelow(hn::Sub(steps, one)), one));
+    };
+    const Ints minX = firstFrom(lowX), minY = firstFrom(lowY);
+    const Ints maxX = hn::Min(hn::Add(pixelsBelow(highX), one), hn::Set(whole, in.view.size.x));
+    const Ints maxY = hn::Min(hn::Add(pixelsBelow(highY), one), hn::Set(whole, in.view.size.y));
+    const auto area2 = [&](int a, int b, int c) HWY_ATTR {
+        return hn::Sub(hn::Mul(hn::Sub(x[b], x[a]), hn::Sub(y[c], y[a])),
+                       hn::Mul(hn::Sub(y[b], y[a]), hn::Sub(x[c], x[a])));
+    };
+    const Ints area = area2(0, 1, 2);
+    const auto seen = hn::And(hn::Ne(area, hn::Zero(whole)), hn::And(hn::Lt(minX, maxX), hn::Lt(minY, maxY)));
+    const std::uint32_t drawn = bitsOf(asFloats(seen)) & small;
+    if (drawn == 0) return 0;
+
+    Floats w[3];
+    for (int i = 0; i < 3; ++i) w[i] = hn::GatherIndex(F(), from.w.data(), v[i]);
+    const Mask turned = asFloats(hn::Lt(area, hn::Zero(whole)));
+    const auto turn = [&](auto& values, auto choose) HWY_ATTR {
+        const auto one_ = values[1];
+        values[1] = choose(turned, values[2], values[1]), values[2] = choose(turned, one_, values[2]);
+    };
+    const auto choose = [&](Mask mask, Ints yes, Ints no) HWY_ATTR { return pick(mask, yes, no); };
+    const auto chooseFloats = [&](Mask mask, Floats yes, Floats no) HWY_ATTR { return hn::IfThenElse(mask, yes, no); };
+    turn(x, choose), turn(y, choose), turn(w, chooseFloats);
+    // The first of the smallest w comes first.
+    const Mask second = hn::Lt(w[2], hn::Min(w[0], w[1]));
+    const Mask first = hn::AndNot(second, hn::Lt(w[1], w[0]));
+    const auto rotate = [&](auto& values, auto choose_) HWY_ATTR {
+        const auto a = values[0], b = values[1], c = values[2];
+        values[0] = choose_(second, c, choose_(first, b, a));
+        values[1] = choose_(second, a, choose_(first, c, b));
+        values[2] = choose_(second, b, choose_(first, a, c));
+    };
+    rotate(x, choose), rotate(y, choose), rotate(w, chooseFloats);
+    const Ints order = hn::Add(pick(second, hn::Set(whole, 2), pick(first, one, hn::Zero(whole))),
+                               pick(turned, hn::Set(whole, 3), hn::Zero(whole)));
+
+    const Ints atX = hn::Add(hn::ShiftLeftSame(minX, bits), half), atY = hn::Add(hn::ShiftLeftSame(minY, bits), half);
+    Ints owns = hn::Zero(whole);
+    const auto edge = [&](int from_, int to, int bit, std::int32_t* a, std::int32_t* b, std::int32_t* c) HWY_ATTR {
+        const Ints dx = hn::Sub(x[to], x[from_]), dy = hn::Sub(y[to], y[from_]);
+        const auto own =
+            hn::Or(hn::Lt(dy, hn::Zero(whole)), hn::And(hn::Eq(dy, hn::Zero(whole)), hn::Gt(dx, hn::Zero(whole))));
+        owns = hn::Or(owns, hn::IfThenElseZero(own, hn::Set(whole, bit)));
+        if (!a) return;
+        hn::Store(hn::ShiftLeftSame(hn::Neg(dy), bits), whole, a);
+        hn::Store(hn::ShiftLeftSame(dx, bits), whole, b);
+        hn::Store(hn::Sub(hn::Mul(dx, hn::Sub(atY, y[from_])), hn::Mul(dy, hn::Sub(atX, x[from_]))), whole, c);
+    };
+    edge(1, 2, 1, nullptr, nullptr, nullptr);
+    edge(2, 0, 2, out.a1, out.b1, out.c1);
+    edge(0, 1, 4, out.a2, out.b2, out.c2);
+    hn::Store(hn::Abs(area), whole, out.area), hn::Store(owns, whole, out.owns), hn::Store(order, whole, out.order);
+    hn::Store(minX, whole, out.lowX), hn::Store(minY, whole, out.lowY);
+    hn::Store(maxX, whole, out.highX), hn::Store(maxY, whole, out.highY);
+    hn::Store(w[0], F(), out.w0), hn::Store(w[1], F(), out.w1), hn::Store(w[2], F(), out.w2);
+    return drawn;
+}
+
+}  // namespace
+
+void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, const TrianglePieces& all,
+                    TrianglePiece& out) {
+    const std::vector<Triangle>& triangles = in.topology.triangles;
+    const std::size_t lanes = hn::Lanes(F());
+    Binner binner(all, out);
+    out.small.reserve((end - begin) / 2);  // of a closed object, half face away
+    Fields fields{};
+    for (std::size_t base = begin; base < end; base += lanes) {
+        const std::size_t count = std::min(lanes, end - base);
+        std::uint32_t live = 0;
+        for (std::size_t l = 0; l < count; ++l) {
+            const std::uint32_t polygon = triangles[base + l].polygon;
+            const bool goes =
+                (in.verdicts.empty() || goesOn(in.verdicts[polygon])) && (in.drawn.empty() || in.drawn[polygon]);
+            live |= std::uint32_t(goes) << l;
+            if (!goes) continue;
+            ++(!in.inside.empty() && in.inside[polygon] ? out.unclipped : out.clipped);
+        }
+        if (live == 0) continue;
+        Triangle rest[16]{};
+        const Triangle* from = &triangles[base];
+        if (count < lanes) from = rest, std::copy_n(&triangles[base], count, rest);
+        std::uint32_t others = 0;
+        const std::uint32_t small = setUpVector(in, from, live, fields, others);
+        for (std::uint32_t left = small | others; left != 0; left &= left - 1) {
+            const auto l = std::size_t(std::countr_zero(left));
+            const auto id = std::uint32_t(base + l);
+            if (others >> l & 1) {
+                const auto& v = triangles[id].vertices;
+                const bool whole =
+                    !in.clipAll && ((in.vertices.planes[v[0]] | in.vertices.planes[v[1]] | in.vertices.planes[v[2]]) &
+                                    SnappedVertices::kCut) == 0;
+                setUpTriangle<float>(
+                    in.view, {in.positions[v[0]], in.positions[v[1]], in.positions[v[2]]}, id,
+                    [&](const RasterTriangle<float>& triangle) { binner.addOther(triangle); }, whole);
+                continue;
+            }
+            const auto index = std::uint32_t(out.small.size());
+            const glm::ivec2 low{fields.lowX[l], fields.lowY[l]}, high{fields.highX[l], fields.highY[l]};
+            out.small.push_back({fields.a1[l], fields.b1[l], fields.c1[l], fields.a2[l], fields.b2[l], fields.c2[l],
+                                 fields.area[l], fields.w0[l], fields.w1[l], fields.w2[l],
+                                 float(1 / double(fields.area[l])), id, std::int16_t(low.x), std::int16_t(low.y),
+                                 std::uint8_t(high.x - low.x), std::uint8_t(high.y - low.y),
+                                 std::uint8_t(fields.owns[l]), std::uint8_t(fields.order[l])});
+            binner.add(index, low, high);
+        }
+    }
+    binner.finish();
+}
+
+}  // namespace pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pipeline {
+
+HWY_EXPORT(setUpTriangles);
+
+bool TrianglePieces::touches(std::size_t tile) const {
+    return std::ranges::any_of(pieces, [&](const TrianglePiece& piece) { return !piece.list(tile).empty(); });
+}
+
+std::size_t trianglesOfPiece(const SetUpInputs& inputs, const TrianglePieces& pieces) {
+    const std::size_t each = (inputs.topology.triangles.size() + pieces.pieces.size() - 1) / pieces.pieces.size();
+    return (each + 15) / 16 * 16;
+}
+
+TrianglePieces prepareSetUp(const SetUpInputs& inputs) {
+    // Enough for the threads of a large machine to share, few enough for their lists of tiles not to count.
+    constexpr std::size_t kMost = 32, kSmallest = 4096;
+    TrianglePieces out;
+    out.size = inputs.view.size;
+    out.tiles = (out.size + kTileSize - 1) / kTileSize;
+    out.pieces.resize(std::clamp<std::size_t>(inputs.topology.triangles.size() / kSmallest, 1, kMost));
+    return out;
+}
+
+void setUpPiece(const SetUpInputs& inputs, std::size_t piece, TrianglePieces& out) {
+    const std::size_t count = inputs.topology.triangles.size(), each = trianglesOfPiece(inputs, out);
+    HWY_DYNAMIC_DISPATCH(setUpTriangles)
+    (inputs, std::min(count, piece * each), std::min(count, (piece + 1) * each), out, out.pieces[piece]);
+}
+
+}  // namespace pipeline
+#endif

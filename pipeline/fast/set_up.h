@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pipeline/stages/bin.h"
+#include "pipeline/stages/snapped_vertices.h"
+
+namespace pipeline {
+
+// The triangles of a picture, set up and sorted into its tiles: what binTriangles does, many triangles at a time, into
+// records whose edge functions fit into 32 bits. It reads vertices that have been projected before.
+
+// Edge functions in steps² of the grid, c at the first pixel of its box, a more at the next column, b at the next row.
+// The one of corner 0 is area - e1 - e2. Corners and w as in RasterTriangle: clockwise, the farthest first.
+struct SmallTriangle {
+    std::int32_t a1, b1, c1, a2, b2, c2, area;
+    float w0, w1, w2, inverseArea2;  // in steps too: exactly that of RasterTriangle by a power of two
+    std::uint32_t id;                // index into Topology::triangles
+    std::int16_t x, y;               // the box's first pixel
+    std::uint8_t width, height;      // of the box within the picture, pixels, at least 1
+    std::uint8_t owns;               // bit i: edge i owns the samples on it
+    std::uint8_t order;              // which of the triangle's own corners is corner 0, + 3 when they were turned round
+
+    // Which of the triangle's own corners is corner i.
+    int corner(int i) const {
+        const int first = order % 3, at = first + i < 3 ? first + i : first + i - 3;
+        return order >= 3 && at > 0 ? 3 - at : at;
+    }
+};
+static_assert(sizeof(SmallTriangle) == 56);
+
+// Those of a range of polygons. What is too large for 32 bits, or had to be clipped, stands in `others`.
+struct TrianglePiece {
+    static constexpr std::uint32_t kOther = 1u << 31;  // an index into `others`
+    std::vector<SmallTriangle> small;
+    std::vector<RasterTriangle<float>> others;
+    std::vector<std::uint32_t> firstOfTile;  // per tile, and one past the last: where its list begins
+    std::vector<std::uint32_t> lists;        // indices, tile after tile, in the order of the polygons
+    long long clipped = 0, unclipped = 0;
+
+    // Empty where the run was stopped before the piece was set up.
+    std::span<const std::uint32_t> list(std::size_t tile) const {
+        if (firstOfTile.empty()) return {};
+        return {lists.data() + firstOfTile[tile], lists.data() + firstOfTile[tile + 1]};
+    }
+};
+
+// Drawn piece after piece, the order is that of the polygons.
+struct TrianglePieces {
+    glm::ivec2 size{0}, tiles{0};  // of the picture, pixels; columns and rows of tiles
+    std::vector<TrianglePiece> pieces;
+
+    std::size_t tileCount() const { return std::size_t(tiles.x) * std::size_t(tiles.y); }
+    bool touches(std::size_t tile) const;
+};
+
+struct SetUpInputs {
+    const Topology& topology;
+    const View& view;
+    std::span<const Vec3<float>> positions;  // per vertex, in the view's space
+    const SnappedVertices& vertices;
+    std::span<const Verdict> verdicts{};     // per polygon; empty: all go on
+    std::span<const std::uint8_t> inside{};  // per polygon, for the counts alone
+    std::span<const std::uint8_t> drawn{};   // per polygon, whether this pass draws it; empty: all
+    bool clipAll = false;                    // also those that need no clipping go through the clipper
+};
+
+TrianglePieces prepareSetUp(const SetUpInputs& inputs);
+std::size_t trianglesOfPiece(const SetUpInputs& inputs, const TrianglePieces& pieces);
+void setUpPiece(const SetUpInputs& inputs, std::size_t piece, TrianglePieces& out);
+
+}  // namespace pipeline

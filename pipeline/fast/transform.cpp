@@ -1,0 +1,194 @@
+#include "pipeline/fast/transform.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "pipeline/fast/targets.h"
+#include "pipeline/stages/clip.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/fast/transform.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace pipeline::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A number a vertex, as many as there are doubles in a vector.
+using D = hn::ScalableTag<double>;
+using F = hn::Rebind<float, D>;
+using I = hn::RebindToSigned<F>;
+using Floats = hn::Vec<F>;
+
+struct Floats3 {
+    Floats x, y, z;
+};
+
+HWY_INLINE Floats all(float value) { return hn::Set(F(), value); }
+
+// Products before sums, sums from the left, nothing fused: glm's order.
+HWY_INLINE Floats dot(Vec3<float> a, Floats3 b) {
+    return hn::Add(hn::Add(hn::Mul(all(a.x), b.x), hn::Mul(all(a.y), b.y)), hn::Mul(all(a.z), b.z));
+}
+
+HWY_INLINE Floats3 load(const Vec3<float>* at) {
+    Floats3 v;
+    hn::LoadInterleaved3(F(), &at->x, v.x, v.y, v.z);
+    return v;
+}
+HWY_INLINE void store(Floats3 v, Vec3<float>* at) { hn::StoreInterleaved3(v.x, v.y, v.z, F(), &at->x); }
+
+}  // namespace
+
+void transformVertices(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
+                       TransformOutput<float>& out) {
+    const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
+    const glm::mat3 linear(matrix.linear);
+    const Vec3<float> translation(matrix.translation);
+    const View& view = inputs.view;
+    const Vec3<float> eye(view.eye), right(view.right), up(view.up), forward(view.forward);
+    const Vec2<float> scale(view.scale), centre(view.centre);
+    const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
+    const std::size_t first = inputs.topology->firstVertex[object];
+    const D d;
+    const F f;
+    const auto row = [&](int r, Floats3 p) HWY_ATTR {
+        return hn::Add(dot({linear[0][r], linear[1][r], linear[2][r]}, p), all(translation[r]));
+    };
+    const std::size_t lanes = hn::Lanes(f);
+    std::size_t i = begin;
+    for (; i + lanes <= end; i += lanes) {
+        auto x = hn::Zero(d), y = x, z = x;
+        hn::LoadInterleaved3(d, &positions[i].x, x, y, z);
+        const Floats3 p{hn::DemoteTo(f, x), hn::DemoteTo(f, y), hn::DemoteTo(f, z)};
+        const Floats3 world{row(0, p), row(1, p), row(2, p)};
+        const Floats3 fromEye{hn::Sub(world.x, all(eye.x)), hn::Sub(world.y, all(eye.y)), hn::Sub(world.z, all(eye.z))};
+        const Floats3 v{dot(right, fromEye), dot(up, fromEye), dot(forward, fromEye)};
+        store(world, &out.world[first + i]);
+        store(v, &out.viewSpace[first + i]);
+        const Floats spread = view.perspective ? v.z : all(1);
+        const Floats sx = hn::Add(all(centre.x), hn::Div(hn::Mul(all(scale.x), v.x), spread));
+        const Floats sy = hn::Sub(all(centre.y), hn::Div(hn::Mul(all(scale.y), v.y), spread));
+        const Floats largest = all(std::numeric_limits<float>::max());
+        auto placed = hn::And(hn::Le(hn::Abs(sx), largest), hn::Le(hn::Abs(sy), largest));
+        if (view.perspective) placed = hn::AndNot(hn::Lt(v.z, all(float(view.near))), placed);
+        store({hn::IfThenElseZero(placed, sx), hn::IfThenElseZero(placed, sy), hn::IfThenElseZero(placed, v.z)},
+              &out.screen[first + i]);
+    }
+    transform(inputs, object, i, end, out);
+}
+
+namespace {
+
+// Of as many vertices as a vector holds.
+HWY_INLINE void snapVertices(const View& view, const Vec3<float>* from, std::int32_t* toX, std::int32_t* toY,
+                             float* toW, std::uint32_t* toPlanes) {
+    const D d;
+    const F f;
+    const I whole;
+    const Floats3 p = load(from);
+    const auto px = hn::PromoteTo(d, p.x), py = hn::PromoteTo(d, p.y), pz = hn::PromoteTo(d, p.z);
+    const auto one = hn::Set(d, 1.0), half = hn::Set(d, 0.5);
+    const auto spread = view.perspective ? pz : one;
+    const auto x = hn::Mul(hn::Set(d, view.scale.x), px), y = hn::Mul(hn::Set(d, view.scale.y), py);
+    const auto places = hn::Set(d, double(1 << view.subPixelBits));
+    const auto sx = hn::Add(hn::Set(d, view.centre.x), hn::Div(x, spread));
+    const auto sy = hn::Sub(hn::Set(d, view.centre.y), hn::Div(y, spread));
+    hn::StoreU(hn::DemoteTo(whole, hn::Floor(hn::Add(hn::Mul(sx, places), half))), whole, toX);
+    hn::StoreU(hn::DemoteTo(whole, hn::Floor(hn::Add(hn::Mul(sy, places), half))), whole, toY);
+    hn::StoreU(hn::DemoteTo(f, view.perspective ? hn::Div(one, pz) : pz), f, toW);
+
+    // planesAgainst, of the picture and of the guard band. Bits as sums of powers of two.
+    const auto zero = hn::Zero(d);
+    auto bits = zero;
+    const auto add = [&](auto mask, std::uint32_t bit)
+                         HWY_ATTR { bits = hn::Add(bits, hn::IfThenElseZero(mask, hn::Set(d, double(bit)))); };
+    const auto sideOf = [&](double band) HWY_ATTR { return hn::Mul(hn::Set(d, band), spread); };
+    const auto near = hn::Sub(pz, hn::Set(d, view.near)), far = hn::Sub(hn::Set(d, view.far), pz);
+    const glm::dvec2 picture = glm::dvec2(view.size) / 2.0;
+    const auto side = sideOf(picture.x), top = sideOf(picture.y), guard = sideOf(kGuardBand);
+    const auto distances = [&](auto visit) HWY_ATTR {
+        visit(0, near), visit(1, far), visit(2, hn::Add(side, x)), visit(3, hn::Sub(side, x));
+        visit(4, hn::Sub(top, y)), visit(5, hn::Add(top, y));
+    };
+    distances([&](unsigned plane, auto distance) HWY_ATTR {
+        add(hn::Lt(distance, zero), 1u << plane);
+        add(hn::Not(hn::Ge(distance, zero)), 1u << (SnappedVertices::kNotInside + plane));
+    });
+    const auto within = hn::And(hn::And(hn::Ge(near, zero), hn::Ge(far, zero)),
+                                hn::And(hn::And(hn::Ge(hn::Add(guard, x), zero), hn::Ge(hn::Sub(guard, x), zero)),
+                                        hn::And(hn::Ge(hn::Sub(guard, y), zero), hn::Ge(hn::Add(guard, y), zero))));
+    add(hn::Not(within), SnappedVertices::kCut);
+    hn::StoreU(hn::BitCast(hn::RebindToUnsigned<I>(), hn::DemoteTo(whole, bits)), hn::RebindToUnsigned<I>(), toPlanes);
+}
+
+}  // namespace
+
+void snapAll(const View& view, std::span<const Vec3<float>> positions, std::size_t begin, std::size_t end,
+             SnappedVertices& out) {
+    const std::size_t lanes = hn::Lanes(F());
+    std::size_t i = begin;
+    for (; i + lanes <= end; i += lanes)
+        snapVertices(view, &positions[i], &out.x[i], &out.y[i], &out.w[i], &out.planes[i]);
+    if (i == end) return;
+    // The rest, in a vector's room of its own.
+    std::array<Vec3<float>, 16> from;
+    from.fill(positions[i]);
+    std::array<std::int32_t, 16> x, y;
+    std::array<float, 16> w;
+    std::array<std::uint32_t, 16> planes;
+    const std::size_t rest = std::min(end - i, from.size());
+    std::copy_n(&positions[i], rest, from.begin());
+    snapVertices(view, from.data(), x.data(), y.data(), w.data(), planes.data());
+    std::copy_n(x.begin(), rest, &out.x[i]), std::copy_n(y.begin(), rest, &out.y[i]);
+    std::copy_n(w.begin(), rest, &out.w[i]), std::copy_n(planes.begin(), rest, &out.planes[i]);
+}
+
+// The vertices that fill vectors; how many there were.
+std::size_t toLightViewAll(const View& face, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
+                           std::span<Vec3<float>> out) {
+    const Vec3<float> eye(face.eye), right(face.right), up(face.up), forward(face.forward);
+    const std::size_t lanes = hn::Lanes(F());
+    std::size_t i = begin;
+    for (; i + lanes <= end; i += lanes) {
+        const Floats3 p = load(&world[i]);
+        const Floats3 fromEye{hn::Sub(p.x, all(eye.x)), hn::Sub(p.y, all(eye.y)), hn::Sub(p.z, all(eye.z))};
+        store({dot(right, fromEye), dot(up, fromEye), dot(forward, fromEye)}, &out[i]);
+    }
+    return i;
+}
+
+}  // namespace pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "pipeline/stages/shadow_buffer.h"
+
+namespace pipeline {
+
+HWY_EXPORT(transformVertices);
+HWY_EXPORT(snapAll);
+HWY_EXPORT(toLightViewAll);
+
+void transformInVectors(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
+                        TransformOutput<float>& out) {
+    if (inputs.depthFormat != DepthFormat::Linear) return transform(inputs, object, begin, end, out);
+    HWY_DYNAMIC_DISPATCH(transformVertices)(inputs, object, begin, end, out);
+}
+
+void snapInVectors(const View& view, std::span<const Vec3<float>> positions, std::size_t begin, std::size_t end,
+                   SnappedVertices& out) {
+    HWY_DYNAMIC_DISPATCH(snapAll)(view, positions, begin, end, out);
+}
+
+void toLightViewInVectors(const View& face, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
+                          std::span<Vec3<float>> out) {
+    for (std::size_t i = HWY_DYNAMIC_DISPATCH(toLightViewAll)(face, world, begin, end, out); i < end; ++i)
+        out[i] = toLightView(face, world[i]);
+}
+
+}  // namespace pipeline
+#endif
