@@ -80,7 +80,7 @@ Result<std::vector<WrittenDerived>> writeDerived(const Frame& frame, const Expor
             const AnyBuffer& buffer = exporter->usesPalette && derived.picture ? *derived.picture : derived.numbers;
             if (!exporter->refuses(*buffer.info).empty()) continue;
             const std::string file = derived.name + '.' + std::string(exporter->name);
-            const auto bytes = exporter->write(makeItem(frame, buffer, nullptr), folder / file);
+            const auto bytes = exporter->write(makeItem(frame, buffer, nullptr, nullptr), folder / file);
             if (!bytes) return bytes.errors();
             written.back().files.push_back({file, exporter, *bytes});
         }

@@ -15,16 +15,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
-namespace {
-
-HWY_INLINE std::uint32_t bitsOf(hn::Mask<I> mask) {
-    std::uint64_t bits = 0;
-    hn::StoreMaskBits(I(), mask, reinterpret_cast<std::uint8_t*>(&bits));
-    return std::uint32_t(bits);
-}
-
-}  // namespace
-
 void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                    CullOutput& out) {
     const I whole;
@@ -50,7 +40,7 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
         const auto plain = hn::And(hn::Eq(beside, zero), hn::And(hn::Lt(extent(x), limit), hn::Lt(extent(y), limit)));
         const Ints area2 = hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])),
                                    hn::Mul(hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0])));
-        const std::uint32_t isPlain = bitsOf(plain);
+        const std::uint32_t isPlain = bitsOf(asFloats(plain));
         HWY_ALIGN std::int32_t clockwise[16];
         hn::Store(area2, whole, clockwise);
         for (std::size_t l = 0; l < lanes; ++l) {

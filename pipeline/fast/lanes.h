@@ -47,6 +47,14 @@ HWY_INLINE Floats3 unit(Floats3 a) {
     return scaled(a, hn::IfThenElseZero(hn::Gt(square, all(0)), inverse));
 }
 
+HWY_INLINE Mask asFloats(hn::Mask<I> mask) { return hn::RebindMask(F(), mask); }
+// Bit i: of lane i.
+HWY_INLINE std::uint32_t bitsOf(Mask mask) {
+    std::uint64_t bits = 0;
+    hn::StoreMaskBits(F(), mask, reinterpret_cast<std::uint8_t*>(&bits));
+    return std::uint32_t(bits);
+}
+
 // The 3-vectors at `index` of an array of them.
 HWY_INLINE Floats3 gather(const std::vector<Vec3<float>>& values, Ints index) {
     const float* base = &values[0].x;

@@ -76,13 +76,7 @@ struct Fields {
     HWY_ALIGN float w0[16], w1[16], w2[16];
 };
 
-HWY_INLINE std::uint32_t bitsOf(Mask mask) {
-    std::uint64_t bits = 0;
-    hn::StoreMaskBits(F(), mask, reinterpret_cast<std::uint8_t*>(&bits));
-    return std::uint32_t(bits);
-}
 HWY_INLINE Ints pick(Mask mask, Ints yes, Ints no) { return hn::IfThenElse(hn::RebindMask(I(), mask), yes, no); }
-HWY_INLINE Mask asFloats(hn::Mask<I> mask) { return hn::RebindMask(F(), mask); }
 
 // The triangles in `live`, set up; gives those that are small, and in `others` those that are set up one by one.
 HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* triangles, std::uint32_t live, Fields& out,

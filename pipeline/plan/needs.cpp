@@ -174,6 +174,20 @@ struct Decision {
             return {"The painter's algorithm compares no depths.", {}};
         return {};
     }
+    // The stage's own text always leaves them: the vectors of pipeline/fast need not.
+    Need beside(bool read, const char* notBecause) const {
+        const Settings& s = scene.settings;
+        const bool inVectors = s.precision == Precision::Float && s.visibility == Visibility::ZBuffer &&
+                               s.depthFormat == DepthFormat::Linear;
+        return unless(Rule::UnreadBuffers, read || !inVectors ? "" : notBecause);
+    }
+    Need fragmentCounts() const {
+        return beside(anyWanted(wanted, {BufferId::Overdraw, BufferId::DepthWrites}), "Nobody asks for them.");
+    }
+    Need weights(const Need& fastShading) const {
+        return beside(has(BufferId::Barycentric) || !fastShading,
+                      "Nobody asks for them, and fast arithmetic keeps them for no longer than a tile.");
+    }
     // Only what the kernels of pipeline/fast have.
     Need fastShading() const {
         const Settings& settings = scene.settings;
@@ -241,6 +255,8 @@ Needs needsOf(const Scene& scene, BufferSet wanted) {
     needs.halfway = decide.halfway(specular);
     needs.depthTest = decide.depthTest();
     needs.fastShading = decide.fastShading();
+    needs.fragmentCounts = decide.fragmentCounts();
+    needs.weights = decide.weights(needs.fastShading);
     needs.layers = decide.layers();
     needs.layerSort = decide.layerSort(needs.layers);
     return needs;

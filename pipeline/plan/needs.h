@@ -23,6 +23,7 @@ struct Need {
 struct Needs {
     Need cull, vertexNormals, shadowBuffers, polygonTerms, vertexTerms, ambient, position, viewVector;
     Need depthTest;                                                // of fragments at a pixel
+    Need fragmentCounts, weights;                                  // what stage 5 leaves beside distances and triangles
     Need reflection, halfway;                                      // R and H
     Need fastShading;                                              // vectors of pixels, where they can be used
     Need layers, layerSort;                                        // of translucent polygons

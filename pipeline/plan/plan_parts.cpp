@@ -52,6 +52,9 @@ void zBufferParts(Parts& out) {
     if (!outlines)
         out.within("clipping", Rule::Clipping, "Only of polygons that culling did not find whole in the picture.",
                    "Of every polygon.");
+    out.add("counts of fragments", out.needs.fragmentCounts, "They are asked for, or come by themselves.",
+            "8 bytes a pixel");
+    out.add("barycentric weights", out.needs.weights, "Shading, or somebody, reads them.", "12 bytes a pixel");
     out.add("depth test", out.needs.depthTest, "Of all fragments at a pixel the nearest stays.", "");
     out.add("sort", {noOrder, {}}, "Polygons are painted from the farthest to the nearest.", "");
     out.add("split", {sorts && !settings.split ? "Off in this scene: split = off." : noOrder, {}},

@@ -106,7 +106,7 @@ inline void drawShadowFace(const TransformOutput<float>& in, const View& face, B
 template <class Real>
 std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBufferInputs& inputs,
                                                                 const TransformOutput<Real>& in, Threads& threads) {
-    auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in));
+    auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in, std::is_same_v<Real, float>));
     const auto drawFace = [&](LightView<Real>& light, std::size_t face) {
         if constexpr (std::is_same_v<Real, float>) {
             drawShadowFace(in, light.faces[face], light.depth[face], threads);

@@ -90,7 +90,8 @@ std::size_t faceOf(const LightView<Real>& light, Vec3<Real> world) {
 }
 
 template <class Real>
-ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in) {
+ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in,
+                                             bool raw) {
     ShadowBufferOutput<Real> out;
     out.lights.resize(inputs.casters.size());
     for (std::size_t k = 0; k < inputs.casters.size(); ++k) {
@@ -99,8 +100,12 @@ ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, c
             light.faces = inputs.casters[k].kind == LightKind::AtInfinity
                               ? std::vector<View>{fitAtInfinity(place, inputs.size, in)}
                               : sixFaces(place, inputs.size, in);
-            for (const View& face : light.faces)
-                light.depth.emplace_back(face.size, std::numeric_limits<Real>::infinity());
+            for (const View& face : light.faces) {
+                if (raw)
+                    light.depth.emplace_back(face.size);
+                else
+                    light.depth.emplace_back(face.size, std::numeric_limits<Real>::infinity());
+            }
             // A difference, three products and two sums, on either side of the comparison.
             Real largest = Real(largestComponent(light.faces[0].eye));
             for (const Vec3<Real>& world : in.world) largest = std::max(largest, largestComponent(world));
@@ -129,11 +134,12 @@ void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t 
     }
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                                \
-    template Vec3<Real> toLightView(const View&, Vec3<Real>);                                                       \
-    template std::size_t faceOf(const LightView<Real>&, Vec3<Real>);                                                \
-    template ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs&, const TransformOutput<Real>&); \
-    template TriangleBins<Real> binForLight(const TransformOutput<Real>&, const View&);                             \
+#define SHADESCOPE_INSTANTIATE(Real)                                                                               \
+    template Vec3<Real> toLightView(const View&, Vec3<Real>);                                                      \
+    template std::size_t faceOf(const LightView<Real>&, Vec3<Real>);                                               \
+    template ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs&, const TransformOutput<Real>&, \
+                                                          bool);                                                   \
+    template TriangleBins<Real> binForLight(const TransformOutput<Real>&, const View&);                            \
     template void shadowBuffer(const View&, const TriangleBins<Real>&, std::size_t, Buffer2D<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

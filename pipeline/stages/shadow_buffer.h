@@ -42,8 +42,10 @@ struct ShadowBufferOutput {
 // Gives a view whose `forward` is set a right-handed pair of axes across it: the sides of the texels.
 void placeAxes(View& view);
 
+// raw: every texel will be written before any is read, so that none is cleared here.
 template <class Real>
-ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in);
+ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in,
+                                             bool raw = false);
 
 // The scene's triangles as one face of a light sees them, whichever way they face.
 template <class Real>

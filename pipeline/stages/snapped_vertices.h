@@ -7,9 +7,9 @@ namespace pipeline {
 // Vertices of a view in float as its polygons are set up from: projected and snapped in double, each once for all the
 // polygons around it. An array a coordinate, one element a vertex.
 struct SnappedVertices {
-    int bits = 8;                      // the grid's steps are 2^-bits pixels
-    std::vector<std::int32_t> x, y;    // steps, y down; any number where kCut is set
-    std::vector<float> w;              // 1/z_view in perspective, z_view in orthographic projection
+    int bits = 8;                       // the grid's steps are 2^-bits pixels
+    std::vector<std::int32_t> x, y;     // steps, y down; any number where kCut is set
+    std::vector<float> w;               // 1/z_view in perspective, z_view in orthographic projection
     std::vector<std::uint32_t> planes;  // bits: where the vertex stands
 
     // Bit k: outside plane k (clip.h) of the picture; bit kNotInside + k: not inside it.

@@ -89,7 +89,7 @@ View makeView(const Scene& scene) {
         const double half = sinDegrees(camera.fovY / 2) / cosDegrees(camera.fovY / 2);
         view.scale = glm::dvec2(view.perspective ? view.centre.y / half : view.size.y / camera.height);
     }
-    chooseRange(scene, view);
+    if (camera.near == 0 || camera.far == 0) chooseRange(scene, view);
     if (camera.near != 0) view.near = camera.near;
     if (camera.far != 0) view.far = camera.far;
     return view;

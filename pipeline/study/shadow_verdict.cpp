@@ -121,7 +121,8 @@ std::optional<ShadowVerdicts> judgeShadows(const Frame& frame, const ExactShadow
 }
 
 AnyBuffer numbersOf(const ShadowVerdicts& verdicts) {
-    const auto owner = std::make_shared<std::vector<std::int32_t>>(verdicts.verdicts.pixels);
+    const auto owner =
+        std::make_shared<std::vector<std::int32_t>>(verdicts.verdicts.pixels.begin(), verdicts.verdicts.pixels.end());
     const glm::ivec2 size = verdicts.verdicts.size;
     return {{BufferId::Shadow, int(verdicts.light)},
             &kNumbers,

@@ -53,6 +53,8 @@ protected:
         });
         act();
         QCoreApplication::processEvents();
+        window.activateWindow();  // not every platform gives a box's focus back
+        QCoreApplication::processEvents();
         EXPECT_TRUE(asked);
     }
 };
