@@ -32,7 +32,7 @@ std::span<const ActionRow> actionTable() {
         {A::KeepResult, "Edit", "Keep the result before", "Alt+K",
          "Keeps what the picked pixel's intensity was before the last change, or drops it.", true},
 
-        {A::TwoBufferViews, "View", "Second buffer view", "Ctrl+Alt+2", "Shows a second buffer below the first.", true},
+        {A::TwoBufferViews, "View", "Second buffer view", "Ctrl+Alt+V", "Shows a second buffer below the first.", true},
         {A::Thumbnails, "View", "Thumbnails", "Ctrl+T", "Shows the buffers small, in the order of the stages.", true},
         {A::DarkTheme, "View/Theme", "Dark", "", "Light letters on a dark ground.", true, true},
         {A::LightTheme, "View/Theme", "Light", "", "Dark letters on a light ground.", true},

@@ -3,10 +3,12 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
+#include <map>
 
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
+#include "app/desktop/panel_table.h"
 #include "app/panels/buffer_canvas.h"
 #include "tests/app/window_fixture.h"
 
@@ -108,6 +110,19 @@ TEST_F(WindowLook, KeysAreListedAndEscapeClosesTheList) {
     ASSERT_TRUE(sheet->isVisible());
     QTest::keyClick(sheet, Qt::Key_Escape);
     EXPECT_FALSE(sheet->isVisible());
+}
+
+// Two that share a key: Qt calls neither.
+TEST(Keys, AreEachGivenOnce) {
+    std::map<QString, std::string> owners;
+    const auto add = [&](const char* keys, const char* owner) {
+        for (const QString& key : QString(keys).split("; ", Qt::SkipEmptyParts)) {
+            const auto [at, isNew] = owners.try_emplace(key, owner);
+            EXPECT_TRUE(isNew) << key.toStdString() << ": " << at->second << " and " << owner;
+        }
+    };
+    for (const ActionRow& row : actionTable()) add(row.keys, row.text);
+    for (const PanelRow& row : panelTable()) add(row.keys, row.title);
 }
 
 }  // namespace
