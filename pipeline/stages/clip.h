@@ -30,12 +30,14 @@ template <class W>
 PlaneBits planesAgainst(const View& view, Vec3<W> p, glm::dvec2 band) {
     const W spread = view.perspective ? p.z : W(1), x = W(view.scale.x) * p.x, y = W(view.scale.y) * p.y;
     const W side = W(band.x) * spread, top = W(band.y) * spread;
-    const W distances[kPlaneCount]{p.z - W(view.near), W(view.far) - p.z, side + x, side - x, top - y, top + y};
     PlaneBits bits;
-    for (std::size_t i = 0; i < kPlaneCount; ++i) {
-        bits.outside |= unsigned(distances[i] < 0) << i;
-        bits.notInside |= unsigned(!(distances[i] >= 0)) << i;
-    }
+    const auto add = [&bits](Plane plane, W distance) {
+        bits.outside |= unsigned(distance < 0) << unsigned(plane);
+        bits.notInside |= unsigned(!(distance >= 0)) << unsigned(plane);
+    };
+    add(Plane::Near, p.z - W(view.near)), add(Plane::Far, W(view.far) - p.z);
+    add(Plane::Left, side + x), add(Plane::Right, side - x);
+    add(Plane::Top, top - y), add(Plane::Bottom, top + y);
     return bits;
 }
 
