@@ -24,19 +24,12 @@ Stepper::Stepper(QObject* parent) : QObject(parent) {
     m_count.setSingleShot(true);
     m_count.setInterval(150);
     connect(&m_count, &QTimer::timeout, this, &Stepper::request);
-    m_worker = std::make_unique<StepWorker>([this](StepWorker::Result result) {
-        QMetaObject::invokeMethod(
-            this, [this, result = std::move(result)] { take(result); }, Qt::QueuedConnection);
-    });
 }
-
-Stepper::~Stepper() { m_worker.reset(); }
 
 void Stepper::setWhole(pipeline::FramePtr whole) {
     m_whole = std::move(whole);
     if (!m_whole) {
-        m_worker->forget();
-        m_oldestValid = m_ticket + 1;
+        m_job.forget();
         m_timer.stop(), m_count.stop();
         m_steps.reset(), m_place.reset(), m_bookmarks.clear();
         m_waiting = 0;
@@ -51,16 +44,23 @@ void Stepper::setWhole(pipeline::FramePtr whole) {
 
 void Stepper::request() {
     m_count.stop();
-    if (m_whole) m_ticket = m_worker->request(m_whole, m_place);
+    if (!m_whole) return;
+    const auto find = [this, whole = m_whole, at = m_place](const BackgroundJob::Control& control) {
+        if (!m_counted || m_counted->frame() != whole) m_counted = std::make_shared<const pipeline::Steps>(whole);
+        Answer answer{m_counted, nullptr};
+        if (at) answer.shown = m_counted->frameAt(m_counted->momentOf(*at), 0, control.stop);
+        return answer;
+    };
+    // What is being found may finish, so that pictures come while the scrubber is dragged.
+    m_job.ask(
+        find, [this](const Answer& answer) { take(answer); }, BackgroundJob::Running::Finish);
 }
 
-void Stepper::take(StepWorker::Result result) {
-    m_taken = result.ticket;
-    if (result.ticket < m_oldestValid) return;
-    const bool counted = m_steps != result.steps;
-    m_steps = std::move(result.steps);
+void Stepper::take(const Answer& answer) {
+    const bool counted = m_steps != answer.steps;
+    m_steps = answer.steps;
     if (counted && m_waiting != 0) step(std::exchange(m_waiting, 0));
-    if (result.shown && isInside()) emit shown(result.shown);
+    if (answer.shown && isInside()) emit shown(answer.shown);
     if (counted) emit changed();
 }
 

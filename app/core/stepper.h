@@ -3,9 +3,12 @@
 #include <QTimer>
 #include <vector>
 
-#include "app/core/step_worker.h"
+#include "app/core/background_job.h"
+#include "pipeline/steps/steps.h"
 
 namespace app {
+
+using StepsPtr = std::shared_ptr<const pipeline::Steps>;
 
 // Where the window stands inside the frame: at its end, which is the frame as every view knows it, or at a moment
 // before, when it shows the state there. Plays, keeps bookmarks, and computes off the GUI thread. The place is known
@@ -16,7 +19,6 @@ public:
     using Level = pipeline::StepLevel;
 
     explicit Stepper(QObject* parent = nullptr);
-    ~Stepper() override;
 
     // The newest whole frame; null forgets all, bookmarks too.
     void setWhole(pipeline::FramePtr whole);
@@ -28,8 +30,8 @@ public:
     // Where the handle stands: the place among steps(); at the end of the stage on show where it is not inside. Nothing
     // before there are steps.
     std::optional<pipeline::Moment> moment() const;
-    bool isSettled() const { return m_taken == m_ticket; }  // nothing is being computed
-    QString words() const;                                  // "polygon 2, row 270, x 258"
+    bool isSettled() const { return !m_job.busy(); }  // nothing is being computed
+    QString words() const;                            // "polygon 2, row 270, x 258"
 
     void goTo(const pipeline::Place& place);
     void goTo(pipeline::Moment moment);
@@ -63,7 +65,11 @@ signals:
 
 private:
     void request();
-    void take(StepWorker::Result result);
+    struct Answer {
+        StepsPtr steps;            // of the whole frame that was asked about
+        pipeline::FramePtr shown;  // its state at the place; null where it is shown whole
+    };
+    void take(const Answer& answer);
     void tick();
     void sortBookmarks();
 
@@ -74,11 +80,11 @@ private:
     Level m_level = Level::Polygon;
     double m_speed = 1, m_due = 0;  // steps that are due while it plays
     std::vector<pipeline::Place> m_bookmarks;
-    QTimer m_timer;                                     // plays
-    QTimer m_count;                                     // counts the steps of a frame once no other follows at once
-    int m_waiting = 0;                                  // steps asked for before they were counted
-    long m_ticket = 0, m_taken = 0, m_oldestValid = 0;  // of requests
-    std::unique_ptr<StepWorker> m_worker;
+    QTimer m_timer;       // plays
+    QTimer m_count;       // counts the steps of a frame once no other follows at once
+    int m_waiting = 0;    // steps asked for before they were counted
+    StepsPtr m_counted;   // of the newest frame; the job's thread alone
+    BackgroundJob m_job;  // last: it ends before what its work looks at
 };
 
 }  // namespace app

@@ -2,11 +2,9 @@
 #include <QImage>
 #include <QObject>
 #include <QString>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
-#include <thread>
 
+#include "app/core/background_job.h"
 #include "pipeline/study/run_study.h"
 
 namespace app {
@@ -24,7 +22,6 @@ class StudyImages : public QObject {
     Q_OBJECT
 public:
     explicit StudyImages(QObject* parent = nullptr);
-    ~StudyImages() override;  // stops what runs, and waits
 
     void ask(std::shared_ptr<const pipeline::Scene> scene, const std::vector<pipeline::SweepAxis>& axes,
              const pipeline::StudyPoint& point);
@@ -34,22 +31,11 @@ signals:
     void ready(const SettingPictures& pictures);
 
 private:
-    struct Job {
-        std::shared_ptr<const pipeline::Scene> scene;
-        std::vector<pipeline::SweepAxis> axes;
-        pipeline::StudyPoint point;
-        long ticket = 0;
-    };
-    void work(const std::stop_token& quit);
-
-    std::mutex m_mutex;
-    std::condition_variable_any m_arrived;
-    // Guarded by m_mutex.
-    std::optional<Job> m_next;
-    std::stop_source m_stop;
-
-    long m_ticket = 0;      // of the newest request; the GUI thread alone
-    std::jthread m_thread;  // last: starts when all else is there
+    // The job's thread alone: what computes the settings of one study, and which study that is.
+    std::optional<pipeline::ErrorFinder> m_finder;
+    std::shared_ptr<const pipeline::Scene> m_scene;
+    std::vector<pipeline::SweepAxis> m_axes;
+    BackgroundJob m_job;  // last: it ends before what its work looks at
 };
 
 }  // namespace app

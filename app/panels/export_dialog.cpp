@@ -1,6 +1,5 @@
 #include "app/panels/export_dialog.h"
 
-#include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -9,15 +8,14 @@
 #include <QIntValidator>
 #include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
 #include <QPushButton>
-#include <QUrl>
 
 #include "app/core/export_job.h"
 #include "app/core/text.h"
 #include "app/panels/export_formats.h"
 #include "app/panels/export_list.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/job_foot.h"
 #include "pipeline/plan/needs.h"
 
 namespace app {
@@ -35,7 +33,10 @@ QLabel* makeLabel(const QString& name, int tone, QWidget* parent) {
 }  // namespace
 
 ExportDialog::ExportDialog(Document& document, QWidget* parent)
-    : QDialog(parent), m_document(document), m_buffers(new ExportList(this)) {
+    : QDialog(parent),
+      m_document(document),
+      m_buffers(new ExportList(this)),
+      m_foot(new JobFoot("export", tr("Export"), this)) {
     setObjectName("exportDialog");
     setWindowTitle(tr("Export buffers"));
     auto* halves = new QHBoxLayout;
@@ -43,14 +44,16 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
     halves->addWidget(makeTarget(), 5);
     auto* column = new QVBoxLayout(this);
     column->addLayout(halves, 1);
-    column->addWidget(makeFoot());
+    column->addWidget(m_foot);
+    connect(m_foot, &JobFoot::startAsked, this, &ExportDialog::start);
+    connect(m_foot, &JobFoot::cancelAsked, this, [this] { m_job->cancel(); });
+    connect(m_foot, &JobFoot::closeAsked, this, &ExportDialog::reject);
     followTheme(this, [this, column, halves] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
         halves->setSpacing(theme.px(16));
         m_total->setFont(theme.text(13, 600));
         m_files->setFont(theme.mono(12));
-        m_command->setFont(theme.mono(12));
         resize(theme.px(880), theme.px(620));
     });
     // Everything that the scene has a use for is computed while the dialog is open, so that the
@@ -114,48 +117,6 @@ QWidget* ExportDialog::makeTarget() {
     return right;
 }
 
-QWidget* ExportDialog::makeFoot() {
-    auto* foot = new QWidget(this);
-    auto* same = new QLabel(tr("The same as"), foot);
-    same->setProperty("tone", 2);
-    m_command = new QLineEdit(foot);
-    m_command->setObjectName("exportCommand");
-    m_command->setAccessibleName(tr("The same as a command"));
-    m_command->setReadOnly(true);
-    auto* command = new QHBoxLayout;
-    command->addWidget(same);
-    command->addWidget(m_command, 1);
-    m_message = makeLabel("exportMessage", 1, foot);
-    m_progress = new QProgressBar(foot);
-    m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->setFixedHeight(Theme::current().px(6));
-    m_showFolder = new QPushButton(tr("Show folder"), foot);
-    m_cancel = new QPushButton(tr("Cancel"), foot);
-    m_cancel->setObjectName("exportCancel");
-    m_export = new QPushButton(tr("Export"), foot);
-    m_export->setObjectName("exportStart");
-    m_export->setProperty("kind", "primary");
-    m_export->setDefault(true);
-    m_showFolder->hide();
-    m_progress->hide();
-    connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
-    connect(m_cancel, &QPushButton::clicked, this, [this] { m_job ? m_job->cancel() : reject(); });
-    connect(m_showFolder, &QPushButton::clicked, this,
-            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_folder->text())); });
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_message, 1);
-    row->addWidget(m_showFolder);
-    row->addWidget(m_cancel);
-    row->addWidget(m_export);
-    auto* column = new QVBoxLayout(foot);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addLayout(command);
-    column->addWidget(m_progress);
-    column->addLayout(row);
-    return foot;
-}
-
 void ExportDialog::showFrame() {
     if (!m_document.wholeFrame() || m_job) return;
     m_buffers->setFrame(*m_document.wholeFrame());
@@ -198,21 +159,17 @@ void ExportDialog::showSummary() {
                          .arg(sizeText(std::uint64_t(bytes))));
     const QString more = files.size() > 7 ? tr("\nand %1 more").arg(files.size() - 7) : QString();
     m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') + more);
-    m_command->setText(exportCommand(*sceneToExport(), wanted, m_buffers->isAllChosen()));
-    m_command->setCursorPosition(0);
+    m_foot->setCommand(exportCommand(*sceneToExport(), wanted, m_buffers->isAllChosen()));
     const bool ready = !wanted.buffers.empty() && !wanted.formats.empty() && !m_folder->text().isEmpty() &&
                        m_width->hasAcceptableInput() && m_height->hasAcceptableInput();
-    m_export->setEnabled(ready && !m_job);
-    m_export->setToolTip(ready ? QString() : tr("Choose a buffer, a format, a folder and a size first."));
+    m_foot->setReady(ready, tr("Choose a buffer, a format, a folder and a size first."));
 }
 
 void ExportDialog::start() {
     if (m_job) return;
     m_job = new ExportJob(sceneToExport(), m_document.wholeFrame(), request(), this);
-    connect(m_job, &ExportJob::progressed, this, [this](double share, const QString& file) {
-        m_progress->setValue(int(share * 1000));
-        m_message->setText(file);
-    });
+    connect(m_job, &ExportJob::progressed, this,
+            [this](double share, const QString& file) { m_foot->setProgress(share, file); });
     connect(m_job, &ExportJob::finished, this, [this](const pipeline::ExportSummary& summary) {
         finish(summary.cancelled
                    ? tr("Cancelled. Nothing was written.")
@@ -221,19 +178,13 @@ void ExportDialog::start() {
     });
     connect(m_job, &ExportJob::failed, this,
             [this](const pipeline::Errors& errors) { finish(toQString(format(errors)).trimmed(), false); });
-    m_progress->show();
-    m_export->setEnabled(false);
-    m_cancel->setText(tr("Cancel"));
+    m_foot->begin();
 }
 
 void ExportDialog::finish(const QString& sentence, bool done) {
     m_job->deleteLater();
     m_job = nullptr;
-    m_message->setText(sentence);
-    m_progress->hide();
-    m_showFolder->setVisible(done);
-    m_cancel->setText(tr("Close"));
-    m_export->setEnabled(true);
+    m_foot->finish(sentence, done ? m_folder->text() : QString());
 }
 
 }  // namespace app

@@ -6,14 +6,13 @@
 
 class QLabel;
 class QLineEdit;
-class QProgressBar;
-class QPushButton;
 
 namespace app {
 
 class ExportFormats;
 class ExportJob;
 class ExportList;
+class JobFoot;
 
 // Chooses buffers, formats, a folder and the picture's size, says what that writes and which
 // command line would do the same, and writes it with progress and cancel.
@@ -28,7 +27,6 @@ public:
 
 private:
     QWidget* makeTarget();
-    QWidget* makeFoot();
     void showFrame();
     void showSummary();
     std::shared_ptr<const pipeline::Scene> sceneToExport() const;
@@ -40,10 +38,8 @@ private:
     ExportFormats* m_formats;
     QLineEdit* m_folder;
     QLineEdit *m_width, *m_height;
-    QLabel *m_total, *m_files, *m_message;
-    QLineEdit* m_command;
-    QProgressBar* m_progress;
-    QPushButton *m_export, *m_cancel, *m_showFolder;
+    QLabel *m_total, *m_files;
+    JobFoot* m_foot;
     ExportJob* m_job = nullptr;
     std::string m_state;
 };

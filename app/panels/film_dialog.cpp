@@ -2,21 +2,18 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QUrl>
 
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/job_foot.h"
 
 namespace app {
 namespace {
@@ -32,17 +29,19 @@ bool hasPixels(const pipeline::BufferName& name) {
 }  // namespace
 
 FilmDialog::FilmDialog(Document& document, const pipeline::BufferName& buffer, QWidget* parent)
-    : QDialog(parent), m_document(document) {
+    : QDialog(parent), m_document(document), m_foot(new JobFoot("film", tr("Write the film"), this)) {
     setObjectName("filmDialog");
     setWindowTitle(tr("Step film"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(makeFields(buffer));
     column->addStretch(1);
-    column->addWidget(makeFoot());
+    column->addWidget(m_foot);
+    connect(m_foot, &JobFoot::startAsked, this, &FilmDialog::start);
+    connect(m_foot, &JobFoot::cancelAsked, this, [this] { m_job->cancel(); });
+    connect(m_foot, &JobFoot::closeAsked, this, &FilmDialog::reject);
     followTheme(this, [this, column] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
-        m_command->setFont(theme.mono(12));
         resize(theme.px(620), theme.px(380));
     });
     showOrder();
@@ -102,48 +101,7 @@ QWidget* FilmDialog::makeFields(const pipeline::BufferName& buffer) {
     return fields;
 }
 
-QWidget* FilmDialog::makeFoot() {
-    auto* foot = new QWidget(this);
-    m_command = new QLineEdit(foot);
-    m_command->setReadOnly(true);
-    m_command->setAccessibleName(tr("The same as a command"));
-    m_message = new QLabel(foot);
-    m_message->setObjectName("filmMessage");
-    m_message->setWordWrap(true);
-    m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_progress = new QProgressBar(foot);
-    m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    m_progress->setFixedHeight(Theme::current().px(6));
-    m_progress->hide();
-    m_showFolder = new QPushButton(tr("Show folder"), foot);
-    m_showFolder->hide();
-    m_cancel = new QPushButton(tr("Cancel"), foot);
-    m_cancel->setObjectName("filmCancel");
-    m_start = new QPushButton(tr("Write the film"), foot);
-    m_start->setObjectName("filmStart");
-    m_start->setProperty("kind", "primary");
-    m_start->setDefault(true);
-    connect(m_start, &QPushButton::clicked, this, &FilmDialog::start);
-    connect(m_cancel, &QPushButton::clicked, this, [this] { m_job ? m_job->cancel() : reject(); });
-    connect(m_showFolder, &QPushButton::clicked, this, [this] {
-        const QFileInfo target(m_target->text());
-        QDesktopServices::openUrl(QUrl::fromLocalFile(target.isDir() ? target.filePath() : target.path()));
-    });
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_message, 1);
-    row->addWidget(m_showFolder);
-    row->addWidget(m_cancel);
-    row->addWidget(m_start);
-    auto* column = new QVBoxLayout(foot);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_command);
-    column->addWidget(m_progress);
-    column->addLayout(row);
-    return foot;
-}
-
-QString FilmDialog::message() const { return m_message->text(); }
+QString FilmDialog::message() const { return m_foot->message(); }
 
 FilmOrder FilmDialog::order() const {
     const auto buffer = pipeline::findBuffer(m_buffer->currentText().toStdString());
@@ -158,15 +116,11 @@ FilmOrder FilmDialog::order() const {
 }
 
 void FilmDialog::showOrder() {
-    if (!m_command) return;  // it is being made
     const bool single = m_target->text().endsWith(".gif");
     m_milliseconds->setEnabled(single);
     m_milliseconds->setToolTip(single ? QString() : tr("PNG files have no speed; a file that ends in .gif has."));
-    const bool ready = !m_target->text().isEmpty();
-    m_start->setEnabled(ready && !m_job);
-    m_start->setToolTip(ready ? QString() : tr("Choose a file that ends in .gif, or a folder."));
-    m_command->setText(filmCommand(m_document.scene(), order()));
-    m_command->setCursorPosition(0);
+    m_foot->setReady(!m_target->text().isEmpty(), tr("Choose a file that ends in .gif, or a folder."));
+    m_foot->setCommand(filmCommand(m_document.scene(), order()));
 }
 
 void FilmDialog::chooseTarget() {
@@ -178,7 +132,7 @@ void FilmDialog::chooseTarget() {
 void FilmDialog::start() {
     if (m_job) return;
     m_job = new FilmJob(std::make_shared<const pipeline::Scene>(m_document.scene()), order(), this);
-    connect(m_job, &FilmJob::progressed, this, [this](double share) { m_progress->setValue(int(share * 1000)); });
+    connect(m_job, &FilmJob::progressed, this, [this](double share) { m_foot->setProgress(share); });
     connect(m_job, &FilmJob::finished, this, [this](const pipeline::FilmSummary& summary) {
         finish(summary.cancelled
                    ? tr("Cancelled. Nothing was written.")
@@ -187,21 +141,14 @@ void FilmDialog::start() {
     });
     connect(m_job, &FilmJob::failed, this,
             [this](const pipeline::Errors& errors) { finish(toQString(format(errors)).trimmed(), false); });
-    m_message->clear();
-    m_progress->setValue(0);
-    m_progress->show();
-    m_start->setEnabled(false);
-    m_cancel->setText(tr("Cancel"));
+    m_foot->begin();
 }
 
 void FilmDialog::finish(const QString& sentence, bool done) {
     m_job->deleteLater();
     m_job = nullptr;
-    m_message->setText(sentence);
-    m_progress->hide();
-    m_showFolder->setVisible(done);
-    m_cancel->setText(tr("Close"));
-    m_start->setEnabled(true);
+    const QFileInfo target(m_target->text());
+    m_foot->finish(sentence, !done ? QString() : target.isDir() ? target.filePath() : target.path());
 }
 
 }  // namespace app

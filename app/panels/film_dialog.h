@@ -6,13 +6,12 @@
 
 class QCheckBox;
 class QComboBox;
-class QLabel;
 class QLineEdit;
-class QProgressBar;
-class QPushButton;
 class QSpinBox;
 
 namespace app {
+
+class JobFoot;
 
 // A film of a buffer's build-up, step by step: which buffer, what a step is, how many pictures, and where it goes. Written
 // with progress and cancel.
@@ -27,7 +26,6 @@ public:
 
 private:
     QWidget* makeFields(const pipeline::BufferName& buffer);
-    QWidget* makeFoot();
     void showOrder();
     void chooseTarget();
     void start();
@@ -37,10 +35,8 @@ private:
     QComboBox *m_buffer, *m_level, *m_end;
     QSpinBox *m_pictures, *m_milliseconds;
     QCheckBox* m_captions;
-    QLineEdit *m_target = nullptr, *m_command = nullptr;
-    QLabel* m_message;
-    QProgressBar* m_progress;
-    QPushButton *m_start, *m_cancel, *m_showFolder;
+    QLineEdit* m_target;
+    JobFoot* m_foot;
     FilmJob* m_job = nullptr;
 };
 

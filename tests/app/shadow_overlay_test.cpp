@@ -15,17 +15,10 @@ namespace {
 using app::BufferView;
 using app::Document;
 
-// A box that hovers over a ground, lit aslant, with a coarse shadow buffer.
+// Lit aslant, with a coarse shadow buffer.
 pipeline::Scene hoveringBox() {
-    pipeline::Scene scene;
-    scene.camera.kind = pipeline::CameraKind::LookAt;
-    scene.camera.eye = {0, -8, 6};
-    scene.camera.target = {0, 0, 0.5};
-    scene.objects.push_back(
-        {"ground", test::box({-4, -4, -1}, {4, 4, 0}), {}, {pipeline::Vec3d(0.7), pipeline::Vec3d(0), 1}});
-    scene.objects.push_back(
-        {"box", test::box({-1, -1, 1}, {1, 1, 2}), {}, {pipeline::Vec3d(0.7), pipeline::Vec3d(0), 1}});
-    scene.lights.push_back({pipeline::LightKind::AtInfinity, {1, -0.5, 1}, 100, pipeline::Vec3d(1), true});
+    pipeline::Scene scene = test::boxOverGround();
+    scene.lights[0].position = {1, -0.5, 1};
     scene.settings.width = 160, scene.settings.height = 120;
     scene.settings.shadowSize = 64;
     scene.settings.shadowBias = pipeline::ShadowBias::Constant;

@@ -53,6 +53,21 @@ inline std::shared_ptr<const Mesh> box(Vec3d a, Vec3d b) {
                 {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
 }
 
+// A ground whose top is at z = 0 and a box from z = 1 to 2 over it, lit from straight above and seen aslant: a place on
+// the ground lies in the box's shadow where |x| < 1 and |y| < 1.
+inline Scene boxOverGround() {
+    Scene scene;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, -8, 6};
+    scene.camera.target = {0, 0, 0.5};
+    scene.objects.push_back({"ground", box({-4, -4, -1}, {4, 4, 0}), {}, {Vec3d(0.7), Vec3d(0), 1}});
+    scene.objects.push_back({"box", box({-1, -1, 1}, {1, 1, 2}), {}, {Vec3d(0.7), Vec3d(0), 1}});
+    scene.lights.push_back({LightKind::AtInfinity, {0, 0, 1}, 100, Vec3d(1), true});
+    scene.ambient.intensity = 30;
+    scene.settings.width = 120, scene.settings.height = 90;
+    return scene;
+}
+
 // The cube of lecture 1's sample code for OpenGL, with its light, material, translation and turns.
 // The lecture leaves the projection open.
 inline Scene openGlCube() {

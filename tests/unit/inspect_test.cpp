@@ -52,18 +52,11 @@ TEST(Equation, WordsForLatexKeepWhatPlainTextHas) {
     EXPECT_EQ(latexWords("N·L ≤ 0"), "N$\\cdot$L $\\le$ 0");
 }
 
-// A lamp straight above a hovering box and a ground, seen aslant: below the box every point is in the shadow of its
+// Below the box every point is in the shadow of its
 // bottom, face 0 of the box (polygons 6 to 11, after the ground's). A constant bias of 0 in a coarse buffer shadows what
 // nothing stands before.
 TEST(Equation, NamesThePolygonThatCastsTheShadow) {
-    Scene scene;
-    scene.camera.kind = CameraKind::LookAt;
-    scene.camera.eye = {0, -8, 6};
-    scene.camera.target = {0, 0, 0.5};
-    scene.objects.push_back({"ground", test::box({-4, -4, -1}, {4, 4, 0}), {}, {Vec3d(0.7), Vec3d(0), 1}});
-    scene.objects.push_back({"box", test::box({-1, -1, 1}, {1, 1, 2}), {}, {Vec3d(0.7), Vec3d(0), 1}});
-    scene.lights.push_back({LightKind::AtInfinity, {0, 0, 1}, 100, Vec3d(1), true});
-    scene.settings.width = 120, scene.settings.height = 90;
+    Scene scene = test::boxOverGround();
     const auto notes = [](const Scene& of) {
         const FramePtr frame = test::frameOf(of);
         std::map<std::string, int> counts;

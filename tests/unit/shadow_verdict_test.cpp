@@ -11,20 +11,7 @@
 namespace pipeline {
 namespace {
 
-// A ground and a box over it, lit from straight above, seen from above: the box hides its own shadow but for what
-// perspective shows beside it.
-Scene boxOverGround() {
-    Scene scene;
-    scene.camera.kind = CameraKind::LookAt;
-    scene.camera.eye = {0, -8, 6};
-    scene.camera.target = {0, 0, 0.5};
-    scene.objects.push_back({"ground", test::box({-4, -4, -1}, {4, 4, 0}), {}, {Vec3d(0.7), Vec3d(0), 1}});
-    scene.objects.push_back({"box", test::box({-1, -1, 1}, {1, 1, 2}), {}, {Vec3d(0.7), Vec3d(0), 1}});
-    scene.lights.push_back({LightKind::AtInfinity, {0, 0, 1}, 100, Vec3d(1), true});
-    scene.ambient.intensity = 30;
-    scene.settings.width = 120, scene.settings.height = 90;
-    return scene;
-}
+using test::boxOverGround;
 
 FramePtr frameFor(const Scene& scene) {
     FrameRequest request;

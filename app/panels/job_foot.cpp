@@ -1,0 +1,107 @@
+#include "app/panels/job_foot.h"
+
+#include <QDesktopServices>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QUrl>
+
+#include "app/panels/follow_theme.h"
+
+namespace app {
+
+JobFoot::JobFoot(const QString& name, const QString& start, QWidget* parent)
+    : QWidget(parent),
+      m_command(new QLineEdit(this)),
+      m_message(new QLabel(this)),
+      m_progress(new QProgressBar(this)),
+      m_showFolder(new QPushButton(tr("Show folder"), this)),
+      m_cancel(new QPushButton(tr("Cancel"), this)),
+      m_start(new QPushButton(start, this)) {
+    auto* same = new QLabel(tr("The same as"), this);
+    same->setProperty("tone", 2);
+    m_command->setObjectName(name + "Command");
+    m_command->setAccessibleName(tr("The same as a command"));
+    m_command->setReadOnly(true);
+    m_message->setObjectName(name + "Message");
+    m_message->setProperty("tone", 1);
+    m_message->setWordWrap(true);
+    m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_progress->setAccessibleName(tr("Progress"));
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_cancel->setObjectName(name + "Cancel");
+    m_start->setObjectName(name + "Start");
+    m_start->setProperty("kind", "primary");
+    m_start->setDefault(true);
+    connect(m_start, &QPushButton::clicked, this, &JobFoot::startAsked);
+    connect(m_cancel, &QPushButton::clicked, this, [this] { m_running ? emit cancelAsked() : emit closeAsked(); });
+    connect(m_showFolder, &QPushButton::clicked, this,
+            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_folder)); });
+
+    auto* command = new QHBoxLayout;
+    command->addWidget(same);
+    command->addWidget(m_command, 1);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_message, 1);
+    row->addWidget(m_showFolder);
+    row->addWidget(m_cancel);
+    row->addWidget(m_start);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(command);
+    column->addWidget(m_progress);
+    column->addLayout(row);
+    m_progress->hide();
+    m_showFolder->hide();
+    followTheme(this, [this] {
+        m_command->setFont(Theme::current().mono(12));
+        m_progress->setFixedHeight(Theme::current().px(6));
+    });
+}
+
+void JobFoot::setCommand(const QString& command) {
+    m_command->setText(command);
+    m_command->setCursorPosition(0);
+}
+
+QString JobFoot::message() const { return m_message->text(); }
+
+void JobFoot::setReady(bool ready, const QString& whyNot) {
+    m_ready = ready;
+    m_whyNot = whyNot;
+    showButtons();
+}
+
+void JobFoot::begin() {
+    m_running = true;
+    m_message->clear();
+    m_progress->setValue(0);
+    m_progress->show();
+    m_cancel->setText(tr("Cancel"));
+    showButtons();
+}
+
+void JobFoot::setProgress(double share, const QString& what) {
+    m_progress->setValue(int(share * 1000));
+    m_message->setText(what);
+}
+
+void JobFoot::finish(const QString& sentence, const QString& folder) {
+    m_running = false;
+    m_folder = folder;
+    m_message->setText(sentence);
+    m_progress->hide();
+    m_showFolder->setVisible(!folder.isEmpty());
+    m_cancel->setText(tr("Close"));
+    showButtons();
+}
+
+void JobFoot::showButtons() {
+    m_start->setEnabled(m_ready && !m_running);
+    m_start->setToolTip(m_running ? tr("It is being written.") : m_ready ? QString() : m_whyNot);
+}
+
+}  // namespace app
