@@ -2,57 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "app/core/numbers.h"
 #include "app/view3d/world_drawing.h"
+#include "pipeline/stages/transform.h"
 
 namespace app {
 
 namespace {
 
-constexpr double kReach = 13, kTipReach = 10, kAxisLength = 46;  // logical pixels
-constexpr std::array<Vec3d, 3> kAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-
-double unitAt(const ViewFrame& view, Vec3d point) {
-    const OrbitCamera& camera = view.camera;
-    const double unit = camera.unitsPerPixel(view.size.y);
-    if (camera.orthographic) return unit;
-    return unit * std::max(glm::dot(point - camera.position(), camera.forward) / camera.distance, 1e-3);
-}
-
-double stepBelow(double unit) { return std::pow(10.0, std::floor(std::log10(unit))); }
-
-Vec3d rounded(Vec3d p, double step) { return glm::round(p / step) * step; }
-
-bool finite(Vec3d v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-// Where a ray meets the plane through a point that faces along the camera's axis.
-std::optional<Vec3d> onScreenPlane(const Ray& ray, const OrbitCamera& camera, Vec3d point) {
-    const double along = glm::dot(ray.direction, camera.forward);
-    if (!(along > 0)) return {};
-    return ray.origin + glm::dot(point - ray.origin, camera.forward) / along * ray.direction;
-}
-
-// The point of the axis that the ray passes nearest; nothing where they are parallel.
-std::optional<Vec3d> onAxis(const Ray& ray, Vec3d point, Vec3d axis) {
-    const double cosine = glm::dot(ray.direction, axis), across = 1 - cosine * cosine;
-    constexpr double kLeast = 1e-4;  // about half a degree: there a pixel would move it out of sight
-    if (!(across > kLeast)) return {};
-    const Vec3d d = ray.origin - point;
-    return point + (glm::dot(d, axis) - glm::dot(d, ray.direction) * cosine) / across * axis;
-}
-
-// The point of the sphere on the ray, on the side of the sphere that `now` is on; past its edge, the edge.
-Vec3d onSphere(const Ray& ray, Vec3d centre, Vec3d now) {
-    const double radius = glm::length(now - centre);
-    const Vec3d d = ray.origin - centre;
-    const double nearest = -glm::dot(d, ray.direction);
-    const Vec3d foot = d + nearest * ray.direction;
-    const double rest = radius * radius - glm::dot(foot, foot);
-    if (!(rest > 0)) return centre + (glm::length(foot) > 0 ? radius / glm::length(foot) * foot : now - centre);
-    const bool far = glm::dot(now - centre, ray.direction) > 0;
-    return centre + foot + (far ? 1.0 : -1.0) * std::sqrt(rest) * ray.direction;
-}
+const std::vector<HandleArm> kWorldArms{{"x", {1, 0, 0}}, {"y", {0, 1, 0}}, {"z", {0, 0, 1}}};
 
 std::string three(const char* a, const char* b, const char* c, Vec3d v, int decimals) {
     const auto part = [&](const char* name, double value) {
@@ -67,112 +27,190 @@ int decimalsOf(Vec3d v) {
     return largest > 0 ? std::clamp(2 - int(std::floor(std::log10(largest))), 0, 9) : 0;
 }
 
-}  // namespace
+// Takes directions through these turns.
+glm::dmat3 turnedBy(std::span<const pipeline::AxisTurn> turns) {
+    pipeline::ObjectTransform transform;
+    transform.turns.assign(turns.begin(), turns.end());
+    return pipeline::makeObjectMatrix(transform).linear;
+}
 
-std::vector<Handle> handlesOf(const pipeline::Scene& scene, const ViewContent& world,
-                              std::optional<std::size_t> object) {
-    std::vector<Handle> handles;
+Vec3d unit(Vec3d v) { return glm::length(v) > 0 ? glm::normalize(v) : Vec3d(0, 0, 1); }
+
+// Each arm changes one number alone: what is written after it turns its axis with the object.
+Handle turnHandle(const pipeline::ObjectTransform& transform) {
+    Handle handle{.tool = HandleTool::Turn, .at = transform.translation, .name = {}};
+    if (transform.turns.empty()) {
+        handle.value = transform.rotation;
+        pipeline::ObjectTransform outer;
+        outer.rotation = {0, 0, transform.rotation.z};
+        const Vec3d y = pipeline::makeObjectMatrix(outer).linear[1];
+        outer.rotation.y = transform.rotation.y;
+        const Vec3d x = pipeline::makeObjectMatrix(outer).linear[0];
+        handle.arms = {{"x", x}, {"y", y}, {"z", {0, 0, 1}}};
+        return handle;
+    }
+    for (std::size_t i = 0; i < std::min<std::size_t>(transform.turns.size(), 3); ++i) {
+        const std::span before(transform.turns.data(), i);
+        handle.value[int(i)] = transform.turns[i].angle;
+        handle.arms.push_back({std::to_string(i), unit(turnedBy(before) * transform.turns[i].axis)});
+    }
+    return handle;
+}
+
+Handle scaleHandle(const pipeline::ObjectTransform& transform) {
+    pipeline::ObjectTransform turns = transform;
+    turns.scale = Vec3d(1.0);
+    const glm::dmat3 axes = pipeline::makeObjectMatrix(turns).linear;
+    return {.tool = HandleTool::Scale,
+            .at = transform.translation,
+            .value = transform.scale,
+            .arms = {{"x", axes[0]}, {"y", axes[1]}, {"z", axes[2]}},
+            .name = {}};
+}
+
+Handle moveHandle(Handle::Kind kind, std::size_t index, Vec3d at, std::string name) {
+    return {.kind = kind, .index = index, .at = at, .value = at, .arms = kWorldArms, .name = std::move(name)};
+}
+
+Handle directionHandle(Handle::Kind kind, std::size_t index, Vec3d at, Vec3d centre, std::string name) {
+    return {.kind = kind, .index = index, .at = at, .centre = centre, .value = at, .arms = {}, .name = std::move(name)};
+}
+
+// Where a light that is somewhere shines to; nothing where that is all around.
+std::optional<Vec3d> facingOf(const pipeline::Scene& scene, const pipeline::Light& light) {
+    if (light.kind == pipeline::LightKind::Area) return light.area.facing;
+    const bool isSpot = scene.settings.model == pipeline::Model::OpenGl && light.kind == pipeline::LightKind::Point &&
+                        light.gl.spotCutoff < 180;
+    return isSpot ? std::optional(light.gl.spotDirection) : std::nullopt;
+}
+
+void addLights(const pipeline::Scene& scene, const ViewContent& shown, std::vector<Handle>& handles) {
     using Kind = Handle::Kind;
-    for (const LightMark& mark : world.lights) {
+    for (const LightMark& mark : shown.lights) {
         const auto k = std::size_t(mark.light);
         if (k >= scene.lights.size()) continue;
         // One that stands in eye space moves with the camera.
         const bool withEye =
             scene.settings.model == pipeline::Model::OpenGl && scene.lights[k].gl.space == pipeline::LightSpace::Eye;
-        if (withEye) continue;
+        if (withEye || (shown.map.space == ViewSpace::Light && shown.map.light == mark.light)) continue;
         const std::string name = "light " + std::to_string(k);
-        if (mark.atInfinity)
-            handles.push_back({Kind::LightDirection, k, lightDisc(mark, world), world.bounds.centre(), name});
-        else
-            handles.push_back({Kind::Light, k, mark.position, {}, name});
+        const auto toWorld = [&](Vec3d p) { return shown.map.toWorld(p); };
+        if (mark.atInfinity) {
+            handles.push_back(directionHandle(Kind::LightDirection, k, toWorld(lightDisc(mark, shown)),
+                                              toWorld(shown.bounds.centre()), name));
+            continue;
+        }
+        const Vec3d at = scene.lights[k].position;
+        handles.push_back(moveHandle(Kind::Light, k, at, name));
+        if (const auto facing = facingOf(scene, scene.lights[k]))
+            handles.push_back(directionHandle(Kind::LightFacing, k, at + 0.45 * shown.bounds.radius() * unit(*facing),
+                                              at, name + "'s direction"));
     }
-    handles.push_back({Kind::Eye, 0, world.eye.eye, {}, "camera"});
-    if (scene.camera.kind == pipeline::CameraKind::LookAt)
-        handles.push_back({Kind::Target, 0, scene.camera.target, {}, "camera's target"});
-    if (object && *object < scene.objects.size() && *object < world.mesh->objects.size()) {
-        const pipeline::BoundingBox& box = world.mesh->objects[*object].box;
-        handles.push_back({Kind::Object, *object, (box.min + box.max) / 2.0, {}, scene.objects[*object].name});
+}
+
+std::optional<Handle> objectHandle(const pipeline::Scene& scene, const ViewContent& shown, std::size_t index,
+                                   HandleTool tool) {
+    if (index >= scene.objects.size() || index >= shown.mesh->objects.size()) return {};
+    const pipeline::Object& object = scene.objects[index];
+    Handle handle;
+    if (tool == HandleTool::Move || !shown.map.keepsLengths()) {
+        const pipeline::BoundingBox& box = shown.mesh->objects[index].box;
+        handle = moveHandle(Handle::Kind::Object, index, (box.min + box.max) / 2.0, {});
+    } else {
+        handle = tool == HandleTool::Turn ? turnHandle(object.transform) : scaleHandle(object.transform);
     }
+    if (!shown.map.keepsLengths()) handle.arms.clear();
+    handle.index = index;
+    handle.name = object.name;
+    return handle;
+}
+
+// A direction of the same length; a thousandth of it is finer than a pixel turns it.
+Vec3d turnedTo(Vec3d old, Vec3d towards) {
+    const double length = glm::length(old) > 0 ? glm::length(old) : 1;
+    return roundedTo(length * glm::normalize(towards), stepBelow(length / 300));
+}
+
+void moveCamera(pipeline::Camera& camera, Vec3d at) {
+    if (camera.kind == pipeline::CameraKind::LookAt) {
+        camera.eye = at;
+        return;
+    }
+    const double rho = glm::length(at);
+    if (!(rho > 0)) return;
+    const auto tenth = [](double degrees) { return std::round(degrees * 10) / 10; };
+    camera.rho = std::round(rho / stepBelow(rho / 300)) * stepBelow(rho / 300);
+    camera.phi = tenth(glm::degrees(std::acos(std::clamp(at.z / rho, -1.0, 1.0))));
+    // On the axis θ is anything: it stays.
+    if (at.x == 0 && at.y == 0) return;
+    const double theta = tenth(glm::degrees(std::atan2(at.y, at.x)));
+    camera.theta = theta + 360 * std::round((camera.theta - theta) / 360);
+}
+
+void changeObject(pipeline::ObjectTransform& transform, const Handle& handle, Vec3d value) {
+    switch (handle.tool) {
+        case HandleTool::Move: transform.translation += value - handle.value; break;
+        case HandleTool::Scale: transform.scale = value; break;
+        case HandleTool::Turn:
+            if (transform.turns.empty()) transform.rotation = value;
+            for (std::size_t i = 0; i < std::min<std::size_t>(transform.turns.size(), 3); ++i)
+                transform.turns[i].angle = value[int(i)];
+            break;
+    }
+}
+
+std::string degreesOf(const Handle& handle, const pipeline::ObjectTransform& transform) {
+    std::string text = transform.turns.empty() ? "rotation" : "turns";
+    for (std::size_t i = 0; i < handle.arms.size(); ++i) {
+        const double value = transform.turns.empty() ? transform.rotation[int(i)] : transform.turns[i].angle;
+        text += (i == 0 ? " " : "  ") + handle.arms[i].name + ' ' + angle(value).toStdString();
+    }
+    return text;
+}
+
+}  // namespace
+
+double stepBelow(double unit) { return std::pow(10.0, std::floor(std::log10(unit))); }
+
+Vec3d roundedTo(Vec3d p, double step) { return glm::round(p / step) * step; }
+
+bool finite(Vec3d v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::vector<Handle> handlesOf(const pipeline::Scene& scene, const ViewContent& shown, std::optional<std::size_t> object,
+                              HandleTool tool) {
+    std::vector<Handle> handles;
+    addLights(scene, shown, handles);
+    const ViewSpace space = shown.map.space;
+    if (space == ViewSpace::World || space == ViewSpace::Light) {
+        handles.push_back(moveHandle(Handle::Kind::Eye, 0, pipeline::makeView(scene).eye, "camera"));
+        if (scene.camera.kind == pipeline::CameraKind::LookAt)
+            handles.push_back(moveHandle(Handle::Kind::Target, 0, scene.camera.target, "camera's target"));
+    }
+    if (object)
+        if (const auto handle = objectHandle(scene, shown, *object, tool)) handles.push_back(*handle);
     std::erase_if(handles, [](const Handle& handle) { return !finite(handle.at); });
     return handles;
 }
 
-std::array<glm::dvec2, 3> axisTips(const Handle& handle, const ViewFrame& view) {
-    std::array<glm::dvec2, 3> tips;
-    const double unit = unitAt(view, handle.at);
-    for (std::size_t i = 0; i < 3; ++i)
-        tips[i] = project(view.camera, view.size, handle.at + kAxisLength * unit * kAxes[i]).at;
-    return tips;
-}
-
-std::optional<Grip> gripAt(std::span<const Handle> handles, std::optional<std::size_t> hot, const ViewFrame& view,
-                           glm::dvec2 cursor) {
-    if (hot && *hot < handles.size() && handles[*hot].kind != Handle::Kind::LightDirection) {
-        const auto tips = axisTips(handles[*hot], view);
-        const glm::dvec2 middle = project(view.camera, view.size, handles[*hot].at).at;
-        for (std::size_t i = 0; i < 3; ++i)
-            if (glm::length(tips[i] - cursor) < kTipReach && glm::length(cursor - middle) > kReach / 2)
-                return Grip{*hot, DragAxis(i + 1)};
-    }
-    std::optional<Grip> best;
-    double nearest = kReach;
-    for (std::size_t i = 0; i < handles.size(); ++i) {
-        const Projected p = project(view.camera, view.size, handles[i].at);
-        if (!p.inFront || glm::length(p.at - cursor) >= nearest) continue;
-        nearest = glm::length(p.at - cursor);
-        best = Grip{i, DragAxis::Screen};
-    }
-    return best;
-}
-
-Vec3d draggedTo(const Handle& handle, DragAxis axis, const ViewFrame& view, glm::dvec2 moved) {
-    if (moved == glm::dvec2(0.0)) return handle.at;
-    const glm::dvec2 begin = project(view.camera, view.size, handle.at).at;
-    const Ray ray = rayThrough(view.camera, view.size, begin + moved);
-    if (handle.kind == Handle::Kind::LightDirection) return onSphere(ray, handle.centre, handle.at);
-    const std::optional<Vec3d> found = axis == DragAxis::Screen ? onScreenPlane(ray, view.camera, handle.at)
-                                                                : onAxis(ray, handle.at, kAxes[std::size_t(axis) - 1]);
-    if (!found || !finite(*found)) return handle.at;
-    const Vec3d result = rounded(*found, stepBelow(unitAt(view, handle.at)));
-    if (axis == DragAxis::Screen) return result;
-    Vec3d only = handle.at;  // the other two stay as they were, to the last bit
-    const auto i = int(axis) - 1;
-    only[i] = result[i];
-    return only;
-}
-
-pipeline::Scene withHandleAt(const pipeline::Scene& scene, const Handle& handle, Vec3d at) {
+pipeline::Scene withHandleAt(const pipeline::Scene& scene, const Handle& handle, Vec3d value) {
     pipeline::Scene result = scene;
-    if (at == handle.at) return result;
+    if (value == handle.value) return result;
     switch (handle.kind) {
-        case Handle::Kind::Light: result.lights[handle.index].position = at; break;
+        case Handle::Kind::Light: result.lights[handle.index].position = value; break;
         case Handle::Kind::LightDirection: {
             Vec3d& direction = result.lights[handle.index].position;
-            const double length = glm::length(direction);
-            const Vec3d turned = length * glm::normalize(at - handle.centre);
-            // A thousandth of its length is finer than a pixel turns it.
-            direction = rounded(turned, stepBelow(length / 300));
+            direction = turnedTo(direction, value - handle.centre);
             break;
         }
-        case Handle::Kind::Target: result.camera.target = at; break;
-        case Handle::Kind::Object: result.objects[handle.index].transform.translation += at - handle.at; break;
-        case Handle::Kind::Eye: {
-            pipeline::Camera& camera = result.camera;
-            if (camera.kind == pipeline::CameraKind::LookAt) {
-                camera.eye = at;
-                break;
-            }
-            const double rho = glm::length(at);
-            if (!(rho > 0)) break;
-            const auto tenth = [](double degrees) { return std::round(degrees * 10) / 10; };
-            camera.rho = std::round(rho / stepBelow(rho / 300)) * stepBelow(rho / 300);
-            camera.phi = tenth(glm::degrees(std::acos(std::clamp(at.z / rho, -1.0, 1.0))));
-            // On the axis θ is anything: it stays.
-            if (at.x == 0 && at.y == 0) break;
-            const double theta = tenth(glm::degrees(std::atan2(at.y, at.x)));
-            camera.theta = theta + 360 * std::round((scene.camera.theta - theta) / 360);
+        case Handle::Kind::LightFacing: {
+            pipeline::Light& light = result.lights[handle.index];
+            Vec3d& facing = light.kind == pipeline::LightKind::Area ? light.area.facing : light.gl.spotDirection;
+            facing = turnedTo(facing, value - handle.centre);
             break;
         }
+        case Handle::Kind::Target: result.camera.target = value; break;
+        case Handle::Kind::Object: changeObject(result.objects[handle.index].transform, handle, value); break;
+        case Handle::Kind::Eye: moveCamera(result.camera, value); break;
     }
     return result;
 }
@@ -183,7 +221,16 @@ std::string numbersOf(const pipeline::Scene& scene, const Handle& handle) {
         case Handle::Kind::Light:
         case Handle::Kind::LightDirection: return place(scene.lights[handle.index].position);
         case Handle::Kind::Target: return place(scene.camera.target);
-        case Handle::Kind::Object: return "translation " + place(scene.objects[handle.index].transform.translation);
+        case Handle::Kind::LightFacing: {
+            const pipeline::Light& light = scene.lights[handle.index];
+            return place(light.kind == pipeline::LightKind::Area ? light.area.facing : light.gl.spotDirection);
+        }
+        case Handle::Kind::Object: {
+            const pipeline::ObjectTransform& transform = scene.objects[handle.index].transform;
+            if (handle.tool == HandleTool::Turn) return degreesOf(handle, transform);
+            if (handle.tool == HandleTool::Scale) return "scale " + place(transform.scale);
+            return "translation " + place(transform.translation);
+        }
         case Handle::Kind::Eye: break;
     }
     const pipeline::Camera& camera = scene.camera;

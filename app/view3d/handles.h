@@ -1,55 +1,52 @@
 #pragma once
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "app/view3d/drawing.h"
 #include "app/view3d/view_content.h"
+#include "app/view3d/view_options.h"
 #include "pipeline/scene/scene.h"
 
 namespace app {
 
-// What can be taken hold of in world space: a light, the camera, what it looks at, an object.
+// A way that a drag of a handle may be held to.
+struct HandleArm {
+    std::string name;     // "x"; where an object has turns of its own, which of them: "0"
+    Vec3d axis{1, 0, 0};  // unit, world space: along it, or of HandleTool::Turn around it
+    bool operator==(const HandleArm&) const = default;
+};
+
+// What can be taken hold of: a light, the camera, what it looks at, an object.
 struct Handle {
-    enum class Kind : unsigned char { Light, LightDirection, Eye, Target, Object };
+    enum class Kind : unsigned char { Light, LightDirection, LightFacing, Eye, Target, Object };
     Kind kind = Kind::Object;
-    std::size_t index = 0;  // of the light or the object
-    Vec3d at{0.0};          // world space; an object's is the middle of its bounds
-    Vec3d centre{0.0};      // of LightDirection: what it turns around
-    std::string name;       // "light 0", "camera", "pyramid"
+    std::size_t index = 0;               // of the light or the object
+    HandleTool tool = HandleTool::Move;  // of an object
+    Vec3d at{0.0};                  // world space; of an object that is moved the middle of its bounds, else its origin
+    Vec3d centre{0.0};              // of LightDirection and LightFacing: what they turn around
+    Vec3d value{0.0};               // what a drag changes: `at`; an angle per arm, degrees; the scale
+    std::vector<HandleArm> arms{};  // at most three; of Turn at least one
+    std::string name{};             // "light 0", "camera", "pyramid"
+    bool isDirection() const { return kind == Kind::LightDirection || kind == Kind::LightFacing; }
     bool operator==(const Handle&) const = default;
 };
 
-// Those of a scene: every light that stands in the world, the camera, and `object` where one is given.
-std::vector<Handle> handlesOf(const pipeline::Scene& scene, const ViewContent& world,
-                              std::optional<std::size_t> object);
+// Those of a scene where `shown` shows it: every light that stands in the world, its direction where it
+// has one, the camera, and `object` where one is given. What a space is built on has none in it: the
+// camera in eye, clip and screen space, a light in its own. Clip and screen space have no lengths, so
+// that an object's is Move there, without arms.
+std::vector<Handle> handlesOf(const pipeline::Scene& scene, const ViewContent& shown, std::optional<std::size_t> object,
+                              HandleTool tool);
 
-// Along which a drag leads: the plane of the screen through the handle, or one of the world's axes.
-enum class DragAxis : unsigned char { Screen, X, Y, Z };
+// The scene with the handle's value there instead. A direction keeps its length; a spherical camera takes ρ, θ and φ.
+pipeline::Scene withHandleAt(const pipeline::Scene& scene, const Handle& handle, Vec3d value);
 
-// Where the three axes of a handle end on the screen, logical pixels.
-std::array<glm::dvec2, 3> axisTips(const Handle& handle, const ViewFrame& view);
-
-// What a press at `cursor` takes hold of.
-struct Grip {
-    std::size_t handle = 0;  // into the handles
-    DragAxis axis = DragAxis::Screen;
-    bool operator==(const Grip&) const = default;
-};
-// The nearest handle within reach; of the one with its axes on show (`hot`) also their tips.
-std::optional<Grip> gripAt(std::span<const Handle> handles, std::optional<std::size_t> hot, const ViewFrame& view,
-                           glm::dvec2 cursor);
-
-// Where the handle is when the cursor has moved by `moved` pixels since it was taken hold of: under
-// it in the screen's plane, beside it on an axis, on the sphere around `centre` for a direction. In
-// steps of a power of ten, at most as large as a pixel there. Always finite.
-Vec3d draggedTo(const Handle& handle, DragAxis axis, const ViewFrame& view, glm::dvec2 moved);
-
-// The scene with the handle there instead. A direction keeps its length; a spherical camera takes ρ, θ and φ.
-pipeline::Scene withHandleAt(const pipeline::Scene& scene, const Handle& handle, Vec3d at);
-
-// Its numbers: "x 120  y 40  z 300", "ρ 1000  θ 45.0°  φ 60.0°".
+// Its numbers: "x 120  y 40  z 300", "ρ 1000  θ 45.0°  φ 60.0°", "rotation x 30.0°  y 0.0°  z 0.0°".
 std::string numbersOf(const pipeline::Scene& scene, const Handle& handle);
+
+// For the steps that drags go in: the power of ten at or below it; to a multiple of `step`.
+double stepBelow(double unit);
+Vec3d roundedTo(Vec3d p, double step);
+bool finite(Vec3d v);
 
 }  // namespace app

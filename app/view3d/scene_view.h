@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/view3d/handles.h"
+#include "app/view3d/handle_drag.h"
 #include "app/view3d/space_content.h"
 #include "app/view3d/vtk_widget.h"
 #include "app/view3d/world_drawing.h"
@@ -19,8 +19,9 @@ class ViewCorner;
 // A 3D view with its camera: what VTK renders, letters and legend over it, mouse and keys.
 // Left drag orbits, middle or Shift+left drag pans, the wheel zooms to the cursor; a click gives
 // the ray under it. Keys: 1 front, 3 side, 7 top, 9 iso, 0 from the eye, Z out of it, 5 orthographic,
-// R the first view again, A everything; arrows orbit, + and − zoom; S the next space. While a handle
-// is dragged x, y and z hold it to an axis and Esc puts it back.
+// R the first view again, A everything; arrows orbit, + and − zoom; S the next space; M what an object's
+// handle does: move, turn, scale. While a handle is dragged x, y and z hold it to an arm, Shift drags
+// finely, Ctrl in coarse steps, and Esc puts it back.
 class SceneView : public QWidget {
     Q_OBJECT
 public:
@@ -31,6 +32,8 @@ public:
     void setContent(std::shared_ptr<const ViewContent> content, bool newScene);
     void setEmptyText(const QString& sentence);
     const std::shared_ptr<const ViewContent>& content() const { return m_content; }
+    // As the space on show has it; null where no point is picked, or a light has no shadow buffer.
+    const std::shared_ptr<const ViewContent>& shown() const;
     // Each space keeps its own camera. The polygons move there in 400 ms, or at once where motion is
     // not wanted, or to and from the hemisphere at the point.
     void setSpace(SpaceId space);
@@ -44,7 +47,7 @@ public:
     // A point of the world that another view's cursor is on, marked lightly.
     void setProbe(std::optional<Vec3d> point);
 
-    // What can be dragged, in world space alone. While one is dragged the new ones wait.
+    // What can be dragged, of what is shown. While one is dragged the new ones wait.
     void setHandles(std::vector<Handle> handles);
     const std::vector<Handle>& handles() const { return m_handles; }
     bool isDragging() const { return m_drag == Drag::Handle; }
@@ -74,8 +77,8 @@ signals:
     void hovered(const std::optional<app::Hit>& hit);
     void spaceAsked(int step);  // 1 the next one, −1 the one before
     void left();
-    // A handle, as it was when it was taken hold of, is to be at `at`; `done` with the button's release.
-    void dragged(const app::Handle& handle, app::Vec3d at, bool done);
+    // A handle, as it was when it was taken hold of, is to have this value; `done` with the button's release.
+    void dragged(const app::Handle& handle, app::Vec3d value, bool done);
     void dragCancelled(const app::Handle& handle);
     void handleHovered(const app::Handle* handle);  // null: none any more
 
@@ -97,7 +100,6 @@ private:
     void placeCorners();
     void frameIfUntouched();
     void showContent();
-    const std::shared_ptr<const ViewContent>& shown() const;
     bool isWorld() const { return m_space.space == ViewSpace::World; }
     bool isPoint() const { return m_space.space == ViewSpace::Point; }
     void moveTo(const SpaceMap& from, const OrbitCamera& camera);
@@ -108,18 +110,18 @@ private:
     bool keyAction(int key);
     std::optional<Hit> hitAt(QPointF position) const;
     bool beginDrag(QPointF position);
-    void dragTo(QPointF position);
+    void dragTo(QPointF position, Qt::KeyboardModifiers modifiers);
     void endDrag();
-    bool dragKey(int key);
+    bool dragKey(int key, Qt::KeyboardModifiers modifiers);
+    HandleView handlesOnScreen() const;  // only when something is shown
     void findHandle(QPointF position);
-    bool showsHandles() const { return m_options.handles && isWorld() && shown() && !isMoving(); }
+    bool showsHandles() const { return m_options.handles && !isPoint() && shown() && !isMoving(); }
     void paintHandles(QPainter& painter) const;
     void updateOverlay();
 
     SpaceId m_space;
     std::shared_ptr<const ViewContent> m_content;  // of the world
-    // As the space on show has it; null where no point is picked, or a light has no shadow buffer.
-    std::shared_ptr<const ViewContent> m_moved;
+    std::shared_ptr<const ViewContent> m_moved;    // of the space on show, where that is not the world
     QString m_emptyText;
     std::optional<Vec3d> m_probe;
     std::vector<VectorCode> m_alone;  // under the cursor in the legend or the equation, shown by themselves
@@ -147,8 +149,9 @@ private:
     std::vector<Handle> m_handles;
     std::optional<std::size_t> m_hot;  // the handle that the cursor is near
     Handle m_held;                     // as it was when it was taken hold of
-    Vec3d m_heldAt{0.0};               // where it is now
-    DragAxis m_axis = DragAxis::Screen;
+    Vec3d m_heldAt{0.0};               // its value now
+    HandleView m_heldView;             // then: a space may change with what is dragged in it
+    std::optional<std::size_t> m_arm;  // that the cursor is on or holds
     QString m_numbers;
 };
 

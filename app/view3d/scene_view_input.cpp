@@ -25,10 +25,10 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
     endMove();
     m_pressedAt = m_last = event->position();
     const bool shift = event->modifiers() & Qt::ShiftModifier, control = event->modifiers() & Qt::ControlModifier;
-    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift)) {
-        m_drag = Drag::Pan;
-    } else if (event->button() == Qt::LeftButton && !control && beginDrag(event->position())) {
+    if (event->button() == Qt::LeftButton && beginDrag(event->position())) {
         m_drag = Drag::Handle;
+    } else if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift)) {
+        m_drag = Drag::Pan;
     } else if (event->button() == Qt::LeftButton) {
         m_drag = control && !isPoint() ? Drag::Pick : Drag::Click;
         if (const auto hit = hitAt(event->position()); hit && m_drag == Drag::Pick) emit clicked(*hit);
@@ -37,7 +37,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF position = event->position(), d = position - m_last;
-    if (m_drag == Drag::Handle) return dragTo(position);
+    if (m_drag == Drag::Handle) return dragTo(position, event->modifiers());
     if (m_drag == Drag::None) {
         findHandle(position);
         if (m_content && !isPoint()) emit hovered(hitAt(position));
@@ -87,7 +87,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
     const bool plain = !(event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier));
-    if (m_drag == Drag::Handle && dragKey(event->key())) return;
+    if (m_drag == Drag::Handle && dragKey(event->key(), event->modifiers())) return;
     if (plain && event->key() == Qt::Key_S) return emit spaceAsked(event->modifiers() & Qt::ShiftModifier ? -1 : 1);
     if (!plain || !shown()) return QWidget::keyPressEvent(event);
     endMove();
@@ -115,6 +115,13 @@ bool SceneView::keyAction(int key) {
         case Qt::Key_A: go(ViewPreset::Everything); return true;
         case Qt::Key_Z: zoomOut(); return true;
         case Qt::Key_5: setOrthographic(!m_camera.orthographic); return true;
+        case Qt::Key_M: {
+            ViewOptions options = m_options;
+            options.objectTool = HandleTool((int(options.objectTool) + 1) % 3);
+            setOptions(options);
+            emit optionsChanged();
+            return true;
+        }
         case Qt::Key_Left: turn(-kKeyStep, 0); return true;
         case Qt::Key_Right: turn(kKeyStep, 0); return true;
         case Qt::Key_Up: turn(0, kKeyStep); return true;

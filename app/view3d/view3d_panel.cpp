@@ -18,19 +18,6 @@ namespace app {
 
 namespace {
 
-// The object that is selected, or that the picked pixel shows.
-std::optional<std::size_t> ownerOf(const Document& document) {
-    const auto& selection = document.selection();
-    const pipeline::Frame& frame = *document.frame();
-    const auto ofPolygon = [&](std::size_t polygon) { return frame.placeOf(int(polygon)).object; };
-    if (selection && selection->kind == Selection::Kind::Object) return selection->index;
-    if (selection && selection->kind == Selection::Kind::Polygon) return ofPolygon(selection->index);
-    if (selection || !document.pixel()) return {};
-    const auto polygon = polygonAt(frame, *document.pixel());
-    if (!polygon) return {};
-    return ofPolygon(*polygon);
-}
-
 QString remarkOf(ViewSpace space) {
     switch (space) {
         case ViewSpace::World: return {};
@@ -65,7 +52,10 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(m_view, &SceneView::dragCancelled, this, &View3dPanel::cancelDrag);
     connect(m_view, &SceneView::handleHovered, this, &View3dPanel::showNumbers);
     connect(m_view, &SceneView::spaceAsked, this, &View3dPanel::stepSpace);
-    connect(m_view, &SceneView::optionsChanged, this, &View3dPanel::showOptions);
+    connect(m_view, &SceneView::optionsChanged, this, [this] {
+        showOptions();
+        showHandles();
+    });
     connect(m_view, &SceneView::orthographicChanged, m_orthographic, &QToolButton::setChecked);
     connect(&document, &Document::sceneOpened, this, [this] {
         m_newScene = true;
@@ -153,6 +143,7 @@ void View3dPanel::buildHeader() {
     connect(settings, &ViewSettings::changed, this, &View3dPanel::changeOptions);
     connect(more, &QToolButton::clicked, this, [this, more, settings] {
         settings->setOptions(m_view->options());
+        settings->setSpace(m_view->space().space);
         settings->adjustSize();
         settings->move(more->mapToGlobal(QPoint(more->width() - settings->width(), more->height())));
         settings->show();
@@ -202,6 +193,7 @@ void View3dPanel::resizeEvent(QResizeEvent* event) {
 void View3dPanel::changeOptions(const ViewOptions& options) {
     m_view->setOptions(options);
     showOptions();
+    showHandles();
     wantBuffers();
 }
 
@@ -225,6 +217,7 @@ void View3dPanel::setSpace(SpaceId space) {
     }
     m_view->setSpace(space);
     showSpace();
+    showHandles();
     wantBuffers();
 }
 
@@ -364,31 +357,6 @@ void View3dPanel::hover(const std::optional<Hit>& hit) {
     const auto& frame = m_document.frame();
     if (!frame || !m_view->content()) return;
     m_document.hover(hit ? pixelShowing(*frame, *m_view->content(), *hit).pixel : std::nullopt);
-}
-
-// Of the frame on show, so that handles stand where the picture has them.
-void View3dPanel::showHandles() {
-    const auto& frame = m_document.frame();
-    if (!frame || !m_view->content()) return;
-    m_view->setHandles(handlesOf(frame->scene(), *m_view->content(), ownerOf(m_document)));
-}
-
-void View3dPanel::drag(const Handle& handle, Vec3d at, bool done) {
-    if (!m_beforeDrag) m_beforeDrag = std::make_shared<const pipeline::Scene>(m_document.scene());
-    m_document.edit(withHandleAt(*m_beforeDrag, handle, at), tr("move %1").arg(toQString(handle.name)),
-                    done ? Document::Change::Done : Document::Change::Live);
-    showNumbers(&handle);
-    if (done) m_beforeDrag.reset();
-}
-
-void View3dPanel::cancelDrag(const Handle& handle) {
-    if (!m_beforeDrag) return;
-    m_document.edit(*m_beforeDrag, tr("move %1").arg(toQString(handle.name)), Document::Change::Done);
-    m_beforeDrag.reset();
-}
-
-void View3dPanel::showNumbers(const Handle* handle) {
-    m_view->setNumbers(handle ? toQString(handle->name + ": " + numbersOf(m_document.scene(), *handle)) : QString());
 }
 
 }  // namespace app

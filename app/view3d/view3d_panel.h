@@ -53,7 +53,7 @@ private:
     void pick(const Hit& hit);
     void hover(const std::optional<Hit>& hit);
     void showHandles();
-    void drag(const Handle& handle, Vec3d at, bool done);
+    void drag(const Handle& handle, Vec3d value, bool done);
     void cancelDrag(const Handle& handle);
     void showNumbers(const Handle* handle);
 

@@ -59,6 +59,7 @@ constexpr auto kOptions = std::to_array<OptionRow>({
     choice<&ViewOptions::normalColors, NormalColors>("normal_colors", 0, 1),
     flag<&ViewOptions::lobe>("lobe"),
     flag<&ViewOptions::handles>("handles"),
+    choice<&ViewOptions::objectTool, HandleTool>("object_tool", 0, 2),
     flag<&ViewOptions::lightFrusta>("light_frusta"),
     vector<Code::N>("vector_n"),
     vector<Code::L>("vector_l"),

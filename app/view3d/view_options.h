@@ -12,6 +12,9 @@ enum class FacesShown { Shaded, Normals };
 // What the normals' arrows are coloured by: all as N, or each by its own direction, (N + 1) / 2.
 enum class NormalColors { OfN, Direction };
 
+// What the handle of an object changes.
+enum class HandleTool { Move, Turn, Scale };
+
 // What of a ViewContent is drawn, and how large. Lengths are in logical pixels.
 struct ViewOptions {
     NormalsShown normals = NormalsShown::Polygons;
@@ -24,7 +27,8 @@ struct ViewOptions {
     bool frustum = false;                         // of the scene's camera, between near and far plane
     bool projection = false, reflection = false;  // at the point: (N·L)N, and how it makes R
     NormalColors normalColors = NormalColors::OfN;
-    bool handles = true;                                            // of lights, camera and objects
+    bool handles = true;  // of lights, camera and objects
+    HandleTool objectTool = HandleTool::Move;
     bool lobe = false;                                              // of the specular term, at the point
     bool lightFrusta = false;                                       // what the lights see, with their shadow buffers
     std::array<bool, 6> shown{true, true, true, true, true, true};  // by VectorCode

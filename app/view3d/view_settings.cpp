@@ -53,11 +53,22 @@ ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
     addSwitch(tr("Light frusta"), tr("What each light sees, from its shadow buffer to the farthest polygon"),
               &ViewOptions::lightFrusta);
     addSwitch(tr("Handles"), tr("Lights, camera and objects can be dragged"), &ViewOptions::handles);
+    m_objectTool = addChoice(tr("On an object"), {}, {tr("Move it"), tr("Turn it"), tr("Scale it")});
     addHeading(tr("At the picked point"));
     addSwitch(tr("Specular lobe"), tr("cosⁿ around R in Phong's model, around H in Blinn's"), &ViewOptions::lobe);
     addSwitch(tr("Projection of L on N"), tr("(N·L)N, and the rest of L at a right angle"), &ViewOptions::projection);
     addSwitch(tr("Law of reflection"), tr("R = 2(N·L)N − L as its construction"), &ViewOptions::reflection);
     setOptions({});
+    setSpace(ViewSpace::World);
+}
+
+void ViewSettings::setSpace(ViewSpace space) {
+    const bool flat = space == ViewSpace::Clip || space == ViewSpace::Screen, atPoint = space == ViewSpace::Point;
+    const QString tip = tr("What the handle of an object changes (M)");
+    m_objectTool->setEnabled(!flat && !atPoint);
+    m_objectTool->setToolTip(flat      ? tr("Here lengths and angles mean nothing: an object can be moved only. ") + tip
+                             : atPoint ? tr("Not at the point. ") + tip
+                                       : tip);
 }
 
 QComboBox* ViewSettings::addChoice(const QString& name, const QString& tip, const QStringList& choices) {
@@ -115,13 +126,14 @@ void ViewSettings::addSwitch(const QString& name, const QString& tip, bool ViewO
 void ViewSettings::setOptions(const ViewOptions& options) {
     m_options = options;
     const QSignalBlocker a(m_normals), b(m_normalLength.slider), c(m_every.slider), d(m_vectorLength.slider),
-        e(m_faces), f(m_normalColors);
+        e(m_faces), f(m_normalColors), g(m_objectTool);
     m_normals->setCurrentIndex(int(options.normals));
     m_normalLength.slider->setValue(stepOf(options.normalLength));
     m_every.slider->setValue(stepOfEvery(options.everyNormal));
     m_vectorLength.slider->setValue(stepOf(options.vectorLength));
     m_faces->setCurrentIndex(int(options.faces));
     m_normalColors->setCurrentIndex(int(options.normalColors));
+    m_objectTool->setCurrentIndex(int(options.objectTool));
     for (const auto& [box, shown] : m_switches) {
         const QSignalBlocker quiet(box);
         box->setChecked(options.*shown);
@@ -136,6 +148,7 @@ void ViewSettings::take() {
     m_options.vectorLength = lengthOf(m_vectorLength.slider->value());
     m_options.faces = static_cast<FacesShown>(m_faces->currentIndex());
     m_options.normalColors = static_cast<NormalColors>(m_normalColors->currentIndex());
+    m_options.objectTool = static_cast<HandleTool>(m_objectTool->currentIndex());
     for (const auto& [box, shown] : m_switches) m_options.*shown = box->isChecked();
     showValues();
     emit changed(m_options);

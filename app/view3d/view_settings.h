@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/view3d/view_options.h"
+#include "app/view3d/view_space.h"
 
 class QCheckBox;
 class QComboBox;
@@ -20,6 +21,7 @@ class ViewSettings : public QWidget {
 public:
     explicit ViewSettings(QWidget* parent = nullptr);
     void setOptions(const ViewOptions& options);  // says nothing
+    void setSpace(ViewSpace space);               // what has no meaning there is disabled, with its reason
 
 signals:
     void changed(const app::ViewOptions& options);
@@ -37,7 +39,7 @@ private:
 
     ViewOptions m_options;
     QComboBox* addChoice(const QString& name, const QString& tip, const QStringList& choices);
-    QComboBox *m_normals, *m_normalColors, *m_faces;
+    QComboBox *m_normals, *m_normalColors, *m_faces, *m_objectTool;
     std::vector<std::pair<QCheckBox*, bool ViewOptions::*>> m_switches;
     Row m_normalLength{}, m_every{}, m_vectorLength{};
 };

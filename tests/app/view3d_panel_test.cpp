@@ -241,13 +241,49 @@ TEST_F(View3dWindow, EscapePutsADraggedHandleBack) {
     EXPECT_EQ(document.scene(), before);
 }
 
-TEST_F(View3dWindow, HandlesAreForWorldSpace) {
+// The object's handle: M turns instead of moving, a drag around its ring is one step, Shift while it lasts is fine.
+TEST_F(View3dWindow, AnObjectIsTurnedByItsRing) {
     openPyramid();
-    const QPoint at = view.mapFrom(&panel, this->at(lightHandle(view).at));
+    document.pick(kRightFace);
+    QTest::keyClick(&view, Qt::Key_M);
+    ASSERT_EQ(view.handles().back().tool, app::HandleTool::Turn);
+    const pipeline::Scene before = document.scene();
+    // From above, over its origin.
+    app::OrbitCamera camera = view.camera();
+    app::lookAlong(camera, {0, 0, -1});
+    camera.target = view.handles().back().at;
+    view.setCamera(camera);
+    const QPoint middle = view.mapFrom(&panel, at(view.handles().back().at));
+    QTest::mouseMove(&view, middle);
+    EXPECT_EQ(view.numbers(), "pyramid: rotation x 0.0°  y 0.0°  z 0.0°\nM: scale it");
+    QTest::mousePress(&view, Qt::LeftButton, {}, middle + QPoint(46, 0));
+    ASSERT_TRUE(view.isDragging());
+    QTest::mouseMove(&view, middle + QPoint(33, -33));
+    EXPECT_NEAR(document.scene().objects[0].transform.rotation.z, 45, 3);
+    QTest::mouseMove(&view, middle + QPoint(0, -46));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(0, -46));
+    EXPECT_NEAR(document.scene().objects[0].transform.rotation.z, 90, 3);
+    EXPECT_EQ(document.undoStack()->count(), 1);
+    EXPECT_TRUE(document.undoStack()->undoText().startsWith("turn ")) << document.undoStack()->undoText().toStdString();
+    document.undoStack()->undo();
+    EXPECT_EQ(document.scene(), before);
+}
+
+TEST_F(View3dWindow, HandlesWorkInEyeSpaceToo) {
+    openPyramid();
     panel.setSpace({app::ViewSpace::Eye});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.isMoving(); }, 5000));
+    ASSERT_EQ(view.handles().front().kind, app::Handle::Kind::LightDirection);
+    const app::HandleView place = app::handleView(view.viewFrame(), view.shown()->map);
+    const glm::dvec2 p = app::placeOf(place, view.handles().front().at).at;
+    const QPoint at{int(p.x), int(p.y)};
     QTest::mousePress(&view, Qt::LeftButton, {}, at);
-    EXPECT_FALSE(view.isDragging());
-    QTest::mouseRelease(&view, Qt::LeftButton, {}, at);
+    EXPECT_TRUE(view.isDragging());
+    QTest::mouseMove(&view, at + QPoint(20, 5));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(20, 5));
+    EXPECT_EQ(document.undoStack()->undoText(), "move light 0");
+    panel.setSpace({app::ViewSpace::Point});
+    EXPECT_TRUE(view.handles().empty());
 }
 
 TEST_F(View3dWindow, KeysGoFromSpaceToSpace) {
