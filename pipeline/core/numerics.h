@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "pipeline/core/forms.h"
+#include "pipeline/core/power.h"
 #include "pipeline/core/real.h"
 
 namespace pipeline {
@@ -14,15 +15,18 @@ Real largestComponent(Vec3<Real> v) {
     return std::max({abs(v.x), abs(v.y), abs(v.z)});
 }
 
+// Between this and its inverse squares need no scaling: what underflows is too small to count, and the bits are those of
+// the scaled form.
+inline constexpr float kLargestUnscaled = 1 << 30;
+
 // v at length 1 within 2 rounding units, over the whole range of Real. The zero vector, and
 // one with a component that is not finite, gives the zero vector: a direction that is not
 // defined adds nothing wherever it is used.
 template <class Real>
 Vec3<Real> normalized(Vec3<Real> v) {
-    const Real largest = largestComponent(v);
-    // Here squares need no scaling: what underflows is too small to count, and the bits are those of the scaled form.
-    constexpr Real kMiddle = Real(1 << 30);
-    if (largest < kMiddle && largest > 1 / kMiddle) return v / sqrt(glm::dot(v, v));
+    const Real largest = largestComponent(v), square = glm::dot(v, v);
+    const bool isNumber = square == square;  // the largest of numbers that are none may be one
+    if (largest < Real(kLargestUnscaled) && largest > Real(1 / kLargestUnscaled) && isNumber) return v / sqrt(square);
     if (!(largest > 0) || !isfinite(largest)) return Vec3<Real>(0);
     // A power of two brings the squares into range without rounding: a scaled scene keeps its bits.
     int exponent;
@@ -40,7 +44,7 @@ Real powerOfCosine(Vec3<Real> a, Vec3<Real> b, Real exponent) {
     const Vec3<Real> difference = a - b;
     const Real q = glm::dot(difference, difference) / 2;
     if (!(q < 1)) return 0;
-    return exp(exponent * log1p(-q));
+    return expOfNegative(exponent * logOneMinus(q));
 }
 
 // 1 / sqrt(x) for an x of about 1, from its bits as a double or float, and after as many of Newton's steps as are asked
@@ -108,15 +112,17 @@ Real powerOfCosine(Vec3<Real> a, Vec3<Real> b, Real exponent, PowerForm form) {
     return std::min(power, Real(kLargestPower));
 }
 
-// Whether powerOfCosine is certain to round to 0, without its exponential: −log1p(−q) >= q, and
-// exp(x) is 0 below −103.98 in float, −745.14 in double, −11399.5 in long double and −11433.5 in Quad
-// (half the smallest number above 0).
+// Whether powerOfCosine is certain to be 0, without its exponential, where exponent · |a - b|²/2 is above this:
+// −log(1 − q) >= q, and exp(x) is 0 below −87 in float (expOfNegative), −745.14 in double, −11399.5 in long double and
+// −11433.5 in Quad (half the smallest number above 0).
+template <class Real>
+inline constexpr Real kVanishing = std::numeric_limits<Real>::digits == 24   ? 88
+                                   : std::numeric_limits<Real>::digits == 53 ? 750
+                                                                             : 11500;
 template <class Real>
 bool powerVanishes(Vec3<Real> a, Vec3<Real> b, Real exponent) {
-    constexpr int kDigits = std::numeric_limits<Real>::digits;
-    constexpr Real kZero = kDigits == 24 ? 105 : kDigits == 53 ? 750 : 11500;
     const Vec3<Real> difference = a - b;
-    return exponent * (glm::dot(difference, difference) / 2) > kZero;
+    return exponent * (glm::dot(difference, difference) / 2) > kVanishing<Real>;
 }
 
 // The angle between two vectors of any length, radians. acos of a dot product reads 0 below

@@ -107,6 +107,21 @@ public:
         }
     }
     bool exact() const { return m_exact; }  // double holds all of them in the tile
+    // Of the blocks [min, max) in row y of blocks, those outside of which an edge function leaves no pixel; a few more,
+    // for rounding.
+    std::pair<int, int> blocksInRow(int y, int min, int max) const {
+        double low = min, high = max;
+        for (int i = 0; i < 3; ++i) {
+            // Where the edge function is largest in the block: at one of its corners.
+            const double atFirst = m_value[i] - m_bias[i] + m_row[i] * (kBlock * y + (m_row[i] > 0 ? kBlock - 1 : 0)) +
+                                   std::max(m_column[i], 0.0) * (kBlock - 1);
+            const double step = m_column[i] * kBlock;
+            if (step == 0 && atFirst < 0) return {min, min};
+            if (step > 0) low = std::max(low, std::floor(-atFirst / step));
+            if (step < 0) high = std::min(high, std::ceil(-atFirst / step) + 1);
+        }
+        return {int(low), int(std::max(low, high))};
+    }
     // x, y: the block's first pixel, relative to the tile's; first: the vector's first pixel in it.
     HWY_INLINE EdgesAt at(int x, int y, int first) const {
         const Ints column = hn::Add(columnOf(first), hn::Set(I(), x));
@@ -217,12 +232,14 @@ HWY_INLINE void forEachVector(const LargeEdges& edges, const RasterTriangle<floa
     const Tile box = t.snapped.pixels();
     const BlockRange blocks(box.min, box.max, tile);
     const int lanes = int(hn::Lanes(F()));
-    for (int y = blocks.minY; y < blocks.maxY; ++y)
-        for (int x = blocks.minX; x < blocks.maxX; ++x)
+    for (int y = blocks.minY; y < blocks.maxY; ++y) {
+        const auto [left, right] = edges.blocksInRow(y, blocks.minX, blocks.maxX);
+        for (int x = left; x < right; ++x)
             for (int first = 0; first < kBlockPixels; first += lanes) {
                 const EdgesAt at = edges.at(kBlock * x, kBlock * y, first);
                 if (!hn::AllFalse(F(), at.inside)) visit(blockAt(x, y) + std::size_t(first), at);
             }
+    }
 }
 
 // Where a pixel of a tile stands in its blocks.

@@ -32,21 +32,6 @@ HWY_INLINE Floats3 all(Vec3<float> v) { return {all(v.x), all(v.y), all(v.z)}; }
 HWY_INLINE Floats3 operator-(Floats3 a, Floats3 b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
 HWY_INLINE Floats3 operator+(Floats3 a, Floats3 b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
 HWY_INLINE Floats3 scaled(Floats3 a, Floats s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
-// a s + b
-HWY_INLINE Floats3 scaledPlus(Floats3 a, Floats s, Floats3 b) {
-    return {hn::MulAdd(a.x, s, b.x), hn::MulAdd(a.y, s, b.y), hn::MulAdd(a.z, s, b.z)};
-}
-HWY_INLINE Floats dot(Floats3 a, Floats3 b) { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))); }
-// Length 1; (0, 0, 0) stays.
-HWY_INLINE Floats3 unit(Floats3 a) {
-    const Floats square = dot(a, a);
-    // An estimate, and one of Newton's steps: within 2^-22.
-    const Floats estimate = hn::ApproximateReciprocalSqrt(square);
-    const Floats inverse =
-        hn::Mul(estimate, hn::NegMulAdd(hn::Mul(hn::Mul(all(0.5F), square), estimate), estimate, all(1.5F)));
-    return scaled(a, hn::IfThenElseZero(hn::Gt(square, all(0)), inverse));
-}
-
 HWY_INLINE Mask asFloats(hn::Mask<I> mask) { return hn::RebindMask(F(), mask); }
 // Bit i: of lane i.
 HWY_INLINE std::uint32_t bitsOf(Mask mask) {

@@ -6,50 +6,58 @@
 #define SHADESCOPE_POWER_H
 #endif
 
-#include "pipeline/fast/lanes.h"
+#include "pipeline/core/power.h"
+#include "pipeline/fast/arithmetic.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// |a - b|²/2 = 1 - a·b, of unit vectors.
-HWY_INLINE Floats halfSquare(Floats3 a, Floats3 b) {
-    const Floats3 difference = a - b;
-    return hn::Mul(all(0.5F), dot(difference, difference));
+// pipeline/core/power.h, many numbers at a time.
+
+template <class A, std::size_t kCount>
+HWY_INLINE Floats polynomial(const std::array<float, kCount>& c, Floats x) {
+    const Floats square = hn::Mul(x, x);
+    Floats even = all(c[(kCount - 1) / 2 * 2]), odd = all(c[(kCount - 2) / 2 * 2 + 1]);
+    for (std::size_t i = (kCount - 1) / 2 * 2; i >= 2; i -= 2) even = A::mulAdd(even, square, all(c[i - 2]));
+    for (std::size_t i = (kCount - 2) / 2 * 2 + 1; i >= 3; i -= 2) odd = A::mulAdd(odd, square, all(c[i - 2]));
+    return A::mulAdd(odd, x, even);
 }
 
-// log(1 - q), q in [0, 1): 1 - q is 2^e m with m in [0.75, 1.5), and m - 1 is -q itself where e is 0, so that the centre
-// of a highlight keeps its digits. The polynomial interpolates log(1 + r)/r at the Chebyshev nodes of [-0.25, 0.5],
-// within 3.1e-8 of it.
-HWY_INLINE Floats logOfRest(Floats q) {
+template <class A>
+HWY_INLINE Floats logOneMinus(Floats q) {
     const I whole;
     const Ints bits = hn::BitCast(whole, hn::Sub(all(1), q));
-    const Ints e = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(whole, 0x3f400000)));  // the bits of 0.75
-    const Floats m = hn::BitCast(F(), hn::Sub(bits, hn::ShiftLeft<23>(e)));
-    const Floats r = hn::IfThenElse(hn::Lt(q, all(0.25F)), hn::Neg(q), hn::Sub(m, all(1)));
-    Floats p = all(0.0529510641F);
-    for (const float c : {-0.11956825F, 0.149728972F, -0.16835696F, 0.199790331F, -0.249929166F, 0.333335028F,
-                          -0.500000687F, 0.999999998F})
-        p = hn::MulAdd(p, r, all(c));
-    return hn::MulAdd(hn::ConvertTo(F(), e), all(0.693147181F), hn::Mul(r, p));
+    const Ints exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(whole, 0x3f400000)));
+    const Floats k = hn::BitCast(F(), hn::Sub(hn::Set(whole, 0x3f800000), hn::ShiftLeft<23>(exponent)));
+    const Floats r = A::negMulAdd(k, q, hn::Sub(k, all(1))), e = hn::ConvertTo(F(), exponent);
+    const Floats log = A::mulAdd(hn::Mul(r, r), polynomial<A>(kLogTail, r), r);
+    return A::mulAdd(e, all(kLog2Head), A::mulAdd(e, all(kLog2Rest), log));
 }
 
-// exp(y), y <= 0; below 2^-126 that. The polynomial interpolates 2^f at the Chebyshev nodes of [-0.5, 0.5], within
-// 1.1e-7 of it.
+template <class A>
 HWY_INLINE Floats expOfNegative(Floats y) {
-    const Floats t = hn::Max(hn::Mul(y, all(1.44269504F)), all(-126));
-    const Ints n = hn::NearestInt(t);
-    const Floats f = hn::Sub(t, hn::ConvertTo(F(), n));
-    Floats p = all(0.00133908634F);
-    for (const float c : {0.00967603192F, 0.0555035711F, 0.240221075F, 0.693147188F, 1.0F})
-        p = hn::MulAdd(p, f, all(c));
-    return hn::BitCast(F(), hn::Add(hn::BitCast(I(), p), hn::ShiftLeft<23>(n)));
+    const Mask normal = hn::Ge(y, all(kSmallestExponent));
+    y = hn::IfThenElseZero(normal, y);
+    const Ints n = hn::ConvertTo(I(), hn::Sub(hn::Mul(y, all(1.44269504F)), all(0.5F)));
+    const Floats times = hn::ConvertTo(F(), n);
+    const Floats f = A::negMulAdd(times, all(kLog2Rest), A::negMulAdd(times, all(kLog2Head), y));
+    const Floats power = hn::Add(A::mulAdd(hn::Mul(f, f), polynomial<A>(kExpTail, f), f), all(1));
+    return hn::IfThenElseZero(normal, hn::BitCast(F(), hn::Add(hn::BitCast(I(), power), hn::ShiftLeft<23>(n))));
+}
+
+// |a - b|²/2 = 1 - a·b, of unit vectors.
+template <class A>
+HWY_INLINE Floats halfSquare(Floats3 a, Floats3 b) {
+    const Floats3 difference = a - b;
+    return hn::Mul(all(0.5F), A::dot(difference, difference));
 }
 
 // (a·b)^exponent where `counts` says so and a·b > 0, else 0: powerOfCosine's form. q: halfSquare(a, b).
+template <class A>
 HWY_INLINE Floats powerOfCosines(Floats q, Floats exponent, Mask counts) {
     const Mask valid = hn::And(counts, hn::Lt(q, all(1)));
     const Floats small = hn::IfThenElseZero(valid, q);
-    return hn::IfThenElseZero(valid, expOfNegative(hn::Mul(exponent, logOfRest(small))));
+    return hn::IfThenElseZero(valid, expOfNegative<A>(hn::Mul(exponent, logOneMinus<A>(small))));
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

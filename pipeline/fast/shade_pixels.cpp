@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 //
 #include "pipeline/fast/power.h"
+#include "pipeline/fast/shadows.h"
 #include "pipeline/fast/surfaces.h"
 #include "pipeline/stages/shading_terms.h"
 
@@ -21,10 +22,11 @@ namespace {
 struct Common {
     const ShadingInputs& inputs;
     const ShadingSources<float>& in;
-    const ShadingOutput<float>& out;  // of its polygons or vertices, which have been shaded
-    // Of a pixel by its triangle's corners, as depths are compared with; else on the ray through the pixel.
-    bool position = false;
-    float toByte = 0;  // 255 / I_max
+    ShadingOutput<float>& out;  // its polygons or vertices have been shaded
+    glm::ivec2 origin;          // of the tile
+    bool everyShadow = false;   // S also where nothing depends on it: somebody looks
+
+    bool has(BufferId id) const { return !out.vectors[index(id)].empty() || !out.scalars[index(id)].empty(); }
 };
 
 // What a light makes of a material.
@@ -35,7 +37,7 @@ struct Reflected {
 struct Look {
     std::size_t object = ~std::size_t(0);
     const Material* material = nullptr;
-    Vec3<float> base{0};
+    BaseTerms<float> base;
     std::vector<Reflected> lights;
     bool halfway = false;
     float exponent = 0;
@@ -44,7 +46,7 @@ struct Look {
         if (object == next) return;
         object = next;
         material = &inputs.materials[next];
-        base = sumOf(baseTerms<float>(inputs, *material));
+        base = baseTerms<float>(inputs, *material);
         halfway = usesHalfway(inputs.illumination.model, *material);
         exponent = float((halfway ? inputs.illumination.exponentFactor : 1.0) * material->exponent);
         lights.clear();
@@ -61,111 +63,101 @@ struct Surfaces {
     Ints polygon, vertices[3];
 };
 
-// How many of the texels that filtering looks at see the points lit: litTexels, of a light at infinity.
-HWY_INLINE Floats litShare(const LightView<float>& light, const ShadowSettings& settings, Floats3 position,
-                           Floats3 normal, Mask wanted) {
-    const View& face = light.faces[0];
-    const Buffer2D<float>& depth = light.depth[0];
-    const Floats3 right = all(Vec3<float>(face.right)), up = all(Vec3<float>(face.up)),
-                  forward = all(Vec3<float>(face.forward));
-    const Floats3 p = position - all(Vec3<float>(face.eye));
-    const Floats x = hn::Floor(hn::MulAdd(all(float(face.scale.x)), dot(right, p), all(float(face.centre.x))));
-    const Floats y = hn::Floor(hn::NegMulAdd(all(float(face.scale.y)), dot(up, p), all(float(face.centre.y))));
-    const Floats z = dot(forward, p);
-    Floats bias = all(float(settings.biasValue));
-    if (settings.bias != ShadowBias::Constant) {
-        const float texels = float(settings.filter) + 0.5F + 1.0F / 128;
-        const Floats across = hn::MulAdd(hn::Abs(dot(right, normal)), all(float(1 / face.scale.x)),
-                                         hn::Mul(hn::Abs(dot(up, normal)), all(float(1 / face.scale.y))));
-        const Floats slope = hn::Div(hn::Mul(all(texels), across), hn::Abs(dot(forward, normal)));
-        bias = settings.bias == ShadowBias::Slope ? hn::Mul(bias, slope) : hn::Add(slope, all(light.rounding));
-    }
-    const int r = settings.filter;
-    const Floats zero = all(0), last = all(float(depth.size.x - 1));
-    Floats lit = zero;
-    for (int dy = -r; dy <= r; ++dy) {
-        for (int dx = -r; dx <= r; ++dx) {
-            const Floats u = hn::Add(x, all(float(dx))), v = hn::Add(y, all(float(dy)));
-            const Mask inside = hn::And(hn::And(hn::Ge(u, zero), hn::Le(u, last)),
-                                        hn::And(hn::And(hn::Ge(v, zero), hn::Le(v, last)), wanted));
-            const Ints column = hn::ConvertTo(I(), hn::IfThenElseZero(inside, u));
-            const Ints row = hn::ConvertTo(I(), hn::IfThenElseZero(inside, v));
-            const Ints at = hn::Add(hn::Mul(row, hn::Set(I(), depth.size.x)), column);
-            const Floats stored = hn::GatherIndex(F(), depth.pixels.data(), at);
-            const Mask shadowed = hn::And(inside, hn::Gt(z, hn::Add(stored, bias)));
-            lit = hn::Add(lit, hn::IfThenZeroElse(shadowed, all(1)));
-        }
-    }
-    return lit;
-}
+// Pixels of one vector, and what of them goes into buffers that are there.
+struct Pixels {
+    const Common& scene;
+    std::size_t at;  // the vector's place in the tile
+    Mask mask;
 
-// S of light k; 1 where it is not asked for. shadowAt says what it is.
-HWY_INLINE Floats shadows(const Common& scene, std::size_t k, const Surfaces& at, Floats3 L, Mask wanted) {
-    const Light& light = scene.inputs.lights[k];
-    const bool none = !light.castsShadow || scene.inputs.illumination.model == Model::OpenGl;
-    if (none || hn::AllFalse(F(), wanted)) return all(1);
-    if (light.kind == LightKind::AtInfinity) {
-        const Floats3 normal = gather(scene.in.normals.polygon, at.polygon);
-        const Mask faces = hn::Gt(dot(normal, L), all(0));
-        const bool looksUp = scene.in.shadow && !scene.in.shadow->lights[k].empty();
-        Floats share = all(1);
-        if (looksUp)
-            share = hn::Mul(litShare(scene.in.shadow->lights[k][0], scene.inputs.shadow, at.position, normal,
-                                     hn::And(wanted, faces)),
-                            all(1 / float(filteredTexels(scene.inputs.shadow))));
-        return hn::IfThenElse(wanted, hn::IfThenElseZero(faces, share), all(1));
+    HWY_INLINE void put(BufferId id, Floats3 v, std::size_t k = 0) const {
+        auto& buffers = scene.out.vectors[index(id)];
+        if (!buffers.empty()) putPixels(v.x, v.y, v.z, F(), mask, at, scene.origin, buffers[k]);
     }
-    // Six buffers, of an area light for each sample: one pixel after the other.
-    HWY_ALIGN float factor[16], x[16], y[16], z[16];
-    HWY_ALIGN std::int32_t polygon[16];
-    hn::Store(hn::IfThenElseZero(wanted, all(1)), F(), factor);
-    hn::Store(at.position.x, F(), x), hn::Store(at.position.y, F(), y), hn::Store(at.position.z, F(), z);
-    hn::Store(at.polygon, I(), polygon);
-    for (std::size_t i = 0; i < hn::Lanes(F()); ++i)
-        factor[i] = factor[i] == 0
-                        ? 1
-                        : shadowAt(scene.inputs, scene.in, k, std::uint32_t(polygon[i]), Vec3<float>(x[i], y[i], z[i]));
-    return hn::Load(F(), factor);
-}
+    HWY_INLINE void put(BufferId id, Floats v, std::size_t k = 0) const {
+        auto& buffers = scene.out.scalars[index(id)];
+        if (!buffers.empty()) putPixels(v, mask, at, scene.origin, buffers[k]);
+    }
+};
 
 HWY_INLINE long long countOf(Mask mask) { return static_cast<long long>(hn::CountTrue(F(), mask)); }
 
-// The intensity of the pixels in `mask`, all of one object.
-HWY_INLINE Floats3 illuminate(const Common& scene, const Look& look, const Surfaces& at, Mask mask,
-                              ShadingCounts& counts) {
-    const ShadingInputs& inputs = scene.inputs;
+HWY_INLINE Mask isZero(Floats3 v) {
+    return hn::And(hn::Eq(v.x, all(0)), hn::And(hn::Eq(v.y, all(0)), hn::Eq(v.z, all(0))));
+}
+HWY_INLINE Floats3 where(Mask mask, Floats3 v) {
+    return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
+}
+
+// The terms of light k in its shadow, added to the intensity.
+template <class A>
+HWY_INLINE void addLight(const Pixels& pixels, std::size_t k, const Surfaces& at, Floats3 diffuse, Floats3 specular,
+                         Floats3& intensity, ShadingCounts& counts) {
+    const Common& scene = pixels.scene;
+    const Mask idle = hn::And(isZero(diffuse), isZero(specular));
+    const bool everywhere = scene.inputs.parts.idleLookups || scene.everyShadow;
+    const Mask wanted = everywhere ? pixels.mask : hn::AndNot(idle, pixels.mask);
+    const Floats S = shadowFactors<A>(scene.inputs, scene.in, k, at.position, at.polygon, wanted);
+    if (scene.in.shadow && !scene.in.shadow->lights[k].empty()) {
+        const long long lookups = countOf(wanted);
+        counts.lookups += lookups, counts.idleLookups += countOf(pixels.mask) - lookups;
+    }
+    diffuse = scaled(diffuse, S), specular = scaled(specular, S);
+    intensity = intensity + diffuse + specular;
+    pixels.put(BufferId::Shadow, S, k);
+    pixels.put(BufferId::Diffuse, diffuse, k);
+    pixels.put(BufferId::Specular, specular, k);
+}
+
+// The intensity in Phong shading, of pixels that are all of one object.
+template <class A>
+HWY_INLINE Floats3 illuminate(const Pixels& pixels, const Look& look, const Surfaces& at, ShadingCounts& counts) {
+    const ShadingInputs& inputs = pixels.scene.inputs;
     const LightDetail& detail = inputs.illumination.detail;
-    const bool shines = look.material->specular != Vec3d(0);
-    Floats3 intensity = all(look.base);
+    const bool powers = look.material->specular != Vec3d(0) || detail.dull;
+    pixels.put(BufferId::Emission, all(look.base.emission));
+    pixels.put(BufferId::Ambient, all(look.base.ambient));
+    Floats3 intensity = all(sumOf(look.base));
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
         if (!inputs.parts.lights[k]) continue;
         const Light& light = inputs.lights[k];
-        const Floats3 L = light.kind == LightKind::AtInfinity ? all(normalized(Vec3<float>(light.position)))
-                                                              : unit(all(Vec3<float>(light.position)) - at.position);
-        const Floats nDotL = dot(at.N, L);
-        const Mask lit = hn::And(mask, hn::Gt(nDotL, all(0)));
-        counts.evaluations += countOf(mask);
+        const Vec3<float> place(light.position);
+        const Floats3 L = light.kind == LightKind::AtInfinity ? all(normalized(place))
+                                                              : A::unit(all(place) - at.position, pixels.mask);
+        const Floats nDotL = A::dot(at.N, L);
+        const Mask lit = hn::And(pixels.mask, hn::Gt(nDotL, all(0)));
+        counts.evaluations += countOf(pixels.mask);
+        pixels.put(BufferId::LightVector, L, k);
+        pixels.put(BufferId::NDotL, nDotL, k);
+        Floats3 R = all(Vec3<float>(0)), H = R;
+        Floats rDotV = all(0), nDotH = rDotV;
+        if (detail.reflection || (!look.halfway && powers)) {
+            R = scaled(at.N, hn::Add(nDotL, nDotL)) - L;
+            rDotV = A::dot(R, at.V);
+            pixels.put(BufferId::ReflectionVector, R, k);
+            pixels.put(BufferId::RDotV, rDotV, k);
+        }
+        if (detail.halfway || (look.halfway && powers)) {
+            H = A::unit(L + at.V, pixels.mask);
+            nDotH = A::dot(at.N, H);
+            pixels.put(BufferId::HalfwayVector, H, k);
+            pixels.put(BufferId::NDotH, nDotH, k);
+        }
         Floats power = all(0);
-        if (shines || detail.dull) {
-            const Floats3 a = look.halfway ? at.N : scaled(at.N, hn::Add(nDotL, nDotL)) - L;
-            const Floats3 b = look.halfway ? unit(L + at.V) : at.V;
-            const Mask towards = hn::And(lit, hn::Gt(dot(a, b), all(0)));
-            const Floats q = halfSquare(a, b), exponent = all(look.exponent);
-            power = powerOfCosines(q, exponent, towards);
-            const Mask vanished = hn::And(towards, hn::Gt(hn::Mul(exponent, q), all(105)));  // powerVanishes
+        Mask towards = lit;
+        if (powers) {
+            towards = hn::And(lit, hn::Gt(look.halfway ? nDotH : rDotV, all(0)));
+            const Floats q = look.halfway ? halfSquare<A>(at.N, H) : halfSquare<A>(R, at.V);
+            const Floats exponent = all(look.exponent);
+            power = powerOfCosines<A>(q, exponent, towards);
+            const Mask vanished = hn::And(towards, hn::Gt(hn::Mul(exponent, q), all(kVanishing<float>)));
             const long long vanishing = detail.vanishing ? 0 : countOf(vanished);
             counts.vanished += vanishing, counts.powers += countOf(towards) - vanishing;
         }
         const Reflected& reflected = look.lights[k];
-        const Mask idle = hn::Not(lit);  // nothing to shadow there
-        const Mask wanted = inputs.parts.idleLookups ? mask : hn::AndNot(idle, mask);
-        const Floats S = shadows(scene, k, at, L, wanted);
-        if (scene.in.shadow && !scene.in.shadow->lights[k].empty())
-            counts.lookups += countOf(wanted), counts.idleLookups += countOf(mask) - countOf(wanted);
-        const Floats diffuse = hn::IfThenElseZero(lit, hn::Mul(S, nDotL)),
-                     specular = hn::IfThenElseZero(lit, hn::Mul(S, power));
-        intensity = scaledPlus(all(reflected.diffuse), diffuse, intensity);
-        intensity = scaledPlus(all(reflected.specular), specular, intensity);
+        // Never -0: what is left out is +0.
+        const Floats3 specular = scaled(all(reflected.specular), power) + all(Vec3<float>(0));
+        addLight<A>(pixels, k, at, where(lit, scaled(all(reflected.diffuse), nDotL)), where(towards, specular),
+                    intensity, counts);
     }
     return intensity;
 }
@@ -181,60 +173,75 @@ HWY_INLINE Floats3 gatherOf(const std::vector<Pair>& values, Ints index, int whi
             hn::GatherIndex(F(), base, hn::Add(at, hn::Add(one, one)))};
 }
 
-// Values of polygons, or those of vertices interpolated: the i-th of `each` values of every element.
-template <class Pair>
-HWY_INLINE Floats3 shadedBefore(const Common& scene, const std::vector<Pair>& values, const Surfaces& at,
-                                std::size_t each, std::size_t i, int which) {
-    const auto indexOf = [&](Ints element) HWY_ATTR {
-        return hn::Add(hn::Mul(element, hn::Set(I(), std::int32_t(each))), hn::Set(I(), std::int32_t(i)));
-    };
-    if (scene.inputs.shading == Shading::Flat) return gatherOf(values, indexOf(at.polygon), which);
-    const Floats3 sum = scaledPlus(gatherOf(values, indexOf(at.vertices[1]), which), at.weights.y,
-                                   scaled(gatherOf(values, indexOf(at.vertices[0]), which), at.weights.x));
-    return scaledPlus(gatherOf(values, indexOf(at.vertices[2]), which), at.weights.z, sum);
-}
-
 // The intensity in flat or Gouraud shading: what polygons or vertices have, and the shadows of the pixels.
-HWY_INLINE Floats3 gathered(const Common& scene, const Surfaces& at, Mask mask, ShadingCounts& counts) {
-    const ShadingInputs& inputs = scene.inputs;
-    const auto& elements = inputs.shading == Shading::Flat ? scene.out.polygons : scene.out.vertices;
+template <class A>
+HWY_INLINE Floats3 gathered(const Pixels& pixels, const Surfaces& at, ShadingCounts& counts) {
+    const ShadingInputs& inputs = pixels.scene.inputs;
+    const bool flat = inputs.shading == Shading::Flat;
+    const auto& elements = flat ? pixels.scene.out.polygons : pixels.scene.out.vertices;
     const std::size_t lights = inputs.lights.size();
-    Floats3 intensity =
-        shadedBefore(scene, elements.base, at, 1, 0, 0) + shadedBefore(scene, elements.base, at, 1, 0, 1);
-    for (std::size_t k = 0; k < lights; ++k) {
-        if (!inputs.parts.lights[k]) continue;
-        const Light& light = inputs.lights[k];
-        const Floats3 diffuse = shadedBefore(scene, elements.terms, at, lights, k, 0);
-        const Floats3 specular = shadedBefore(scene, elements.terms, at, lights, k, 1);
-        const auto isZero = [&](Floats3 v) HWY_ATTR {
-            return hn::And(hn::Eq(v.x, all(0)), hn::And(hn::Eq(v.y, all(0)), hn::Eq(v.z, all(0))));
+    // Interpolated by differences, so that equal values stay what they are.
+    const auto base = [&](int which) HWY_ATTR {
+        if (flat) return gatherOf(elements.base, at.polygon, which);
+        const Floats3 first = gatherOf(elements.base, at.vertices[0], which);
+        const Floats3 second = gatherOf(elements.base, at.vertices[1], which) - first;
+        const Floats3 third = gatherOf(elements.base, at.vertices[2], which) - first;
+        return scaledPlus<A>(third, at.weights.z, scaledPlus<A>(second, at.weights.y, first));
+    };
+    const auto term = [&](std::size_t k, int which) HWY_ATTR {
+        const auto of = [&](Ints element) HWY_ATTR {
+            const Ints first = hn::Mul(element, hn::Set(I(), std::int32_t(lights)));
+            return gatherOf(elements.terms, hn::Add(first, hn::Set(I(), std::int32_t(k))), which);
         };
-        const Mask idle = hn::And(isZero(diffuse), isZero(specular));
-        const Mask wanted = inputs.parts.idleLookups ? mask : hn::AndNot(idle, mask);
-        const Floats3 L =
-            light.kind == LightKind::AtInfinity ? all(normalized(Vec3<float>(light.position))) : all(Vec3<float>(0));
-        const Floats S = shadows(scene, k, at, L, wanted);
-        if (scene.in.shadow && !scene.in.shadow->lights[k].empty())
-            counts.lookups += countOf(wanted), counts.idleLookups += countOf(mask) - countOf(wanted);
-        intensity = scaledPlus(specular, S, scaledPlus(diffuse, S, intensity));
-    }
+        if (flat) return of(at.polygon);
+        const Floats3 first = scaledPlus<A>(of(at.vertices[0]), at.weights.x, all(Vec3<float>(0)));
+        return scaledPlus<A>(of(at.vertices[2]), at.weights.z, scaledPlus<A>(of(at.vertices[1]), at.weights.y, first));
+    };
+    const Floats3 emission = base(0), ambient = base(1);
+    pixels.put(BufferId::Emission, emission);
+    pixels.put(BufferId::Ambient, ambient);
+    Floats3 intensity = all(Vec3<float>(0)) + emission + ambient;
+    for (std::size_t k = 0; k < lights; ++k)
+        if (inputs.parts.lights[k]) addLight<A>(pixels, k, at, term(k, 0), term(k, 1), intensity, counts);
     return intensity;
 }
 
-// round(255 · clamp(I / I_max, 0, 1)); 0 where I is no number.
-HWY_INLINE hn::Vec<hn::Rebind<std::uint8_t, F>> bytes(Floats intensity, float toByte) {
-    const Floats value = hn::Mul(intensity, all(toByte));
-    const Floats clamped = hn::IfThenElseZero(hn::Gt(value, all(0)), hn::Min(value, all(255)));
-    return hn::DemoteTo(hn::Rebind<std::uint8_t, F>(), hn::ConvertTo(I(), hn::Add(clamped, all(0.5F))));
+using Bytes = hn::Rebind<std::uint8_t, F>;
+
+// frameBufferValue of one channel; its bits in exact arithmetic.
+template <class A>
+HWY_INLINE hn::Vec<Bytes> bytesOf(Floats intensity, double iMax) {
+    if constexpr (!A::kExact) {
+        const Floats value = hn::Mul(intensity, all(iMax > 0 ? float(255 / iMax) : 0));
+        const Floats clamped = hn::IfThenElseZero(hn::Gt(value, all(0)), hn::Min(value, all(255)));
+        return hn::DemoteTo(Bytes(), hn::ConvertTo(I(), hn::Add(clamped, all(0.5F))));
+    }
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(Bytes(), frameBufferValue(Vec3d(double(hn::GetLane(intensity))), iMax).x);
+#else
+    const hn::Half<F> half;
+    const hn::Rebind<double, hn::Half<F>> d;
+    const auto rounded = [&](auto some) HWY_ATTR {
+        const auto share = hn::Div(hn::PromoteTo(d, some), hn::Set(d, iMax));
+        const auto value = hn::Add(hn::Mul(share, hn::Set(d, 255)), hn::Set(d, 0.5));
+        const auto clamped = hn::IfThenElseZero(hn::Gt(share, hn::Zero(d)), hn::Min(value, hn::Set(d, 255.5)));
+        return hn::DemoteTo(hn::Rebind<std::int32_t, decltype(d)>(), clamped);
+    };
+    if (!(iMax > 0)) return hn::Zero(Bytes());
+    const auto low = rounded(hn::LowerHalf(half, intensity)), high = rounded(hn::UpperHalf(half, intensity));
+    return hn::DemoteTo(Bytes(), hn::Combine(I(), high, low));
+#endif
 }
 
-// Of the vector at `at` of a block, the block's first pixel being `first`.
-HWY_INLINE Surfaces surfacesOf(const Common& scene, const SurfaceBlock& block, std::size_t at, glm::ivec2 first) {
+// Of the vector at `at` of a block.
+template <class A>
+HWY_INLINE Surfaces surfacesOf(const Common& scene, const SurfaceBlock& block, std::size_t at, Mask hit) {
+    const ShadingInputs& inputs = scene.inputs;
     const ShadingSources<float>& in = scene.in;
     Surfaces out;
     out.polygon = hn::Load(I(), &block.polygon[at]);
-    out.position = scene.position ? load(block.position, at) : all(Vec3<float>(0));
-    if (scene.inputs.shading != Shading::Phong) {
+    out.position = inputs.parts.position ? load(block.position, at) : all(Vec3<float>(0));
+    if (inputs.shading != Shading::Phong) {
         out.weights = load(block.weights, at);
         const auto ids = hn::Load(U(), &block.triangle[at]);
         const auto none = hn::Eq(ids, hn::Set(U(), kNoTriangle));
@@ -245,86 +252,103 @@ HWY_INLINE Surfaces surfacesOf(const Common& scene, const SurfaceBlock& block, s
             out.vertices[i] = hn::GatherIndex(I(), words, hn::Add(hn::ShiftLeft<2>(triangle), hn::Set(I(), i)));
         return out;
     }
-    out.N = unit(load(block.normal, at));
+    out.N = A::unit(load(block.normal, at), hit);
     const View& view = in.transform.view;
-    if (!scene.position) {  // worldPoint, at the pixels' centres
-        const Floats zView = hn::Load(F(), &block.zView[at]);
-        const Floats spread = view.perspective ? zView : all(1);
-        const Floats column = hn::ConvertTo(F(), columnOf(int(at))), row = hn::ConvertTo(F(), rowOf(int(at)));
-        const float left = float(first.x + 0.5 - view.centre.x), top = float(view.centre.y - first.y - 0.5);
-        const Floats x = hn::Mul(hn::Mul(hn::Add(column, all(left)), all(float(1 / view.scale.x))), spread);
-        const Floats y = hn::Mul(hn::Mul(hn::Sub(all(top), row), all(float(1 / view.scale.y))), spread);
-        out.position = scaledPlus(all(Vec3<float>(view.forward)), zView,
-                                  scaledPlus(all(Vec3<float>(view.right)), x,
-                                             scaledPlus(all(Vec3<float>(view.up)), y, all(Vec3<float>(view.eye)))));
-    }
-    out.V = view.perspective ? unit(all(Vec3<float>(view.eye)) - out.position) : all(-Vec3<float>(view.forward));
+    if (!inputs.parts.viewVector)
+        out.V = all(Vec3<float>(0));
+    else if (view.perspective)
+        out.V = A::unit(all(Vec3<float>(view.eye)) - out.position, hit);
+    else
+        out.V = all(-Vec3<float>(view.forward));
     return out;
 }
 
-HWY_INLINE void shadeVector(const Common& scene, const TileSurfaces& tile, std::size_t at, glm::ivec2 first, Look& look,
-                            TileColors& out, ShadingCounts& counts) {
-    const SurfaceBlock& block = tile[at / kBlockPixels];
-    const std::size_t inBlock = at % kBlockPixels;
-    const auto none = hn::Eq(hn::Load(U(), &block.triangle[inBlock]), hn::Set(U(), kNoTriangle));
-    if (hn::AllTrue(U(), none)) return;
-    const Mask hit = hn::RebindMask(F(), hn::Not(none));
-    const Surfaces surfaces = surfacesOf(scene, block, inBlock, first);
-
-    const Topology& topology = *scene.in.transform.topology;
-    Floats3 intensity = all(Vec3<float>(0));
-    Mask left = hit;
-    if (scene.inputs.shading != Shading::Phong) {
-        const Floats3 some = gathered(scene, surfaces, hit, counts);
-        intensity = {hn::IfThenElseZero(hit, some.x), hn::IfThenElseZero(hit, some.y), hn::IfThenElseZero(hit, some.z)};
-        left = hn::AndNot(hit, hit);
-    }
+// A vector in Phong shading: object by object.
+template <class A>
+HWY_INLINE Floats3 shadeObjects(const Pixels& pixels, const Surfaces& surfaces, Look& look, ShadingCounts& counts) {
+    const Topology& topology = *pixels.scene.in.transform.topology;
     Ints objects = hn::Zero(I());
     if (topology.meshes.size() > 1)
         objects = hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(topology.polygonObject.data()),
                                   surfaces.polygon);
     HWY_ALIGN std::int32_t object[16];
     hn::Store(objects, I(), object);
+    Floats3 intensity = all(Vec3<float>(0));
+    Mask left = pixels.mask;
     while (!hn::AllFalse(F(), left)) {
         const std::int32_t next = object[hn::FindKnownFirstTrue(F(), left)];
         const Mask same = hn::And(left, hn::RebindMask(F(), hn::Eq(objects, hn::Set(I(), next))));
-        look.become(scene.inputs, std::size_t(next));
-        const Floats3 some = illuminate(scene, look, surfaces, same, counts);
+        look.become(pixels.scene.inputs, std::size_t(next));
+        const Floats3 some = illuminate<A>({pixels.scene, pixels.at, same}, look, surfaces, counts);
         intensity = {hn::IfThenElse(same, some.x, intensity.x), hn::IfThenElse(same, some.y, intensity.y),
                      hn::IfThenElse(same, some.z, intensity.z)};
         left = hn::AndNot(same, left);
     }
-    HWY_ALIGN float numbers[16];
-    HWY_ALIGN std::uint8_t bytesOfColor[16];
-    const Floats channels[3]{intensity.x, intensity.y, intensity.z};
-    for (int c = 0; c < 3; ++c) {
-        hn::Store(channels[c], F(), numbers);
-        putInRows(numbers, at, out.intensity[c]);
-        hn::Store(bytes(channels[c], scene.toByte), hn::Rebind<std::uint8_t, F>(), bytesOfColor);
-        putInRows(bytesOfColor, at, out.color[c]);
+    return intensity;
+}
+
+// In which pixels of a vector something is seen.
+HWY_INLINE Mask seenIn(const TileSurfaces& tile, std::size_t at) {
+    const auto ids = hn::Load(U(), &tile[at / kBlockPixels].triangle[at % kBlockPixels]);
+    return hn::RebindMask(F(), hn::Ne(ids, hn::Set(U(), kNoTriangle)));
+}
+
+template <class A>
+HWY_INLINE void shadeVector(const Common& scene, const TileSurfaces& tile, std::size_t at, Mask inTile, Look& look,
+                            ShadingCounts& counts) {
+    const SurfaceBlock& block = tile[at / kBlockPixels];
+    const std::size_t inBlock = at % kBlockPixels;
+    const Pixels pixels{scene, at, seenIn(tile, at)};
+    Floats3 intensity = all(Vec3<float>(0));
+    if (!hn::AllFalse(F(), pixels.mask)) {
+        const Surfaces surfaces = surfacesOf<A>(scene, block, inBlock, pixels.mask);
+        pixels.put(BufferId::Position, surfaces.position);
+        if (scene.inputs.shading == Shading::Phong) {
+            pixels.put(BufferId::Normal, surfaces.N);
+            pixels.put(BufferId::ViewVector, surfaces.V);
+            intensity = shadeObjects<A>(pixels, surfaces, look, counts);
+        } else
+            intensity = gathered<A>(pixels, surfaces, counts);
+        intensity = where(pixels.mask, intensity);
     }
+    const Pixels whole{scene, at, inTile};
+    whole.put(BufferId::Intensity, intensity);
+    const double iMax = scene.out.iMax;
+    putPixels(bytesOf<A>(intensity.x, iMax), bytesOf<A>(intensity.y, iMax), bytesOf<A>(intensity.z, iMax), Bytes(),
+              inTile, at, scene.origin, scene.out.color);
+}
+
+template <class A>
+ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
+                        ShadingOutput<float>& out) {
+    Common scene{inputs, in, out, tile.min};
+    scene.everyShadow = scene.has(BufferId::Shadow);
+    Look look;
+    ShadingCounts counts;
+    TileSurfaces surfaces;
+    findSurfaces<A>(inputs, in, tile, surfaces);
+    const glm::ivec2 size = tile.max - tile.min;
+    for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F())) {
+        const glm::ivec2 block = pixelOf(at / kBlockPixels * kBlockPixels);
+        const int inBlock = int(at % kBlockPixels);
+        const auto inColumns = hn::Lt(columnOf(inBlock), hn::Set(I(), size.x - block.x));
+        const auto inRows = hn::Lt(rowOf(inBlock), hn::Set(I(), size.y - block.y));
+        const Mask inTile = asFloats(hn::And(inColumns, inRows));
+        if (const std::size_t next = at + hn::Lanes(F()); next < kTilePixels && inputs.parts.position) {
+            const Mask seen = seenIn(surfaces, next);
+            const Floats3 position = load(surfaces[next / kBlockPixels].position, next % kBlockPixels);
+            if (!hn::AllFalse(F(), seen)) fetchTexels<A>(inputs, in, position, seen);
+        }
+        if (!hn::AllFalse(F(), inTile)) shadeVector<A>(scene, surfaces, at, inTile, look, counts);
+    }
+    return counts;
 }
 
 }  // namespace
 
 ShadingCounts shadeTileInVectors(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
                                  ShadingOutput<float>& out) {
-    Common scene{inputs, in, out, false, 0};
-    const auto usesPosition = [](const Light& light) {
-        return light.castsShadow || light.kind != LightKind::AtInfinity;
-    };
-    scene.position = std::ranges::any_of(inputs.lights, usesPosition);
-    scene.toByte = out.iMax > 0 ? float(255 / out.iMax) : 0;
-    Look look;
-    ShadingCounts counts;
-    TileSurfaces surfaces;
-    TileColors colors;
-    findSurfaces(inputs, in, scene.position, tile, surfaces);
-    for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F()))
-        shadeVector(scene, surfaces, at, tile.min + pixelOf(at / kBlockPixels * kBlockPixels), look, colors, counts);
-    writePixels(colors.intensity, tile, out.vectors[index(BufferId::Intensity)][0]);
-    writePixels(colors.color, tile, out.color);
-    return counts;
+    return inputs.parts.fast ? shadeTile<Fast>(inputs, in, tile, out) : shadeTile<Exact>(inputs, in, tile, out);
 }
 
 int lanesHere() { return int(hn::Lanes(F())); }
@@ -346,12 +370,12 @@ void leaveTileDark(Tile tile, ShadingOutput<float>& out) {
     }
 }
 
-ShadingCounts shadePixelsFast(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
-                              ShadingOutput<float>& out) {
+ShadingCounts shadePixelsInVectors(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
+                                   ShadingOutput<float>& out) {
     return HWY_DYNAMIC_DISPATCH(shadeTileInVectors)(inputs, in, tile, out);
 }
 
-int fastLanes() { return HWY_DYNAMIC_DISPATCH(lanesHere)(); }
+int vectorLanes() { return HWY_DYNAMIC_DISPATCH(lanesHere)(); }
 
 }  // namespace pipeline
 #endif

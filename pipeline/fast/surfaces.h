@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "pipeline/fast/arithmetic.h"
 #include "pipeline/fast/seen.h"
 #include "pipeline/stages/shading.h"
 
@@ -17,7 +18,6 @@ namespace pipeline::HWY_NAMESPACE {
 // What is seen in a block. Numbers of pixels in which nothing is seen are any.
 struct SurfaceBlock {
     alignas(64) std::uint32_t triangle[kBlockPixels];
-    float zView[kBlockPixels];
     std::int32_t polygon[kBlockPixels];
     float normal[3][kBlockPixels];    // of Phong shading, not unit
     float position[3][kBlockPixels];  // where it is interpolated
@@ -41,21 +41,21 @@ struct Corners {
     void become(const std::vector<Vec3<float>>& values, const std::uint32_t (&v)[3]) {
         origin = values[v[0]], toSecond = values[v[1]] - origin, toThird = values[v[2]] - origin;
     }
+    template <class A>
     HWY_INLINE Floats3 at(const Floats3& b) const {
-        return scaledPlus(all(toThird), b.z, scaledPlus(all(toSecond), b.y, all(origin)));
+        return scaledPlus<A>(all(toThird), b.z, scaledPlus<A>(all(toSecond), b.y, all(origin)));
     }
 };
 
-// position: whether positions are interpolated over the triangles.
-HWY_INLINE void findSurfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, bool position, Tile tile,
+template <class A>
+HWY_INLINE void findSurfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
                              TileSurfaces& out) {
     const ZBufferOutput<float>& z = in.zBuffer;
     const Topology& topology = *in.transform.topology;
     constexpr std::size_t kStride = sizeof(SurfaceBlock) / sizeof(float);
     readRows(z.triangle, tile, kNoTriangle, out[0].triangle, kStride);
-    readRows(z.zView, tile, 1.0F, out[0].zView, kStride);
     for (SurfaceBlock& block : out) std::fill_n(block.polygon, kBlockPixels, 0);
-    const bool perPixel = inputs.shading == Shading::Phong;
+    const bool perPixel = inputs.shading == Shading::Phong, position = inputs.parts.position;
     Corners normals, positions;
     Ints polygon = hn::Zero(I());
     const auto begin = [&](std::uint32_t id) HWY_ATTR {
@@ -70,10 +70,10 @@ HWY_INLINE void findSurfaces(const ShadingInputs& inputs, const ShadingSources<f
         const Ints before = hn::Load(I(), &block.polygon[first]);
         hn::Store(hn::IfThenElse(hn::RebindMask(I(), mask), polygon, before), I(), &block.polygon[first]);
         if (perPixel)
-            store(normals.at(b), mask, block.normal, first);
+            store(normals.at<A>(b), mask, block.normal, first);
         else
             store(b, mask, block.weights, first);
-        if (position) store(positions.at(b), mask, block.position, first);
+        if (position) store(positions.at<A>(b), mask, block.position, first);
     };
     if (z.pieces) {
         const int columns = z.pieces->tiles.x;
@@ -92,40 +92,32 @@ HWY_INLINE void findSurfaces(const ShadingInputs& inputs, const ShadingSources<f
     }
 }
 
-// What a tile's pixels become, row by row; a channel after the other.
-struct TileColors {
-    alignas(64) float intensity[3][kTilePixels];
-    alignas(64) std::uint8_t color[3][kTilePixels];
-    TileColors() {
-        for (int c = 0; c < 3; ++c) {
-            std::fill_n(intensity[c], kTilePixels, 0.0F);
-            std::fill_n(color[c], kTilePixels, std::uint8_t(0));
-        }
+// Numbers of the pixels in `mask` into a buffer: of the vector at `at` of the tile whose first pixel is `origin`.
+template <class Vectors, class Number, class Pixel>
+HWY_INLINE void putPixels(const Vectors& x, const Vectors& y, const Vectors& z, const hn::Rebind<Number, F> d,
+                          Mask mask, std::size_t at, glm::ivec2 origin, Buffer2D<Pixel>& out) {
+    static_assert(sizeof(Pixel) == 3 * sizeof(Number));
+    if (hn::AllTrue(F(), mask)) {
+        constexpr std::size_t kRow = std::min<std::size_t>(kBlock, HWY_LANES(float) < kBlock ? 1 : kBlock);
+        HWY_ALIGN Number numbers[3 * 16];
+        hn::StoreInterleaved3(x, y, z, d, numbers);
+        for (std::size_t l = 0; l < hn::Lanes(d); l += kRow)
+            std::memcpy(&out.at(origin + pixelOf(at + l)), numbers + 3 * l, kRow * sizeof(Pixel));
+        return;
     }
-};
-
-// A vector of blocks into the rows it stands in.
-template <class T>
-HWY_INLINE void putInRows(const T* vector, std::size_t at, T* rows) {
-    const glm::ivec2 first = pixelOf(at);
-    constexpr int kRow = std::min(kBlock, HWY_LANES(float) < kBlock ? 1 : kBlock);
-    for (int l = 0; l < int(hn::Lanes(F())); l += kRow)
-        std::memcpy(rows + (first.y + l / kBlock) * kTileSize + first.x + l % kBlock, vector + l, kRow * sizeof(T));
+    HWY_ALIGN Number one[16], two[16], three[16];
+    hn::Store(x, d, one), hn::Store(y, d, two), hn::Store(z, d, three);
+    for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1) {
+        const auto l = std::size_t(std::countr_zero(bits));
+        out.at(origin + pixelOf(at + l)) = {one[l], two[l], three[l]};
+    }
 }
-
-// Numbers a channel after the other, into pixels.
-template <class T, class Pixel>
-HWY_INLINE void writePixels(const T (&rows)[3][kTilePixels], Tile tile, Buffer2D<Pixel>& out) {
-    const hn::CappedTag<T, 16> d;
-    const int width = tile.max.x - tile.min.x, lanes = int(hn::Lanes(d));
-    for (int y = 0; y < tile.max.y - tile.min.y; ++y) {
-        Pixel* to = &out.at({tile.min.x, tile.min.y + y});
-        const int row = y * kTileSize;
-        int x = 0;
-        for (; x + lanes <= width; x += lanes)
-            hn::StoreInterleaved3(hn::Load(d, &rows[0][row + x]), hn::Load(d, &rows[1][row + x]),
-                                  hn::Load(d, &rows[2][row + x]), d, &to[x].x);
-        for (; x < width; ++x) to[x] = {rows[0][row + x], rows[1][row + x], rows[2][row + x]};
+HWY_INLINE void putPixels(Floats value, Mask mask, std::size_t at, glm::ivec2 origin, Buffer2D<float>& out) {
+    HWY_ALIGN float numbers[16];
+    hn::Store(value, F(), numbers);
+    for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1) {
+        const auto l = std::size_t(std::countr_zero(bits));
+        out.at(origin + pixelOf(at + l)) = numbers[l];
     }
 }
 

@@ -15,11 +15,12 @@ Real closedFormBias(const View& face, Vec3<Real> p, Vec3<Real> n, Real texels) {
     return isfinite(relative) ? p.z * (relative / (1 + relative)) : p.z;
 }
 
-// Texels beyond +-2^30 are outside every buffer; the conversion to int must not overflow.
+// Texels beyond +-2^30 are outside every buffer, and so is what a filter looks at around them; the conversion to int must
+// not overflow.
 template <class Real>
 int texelAt(Real x) {
-    constexpr Real kLimit = Real(1 << 30);
-    return x > -kLimit && x < kLimit ? static_cast<int>(floor(x)) : -1;
+    constexpr int kLimit = 1 << 30;
+    return x > Real(-kLimit) && x < Real(kLimit) ? static_cast<int>(floor(x)) : -kLimit;
 }
 
 }  // namespace

@@ -184,14 +184,13 @@ struct Decision {
     Need fragmentCounts() const {
         return beside(anyWanted(wanted, {BufferId::Overdraw, BufferId::DepthWrites}), "Nobody asks for them.");
     }
-    Need weights(const Need& fastShading) const {
-        return beside(has(BufferId::Barycentric) || !fastShading,
-                      "Nobody asks for them, and fast arithmetic keeps them for no longer than a tile.");
+    Need weights(const Need& vectorShading) const {
+        return beside(has(BufferId::Barycentric) || !vectorShading,
+                      "Nobody asks for them, and vectors of pixels keep them for no longer than a tile.");
     }
     // Only what the kernels of pipeline/fast have.
-    Need fastShading() const {
+    Need vectorShading() const {
         const Settings& settings = scene.settings;
-        if (settings.arithmetic == Arithmetic::Exact) return {"Off in this scene: arithmetic = exact.", {}};
         if (settings.precision != Precision::Float) return {"It computes in float alone.", {}};
         if (outlines()) return {kOutlines, {}};
         if (settings.shading != Shading::Flat && settings.interpolation != Interpolation::Perspective)
@@ -201,13 +200,14 @@ struct Decision {
         if (model() == Model::OpenGl && settings.twoSided) return {"It lights one side alone.", {}};
         if (settings.forms.power != PowerForm::Log1p || settings.forms.unit != UnitForm::Scaled)
             return {"It has the stable forms of formulas alone.", {}};
-        for (const BufferInfo& info : bufferTable()) {
-            const bool drawn = info.id == BufferId::Intensity || info.id == BufferId::Antialiased ||
-                               info.id == BufferId::Translucent || info.id == BufferId::Transmittance;
-            if (info.stage == StageId::Shading && info.domain == Domain::Pixel && info.element == Element::Real &&
-                !drawn && has(info.id))
-                return {fmt::format("The buffer {} is asked for, which it does not leave.", info.name), {}};
-        }
+        if (settings.shading == Shading::Phong) return {};
+        using enum BufferId;
+        for (const BufferId id :
+             {Normal, ViewVector, LightVector, ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH})
+            if (has(id))
+                return {fmt::format("The buffer {} is asked for, which it leaves in Phong shading alone.",
+                                    bufferInfo(id).name),
+                        {}};
         return {};
     }
     Need layers() const {
@@ -254,9 +254,10 @@ Needs needsOf(const Scene& scene, BufferSet wanted) {
     needs.reflection = decide.reflection(specular);
     needs.halfway = decide.halfway(specular);
     needs.depthTest = decide.depthTest();
-    needs.fastShading = decide.fastShading();
+    needs.vectorShading = decide.vectorShading();
+    needs.fast = needs.vectorShading && scene.settings.arithmetic == Arithmetic::Fast;
     needs.fragmentCounts = decide.fragmentCounts();
-    needs.weights = decide.weights(needs.fastShading);
+    needs.weights = decide.weights(needs.vectorShading);
     needs.layers = decide.layers();
     needs.layerSort = decide.layerSort(needs.layers);
     return needs;

@@ -25,7 +25,8 @@ struct Needs {
     Need depthTest;                                                // of fragments at a pixel
     Need fragmentCounts, weights;                                  // what stage 5 leaves beside distances and triangles
     Need reflection, halfway;                                      // R and H
-    Need fastShading;                                              // vectors of pixels, where they can be used
+    Need vectorShading;                                            // several pixels at a time
+    bool fast = false;                                             // these in the arithmetic `fast`
     Need layers, layerSort;                                        // of translucent polygons
     std::vector<Need> shadowBuffer, light, specular, attenuation;  // per light
     bool hiddenPolygons = false, hiddenVertices = false;           // what culling dropped is evaluated too

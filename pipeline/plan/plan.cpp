@@ -78,6 +78,8 @@ std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (!(a.layers == b.layers)) return "The layers of translucent surfaces changed.";
     if (a.parts.fast != b.parts.fast)
         return b.parts.fast ? "Fast arithmetic is used now." : "Exact arithmetic is used now.";
+    if (a.parts.vectors != b.parts.vectors)
+        return b.parts.vectors ? "Pixels are shaded in vectors now." : "Pixels are shaded one by one now.";
     return a == b ? "" : "Other parts of it are needed.";
 }
 

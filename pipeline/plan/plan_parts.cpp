@@ -105,8 +105,9 @@ void shadingParts(Parts& out) {
                    "At every pixel.");
     if (const int n = out.scene.settings.antialiasing; n > 1)
         out.runs("antialiasing", fmt::format("The picture is drawn once more for each of {} samples a pixel.", n * n));
-    if (out.scene.settings.arithmetic == Arithmetic::Fast)
-        out.add("fast arithmetic", needs.fastShading, "Several pixels at a time, in the processor's vectors.", "");
+    out.add("pixels in vectors", needs.vectorShading,
+            needs.fast ? "Several at a time, in fast arithmetic." : "Several at a time, the same bits as one by one.",
+            "");
     out.within("tiles", Rule::EmptyTiles, "Not those in which nothing was drawn.", "All of them.");
     out.add("translucent pass", needs.layers, "A material has alpha below 1.", "a pass over the tiles");
     out.add("sort of layers", needs.layerSort, "Layers are put in order by depth at every pixel.", "a sort a tile");

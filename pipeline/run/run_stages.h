@@ -228,13 +228,13 @@ private:
     ShadingCounts& m_sum;
 };
 
-// The pixels of a tile, in the arithmetic that the plan has chosen.
+// The pixels of a tile, one by one or in vectors as the plan has chosen.
 template <class Real>
 ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile pixels,
                         ShadingOutput<Real>& out) {
     if (inputs.outlines) return shadeOutlines(in, pixels, out);
     if constexpr (std::is_same_v<Real, float>)
-        if (inputs.parts.fast) return shadePixelsFast(inputs, in, pixels, out);
+        if (inputs.parts.vectors) return shadePixelsInVectors(inputs, in, pixels, out);
     return shadePixels(inputs, in, pixels, out);
 }
 
@@ -247,7 +247,7 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
         for (std::size_t tile = begin; tile < end; ++tile) {
             if (!inputs.parts.emptyTiles && !drawn[tile]) {
                 if constexpr (std::is_same_v<Real, float>)
-                    if (inputs.parts.fast) leaveTileDark(tileOf(in.transform.view.size, tile), out);
+                    if (inputs.parts.vectors) leaveTileDark(tileOf(in.transform.view.size, tile), out);
                 counts.add({.emptyTiles = 1});
                 continue;
             }

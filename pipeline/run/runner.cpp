@@ -44,7 +44,7 @@ ShadingParts shadingParts(const Needs& needs) {
     parts.position = bool(needs.position), parts.viewVector = bool(needs.viewVector);
     parts.idleLookups = without(needs, Rule::ShadowLookup);
     parts.emptyTiles = without(needs, Rule::EmptyTiles);
-    parts.fast = bool(needs.fastShading);
+    parts.vectors = bool(needs.vectorShading), parts.fast = needs.fast;
     return parts;
 }
 

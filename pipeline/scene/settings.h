@@ -12,9 +12,9 @@ enum class Precision : std::uint8_t { Float, Double, Extended, Quad };
 constexpr int bytesOf(Precision precision) {
     return precision == Precision::Float ? 4 : precision == Precision::Double ? 8 : 16;
 }
-// In which operations. Exact: those of IEEE 754 alone, the same bits on every machine. Fast: several numbers at a time
-// in the processor's vectors, multiplying and adding at once, where pipeline/fast has a kernel for it; within 1/255 of
-// the picture in exact arithmetic, its bits those of the machine.
+// In which operations. Exact: those of IEEE 754 alone, the same bits on every machine. Fast: multiplying and adding at
+// once, and roots estimated, where pixels are shaded in vectors (pipeline/fast); within 1/255 of the picture in exact
+// arithmetic, its bits those of the machine.
 enum class Arithmetic : std::uint8_t { Exact, Fast };
 enum class CullMode : std::uint8_t { None, Back };
 enum class Shading : std::uint8_t { Flat, Gouraud, Phong };

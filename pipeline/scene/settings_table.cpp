@@ -62,9 +62,8 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         {"precision", "Precision", "", "What the stages compute in: 24, 53, 64 or 113 bits of significand."},
         kPrecision),
     choice<OfPicture, &S::arithmetic>({"arithmetic", "Arithmetic", "",
-                                       "Exact: the same bits on every machine. Fast: several pixels at a time in the "
-                                       "processor's vectors, within 1/255 "
-                                       "of that; the plan says where."},
+                                       "Exact: the same bits on every machine. Fast: multiplies and adds at once and "
+                                       "estimates roots where pixels are shaded in vectors, within 1/255 of that."},
                                       kArithmetic, onlyFloat),
     row<OfPicture, &S::antialiasing>({"antialiasing", "Antialiasing", "samples along a side",
                                       "Samples along each side of a pixel, whose mean the frame buffer shows; 1 is its "

@@ -107,7 +107,7 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
             continue;
         const std::size_t lights = info.perLight ? inputs.lights.size() : 1;
         for (std::size_t k = 0; k < lights; ++k) {
-            if (info.id == BufferId::Intensity && inputs.parts.fast)
+            if (info.id == BufferId::Intensity && inputs.parts.vectors)
                 out.vectors[index(info.id)].emplace_back(size);
             else if (info.channels == 3)
                 out.vectors[index(info.id)].emplace_back(size, Vec3<Real>(Real(info.neutral)));
@@ -115,7 +115,7 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
                 out.scalars[index(info.id)].emplace_back(size, Real(info.neutral));
         }
     }
-    out.color = inputs.parts.fast ? Buffer2D<Color8>(size) : Buffer2D<Color8>(size, Color8(0));
+    out.color = inputs.parts.vectors ? Buffer2D<Color8>(size) : Buffer2D<Color8>(size, Color8(0));
     if (wanted[index(BufferId::Layers)]) out.layers = {size, 0};
     return out;
 }

@@ -26,7 +26,8 @@ struct ShadingParts {
     bool position = true, viewVector = true;  // of a pixel's surface
     bool idleLookups = true;                  // S also where the terms that it multiplies are 0
     bool emptyTiles = true;                   // also tiles in which nothing was drawn
-    bool fast = false;                        // pixels in vectors, pipeline/fast
+    bool vectors = false;                     // several pixels at a time, pipeline/fast
+    bool fast = false;                        // these in the arithmetic `fast`
     bool operator==(const ShadingParts&) const = default;
 };
 

@@ -4,12 +4,13 @@
 // What the halves of stage 6 share: elements (polygons, vertices) and pixels.
 namespace pipeline {
 
-// Emission and ambient light; 0 for what the plan leaves out.
+// Emission and ambient light; 0 for what the plan leaves out. Never -0, like a light's terms.
 template <class Real>
 BaseTerms<Real> baseTerms(const ShadingInputs& inputs, const Material& material) {
     const Model model = inputs.illumination.model;
-    return {emissionTerm<Real>(model, material),
-            inputs.parts.ambient ? ambientTerm<Real>(model, inputs.ambient, material) : Vec3<Real>(0)};
+    return {
+        Vec3<Real>(0) + emissionTerm<Real>(model, material),
+        Vec3<Real>(0) + (inputs.parts.ambient ? ambientTerm<Real>(model, inputs.ambient, material) : Vec3<Real>(0))};
 }
 
 // Vertices as seen from the front or from behind.

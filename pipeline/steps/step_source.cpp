@@ -37,7 +37,7 @@ template <class Real>
 class Source : public StepSource {
 public:
     explicit Source(FramePtr whole) : m_frame(std::move(whole)), m_data(*dataOf<Real>(*m_frame)) {
-        m_data.keys.shading.parts.fast = false;  // single pixels are shaded exactly
+        m_data.keys.shading.parts.vectors = false;  // single pixels are shaded exactly
         const Topology& topology = *m_data.transform->topology;
         for (const StageId stage : kStages) runs[index(stage)] = m_data.has(stage);
         using enum ElementKind;
@@ -94,7 +94,7 @@ private:
         all.push_back(std::move(phase));
     }
 
-    // The steps of shading read what fast arithmetic leaves out.
+    // The steps of shading read what vectors of pixels leave out.
     void completeZBuffer() {
         if (!m_data.shading || !m_data.zBuffer->barycentric.empty()) return;
         Threads threads(0, {});

@@ -110,6 +110,25 @@ inline std::shared_ptr<const Mesh> sphere(double radius, int rings, int segments
     return mesh(std::move(positions), std::move(polygons));
 }
 
+// Three spheres of different materials in and out of each other's shadow, Phong shaded, in a picture whose width no
+// vector divides.
+inline Scene spheres() {
+    Scene scene = pyramid();
+    scene.settings.width = 333, scene.settings.height = 241;
+    scene.settings.shading = Shading::Phong;
+    scene.settings.shadowSize = 256;
+    Object object = scene.objects[0];
+    object.transform = {Vec3d(1), Vec3d(0), Vec3d(0)};
+    object.mesh = sphere(150, 24, 40);
+    scene.objects.assign(3, object);
+    scene.objects[1].transform.translation = {180, 60, 90};
+    scene.objects[1].material = {{0.9, 0.3, 0.2}, Vec3d(0), 1};
+    scene.objects[2].transform.translation = {-160, 120, 30};
+    scene.objects[2].material.exponent = 300;
+    scene.lights.push_back({LightKind::Point, {300, 300, 500}, 60, {0.5, 1, 0.7}, false});
+    return scene;
+}
+
 inline BufferSet everyBuffer() { return BufferSet().set(); }
 
 inline FramePtr frameOf(const Scene& scene, BufferSet wanted = everyBuffer(), int threads = 0,

@@ -3,33 +3,14 @@
 
 #include <cmath>
 #include <map>
-#include <numeric>
 
-#include "pipeline/fast/shade_pixels.h"
 #include "pipeline/run/frame_data.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
 namespace {
 
-// Three spheres of different materials in and out of each other's shadow, Phong shaded, in a picture whose width no
-// vector divides.
-Scene spheres() {
-    Scene scene = test::pyramid();
-    scene.settings.width = 333, scene.settings.height = 241;
-    scene.settings.shading = Shading::Phong;
-    scene.settings.shadowSize = 256;
-    Object object = scene.objects[0];
-    object.transform = {Vec3d(1), Vec3d(0), Vec3d(0)};
-    object.mesh = test::sphere(150, 24, 40);
-    scene.objects.assign(3, object);
-    scene.objects[1].transform.translation = {180, 60, 90};
-    scene.objects[1].material = {{0.9, 0.3, 0.2}, Vec3d(0), 1};
-    scene.objects[2].transform.translation = {-160, 120, 30};
-    scene.objects[2].material.exponent = 300;
-    scene.lights.push_back({LightKind::Point, {300, 300, 500}, 60, {0.5, 1, 0.7}, false});
-    return scene;
-}
+using test::spheres;
 
 Scene in(Scene scene, Arithmetic arithmetic) {
     scene.settings.arithmetic = arithmetic;
@@ -183,12 +164,15 @@ TEST(Fast, GivesWayWhereItHasNoKernel) {
         const FramePtr frame = test::frameOf(in(scene, Arithmetic::Fast), wanted);
         EXPECT_FALSE(ranFast(*frame));
         for (const PlanPart& part : frame->plan()[index(StageId::Shading)].parts)
-            if (part.name == "fast arithmetic") return part.why;
+            if (part.name == "pixels in vectors") return part.why;
         return std::string("not said");
     };
     const BufferSet color = setOf({BufferId::Color});
-    EXPECT_EQ(reason(spheres(), setOf({BufferId::NDotL})), "The buffer n_dot_l is asked for, which it does not leave.");
     Scene scene = spheres();
+    scene.settings.shading = Shading::Gouraud;
+    EXPECT_EQ(reason(scene, setOf({BufferId::NDotL})),
+              "The buffer n_dot_l is asked for, which it leaves in Phong shading alone.");
+    scene = spheres();
     scene.settings.precision = Precision::Double;
     EXPECT_EQ(reason(scene, color), "It computes in float alone.");
     scene = spheres();
@@ -204,92 +188,6 @@ TEST(Fast, GivesWayWhereItHasNoKernel) {
     EXPECT_EQ(
         test::firstDifference(*picture(in(scene, Arithmetic::Fast)), *picture(in(scene, Arithmetic::Exact)), color),
         "");
-}
-
-// The stages' own text, a pixel at a time, against the vectors that the runner takes in float.
-void expectTheSameBits(const Scene& scene) {
-    const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color, BufferId::Overdraw, BufferId::Barycentric}));
-    const FrameData<float>& data = *dataOf<float>(*frame);
-    const TransformOutput<float>& in = *data.transform;
-    TransformOutput<float> transformed = prepareTransform<float>(data.keys.transform);
-    for (std::size_t object = 0; object < scene.objects.size(); ++object)
-        transform(data.keys.transform, object, 0, in.topology->meshes[object]->positions.size(), transformed);
-    EXPECT_EQ(transformed.world, in.world);
-    EXPECT_EQ(transformed.viewSpace, in.viewSpace);
-    EXPECT_EQ(transformed.screen, in.screen);
-    if (data.cull) {
-        CullOutput culled = prepareCull(in.topology->polygonCount());
-        cull(data.keys.cull, in, 0, in.topology->polygonCount(), culled);
-        EXPECT_EQ(culled.verdicts, data.cull->verdicts);
-        EXPECT_EQ(culled.signedAreas, data.cull->signedAreas);
-        EXPECT_EQ(culled.inside, data.cull->inside);
-    }
-    const TriangleBins<float> bins = binTriangles<float>(*in.topology, in.view, in.viewSpace, data.verdicts());
-    ZBufferOutput<float> out = prepareZBuffer<float>({{0, 0}, in.view.size}, DepthFormat::Linear);
-    for (std::size_t tile = 0; tile < bins.bins.size(); ++tile)
-        zBuffer(in.view, DepthFormat::Linear, bins, bins.bins[tile], bins.tile(tile), out);
-    EXPECT_EQ(out.zView.pixels, data.zBuffer->zView.pixels);
-    EXPECT_EQ(out.triangle.pixels, data.zBuffer->triangle.pixels);
-    EXPECT_EQ(out.barycentric.pixels, data.zBuffer->barycentric.pixels);
-    EXPECT_EQ(out.overdraw.pixels, data.zBuffer->overdraw.pixels);
-    EXPECT_EQ(out.depthWrites.pixels, data.zBuffer->depthWrites.pixels);
-    const auto sum = [](const Buffer2D<std::int32_t>& counts) {
-        return std::accumulate(counts.pixels.begin(), counts.pixels.end(), 0LL);
-    };
-    EXPECT_EQ(sum(out.overdraw), data.zBuffer->arrived);
-    EXPECT_EQ(sum(out.depthWrites), data.zBuffer->won);
-    for (int y = 0; y < in.view.size.y; y += 7)
-        for (int x = 0; x < in.view.size.x; x += 5) {
-            const std::uint32_t id = out.triangle.at({x, y});
-            if (id == kNoTriangle) continue;
-            EXPECT_EQ(barycentricAt(in, id, {x, y}), out.barycentric.at({x, y}));
-        }
-    if (!data.shadowBuffer) return;
-    for (const auto& samples : data.shadowBuffer->lights) {
-        for (const LightView<float>& light : samples) {
-            for (std::size_t face = 0; face < light.faces.size(); ++face) {
-                const TriangleBins<float> seen = binForLight(in, light.faces[face]);
-                Buffer2D<float> depth(light.faces[face].size, std::numeric_limits<float>::infinity());
-                for (std::size_t tile = 0; tile < seen.bins.size(); ++tile)
-                    shadowBuffer(light.faces[face], seen, tile, depth);
-                EXPECT_EQ(depth.pixels, light.depth[face].pixels);
-            }
-        }
-    }
-}
-
-TEST(Vectors, RasterizeToTheSameBits) {
-    Scene scene = spheres();
-    scene.objects.push_back(scene.objects[0]);  // ties at every pixel of it
-    expectTheSameBits(scene);
-    scene.lights[0].kind = LightKind::Point;
-    scene.camera.projection = ProjectionKind::Orthographic;
-    expectTheSameBits(scene);
-    for (unsigned seed = 0; seed < 60; ++seed) {
-        Scene random = test::randomScene(seed);
-        random.settings.precision = Precision::Float, random.settings.depthFormat = DepthFormat::Linear;
-        random.settings.visibility = Visibility::ZBuffer;
-        for (Object& object : random.objects) object.material.alpha = 1;
-        if (random.settings.antialiasing == 1) expectTheSameBits(random);
-    }
-}
-
-// Edge functions beyond what double holds: a triangle from one end of the guard band to the other.
-TEST(Vectors, RasterizeHugeTrianglesToTheSameBits) {
-    Scene scene = test::pyramid();
-    scene.camera.kind = CameraKind::LookAt;
-    scene.camera.eye = {1, 1, 10}, scene.camera.target = {1.3, 1.1, 0}, scene.camera.up = {0, 1, 0};
-    scene.camera.near = 1e-3, scene.camera.far = 1e6;
-    scene.objects[0].transform.scale = Vec3d(1000);
-    for (const int bits : {1, 8, 12, 16}) {
-        scene.settings.subPixelBits = bits;
-        expectTheSameBits(scene);
-    }
-}
-
-TEST(Fast, TakesSeveralPixelsAtATime) {
-    EXPECT_GE(fastLanes(), 4);
-    EXPECT_LE(fastLanes(), 16);
 }
 
 }  // namespace

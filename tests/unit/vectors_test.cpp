@@ -1,0 +1,204 @@
+// The vectors of pipeline/fast against the stages' own text, bit by bit.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cstring>
+#include <numeric>
+#include <set>
+
+#include "pipeline/fast/shade_pixels.h"
+#include "pipeline/run/frame_data.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+using test::spheres;
+
+// The stages' own text, a pixel at a time, against the vectors that the runner takes in float.
+void expectTheSameBits(const Scene& scene) {
+    const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color, BufferId::Overdraw, BufferId::Barycentric}));
+    const FrameData<float>& data = *dataOf<float>(*frame);
+    const TransformOutput<float>& in = *data.transform;
+    TransformOutput<float> transformed = prepareTransform<float>(data.keys.transform);
+    for (std::size_t object = 0; object < scene.objects.size(); ++object)
+        transform(data.keys.transform, object, 0, in.topology->meshes[object]->positions.size(), transformed);
+    EXPECT_EQ(transformed.world, in.world);
+    EXPECT_EQ(transformed.viewSpace, in.viewSpace);
+    EXPECT_EQ(transformed.screen, in.screen);
+    if (data.cull) {
+        CullOutput culled = prepareCull(in.topology->polygonCount());
+        cull(data.keys.cull, in, 0, in.topology->polygonCount(), culled);
+        EXPECT_EQ(culled.verdicts, data.cull->verdicts);
+        EXPECT_EQ(culled.signedAreas, data.cull->signedAreas);
+        EXPECT_EQ(culled.inside, data.cull->inside);
+    }
+    const TriangleBins<float> bins = binTriangles<float>(*in.topology, in.view, in.viewSpace, data.verdicts());
+    ZBufferOutput<float> out = prepareZBuffer<float>({{0, 0}, in.view.size}, DepthFormat::Linear);
+    for (std::size_t tile = 0; tile < bins.bins.size(); ++tile)
+        zBuffer(in.view, DepthFormat::Linear, bins, bins.bins[tile], bins.tile(tile), out);
+    EXPECT_EQ(out.zView.pixels, data.zBuffer->zView.pixels);
+    EXPECT_EQ(out.triangle.pixels, data.zBuffer->triangle.pixels);
+    EXPECT_EQ(out.barycentric.pixels, data.zBuffer->barycentric.pixels);
+    EXPECT_EQ(out.overdraw.pixels, data.zBuffer->overdraw.pixels);
+    EXPECT_EQ(out.depthWrites.pixels, data.zBuffer->depthWrites.pixels);
+    const auto sum = [](const Buffer2D<std::int32_t>& counts) {
+        return std::accumulate(counts.pixels.begin(), counts.pixels.end(), 0LL);
+    };
+    EXPECT_EQ(sum(out.overdraw), data.zBuffer->arrived);
+    EXPECT_EQ(sum(out.depthWrites), data.zBuffer->won);
+    for (int y = 0; y < in.view.size.y; y += 7)
+        for (int x = 0; x < in.view.size.x; x += 5) {
+            const std::uint32_t id = out.triangle.at({x, y});
+            if (id == kNoTriangle) continue;
+            EXPECT_EQ(barycentricAt(in, id, {x, y}), out.barycentric.at({x, y}));
+        }
+    if (!data.shadowBuffer) return;
+    for (const auto& samples : data.shadowBuffer->lights) {
+        for (const LightView<float>& light : samples) {
+            for (std::size_t face = 0; face < light.faces.size(); ++face) {
+                const TriangleBins<float> seen = binForLight(in, light.faces[face]);
+                Buffer2D<float> depth(light.faces[face].size, std::numeric_limits<float>::infinity());
+                for (std::size_t tile = 0; tile < seen.bins.size(); ++tile)
+                    shadowBuffer(light.faces[face], seen, tile, depth);
+                EXPECT_EQ(depth.pixels, light.depth[face].pixels);
+            }
+        }
+    }
+}
+
+TEST(Vectors, RasterizeToTheSameBits) {
+    Scene scene = spheres();
+    scene.objects.push_back(scene.objects[0]);  // ties at every pixel of it
+    expectTheSameBits(scene);
+    scene.lights[0].kind = LightKind::Point;
+    scene.camera.projection = ProjectionKind::Orthographic;
+    expectTheSameBits(scene);
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        Scene random = test::randomScene(seed);
+        random.settings.precision = Precision::Float, random.settings.depthFormat = DepthFormat::Linear;
+        random.settings.visibility = Visibility::ZBuffer;
+        for (Object& object : random.objects) object.material.alpha = 1;
+        if (random.settings.antialiasing == 1) expectTheSameBits(random);
+    }
+}
+
+// Edge functions beyond what double holds: a triangle from one end of the guard band to the other.
+TEST(Vectors, RasterizeHugeTrianglesToTheSameBits) {
+    Scene scene = test::pyramid();
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {1, 1, 10}, scene.camera.target = {1.3, 1.1, 0}, scene.camera.up = {0, 1, 0};
+    scene.camera.near = 1e-3, scene.camera.far = 1e6;
+    scene.objects[0].transform.scale = Vec3d(1000);
+    for (const int bits : {1, 8, 12, 16}) {
+        scene.settings.subPixelBits = bits;
+        expectTheSameBits(scene);
+    }
+}
+
+// What shadePixels leaves, a pixel at a time, against what the runner's vectors left in the frame. Returns whether there
+// was anything to compare.
+bool expectTheSameShading(const Scene& scene, BufferSet wanted) {
+    const FramePtr frame = test::frameOf(scene, wanted.set(index(BufferId::Barycentric)));
+    const FrameData<float>& data = *dataOf<float>(*frame);
+    ShadingInputs inputs = data.keys.shading;
+    if (!inputs.parts.vectors || inputs.samples > 1) return false;
+    inputs.parts.vectors = false;
+    BufferSet made;
+    for (std::size_t id = 0; id < kBufferCount; ++id)
+        made[id] = !data.shading->vectors[id].empty() || !data.shading->scalars[id].empty();
+    made.reset(index(BufferId::Antialiased));  // made of the picture afterwards
+    ShadingOutput<float> out = prepareShading(inputs, data.shadingSources(), made);
+    out.polygons = data.shading->polygons, out.vertices = data.shading->vertices;
+    ShadingCounts counts;
+    const glm::ivec2 size = data.transform->view.size;
+    for (std::size_t tile = 0; tile < data.zBuffer->tileIsDrawn.size(); ++tile)
+        if (data.zBuffer->tileIsDrawn[tile])
+            counts += shadePixels(inputs, data.shadingSources(), tileOf(size, tile), out);
+    const auto bits = [](const auto& pixels) {
+        std::vector<std::uint32_t> words(pixels.size() * sizeof(pixels[0]) / 4);
+        std::memcpy(words.data(), pixels.data(), words.size() * 4);
+        return words;
+    };
+    EXPECT_EQ(bits(out.color.pixels), bits(data.shading->color.pixels));
+    for (std::size_t id = 0; id < kBufferCount; ++id) {
+        const std::string_view name = bufferTable()[id].name;
+        for (std::size_t k = 0; k < out.vectors[id].size(); ++k)
+            EXPECT_TRUE(bits(out.vectors[id][k].pixels) == bits(data.shading->vectors[id][k].pixels)) << name << k;
+        for (std::size_t k = 0; k < out.scalars[id].size(); ++k)
+            EXPECT_TRUE(bits(out.scalars[id][k].pixels) == bits(data.shading->scalars[id][k].pixels)) << name << k;
+    }
+    if (!inputs.parts.polygonTerms && !inputs.parts.vertexTerms) {  // else these have been counted too
+        EXPECT_EQ(counts.evaluations, data.shading->counts.evaluations);
+        EXPECT_EQ(counts.powers, data.shading->counts.powers);
+        EXPECT_EQ(counts.vanished, data.shading->counts.vanished);
+    }
+    EXPECT_EQ(counts.lookups, data.shading->counts.lookups);
+    EXPECT_EQ(counts.idleLookups, data.shading->counts.idleLookups);
+    return true;
+}
+
+BufferSet withoutVectors() {
+    using enum BufferId;
+    BufferSet wanted = test::everyBuffer();
+    for (const BufferId id : {Normal, ViewVector, LightVector, ReflectionVector, HalfwayVector, NDotL, RDotV, NDotH})
+        wanted.reset(index(id));
+    return wanted;
+}
+
+TEST(Vectors, ShadeToTheSameBits) {
+    for (const Model model : {Model::Phong, Model::BlinnPhong, Model::OpenGl})
+        for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+            if (model == Model::OpenGl && shading == Shading::Phong) continue;
+            Scene scene = spheres();
+            scene.settings.model = model, scene.settings.shading = shading;
+            scene.objects[1].material.highlight = Highlight::Phong;
+            for (const LightKind kind : {LightKind::AtInfinity, LightKind::Point, LightKind::Area}) {
+                scene.lights[0].kind = kind;
+                scene.lights[0].area = {{-1, -1, -1}, 80, 80, 2};
+                const BufferSet all = shading == Shading::Phong ? test::everyBuffer() : withoutVectors();
+                EXPECT_TRUE(expectTheSameShading(scene, all));
+                EXPECT_TRUE(expectTheSameShading(scene, setOf({BufferId::Color})));
+                scene.settings.shadowFilter = 1, scene.settings.shadowBias = ShadowBias::Slope;
+                scene.settings.shadowBiasValue = 0.5;
+            }
+        }
+}
+
+// Whatever the processor has: the kernels of each instruction set, of a single number too.
+TEST(Vectors, HaveTheSameBitsInEveryWidth) {
+    Scene phong = spheres(), gouraud = spheres();
+    phong.objects[1].material.highlight = Highlight::Phong, phong.settings.model = Model::BlinnPhong;
+    gouraud.settings.shading = Shading::Gouraud;
+    std::set<int> widths;
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        SCOPED_TRACE(hwy::TargetName(target));
+        widths.insert(vectorLanes());
+        expectTheSameBits(phong);
+        EXPECT_TRUE(expectTheSameShading(phong, test::everyBuffer()));
+        EXPECT_TRUE(expectTheSameShading(gouraud, withoutVectors()));
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    EXPECT_GT(widths.size(), 1u);
+    EXPECT_LE(*widths.rbegin(), 16);
+}
+
+TEST(Vectors, ShadeRandomAndStrangeScenesToTheSameBits) {
+    int compared = 0;
+    for (unsigned seed = 0; seed < 120; ++seed) {
+        Scene scene = seed % 2 ? test::randomScene(seed) : test::strangeScene(seed);
+        scene.settings.precision = Precision::Float, scene.settings.arithmetic = Arithmetic::Exact;
+        scene.settings.interpolation = Interpolation::Perspective, scene.settings.forms = {};
+        for (Object& object : scene.objects) object.material.alpha = 1;
+        SCOPED_TRACE(seed);
+        compared += expectTheSameShading(
+            scene, seed % 3 && scene.settings.shading == Shading::Phong ? test::everyBuffer() : withoutVectors());
+    }
+    EXPECT_GT(compared, 60);
+}
+
+}  // namespace
+}  // namespace pipeline
