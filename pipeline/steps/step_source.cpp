@@ -94,9 +94,11 @@ private:
         all.push_back(std::move(phase));
     }
 
-    // The steps of shading read what vectors of pixels leave out.
+    // What is under layers or samples is shaded once more, pixel by pixel, with the weights that vectors leave out.
     void completeZBuffer() {
+        const ShadingInputs& inputs = m_data.keys.shading;
         if (!m_data.shading || !m_data.zBuffer->barycentric.empty()) return;
+        if (!inputs.layers.drawn && inputs.samples == 1) return;
         Threads threads(0, {});
         m_data.zBuffer = std::make_shared<ZBufferOutput<Real>>(
             drawnSoFar(m_data, m_drawing, m_drawing.ranges.size(), Reach{}, threads));
