@@ -261,7 +261,8 @@ void Document::want(const QObject* who, BufferSet buffers) {
 }
 
 BufferSet Document::wanted() const {
-    BufferSet all = pipeline::setOf({pipeline::BufferId::Color});  // the picture itself, whatever is on show
+    // The picture itself, whatever is on show, and what the check of a frame compares.
+    BufferSet all = pipeline::setOf({pipeline::BufferId::Color, pipeline::BufferId::Intensity});
     for (const auto& [who, buffers] : m_wanted) all |= buffers;
     return all;
 }

@@ -366,7 +366,8 @@ void leaveTileDark(Tile tile, ShadingOutput<float>& out) {
     for (int y = tile.min.y; y < tile.max.y; ++y) {
         const std::size_t at = out.color.offset({tile.min.x, y});
         std::fill_n(&out.color.pixels[at], tile.max.x - tile.min.x, Color8(0));
-        std::fill_n(&out.vectors[index(BufferId::Intensity)][0].pixels[at], tile.max.x - tile.min.x, Vec3<float>(0));
+        for (auto& intensity : out.vectors[index(BufferId::Intensity)])
+            std::fill_n(&intensity.pixels[at], tile.max.x - tile.min.x, Vec3<float>(0));
     }
 }
 

@@ -253,7 +253,8 @@ void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size
     report.intensity = Vec3d(opaque);
     report.transmittance = double(left);
     report.translucent = Vec3d(added);
-    report.composed = Vec3d(data.shading->vectors[index(BufferId::Intensity)][0].pixels[at]);
+    const auto& composed = data.shading->vectors[index(BufferId::Intensity)];  // left out where there are no layers
+    report.composed = composed.empty() ? report.intensity : Vec3d(composed[0].pixels[at]);
     reportSamples(data, at, report);
     report.color = data.shading->color.pixels[at];
     report.iMax = data.shading->iMax;

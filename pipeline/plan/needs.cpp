@@ -210,6 +210,12 @@ struct Decision {
                         {}};
         return {};
     }
+    // Whether the intensity is left beside the frame buffer: the stage's own text always leaves it, and what is laid over
+    // it or averaged reads it.
+    bool intensity(const Needs& needs) const {
+        return !needs.vectorShading || needs.layers || scene.settings.antialiasing > 1 ||
+               anyWanted(wanted, {BufferId::Intensity, BufferId::Antialiased});
+    }
     Need layers() const {
         if (outlines()) return {kOutlines, {}};
         return unless(Rule::TranslucentPass, translucentTriangles(scene) > 0 ? "" : kAllOpaque);
@@ -260,6 +266,7 @@ Needs needsOf(const Scene& scene, BufferSet wanted) {
     needs.weights = decide.weights(needs.vectorShading);
     needs.layers = decide.layers();
     needs.layerSort = decide.layerSort(needs.layers);
+    needs.buffers.set(index(BufferId::Intensity), decide.intensity(needs));
     return needs;
 }
 

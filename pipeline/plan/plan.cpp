@@ -106,8 +106,7 @@ Before lookBack(const Scene& scene, const FramePtr& before) {
 bool shadingCovers(BufferSet have, BufferSet wanted) {
     for (const BufferInfo& info : bufferTable())
         if (info.stage == StageId::Shading && info.domain == Domain::Pixel && info.id != BufferId::Color &&
-            info.id != BufferId::Intensity && info.id != BufferId::Antialiased && wanted[index(info.id)] &&
-            !have[index(info.id)])
+            info.id != BufferId::Antialiased && wanted[index(info.id)] && !have[index(info.id)])
             return false;
     return true;
 }

@@ -121,7 +121,7 @@ void bufferParts(Parts& out) {
     double numbers = 0;
     for (const BufferInfo& info : bufferTable()) {
         if (info.stage != StageId::Shading || info.domain != Domain::Pixel || info.element != Element::Real ||
-            info.id == BufferId::Intensity || info.id == BufferId::Antialiased || out.needs.buffers[index(info.id)])
+            info.id == BufferId::Antialiased || out.needs.buffers[index(info.id)])
             continue;
         const int count = info.perLight ? int(out.scene.lights.size()) : 1;
         unread += count;

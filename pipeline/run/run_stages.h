@@ -282,7 +282,7 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
         if constexpr (std::is_same_v<Real, float>) snapVertices(*moved, threads);
         if (data.cull) sample.cull = runCull(data.keys.cull, *moved, threads);
         sample.zBuffer = runVisibility(sample, threads);
-        ShadingOutput<Real> shaded = prepareShading(inputs, sample.shadingSources(), {});
+        ShadingOutput<Real> shaded = prepareShading(inputs, sample.shadingSources(), setOf({BufferId::Intensity}));
         shaded.polygons = out.polygons, shaded.vertices = out.vertices, shaded.verticesBack = out.verticesBack;
         shadePicture(inputs, sample.shadingSources(), shaded, counts, threads);
         const auto& intensity = shaded.vectors[index(BufferId::Intensity)][0].pixels;

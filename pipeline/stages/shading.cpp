@@ -99,7 +99,7 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
 
     const glm::ivec2 size = in.transform.view.size;
     if (inputs.outlines) wanted.reset();  // nothing else is known of a line
-    wanted.set(index(BufferId::Intensity));
+    if (!inputs.parts.vectors) wanted.set(index(BufferId::Intensity));
     if (inputs.samples > 1) wanted.set(index(BufferId::Antialiased));
     for (const BufferInfo& info : bufferTable()) {
         if (info.stage != StageId::Shading || info.domain != Domain::Pixel || info.element != Element::Real ||

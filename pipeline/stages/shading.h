@@ -126,8 +126,8 @@ inline const Material& materialOf(const ShadingInputs& inputs, std::size_t objec
     return back ? inputs.backMaterials[object] : inputs.materials[object];
 }
 
-// wanted: which per-pixel buffers to leave beside intensity and color. Of those two the vectors of pipeline/fast write
-// every pixel, and they are left raw for them.
+// wanted: which per-pixel buffers to leave beside color; intensity always but for the vectors of pipeline/fast. Of these
+// two the vectors write every pixel, and they are left raw for them.
 template <class Real>
 ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted);
 

@@ -138,6 +138,7 @@ ShadingOutput<Real> shadedSoFar(const FrameData<Real>& data, const ShadingOutput
     // What one pixel comes to depends on no other.
     threads.forRange(kBufferCount, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t id = begin; id < end; ++id) {
+            out.vectors[id].resize(opaque.vectors[id].size());  // intensity may have been left out
             for (std::size_t k = 0; k < out.vectors[id].size(); ++k)
                 take(done, opaque.vectors[id][k], out.vectors[id][k]);
             for (std::size_t k = 0; k < out.scalars[id].size(); ++k)

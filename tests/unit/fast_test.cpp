@@ -17,7 +17,7 @@ Scene in(Scene scene, Arithmetic arithmetic) {
     return scene;
 }
 
-FramePtr picture(const Scene& scene) { return test::frameOf(scene, setOf({BufferId::Color})); }
+FramePtr picture(const Scene& scene) { return test::frameOf(scene, setOf({BufferId::Color, BufferId::Intensity})); }
 
 bool ranFast(const Frame& frame) {
     return readStages(frame, [](const auto& data) { return data.keys.shading.parts.fast; });
@@ -129,6 +129,27 @@ TEST(Fast, LeavesTheOtherBuffersToTheBit) {
     EXPECT_EQ(test::firstDifference(*test::frameOf(in(scene, Arithmetic::Fast), wanted),
                                     *test::frameOf(in(scene, Arithmetic::Exact), wanted), others),
               "");
+}
+
+// Nobody asks for it and nothing reads it: the frame buffer is all that is left, and its bits do not change.
+TEST(Fast, LeavesTheIntensityOutWhereNobodyAsks) {
+    for (const Arithmetic arithmetic : {Arithmetic::Exact, Arithmetic::Fast}) {
+        const Scene scene = in(spheres(), arithmetic);
+        const FramePtr less = test::frameOf(scene, setOf({BufferId::Color})), more = picture(scene);
+        EXPECT_FALSE(less->buffer({BufferId::Intensity}));
+        EXPECT_EQ(less->whyAbsent({BufferId::Intensity}), "Nobody has asked for it yet.");
+        EXPECT_EQ(test::firstDifference(*less, *more, setOf({BufferId::Color})), "");
+        const FramePtr now = test::frameOf(scene, setOf({BufferId::Intensity}), 0, less);
+        EXPECT_EQ(test::firstDifference(*now, *more, setOf({BufferId::Intensity})), "");
+        const FramePtr again = test::frameOf(scene, setOf({BufferId::Color}), 0, now);
+        EXPECT_EQ(again->plan()[index(StageId::Shading)].action, Action::Reuse);
+    }
+    Scene scene = spheres();
+    scene.objects[0].material.alpha = 0.5;  // is laid over it
+    EXPECT_TRUE(test::frameOf(scene, setOf({BufferId::Color}))->buffer({BufferId::Intensity}));
+    scene = spheres();
+    scene.settings.antialiasing = 2;  // the mean of several
+    EXPECT_TRUE(test::frameOf(scene, setOf({BufferId::Color}))->buffer({BufferId::Intensity}));
 }
 
 // Weights and counts are kept where somebody asks for them, and a frame that has them serves one that needs less.

@@ -41,7 +41,7 @@ TEST(Steps, ShadeInFastArithmeticToo) {
     Scene scene = test::pyramid();
     scene.settings.shading = Shading::Phong;
     scene.settings.arithmetic = Arithmetic::Fast;
-    const FramePtr whole = test::frameOf(scene, setOf({BufferId::Color}));
+    const FramePtr whole = test::frameOf(scene, setOf({BufferId::Color, BufferId::Intensity}));
     const Steps steps(whole);
     const FramePtr last = steps.frameAt({StageId::Shading, steps.total(StageId::Shading)});
     EXPECT_EQ(test::firstDifference(*last, *whole, setOf({BufferId::Color, BufferId::Intensity})), "");
