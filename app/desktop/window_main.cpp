@@ -7,13 +7,11 @@
 #include "app/core/text.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
-#include "app/view3d/vtk_widget.h"
 #include "pipeline/core/version.h"
 
 namespace app {
 
 void prepareApplication() {
-    QSurfaceFormat::setDefaultFormat(viewSurfaceFormat());
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QCoreApplication::setOrganizationName("shadescope");
     QCoreApplication::setApplicationName("shadescope");

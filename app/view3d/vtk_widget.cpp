@@ -3,14 +3,16 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkOpenGLState.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkSmartPointer.h>
 
 #include <QElapsedTimer>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <QPainter>
 #include <QTimer>
+#include <algorithm>
 #include <cmath>
 
 #include "app/view3d/world_scene.h"
@@ -26,19 +28,25 @@ constexpr int kRestMilliseconds = 180;      // without a new view: it rests
 }  // namespace
 
 struct VtkWidget::Impl {
+    QOffscreenSurface surface;
+    std::unique_ptr<QOpenGLContext> context;
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window;
     std::unique_ptr<WorldScene> scene;
+    bool failed = false;
 
-    // Kept, because the widget's context may be made anew (a docked view that is torn off).
     std::shared_ptr<const ViewContent> content;
     std::vector<InkedLine> ground;
     ViewOptions options;
     ThemeColors colors;
     ViewFrame view;
     Drawing drawing;
+    QImage picture;                 // as it was rendered last
     QTimer rest;                    // runs while the view moves
     double smoothMilliseconds = 0;  // what the last smoothed frame took
+    bool isSmooth = false;          // the picture is
     bool contentChanged = true, optionsChanged = true, colorsChanged = true, viewChanged = true;
+    bool changed() const { return contentChanged || optionsChanged || colorsChanged || viewChanged; }
+    bool wantsSmooth() const { return !rest.isActive() || smoothMilliseconds < kSmoothMilliseconds; }
 };
 
 QSurfaceFormat viewSurfaceFormat() {
@@ -67,43 +75,50 @@ QString openGlProblem() {
     return {};
 }
 
-VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), m_impl(std::make_unique<Impl>()) {
-    setFormat(viewSurfaceFormat());
+VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent), m_impl(std::make_unique<Impl>()) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
     m_impl->rest.setSingleShot(true);
     m_impl->rest.setInterval(kRestMilliseconds);
-    connect(&m_impl->rest, &QTimer::timeout, this, [this] { update(); });
+    connect(&m_impl->rest, &QTimer::timeout, this, [this] {
+        if (!m_impl->isSmooth) update();
+    });
 }
 
 VtkWidget::~VtkWidget() {
-    // The base class destroys the context when the rest of this object is gone.
-    if (context()) disconnect(context(), nullptr, this, nullptr);
-    makeCurrent();
-    release();
-    doneCurrent();
+    Impl& impl = *m_impl;
+    if (!impl.window) return;
+    impl.context->makeCurrent(&impl.surface);
+    impl.window->ReleaseGraphicsResources(impl.window);
+    impl.scene.reset();
+    impl.window = nullptr;
+    impl.context->doneCurrent();
 }
 
-void VtkWidget::initializeGL() {
-    if (context()->isOpenGLES() || context()->format().version() < qMakePair(3, 2)) {
+bool VtkWidget::open() {
+    Impl& impl = *m_impl;
+    if (impl.window || impl.failed) return !impl.failed;
+    impl.context = std::make_unique<QOpenGLContext>();
+    impl.context->setFormat(viewSurfaceFormat());
+    const bool created = impl.context->create();
+    impl.surface.setFormat(impl.context->format());
+    impl.surface.create();
+    if (!created || impl.context->isOpenGLES() || impl.context->format().version() < qMakePair(3, 2) ||
+        !impl.context->makeCurrent(&impl.surface)) {
+        impl.failed = true;
         emit unusable();
-        return;
+        return false;
     }
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-        makeCurrent();
-        release();
-        doneCurrent();
-    });
     auto window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
-    // Not QOpenGLWidget::makeCurrent(): that one binds Qt's framebuffer in the middle of VTK's frame.
     auto makeCurrent = vtkSmartPointer<vtkCallbackCommand>::New();
-    makeCurrent->SetClientData(this);
-    makeCurrent->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
-        QOpenGLContext* context = static_cast<VtkWidget*>(self)->context();
-        if (context) context->makeCurrent(context->surface());
+    makeCurrent->SetClientData(&impl);
+    makeCurrent->SetCallback([](vtkObject*, unsigned long, void* client, void*) {
+        auto* self = static_cast<Impl*>(client);
+        self->context->makeCurrent(&self->surface);
     });
     auto isCurrent = vtkSmartPointer<vtkCallbackCommand>::New();
-    isCurrent->SetClientData(this);
-    isCurrent->SetCallback([](vtkObject*, unsigned long, void* self, void* answer) {
-        *static_cast<bool*>(answer) = QOpenGLContext::currentContext() == static_cast<VtkWidget*>(self)->context();
+    isCurrent->SetClientData(&impl);
+    isCurrent->SetCallback([](vtkObject*, unsigned long, void* client, void* answer) {
+        *static_cast<bool*>(answer) = QOpenGLContext::currentContext() == static_cast<Impl*>(client)->context.get();
     });
     window->AddObserver(vtkCommand::WindowMakeCurrentEvent, makeCurrent);
     window->AddObserver(vtkCommand::WindowIsCurrentEvent, isCurrent);
@@ -113,47 +128,52 @@ void VtkWidget::initializeGL() {
     window->SetOwnContext(0);
     window->OpenGLInitContext();
     window->SetFrameBlitModeToNoBlit();
-    m_impl->window = window;
-    m_impl->scene = std::make_unique<WorldScene>(*window);
-    m_impl->contentChanged = m_impl->optionsChanged = m_impl->colorsChanged = m_impl->viewChanged = true;
+    impl.window = window;
+    impl.scene = std::make_unique<WorldScene>(*window);
+    return true;
 }
 
-void VtkWidget::release() {
-    if (!m_impl->window) return;
-    m_impl->window->ReleaseGraphicsResources(m_impl->window);
-    m_impl->scene.reset();
-    m_impl->window = nullptr;
-}
-
-void VtkWidget::paintGL() {
+void VtkWidget::render() {
     Impl& impl = *m_impl;
-    if (!impl.window) return;
+    const double ratio = devicePixelRatioF();
+    const QSize size(int(std::lround(width() * ratio)), int(std::lround(height() * ratio)));
+    if (!impl.changed() && impl.picture.size() == size && (impl.isSmooth || !impl.wantsSmooth())) return;
+    if (size.isEmpty() || !open() || !impl.context->makeCurrent(&impl.surface)) return;
     if (std::exchange(impl.colorsChanged, false)) impl.scene->setColors(impl.colors);
     if (std::exchange(impl.contentChanged, false)) impl.scene->setContent(impl.content, impl.ground);
     if (std::exchange(impl.optionsChanged, false)) impl.scene->setOptions(impl.options);
-    const double ratio = devicePixelRatioF();
-    const int width = int(std::lround(this->width() * ratio)), height = int(std::lround(this->height() * ratio));
     if (std::exchange(impl.viewChanged, false)) impl.scene->setView(impl.view, impl.drawing, ratio);
 
-    // Qt has used the context since the last frame; VTK believes only what it reads anew.
-    impl.window->GetState()->Reset();
-    const bool smooth = !impl.rest.isActive() || impl.smoothMilliseconds < kSmoothMilliseconds;
-    impl.window->SetMultiSamples(smooth ? kSamples : 0);
-    impl.window->SetSize(width, height);
+    impl.isSmooth = impl.wantsSmooth();
+    impl.window->SetMultiSamples(impl.isSmooth ? kSamples : 0);
+    impl.window->SetSize(size.width(), size.height());
     QElapsedTimer timer;
     timer.start();
     impl.window->Render();
-    QOpenGLExtraFunctions* gl = context()->extraFunctions();
-    gl->glFinish();
-    if (smooth) impl.smoothMilliseconds = double(timer.nsecsElapsed()) * 1e-6;
-    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-    gl->glDisable(GL_SCISSOR_TEST);
-    impl.window->BlitDisplayFramebuffer(0, 0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    // VTK leaves coverage in the alpha of smoothed edges, which Qt would take for transparency.
-    gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-    gl->glClearColor(0, 0, 0, 1);
-    gl->glClear(GL_COLOR_BUFFER_BIT);
-    gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    std::vector<quint32> pixels(std::size_t(size.width()) * std::size_t(size.height()));
+    QOpenGLExtraFunctions* gl = impl.context->extraFunctions();
+    impl.window->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
+    gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->glReadPixels(0, 0, size.width(), size.height(), GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels.data());
+    if (impl.isSmooth) impl.smoothMilliseconds = double(timer.nsecsElapsed()) * 1e-6;
+    if (impl.picture.size() != size) impl.picture = QImage(size, QImage::Format_RGB32);
+    impl.picture.setDevicePixelRatio(ratio);
+    // OpenGL's first row is the lowest, and its alpha the coverage of smoothed edges.
+    const auto row = std::size_t(size.width());
+    for (int y = 0; y < size.height(); ++y)
+        std::transform(pixels.begin() + std::ptrdiff_t(row) * (size.height() - 1 - y),
+                       pixels.begin() + std::ptrdiff_t(row) * (size.height() - y),
+                       reinterpret_cast<quint32*>(impl.picture.scanLine(y)),
+                       [](quint32 pixel) { return pixel | 0xff000000u; });
+}
+
+void VtkWidget::paintEvent(QPaintEvent*) {
+    render();
+    QPainter painter(this);
+    if (m_impl->picture.isNull())
+        painter.fillRect(rect(), m_impl->colors.view);
+    else
+        painter.drawImage(0, 0, m_impl->picture);
 }
 
 void VtkWidget::setContent(std::shared_ptr<const ViewContent> content, std::vector<InkedLine> ground) {

@@ -1,6 +1,6 @@
 #pragma once
-#include <QOpenGLWidget>
 #include <QSurfaceFormat>
+#include <QWidget>
 #include <memory>
 
 #include "app/view3d/drawing.h"
@@ -9,14 +9,16 @@
 
 namespace app {
 
-// What VTK's renderer needs. A program sets it as the default format before its QApplication.
+// What VTK's renderer needs.
 QSurfaceFormat viewSurfaceFormat();
 // Why this machine cannot show 3D views, in a sentence; empty where it can.
 QString openGlProblem();
 
-// A widget that VTK renders into: VTK's render window in Qt's OpenGL context. It knows nothing of
-// the mouse and the keys; VTK's own keys act on nothing, because there is no interactor.
-class VtkWidget : public QOpenGLWidget {
+// A widget that shows what VTK renders, in an OpenGL context of its own beside the screen: a window with a
+// QOpenGLWidget in it is put together by OpenGL as a whole, every time that a letter changes anywhere in it, which
+// costs more than the view does where the processor is the OpenGL. It knows nothing of the mouse and the keys; VTK's
+// own keys act on nothing, because there is no interactor.
+class VtkWidget : public QWidget {
     Q_OBJECT
 public:
     explicit VtkWidget(QWidget* parent = nullptr);
@@ -35,12 +37,12 @@ signals:
     void unusable();
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
 
 private:
-    void release();
-    struct Impl;  // keeps VTK out of this header
+    bool open();    // false: no OpenGL that VTK can use
+    void render();  // what has changed since the last time, into the picture
+    struct Impl;    // keeps VTK out of this header
     std::unique_ptr<Impl> m_impl;
 };
 

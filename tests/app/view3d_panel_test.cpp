@@ -336,6 +336,29 @@ TEST_F(View3dWindow, WantsNoMoreThanTheShadingLeaves) {
     EXPECT_EQ(view.content()->mesh->vertexNormals.size(), 5u);
 }
 
+TEST_F(View3dWindow, AfterADragItShowsTheSameAsAViewThatHasSeenNothingElse) {
+    openPyramid();
+    const auto theta = *findSetting(document.scene(), "camera.theta");
+    const double begin = theta.get(document.scene());
+    for (int i = 1; i <= 6; ++i) {
+        document.change(theta, begin + 5 * i, i < 6 ? Document::Change::Live : Document::Change::Done);
+        QTest::qWait(10);
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }));
+    QTest::qWait(400);  // edges are smoothed again
+    View3dPanel other(document);
+    other.resize(panel.size());
+    other.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&other));
+    QTest::qWait(400);
+    const QImage dragged = view.grab().toImage(), fresh = other.view().grab().toImage();
+    ASSERT_EQ(dragged.size(), fresh.size());
+    qint64 differ = 0;
+    for (int y = 0; y < fresh.height(); ++y)
+        for (int x = 0; x < fresh.width(); ++x) differ += !isNear(dragged.pixel(x, y), QColor(fresh.pixel(x, y)));
+    EXPECT_EQ(differ, 0);
+}
+
 TEST_F(View3dWindow, SurvivesBeingMovedToAnotherWindow) {
     openPyramid();
     QWidget other;
