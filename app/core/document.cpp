@@ -34,6 +34,10 @@ Document::Document(QObject* parent) : QObject(parent) {
                 this, [this, frame = std::move(frame), check] { takeCheck(frame, check); }, Qt::QueuedConnection);
         });
     m_mixer = std::make_unique<MixModel>(*this);
+    constexpr int kRestMilliseconds = 200;
+    m_moving.setSingleShot(true);
+    m_moving.setInterval(kRestMilliseconds);
+    connect(&m_moving, &QTimer::timeout, this, &Document::requestFrameSoon);
     connect(&m_stepper, &Stepper::stageReached, this, &Document::showStage);
     connect(&m_stepper, &Stepper::shown, this, &Document::showFrame);
     connect(&m_stepper, &Stepper::left, this, [this] { showFrame(m_whole); });
@@ -108,7 +112,7 @@ bool Document::save(const QString& file) {
 void Document::setScene(Scene scene, Kept kept) {
     m_undo.clear();
     m_kept = std::move(kept);
-    m_live = false;
+    setLive(false);
     m_scene = std::make_shared<const Scene>(std::move(scene));
     // A picked pixel, polygon numbers and errors of the other scene mean nothing here.
     m_frame.reset();
@@ -146,7 +150,7 @@ void Document::change(const SettingRef& ref, double value, Change kind) {
     const bool sameDrag = m_live && m_dragged == ref;
     if (!sameDrag) ++m_drag;
     const bool closesDrag = sameDrag && kind == Change::Done;
-    m_live = kind == Change::Live;
+    setLive(kind == Change::Live);
     m_dragged = ref;
     if (*after != *m_scene) {
         m_undo.push(new SceneStep(*this, m_scene, std::move(after), ref, m_drag));
@@ -162,7 +166,7 @@ void Document::edit(Scene scene, const QString& text, Change kind) {
     }
     const bool sameDrag = m_live && !m_dragged && m_edited == text;
     if (!sameDrag) ++m_drag;
-    m_live = kind == Change::Live;
+    setLive(kind == Change::Live);
     m_dragged.reset();
     m_edited = text;
     if (scene != *m_scene)
@@ -171,12 +175,20 @@ void Document::edit(Scene scene, const QString& text, Change kind) {
         requestFrameSoon();
 }
 
+void Document::setLive(bool live) {
+    m_live = live;
+    if (live)
+        m_moving.start();
+    else
+        m_moving.stop();
+}
+
 void Document::replace(Scene scene, const QString& text) {
     if (const auto errors = checkScene(scene); !errors.empty()) {
         emit failed(errors);
         return;
     }
-    m_live = false;
+    setLive(false);
     if (scene == *m_scene) return;
     m_undo.push(new SceneStep(*this, m_scene, std::make_shared<const Scene>(std::move(scene)), text));
 }
@@ -251,19 +263,20 @@ void Document::point(const QString& refers) {
     emit pointedChanged();
 }
 
-void Document::want(const QObject* who, BufferSet buffers) {
+void Document::want(const QObject* who, BufferSet buffers, When when) {
     const auto [entry, isNew] = m_wanted.try_emplace(who);
     if (isNew) {
         connect(who, &QObject::destroyed, this, [this, who] { m_wanted.erase(who); });
     }
-    entry->second = buffers;
+    entry->second = {buffers, when};
     requestFrameSoon();
 }
 
 BufferSet Document::wanted() const {
     // The picture itself, whatever is on show, and what the check of a frame compares.
     BufferSet all = pipeline::setOf({pipeline::BufferId::Color, pipeline::BufferId::Intensity});
-    for (const auto& [who, buffers] : m_wanted) all |= buffers;
+    for (const auto& [who, want] : m_wanted)
+        if (want.when == When::Always || !m_moving.isActive()) all |= want.buffers;
     return all;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <QUndoStack>
 #include <map>
 #include <memory>
@@ -98,7 +99,9 @@ public:
     void setChannel(int channel);
     void point(const QString& refers);
     // The buffers that `who` shows. What nobody wants is not computed. Forgotten with `who`.
-    void want(const QObject* who, pipeline::BufferSet buffers);
+    // AtRest: not while a slider or a handle moves.
+    enum class When { Always, AtRest };
+    void want(const QObject* who, pipeline::BufferSet buffers, When when = When::Always);
 
 signals:
     void sceneOpened();   // another scene
@@ -139,7 +142,12 @@ private:
     QString m_pointed;
     FrameCheck m_check;
     bool m_checked = false;
-    std::map<const QObject*, pipeline::BufferSet> m_wanted;
+    struct Want {
+        pipeline::BufferSet buffers;
+        When when = When::Always;
+    };
+    std::map<const QObject*, Want> m_wanted;
+    QTimer m_moving;  // runs from a live change until some time after the last one
     QUndoStack m_undo;
 
     // Frames: what was asked for last, and what came.
@@ -151,6 +159,7 @@ private:
     std::shared_ptr<const pipeline::Scene> m_requestedScene;
 
     // A drag: Live changes of one setting, one step of undo.
+    void setLive(bool live);
     bool m_live = false;
     int m_drag = 0;
     std::optional<pipeline::SettingRef> m_dragged;  // nothing: what m_edited names

@@ -1,5 +1,7 @@
 #include "app/core/frame_worker.h"
 
+#include <chrono>
+
 namespace app {
 
 using pipeline::FramePtr;
@@ -57,13 +59,20 @@ void FrameWorker::work(std::stop_token quit) {
     }
 }
 
+// A check takes longer than a frame: beside a slider that moves it would take the processors from every next one.
+bool FrameWorker::staysIdle(const std::stop_token& stop) {
+    constexpr auto kQuiet = std::chrono::milliseconds(250);
+    std::unique_lock lock(m_mutex);
+    return !m_arrived.wait_for(lock, stop, kQuiet, [this] { return m_next.has_value(); }) && !stop.stop_requested();
+}
+
 void FrameWorker::check() {
     std::stop_token stop;
     {
         const std::lock_guard lock(m_mutex);
-        if (m_next) return;
         stop = m_stopCheck.get_token();
     }
+    if (!staysIdle(stop)) return;
     FrameCheck found{.errors = pipeline::errorAgainstDouble(m_last, stop)};
     for (const pipeline::AnyBuffer& buffer : m_last->buffers()) {
         if (stop.stop_requested()) return;

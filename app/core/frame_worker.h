@@ -20,7 +20,7 @@ struct FrameCheck {
 
 // Computes frames on one thread of its own, one at a time. A newer request replaces one that
 // waits. It keeps the last frame, so that the next one reuses what still holds, and spends its
-// idle time on checking that frame. No Qt, so that the thread sanitizer
+// idle time on checking that frame: once, when no request has come for a while. No Qt, so that the thread sanitizer
 // sees every lock.
 class FrameWorker {
 public:
@@ -46,6 +46,7 @@ private:
     };
     void work(std::stop_token quit);
     void check();
+    bool staysIdle(const std::stop_token& stop);
 
     Deliver m_deliver;
     DeliverCheck m_deliverCheck;

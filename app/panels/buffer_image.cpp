@@ -1,6 +1,7 @@
 #include "app/panels/buffer_image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/core/numbers.h"
@@ -47,6 +48,18 @@ void fillScalar(QImage& image, std::span<const T> numbers, std::size_t channels,
             lastColor = rgb(paletteColor(palette, double(value), range.first, range.last));
         }
         return lastColor;
+    });
+}
+
+// Each number has its own share of the colour, whatever its neighbours are.
+void fillColor(QImage& image, std::span<const std::uint8_t> numbers, PaletteRange range,
+               const std::vector<bool>& drawn) {
+    std::array<std::uint8_t, 256> shares{};
+    for (std::size_t v = 0; v < shares.size(); ++v)
+        shares[v] = paletteColor(Palette::Color, double(v), range.first, range.last)[0];
+    fillDrawn(image, drawn, [&](std::size_t i) {
+        const std::uint8_t* v = &numbers[3 * i];
+        return qRgb(shares[v[0]], shares[v[1]], shares[v[2]]);
     });
 }
 
@@ -125,7 +138,9 @@ BufferStatistics channelStatistics(const AnyBuffer& buffer, int channel) {
 }
 
 PaletteRange fittingRange(const AnyBuffer& buffer, int channel, pipeline::DepthFormat format) {
-    const BufferStatistics found = channelStatistics(buffer, channel);
+    // What is drawn in full colours has its range without a look at the numbers.
+    const bool needsNumbers = buffer.info->element != Element::UInt8 || buffer.info->palette != Palette::Color;
+    const BufferStatistics found = needsNumbers ? channelStatistics(buffer, channel) : BufferStatistics();
     if (channel < 0 || buffer.channels() == 1) return pipeline::fittingRange(buffer, found, format);
     switch (shownPalette(*buffer.info, channel)) {
         case Palette::Diverging: {

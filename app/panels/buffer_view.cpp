@@ -151,6 +151,7 @@ void BufferView::autofit(bool keep) {
 
 // A buffer that the scene has no use for is computed only when the user insists.
 void BufferView::want() {
+    if (isPutAway()) return m_document.want(this, {});
     const bool useful = m_document.hasScene() && whyUseless(m_document.scene(), m_name.id).empty();
     const bool hasOverlays = whyNoOverlays(bufferInfo(m_name.id)).isEmpty();
     m_document.want(this, (useful || kept().forced ? pipeline::setOf({m_name.id}) : pipeline::BufferSet()) |
@@ -160,6 +161,8 @@ void BufferView::want() {
 bool BufferView::standsOnPicture() const { return bufferInfo(m_name.id).domain != Domain::Texel; }
 
 void BufferView::refresh() {
+    m_missed = isPutAway();
+    if (m_missed) return;
     if (!m_document.hasScene()) return showMessage(tr("No scene yet. Open a file, or begin with the pyramid."), false);
     const pipeline::FramePtr& frame = m_document.frame();
     if (!frame) return;  // the first one is on its way

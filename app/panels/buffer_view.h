@@ -61,6 +61,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     // How a buffer was last looked at, kept while another one is shown.
@@ -76,6 +78,7 @@ private:
     void observeOverlays();
     void want();
     void refresh();
+    bool isPutAway() const;
     void showMessage(const QString& text, bool canCompute);
     void showPixels();
     void markSelection();
@@ -98,6 +101,7 @@ private:
     pipeline::BufferName m_name{pipeline::BufferId::Color};
     std::map<std::string, Kept> m_kept;
     std::optional<ShownBuffer> m_shown;
+    bool m_missed = false;               // a refresh, while it was put away
     std::optional<QPoint> m_localHover;  // of a picture that is not the document's
 
     OverlaySet m_overlays;

@@ -83,22 +83,24 @@ void ConditionBar::setText(const QString& text) { m_text->setText(text); }
 QString ConditionBar::said() const { return m_said->text(); }
 
 void ConditionBar::say(const QString& text, bool isWrong) {
-    m_said->setText(text);
     const ThemeColors& c = Theme::current().colors();
-    m_said->setStyleSheet(QString("color: %1").arg((isWrong ? c.failed : c.text2).name()));
+    const QString style = QString("color: %1").arg((isWrong ? c.failed : c.text2).name());
+    if (style != m_said->styleSheet()) m_said->setStyleSheet(style);
+    m_said->setText(text);
     setAccessibleDescription(text);
     const QString why = m_mask && m_mask->count > 0 ? QString() : tr("It holds for no pixel.");
     for (QToolButton* made : {m_previous, m_next}) made->setEnabled(why.isEmpty());
 }
 
 void ConditionBar::read() {
+    const bool hadMask = m_mask.has_value();
     if (m_condition && (isHidden() || m_condition->text != m_text->text().toStdString())) m_mask.reset();
+    if (hadMask && !m_mask) emit changed();
     m_condition.reset();
     const std::string text = m_text->text().toStdString();
     if (isHidden() || !m_document.hasScene() || m_text->text().trimmed().isEmpty()) {
         m_document.want(this, {});
-        evaluate();
-        return emit changed();
+        return evaluate();
     }
     auto read = lessons::parseCondition(text, {{}, 1, 1}, m_document.scene());
     if (!read) {

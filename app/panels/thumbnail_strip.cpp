@@ -37,9 +37,9 @@ ThumbnailStrip::ThumbnailStrip(Document& document, QWidget* parent) : QWidget(pa
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Thumbnails of the buffers"));
-    // While a slider moves the views come first.
+    // While a slider moves the views come first; frames follow each other more quickly than this.
     m_later.setSingleShot(true);
-    m_later.setInterval(80);
+    m_later.setInterval(160);
     connect(&m_later, &QTimer::timeout, this, &ThumbnailStrip::refresh);
     connect(&document, &Document::frameReady, this, [this] { m_later.start(); });
     connect(&document, &Document::stageChanged, this, &ThumbnailStrip::rebuild);
@@ -99,7 +99,7 @@ void ThumbnailStrip::want() {
             const BufferId id = m_items[std::size_t(i)].name.id;
             if (itemRect(i).intersects(rect()) && whyUseless(m_document.scene(), id).empty()) wanted.set(index(id));
         }
-    m_document.want(this, wanted);
+    m_document.want(this, wanted, Document::When::AtRest);
 }
 
 void ThumbnailStrip::refresh() {

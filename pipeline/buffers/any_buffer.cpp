@@ -1,9 +1,11 @@
 #include "pipeline/buffers/any_buffer.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace pipeline {
 
@@ -40,30 +42,61 @@ const char* AnyBuffer::dtype() const {
     return kNames[data.index()];
 }
 
+namespace {
+
+// Several counts and extremes side by side, so that the compiler takes them in one vector.
+template <class T>
+struct Lanes {
+    static constexpr std::size_t kCount = 16;
+    using Count = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
+    std::array<T, kCount> min, max;
+    std::array<Count, kCount> finite{}, nan{}, negative{};
+
+    Lanes() {
+        min.fill(std::numeric_limits<T>::max());
+        max.fill(std::numeric_limits<T>::lowest());
+    }
+    void add(std::size_t lane, T value) {
+        if constexpr (std::is_floating_point_v<T>) {
+            const bool isFinite = value - value == 0;
+            const T small = isFinite ? value : std::numeric_limits<T>::max();
+            const T large = isFinite ? value : std::numeric_limits<T>::lowest();
+            min[lane] = small < min[lane] ? small : min[lane];
+            max[lane] = large > max[lane] ? large : max[lane];
+            finite[lane] += isFinite;
+            nan[lane] += value != value;
+        } else {
+            min[lane] = value < min[lane] ? value : min[lane];
+            max[lane] = value > max[lane] ? value : max[lane];
+            ++finite[lane];
+        }
+        if constexpr (std::is_signed_v<T>) negative[lane] += value < T(0);
+    }
+};
+
+template <class T>
+void addStatistics(std::span<const T> numbers, BufferStatistics& result) {
+    Lanes<T> lanes;
+    std::size_t i = 0;
+    for (; i + Lanes<T>::kCount <= numbers.size(); i += Lanes<T>::kCount)
+        for (std::size_t lane = 0; lane < Lanes<T>::kCount; ++lane) lanes.add(lane, numbers[i + lane]);
+    for (std::size_t lane = 0; i < numbers.size(); ++i, ++lane) lanes.add(lane, numbers[i]);
+    for (std::size_t lane = 0; lane < Lanes<T>::kCount; ++lane) {
+        result.finite += std::size_t(lanes.finite[lane]);
+        result.nan += std::size_t(lanes.nan[lane]);
+        result.negative += std::size_t(lanes.negative[lane]);
+    }
+    result.infinite = numbers.size() - result.finite - result.nan;
+    if (result.finite == 0) return;
+    result.min = double(*std::ranges::min_element(lanes.min));
+    result.max = double(*std::ranges::max_element(lanes.max));
+}
+
+}  // namespace
+
 BufferStatistics statistics(const AnyBuffer& buffer) {
     BufferStatistics result;
-    double min = std::numeric_limits<double>::infinity(), max = -min;
-    std::visit(
-        [&](const auto& numbers) {
-            for (const auto number : numbers) {
-                const double value = static_cast<double>(number);
-                if (std::isnan(value))
-                    ++result.nan;
-                else if (std::isinf(value))
-                    ++result.infinite;
-                else {
-                    ++result.finite;
-                    min = std::min(min, value);
-                    max = std::max(max, value);
-                }
-                if (value < 0) ++result.negative;
-            }
-        },
-        buffer.data);
-    if (result.finite > 0) {
-        result.min = min;
-        result.max = max;
-    }
+    std::visit([&](const auto& numbers) { addStatistics(numbers, result); }, buffer.data);
     return result;
 }
 

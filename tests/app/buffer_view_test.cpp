@@ -77,6 +77,35 @@ TEST_F(BufferViewTest, EveryPixelHasTheColourThatAnExportGivesIt) {
     EXPECT_GT(drawn, 2000);  // the pyramid covers more than half of a box of 84 × 66 pixels
 }
 
+TEST(BufferViewPutAway, WantsNothingAndShowsTheNewestFrameWhenItComesBack) {
+    Document document;
+    QWidget window;
+    auto* view = new BufferView(document, &window);
+    view->hide();
+    window.show();
+    view->setBuffer({BufferId::NDotL, 0});
+    document.setScene(test::pyramid());
+    const auto settled = [&] { return QTest::qWaitFor([&] { return document.frame() && !document.busy(); }, 10000); };
+    ASSERT_TRUE(settled());
+    EXPECT_FALSE(document.frame()->buffer({BufferId::NDotL, 0}));
+    EXPECT_FALSE(view->shown());
+    view->show();
+    ASSERT_TRUE(settled());
+    ASSERT_TRUE(view->shown());
+    EXPECT_EQ(view->shown()->buffer.name, (pipeline::BufferName{BufferId::NDotL, 0}));
+    // A frame that came while it was away.
+    const auto before = view->shown()->buffer.owner;
+    view->hide();
+    document.change(*findSetting(document.scene(), "camera.theta"), 35);
+    ASSERT_TRUE(settled());
+    EXPECT_EQ(view->shown()->buffer.owner, before);
+    view->show();
+    ASSERT_TRUE(settled());
+    const auto now = document.frame()->buffer({BufferId::NDotL, 0});
+    ASSERT_TRUE(now);
+    EXPECT_EQ(view->shown()->buffer.owner, now->owner);
+}
+
 TEST_F(BufferViewTest, AClickPicksThePixelUnderIt) {
     QTest::mouseClick(&canvas(), Qt::LeftButton, {}, widgetAt(kOnPolygon2));
     ASSERT_TRUE(document.pixel());

@@ -121,6 +121,19 @@ TEST_F(DocumentTest, WantedBuffersAreInTheFrameAndForgottenWithWhoWantedThem) {
     EXPECT_TRUE(document.frame()->buffer({BufferId::Color}));
 }
 
+TEST_F(DocumentTest, WhatIsWantedAtRestComesAfterTheDragAndNotDuringIt) {
+    const QObject thumbnails;
+    document.want(&thumbnails, pipeline::setOf({pipeline::BufferId::NDotL}), Document::When::AtRest);
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_TRUE(document.frame()->buffer({pipeline::BufferId::NDotL, 0}));
+    document.change(setting("camera.theta"), 35, Document::Change::Live);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document.frame()->sharedScene()->camera == document.scene().camera; }));
+    EXPECT_FALSE(document.frame()->buffer({pipeline::BufferId::NDotL, 0}));
+    // The hand rests, with the button still down.
+    EXPECT_TRUE(QTest::qWaitFor([&] { return document.frame()->buffer({pipeline::BufferId::NDotL, 0}).has_value(); }));
+    EXPECT_EQ(document.frame()->sharedScene()->camera, document.scene().camera);
+}
+
 TEST_F(DocumentTest, PickedPixelStaysInThePicture) {
     document.pick(glm::ivec2(10000, -3));
     EXPECT_EQ(document.pixel(), glm::ivec2(639, 0));

@@ -118,6 +118,19 @@ TEST(Statistics, SetsAsideWhatIsNotFinite) {
     EXPECT_EQ(found.nan, 1u);
     EXPECT_EQ(found.negative, 2u);
     const std::vector<float> nothing{inf, inf};
+    // In any place of a long row, where many are counted at a time.
+    std::vector<float> many(75, 2.0f);
+    many[3] = many[40] = many[74] = NAN;
+    many[20] = -INFINITY, many[71] = INFINITY;
+    many[33] = -5, many[72] = 9;
+    const BufferStatistics row = statistics(buffer(BufferId::Depth, {1, 75}, many));
+    EXPECT_EQ(row.min, -5);
+    EXPECT_EQ(row.max, 9);
+    EXPECT_EQ(row.nan, 3u);
+    EXPECT_EQ(row.infinite, 2u);
+    EXPECT_EQ(row.negative, 2u);  // −5 and −∞
+    EXPECT_EQ(row.finite, 70u);
+
     const BufferStatistics empty = statistics(buffer(BufferId::Depth, {1, 2}, nothing));
     EXPECT_EQ(empty.min, 0);
     EXPECT_EQ(empty.max, 0);
