@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QSet>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cstdio>
@@ -14,7 +15,8 @@
 #include "app/desktop/main_window.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_main.h"
-#include "app/view3d/view3d_panel.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/view3d/vtk_widget.h"
 #include "pipeline/formats/built_in_scenes.h"
 
 namespace {
@@ -42,6 +44,27 @@ void settle(app::Document& document) {
     QCoreApplication::processEvents();
 }
 
+// Whether the views have painted what the newest frame shows.
+class Painted : public QObject {
+public:
+    explicit Painted(app::MainWindow& window) {
+        m_views = {window.views().findChild<app::BufferCanvas*>(), window.views().findChild<app::VtkWidget*>()};
+        for (QWidget* view : m_views) view->installEventFilter(this);
+        connect(&window.document(), &app::Document::frameReady, this, [this] { m_fresh.clear(); });
+    }
+    bool all() const { return m_fresh.size() == m_views.size(); }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Paint) m_fresh.insert(watched);
+        return false;
+    }
+
+private:
+    QList<QWidget*> m_views;
+    QSet<QObject*> m_fresh;
+};
+
 // Turns the camera as a hand at its slider does: as soon as the picture of one step is on the screen, the next.
 // Milliseconds a step, ascending.
 std::vector<double> drag(app::MainWindow& window, int steps) {
@@ -50,17 +73,17 @@ std::vector<double> drag(app::MainWindow& window, int steps) {
     const auto setting = *findSetting(document.scene(), key);
     const double begin = setting.get(document.scene());
     std::vector<double> times;
+    const Painted painted(window);
     for (int i = 1; i <= steps; ++i) {
         QElapsedTimer step;
         step.start();
         document.change(setting, begin + 0.25 * (i <= steps / 2 ? i : steps - i), app::Document::Change::Live);
-        while ((!document.frame() || document.frame()->sharedScene()->camera != document.scene().camera) &&
-               step.elapsed() < 10000)
+        const auto isShown = [&] {
+            return document.frame() && document.frame()->sharedScene()->camera == document.scene().camera &&
+                   painted.all();
+        };
+        while (!isShown() && step.elapsed() < 10000)
             QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 5);
-        // What the frame has made dirty is painted now.
-        window.views().repaint();
-        QCoreApplication::sendPostedEvents();
-        QCoreApplication::processEvents();
         times.push_back(double(step.nsecsElapsed()) / 1e6);
     }
     document.change(setting, begin, app::Document::Change::Done);
