@@ -45,7 +45,9 @@ void NumberField::take() {
 void NumberField::showWrong(const QString& why) {
     setToolTip(why);
     const QString color = Theme::current().colors().failed.name();
-    setStyleSheet(why.isEmpty() ? QString() : QStringLiteral("QLineEdit { border: 2px solid %1; }").arg(color));
+    const QString sheet = why.isEmpty() ? QString() : QStringLiteral("QLineEdit { border: 2px solid %1; }").arg(color);
+    // A style sheet is read anew even where it is the same; every field is told every value of a drag.
+    if (sheet != styleSheet()) setStyleSheet(sheet);
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {

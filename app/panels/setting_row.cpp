@@ -131,8 +131,11 @@ void SettingRow::showScene() {
     if (!unit.isEmpty()) tip += QStringLiteral(" Unit: %1.").arg(unit);
     if (isIdle()) tip = m_idle + QLatin1Char('\n') + tip;
     m_label->setToolTip(tip);
-    m_label->setProperty("tone", isIdle() ? 3 : 2);
-    m_label->style()->polish(m_label);
+    const int tone = isIdle() ? 3 : 2;
+    if (m_label->property("tone") != tone) {
+        m_label->setProperty("tone", tone);
+        m_label->style()->polish(m_label);
+    }
     m_note->setText(m_idle);
     for (QWidget* control : m_controls) {
         control->setToolTip(tip);
