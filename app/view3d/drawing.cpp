@@ -1,5 +1,6 @@
 #include "app/view3d/drawing.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -35,6 +36,15 @@ QColor colorOf(Ink ink, const ThemeColors& colors) {
 QColor mixed(const QColor& a, const QColor& b, double shareOfA) {
     const auto channel = [&](int x, int y) { return int(std::lround(x * shareOfA + y * (1 - shareOfA))); };
     return {channel(a.red(), b.red()), channel(a.green(), b.green()), channel(a.blue(), b.blue())};
+}
+
+void dimAllBut(const std::vector<VectorCode>& codes, Drawing& drawing) {
+    if (codes.empty()) return;
+    constexpr double kFaint = 0.35;
+    const auto strength = [&](Ink ink) { return std::ranges::find(codes, ink, inkOf) == codes.end() ? kFaint : 1.0; };
+    for (InkedSolid& vector : drawing.vectors) vector.strength = strength(vector.ink);
+    for (Label& label : drawing.labels)
+        if (label.kind == Label::Kind::Letter) label.strength = strength(label.ink);
 }
 
 }  // namespace app

@@ -19,7 +19,8 @@ QColor mixed(const QColor& a, const QColor& b, double shareOfA);
 struct InkedSolid {
     Ink ink;
     Solid solid;
-    double unit = 1;  // world units per logical pixel where it stands
+    double unit = 1;      // world units per logical pixel where it stands
+    double strength = 1;  // 1 full, 0 gone into the background
 };
 
 // A line, a little over 1 logical pixel wide. Its ends may fade into the background: 1 full, 0 gone.
@@ -43,6 +44,7 @@ struct Label {
     std::string text;
     std::string distance;  // ", 719 units away"; for a caption at the border
     Ink ink = Ink::Text;
+    double strength = 1;
 };
 
 // The light parts of a 3D view: what keeps its size in pixels and so depends on the camera.
@@ -59,6 +61,9 @@ struct Drawing {
     std::optional<Marker> foot;   // where the vectors start
     std::optional<Vec3d> vertex;  // what is selected
 };
+
+// While another view points at some of the vectors: the other ones faint, at 35 %. None: as it is.
+void dimAllBut(const std::vector<VectorCode>& codes, Drawing& drawing);
 
 // The view that a drawing is made for.
 struct ViewFrame {

@@ -14,7 +14,11 @@ constexpr int kMostTexels = 512;  // along a side; a larger buffer is thinned ou
 
 template <class Real>
 LightFrustum frustumOf(int light, int face, const pipeline::View& view, const pipeline::Buffer2D<Real>& depth) {
-    LightFrustum result{light, face, view, 0, 0, 0, 0, {}};
+    LightFrustum result;
+    result.light = light;
+    result.face = face;
+    result.view = view;
+    result.end = 0;
     bool first = true;
     for (const Real& value : depth.pixels) {
         const auto z = double(value);
@@ -24,7 +28,11 @@ LightFrustum frustumOf(int light, int face, const pipeline::View& view, const pi
         first = false;
         ++result.texels;
     }
-    if (result.texels == 0) return result;
+    if (result.texels == 0) {
+        // A face that sees nothing is shown as far as another one would see.
+        result.end = view.far / 2;
+        result.plane = view.perspective ? result.end / 4 : view.near;
+    }
     const double range = result.end - result.begin;
     const double least = range > 0 ? range : std::max(std::abs(result.end), 1.0);
     // Before what it shows: an eighth of the way, or for a point light half way to the nearest.
@@ -52,8 +60,8 @@ std::vector<LightFrustum> lightFrusta(const pipeline::Frame& frame) {
             const auto& sample = lights[k][lights[k].size() / 2];
             const auto first = std::ptrdiff_t(result.size());
             for (std::size_t face = 0; face < sample.faces.size(); ++face) {
-                LightFrustum frustum = frustumOf(int(k), int(face), sample.faces[face], sample.depth[face]);
-                if (frustum.texels > 0) result.push_back(std::move(frustum));
+                result.push_back(frustumOf(int(k), int(face), sample.faces[face], sample.depth[face]));
+                result.back().faces = int(sample.faces.size());
             }
             std::stable_sort(result.begin() + first, result.end(),
                              [](const LightFrustum& a, const LightFrustum& b) { return a.texels > b.texels; });

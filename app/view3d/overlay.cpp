@@ -85,52 +85,80 @@ glm::dvec2 borderPoint(const Projected& p, glm::dvec2 size) {
     return middle + d / std::max(reach, 1e-300);
 }
 
-void placeCaption(PlacedLabel& placed, const ViewFrame& view) {
+void markCaption(PlacedLabel& placed, const ViewFrame& view) {
     const Projected p = project(view.camera, view.size, placed.label.at);
     placed.mark = p.at;
     placed.atBorder = !p.inFront || p.at.x < kBorder || p.at.y < kBorder || p.at.x > view.size.x - kBorder ||
                       p.at.y > view.size.y - kBorder;
-    QString text = toQString(placed.label.text);
-    if (placed.atBorder) {
-        text += toQString(placed.label.distance);
-        placed.label.text = text.toStdString();
-        placed.mark = borderPoint(p, view.size);
-    }
-    const QFontMetricsF metrics(fontOf(Label::Kind::Caption));
-    const double width = metrics.horizontalAdvance(text), gap = 14;
-    if (placed.atBorder) {
-        // Inwards: beside the mark at a side, under or over it at the top or the foot.
-        const bool right = placed.mark.x > view.size.x / 2;
-        placed.at = placed.mark + glm::dvec2((right ? -1 : 1) * (width / 2 + gap), 0);
-    } else {
-        placed.at = placed.mark - glm::dvec2(0, gap + 4);
-    }
-    placed.at.x = std::clamp(placed.at.x, width / 2 + 8, std::max(width / 2 + 8, view.size.x - width / 2 - 8));
-    placed.at.y = std::clamp(placed.at.y, 12.0, std::max(12.0, view.size.y - 12));
+    if (!placed.atBorder) return;
+    placed.label.text += placed.label.distance;
+    placed.mark = borderPoint(p, view.size);
 }
 
-// Captions make room for letters, upwards; those that lie on each other part upwards and
-// downwards, and one at the border stays.
-void partCaptions(std::vector<PlacedLabel>& labels) {
-    const QFontMetricsF metrics(fontOf(Label::Kind::Caption));
-    const auto width = [&](const PlacedLabel& p) { return metrics.horizontalAdvance(toQString(p.label.text)); };
-    const double line = metrics.height();
-    for (PlacedLabel& caption : labels)
-        for (const PlacedLabel& letter : labels) {
-            if (caption.label.kind != Label::Kind::Caption || letter.label.kind != Label::Kind::Letter) continue;
-            const glm::dvec2 d = glm::abs(caption.at - letter.at);
-            if (!caption.atBorder && d.x < width(caption) / 2 + 8 && d.y < line)
-                caption.at.y = letter.at.y - 1.3 * line;
+// Where a text of this size may stand, the best first. At the border inwards; else above its mark, below it, at a side.
+std::vector<glm::dvec2> captionPlaces(const PlacedLabel& placed, QSizeF size, glm::dvec2 view) {
+    constexpr double kBeside = 14, kAbove = 18;
+    const glm::dvec2 aside{size.width() / 2 + kBeside, 0};
+    const double line = size.height();
+    std::vector<glm::dvec2> places;
+    const bool right = placed.mark.x > view.x / 2;
+    const glm::dvec2 inwards = placed.mark + (right ? -aside : aside),
+                     outwards = placed.mark + (right ? aside : -aside);
+    if (!placed.atBorder) {
+        places = {placed.mark - glm::dvec2(0, kAbove), placed.mark + glm::dvec2(0, kAbove), inwards, outwards};
+        for (const double lines : {1.0, 2.0})
+            for (const double sign : {-1.0, 1.0})
+                places.push_back(placed.mark + glm::dvec2(0, sign * (kAbove + lines * line)));
+    }
+    for (int lines = 0; lines <= 4; ++lines)
+        for (const double sign : {-1.0, 1.0}) places.push_back(inwards + glm::dvec2(0, sign * lines * line));
+    return places;
+}
+
+glm::dvec2 inside(glm::dvec2 at, QSizeF size, glm::dvec2 view) {
+    const glm::dvec2 half{size.width() / 2 + 8, size.height() / 2 + 4};
+    return {std::clamp(at.x, half.x, std::max(half.x, view.x - half.x)),
+            std::clamp(at.y, half.y, std::max(half.y, view.y - half.y))};
+}
+
+QSizeF sizeOf(const Label& label) {
+    const QFontMetricsF metrics(fontOf(label.kind));
+    const QString text = toQString(label.text);
+    if (label.kind == Label::Kind::Letter || label.kind == Label::Kind::Axis)
+        return metrics.tightBoundingRect(text).size();
+    return {metrics.horizontalAdvance(text), metrics.height()};
+}
+
+double overlap(const QRectF& a, const QRectF& b) {
+    const QRectF both = a & b;
+    return both.isEmpty() ? 0 : both.width() * both.height();
+}
+
+// One caption after the other, each at the place where it covers least.
+void placeCaptions(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, glm::dvec2 view,
+                   std::vector<QRectF> taken) {
+    constexpr double kMark = 7, kTip = 6;
+    const auto around = [](glm::dvec2 p, double r) { return QRectF(p.x - r, p.y - r, 2 * r, 2 * r); };
+    for (const glm::dvec2& tip : tips) taken.push_back(around(tip, kTip));
+    for (const PlacedLabel& placed : labels)
+        taken.push_back(placed.label.kind == Label::Kind::Caption ? around(placed.mark, kMark) : boxOf(placed));
+    for (PlacedLabel& caption : labels) {
+        if (caption.label.kind != Label::Kind::Caption) continue;
+        const QSizeF size = sizeOf(caption.label);
+        double least = 1e300;
+        for (const glm::dvec2& wanted : captionPlaces(caption, size, view)) {
+            PlacedLabel tried = caption;
+            tried.at = inside(wanted, size, view);
+            // Moved off its own place by the border it may lie on its mark.
+            double covered = 0;
+            for (const QRectF& other : taken) covered += overlap(boxOf(tried), other);
+            if (covered >= least) continue;
+            least = covered;
+            caption.at = tried.at;
+            if (covered == 0) break;
         }
-    for (PlacedLabel& a : labels)
-        for (PlacedLabel& b : labels) {
-            if (&a <= &b || a.label.kind != Label::Kind::Caption || b.label.kind != Label::Kind::Caption) continue;
-            const glm::dvec2 d = a.at - b.at;
-            if (std::abs(d.x) > (width(a) + width(b)) / 2 + 6 || std::abs(d.y) > line) continue;
-            PlacedLabel& moved = a.atBorder ? b : a;
-            const PlacedLabel& stays = a.atBorder ? a : b;
-            moved.at.y = stays.at.y + (moved.at.y < stays.at.y && stays.at.y > 2 * line ? -line : line);
-        }
+        taken.push_back(boxOf(caption));
+    }
 }
 
 void paintBorderMark(QPainter& painter, const PlacedLabel& placed) {
@@ -155,14 +183,20 @@ void paintMarker(QPainter& painter, const Drawing::Marker& marker, const ViewFra
 
 }  // namespace
 
-std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, double scale) {
+QRectF boxOf(const PlacedLabel& placed) {
+    const QSizeF size = sizeOf(placed.label);
+    return {toPoint(placed.at) - QPointF(size.width(), size.height()) / 2, size};
+}
+
+std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, double scale,
+                                     const std::vector<QRectF>& taken) {
     std::vector<PlacedLabel> result;
     std::vector<glm::dvec2> tips;
     for (const Label& label : drawing.labels) {
         PlacedLabel placed{label, {}, {}, false};
         const Projected p = project(view.camera, view.size, label.at);
         if (label.kind == Label::Kind::Caption) {
-            placeCaption(placed, view);
+            markCaption(placed, view);
             result.push_back(placed);
             continue;
         }
@@ -170,17 +204,20 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         const glm::dvec2 foot = project(view.camera, view.size, label.foot).at;
         placed.mark = p.at;
         placed.at = label.kind == Label::Kind::Note ? p.at : p.at + kBeyondTip * scale * unit(p.at - foot, {0, -1});
-        if (label.kind == Label::Kind::Plane) {
-            const double width = QFontMetricsF(fontOf(label.kind)).horizontalAdvance(toQString(label.text));
-            placed.at.x += (p.at.x < foot.x ? -0.5 : 0.5) * width;
-            placed.at.x = std::clamp(placed.at.x, width / 2 + 8, std::max(width / 2 + 8, view.size.x - width / 2 - 8));
-            placed.at.y = std::clamp(placed.at.y, 12.0, std::max(12.0, view.size.y - 12));
-        }
+        if (label.kind == Label::Kind::Plane) placed.at.x += (p.at.x < foot.x ? -0.5 : 0.5) * sizeOf(label).width();
         if (label.kind == Label::Kind::Letter) tips.push_back(p.at);
         result.push_back(placed);
     }
     relax(result, tips, scale);
-    partCaptions(result);
+    for (PlacedLabel& placed : result) {
+        // An axis that ends outside has its name there.
+        const bool isAway = placed.label.kind == Label::Kind::Axis || placed.label.kind == Label::Kind::Note;
+        const bool isTip = placed.label.kind == Label::Kind::Letter;
+        const QRectF near = QRectF(0, 0, view.size.x, view.size.y);
+        if (!isAway && !(isTip && !near.contains(toPoint(placed.mark))))
+            placed.at = inside(placed.at, sizeOf(placed.label), view.size);
+    }
+    placeCaptions(result, tips, view.size, taken);
     return result;
 }
 
@@ -197,7 +234,7 @@ void paintProbe(QPainter& painter, Vec3d point, const ViewFrame& view) {
     painter.restore();
 }
 
-void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& view) {
+void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& view, const std::vector<QRectF>& taken) {
     const Theme& theme = Theme::current();
     const ThemeColors& colors = theme.colors();
     painter.save();
@@ -205,7 +242,7 @@ void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& vi
     if (drawing.point) paintMarker(painter, *drawing.point, view, true);
     if (drawing.foot) paintMarker(painter, *drawing.foot, view, false);
     if (drawing.vertex) paintProbe(painter, *drawing.vertex, view);
-    std::vector<PlacedLabel> labels = placeLabels(drawing, view, theme.scale());
+    std::vector<PlacedLabel> labels = placeLabels(drawing, view, theme.scale(), taken);
     // Letters over captions.
     std::ranges::stable_partition(labels, [](const PlacedLabel& p) { return p.label.kind == Label::Kind::Caption; });
     for (const PlacedLabel& placed : labels) {
@@ -213,7 +250,8 @@ void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& vi
         if (placed.atBorder) paintBorderMark(painter, placed);
         const bool quiet = kind == Label::Kind::Caption;
         paintText(painter, placed.at, toQString(placed.label.text), fontOf(kind),
-                  quiet ? colors.text2 : colorOf(placed.label.ink, colors), kHalo);
+                  mixed(quiet ? colors.text2 : colorOf(placed.label.ink, colors), colors.view, placed.label.strength),
+                  kHalo);
     }
     painter.restore();
 }

@@ -18,11 +18,18 @@ struct PlacedLabel {
 };
 
 // Letters stand beyond the tips, at least 21 pixels from each other and 17 from every tip where
-// there is room; captions beside their marks, or at the border. `scale` is the font scale.
-std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, double scale);
+// there is room; captions beside their marks, or at the border: above, below or at a side of them, where they cover
+// no letter, no mark and none of each other, and nothing that is `taken`. All of them inside the view. `scale` is the
+// font scale.
+std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, double scale,
+                                     const std::vector<QRectF>& taken = {});
+// The space that a label takes.
+QRectF boxOf(const PlacedLabel& placed);
 
 // Letters, captions and the picked point's marker, over the rendered view.
-void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& view);
+// `taken`: what other things stand on.
+void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& view,
+                  const std::vector<QRectF>& taken = {});
 
 // A light ring around a point of the world.
 void paintProbe(QPainter& painter, Vec3d point, const ViewFrame& view);

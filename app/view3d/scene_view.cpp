@@ -42,7 +42,10 @@ protected:
     void paintEvent(QPaintEvent*) override {
         if (!m_view->shown() || !m_view->m_problem.isEmpty()) return;
         QPainter painter(this);
-        paintOverlay(painter, m_view->m_drawing, m_view->viewFrame());
+        std::vector<QRectF> taken;
+        for (const QWidget* corner : {static_cast<QWidget*>(m_view->m_legend), static_cast<QWidget*>(m_view->m_cube)})
+            if (corner->isVisible()) taken.emplace_back(corner->geometry());
+        paintOverlay(painter, m_view->m_drawing, m_view->viewFrame(), taken);
         m_view->paintHandles(painter);
         if (!m_view->m_probe || m_view->isPoint() || m_view->isMoving()) return;
         const SpaceMap& map = m_view->shown()->map;
@@ -90,7 +93,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
         emit optionsChanged();
     });
     connect(m_legend, &ViewCorner::vectorHovered, this, [this](VectorCode code) {
-        setAlone(code == VectorCode::None ? std::vector<VectorCode>{} : std::vector{code});
+        pointAt(code == VectorCode::None ? std::vector<VectorCode>{} : std::vector{code});
     });
     connect(m_cube, &ViewCorner::faceClicked, this, [this](CubeFace face) {
         if (!shown() || isPoint()) return;
@@ -148,9 +151,9 @@ void SceneView::setEmptyText(const QString& sentence) {
     refresh();
 }
 
-void SceneView::setAlone(const std::vector<VectorCode>& codes) {
-    if (codes == m_alone) return;
-    m_alone = codes;
+void SceneView::pointAt(const std::vector<VectorCode>& codes) {
+    if (codes == m_pointedAt) return;
+    m_pointedAt = codes;
     refresh();
 }
 
@@ -277,15 +280,16 @@ void SceneView::frameIfUntouched() {
 void SceneView::refresh() {
     const bool works = m_problem.isEmpty() && shown() != nullptr;
     ViewOptions options = m_options;
-    if (!m_alone.empty()) {
+    if (!m_pointedAt.empty()) {
+        if (!options.vectors) options.shown.fill(false);
         options.vectors = true;
-        options.shown.fill(false);
-        for (const VectorCode code : m_alone) options.shown[static_cast<std::size_t>(code)] = true;
+        for (const VectorCode code : m_pointedAt) options.shown[static_cast<std::size_t>(code)] = true;
     }
     if (!works || isMoving())
         m_drawing = {};
     else
         m_drawing = (isPoint() ? drawPoint : drawWorld)(*shown(), options, viewFrame());
+    dimAllBut(m_pointedAt, m_drawing);
     if (m_vtk) m_vtk->setView(viewFrame(), m_drawing);
     m_sentence->setText(sentence());
     m_sentence->setVisible(!works);

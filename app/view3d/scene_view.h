@@ -19,7 +19,8 @@ class ViewCorner;
 // A 3D view with its camera: what VTK renders, letters and legend over it, mouse and keys.
 // Left drag orbits, middle or Shift+left drag pans, the wheel zooms to the cursor; a click gives
 // the ray under it. Keys: 1 front, 3 side, 7 top, 9 iso, 0 from the eye, Z out of it, 5 orthographic,
-// R the first view again, A everything; arrows orbit, + and − zoom; S the next space; M what an object's
+// R the first view again, A everything; arrows orbit, + and − zoom; S the next space, F the next face of
+// a point light; M what an object's
 // handle does: move, turn, scale. While a handle is dragged x, y and z hold it to an arm, Shift drags
 // finely, Ctrl in coarse steps, and Esc puts it back.
 class SceneView : public QWidget {
@@ -42,8 +43,9 @@ public:
     void setOptions(const ViewOptions& options);
     const ViewOptions& options() const { return m_options; }
 
-    // These vectors alone, without the other ones, for as long as another view points at them; none: all again.
-    void setAlone(const std::vector<VectorCode>& codes);
+    // These vectors strong and the other ones faint, for as long as another view points at them, shown even where they
+    // are hidden; none: all as they are.
+    void pointAt(const std::vector<VectorCode>& codes);
     // A point of the world that another view's cursor is on, marked lightly.
     void setProbe(std::optional<Vec3d> point);
 
@@ -76,6 +78,7 @@ signals:
     void clicked(const app::Hit& hit);  // on a polygon; in world space, whatever space is on show
     void hovered(const std::optional<app::Hit>& hit);
     void spaceAsked(int step);  // 1 the next one, −1 the one before
+    void faceAsked(int step);   // likewise, of a point light
     void left();
     // A handle, as it was when it was taken hold of, is to have this value; `done` with the button's release.
     void dragged(const app::Handle& handle, app::Vec3d value, bool done);
@@ -124,7 +127,7 @@ private:
     std::shared_ptr<const ViewContent> m_moved;    // of the space on show, where that is not the world
     QString m_emptyText;
     std::optional<Vec3d> m_probe;
-    std::vector<VectorCode> m_alone;  // under the cursor in the legend or the equation, shown by themselves
+    std::vector<VectorCode> m_pointedAt;  // under the cursor in the legend or the equation
     ViewOptions m_options;
     OrbitCamera m_camera;
     // The user has moved the camera; until then each new size is framed anew.

@@ -89,6 +89,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
     const bool plain = !(event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier));
     if (m_drag == Drag::Handle && dragKey(event->key(), event->modifiers())) return;
     if (plain && event->key() == Qt::Key_S) return emit spaceAsked(event->modifiers() & Qt::ShiftModifier ? -1 : 1);
+    if (plain && event->key() == Qt::Key_F) return emit faceAsked(event->modifiers() & Qt::ShiftModifier ? -1 : 1);
     if (!plain || !shown()) return QWidget::keyPressEvent(event);
     endMove();
     if (!keyAction(event->key())) QWidget::keyPressEvent(event);

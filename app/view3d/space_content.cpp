@@ -173,7 +173,8 @@ std::optional<SpaceMap> mapOf(const ViewContent& world, SpaceId id) {
         case ViewSpace::Light: break;
     }
     for (const LightFrustum& frustum : world.frusta)
-        if (frustum.light == id.light) return SpaceMap{id.space, frustum.view, frustum.light, frustum.face};
+        if (frustum.light == id.light && (id.face < 0 || frustum.face == id.face))
+            return SpaceMap{id.space, frustum.view, frustum.light, frustum.face};
     return {};
 }
 

@@ -55,8 +55,9 @@ void addWorldBox(const ViewContent& content, const pipeline::BoundingBox& box, I
 }
 
 bool isShown(const LightFrustum& frustum, const ViewContent& content, const ViewOptions& options) {
-    if (content.map.space != ViewSpace::Light) return options.lightFrusta;
-    return frustum.light == content.map.light && (options.lightFrusta || frustum.face == content.map.face);
+    const bool asked = options.lightFrusta && frustum.texels > 0;
+    if (content.map.space != ViewSpace::Light) return asked;
+    return frustum.light == content.map.light && (asked || frustum.face == content.map.face);
 }
 
 void addLightFrustum(const LightFrustum& frustum, Drawing& drawing) {
@@ -67,8 +68,10 @@ void addLightFrustum(const LightFrustum& frustum, Drawing& drawing) {
     addRectangle(end, Ink::L, drawing.lines);
     for (std::size_t i = 0; i < 4; ++i) drawing.lines.push_back({start[i], end[i], Ink::L, 1, 1});
     const auto middle = [](const std::array<Vec3d, 4>& corners) { return (corners[0] + corners[2]) / 2.0; };
-    drawing.labels.push_back(
-        words(plane[1], middle(plane), "Z′, shadow buffer of light " + std::to_string(frustum.light), Ink::L));
+    std::string name = "Z′, shadow buffer of light " + std::to_string(frustum.light);
+    if (frustum.faces > 1) name += ", face " + nameOfFace(frustum.face);
+    drawing.labels.push_back(words(plane[1], middle(plane), std::move(name), Ink::L));
+    if (frustum.texels == 0) return;
     drawing.labels.push_back(words(end[2], middle(end), "farthest Z′ " + threeDigits(frustum.end), Ink::L));
 }
 

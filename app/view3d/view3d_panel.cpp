@@ -16,22 +16,6 @@
 
 namespace app {
 
-namespace {
-
-QString remarkOf(ViewSpace space) {
-    switch (space) {
-        case ViewSpace::World: return {};
-        case ViewSpace::Eye: return View3dPanel::tr("x right, y up, z away from the eye");
-        case ViewSpace::Clip: return View3dPanel::tr("after the division by w: −1 to 1");
-        case ViewSpace::Screen: return View3dPanel::tr("x, y in pixels, z from 0 to 1");
-        case ViewSpace::Light: return View3dPanel::tr("as its shadow buffer sees it");
-        case ViewSpace::Point: break;
-    }
-    return View3dPanel::tr("unit hemisphere, N up");
-}
-
-}  // namespace
-
 View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setAccessibleName(tr("3D view"));
     m_view = new SceneView(this);
@@ -52,6 +36,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(m_view, &SceneView::dragCancelled, this, &View3dPanel::cancelDrag);
     connect(m_view, &SceneView::handleHovered, this, &View3dPanel::showNumbers);
     connect(m_view, &SceneView::spaceAsked, this, &View3dPanel::stepSpace);
+    connect(m_view, &SceneView::faceAsked, this, &View3dPanel::stepFace);
     connect(m_view, &SceneView::optionsChanged, this, [this] {
         showOptions();
         showHandles();
@@ -69,7 +54,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(&document, &Document::pixelChanged, this, &View3dPanel::takePixel);
     connect(&document, &Document::selectionChanged, this, &View3dPanel::takeSelection);
     connect(&document, &Document::hoverChanged, this, &View3dPanel::takeHover);
-    connect(&document, &Document::pointedChanged, this, [this] { m_view->setAlone(vectorsOf(m_document.pointed())); });
+    connect(&document, &Document::pointedChanged, this, [this] { m_view->pointAt(vectorsOf(m_document.pointed())); });
     connect(&Theme::current(), &Theme::changed, this, &View3dPanel::applyTheme);
     showSpace();
     applyTheme();
@@ -93,6 +78,18 @@ void View3dPanel::buildHeader() {
     spaces->setToolTipsVisible(true);
     connect(spaces, &QMenu::aboutToShow, this, [this, spaces] { fillSpaces(*spaces); });
     m_space->setMenu(spaces);
+    m_face = addMenuButton("chevron-down", tr("Face"),
+                           tr("Which of the six faces around the light: the axis that it looks along (F the next one, "
+                              "Shift+F the one before)"));
+    m_face->setObjectName("face");
+    m_face->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_face->setLayoutDirection(Qt::RightToLeft);
+    m_face->setPopupMode(QToolButton::InstantPopup);
+    auto* faces = new QMenu(m_face);
+    faces->setLayoutDirection(Qt::LeftToRight);
+    faces->setToolTipsVisible(true);
+    connect(faces, &QMenu::aboutToShow, this, [this, faces] { fillFaces(*faces); });
+    m_face->setMenu(faces);
     m_remark = new QLabel(m_header);
     m_remark->setProperty("tone", "3");
     row->addWidget(m_remark);
@@ -172,6 +169,7 @@ void View3dPanel::applyTheme() {
     m_header->setFixedHeight(theme.px(32));
     m_header->layout()->setContentsMargins(theme.px(6), 0, theme.px(4), 0);
     m_space->setFont(theme.text(13, 600));
+    m_face->setFont(theme.text(13, 600));
     m_remark->setFont(theme.text(12));
     for (auto* button : m_header->findChildren<QToolButton*>()) button->setIconSize(QSize(theme.px(16), theme.px(16)));
     arrangeHeader();
@@ -181,7 +179,7 @@ void View3dPanel::applyTheme() {
 void View3dPanel::arrangeHeader() {
     int buttons = 0;
     for (const auto* button : m_header->findChildren<QToolButton*>())
-        buttons += button->sizeHint().width() + m_header->layout()->spacing();
+        if (!button->isHidden()) buttons += button->sizeHint().width() + m_header->layout()->spacing();
     m_remark->setVisible(m_remark->sizeHint().width() + buttons + Theme::current().px(16) <= width());
 }
 
@@ -204,84 +202,6 @@ void View3dPanel::showOptions() {
     m_vectors->setChecked(options.vectors);
     m_lights->setChecked(options.lights);
     m_eye->setChecked(options.eye);
-}
-
-void View3dPanel::setSpace(SpaceId space) {
-    m_awaited.reset();
-    m_wanted.reset();
-    const bool isLight = space.space == ViewSpace::Light;
-    if (isLight && !(m_view->content() && mapOf(*m_view->content(), space))) {
-        m_awaited = space;
-        wantBuffers();
-        return;
-    }
-    m_view->setSpace(space);
-    showSpace();
-    showHandles();
-    wantBuffers();
-}
-
-void View3dPanel::showSpace() {
-    const SpaceId id = m_view->space();
-    const bool isPoint = id.space == ViewSpace::Point;
-    const bool keepsLengths = id.space != ViewSpace::Clip && id.space != ViewSpace::Screen;
-    m_space->setText(toQString(nameOf(id)));
-    m_space->setToolTip(tr("What this view shows: %1 (S the next space)").arg(toQString(nameOf(id))));
-    m_remark->setText(remarkOf(id.space));
-    arrangeHeader();
-    const auto enable = [](QToolButton* button, const QString& tip, bool enabled, const QString& whyNot) {
-        button->setEnabled(enabled);
-        button->setToolTip(enabled ? tip : whyNot + ' ' + tip);
-    };
-    const QString flat = tr("Here lengths and angles mean nothing: the space is no picture of the world's."),
-                  atPoint = tr("Not at the point.");
-    enable(m_normals, tr("Normals of the polygons or vertices"), !isPoint && keepsLengths, isPoint ? atPoint : flat);
-    enable(m_vectors, tr("N, L, V, R and H at the picked point"), keepsLengths, flat);
-    enable(m_lights, tr("Where the lights are"), !isPoint && keepsLengths, isPoint ? atPoint : flat);
-    enable(m_eye, tr("The scene's eye, its picture plane, and the ray to the picked point"), !isPoint, atPoint);
-}
-
-namespace {
-
-std::vector<SpaceId> spacesOf(const Document& document) {
-    std::vector<SpaceId> spaces{{ViewSpace::World}, {ViewSpace::Eye}, {ViewSpace::Clip}, {ViewSpace::Screen}};
-    if (document.hasScene())
-        for (std::size_t k = 0; k < document.scene().lights.size(); ++k) spaces.push_back({ViewSpace::Light, int(k)});
-    spaces.push_back({ViewSpace::Point});
-    return spaces;
-}
-
-QString whyNotLight(const Document& document, int light) {
-    if (const auto why = whyUseless(document.scene(), pipeline::BufferId::ShadowBuffer); !why.empty())
-        return toQString(why);
-    return document.scene().lights[std::size_t(light)].castsShadow ? QString()
-                                                                   : View3dPanel::tr("This light casts no shadow.");
-}
-
-}  // namespace
-
-void View3dPanel::fillSpaces(QMenu& menu) {
-    menu.clear();
-    for (const SpaceId& id : spacesOf(m_document)) {
-        QAction* action = menu.addAction(toQString(nameOf(id)), this, [this, id] { setSpace(id); });
-        action->setCheckable(true);
-        action->setChecked(id == m_view->space());
-        action->setToolTip(remarkOf(id.space));
-        if (id.space != ViewSpace::Light) continue;
-        const QString whyNot = whyNotLight(m_document, id.light);
-        action->setEnabled(whyNot.isEmpty());
-        if (!whyNot.isEmpty()) action->setToolTip(whyNot);
-    }
-}
-
-// Those that cannot be shown are passed over.
-void View3dPanel::stepSpace(int step) {
-    const std::vector<SpaceId> spaces = spacesOf(m_document);
-    const auto now = std::ranges::find(spaces, m_awaited.value_or(m_view->space()));
-    auto i = now == spaces.end() ? 0 : std::size_t(now - spaces.begin());
-    do i = (i + spaces.size() + std::size_t(step)) % spaces.size();
-    while (spaces[i].space == ViewSpace::Light && !whyNotLight(m_document, spaces[i].light).isEmpty());
-    setSpace(spaces[i]);
 }
 
 bool View3dPanel::wantsFrusta() const {
@@ -316,6 +236,7 @@ void View3dPanel::takeFrame() {
         changeOptions(options);
     }
     m_view->setContent(content, newScene);
+    showFace();
     showHandles();
     if (m_awaited && mapOf(*content, *m_awaited)) setSpace(*m_awaited);
     showWanted();

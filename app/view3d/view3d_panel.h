@@ -39,6 +39,10 @@ private:
     void fillSpaces(QMenu& menu);
     void showSpace();
     void stepSpace(int step);
+    void fillFaces(QMenu& menu);
+    void stepFace(int step);
+    void showFace();
+    const LightFrustum* shownFrustum() const;  // of the light whose space is on show; null in any other
     QToolButton* addToggle(const QString& icon, const QString& name, const QString& tip);
     QToolButton* addMenuButton(const QString& icon, const QString& name, const QString& tip);
     void applyTheme();
@@ -60,7 +64,7 @@ private:
     Document& m_document;
     SceneView* m_view;
     QWidget* m_header;
-    QToolButton* m_space;
+    QToolButton *m_space, *m_face;
     QLabel* m_remark;
     QToolButton *m_orthographic, *m_normals, *m_vectors, *m_lights, *m_eye;
     NormalsShown m_lastNormals = NormalsShown::Polygons;  // what the toggle brings back

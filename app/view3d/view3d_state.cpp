@@ -70,17 +70,28 @@ constexpr auto kOptions = std::to_array<OptionRow>({
 
 constexpr std::array<const char*, 6> kSpaces{"world", "eye", "clip", "screen", "light", "point"};
 
+constexpr std::array<const char*, kLightFaces> kFaces{"+x", "-x", "+y", "-y", "+z", "-z"};  // in files
+
 std::string keyOf(SpaceId id) {
     const std::string name = kSpaces[std::size_t(id.space)];
-    return id.space == ViewSpace::Light ? name + ' ' + std::to_string(id.light) : name;
+    if (id.space != ViewSpace::Light) return name;
+    const std::string light = name + ' ' + std::to_string(id.light);
+    return id.face < 0 ? light : light + ' ' + kFaces[std::size_t(id.face)];
 }
 
 std::optional<SpaceId> spaceNamed(std::string_view name) {
     for (std::size_t i = 0; i < kSpaces.size(); ++i)
-        if (name == kSpaces[i] && ViewSpace(i) != ViewSpace::Light) return SpaceId{ViewSpace(i), 0};
-    SpaceId light{ViewSpace::Light, 0};
+        if (name == kSpaces[i] && ViewSpace(i) != ViewSpace::Light) return SpaceId{ViewSpace(i)};
+    SpaceId light{ViewSpace::Light};
     if (!name.starts_with("light ")) return {};
     name.remove_prefix(6);
+    if (const auto space = name.find(' '); space != std::string_view::npos) {
+        const auto face =
+            std::ranges::find(kFaces, name.substr(space + 1), [](const char* key) { return std::string_view(key); });
+        if (face == kFaces.end()) return {};
+        light.face = int(face - kFaces.begin());
+        name = name.substr(0, space);
+    }
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), light.light);
     const bool whole = error == std::errc() && end == name.data() + name.size() && light.light >= 0;
     return whole ? std::optional(light) : std::nullopt;
@@ -131,8 +142,9 @@ pipeline::Errors View3dPanel::lookAt(const SpaceShown& state) {
     }
     const auto space = spaceNamed(state.space);
     if (!space)
-        errors.push_back(
-            {{}, "the 3D view has no space \"" + state.space + '"', "world, eye, clip, screen, light 0 or point"});
+        errors.push_back({{},
+                          "the 3D view has no space \"" + state.space + '"',
+                          "world, eye, clip, screen, light 0, light 0 -x or point"});
     m_wanted = Wanted{options, space.value_or(SpaceId()), state.camera, state};
     if (!m_newScene) showWanted();
     return errors;

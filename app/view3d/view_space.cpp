@@ -32,10 +32,18 @@ std::string nameOf(SpaceId id) {
         case ViewSpace::Eye: return "Eye space";
         case ViewSpace::Clip: return "Clip space";
         case ViewSpace::Screen: return "Screen space";
-        case ViewSpace::Light: return "Light " + std::to_string(id.light) + "'s space";
+        case ViewSpace::Light: {
+            const std::string name = "Light " + std::to_string(id.light) + "'s space";
+            return id.face < 0 ? name : name + ", face " + nameOfFace(id.face);
+        }
         case ViewSpace::Point: break;
     }
     return "At the point";
+}
+
+std::string nameOfFace(int face) {
+    static constexpr std::array<const char*, kLightFaces> kNames{"+x", "−x", "+y", "−y", "+z", "−z"};
+    return kNames[std::size_t(face) % kNames.size()];
 }
 
 double depthOf(const View& view, Vec3d world) { return glm::dot(world - view.eye, view.forward); }

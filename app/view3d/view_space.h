@@ -14,9 +14,14 @@ enum class ViewSpace : unsigned char { World, Eye, Clip, Screen, Light, Point };
 struct SpaceId {
     ViewSpace space = ViewSpace::World;
     int light = 0;  // of ViewSpace::Light
+    int face = -1;  // of a point light's six; -1: the one that sees the most
     auto operator<=>(const SpaceId&) const = default;
 };
-std::string nameOf(SpaceId id);  // "Eye space", "Light 0's space"
+std::string nameOf(SpaceId id);  // "Eye space", "Light 0's space", "Light 0's space, face −x"
+
+// A point light's faces, in the order of its shadow buffer, each by the axis that it looks along.
+constexpr int kLightFaces = 6;
+std::string nameOfFace(int face);  // "+x"
 
 // Takes points of the world to where a space shows them. Every space is drawn with its first axis
 // to the right, its depth away from the reader and its second axis upwards, so that (x, y, z) of a

@@ -124,7 +124,7 @@ vtkSmartPointer<vtkPolyData> solidsData(std::span<const InkedSolid> solids, cons
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     for (const InkedSolid& inked : solids) {
         const vtkIdType first = points->GetNumberOfPoints();
-        const QColor ink = colorOf(inked.ink, colors);
+        const QColor ink = mixed(colorOf(inked.ink, colors), colors.view, inked.strength);
         for (const Vec3d& p : inked.solid.positions) {
             addPoint(*points, p);
             addColor(*rgb, ink);

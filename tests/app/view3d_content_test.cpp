@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view_content.h"
 #include "app/view3d/world_drawing.h"
@@ -288,4 +289,70 @@ TEST(View3dPoint, EveryTipIsInsideTheView) {
                 EXPECT_TRUE(at.x > 0 && at.y > 0 && at.x < size.x && at.y < size.y);
             }
         }
+}
+
+// The equation's N·L under the cursor: N and L as they are, the others at 35 %.
+TEST(View3dDrawing, WhatIsNotPointedAtIsFaint) {
+    const ViewContent content = contentOf(test::pyramid(), kRightFace);
+    const app::ViewFrame view{app::presetCamera(app::ViewPreset::Iso, content, {}, {640, 480}, false), {640, 480}};
+    app::Drawing drawing = app::drawWorld(content, {}, view);
+    app::dimAllBut({}, drawing);
+    for (const app::InkedSolid& vector : drawing.vectors) EXPECT_EQ(vector.strength, 1) << "nothing is pointed at";
+    app::dimAllBut({VectorCode::N, VectorCode::L}, drawing);
+    ASSERT_EQ(drawing.vectors.size(), 5u);
+    for (const app::InkedSolid& vector : drawing.vectors)
+        EXPECT_EQ(vector.strength, vector.ink == app::Ink::N || vector.ink == app::Ink::L ? 1 : 0.35);
+    for (const app::Label& label : drawing.labels)
+        if (label.kind != app::Label::Kind::Letter) {
+            EXPECT_EQ(label.strength, 1) << label.text;
+        }
+}
+
+// Three marks at the border beside each other, one behind the legend, and letters: every text inside the view, and
+// none on another one, a mark or the legend.
+TEST(View3dDrawing, CaptionsCoverNothing) {
+    const glm::dvec2 size{400, 300};
+    app::OrbitCamera camera;  // along y, from (0, −10, 0)
+    camera.distance = 10;
+    camera.orthographic = true;
+    const app::ViewFrame view{camera, size};
+    const double unit = camera.unitsPerPixel(size.y);
+    const auto at = [&](double x, double y) { return app::Vec3d((x - 200) * unit, 0, (150 - y) * unit); };
+    app::Drawing drawing;
+    const auto caption = [&](const char* text, app::Vec3d p) {
+        drawing.labels.push_back({.kind = app::Label::Kind::Caption,
+                                  .at = p,
+                                  .foot = {},
+                                  .text = text,
+                                  .distance = ", 730 units away",
+                                  .ink = app::Ink::L});
+    };
+    caption("light 0, at infinity", at(330, 30));
+    caption("eye", at(900, 20));
+    caption("light 1", at(900, 40));
+    caption("light 2", at(340, 44));
+    caption("light 3", at(-50, 290));
+    for (const double x : {300.0, 322.0})
+        drawing.labels.push_back({.kind = app::Label::Kind::Letter,
+                                  .at = at(x, 20),
+                                  .foot = at(200, 150),
+                                  .text = "L",
+                                  .distance = {},
+                                  .ink = app::Ink::L});
+    const QRectF legend(8, 250, 300, 42);
+    const auto labels = app::placeLabels(drawing, view, 1, {legend});
+    ASSERT_EQ(labels.size(), 7u);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const QRectF box = app::boxOf(labels[i]);
+        EXPECT_TRUE(QRectF(0, 0, size.x, size.y).contains(box)) << labels[i].label.text;
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_FALSE(box.intersects(app::boxOf(labels[k])))
+                << labels[i].label.text << " on " << labels[k].label.text;
+        if (labels[i].label.kind != app::Label::Kind::Caption) continue;
+        EXPECT_FALSE(box.intersects(legend)) << labels[i].label.text;
+        for (const app::PlacedLabel& other : labels)
+            if (other.label.kind == app::Label::Kind::Caption) {
+                EXPECT_FALSE(box.contains(QPointF(other.mark.x, other.mark.y))) << labels[i].label.text;
+            }
+    }
 }

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <cmath>
 
 #include "app/view3d/lobe_drawing.h"
@@ -195,6 +197,34 @@ TEST(View3dSpace, ALightLooksAsItsShadowBufferDoes) {
     EXPECT_EQ(frustum.picture.pixels.size(), std::size_t(frustum.picture.size.x * frustum.picture.size.y));
     EXPECT_FALSE(app::mapOf(world, {ViewSpace::Light, 5})) << "there is no such light";
     EXPECT_FALSE(app::mapOf(contentOf(test::pyramid()), {ViewSpace::Light, 0})) << "a convex object casts none";
+}
+
+// Beside the pyramid, over the floor: the face downwards sees it, the one upwards nothing. Each face looks along its axis.
+TEST(View3dSpace, APointLightHasSixFaces) {
+    pipeline::Scene scene = overFloor();
+    scene.lights[0].kind = pipeline::LightKind::Point;
+    scene.lights[0].position = {300, 0, 900};
+    const ViewContent world = lit(scene);
+    ASSERT_EQ(world.frusta.size(), 6u);
+    const std::array<Vec3d, 6> axes{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+    for (int face = 0; face < 6; ++face) {
+        const auto map = app::mapOf(world, {ViewSpace::Light, 0, face});
+        ASSERT_TRUE(map) << face;
+        EXPECT_EQ(map->face, face);
+        EXPECT_EQ(map->view.forward, axes[std::size_t(face)]);
+        const auto frustum = std::ranges::find(world.frusta, face, &app::LightFrustum::face);
+        EXPECT_EQ(frustum->faces, 6);
+        EXPECT_LT(frustum->plane, frustum->end);
+        if (face == 4) {
+            EXPECT_EQ(frustum->texels, 0u) << "upwards";
+        }
+    }
+    EXPECT_EQ(app::mapOf(world, {ViewSpace::Light, 0})->face, 5) << "the fullest looks down";
+    EXPECT_EQ(app::nameOf({ViewSpace::Light, 0, 5}), "Light 0's space, face −z");
+    const ViewContent down = app::inSpace(world, *app::mapOf(world, {ViewSpace::Light, 0, 5}));
+    std::size_t drawn = 0;
+    for (const app::LightFrustum& frustum : down.frusta) drawn += app::isShown(frustum, down, {});
+    EXPECT_EQ(drawn, 1u) << "its own alone, unless all are asked for";
 }
 
 TEST(View3dSpace, CornersOfTheCubeAreNamedByTheSpace) {
