@@ -151,13 +151,26 @@ void Stepper::setSpeed(double speed) {
     emit changed();
 }
 
+void Stepper::setStop(const QObject* who, std::optional<Moment> moment) {
+    moment ? (void)m_stops.insert_or_assign(who, *moment) : (void)m_stops.erase(who);
+}
+
+void Stepper::setHeld(const QObject* who, bool held) { held ? (void)m_held.insert(who) : (void)m_held.erase(who); }
+
 void Stepper::tick() {
-    if (!m_steps) return;
+    if (!m_steps || !m_held.empty()) return;
     m_due += m_speed * kStepsPerSecond[std::size_t(m_level)] * kTickMs / 1000;
     std::optional<Moment> to;
     for (; m_due >= 1; --m_due)
         if (const auto next = m_steps->next(to.value_or(*moment()), m_level)) to = next;
-    if (to) goTo(*to);
+    if (!to) return;
+    const QObject* whose = nullptr;
+    for (const auto& [who, moment] : m_stops)
+        if (moment > *this->moment() && moment <= *to) to = moment, whose = who;
+    if (!whose) return goTo(*to);
+    m_timer.stop();
+    goTo(*to);
+    emit stopped(whose);
 }
 
 int Stepper::bookmarkHere() const {

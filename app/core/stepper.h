@@ -1,6 +1,8 @@
 #pragma once
 #include <QObject>
 #include <QTimer>
+#include <map>
+#include <set>
 #include <vector>
 
 #include "app/core/background_job.h"
@@ -46,6 +48,10 @@ public:
     void setLevel(Level level);
     bool isPlaying() const { return m_timer.isActive(); }
     void setPlaying(bool playing);
+    // Play ends at the earliest of these moments that lies ahead, and stopped() tells whose it is. Nothing takes it away.
+    void setStop(const QObject* who, std::optional<pipeline::Moment> moment);
+    // Play waits where it is, while `who` looks for its stop.
+    void setHeld(const QObject* who, bool held);
     double speed() const { return m_speed; }  // 0.25 to 16
     void setSpeed(double speed);
 
@@ -62,6 +68,7 @@ signals:
     void shown(const pipeline::FramePtr& frame);  // the state at the place
     void left();                                  // the whole frame is to be shown again
     void stageReached(pipeline::StageId stage);
+    void stopped(const QObject* who);  // by its setStop
 
 private:
     void request();
@@ -80,6 +87,8 @@ private:
     Level m_level = Level::Polygon;
     double m_speed = 1, m_due = 0;  // steps that are due while it plays
     std::vector<pipeline::Place> m_bookmarks;
+    std::map<const QObject*, pipeline::Moment> m_stops;
+    std::set<const QObject*> m_held;
     QTimer m_timer;       // plays
     QTimer m_count;       // counts the steps of a frame once no other follows at once
     int m_waiting = 0;    // steps asked for before they were counted

@@ -12,7 +12,6 @@
 #include "app/core/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
-#include "lessons/condition_stop.h"
 
 namespace app {
 
@@ -36,7 +35,8 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
     };
     button(m_previous, "chevron-left", tr("The pixel before for which it holds (Shift+Enter)"));
     button(m_next, "chevron-right", tr("The next pixel for which it holds (Enter)"));
-    button(m_stop, "flag", tr("On to the next step after which it holds at a pixel (Ctrl+Enter)"));
+    button(m_stop, "flag",
+           tr("On to the next step after which it holds at a pixel (Ctrl+Enter); Play stops there too"));
     button(m_close, "close", tr("No condition (Esc)"));
     auto* grid = new QGridLayout(this);
     grid->addWidget(m_text, 0, 0);
@@ -56,6 +56,20 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
         say(tr("Looking for the next step, %1 %. Esc cancels.").arg(int(100 * share)), false);
     });
     connect(&m_document, &Document::frameReady, this, &ConditionBar::evaluate);
+    Stepper& stepper = m_document.stepper();
+    connect(&stepper, &Stepper::changed, this, &ConditionBar::watchPlay);
+    connect(this, &QObject::destroyed, &stepper, [this, &stepper] {
+        stepper.setStop(this, {});
+        stepper.setHeld(this, false);
+    });
+    connect(this, &ConditionBar::changed, this, &ConditionBar::watchPlay);
+    connect(&stepper, &Stepper::stopped, this, [this](const QObject* who) {
+        if (who != this) return;
+        m_document.pick(m_stopsAt);
+        emit m_document.said(tr("Play stopped: the condition holds at %1, %2.").arg(m_stopsAt.x).arg(m_stopsAt.y));
+    });
+    connect(&m_watching, &BackgroundJob::progressed, this,
+            [this](double share) { say(tr("Looking for where Play stops, %1 %.").arg(int(100 * share)), false); });
     connect(&m_document, &Document::sceneChanged, this, &ConditionBar::read);  // lights may come and go
     followTheme(this, [this, grid] {
         const Theme& theme = Theme::current();
@@ -164,6 +178,35 @@ void ConditionBar::runToStop() {
             m_document.stepper().goTo(found->moment);
             m_document.pick(found->pixel);
             emit m_document.said(tr("The condition holds at %1, %2.").arg(found->pixel.x).arg(found->pixel.y));
+        });
+}
+
+void ConditionBar::watchPlay() {
+    Stepper& stepper = m_document.stepper();
+    const auto forget = [&] {
+        m_watching.forget();
+        m_ahead.reset();
+        stepper.setStop(this, {});
+        stepper.setHeld(this, false);
+    };
+    if (!m_condition || !stepper.isPlaying() || !stepper.steps() || !stepper.moment()) return forget();
+    const pipeline::Moment now = *stepper.moment();
+    const bool known = m_ahead && m_ahead->steps == stepper.steps() && m_ahead->condition == m_condition->text &&
+                       now >= m_ahead->from && !(m_ahead->stop && now > m_ahead->stop->moment);
+    if (known) return;
+    forget();
+    stepper.setHeld(this, true);
+    m_ahead = Ahead{stepper.steps(), now, m_condition->text, {}};
+    m_watching.ask(
+        [condition = *m_condition, steps = stepper.steps(), now](const BackgroundJob::Control& control) {
+            return nextStop(*steps, now, condition, control.stop, control.progress);
+        },
+        [this](const std::optional<lessons::ConditionStop>& found) {
+            if (m_ahead) m_ahead->stop = found;
+            if (found) m_stopsAt = found->pixel;
+            m_document.stepper().setStop(this, found ? std::optional(found->moment) : std::nullopt);
+            m_document.stepper().setHeld(this, false);
+            evaluate();  // says how many again
         });
 }
 

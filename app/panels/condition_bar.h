@@ -4,7 +4,7 @@
 
 #include "app/core/background_job.h"
 #include "app/core/document.h"
-#include "lessons/condition.h"
+#include "lessons/condition_stop.h"
 
 class QLabel;
 class QLineEdit;
@@ -13,7 +13,7 @@ class QToolButton;
 namespace app {
 
 // A condition over all pixels, typed: says for how many it holds, goes from one to the next, and on to the next moment
-// of the frame at which it begins to hold. It follows the scene, and asks off the GUI thread.
+// of the frame at which it begins to hold, where Play ends too. It follows the scene, and asks off the GUI thread.
 class ConditionBar : public QWidget {
     Q_OBJECT
 public:
@@ -38,8 +38,9 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void read();      // the text
-    void evaluate();  // on the newest frame
+    void watchPlay();  // finds where Play has to end, whenever that may have changed
+    void read();       // the text
+    void evaluate();   // on the newest frame
     void take(const pipeline::Result<lessons::ConditionMask>& found);
     void say(const QString& text, bool isWrong);
 
@@ -49,7 +50,16 @@ private:
     QToolButton *m_previous, *m_next, *m_stop, *m_close;
     std::optional<lessons::Condition> m_condition;
     std::optional<lessons::ConditionMask> m_mask;
-    BackgroundJob m_asking, m_searching;
+    // Where Play ends, of these steps, ahead of that moment; nothing where it is not known.
+    struct Ahead {
+        StepsPtr steps;
+        pipeline::Moment from;
+        std::string condition;
+        std::optional<lessons::ConditionStop> stop;
+    };
+    std::optional<Ahead> m_ahead;
+    glm::ivec2 m_stopsAt{0};  // the pixel of the newest stop that was found
+    BackgroundJob m_asking, m_searching, m_watching;
 };
 
 // Veils the pixels of a mask's picture for which it does not hold.
