@@ -58,6 +58,7 @@ void BufferView::observe() {
     });
     connect(m_foot, &RangeFoot::rangeChosen, this, &BufferView::setRange);
     connect(m_foot, &RangeFoot::autofit, this, &BufferView::autofit);
+    connect(m_foot, &RangeFoot::logarithmicChosen, this, &BufferView::setLogCounts);
     connect(m_header, &BufferHeader::compareMenuOpens, this,
             [this](QMenu* menu) { m_compare->fillMenu(*menu, m_name); });
     connect(m_compare, &BufferCompare::changed, this, &BufferView::refresh);
@@ -181,7 +182,7 @@ void BufferView::refresh() {
     m_stack->setCurrentWidget(m_canvas);
     m_canvas->setContent(m_shown->content);
     m_header->setZoom(m_canvas->zoom());
-    m_foot->show(*m_shown, !keptRange());
+    m_foot->show(*m_shown, !keptRange(), kept().logCounts);
     m_notice->setText(m_shown->empty.isEmpty() ? m_shown->notice : m_shown->empty);
     m_notice->setVisible(!m_notice->text().isEmpty());
     m_notice->setAttribute(Qt::WA_TransparentForMouseEvents, !m_notice->text().contains("href"));

@@ -40,6 +40,7 @@ public:
     int channel() const;
     void autofit(bool keep);  // keep: the range follows every frame
     void setRange(pipeline::PaletteRange range);
+    void setLogCounts(bool logarithmic);  // the axis of the histogram
     void setOverlay(OverlayId overlay, bool shown);
     void setRegion(const std::optional<Region>& region);  // whose statistics stand in the corner
     void setFlipped(bool flipped);                        // row 0 at the foot
@@ -70,6 +71,7 @@ private:
         int channel = -1;
         std::optional<pipeline::PaletteRange> range;  // nothing: fits every frame
         bool forced = false;                          // computed although the scene has no use for it
+        bool logCounts = true;                        // the axis of the histogram
     };
     Kept& kept() { return m_kept[m_name.text()]; }
     std::optional<pipeline::PaletteRange>& keptRange();  // of what is seen: the buffer, or a difference

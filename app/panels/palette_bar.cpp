@@ -1,17 +1,25 @@
 #include "app/panels/palette_bar.h"
 
+#include <QHelpEvent>
 #include <QInputDialog>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/numbers.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
 
 using pipeline::PaletteRange;
+
+double barHeight(int count, int most, bool logarithmic) {
+    if (count <= 0 || most <= 0) return 0;
+    return logarithmic ? std::log1p(count) / std::log1p(most) : double(count) / most;
+}
 
 PaletteBar::PaletteBar(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
@@ -26,8 +34,8 @@ PaletteBar::PaletteBar(QWidget* parent) : QWidget(parent) {
     });
 }
 
-QSize PaletteBar::sizeHint() const { return {Theme::current().px(180), Theme::current().px(28)}; }
-QSize PaletteBar::minimumSizeHint() const { return {Theme::current().px(60), Theme::current().px(28)}; }
+QSize PaletteBar::sizeHint() const { return {Theme::current().px(180), Theme::current().px(44)}; }
+QSize PaletteBar::minimumSizeHint() const { return {Theme::current().px(60), Theme::current().px(44)}; }
 
 void PaletteBar::setScale(Scale scale) {
     m_scale = std::move(scale);
@@ -36,7 +44,41 @@ void PaletteBar::setScale(Scale scale) {
 
 QRectF PaletteBar::bar() const {
     const double margin = 7;
-    return {margin, height() - 12.0, width() - 2 * margin, 7};
+    const QString axis = axisText();
+    const double left =
+        axis.isEmpty() ? margin : margin + QFontMetricsF(Theme::current().mono(12)).horizontalAdvance(axis) + 4;
+    return {left, height() - 12.0, width() - left - margin, 7};
+}
+
+int PaletteBar::most() const {
+    return m_scale.histogram.empty() ? 0 : *std::max_element(m_scale.histogram.begin(), m_scale.histogram.end());
+}
+
+QString PaletteBar::axisText() const {
+    const QString text = count(most());
+    const double width = QFontMetricsF(Theme::current().mono(12)).horizontalAdvance(text);
+    constexpr double kShare = 0.4;  // of the bar, at most
+    return most() > 0 && width < kShare * this->width() ? text : QString();
+}
+
+QString PaletteBar::binText(QPointF point) const {
+    const QRectF area = bar();
+    const auto bins = double(m_scale.histogram.size());
+    if (bins == 0 || point.x() < area.left() || point.x() >= area.right() || point.y() > area.top()) return {};
+    const double i = std::floor((point.x() - area.left()) / area.width() * bins);
+    const double step = (m_scale.high - m_scale.low) / bins;
+    const int decimals = step > 0 ? std::clamp(1 - int(std::floor(std::log10(step))), 0, 9) : 0;
+    return tr("%1 to %2: %3")
+        .arg(number(m_scale.low + i * step, decimals), number(m_scale.low + (i + 1) * step, decimals),
+             count(m_scale.histogram[std::size_t(i)]));
+}
+
+bool PaletteBar::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    auto* help = static_cast<QHelpEvent*>(event);
+    const QString bin = binText(help->pos());
+    QToolTip::showText(help->globalPos(), bin.isEmpty() ? toolTip() : bin, this);
+    return true;
 }
 
 double PaletteBar::xOf(double value) const {
@@ -48,16 +90,41 @@ double PaletteBar::valueAt(double x) const {
     return m_scale.low + (x - bar().left()) / bar().width() * (m_scale.high - m_scale.low);
 }
 
+// From no pixel to the fullest bin, with a tick at every power of ten where the axis is logarithmic.
+void PaletteBar::paintAxis(QPainter& painter, double x, double foot, double room) const {
+    const QString top = axisText();
+    if (top.isEmpty()) return;
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    painter.setPen(QPen(c.outline, 1));
+    painter.drawLine(QPointF(x - 2, foot), QPointF(x - 2, foot - room));
+    const auto tick = [&](int count) {
+        const double y = foot - room * barHeight(count, most(), m_scale.logarithmic);
+        painter.drawLine(QPointF(x - 5, y), QPointF(x - 2, y));
+    };
+    tick(0);
+    tick(most());
+    for (qint64 ten = 1; m_scale.logarithmic && ten < most(); ten *= 10) tick(int(ten));
+    const QFont font = theme.mono(12);
+    const QFontMetricsF metrics(font);
+    painter.setFont(font);
+    painter.setPen(c.text2);
+    const QRectF column(0, 0, x - 7, height());
+    painter.drawText(column, Qt::AlignRight | Qt::AlignTop, top);
+    const double half = metrics.height() / 2;
+    painter.drawText(QRectF(column.left(), std::min(foot - half, height() - 2 * half), column.width(), 2 * half),
+                     Qt::AlignRight | Qt::AlignVCenter, "0");
+}
+
 void PaletteBar::paintEvent(QPaintEvent*) {
     const ThemeColors& c = Theme::current().colors();
     QPainter painter(this);
     const QRectF area = bar();
     if (!m_scale.histogram.empty()) {
-        // Roots, so that a few pixels beside many thousand still stand out of the ground.
-        const double most = std::sqrt(double(*std::max_element(m_scale.histogram.begin(), m_scale.histogram.end())));
         const double step = area.width() / double(m_scale.histogram.size()), room = area.top() - 3;
-        for (std::size_t i = 0; most > 0 && i < m_scale.histogram.size(); ++i) {
-            const double h = room * std::sqrt(double(m_scale.histogram[i])) / most;
+        paintAxis(painter, area.left(), area.top() - 1, room);
+        for (std::size_t i = 0; i < m_scale.histogram.size(); ++i) {
+            const double h = room * barHeight(m_scale.histogram[i], most(), m_scale.logarithmic);
             painter.fillRect(QRectF(area.left() + step * double(i), area.top() - 1 - h, std::max(1.0, step - 0.5), h),
                              c.text3);
         }

@@ -6,7 +6,11 @@
 
 namespace app {
 
-// A palette between two handles, a histogram above it. The scale runs from the smallest value of
+// Over how many pixels a bin stands, as the height of a bar, 0 to 1, where the tallest one has `most`. Logarithmic: the
+// logarithm of one more, so that no pixel has no height and a single one is seen beside many thousand.
+double barHeight(int count, int most, bool logarithmic);
+
+// A palette between two handles, a histogram above it, the axis of its counts at the left where there is room. The scale runs from the smallest value of
 // the buffer to the largest, a little beyond a range that reaches further; the handles choose what
 // the palette's ends stand for. Dragging between them moves both; a double click types.
 class PaletteBar : public QWidget {
@@ -19,17 +23,21 @@ public:
         pipeline::PaletteRange range;  // values at the ends of the palette
         pipeline::Palette palette = pipeline::Palette::Sequential;
         std::vector<int> histogram;  // from low to high
+        bool logarithmic = true;     // the axis of the counts
     };
     void setScale(Scale scale);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
+    QString axisText() const;              // what stands at the top of the counts' axis; empty where there is no room
+    QString binText(QPointF point) const;  // "621.45 to 629.10: 1 204", of the bin there
 
 signals:
     void rangeChosen(pipeline::PaletteRange range);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    bool event(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
@@ -38,6 +46,8 @@ protected:
 private:
     enum class Handle : unsigned char { First, Last, Both };
     QRectF bar() const;
+    int most() const;
+    void paintAxis(QPainter& painter, double x, double foot, double room) const;
     double xOf(double value) const;
     double valueAt(double x) const;
     Handle handleAt(double x) const;

@@ -17,12 +17,13 @@ RangeFoot::RangeFoot(QWidget* parent)
       m_high(new QLabel(this)),
       m_unit(new QLabel(this)),
       m_bar(new PaletteBar(this)),
+      m_log(new QPushButton(tr("log"), this)),
       m_fit(new QPushButton(tr("Autofit"), this)),
       m_legend(new LegendBar(this)) {
     auto* range = new QWidget(this);
     auto* row = new QHBoxLayout(range);
     for (QWidget* part : {static_cast<QWidget*>(m_low), static_cast<QWidget*>(m_bar), static_cast<QWidget*>(m_high),
-                          static_cast<QWidget*>(m_unit), static_cast<QWidget*>(m_fit)})
+                          static_cast<QWidget*>(m_unit), static_cast<QWidget*>(m_log), static_cast<QWidget*>(m_fit)})
         row->addWidget(part, part == m_bar ? 1 : 0);
     auto* legend = new QWidget(this);
     auto* legendRow = new QHBoxLayout(legend);
@@ -34,21 +35,28 @@ RangeFoot::RangeFoot(QWidget* parent)
     m_fit->setCheckable(true);
     m_fit->setToolTip(tr("While this is on, the range shows all values after every change (Shift+N); N fits once"));
     connect(m_fit, &QPushButton::clicked, this, &RangeFoot::autofit);
+    m_log->setObjectName("logCounts");
+    m_log->setCheckable(true);
+    m_log->setAccessibleName(tr("Logarithmic counts"));
+    m_log->setToolTip(
+        tr("The histogram's counts on a logarithmic axis, so that few pixels are seen beside many (Shift+L); else a "
+           "linear one"));
+    connect(m_log, &QPushButton::clicked, this, &RangeFoot::logarithmicChosen);
     connect(m_bar, &PaletteBar::rangeChosen, this, &RangeFoot::rangeChosen);
     followTheme(this, [this, row, legendRow] {
         const Theme& theme = Theme::current();
         for (QLabel* label : {m_low, m_high}) label->setFont(theme.mono(12));
         m_unit->setFont(theme.text(12));
-        m_fit->setFont(theme.text(12, 500));
+        for (QPushButton* button : {m_log, m_fit}) button->setFont(theme.text(12, 500));
         for (QHBoxLayout* layout : {row, legendRow}) {
             layout->setContentsMargins(theme.px(10), theme.px(2), theme.px(6), theme.px(2));
             layout->setSpacing(theme.px(6));
         }
-        setFixedHeight(theme.px(34));
+        setFixedHeight(theme.px(48));
     });
 }
 
-void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting) {
+void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting, bool logarithmic) {
     const bool hasScale = !shown.scale.histogram.empty();
     setVisible(hasScale || !shown.legend.empty());
     setCurrentIndex(hasScale ? 0 : 1);
@@ -59,7 +67,10 @@ void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting) {
     m_high->setText(valueText(shown.buffer, high, 8));
     m_unit->setText(toQString(shown.buffer.info->unit));
     m_unit->setVisible(!shown.buffer.info->unit.empty() && width() > Theme::current().px(380));
-    m_bar->setScale(shown.scale);
+    PaletteBar::Scale scale = shown.scale;
+    scale.logarithmic = logarithmic;
+    m_bar->setScale(std::move(scale));
+    m_log->setChecked(logarithmic);
     m_fit->setChecked(keepsFitting);
 }
 

@@ -16,17 +16,18 @@ class RangeFoot : public QStackedWidget {
 public:
     explicit RangeFoot(QWidget* parent = nullptr);
 
-    // keepsFitting: the range follows every frame.
-    void show(const ShownBuffer& shown, bool keepsFitting);
+    // keepsFitting: the range follows every frame. logarithmic: the axis of the histogram's counts.
+    void show(const ShownBuffer& shown, bool keepsFitting, bool logarithmic);
 
 signals:
     void rangeChosen(pipeline::PaletteRange range);
     void autofit(bool keep);  // keep: from now on
+    void logarithmicChosen(bool logarithmic);
 
 private:
     QLabel *m_low, *m_high, *m_unit;
     PaletteBar* m_bar;
-    QPushButton* m_fit;
+    QPushButton *m_log, *m_fit;
     LegendBar* m_legend;
 };
 

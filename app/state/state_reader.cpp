@@ -22,7 +22,9 @@ constexpr std::array<string_view, 3> kChannels{"red", "green", "blue"};
 
 const KnownKeys kKeys{"scene", "set",      "scene_text",  "stage", "place",     "step",
                       "pixel", "equation", "arrangement", "view",  "bookmarks", "view3d"};
-const KnownKeys kViewKeys{"buffer", "channel", "range", "overlays", "zoom", "center", "size"};
+const KnownKeys kViewKeys{"buffer",  "channel", "range", "overlays", "counts",
+                          "flipped", "region",  "zoom",  "center",   "size"};
+constexpr std::array<string_view, 2> kCounts{"linear", "logarithmic"};
 const KnownKeys kSpaceKeys{"space", "target", "right", "up", "forward", "distance", "fov", "orthographic", "options"};
 
 std::vector<string_view> stageNames() {
@@ -123,6 +125,14 @@ private:
         return all;
     }
 
+    std::optional<bool> flag(const toml::table& table, string_view key, const std::string& path) {
+        const toml::node* node = table.get(key);
+        if (!node) return {};
+        if (const auto* value = node->as_boolean()) return value->get();
+        m_values.refuse(*node, path + std::string(key), "true or false");
+        return {};
+    }
+
     BufferShown readView(const toml::table& table, const std::string& path) {
         known(table, path, kViewKeys);
         BufferShown view;
@@ -144,6 +154,12 @@ private:
             }
         }
         if (table.contains("overlays")) view.overlays = strings(table, "overlays", path);
+        if (const auto* node = table.get("counts"))
+            if (const auto i = m_values.choice(*node, path + "counts", kCounts)) view.logCounts = *i == 1;
+        view.flipped = flag(table, "flipped", path).value_or(view.flipped);
+        if (const auto* node = table.get("region"))
+            if (const auto r = m_values.numbers(*node, path + "region", 4, 0, 1 << 20))
+                view.region = {int((*r)[0]), int((*r)[1]), int((*r)[2]), int((*r)[3])};
         if (const auto* node = table.get("zoom")) {
             const auto factor = m_values.number(*node, path + "zoom", 1e-3, 1e3);
             const auto center = numbers<2>(table, "center", path), size = numbers<2>(table, "size", path, 1);
@@ -190,12 +206,7 @@ private:
         camera.distance = *length;
         if (const auto* node = table.get("fov"))
             camera.fov = m_values.number(*node, path + "fov", 1e-3, 179).value_or(camera.fov);
-        if (const auto* node = table.get("orthographic")) {
-            if (const auto* value = node->as_boolean())
-                camera.orthographic = value->get();
-            else
-                m_values.refuse(*node, path + "orthographic", "true or false");
-        }
+        camera.orthographic = flag(table, "orthographic", path).value_or(camera.orthographic);
         return camera;
     }
 

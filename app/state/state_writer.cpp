@@ -40,6 +40,9 @@ void write(Lines& out, const BufferShown& view) {
     if (view.channel >= 0) out.line("channel", fmt::format("{}", view.channel));
     if (view.range) out.line("range", list(*view.range));
     if (view.overlays != BufferShown().overlays) out.line("overlays", list(view.overlays));
+    if (!view.logCounts) out.line("counts", tomlString("linear"));
+    if (view.flipped) out.line("flipped", "true");
+    if (const auto& r = view.region) out.line("region", fmt::format("[{}]", fmt::join(*r, ", ")));
     if (!view.zoom) return;
     out.line("zoom", tomlNumber(view.zoom->factor));
     out.line("center", list(view.zoom->center));

@@ -18,6 +18,10 @@ struct BufferShown {
     int channel = -1;                                 // -1: all
     std::optional<std::array<double, 2>> range = {};  // of the palette; nothing: fits every frame
     std::vector<std::string> overlays{"strange"};     // their names
+    bool logCounts = true;                            // the axis of the histogram
+    bool flipped = false;                             // row 0 at the foot
+    // Whose statistics are shown: first and last column and row, x, y, x, y.
+    std::optional<std::array<int, 4>> region = {};
     // Nothing: as much as fits. Screen pixels a picture pixel, and the point of the picture in the middle of a view of
     // this size; a larger view shows the same part larger.
     struct Zoom {

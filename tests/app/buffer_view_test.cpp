@@ -318,6 +318,79 @@ TEST_F(BufferViewTest, WhatStandsOnPolygonsHasNoOverlays) {
     EXPECT_TRUE(app::whyNoOverlays(pipeline::bufferInfo(BufferId::ZView)).isEmpty());
 }
 
+// 9 of 9 999 pixels: on a linear axis under a thousandth of the height, on a logarithmic one log 10 / log 10 000 of it.
+TEST(PaletteBarTest, CountsStandOnTheirAxis) {
+    EXPECT_NEAR(app::barHeight(9, 9999, true), 0.25, 1e-12);
+    EXPECT_NEAR(app::barHeight(9, 9999, false), 9 / 9999.0, 1e-12);
+    for (const bool logarithmic : {true, false}) {
+        EXPECT_EQ(app::barHeight(0, 9999, logarithmic), 0);
+        EXPECT_EQ(app::barHeight(9999, 9999, logarithmic), 1);
+        EXPECT_EQ(app::barHeight(0, 0, logarithmic), 0);
+    }
+    app::PaletteBar bar;
+    bar.resize(240, 44);
+    app::PaletteBar::Scale scale;
+    scale.low = 0, scale.high = 10;
+    scale.range = {0, 10};
+    scale.histogram = {1204, 0, 7, 30};
+    bar.setScale(scale);
+    EXPECT_EQ(bar.axisText(), QString("1\u2009204")) << "the fullest bin";
+    EXPECT_EQ(bar.binText({230, 5}), "7.5 to 10.0: 30");
+    EXPECT_TRUE(bar.binText({230, 40}).isEmpty()) << "there is the palette";
+    bar.resize(60, 44);
+    EXPECT_TRUE(bar.axisText().isEmpty()) << "no room";
+}
+
+TEST_F(BufferViewTest, TheAxisOfTheCountsIsKeptPerBuffer) {
+    QTest::keyClick(&view, Qt::Key_L, Qt::ShiftModifier);
+    EXPECT_FALSE(view.state().logCounts);
+    EXPECT_FALSE(view.findChild<QPushButton*>("logCounts")->isChecked());
+    show({BufferId::NDotL, 0});
+    EXPECT_TRUE(view.state().logCounts) << "another buffer has its own";
+    show({BufferId::ZView});
+    EXPECT_FALSE(view.state().logCounts);
+}
+
+TEST_F(BufferViewTest, FlipAndRegionAreKeptInItsState) {
+    view.setFlipped(true);
+    view.setRegion(app::Region{{200, 300}, {260, 290}});
+    const app::BufferShown state = view.state();
+    EXPECT_TRUE(state.flipped);
+    EXPECT_EQ(state.region, (std::array<int, 4>{200, 290, 260, 300}));
+    view.setFlipped(false);
+    view.setRegion({});
+    EXPECT_TRUE(view.lookAt(state).empty());
+    EXPECT_EQ(view.state(), state);
+    EXPECT_TRUE(canvas().isFlipped());
+}
+
+// Played by polygons from the beginning: at the moment that the search finds, and no further; played on, past it.
+TEST_F(BufferViewTest, PlayStopsWhereAConditionBeginsToHold) {
+    show({BufferId::Color});
+    view.condition().open();
+    view.condition().setText("z_view < 700");
+    app::Stepper& stepper = document.stepper();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.condition().mask() && stepper.steps(); }, 10000));
+    view.condition().runToStop();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return stepper.isInside() && stepper.isSettled(); }, 20000));
+    const pipeline::Moment searched = *stepper.moment();
+    stepper.leave();
+    document.pick({});
+    stepper.setSpeed(16);
+    stepper.setPlaying(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !stepper.isPlaying(); }, 30000));
+    EXPECT_EQ(*stepper.moment(), searched);
+    ASSERT_TRUE(document.pixel());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return stepper.isSettled() && !document.busy(); }, 10000));
+    stepper.setPlaying(true);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !stepper.isInside() || *stepper.moment() > searched; }, 30000));
+    stepper.leave();
+    view.condition().close();
+    stepper.setPlaying(true);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !stepper.isPlaying() && !stepper.isInside(); }, 30000))
+        << "without a condition to the end";
+}
+
 TEST_F(BufferViewTest, AConditionVeilsThePixelsForWhichItDoesNotHold) {
     show({BufferId::Color});
     view.condition().open();

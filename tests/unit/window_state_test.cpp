@@ -23,8 +23,9 @@ WindowState rich() {
     state.pixel = {268, 281};
     state.channel = 0;
     state.arrangement = "four";
-    BufferShown view{"n_dot_l.0", -1, std::array{1e300, -1.0 / 3}, {"edges", "verdict"}, {}};
+    BufferShown view{"n_dot_l.0", -1, std::array{1e300, -1.0 / 3}, {"edges", "verdict"}};
     view.zoom = {12, {268.5, 1.0 / 7}, {801, 600}};
+    view.logCounts = false, view.flipped = true, view.region = {3, 4, 99, 47};
     state.views = {view, {"normal", 2}};
     state.space.space = "point";
     SpaceShown::Camera camera;
