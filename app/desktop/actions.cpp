@@ -46,6 +46,13 @@ std::span<const ActionRow> actionTable() {
          "Shows the views alone on the whole screen, large; with cues, a talk."},
         {A::NotesScreen, "View", "Notes on second screen", "",
          "While presenting: notes, the next cue and the time on the other screen.", true},
+        {A::LookLayout, "View/Layout", "Look", "Ctrl+Shift+1", "A buffer beside the 3D view.", false, true},
+        {A::ExplainLayout, "View/Layout", "Explain", "Ctrl+Shift+2",
+         "Two buffers one above the other, beside the 3D view, and the buffers small."},
+        {A::CompareLayout, "View/Layout", "Compare", "Ctrl+Shift+3", "Two buffers side by side."},
+        {A::SpaceLayout, "View/Layout", "3D view alone", "Ctrl+Shift+4", "The 3D view in the whole middle."},
+        {A::PictureLayout, "View/Layout", "One buffer alone", "Ctrl+Shift+5", "A buffer in the whole middle."},
+        {A::KeepLayout, "View/Layout", "Keep this layout…", "", "Keeps panels and views as they are, under a name."},
         {A::ResetLayout, "View/Layout", "Reset", "", "Puts all panels back in their places."},
 
         {A::NextStage, "Run", "Next stage", "Ctrl+Right", "Goes to the stage after this one."},

@@ -9,11 +9,14 @@
 namespace app {
 namespace {
 
-constexpr int kLayoutVersion = 2;  // of what stands in the window; another one makes old layouts void
-
 QString layoutKey(const QMainWindow& window) {
     const QSize size = window.screen()->size();
     return QStringLiteral("layout/%1x%2").arg(size.width()).arg(size.height());
+}
+
+// A name may hold what separates keys.
+QString keyOf(const QString& name) {
+    return "layouts/" + QString::fromLatin1(name.toUtf8().toBase64(QByteArray::Base64UrlEncoding));
 }
 
 constexpr const char* kThemeNames[]{"dark", "light", "projector"};
@@ -30,6 +33,36 @@ bool restoreLayout(QMainWindow& window) {
 }
 
 void forgetLayout(const QMainWindow& window) { QSettings().remove(layoutKey(window)); }
+
+QStringList keptLayouts() {
+    QSettings settings;
+    settings.beginGroup("layouts");
+    QStringList names;
+    for (const QString& key : settings.childGroups())
+        names << QString::fromUtf8(QByteArray::fromBase64(key.toLatin1(), QByteArray::Base64UrlEncoding));
+    names.sort(Qt::CaseInsensitive);
+    return names;
+}
+
+void keepLayout(const QString& name, const KeptLayout& layout) {
+    if (name.isEmpty()) return;
+    QSettings settings;
+    settings.beginGroup(keyOf(name));
+    settings.setValue("panels", layout.panels);
+    settings.setValue("arrangement", layout.arrangement);
+    settings.setValue("sizes", layout.sizes);
+    settings.setValue("thumbnails", layout.thumbnails);
+}
+
+std::optional<KeptLayout> keptLayout(const QString& name) {
+    QSettings settings;
+    settings.beginGroup(keyOf(name));
+    if (!settings.contains("arrangement")) return {};
+    return KeptLayout{settings.value("panels").toByteArray(), settings.value("arrangement").toString(),
+                      settings.value("sizes").toByteArray(), settings.value("thumbnails").toBool()};
+}
+
+void dropLayout(const QString& name) { QSettings().remove(keyOf(name)); }
 
 void saveTheme() {
     const Theme& theme = Theme::current();

@@ -1,12 +1,29 @@
 #pragma once
 #include <QMainWindow>
+#include <QStringList>
+#include <optional>
 
 namespace app {
+
+constexpr int kLayoutVersion = 2;  // of what stands in the window; another one makes old layouts void
 
 // The places and sizes of the docks, kept per size of the screen.
 void saveLayout(const QMainWindow& window);
 bool restoreLayout(QMainWindow& window);  // false where there is none
 void forgetLayout(const QMainWindow& window);
+
+// A layout that the user has named.
+struct KeptLayout {
+    QByteArray panels;    // QMainWindow::saveState
+    QString arrangement;  // ViewArea::arrangement
+    QByteArray sizes;     // ViewArea::sizes
+    bool thumbnails = false;
+    bool operator==(const KeptLayout&) const = default;
+};
+QStringList keptLayouts();                                       // their names, sorted
+void keepLayout(const QString& name, const KeptLayout& layout);  // in place of one of that name; none without a name
+std::optional<KeptLayout> keptLayout(const QString& name);
+void dropLayout(const QString& name);
 
 // Theme and font scales, kept for the program.
 void saveTheme();

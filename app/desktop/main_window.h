@@ -105,6 +105,10 @@ private:
     Width widthClass() const;
     void fitWidth(bool always);
     void resetLayout();
+    void connectLayouts();
+    void applyLayout(const char* arrangement, bool thumbnails);
+    void applyKeptLayout(const QString& name);
+    void keepThisLayout();
     void tabCues();
     void showOneLeftDock(PanelDock* shown);
 

@@ -72,7 +72,7 @@ void MainWindow::connectActions() {
     on(A::LargerText, [] { Theme::current().setScale(Theme::current().scale() + 0.05); });
     on(A::SmallerText, [] { Theme::current().setScale(Theme::current().scale() - 0.05); });
     on(A::FullScreen, [this](bool full) { full ? showFullScreen() : showNormal(); });
-    on(A::ResetLayout, [this] { resetLayout(); });
+    connectLayouts();
     on(A::NextStage, [this] { m_document.nextStage(); });
     on(A::PreviousStage, [this] { m_document.previousStage(); });
     on(A::GoToPixel, [this] {
@@ -123,7 +123,8 @@ void MainWindow::enableActions() {
     using A = ActionId;
     const bool scene = m_document.hasScene() && m_pages->currentWidget() == m_views;
     const QString noScene = tr("Open a scene first.");
-    for (const A id : {A::Close, A::GoToPixel, A::TwoBufferViews, A::Thumbnails, A::ResetLayout, A::RedChannel,
+    for (const A id : {A::Close, A::GoToPixel, A::TwoBufferViews, A::Thumbnails, A::LookLayout, A::ExplainLayout,
+                       A::CompareLayout, A::SpaceLayout, A::PictureLayout, A::KeepLayout, A::ResetLayout, A::RedChannel,
                        A::GreenChannel, A::BlueChannel, A::Study})
         m_actions->setEnabled(id, scene, noScene);
     for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);

@@ -1,4 +1,6 @@
 #include <QApplication>
+#include <QInputDialog>
+#include <QMenu>
 #include <QMenuBar>
 #include <QResizeEvent>
 #include <QStackedWidget>
@@ -72,7 +74,8 @@ void MainWindow::fitWidth(bool always) {
     const bool wide = now == Width::Wide;
     for (PanelDock* dock : m_sideDocks) dock->setVisible(m_leftDocks.contains(dock) ? wide : now != Width::Narrow);
     m_rail->setVisible(!wide);
-    m_views->setSecond(wide && height() >= 900);
+    // One that was chosen stays.
+    if (m_views->arrangement() == "one" || m_views->hasSecond()) m_views->setSecond(wide && height() >= 900);
     m_views->setThumbnails(!low);
     QList<QDockWidget*> docks, left;
     QList<int> widths;
@@ -114,8 +117,68 @@ void MainWindow::resetLayout() {
                       dock);
     }
     tabCues();
+    m_views->setArrangement("one");
     m_views->resetSizes();
     fitWidth(true);
+}
+
+// The named layouts begin with all panels in their places.
+void MainWindow::applyLayout(const char* arrangement, bool thumbnails) {
+    resetLayout();
+    m_views->setArrangement(arrangement);
+    m_views->setThumbnails(thumbnails);
+    enableActions();
+}
+
+void MainWindow::applyKeptLayout(const QString& name) {
+    const auto layout = keptLayout(name);
+    if (!layout) return;
+    restoreState(layout->panels, kLayoutVersion);
+    m_views->setArrangement(layout->arrangement.toStdString());
+    m_views->restoreSizes(layout->sizes);
+    m_views->setThumbnails(layout->thumbnails);
+    enableActions();
+}
+
+void MainWindow::keepThisLayout() {
+    bool entered = false;
+    const QString name =
+        QInputDialog::getText(this, tr("Keep this layout"), tr("Name"), QLineEdit::Normal, QString(), &entered)
+            .trimmed();
+    if (!entered || name.isEmpty()) return;
+    keepLayout(name, {saveState(kLayoutVersion), QString::fromStdString(m_views->arrangement()), m_views->sizes(),
+                      m_views->hasThumbnails()});
+    m_status->say(tr("Kept the layout as %1: View, Layout.").arg(name));
+}
+
+// The user's own ones stand below the named ones, each with a way to drop it.
+void MainWindow::connectLayouts() {
+    using A = ActionId;
+    const Actions& actions = *m_actions;
+    const auto on = [&](A id, auto run) { connect(actions[id], &QAction::triggered, this, run); };
+    on(A::LookLayout, [this] { applyLayout("one", m_views->hasThumbnails()); });
+    on(A::ExplainLayout, [this] { applyLayout("two", true); });
+    on(A::CompareLayout, [this] { applyLayout("compare", m_views->hasThumbnails()); });
+    on(A::SpaceLayout, [this] { applyLayout("space", false); });
+    on(A::PictureLayout, [this] { applyLayout("buffer", m_views->hasThumbnails()); });
+    on(A::KeepLayout, [this] { keepThisLayout(); });
+    on(A::ResetLayout, [this] { resetLayout(); });
+    QMenu* menu = actions.menu("View/Layout");
+    auto* drop = new QMenu(tr("Drop"), menu);
+    QAction* before = menu->insertMenu(actions[A::ResetLayout], drop);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu, drop, before] {
+        for (QAction* old : menu->actions())
+            if (old->property("kept").toBool()) delete old;
+        drop->clear();
+        for (const QString& name : keptLayouts()) {
+            auto* action = new QAction(name, menu);
+            action->setProperty("kept", true);
+            connect(action, &QAction::triggered, this, [this, name] { applyKeptLayout(name); });
+            menu->insertAction(before, action);
+            drop->addAction(name, this, [name] { dropLayout(name); });
+        }
+        drop->setEnabled(!drop->isEmpty());
+    });
 }
 
 // From the rail the left panels open one at a time.

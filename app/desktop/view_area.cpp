@@ -4,11 +4,13 @@
 #include <array>
 #include <utility>
 
+#include <QDataStream>
 #include <QFrame>
-#include <QSplitter>
+#include <QIODevice>
 #include <QVBoxLayout>
 
 #include "app/core/stage_buffer.h"
+#include "app/desktop/even_splitter.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/thumbnail_strip.h"
@@ -16,6 +18,18 @@
 
 namespace app {
 namespace {
+
+// What stands where in a named arrangement.
+struct Arrangement {
+    const char* name;
+    bool first, second, space;
+    Qt::Orientation buffers;
+};
+constexpr std::array<Arrangement, 5> kArrangements{{{"one", true, false, true, Qt::Vertical},
+                                                    {"two", true, true, true, Qt::Vertical},
+                                                    {"compare", true, true, false, Qt::Horizontal},
+                                                    {"space", false, false, true, Qt::Vertical},
+                                                    {"buffer", true, false, false, Qt::Vertical}}};
 
 QFrame* framed(QWidget* view, const char* name) {
     auto* frame = new QFrame;
@@ -33,8 +47,8 @@ QFrame* framed(QWidget* view, const char* name) {
 ViewArea::ViewArea(Document& document, QWidget* parent)
     : QWidget(parent),
       m_document(document),
-      m_columns(new QSplitter(Qt::Horizontal, this)),
-      m_buffers(new QSplitter(Qt::Vertical)),
+      m_columns(new EvenSplitter(Qt::Horizontal, this)),
+      m_buffers(new EvenSplitter(Qt::Vertical)),
       m_first(new BufferView(document)),
       m_second(new BufferView(document)),
       m_view3d(new View3dPanel(document)),
@@ -46,17 +60,17 @@ ViewArea::ViewArea(Document& document, QWidget* parent)
     m_buffers->addWidget(framed(m_second, "secondFrame"));
     m_columns->addWidget(m_buffers);
     m_columns->addWidget(framed(m_view3d, "view3dFrame"));
-    for (QSplitter* splitter : {m_columns, m_buffers}) splitter->setChildrenCollapsible(false);
+    for (EvenSplitter* splitter : {m_columns, m_buffers}) splitter->setChildrenCollapsible(false);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_columns, 1);
     column->addWidget(m_thumbnails);
     followTheme(this, [this, column] {
         column->setSpacing(Theme::current().px(8));
-        for (QSplitter* splitter : {m_columns, m_buffers}) splitter->setHandleWidth(Theme::current().px(8));
+        for (EvenSplitter* splitter : {m_columns, m_buffers}) splitter->setHandleWidth(Theme::current().px(8));
     });
 
-    connect(m_thumbnails, &ThumbnailStrip::chosen, m_first, &BufferView::setBuffer);
+    connect(m_thumbnails, &ThumbnailStrip::chosen, this, &ViewArea::showBuffer);
     connect(m_first, &BufferView::bufferChanged, m_thumbnails, &ThumbnailStrip::setCurrent);
     connect(&document, &Document::stageChanged, this, &ViewArea::showStage);
     // Going inside, or out again, shows buffers that are there.
@@ -86,7 +100,10 @@ void ViewArea::showInside() {
     if (comesLater(m_second)) m_second->setBuffer(secondBufferInside(m_document.stage(), m_document.scene()));
 }
 
-void ViewArea::showBuffer(const pipeline::BufferName& buffer) { m_first->setBuffer(buffer); }
+void ViewArea::showBuffer(const pipeline::BufferName& buffer) {
+    if (m_first->parentWidget()->isHidden()) setArrangement("one");
+    m_first->setBuffer(buffer);
+}
 
 void ViewArea::showBuffers(const QStringList& names) {
     const std::array views{m_first, m_second};
@@ -95,9 +112,8 @@ void ViewArea::showBuffers(const QStringList& names) {
     if (names.size() > 1 && height() > Theme::current().px(560)) setSecond(true);
 }
 
-// "one" and "two": buffer views, beside the 3D view.
 void ViewArea::fill(WindowState& state) const {
-    state.arrangement = hasSecond() ? "two" : "one";
+    state.arrangement = arrangement();
     state.views = {m_first->state()};
     if (hasSecond()) state.views.push_back(m_second->state());
     state.space = m_view3d->state();
@@ -106,23 +122,61 @@ void ViewArea::fill(WindowState& state) const {
 pipeline::Errors ViewArea::lookAt(const WindowState& state) {
     pipeline::Errors errors;
     const auto add = [&](const pipeline::Errors& more) { errors.insert(errors.end(), more.begin(), more.end()); };
-    if (state.arrangement != "one" && state.arrangement != "two")
-        add({{{}, "there is no arrangement \"" + state.arrangement + '"', "one or two"}});
-    setSecond(state.arrangement == "two");
+    if (!setArrangement(state.arrangement)) {
+        add({{{}, "there is no arrangement \"" + state.arrangement + '"', "one, two, compare, space or buffer"}});
+        setArrangement("one");
+    }
     if (!state.views.empty()) add(m_first->lookAt(state.views[0]));
     if (state.views.size() > 1) add(m_second->lookAt(state.views[1]));
     add(m_view3d->lookAt(state.space));
     return errors;
 }
 
+std::string ViewArea::arrangement() const {
+    const auto isShown = [](const QWidget* view) { return !view->parentWidget()->isHidden(); };
+    for (const Arrangement& a : kArrangements)
+        if (a.first == isShown(m_first) && a.second == isShown(m_second) && a.space == isShown(m_view3d)) return a.name;
+    return kArrangements[0].name;
+}
+
+bool ViewArea::setArrangement(const std::string& name) {
+    const auto found = std::ranges::find(kArrangements, name, [](const Arrangement& a) { return std::string(a.name); });
+    if (found == kArrangements.end()) return false;
+    m_buffers->setOrientation(found->buffers);
+    m_first->parentWidget()->setVisible(found->first);
+    m_second->parentWidget()->setVisible(found->second);
+    m_buffers->setVisible(found->first || found->second);
+    m_view3d->parentWidget()->setVisible(found->space);
+    return true;
+}
+
 bool ViewArea::hasSecond() const { return !m_second->parentWidget()->isHidden(); }
-void ViewArea::setSecond(bool shown) { m_second->parentWidget()->setVisible(shown); }
+void ViewArea::setSecond(bool shown) {
+    if (shown != hasSecond()) setArrangement(shown ? "two" : "one");
+}
+
+QByteArray ViewArea::sizes() const {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream << m_columns->sizes() << m_buffers->sizes();
+    return bytes;
+}
+
+void ViewArea::restoreSizes(const QByteArray& sizes) {
+    QList<int> columns, buffers;
+    QDataStream stream(sizes);
+    stream >> columns >> buffers;
+    if (stream.status() != QDataStream::Ok) return;
+    m_columns->setSizes(columns);
+    m_buffers->setSizes(buffers);
+}
+
 bool ViewArea::hasThumbnails() const { return !m_thumbnails->isHidden(); }
 void ViewArea::setThumbnails(bool shown) { m_thumbnails->setVisible(shown); }
 
 void ViewArea::resetSizes() {
-    m_columns->setSizes({1000, 1000});
-    m_buffers->setSizes({1000, 1000});
+    m_columns->makeEven();
+    m_buffers->makeEven();
 }
 
 }  // namespace app

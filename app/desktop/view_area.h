@@ -5,11 +5,10 @@
 #include "app/core/document.h"
 #include "app/state/window_state.h"
 
-class QSplitter;
-
 namespace app {
 
 class BufferView;
+class EvenSplitter;
 class ThumbnailStrip;
 class View3dPanel;
 
@@ -23,8 +22,15 @@ public:
     void showBuffer(const pipeline::BufferName& buffer);  // in the first view
     // By their names, one a view; the second view appears for the second where there is room.
     void showBuffers(const QStringList& names);
+    // How the views stand: "one" buffer beside the 3D view; "two", one above the other, beside it; "compare", two side by
+    // side without it; "space", the 3D view alone; "buffer", one buffer alone. False where there is no such arrangement.
+    std::string arrangement() const;
+    bool setArrangement(const std::string& name);
     bool hasSecond() const;
-    void setSecond(bool shown);
+    void setSecond(bool shown);  // between "one" and "two"
+    // The parts' sizes, as they are kept with a layout, and the same again.
+    QByteArray sizes() const;
+    void restoreSizes(const QByteArray& sizes);
     bool hasThumbnails() const;
     void setThumbnails(bool shown);
     // What the views show: into a state, and as a state has it. Errors: what there is not.
@@ -42,8 +48,8 @@ private:
     void showInside();
 
     Document& m_document;
-    QSplitter* m_columns;
-    QSplitter* m_buffers;
+    EvenSplitter* m_columns;
+    EvenSplitter* m_buffers;
     BufferView* m_first;
     BufferView* m_second;
     View3dPanel* m_view3d;

@@ -8,7 +8,10 @@
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
+#include "app/desktop/even_splitter.h"
+#include "app/desktop/layout_store.h"
 #include "app/desktop/panel_table.h"
+#include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
 #include "tests/app/window_fixture.h"
 
@@ -73,6 +76,61 @@ TEST_F(WindowLook, ResetBringsClosedPanelsBack) {
         EXPECT_EQ(dock->isVisible(), dock->objectName() != "tables" && dock->objectName() != "scanline")
             << "tables are shown when asked for";
     EXPECT_GT(inspector->width(), 300);
+}
+
+TEST_F(WindowLook, NamedLayoutsPutViewsInTheirPlaces) {
+    openPyramid();
+    struct Case {
+        const char *keys, *arrangement;
+        bool first, second, space;
+    };
+    for (const Case& c : {Case{"Ctrl+Shift+3", "compare", true, true, false},
+                          {"Ctrl+Shift+4", "space", false, false, true},
+                          {"Ctrl+Shift+5", "buffer", true, false, false},
+                          {"Ctrl+Shift+2", "two", true, true, true},
+                          {"Ctrl+Shift+1", "one", true, false, true}}) {
+        press(c.keys);
+        EXPECT_EQ(window.views().arrangement(), c.arrangement) << c.keys;
+        EXPECT_EQ(find<QWidget>("firstFrame")->isVisible(), c.first) << c.arrangement;
+        EXPECT_EQ(find<QWidget>("secondFrame")->isVisible(), c.second) << c.arrangement;
+        EXPECT_EQ(find<QWidget>("view3dFrame")->isVisible(), c.space) << c.arrangement;
+        const auto state = window.state({});
+        ASSERT_TRUE(state);
+        EXPECT_EQ(state->arrangement, c.arrangement) << "a session keeps it";
+    }
+    press("Ctrl+Shift+3");
+    const QRect a = find<QWidget>("firstFrame")->geometry(), b = find<QWidget>("secondFrame")->geometry();
+    EXPECT_EQ(a.top(), b.top()) << "side by side";
+    EXPECT_NEAR(a.width(), b.width(), 2);
+    window.actions()[ActionId::ResetLayout]->trigger();
+    EXPECT_TRUE(find<QWidget>("view3dFrame")->isVisible());
+}
+
+// Of 308 pixels a handle of 8 leaves 300: thirds at 100 and 200, the half at 150.
+TEST(EvenSplitter, ItsHandleStopsAtHalvesAndThirds) {
+    EXPECT_EQ(snappedPosition(146, 308, 8, 10), 150);
+    EXPECT_EQ(snappedPosition(109, 308, 8, 10), 100);
+    EXPECT_EQ(snappedPosition(195, 308, 8, 10), 200);
+    EXPECT_EQ(snappedPosition(125, 308, 8, 10), 125) << "none is near";
+}
+
+TEST_F(WindowLook, ADoubleClickEvensTheViews) {
+    openPyramid();
+    press("Ctrl+Shift+1");
+    auto* columns = window.views().findChild<QSplitter*>();
+    columns->setSizes({700, 300});
+    QTest::mouseDClick(columns->handle(1), Qt::LeftButton);
+    EXPECT_NEAR(columns->sizes()[0], columns->sizes()[1], 2);
+}
+
+TEST_F(WindowLook, AKeptLayoutIsThereByItsName) {
+    const KeptLayout layout{"panels", "compare", "sizes", true};
+    keepLayout("Lecture 2/shadows", layout);
+    EXPECT_EQ(keptLayouts(), QStringList("Lecture 2/shadows"));
+    EXPECT_EQ(keptLayout("Lecture 2/shadows"), layout);
+    EXPECT_FALSE(keptLayout("Lecture 3"));
+    dropLayout("Lecture 2/shadows");
+    EXPECT_TRUE(keptLayouts().isEmpty());
 }
 
 TEST_F(WindowLook, LargerTextIsLargerAndComesBack) {
