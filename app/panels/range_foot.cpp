@@ -66,7 +66,7 @@ void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting, bool logarithm
     m_low->setText(valueText(shown.buffer, low, 8));
     m_high->setText(valueText(shown.buffer, high, 8));
     m_unit->setText(toQString(shown.buffer.info->unit));
-    m_unit->setVisible(!shown.buffer.info->unit.empty() && width() > Theme::current().px(380));
+    m_unit->setVisible(!shown.buffer.info->unit.empty() && width() > Theme::current().px(560));
     PaletteBar::Scale scale = shown.scale;
     scale.logarithmic = logarithmic;
     m_bar->setScale(std::move(scale));
