@@ -114,6 +114,7 @@ void ConditionBar::read() {
     const std::string text = m_text->text().toStdString();
     if (isHidden() || !m_document.hasScene() || m_text->text().trimmed().isEmpty()) {
         m_document.want(this, {});
+        watchPlay();  // which no longer waits for it
         return evaluate();
     }
     auto read = lessons::parseCondition(text, {{}, 1, 1}, m_document.scene());
