@@ -1,0 +1,47 @@
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include "app/view3d/view3d_panel.h"
+#include "tests/support/scenes.h"
+
+TEST(View3dFaces, KeysGoFromFaceToFaceOfAPointLight) {
+    if (!app::openGlProblem().isEmpty()) GTEST_SKIP() << "no OpenGL 3.2 here";
+    app::Document document;
+    app::View3dPanel panel(document);
+    app::SceneView& view = panel.view();
+    panel.resize(640, 480);
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    pipeline::Scene scene = test::pyramid();
+    pipeline::Object floor;
+    floor.name = "floor";
+    floor.mesh = pipeline::makeShape({.kind = pipeline::ShapeKind::Plane});
+    floor.transform.scale = app::Vec3d(600.0);
+    floor.transform.translation = {335, 75, -20};
+    scene.objects.push_back(floor);
+    scene.lights[0].kind = pipeline::LightKind::Point;
+    scene.lights[0].position = {300, 0, 900};
+    QSignalSpy ready(&document, &app::Document::frameReady);
+    document.setScene(scene);
+    ASSERT_TRUE(ready.wait());
+    auto* face = panel.findChild<QToolButton*>("face");
+    EXPECT_TRUE(face->isHidden()) << "the world has no faces";
+    panel.setSpace({app::ViewSpace::Light});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.space().space == app::ViewSpace::Light; }, 10000));
+    EXPECT_EQ(face->text(), "face −z") << "the one that sees the most";
+    QTest::keyClick(&view, Qt::Key_F);
+    EXPECT_EQ(face->text(), "face +x");
+    EXPECT_EQ(panel.state().space, "light 0 +x");
+    QTest::keyClick(&view, Qt::Key_F, Qt::ShiftModifier);
+    QTest::keyClick(&view, Qt::Key_F, Qt::ShiftModifier);
+    EXPECT_EQ(face->text(), "face +z");
+    app::SpaceShown state;
+    state.space = "light 0 -y";
+    EXPECT_TRUE(panel.lookAt(state).empty());
+    EXPECT_EQ(face->text(), "face −y");
+    state.space = "light 0 -w";
+    EXPECT_FALSE(panel.lookAt(state).empty());
+}
