@@ -16,6 +16,7 @@ struct Entry {
 constexpr std::array<Entry, 5> kEntries{
     {{VectorCode::N, "N"}, {VectorCode::L, "L"}, {VectorCode::V, "V"}, {VectorCode::R, "R"}, {VectorCode::H, "H"}}};
 constexpr double kEntryWidth = 62, kHeight = 32, kPadding = 10;
+constexpr double kLastGap = 8;  // beyond the last letter, which the padding has already
 
 // The tip in the plane: what the solid of the 3D view looks like from the side.
 void paintTip(QPainter& painter, VectorCode code, QPointF end, const QColor& ink, const QColor& back) {
@@ -101,28 +102,35 @@ void paintVectorSample(QPainter& painter, const QRectF& box, VectorCode code, bo
     painter.restore();
 }
 
-QSizeF legendSize() {
+QSizeF legendSize(double room) {
     const double s = Theme::current().scale();
-    return {s * (kEntryWidth * double(kEntries.size()) + 2 * kPadding - 8), s * kHeight};
+    const auto sizeOf = [&](int columns) {
+        const int rows = (int(kEntries.size()) + columns - 1) / columns;
+        return QSizeF(s * (kEntryWidth * columns + 2 * kPadding - kLastGap), s * kHeight * rows);
+    };
+    const QSizeF row = sizeOf(int(kEntries.size()));
+    return row.width() <= room ? row : sizeOf((int(kEntries.size()) + 1) / 2);
 }
 
-QRectF legendEntry(VectorCode code, QPointF topLeft) {
+QRectF legendEntry(VectorCode code, const QRectF& legend) {
     const double s = Theme::current().scale();
-    for (std::size_t i = 0; i < kEntries.size(); ++i)
-        if (kEntries[i].code == code)
-            return {topLeft + s * QPointF(kPadding + kEntryWidth * double(i), 0), s * QSizeF(kEntryWidth, kHeight)};
+    const int columns = int(std::lround((legend.width() / s - 2 * kPadding + kLastGap) / kEntryWidth));
+    for (int i = 0; i < int(kEntries.size()); ++i)
+        if (kEntries[std::size_t(i)].code == code)
+            return {legend.topLeft() + s * QPointF(kPadding + kEntryWidth * (i % columns), kHeight * (i / columns)),
+                    s * QSizeF(kEntryWidth, kHeight)};
     return {};
 }
 
-void paintLegend(QPainter& painter, QPointF topLeft, const ViewOptions& options) {
+void paintLegend(QPainter& painter, const QRectF& legend, const ViewOptions& options) {
     const ThemeColors& colors = Theme::current().colors();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(colors.line, 1));
     painter.setBrush(colors.surface);
-    painter.drawRoundedRect(QRectF(topLeft, legendSize()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    painter.drawRoundedRect(legend.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     for (const Entry& entry : kEntries)
-        paintVectorSample(painter, legendEntry(entry.code, topLeft), entry.code, options.shows(entry.code));
+        paintVectorSample(painter, legendEntry(entry.code, legend), entry.code, options.shows(entry.code));
     painter.restore();
 }
 

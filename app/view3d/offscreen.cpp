@@ -85,8 +85,7 @@ public:
         painter.scale(m_pixelRatio, m_pixelRatio);
         paintOverlay(painter, drawing, view);
         constexpr double kMargin = 12;
-        if (m_content->point && m_content->map.keepsLengths())
-            paintLegend(painter, {kMargin, m_size.y - kMargin - legendSize().height()}, m_options);
+        if (m_content->point && m_content->map.keepsLengths()) paintLegend(painter, legendAt(kMargin), m_options);
         return image;
     }
 
@@ -98,6 +97,12 @@ public:
     }
 
 private:
+    // In the lower left corner.
+    QRectF legendAt(double margin) const {
+        const QSizeF size = legendSize(m_size.x - 2 * margin);
+        return {QPointF(margin, m_size.y - margin - size.height()), size};
+    }
+
     // What is opaque looks the same on black and on white; a channel of the ground itself differs by 255.
     QImage renderTransparent() {
         m_scene.setBackground(Qt::black);
@@ -124,7 +129,7 @@ private:
         painter.scale(m_pixelRatio, m_pixelRatio);
         paintOverlay(painter, drawing, view);
         constexpr double kMargin = 12, kCube = 72;
-        if (m_content->point) paintLegend(painter, {kMargin, m_size.y - kMargin - legendSize().height()}, m_options);
+        if (m_content->point) paintLegend(painter, legendAt(kMargin), m_options);
         if (withCube)
             paintCube(painter, {m_size.x - kMargin - kCube, m_size.y - kMargin - kCube, kCube, kCube}, view.camera);
         return image;

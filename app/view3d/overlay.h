@@ -36,10 +36,11 @@ void paintProbe(QPainter& painter, Vec3d point, const ViewFrame& view);
 
 // A vector's line with its dash and tip, and its letter: one entry of the legend, as long as it is wide.
 void paintVectorSample(QPainter& painter, const QRectF& box, VectorCode code, bool shown);
-// The legend of all five, from `corner` (its bottom left) on; gives the space that it takes.
-QSizeF legendSize();
-QRectF legendEntry(VectorCode code, QPointF topLeft);
-void paintLegend(QPainter& painter, QPointF topLeft, const ViewOptions& options);
+// The legend of all five: what it takes, in one row or, where that is wider than `room`, in two; in that space, the place
+// of an entry.
+QSizeF legendSize(double room);
+QRectF legendEntry(VectorCode code, const QRectF& legend);
+void paintLegend(QPainter& painter, const QRectF& legend, const ViewOptions& options);
 
 // The cube that turns with the camera. Its visible faces, and which of them a point is on.
 enum class CubeFace { None, X, Y, Z, MinusX, MinusY, MinusZ, Middle };

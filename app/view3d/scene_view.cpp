@@ -325,6 +325,7 @@ void SceneView::placeCorners() {
     if (m_vtk) m_vtk->setGeometry(rect());
     m_overlay->setGeometry(rect());
     m_sentence->setGeometry(rect().adjusted(margin, margin, -margin, -margin));
+    m_legend->setRoom(width() - 2 * margin);
     m_legend->resize(m_legend->sizeHint());
     m_legend->move(margin, height() - margin - m_legend->height());
     m_cube->resize(m_cube->sizeHint());

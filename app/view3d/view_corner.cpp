@@ -56,7 +56,7 @@ ViewCorner::ViewCorner(Kind kind, QWidget* parent) : QWidget(parent), m_kind(kin
 
 QSize ViewCorner::sizeHint() const {
     const int side = Theme::current().px(kCubeSide);
-    return m_kind == Kind::Legend ? legendSize().toSize() : QSize(side, side);
+    return m_kind == Kind::Legend ? legendSize(m_room).toSize() : QSize(side, side);
 }
 
 void ViewCorner::setOptions(const ViewOptions& options) {
@@ -75,7 +75,7 @@ void ViewCorner::setCamera(const OrbitCamera& camera, ViewSpace space) {
 void ViewCorner::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     if (m_kind == Kind::Legend)
-        paintLegend(painter, {0, 0}, m_options);
+        paintLegend(painter, rect(), m_options);
     else
         paintCube(painter, rect(), m_camera, m_space);
 }
@@ -83,7 +83,7 @@ void ViewCorner::paintEvent(QPaintEvent*) {
 VectorCode ViewCorner::vectorAt(QPointF position) const {
     if (m_kind == Kind::Legend)
         for (const VectorCode code : kCodes)
-            if (legendEntry(code, {0, 0}).contains(position)) return code;
+            if (legendEntry(code, rect()).contains(position)) return code;
     return VectorCode::None;
 }
 

@@ -14,6 +14,7 @@ public:
 
     void setOptions(const ViewOptions& options);
     void setCamera(const OrbitCamera& camera, ViewSpace space);
+    void setRoom(int width) { m_room = width; }  // of the view: a legend that is wider has two rows
     QSize sizeHint() const override;
 
 signals:
@@ -34,6 +35,7 @@ private:
 
     Kind m_kind;
     ViewOptions m_options;
+    int m_room = 1 << 20;
     VectorCode m_hovered = VectorCode::None;
     OrbitCamera m_camera;
     ViewSpace m_space = ViewSpace::World;

@@ -356,3 +356,23 @@ TEST(View3dDrawing, CaptionsCoverNothing) {
             }
     }
 }
+
+// One row where there is room, else two; whatever it is, every entry has its place inside.
+TEST(Legend, StaysInsideItsRoom) {
+    using pipeline::VectorCode;
+    const QSizeF row = app::legendSize(10000), rows = app::legendSize(row.width() - 1);
+    EXPECT_LT(rows.width(), row.width());
+    EXPECT_EQ(rows.height(), 2 * row.height());
+    for (const QSizeF size : {row, rows}) {
+        const QRectF legend(QPointF(8, 100), QSizeF(size.toSize()));
+        QRectF last;
+        for (const VectorCode code : {VectorCode::N, VectorCode::L, VectorCode::V, VectorCode::R, VectorCode::H}) {
+            const QRectF entry = app::legendEntry(code, legend);
+            EXPECT_GE(entry.left(), legend.left());
+            EXPECT_LE(entry.left() + 0.8 * entry.width(), legend.right());  // the last part is a gap
+            EXPECT_LE(entry.bottom(), legend.bottom() + 1);
+            EXPECT_FALSE(entry.intersects(last.adjusted(1, 1, -1, -1)));
+            last = entry;
+        }
+    }
+}

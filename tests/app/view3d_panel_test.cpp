@@ -176,7 +176,7 @@ TEST_F(View3dWindow, TheLegendHidesAVector) {
     EXPECT_TRUE(view.drawing().vectors.empty());
 
     auto* legend = view.findChild<app::ViewCorner*>("legend");
-    const QPoint onN = app::legendEntry(app::VectorCode::N, {0, 0}).center().toPoint();
+    const QPoint onN = app::legendEntry(app::VectorCode::N, legend->rect()).center().toPoint();
     QTest::mouseMove(legend, onN);
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.drawing().vectors.size() == 1; }, 20000)) << "N alone while hovered";
     QTest::mouseClick(legend, Qt::LeftButton, {}, onN);
