@@ -17,7 +17,7 @@ Real largestComponent(Vec3<Real> v) {
 
 // Between this and its inverse squares need no scaling: what underflows is too small to count, and the bits are those of
 // the scaled form.
-inline constexpr float kLargestUnscaled = 1 << 30;
+inline constexpr float kLargestUnscaled = 0x1p30F;
 
 // v at length 1 within 2 rounding units, over the whole range of Real. The zero vector, and
 // one with a component that is not finite, gives the zero vector: a direction that is not
@@ -25,8 +25,9 @@ inline constexpr float kLargestUnscaled = 1 << 30;
 template <class Real>
 Vec3<Real> normalized(Vec3<Real> v) {
     const Real largest = largestComponent(v), square = glm::dot(v, v);
-    const bool isNumber = square == square;  // the largest of numbers that are none may be one
-    if (largest < Real(kLargestUnscaled) && largest > Real(1 / kLargestUnscaled) && isNumber) return v / sqrt(square);
+    // The largest may be a number although another component is none.
+    if (largest < Real(kLargestUnscaled) && largest > Real(1 / kLargestUnscaled) && isfinite(square))
+        return v / sqrt(square);
     if (!(largest > 0) || !isfinite(largest)) return Vec3<Real>(0);
     // A power of two brings the squares into range without rounding: a scaled scene keeps its bits.
     int exponent;
@@ -75,7 +76,8 @@ Vec3<Real> normalized(Vec3<Real> v, UnitForm form) {
     frexp(largest, &exponent);
     const Vec3<Real> scaled{ldexp(v.x, -exponent), ldexp(v.y, -exponent), ldexp(v.z, -exponent)};
     const int steps = form == UnitForm::Estimate ? 0 : form == UnitForm::Newton ? 1 : 2;
-    return scaled * inverseSquareRoot(glm::dot(scaled, scaled), steps);
+    const Real square = glm::dot(scaled, scaled);
+    return isfinite(square) ? scaled * inverseSquareRoot(square, steps) : Vec3<Real>(0);
 }
 
 // base^exponent for a whole exponent >= 0.

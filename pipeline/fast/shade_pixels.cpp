@@ -166,7 +166,7 @@ HWY_INLINE Floats3 illuminate(const Pixels& pixels, const Look& look, const Surf
 template <class Pair>
 HWY_INLINE Floats3 gatherOf(const std::vector<Pair>& values, Ints index, int which) {
     static_assert(sizeof(Pair) == 6 * sizeof(float));
-    const auto* base = reinterpret_cast<const float*>(values.data()) + 3 * which;
+    const auto* base = reinterpret_cast<const float*>(values.data()) + std::ptrdiff_t(3) * which;
     const Ints at = hn::Mul(index, hn::Set(I(), 6));
     const Ints one = hn::Set(I(), 1);
     return {hn::GatherIndex(F(), base, at), hn::GatherIndex(F(), base, hn::Add(at, one)),

@@ -90,6 +90,9 @@ TEST(Forms, TheDirectRootFailsWhereSquaresDoAndTheOthersHold) {
             else
                 EXPECT_NEAR(n.z, 0.8f, 0.03f) << form << ' ' << scale;
             EXPECT_EQ(normalized(Vec3<float>(0), UnitForm(form)), Vec3<float>(0)) << form;
+            const float none = std::numeric_limits<float>::quiet_NaN();
+            for (const Vec3<float> v : {Vec3<float>(none, 1, 1), Vec3<float>(1, none, 1), Vec3<float>(1, 1, none)})
+                EXPECT_EQ(normalized(v, UnitForm(form)), Vec3<float>(0)) << form;
         }
 }
 

@@ -101,6 +101,9 @@ TEST(ShadowFactor, FilteringCountsTexels) {
     EXPECT_NEAR(shadowFactor(light, constant, Vec3d(-0.5, 0.5, 5), Vec3d(0, 0, -1)), 3.0 / 9, 1e-15);
     EXPECT_EQ(shadowFactor(light, constant, Vec3d(100, 0, 5), Vec3d(0, 0, -1)), 1);     // outside nothing is in the way
     EXPECT_EQ(shadowFactor(light, constant, Vec3d(-0.5, 0.5, 1), Vec3d(0, 0, -1)), 1);  // what a texel holds is lit
+    // However far outside, and however wide the filter.
+    const ShadowSettings wide{ShadowBias::Constant, 0, 2};
+    EXPECT_EQ(shadowFactor(light, wide, Vec3d(1e12, 0, 5), Vec3d(0, 0, -1)), 1);
 }
 
 }  // namespace
