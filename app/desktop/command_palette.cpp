@@ -63,6 +63,12 @@ int matchQuality(const QString& typed, const QString& name) {
     return std::max(1, quality);
 }
 
+int matchQuality(const QString& typed, const PaletteEntry& entry) {
+    constexpr int kInPlace = 300;
+    const bool inPlace = !typed.isEmpty() && entry.place.contains(typed, Qt::CaseInsensitive);
+    return std::max(matchQuality(typed, entry.name), inPlace ? kInPlace : 0);
+}
+
 CommandPalette::CommandPalette(QWidget* window)
     : Popover(window), m_field(new QLineEdit(this)), m_list(new QListWidget(this)), m_count(new QLabel(this)) {
     setObjectName("commandPalette");
@@ -112,7 +118,7 @@ void CommandPalette::filter() {
     const QString typed = m_field->text().trimmed();
     std::vector<std::pair<int, std::size_t>> found;
     for (std::size_t i = 0; i < m_commands.size(); ++i)
-        if (const int quality = matchQuality(typed, m_commands[i].name)) found.emplace_back(quality, i);
+        if (const int quality = matchQuality(typed, m_commands[i])) found.emplace_back(quality, i);
     std::ranges::stable_sort(found, std::greater{}, [](const auto& entry) { return entry.first; });
     m_shown.clear();
     m_list->clear();

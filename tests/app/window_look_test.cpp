@@ -158,6 +158,10 @@ TEST(CommandMatch, PrefersBeginningsThenWordsThenLettersInOrder) {
     EXPECT_GT(matchQuality("pix", "Go to pixel…"), matchQuality("gtp", "Go to pixel…"));
     EXPECT_GT(matchQuality("gtp", "Go to pixel…"), 0);
     EXPECT_EQ(matchQuality("xq", "Go to pixel…"), 0);
+    const app::PaletteEntry dark{"Dark", "View › Theme", "", "", {}};
+    EXPECT_GT(matchQuality("theme", dark), matchQuality("tm", "The mean"));
+    EXPECT_LT(matchQuality("theme", dark), matchQuality("theme", "A theme"));
+    EXPECT_EQ(matchQuality("", dark), 1);
 }
 
 TEST_F(WindowLook, KeysAreListedAndEscapeClosesTheList) {
