@@ -10,7 +10,7 @@ namespace pipeline {
 
 // The two halves of a power (1 − q)^n = exp(n log(1 − q)). In float they are written out in operations that IEEE 754
 // rounds alike everywhere, so that a picture has the same bits on every machine and in every width of vectors
-// (pipeline/fast/power.h is the same text, many numbers at a time). The other precisions take the library's.
+// (pipeline/simd/power.h is the same text, many numbers at a time). The other precisions take the library's.
 
 // (log(1 + r) − r) / r², r in [−1/4, 1/2), and (exp(f) − 1 − f) / f², |f| <= log(2)/2, from the constant on: minimax of
 // the relative error of log and exp, 4.8e-9 and 3.1e-9. E. Remez, "Sur la détermination des polynômes d'approximation

@@ -174,7 +174,7 @@ struct Decision {
             return {"The painter's algorithm compares no depths.", {}};
         return {};
     }
-    // The stage's own text always leaves them: the vectors of pipeline/fast need not.
+    // The stage's own text always leaves them: the vectors of pipeline/simd need not.
     Need beside(bool read, const char* notBecause) const {
         const Settings& s = scene.settings;
         const bool inVectors = s.precision == Precision::Float && s.visibility == Visibility::ZBuffer &&
@@ -188,7 +188,7 @@ struct Decision {
         return beside(has(BufferId::Barycentric) || !vectorShading,
                       "Nobody asks for them, and vectors of pixels keep them for no longer than a tile.");
     }
-    // Only what the kernels of pipeline/fast have.
+    // Only what the kernels of pipeline/simd have.
     Need vectorShading() const {
         const Settings& settings = scene.settings;
         if (settings.precision != Precision::Float) return {"It computes in float alone.", {}};

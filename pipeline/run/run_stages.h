@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/fast/cull.h"
-#include "pipeline/fast/normals.h"
-#include "pipeline/fast/rasterize.h"
-#include "pipeline/fast/shade_pixels.h"
-#include "pipeline/fast/transform.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/parallel.h"
+#include "pipeline/simd/cull.h"
+#include "pipeline/simd/normals.h"
+#include "pipeline/simd/rasterize.h"
+#include "pipeline/simd/shade_pixels.h"
+#include "pipeline/simd/transform.h"
 #include "pipeline/stages/outlines.h"
 #include "pipeline/stages/painter.h"
 #include "pipeline/stages/sample_pattern.h"
@@ -25,7 +25,7 @@ namespace pipeline {
 // Enough work for one piece that handing it out does not show.
 inline constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1, kSampleGrain = 1;
 
-// What the kernels of pipeline/fast read beside; in float alone.
+// What the kernels of pipeline/simd read beside; in float alone.
 inline void snapVertices(TransformOutput<float>& out, Threads& threads) {
     out.snapped.bits = out.view.subPixelBits;
     out.snapped.resize(out.viewSpace.size());

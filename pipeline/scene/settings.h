@@ -13,7 +13,7 @@ constexpr int bytesOf(Precision precision) {
     return precision == Precision::Float ? 4 : precision == Precision::Double ? 8 : 16;
 }
 // In which operations. Exact: those of IEEE 754 alone, the same bits on every machine. Fast: multiplying and adding at
-// once, and roots estimated, where pixels are shaded in vectors (pipeline/fast); within 1/255 of the picture in exact
+// once, and roots estimated, where pixels are shaded in vectors (pipeline/simd); within 1/255 of the picture in exact
 // arithmetic, its bits those of the machine.
 enum class Arithmetic : std::uint8_t { Exact, Fast };
 enum class CullMode : std::uint8_t { None, Back };

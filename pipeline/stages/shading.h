@@ -26,7 +26,7 @@ struct ShadingParts {
     bool position = true, viewVector = true;  // of a pixel's surface
     bool idleLookups = true;                  // S also where the terms that it multiplies are 0
     bool emptyTiles = true;                   // also tiles in which nothing was drawn
-    bool vectors = false;                     // several pixels at a time, pipeline/fast
+    bool vectors = false;                     // several pixels at a time, pipeline/simd
     bool fast = false;                        // these in the arithmetic `fast`
     bool operator==(const ShadingParts&) const = default;
 };
@@ -126,7 +126,7 @@ inline const Material& materialOf(const ShadingInputs& inputs, std::size_t objec
     return back ? inputs.backMaterials[object] : inputs.materials[object];
 }
 
-// wanted: which per-pixel buffers to leave beside color; intensity always but for the vectors of pipeline/fast. Of these
+// wanted: which per-pixel buffers to leave beside color; intensity always but for the vectors of pipeline/simd. Of these
 // two the vectors write every pixel, and they are left raw for them.
 template <class Real>
 ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted);

@@ -50,7 +50,7 @@ struct TransformOutput {
     // Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is not in front of
     // the near plane: it has no place on the screen, and no infinity may stand in for one.
     std::vector<Vec3<Real>> screen;
-    SnappedVertices snapped{};  // in float, for pipeline/fast; else empty
+    SnappedVertices snapped{};  // in float, for pipeline/simd; else empty
 };
 
 template <class Real>

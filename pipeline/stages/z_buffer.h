@@ -22,13 +22,13 @@ struct ZBufferInputs {
     bool split = true;                            // Painter
     bool clipAll = true;                          // also polygons that culling found whole in the picture
     std::vector<TranslucentSides> translucent{};  // per object: what stage 6 draws later; empty when nothing
-    // What is left behind beside z_view, depth and triangle; pipeline/fast alone leaves it out.
+    // What is left behind beside z_view, depth and triangle; pipeline/simd alone leaves it out.
     bool counts = true;   // overdraw and depth writes
     bool weights = true;  // barycentric weights
     bool operator==(const ZBufferInputs&) const = default;
 };
 
-struct TrianglePieces;  // pipeline/fast/set_up.h
+struct TrianglePieces;  // pipeline/simd/set_up.h
 
 template <class Real>
 struct ZBufferOutput {
@@ -40,7 +40,7 @@ struct ZBufferOutput {
     Buffer2D<std::int32_t> overdraw;     // fragments that arrived; may be empty
     Buffer2D<std::int32_t> depthWrites;  // fragments that won; may be empty
     long long arrived = 0, won = 0;      // the same over all pixels
-    std::shared_ptr<const TrianglePieces> pieces{};  // what was drawn, where pipeline/fast did
+    std::shared_ptr<const TrianglePieces> pieces{};  // what was drawn, where pipeline/simd did
     std::string note;                                // what the painter's order took; may be empty
     std::vector<std::uint8_t> tileIsDrawn;           // per tile of kTileSize, row by row: whether a triangle touches it
     long long clipped = 0, unclipped = 0;            // triangles that went through the clipper; that did not

@@ -1,4 +1,4 @@
-// The vectors of pipeline/fast against the stages' own text, bit by bit.
+// The vectors of pipeline/simd against the stages' own text, bit by bit.
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
@@ -6,8 +6,8 @@
 #include <numeric>
 #include <set>
 
-#include "pipeline/fast/shade_pixels.h"
 #include "pipeline/run/frame_data.h"
+#include "pipeline/simd/shade_pixels.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {

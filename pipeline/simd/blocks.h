@@ -10,8 +10,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "pipeline/fast/lanes.h"
-#include "pipeline/fast/set_up.h"
+#include "pipeline/simd/lanes.h"
+#include "pipeline/simd/set_up.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {

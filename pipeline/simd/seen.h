@@ -6,7 +6,7 @@
 #define SHADESCOPE_SEEN_H
 #endif
 
-#include "pipeline/fast/blocks.h"
+#include "pipeline/simd/blocks.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {

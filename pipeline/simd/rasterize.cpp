@@ -1,4 +1,4 @@
-#include "pipeline/fast/rasterize.h"
+#include "pipeline/simd/rasterize.h"
 
 #include <hwy/cache_control.h>
 
@@ -7,13 +7,13 @@
 #include <limits>
 #include <optional>
 
-#include "pipeline/fast/targets.h"
+#include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "pipeline/fast/rasterize.cpp"
+#define HWY_TARGET_INCLUDE "pipeline/simd/rasterize.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
-#include "pipeline/fast/seen.h"
+#include "pipeline/simd/seen.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {

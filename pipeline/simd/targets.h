@@ -1,7 +1,7 @@
 #pragma once
 // Before Highway's headers: for which processors kernels are compiled. Structs hold vectors in them, which those of no
 // fixed width forbid. Under the address sanitizer a compiler takes a quarter of an hour for the widest of the shading
-// kernels: there one narrow and one wide instruction set are watched, which differ in nothing but their width.
+// kernels: there vectors of one number and of eight are watched, and the tests hold the others to their bits.
 #if defined(__SANITIZE_ADDRESS__) && defined(__x86_64__)
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
 #else

@@ -1,17 +1,17 @@
-#include "pipeline/fast/shade_pixels.h"
+#include "pipeline/simd/shade_pixels.h"
 
 #include <algorithm>
 #include <array>
 
-#include "pipeline/fast/targets.h"
+#include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "pipeline/fast/shade_pixels.cpp"
+#define HWY_TARGET_INCLUDE "pipeline/simd/shade_pixels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
-#include "pipeline/fast/power.h"
-#include "pipeline/fast/shadows.h"
-#include "pipeline/fast/surfaces.h"
+#include "pipeline/simd/power.h"
+#include "pipeline/simd/shadows.h"
+#include "pipeline/simd/surfaces.h"
 #include "pipeline/stages/shading_terms.h"
 
 HWY_BEFORE_NAMESPACE();

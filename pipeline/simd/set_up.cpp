@@ -1,16 +1,16 @@
-#include "pipeline/fast/set_up.h"
+#include "pipeline/simd/set_up.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "pipeline/fast/targets.h"
+#include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "pipeline/fast/set_up.cpp"
+#define HWY_TARGET_INCLUDE "pipeline/simd/set_up.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
-#include "pipeline/fast/lanes.h"
+#include "pipeline/simd/lanes.h"
 
 #ifndef SHADESCOPE_SET_UP_BINNER
 #define SHADESCOPE_SET_UP_BINNER

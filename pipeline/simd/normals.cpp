@@ -1,12 +1,12 @@
-#include "pipeline/fast/normals.h"
+#include "pipeline/simd/normals.h"
 
-#include "pipeline/fast/targets.h"
+#include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "pipeline/fast/normals.cpp"
+#define HWY_TARGET_INCLUDE "pipeline/simd/normals.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
-#include "pipeline/fast/lanes.h"
+#include "pipeline/simd/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {

@@ -8,7 +8,7 @@
 
 #include <hwy/cache_control.h>
 
-#include "pipeline/fast/arithmetic.h"
+#include "pipeline/simd/arithmetic.h"
 #include "pipeline/stages/shading.h"
 
 HWY_BEFORE_NAMESPACE();

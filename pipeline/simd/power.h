@@ -7,7 +7,7 @@
 #endif
 
 #include "pipeline/core/power.h"
-#include "pipeline/fast/arithmetic.h"
+#include "pipeline/simd/arithmetic.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {

@@ -9,7 +9,7 @@
 #include <bit>
 
 #include "pipeline/core/numerics.h"
-#include "pipeline/fast/lanes.h"
+#include "pipeline/simd/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {

@@ -1,5 +1,5 @@
 #pragma once
-#include "pipeline/fast/set_up.h"
+#include "pipeline/simd/set_up.h"
 #include "pipeline/stages/shadow_buffer.h"
 #include "pipeline/stages/z_buffer.h"
 

@@ -1,17 +1,17 @@
-#include "pipeline/fast/cull.h"
+#include "pipeline/simd/cull.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "pipeline/fast/targets.h"
+#include "pipeline/simd/targets.h"
 #include "pipeline/stages/rasterize.h"
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "pipeline/fast/cull.cpp"
+#define HWY_TARGET_INCLUDE "pipeline/simd/cull.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
-#include "pipeline/fast/lanes.h"
+#include "pipeline/simd/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {

@@ -1,13 +1,13 @@
-#include "pipeline/fast/transform.h"
+#include "pipeline/simd/transform.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
-#include "pipeline/fast/targets.h"
+#include "pipeline/simd/targets.h"
 #include "pipeline/stages/clip.h"
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "pipeline/fast/transform.cpp"
+#define HWY_TARGET_INCLUDE "pipeline/simd/transform.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -8,8 +8,8 @@
 
 #include <array>
 
-#include "pipeline/fast/arithmetic.h"
-#include "pipeline/fast/seen.h"
+#include "pipeline/simd/arithmetic.h"
+#include "pipeline/simd/seen.h"
 #include "pipeline/stages/shading.h"
 
 HWY_BEFORE_NAMESPACE();
