@@ -103,6 +103,7 @@ QString depthTest(const Frame& frame, QSize size, std::vector<QImage>& images) {
 // NaN and infinities have colours of their own already: they get a frame of marks, negative ones a hatch.
 QString strange(const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn, int channel,
                 CanvasContent& content) {
+    if (buffer.info->element == pipeline::Element::UInt8) return {};  // holds none of them
     if (const auto all = statistics(buffer); all.nan + all.infinite + all.negative == 0) return {};
     auto found = pipeline::strangeNumbers(buffer, channel, drawn);
     if (found.nan + found.infinite + found.negative == 0) return {};

@@ -2,44 +2,98 @@
 
 #include <algorithm>
 
+#include "pipeline/scene/topology.h"
 #include "pipeline/stages/cull.h"
 
 namespace app {
 
 using pipeline::BufferId;
 
-std::vector<ProjectedPolygon> projectPolygons(const pipeline::Frame& frame) {
+namespace {
+
+// Of every vertex: its place in the picture, and z_view.
+struct ProjectedVertices {
+    std::vector<QPointF> places;
+    std::vector<double> distances;
+    bool perspective = true;
+    std::optional<pipeline::AnyBuffer> verdicts;
+
+    bool inFront(const pipeline::Topology::Corners& corners) const {
+        for (std::size_t i = 0; perspective && i < corners.size(); ++i)
+            if (!(distances[corners[i]] > 0)) return false;
+        return true;
+    }
+    bool goesOn(std::size_t polygon) const {
+        return !verdicts || polygon >= verdicts->count() ||
+               pipeline::goesOn(pipeline::Verdict(int(verdicts->flat(polygon))));
+    }
+};
+
+// Without vertices where the frame has not placed them yet.
+ProjectedVertices projectVertices(const pipeline::Frame& frame) {
     const auto screen = frame.buffer({BufferId::VerticesScreen}), view = frame.buffer({BufferId::VerticesView});
-    if (!screen || !view) return {};
-    const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
-    const bool perspective = frame.scene().camera.projection == pipeline::ProjectionKind::Perspective ||
-                             frame.scene().camera.kind == pipeline::CameraKind::Spherical;
+    ProjectedVertices projected;
+    if (!screen || !view) return projected;
+    projected.verdicts = frame.buffer({BufferId::PolygonsVerdict});
+    projected.perspective = frame.scene().camera.projection == pipeline::ProjectionKind::Perspective ||
+                            frame.scene().camera.kind == pipeline::CameraKind::Spherical;
+    const std::size_t count = screen->rows();
+    projected.places.reserve(count);
+    projected.distances.reserve(count);
+    std::visit(
+        [&](const auto& v) {
+            for (std::size_t i = 0; i < count; ++i)
+                projected.places.emplace_back(double(v[3 * i]), double(v[3 * i + 1]));
+        },
+        screen->data);
+    std::visit(
+        [&](const auto& v) {
+            for (std::size_t i = 0; i < count; ++i) projected.distances.push_back(double(v[3 * i + 2]));
+        },
+        view->data);
+    return projected;
+}
+
+}  // namespace
+
+std::vector<ProjectedPolygon> projectPolygons(const pipeline::Frame& frame) {
+    const ProjectedVertices vertices = projectVertices(frame);
+    if (vertices.places.empty()) return {};
+    const pipeline::Topology& topology = frame.topology();
     std::vector<ProjectedPolygon> polygons;
-    int firstVertex = 0, number = 0;
-    for (const pipeline::Object& object : frame.scene().objects) {
-        for (std::size_t p = 0; p < object.mesh->polygonCount(); ++p, ++number) {
-            ProjectedPolygon polygon;
-            polygon.polygon = number;
-            bool inFront = true;
-            for (const std::uint32_t corner : object.mesh->polygon(p)) {
-                const auto v = std::size_t(firstVertex) + corner;
-                polygon.vertices.push_back(int(v));
-                const QPointF at(screen->value(0, v, 0), screen->value(0, v, 1));
-                polygon.corners << at;
-                polygon.centre += at;
-                polygon.distance += view->value(0, v, 2);
-                inFront = inFront && (!perspective || view->value(0, v, 2) > 0);
-            }
-            const double n = double(polygon.corners.size());
-            polygon.centre /= n;
-            polygon.distance /= n;
-            if (verdicts && std::size_t(number) < verdicts->count())
-                polygon.goesOn = goesOn(pipeline::Verdict(int(verdicts->flat(std::size_t(number)))));
-            if (inFront) polygons.push_back(std::move(polygon));
+    for (std::size_t p = 0; p < topology.polygonCount(); ++p) {
+        const pipeline::Topology::Corners corners = topology.corners(p);
+        if (!vertices.inFront(corners)) continue;
+        ProjectedPolygon polygon;
+        polygon.polygon = int(p);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const std::uint32_t v = corners[i];
+            polygon.vertices.push_back(int(v));
+            polygon.corners << vertices.places[v];
+            polygon.centre += vertices.places[v];
+            polygon.distance += vertices.distances[v];
         }
-        firstVertex += int(object.mesh->positions.size());
+        polygon.centre /= double(corners.size());
+        polygon.distance /= double(corners.size());
+        polygon.goesOn = vertices.goesOn(p);
+        polygons.push_back(std::move(polygon));
     }
     return polygons;
+}
+
+std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, bool all) {
+    const ProjectedVertices vertices = projectVertices(frame);
+    if (vertices.places.empty()) return {};
+    const pipeline::Topology& topology = frame.topology();
+    std::vector<QPolygonF> outlines;
+    for (std::size_t p = 0; p < topology.polygonCount(); ++p) {
+        const pipeline::Topology::Corners corners = topology.corners(p);
+        if (!vertices.inFront(corners) || !(all || vertices.goesOn(p))) continue;
+        QPolygonF& outline = outlines.emplace_back();
+        outline.reserve(int(corners.size()));
+        for (std::size_t i = 0; i < corners.size(); ++i) outline << vertices.places[corners[i]];
+    }
+    return outlines;
 }
 
 QRectF focusOn(const std::vector<QPolygonF>& outlines, QSize picture) {
@@ -48,13 +102,6 @@ QRectF focusOn(const std::vector<QPolygonF>& outlines, QSize picture) {
     focus &= QRectF(QPointF(0, 0), QSizeF(picture));
     const double air = 0.06 * std::max(focus.width(), focus.height());
     return focus.isEmpty() ? QRectF() : focus.adjusted(-air, -air, air, air);
-}
-
-std::vector<QPolygonF> outlinesOf(const std::vector<ProjectedPolygon>& polygons, bool all) {
-    std::vector<QPolygonF> outlines;
-    for (const ProjectedPolygon& polygon : polygons)
-        if (all || polygon.goesOn) outlines.push_back(polygon.corners);
-    return outlines;
 }
 
 std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const Selection& selection) {

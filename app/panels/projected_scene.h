@@ -21,7 +21,7 @@ struct ProjectedPolygon {
 std::vector<ProjectedPolygon> projectPolygons(const pipeline::Frame& frame);
 
 // The outlines of all, or of those that go on.
-std::vector<QPolygonF> outlinesOf(const std::vector<ProjectedPolygon>& polygons, bool all);
+std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, bool all);
 // The smallest rectangle of the picture around outlines, with some air; empty where they are outside.
 QRectF focusOn(const std::vector<QPolygonF>& outlines, QSize picture);
 

@@ -33,6 +33,10 @@ struct Findings {
 Findings look(const AnyBuffer& buffer, const std::vector<bool>& drawn, int channel) {
     Findings found;
     const auto channels = std::size_t(buffer.channels());
+    if (isColorPicture(*buffer.info, channel) && buffer.info->element == Element::UInt8) {
+        found.drawn = buffer.count() / channels;  // bytes are numbers, and nobody counts colours
+        return found;
+    }
     const auto c = std::size_t(std::max(0, channel));
     std::vector<double> values;  // the distinct ones, sorted
     std::visit(
@@ -215,12 +219,12 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     if (standsOnShapes(info)) {
         content.size = {settings.width, settings.height};
         content.shapes = shapePicture(frame, buffer, shown.look);
-        content.focus = focusOn(outlinesOf(projectPolygons(frame), true), content.size);
+        content.focus = focusOn(outlinesOf(frame, true), content.size);
     } else {
         content.size = {int(buffer.columns()), int(buffer.rows())};
         content.image = bufferImage(buffer, shown.look, drawn);
         content.text = textOf(buffer, channel, polygons, polygons ? frame.buffer({BufferId::Overdraw}) : std::nullopt);
-        if (info.domain == Domain::Pixel) content.edges = outlinesOf(projectPolygons(frame), false);
+        if (info.domain == Domain::Pixel) content.edges = outlinesOf(frame, false);
         content.focus =
             info.domain == Domain::Pixel ? focusOn(content.edges, content.size) : drawnRectangle(drawn, content.size);
     }

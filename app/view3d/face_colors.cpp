@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/stages/cull.h"
@@ -59,6 +60,15 @@ void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology
     const pipeline::View eye = pipeline::makeView(scene);
     const std::vector<pipeline::Light> lights = pipeline::lightsInWorldSpace(scene, eye);
 
+    const auto phongColor = [&](std::size_t vertex, const pipeline::Material& material) {
+        const Vec3d position = mesh.positions[vertex];
+        const Vec3d towardsEye = eye.perspective ? pipeline::normalized(eye.eye - position) : -eye.forward;
+        return frameBufferColor(intensityAt(scene, lights, material, position, row3(*normals, vertex), towardsEye),
+                                iMax);
+    };
+    // Faces share their vertices, and a vertex has one object's material.
+    std::vector<std::optional<glm::vec3>> phong(mesh.positions.size());
+
     for (Face& face : mesh.faces) {
         const auto polygon = static_cast<std::size_t>(face.polygon);
         const pipeline::Material& material = scene.objects[topology.polygonObject[polygon]].material;
@@ -74,10 +84,8 @@ void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology
             } else if (hasRun && shading == pipeline::Shading::Gouraud && gouraud) {
                 color = frameBufferColor(row3(*gouraud, vertex), iMax);
             } else if (hasRun && shading == pipeline::Shading::Phong && normals) {
-                const Vec3d position = mesh.positions[vertex];
-                const Vec3d towardsEye = eye.perspective ? pipeline::normalized(eye.eye - position) : -eye.forward;
-                color = frameBufferColor(
-                    intensityAt(scene, lights, material, position, row3(*normals, vertex), towardsEye), iMax);
+                if (!phong[vertex]) phong[vertex] = phongColor(vertex, material);
+                color = *phong[vertex];
             } else {
                 color = glm::vec3(material.diffuse);
             }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "app/view3d/face_colors.h"
@@ -110,10 +111,9 @@ void addPicture(const Frame& frame, ViewMesh& mesh) {
     const auto color = frame.buffer({BufferId::Color});
     if (!color) return;
     mesh.picture.size = {int(color->columns()), int(color->rows())};
-    mesh.picture.pixels.reserve(color->count() / 3);
-    for (std::size_t i = 0; i + 2 < color->count(); i += 3)
-        mesh.picture.pixels.emplace_back(std::uint8_t(color->flat(i)), std::uint8_t(color->flat(i + 1)),
-                                         std::uint8_t(color->flat(i + 2)));
+    const auto bytes = std::get<std::span<const std::uint8_t>>(color->data);
+    mesh.picture.pixels.resize(bytes.size() / 3);
+    std::memcpy(mesh.picture.pixels.data(), bytes.data(), bytes.size());
 }
 
 std::string letterOf(std::string letter, int light, std::size_t lights) {
@@ -196,7 +196,7 @@ std::array<Vec3d, 8> Bounds::corners() const {
 
 ViewContent contentOf(const Frame& frame, std::optional<glm::ivec2> pixel) {
     ViewContent content;
-    const pipeline::Topology topology = pipeline::makeTopology(pipeline::meshesOf(frame.scene()));
+    const pipeline::Topology& topology = frame.topology();
     auto mesh = std::make_shared<ViewMesh>();
     addMeshes(frame, topology, *mesh, content.bounds);
     if (!content.bounds.any || !(content.bounds.radius() > 0)) {
@@ -223,7 +223,7 @@ ViewContent withPixel(const ViewContent& content, const Frame& frame, std::optio
     result.pickedLoop.clear();
     result.vectors.clear();
     result.lobes.clear();
-    if (pixel) addPixel(frame, *pixel, pipeline::makeTopology(pipeline::meshesOf(frame.scene())), result);
+    if (pixel) addPixel(frame, *pixel, frame.topology(), result);
     return result;
 }
 

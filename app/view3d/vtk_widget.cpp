@@ -40,6 +40,7 @@ struct VtkWidget::Impl {
     ThemeColors colors;
     ViewFrame view;
     Drawing drawing;
+    std::vector<quint32> pixels;    // as OpenGL gives them
     QImage picture;                 // as it was rendered last
     QTimer rest;                    // runs while the view moves
     double smoothMilliseconds = 0;  // what the last smoothed frame took
@@ -150,7 +151,8 @@ void VtkWidget::render() {
     QElapsedTimer timer;
     timer.start();
     impl.window->Render();
-    std::vector<quint32> pixels(std::size_t(size.width()) * std::size_t(size.height()));
+    std::vector<quint32>& pixels = impl.pixels;
+    pixels.resize(std::size_t(size.width()) * std::size_t(size.height()));
     QOpenGLExtraFunctions* gl = impl.context->extraFunctions();
     impl.window->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
     gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);

@@ -64,6 +64,9 @@ WorldScene::WorldScene(vtkOpenGLRenderWindow& window) {
     pullLines(*m_edges.mapper, 2);
     pullLines(*m_pickedOuter.mapper, 4);
     pullLines(*m_pickedInner.mapper, 6);
+    // Drawn after the faces, faded edges blend with them as they are; in VTK's pass for what is translucent they would
+    // cost as much as all else.
+    m_edges.actor->ForceOpaqueOn();
     m_shine.actor->GetProperty()->SetOpacity(kShineStrength);
     // One blended layer a solid: without its inner side it does not darken itself.
     m_shine.actor->GetProperty()->BackfaceCullingOn();

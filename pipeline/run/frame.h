@@ -53,7 +53,8 @@ public:
     long number() const { return m_number; }                        // counts from 1 along a chain of frames
     StageId until() const { return m_until; }
 
-    // The buffer, or nothing where the plan left it out or its stage has not run.
+    // The buffer, or nothing where the plan left it out or its stage has not run. What a stage keeps in another form is
+    // put into this one when it is first read.
     std::optional<AnyBuffer> buffer(const BufferName& name) const;
     // Why buffer() gives nothing; empty when it gives something.
     std::string whyAbsent(const BufferName& name) const;
@@ -85,6 +86,8 @@ private:
     StageId m_until = StageId::Shading;
     BufferSet m_wanted, m_made;
     std::shared_ptr<const FrameStages> m_stages;
+    mutable std::mutex m_readMutex;
+    mutable std::vector<AnyBuffer> m_read;  // in this form for a reader; guarded by m_readMutex
 };
 
 using FramePtr = std::shared_ptr<const Frame>;
