@@ -34,6 +34,7 @@ QColor colorOf(Ink ink, const ThemeColors& colors) {
 }
 
 QColor mixed(const QColor& a, const QColor& b, double shareOfA) {
+    if (shareOfA == 1) return a;
     const auto channel = [&](int x, int y) { return int(std::lround(x * shareOfA + y * (1 - shareOfA))); };
     return {channel(a.red(), b.red()), channel(a.green(), b.green()), channel(a.blue(), b.blue())};
 }

@@ -223,7 +223,8 @@ void View3dPanel::takeFrame() {
     // Vertices without a place would all stand at the origin.
     const bool placed = m_document.frame()->until() != pipeline::StageId::Transform;
     const pipeline::FramePtr frame = inside && !placed ? m_document.wholeFrame() : m_document.frame();
-    ViewContent shown = withSelection(contentOf(*frame, m_document.pixel()), *frame, m_document.selection());
+    const ViewContent world = contentOf(*frame, m_document.pixel(), m_view->content().get());
+    ViewContent shown = withSelection(world, *frame, m_document.selection());
     if (wantsFrusta()) shown.frusta = lightFrusta(*frame);
     if (inside) shown = withProgress(shown, *stepper.steps(), *stepper.moment());
     const auto content = std::make_shared<const ViewContent>(std::move(shown));

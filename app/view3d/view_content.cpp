@@ -23,24 +23,7 @@ Vec3d row3(const AnyBuffer& buffer, std::size_t row) {
 
 bool finite(Vec3d v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-void addMeshes(const Frame& frame, const pipeline::Topology& topology, ViewMesh& mesh, Bounds& bounds) {
-    const auto world = frame.buffer({BufferId::VerticesWorld});
-    if (!world || world->rows() != topology.vertexCount()) return;
-    mesh.positions.reserve(topology.vertexCount());
-    for (std::size_t i = 0; i < topology.vertexCount(); ++i) {
-        mesh.positions.push_back(row3(*world, i));
-        bounds.add(mesh.positions.back());
-    }
-    for (std::size_t i = 0; i + 1 < topology.firstVertex.size(); ++i) {
-        const auto points =
-            std::span<const Vec3d>(mesh.positions)
-                .subspan(topology.firstVertex[i], topology.firstVertex[i + 1] - topology.firstVertex[i]);
-        const auto box = pipeline::boundingBox(points);
-        mesh.objects.push_back(box ? ObjectBounds{*box, *pipeline::boundingSphere(points)} : ObjectBounds{});
-    }
-    mesh.faces.reserve(topology.triangles.size());
-    for (const pipeline::Triangle& t : topology.triangles)
-        mesh.faces.push_back({{t.vertices[0], t.vertices[1], t.vertices[2]}, {}, std::int32_t(t.polygon)});
+void addEdges(const pipeline::Topology& topology, ViewMesh& mesh) {
     for (std::size_t p = 0; p < topology.polygonCount(); ++p) {
         const auto corners = topology.corners(p);
         for (std::size_t i = 0; i < corners.size(); ++i)
@@ -51,6 +34,37 @@ void addMeshes(const Frame& frame, const pipeline::Topology& topology, ViewMesh&
     mesh.edges.erase(rest.begin(), rest.end());
     for (const auto& [a, b] : mesh.edges) mesh.meanEdge += glm::length(mesh.positions[a] - mesh.positions[b]);
     if (!mesh.edges.empty()) mesh.meanEdge /= double(mesh.edges.size());
+}
+
+void addObjectBounds(const pipeline::Topology& topology, ViewMesh& mesh) {
+    for (std::size_t i = 0; i + 1 < topology.firstVertex.size(); ++i) {
+        const auto points =
+            std::span<const Vec3d>(mesh.positions)
+                .subspan(topology.firstVertex[i], topology.firstVertex[i + 1] - topology.firstVertex[i]);
+        const auto box = pipeline::boundingBox(points);
+        mesh.objects.push_back(box ? ObjectBounds{*box, *pipeline::boundingSphere(points)} : ObjectBounds{});
+    }
+}
+
+void addMeshes(const Frame& frame, const ViewMesh* before, ViewMesh& mesh, Bounds& bounds) {
+    const pipeline::Topology& topology = frame.topology();
+    const auto world = frame.buffer({BufferId::VerticesWorld});
+    if (!world || world->rows() != topology.vertexCount()) return;
+    mesh.positions.reserve(topology.vertexCount());
+    for (std::size_t i = 0; i < topology.vertexCount(); ++i) {
+        mesh.positions.push_back(row3(*world, i));
+        bounds.add(mesh.positions.back());
+    }
+    mesh.topology = frame.sharedTopology();
+    if (before && before->topology == mesh.topology && before->positions == mesh.positions) {
+        mesh.edges = before->edges, mesh.meanEdge = before->meanEdge, mesh.objects = before->objects;
+    } else {
+        addEdges(topology, mesh);
+        addObjectBounds(topology, mesh);
+    }
+    mesh.faces.reserve(topology.triangles.size());
+    for (const pipeline::Triangle& t : topology.triangles)
+        mesh.faces.push_back({{t.vertices[0], t.vertices[1], t.vertices[2]}, {}, std::int32_t(t.polygon)});
 }
 
 // A polygon's normal stands at the mean of its vertices, where flat shading evaluates it.
@@ -194,11 +208,11 @@ std::array<Vec3d, 8> Bounds::corners() const {
     return result;
 }
 
-ViewContent contentOf(const Frame& frame, std::optional<glm::ivec2> pixel) {
+ViewContent contentOf(const Frame& frame, std::optional<glm::ivec2> pixel, const ViewContent* before) {
     ViewContent content;
     const pipeline::Topology& topology = frame.topology();
     auto mesh = std::make_shared<ViewMesh>();
-    addMeshes(frame, topology, *mesh, content.bounds);
+    addMeshes(frame, before ? before->mesh.get() : nullptr, *mesh, content.bounds);
     if (!content.bounds.any || !(content.bounds.radius() > 0)) {
         const Vec3d centre = content.bounds.any ? content.bounds.centre() : Vec3d(0.0);
         content.bounds.add(centre - 0.5);

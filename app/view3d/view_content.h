@@ -85,7 +85,8 @@ struct ObjectBounds {
 
 // The polygons of a frame. Shared, because a newly picked pixel changes nothing in it.
 struct ViewMesh {
-    std::vector<Vec3d> positions;  // of every vertex, as vertices.world
+    std::shared_ptr<const pipeline::Topology> topology;  // the frame's; null without vertices
+    std::vector<Vec3d> positions;                        // of every vertex, as vertices.world
     std::vector<Face> faces;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  // of polygons, each once
     double meanEdge = 0;                                         // their mean length, world units
@@ -127,7 +128,9 @@ ViewContent withProgress(const ViewContent& content, const pipeline::Steps& step
 
 // Reads from the frame whatever of these buffers it has: vertices.world, polygons.verdict,
 // polygons.normal, vertices.normal, polygons.intensity, vertices.intensity, color.
-ViewContent contentOf(const pipeline::Frame& frame, std::optional<glm::ivec2> pixel);
+// `before`, of an earlier frame: where no vertex has moved since, what hangs on their places alone is taken from it.
+ViewContent contentOf(const pipeline::Frame& frame, std::optional<glm::ivec2> pixel,
+                      const ViewContent* before = nullptr);
 // The same content with another picked pixel; `frame` is the one that it was made of.
 ViewContent withPixel(const ViewContent& content, const pipeline::Frame& frame, std::optional<glm::ivec2> pixel);
 // The same content with another thing marked.

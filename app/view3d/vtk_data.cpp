@@ -57,11 +57,22 @@ vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, FacesShown shown, d
             return toColor(mesh.polygonNormalColors[std::size_t(face.polygon)]);
         return face.shaded ? toColor(face.colors[corner]) : colors.hover;
     };
+    // A vertex is one point while the faces around it give it one colour.
+    struct Placed {
+        vtkIdType point = -1;
+        QRgb color = 0;
+    };
+    std::vector<Placed> placed(mesh.positions.size());
     for (const Face& face : mesh.faces) {
         vtkIdType ids[3];
         for (std::size_t i = 0; i < 3; ++i) {
-            ids[i] = addPoint(*points, mesh.positions[face.vertices[i]]);
-            addColor(*rgb, mixed(colorAt(face, i), colors.view, strength));
+            Placed& at = placed[face.vertices[i]];
+            const QRgb color = mixed(colorAt(face, i), colors.view, strength).rgb();
+            if (at.point < 0 || at.color != color) {
+                at = {addPoint(*points, mesh.positions[face.vertices[i]]), color};
+                addColor(*rgb, color);
+            }
+            ids[i] = at.point;
         }
         cells->InsertNextCell(3, ids);
     }

@@ -114,6 +114,8 @@ WorldScene::Glyphs WorldScene::addGlyphs(vtkRenderer& renderer) {
 void WorldScene::setContent(std::shared_ptr<const ViewContent> content, const std::vector<InkedLine>& ground) {
     // A newly picked pixel comes with the mesh that is there: its polygons stay as they are.
     const bool sameMesh = m_content && content && content->mesh == m_content->mesh;
+    const bool sameEdges = m_content && content && content->mesh->edges == m_content->mesh->edges &&
+                           content->mesh->positions == m_content->mesh->positions;
     m_content = std::move(content);
     m_groundLines = ground;
     static const ViewMesh kNone;
@@ -122,7 +124,7 @@ void WorldScene::setContent(std::shared_ptr<const ViewContent> content, const st
     m_pickedOuter.mapper->SetInputData(loopData(mesh, loop));
     m_pickedInner.mapper->SetInputData(loopData(mesh, loop));
     if (!sameMesh) {
-        m_edges.mapper->SetInputData(edgesData(mesh));
+        if (!sameEdges) m_edges.mapper->SetInputData(edgesData(mesh));
         if (!mesh.picture.pixels.empty()) {
             m_picture.layer.mapper->SetInputData(
                 pictureQuad(pictureCorners(m_content->eye, m_content->pictureDistance)));

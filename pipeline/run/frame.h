@@ -72,6 +72,8 @@ public:
     BufferSet wanted() const { return m_wanted; }  // the request's
     BufferSet made() const { return m_made; }      // more than those where the plan leaves none out
     const Topology& topology() const { return *m_topology; }
+    // The same for all frames in a row that have the same meshes.
+    const std::shared_ptr<const Topology>& sharedTopology() const { return m_topology; }
 
 private:
     friend class Runner;

@@ -195,6 +195,9 @@ FramePtr unfinishedFrame(const Frame& whole, std::shared_ptr<const FrameStages> 
 }
 
 FramePtr runFrame(std::shared_ptr<const Scene> scene, const FrameRequest& request, const FramePtr& before) {
+    const bool isAsked = before && before->sharedScene() == scene && before->wanted() == request.wanted &&
+                         before->until() == request.until;
+    if (isAsked) return before;
     return Runner::run(std::move(scene), request, before);
 }
 

@@ -8,7 +8,7 @@ Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& b
 
 // Computes the frame of a scene, reusing of `before` (which may be null) whatever still holds.
 // The picture is the same, bit for bit, as one computed from nothing, on any number of threads.
-// Null when the request was stopped. The scene must have passed checkScene.
+// `before` itself where it is the frame of this very scene and request. Null when the request was stopped. The scene must have passed checkScene.
 FramePtr runFrame(std::shared_ptr<const Scene> scene, const FrameRequest& request, const FramePtr& before);
 
 // A whole frame as far as `stages` have got: they stand in for its stages' outputs, and nothing after `until` has

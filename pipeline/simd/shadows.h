@@ -8,6 +8,7 @@
 
 #include <hwy/cache_control.h>
 
+#include "pipeline/scene/area_light.h"
 #include "pipeline/simd/arithmetic.h"
 #include "pipeline/stages/shading.h"
 
@@ -46,38 +47,92 @@ HWY_INLINE void fetchTexels(const ShadingInputs& inputs, const ShadingSources<fl
     }
 }
 
-// How many of the texels that filtering looks at see the points lit: litTexels, of a light at infinity.
+// The texel that a coordinate lies in: texelAt, as a number.
+HWY_INLINE Floats texelAt(Floats x) {
+    const Floats limit = all(1 << 30);
+    const Mask inRange = hn::And(hn::Gt(x, hn::Neg(limit)), hn::Lt(x, limit));
+    return hn::IfThenElse(inRange, hn::Floor(x), hn::Neg(limit));
+}
+
+// How many of the texels that filtering looks at see the points lit, on this face of the light: litTexels.
 template <class A>
-HWY_INLINE Floats litCount(const LightView<float>& light, const ShadowSettings& settings, Floats3 position,
-                           Floats3 normal, Mask wanted) {
-    const View& face = light.faces[0];
-    const Buffer2D<float>& depth = light.depth[0];
+HWY_INLINE Floats litOnFace(const LightView<float>& light, std::size_t number, const ShadowSettings& settings,
+                            Floats3 position, Floats3 normal, Mask wanted) {
+    const View& face = light.faces[number];
+    const Buffer2D<float>& depth = light.depth[number];
+    const Floats zero = all(0), one = all(1), last = all(float(depth.size.x - 1));
     const Floats3 right = all(Vec3<float>(face.right)), up = all(Vec3<float>(face.up)),
                   forward = all(Vec3<float>(face.forward));
-    const auto [x, y, z] = lightPoints<A>(face, position);
+    const Floats3 world = position - all(Vec3<float>(face.eye));
+    const Floats3 p{A::dot(right, world), A::dot(up, world), A::dot(forward, world)};
+    const Floats scaleX = all(float(face.scale.x)), centreX = all(float(face.centre.x)),
+                 scaleY = all(float(face.scale.y)), centreY = all(float(face.centre.y));
+    Floats x, y;
+    if (face.perspective) {
+        x = texelAt(hn::Add(centreX, hn::Div(hn::Mul(scaleX, p.x), p.z)));
+        y = texelAt(hn::Sub(centreY, hn::Div(hn::Mul(scaleY, p.y), p.z)));
+        x = hn::Min(hn::Max(x, zero), last), y = hn::Min(hn::Max(y, zero), last);
+    } else {
+        x = hn::Floor(A::mulAdd(scaleX, p.x, centreX));
+        y = hn::Floor(A::negMulAdd(scaleY, p.y, centreY));
+    }
+
     Floats bias = all(float(settings.biasValue));
     if (settings.bias != ShadowBias::Constant) {
+        const Floats3 n{A::dot(right, normal), A::dot(up, normal), A::dot(forward, normal)};
         const float texels = float(settings.filter) + 0.5F + 1.0F / 128;
         const Vec2<float> width(1.0 / face.scale);
-        const Floats across =
-            A::mulAdd(hn::Abs(A::dot(right, normal)), all(width.x), hn::Mul(hn::Abs(A::dot(up, normal)), all(width.y)));
-        const Floats slope = hn::Div(hn::Mul(all(texels), across), hn::Abs(A::dot(forward, normal)));
+        const Floats delta =
+            hn::Mul(all(texels), A::mulAdd(hn::Abs(n.x), all(width.x), hn::Mul(hn::Abs(n.y), all(width.y))));
+        Floats slope;
+        if (face.perspective) {
+            const Floats relative = hn::Div(hn::Mul(p.z, delta), hn::Abs(A::dot(n, p)));
+            slope =
+                hn::IfThenElse(hn::IsFinite(relative), hn::Mul(p.z, hn::Div(relative, hn::Add(one, relative))), p.z);
+        } else {
+            slope = hn::Div(delta, hn::Abs(n.z));
+        }
         bias = settings.bias == ShadowBias::Slope ? hn::Mul(bias, slope) : hn::Add(slope, all(light.rounding));
     }
+
     const int r = settings.filter;
-    const Floats zero = all(0), last = all(float(depth.size.x - 1));
+    const bool adjoin = light.faces.size() > 1;
     Floats lit = zero;
     for (int dy = -r; dy <= r; ++dy) {
         for (int dx = -r; dx <= r; ++dx) {
-            const Floats u = hn::Add(x, all(float(dx))), v = hn::Add(y, all(float(dy)));
+            Floats u = hn::Add(x, all(float(dx))), v = hn::Add(y, all(float(dy)));
+            if (adjoin) u = hn::Min(hn::Max(u, zero), last), v = hn::Min(hn::Max(v, zero), last);
             const Mask inside = hn::And(hn::And(hn::Ge(u, zero), hn::Le(u, last)),
                                         hn::And(hn::And(hn::Ge(v, zero), hn::Le(v, last)), wanted));
             const Ints column = hn::ConvertTo(I(), hn::IfThenElseZero(inside, u));
             const Ints row = hn::ConvertTo(I(), hn::IfThenElseZero(inside, v));
             const Ints at = hn::Add(hn::Mul(row, hn::Set(I(), depth.size.x)), column);
             const Floats stored = hn::GatherIndex(F(), depth.pixels.data(), at);
-            const Mask shadowed = hn::And(inside, hn::Gt(z, hn::Add(stored, bias)));
-            lit = hn::Add(lit, hn::IfThenZeroElse(shadowed, all(1)));
+            const Mask shadowed = hn::And(inside, hn::Gt(p.z, hn::Add(stored, bias)));
+            lit = hn::Add(lit, hn::IfThenZeroElse(shadowed, one));
+        }
+    }
+    return lit;
+}
+
+// The same on the face that each point falls on: neighbours mostly fall on one.
+template <class A>
+HWY_INLINE Floats litCount(const LightView<float>& light, const ShadowSettings& settings, Floats3 position,
+                           Floats3 normal, Mask wanted) {
+    if (light.faces.size() == 1) return litOnFace<A>(light, 0, settings, position, normal, wanted);
+    const Floats3 p = position - all(Vec3<float>(light.faces[0].eye));
+    const Floats x = hn::Abs(p.x), y = hn::Abs(p.y), z = hn::Abs(p.z);
+    const Mask alongX = hn::And(hn::Ge(x, y), hn::Ge(x, z)), alongY = hn::AndNot(alongX, hn::Ge(y, z));
+    const Mask along[]{alongX, alongY, hn::Not(hn::Or(alongX, alongY))};
+    const Floats component[]{p.x, p.y, p.z};
+    Floats lit = all(0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Mask backwards = hn::Lt(component[axis], all(0));
+        for (std::size_t sign = 0; sign < 2; ++sign) {
+            const Mask side = sign == 0 ? hn::Not(backwards) : backwards;
+            const Mask here = hn::And(wanted, hn::And(along[axis], side));
+            if (hn::AllFalse(F(), here)) continue;
+            lit = hn::IfThenElse(here, litOnFace<A>(light, 2 * axis + sign, settings, position, normal, here), lit);
         }
     }
     return lit;
@@ -90,28 +145,24 @@ HWY_INLINE Floats shadowFactors(const ShadingInputs& inputs, const ShadingSource
     const Light& light = inputs.lights[k];
     const bool none = !light.castsShadow || inputs.illumination.model == Model::OpenGl;
     if (none || hn::AllFalse(F(), wanted)) return all(1);
-    if (light.kind == LightKind::AtInfinity) {
-        const Floats3 normal = gather(in.normals.polygon, polygon), L = all(normalized(Vec3<float>(light.position)));
-        const Mask faces = hn::Gt(A::dot(normal, L), all(0));
-        const bool looksUp = in.shadow && !in.shadow->lights[k].empty();
-        Floats share = all(1);
-        if (looksUp)
-            share =
-                hn::Div(litCount<A>(in.shadow->lights[k][0], inputs.shadow, position, normal, hn::And(wanted, faces)),
-                        all(float(filteredTexels(inputs.shadow))));
-        return hn::IfThenElse(wanted, hn::IfThenElseZero(faces, share), all(1));
+    const Floats3 normal = gather(in.normals.polygon, polygon);
+    const bool looksUp = in.shadow && !in.shadow->lights[k].empty();
+    const SampleGrid grid = sampleGrid(light);
+    const AreaSides sides = sidesOf(light);
+    const int texels = filteredTexels(inputs.shadow);
+    Floats lit = all(0);
+    for (int i = 0; i < grid.count(); ++i) {
+        const Vec3<float> place(samplePlace(light, grid, sides, i));
+        const Floats3 L =
+            light.kind == LightKind::AtInfinity ? all(normalized(place)) : A::unit(all(place) - position, wanted);
+        const Mask faces = hn::And(wanted, hn::Gt(A::dot(normal, L), all(0)));
+        if (hn::AllFalse(F(), faces)) continue;
+        const Floats seen =
+            looksUp ? litCount<A>(in.shadow->lights[k][std::size_t(i)], inputs.shadow, position, normal, faces)
+                    : all(float(texels));
+        lit = hn::Add(lit, hn::IfThenElseZero(faces, seen));
     }
-    // Six buffers, of an area light for each sample: one pixel after the other.
-    HWY_ALIGN float factor[16], x[16], y[16], z[16];
-    HWY_ALIGN std::int32_t polygons[16];
-    hn::Store(all(1), F(), factor);
-    hn::Store(position.x, F(), x), hn::Store(position.y, F(), y), hn::Store(position.z, F(), z);
-    hn::Store(polygon, I(), polygons);
-    for (std::uint32_t bits = bitsOf(wanted); bits != 0; bits &= bits - 1) {
-        const int l = std::countr_zero(bits);
-        factor[l] = shadowAt(inputs, in, k, std::uint32_t(polygons[l]), Vec3<float>(x[l], y[l], z[l]));
-    }
-    return hn::Load(F(), factor);
+    return hn::IfThenElse(wanted, hn::Div(lit, all(float(grid.count() * texels))), all(1));
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QSet>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -40,11 +41,19 @@ double cpu(clockid_t clock) {
 double windowCpu() { return cpu(CLOCK_THREAD_CPUTIME_ID); }
 double wholeCpu() { return cpu(CLOCK_PROCESS_CPUTIME_ID); }
 
-void settle(app::Document& document) {
+// Turns the event loop until `done` or so many milliseconds, asleep while nothing comes: what waits must not take the
+// processor from what it waits for.
+template <class Done>
+void runUntil(Done done, qint64 most) {
     QElapsedTimer since;
     since.start();
-    while ((!document.frame() || document.busy()) && since.elapsed() < 60000)
-        QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+    QTimer wake;
+    wake.start(2);
+    while (!done() && since.elapsed() < most) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+}
+
+void settle(app::Document& document) {
+    runUntil([&] { return document.frame() && !document.busy(); }, 60000);
     QCoreApplication::processEvents();
 }
 
@@ -91,8 +100,7 @@ std::vector<double> stepByStep(app::MainWindow& window, int steps) {
             return document.frame() && document.frame()->sharedScene()->camera == document.scene().camera &&
                    painted.all();
         };
-        while (!isShown() && step.elapsed() < 10000)
-            QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 5);
+        runUntil(isShown, 10000);
         times.push_back(double(step.nsecsElapsed()) / 1e6);
     }
     document.change(setting, begin, app::Document::Change::Done);
@@ -108,18 +116,23 @@ double drag(app::MainWindow& window) {
     const Painted painted(window);
     pipeline::FramePtr last = document.frame();
     int frames = 0;
-    QElapsedTimer time, sinceMove;
+    int moves = 0;
+    QTimer mouse;
+    QObject::connect(&mouse, &QTimer::timeout,
+                     [&] { document.change(setting, begin + 0.1 * (1 + moves++ % 50), app::Document::Change::Live); });
+    mouse.start(kMouseMilliseconds);
+    QElapsedTimer time;
     time.start();
-    for (int i = 0; time.elapsed() < kDragMilliseconds;) {
-        if (!sinceMove.isValid() || sinceMove.elapsed() >= kMouseMilliseconds) {
-            sinceMove.start();
-            document.change(setting, begin + 0.1 * (1 + i++ % 50), app::Document::Change::Live);
-        }
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
-        if (document.frame() == last || !painted.all()) continue;
-        last = document.frame();
-        ++frames;
-    }
+    runUntil(
+        [&] {
+            if (document.frame() != last && painted.all()) {
+                last = document.frame();
+                ++frames;
+            }
+            return false;
+        },
+        kDragMilliseconds);
+    mouse.stop();
     const double perSecond = 1000.0 * frames / double(time.elapsed());
     document.change(setting, begin, app::Document::Change::Done);
     settle(document);

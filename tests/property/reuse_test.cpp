@@ -34,6 +34,16 @@ TEST(ReusePlan, NothingChangedRunsNothing) {
     for (const PlanStep& step : second->plan()) EXPECT_NE(step.action, Action::Run) << stageInfo(step.stage).name;
 }
 
+TEST(ReusePlan, TheSameRequestForTheSameSceneIsTheSameFrame) {
+    const auto scene = std::make_shared<const Scene>(test::pyramid());
+    const FrameRequest request{.wanted = setOf({BufferId::Color}), .stop = {}};
+    const FramePtr first = runFrame(scene, request, nullptr);
+    EXPECT_EQ(runFrame(scene, request, first), first);
+    EXPECT_NE(runFrame(scene, {.wanted = setOf({BufferId::Depth}), .stop = {}}, first), first);
+    EXPECT_NE(runFrame(scene, {.wanted = request.wanted, .until = StageId::Cull, .stop = {}}, first), first);
+    EXPECT_NE(runFrame(std::make_shared<const Scene>(*scene), request, first), first);
+}
+
 // The actions of the six stages as one word: R runs, = is reused, - is left out.
 std::string actions(const Frame& frame) {
     std::string word;

@@ -168,7 +168,8 @@ TEST(Vectors, ShadeToTheSameBits) {
 
 // Whatever the processor has: the kernels of each instruction set, of a single number too.
 TEST(Vectors, HaveTheSameBitsInEveryWidth) {
-    Scene phong = spheres(), gouraud = spheres();
+    Scene phong = spheres(), gouraud = spheres(), area = spheres();
+    area.lights[0].kind = LightKind::Area, area.lights[0].area = {{-1, -1, -1}, 80, 80, 2};
     phong.objects[1].material.highlight = Highlight::Phong, phong.settings.model = Model::BlinnPhong;
     gouraud.settings.shading = Shading::Gouraud;
     std::set<int> widths;
@@ -180,6 +181,7 @@ TEST(Vectors, HaveTheSameBitsInEveryWidth) {
         expectTheSameBits(phong);
         EXPECT_TRUE(expectTheSameShading(phong, test::everyBuffer()));
         EXPECT_TRUE(expectTheSameShading(gouraud, withoutVectors()));
+        EXPECT_TRUE(expectTheSameShading(area, test::everyBuffer()));
     }
     hwy::SetSupportedTargetsForTest(0);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
