@@ -82,6 +82,7 @@ MainWindow::MainWindow() : m_actions(new Actions(this)) {
 
 MainWindow::~MainWindow() {
     qApp->removeEventFilter(this);
+    m_presentation->end();  // it gives the theme its scale back, to widgets that are still there
     // The panels go while the document that they observe is still there.
     hide();
     qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));

@@ -53,7 +53,22 @@ RangeFoot::RangeFoot(QWidget* parent)
             layout->setSpacing(theme.px(6));
         }
         setFixedHeight(theme.px(48));
+        fitWidth();
     });
+}
+
+// Where there is little room it is the palette's: the axis has its key too, and the button a short name.
+void RangeFoot::fitWidth() {
+    const bool narrow = width() < Theme::current().px(400);
+    m_log->setVisible(!narrow);
+    m_fit->setText(narrow ? tr("Fit") : tr("Autofit"));
+    m_fit->setAccessibleName(tr("Autofit"));
+    m_unit->setVisible(!m_unit->text().isEmpty() && width() > Theme::current().px(560));
+}
+
+void RangeFoot::resizeEvent(QResizeEvent* event) {
+    QStackedWidget::resizeEvent(event);
+    fitWidth();
 }
 
 void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting, bool logarithmic) {
@@ -66,7 +81,7 @@ void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting, bool logarithm
     m_low->setText(valueText(shown.buffer, low, 8));
     m_high->setText(valueText(shown.buffer, high, 8));
     m_unit->setText(toQString(shown.buffer.info->unit));
-    m_unit->setVisible(!shown.buffer.info->unit.empty() && width() > Theme::current().px(560));
+    fitWidth();
     PaletteBar::Scale scale = shown.scale;
     scale.logarithmic = logarithmic;
     m_bar->setScale(std::move(scale));

@@ -19,12 +19,16 @@ public:
     // keepsFitting: the range follows every frame. logarithmic: the axis of the histogram's counts.
     void show(const ShownBuffer& shown, bool keepsFitting, bool logarithmic);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 signals:
     void rangeChosen(pipeline::PaletteRange range);
     void autofit(bool keep);  // keep: from now on
     void logarithmicChosen(bool logarithmic);
 
 private:
+    void fitWidth();
     QLabel *m_low, *m_high, *m_unit;
     PaletteBar* m_bar;
     QPushButton *m_log, *m_fit;

@@ -48,6 +48,7 @@ private:
     void applyTheme();
     void showOptions();
     bool wantsFrusta() const;
+    void addFrusta();
     void wantBuffers();
     void showWanted();
     void takeFrame();

@@ -44,8 +44,11 @@ QString whyNotLight(const Document& document, int light) {
 void View3dPanel::setSpace(SpaceId space) {
     m_awaited.reset();
     m_wanted.reset();
-    const bool isLight = space.space == ViewSpace::Light;
-    if (isLight && !(m_view->content() && mapOf(*m_view->content(), space))) {
+    const auto isThere = [&] {
+        return space.space != ViewSpace::Light || (m_view->content() && mapOf(*m_view->content(), space));
+    };
+    if (!isThere()) addFrusta();
+    if (!isThere()) {
         m_awaited = space;
         wantBuffers();
         return;
@@ -54,6 +57,15 @@ void View3dPanel::setSpace(SpaceId space) {
     showSpace();
     showHandles();
     wantBuffers();
+}
+
+// The frame may have the shadow buffers already, and then no other one comes.
+void View3dPanel::addFrusta() {
+    const auto& frame = m_document.frame();
+    if (!frame || !m_view->content()) return;
+    ViewContent content = *m_view->content();
+    content.frusta = lightFrusta(*frame);
+    m_view->setContent(std::make_shared<const ViewContent>(std::move(content)), false);
 }
 
 void View3dPanel::showSpace() {

@@ -45,3 +45,20 @@ TEST(View3dFaces, KeysGoFromFaceToFaceOfAPointLight) {
     state.space = "light 0 -w";
     EXPECT_FALSE(panel.lookAt(state).empty());
 }
+
+// Another view shows the shadow buffer, so that the frame that is there has it, and no other frame comes.
+TEST(View3dFaces, TheLightsSpaceComesWithoutANewFrame) {
+    if (!app::openGlProblem().isEmpty()) GTEST_SKIP() << "no OpenGL 3.2 here";
+    app::Document document;
+    QObject other;
+    document.want(&other, pipeline::setOf({pipeline::BufferId::ShadowBuffer}));
+    app::View3dPanel panel(document);
+    panel.resize(640, 480);
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    QSignalSpy ready(&document, &app::Document::frameReady);
+    document.setScene(test::boxOverGround());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0 && !document.busy(); }, 10000));
+    panel.setSpace({app::ViewSpace::Light});
+    EXPECT_EQ(panel.view().space().space, app::ViewSpace::Light);
+}
