@@ -191,16 +191,30 @@ std::vector<int> histogram(const AnyBuffer& buffer, const BufferLook& look, cons
     const auto channels = std::size_t(buffer.channels());
     const double length = look.range.last - look.range.first;
     if (length == 0) return counts;
+    const std::size_t begin = look.channel >= 0 ? std::size_t(look.channel) : 0;
+    const std::size_t end = look.channel >= 0 ? begin + 1 : channels;
+    const auto outside = std::size_t(bins);  // a bin beyond the others
+    counts.push_back(0);
+    const auto binOf = [&](double value) {
+        const double t = (value - look.range.first) / length;
+        return t >= 0 && t <= 1 ? std::min(std::size_t(t * bins), outside - 1) : outside;
+    };
     std::visit(
         [&](const auto& numbers) {
-            for (std::size_t i = 0; i < numbers.size(); ++i) {
-                if (look.channel >= 0 && i % channels != std::size_t(look.channel)) continue;
-                if (!drawn.empty() && !drawn[i / channels]) continue;
-                const double t = (double(numbers[i]) - look.range.first) / length;
-                if (t >= 0 && t <= 1) ++counts[std::min(std::size_t(t * bins), counts.size() - 1)];
+            // Neighbours are often equal.
+            auto last = numbers.empty() ? 0 : numbers[0];
+            std::size_t bin = numbers.empty() ? 0 : binOf(double(last));
+            for (std::size_t i = 0; i * channels < numbers.size(); ++i) {
+                if (!drawn.empty() && !drawn[i]) continue;
+                for (std::size_t c = begin; c < end; ++c) {
+                    const auto value = numbers[i * channels + c];
+                    if (value != last) last = value, bin = binOf(double(value));
+                    ++counts[bin];
+                }
             }
         },
         buffer.data);
+    counts.pop_back();
     return counts;
 }
 

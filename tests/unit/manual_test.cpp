@@ -1,9 +1,11 @@
 // What the manual names is there.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "pipeline/formats/built_in_scenes.h"
 
@@ -25,6 +27,37 @@ TEST(Manual, TheTableOfNotionsNamesScenesThatAreThere) {
         named.insert(scene);
     }
     EXPECT_GT(named.size(), 14u);
+}
+
+// The targets of "](…)" in a page, without what follows a #; addresses on the net left out.
+std::vector<std::filesystem::path> linksOf(const std::filesystem::path& page) {
+    std::ifstream file(page);
+    EXPECT_TRUE(file) << page;
+    std::vector<std::filesystem::path> links;
+    for (std::string line; std::getline(file, line);)
+        for (std::size_t at = line.find("]("); at != line.npos; at = line.find("](", at + 1)) {
+            const std::string target = line.substr(at + 2, line.find_first_of(")#", at) - at - 2);
+            if (!target.empty() && target.find("://") == target.npos) links.push_back(page.parent_path() / target);
+        }
+    return links;
+}
+
+TEST(Manual, EveryLinkAndPictureIsThereAndEveryPageIsReached) {
+    const std::filesystem::path manual = resourceFolder() / "manual";
+    std::set<std::filesystem::path> reached{manual / "README.md"};
+    std::vector<std::filesystem::path> waiting{manual / "README.md"};
+    while (!waiting.empty()) {
+        const std::filesystem::path page = waiting.back();
+        waiting.pop_back();
+        for (const std::filesystem::path& link : linksOf(page)) {
+            EXPECT_TRUE(std::filesystem::exists(link)) << page << " names " << link;
+            const std::filesystem::path target = link.lexically_normal();
+            if (target.extension() == ".md" && reached.insert(target).second) waiting.push_back(target);
+        }
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(manual))
+        EXPECT_TRUE(entry.path().extension() != ".md" || reached.contains(entry.path()))
+            << "no page leads to " << entry.path();
 }
 
 }  // namespace
