@@ -11,7 +11,9 @@ std::span<const ActionRow> actionTable() {
     using A = ActionId;
     static constexpr auto kTable = std::to_array<ActionRow>({
         {A::Open, "File", "Open…", "Ctrl+O", "Opens a scene file."},
-        {A::SaveAs, "File", "Save scene as…", "Ctrl+S; Ctrl+Shift+S",
+        {A::Save, "File", "Save scene", "Ctrl+S",
+         "Writes the scene to its file; asks for a name where that holds more than this program writes."},
+        {A::SaveAs, "File", "Save scene as…", "Ctrl+Shift+S",
          "Writes the scene with all its settings as a TOML file."},
         {A::Export, "File", "Export buffers…", "Ctrl+E", "Writes the buffers of this frame to a folder.", false, true},
         {A::Slide, "File", "Picture for a slide…", "Ctrl+F12",

@@ -81,7 +81,8 @@ private:
     void connectActions();
     void enableActions();
     void chooseFile();
-    bool saveScene();  // false: not saved
+    bool saveScene();    // false: not saved
+    bool saveSceneAs();  // likewise
     void exportBuffers();
     void showStudy();
     void showChecks();

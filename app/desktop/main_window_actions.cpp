@@ -5,6 +5,7 @@
 #include <QScreen>
 #include <QStackedWidget>
 
+#include "app/core/own_file.h"
 #include "app/core/recent_files.h"
 #include "app/core/session_file.h"
 #include "app/core/text.h"
@@ -58,7 +59,8 @@ void MainWindow::connectActions() {
     const Actions& actions = *m_actions;
     const auto on = [&](A id, auto run) { connect(actions[id], &QAction::triggered, this, run); };
     on(A::Open, [this] { chooseFile(); });
-    on(A::SaveAs, [this] { saveScene(); });
+    on(A::Save, [this] { saveScene(); });
+    on(A::SaveAs, [this] { saveSceneAs(); });
     on(A::Export, [this] { exportBuffers(); });
     on(A::Slide, [this] { exportSlide(); });
     on(A::Film, [this] { exportFilm(); });
@@ -97,8 +99,8 @@ void MainWindow::connectActions() {
     QMenu* file = actions.menu("File");
     m_recent = new QMenu(tr("Open recent"), file);
     auto* builtIn = new QMenu(tr("Scenes"), file);
-    file->insertMenu(actions[A::SaveAs], m_recent);
-    file->insertMenu(actions[A::SaveAs], builtIn);
+    file->insertMenu(actions[A::Save], m_recent);
+    file->insertMenu(actions[A::Save], builtIn);
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
         builtIn->addAction(toQString(scene.title), [this, path = toQString(scene.file.string())] { openFile(path); });
     }
@@ -128,7 +130,7 @@ void MainWindow::enableActions() {
                        A::GreenChannel, A::BlueChannel, A::Study})
         m_actions->setEnabled(id, scene, noScene);
     for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);
-    m_actions->setEnabled(A::SaveAs, scene, noScene);
+    for (const A id : {A::Save, A::SaveAs}) m_actions->setEnabled(id, scene, noScene);
     for (const A id : {A::Export, A::Slide, A::Film})
         m_actions->setEnabled(id, scene && m_document.frame(),
                               scene ? tr("The first frame is not ready yet.") : noScene);
@@ -159,7 +161,13 @@ void MainWindow::chooseFile() {
     if (!file.isEmpty()) openFile(file);
 }
 
+// To its own file without a question, where nothing is lost with what stands there.
 bool MainWindow::saveScene() {
+    const QString own = ownFile(m_document);
+    return own.isEmpty() ? saveSceneAs() : m_document.save(own);
+}
+
+bool MainWindow::saveSceneAs() {
     const QFileInfo opened(toQString(m_document.scene().file));
     const QString proposed = opened.dir().filePath(opened.completeBaseName() + QStringLiteral(".toml"));
     QString file = QFileDialog::getSaveFileName(this, tr("Save the scene"), proposed, tr("Scenes (*.toml)"));

@@ -1,0 +1,28 @@
+#include "app/core/own_file.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/core/document.h"
+#include "app/core/text.h"
+#include "pipeline/formats/built_in_scenes.h"
+#include "pipeline/formats/toml_writer.h"
+
+namespace app {
+
+QString ownFile(const Document& document) {
+    const Document::Kept& kept = document.kept();
+    const QFileInfo info(kept.file);
+    if (!kept.scene || info.suffix().toLower() != QLatin1String("toml") || !info.isWritable()) return {};
+    const auto isBuiltIn = [&](const pipeline::BuiltInScene& scene) {
+        return QFileInfo(toQString(scene.file.string())) == info;
+    };
+    if (std::ranges::any_of(pipeline::builtInScenes(), isBuiltIn)) return {};
+    const auto text = toTomlScene(*kept.scene);
+    QFile file(kept.file);
+    if (!text || file.size() != qint64(text->size()) || !file.open(QIODevice::ReadOnly)) return {};
+    return file.readAll() == QByteArrayView(text->data(), qsizetype(text->size())) ? kept.file : QString();
+}
+
+}  // namespace app
