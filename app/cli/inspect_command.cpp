@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/condition.h"
 #include "pipeline/export/json.h"
@@ -20,6 +21,7 @@ namespace app {
 namespace {
 
 struct InspectOptions {
+    std::stop_token stop{};  // asked for by Ctrl+C
     SceneArgument scene;
     std::string pixel, table, where;
     std::string format = "text";
@@ -33,7 +35,13 @@ pipeline::FramePtr frameOf(std::shared_ptr<const pipeline::Scene> scene, const I
     pipeline::FrameRequest request;
     request.wanted = wanted;
     request.threads = options.threads;
+    request.stop = options.stop;
     return runFrame(std::move(scene), request, nullptr);
+}
+
+int cancelled() {
+    fmt::print(stderr, "Cancelled.\n");
+    return kInterrupted;
 }
 
 // Says what the format should be, unless it is one of `known`.
@@ -48,7 +56,9 @@ int printTable(std::shared_ptr<const pipeline::Scene> scene, const InspectOption
     const auto id = pipeline::findTable(options.table).value();  // CLI11 has checked both words
     const auto format = std::ranges::find(pipeline::kTableFormats, options.format);
     const auto write = [](std::string_view text) { fmt::print("{}", text); };
-    const pipeline::SceneTable table = sceneTable(frameOf(std::move(scene), options), id);
+    const pipeline::FramePtr frame = frameOf(std::move(scene), options);
+    if (!frame) return cancelled();
+    const pipeline::SceneTable table = sceneTable(frame, id);
     const std::vector<std::uint32_t> rows = allRows(table);
     if (options.json)
         writeTableJson(table, rows, write);
@@ -65,7 +75,9 @@ int printWhere(const std::shared_ptr<const pipeline::Scene>& scene, const Inspec
         return kWrongUsage;
     }
     const pipeline::FramePtr frame = frameOf(scene, options, condition->buffers);
-    const auto mask = evaluate(*condition, *frame);
+    if (!frame) return cancelled();
+    const auto mask = evaluate(*condition, *frame, options.stop);
+    if (options.stop.stop_requested()) return cancelled();
     if (!mask) {
         printErrors(mask.errors());
         return kBadInput;
@@ -99,7 +111,9 @@ int printRow(const std::shared_ptr<const pipeline::Scene>& scene, const InspectO
         return kWrongUsage;
     }
     const pipeline::FramePtr frame = frameOf(scene, options, pipeline::setOf({pipeline::BufferId::Intensity}));
-    const auto section = shadedSection(frame, row, options.threads);
+    if (!frame) return cancelled();
+    const auto section = shadedSection(frame, row, options.threads, options.stop);
+    if (!section) return cancelled();
     if (options.format == "svg")
         fmt::print("{}",
                    plotSvg(layOut(pipeline::ScanlinePlot{&*section}, {1200, 600, 16}), pipeline::PlotTheme::Light));
@@ -111,6 +125,7 @@ int printRow(const std::shared_ptr<const pipeline::Scene>& scene, const InspectO
 // Per light how many pixels are lit, shadowed, and wrong in either way.
 int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const InspectOptions& options) {
     const pipeline::FramePtr frame = frameOf(scene, options, pipeline::setOf({pipeline::BufferId::Shadow}));
+    if (!frame) return cancelled();
     pipeline::Json lights = pipeline::Json::array();
     for (std::size_t k = 0; k < scene->lights.size(); ++k) {
         pipeline::Json light{{"light", k}};
@@ -120,7 +135,9 @@ int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const Insp
             lights.push_back(light);
             continue;
         }
-        const auto verdicts = judgeShadows(*frame, *exactShadows(*scene, k, options.threads)).value();
+        const auto exact = exactShadows(*scene, k, options.threads, options.stop);
+        if (!exact) return cancelled();
+        const auto verdicts = judgeShadows(*frame, *exact).value();
         light["judged"] = verdicts.judged();
         light["elsewhere"] = verdicts.elsewhere;
         if (!options.json) fmt::print("light {}: {} pixels against exact rays\n", k, verdicts.judged());
@@ -139,7 +156,9 @@ int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const Insp
     return kDone;
 }
 
-int runInspect(const InspectOptions& options) {
+int runInspect(InspectOptions options) {
+    const Interrupt interrupt;
+    options.stop = interrupt.token();
     int status = kDone;
     const auto scene = loadScene(options.scene, status);
     if (!scene) return status;
@@ -152,6 +171,7 @@ int runInspect(const InspectOptions& options) {
     if (!knowsFormat(options, pipeline::kEquationFormats, "text, markdown or latex for a pixel")) return kWrongUsage;
     const auto format = std::ranges::find(pipeline::kEquationFormats, options.format);
     const pipeline::FramePtr frame = frameOf(scene, options);
+    if (!frame) return cancelled();
     const pipeline::PixelReport report = inspectPixel(*frame, *pixel);
     if (format != pipeline::kEquationFormats.begin()) {  // text is all that is known
         for (int channel = 0; channel < 3; ++channel)

@@ -253,6 +253,15 @@ TEST(Bench, FitsHowTimeGrows) {
     }
 }
 
+// Some seconds of rays: to sixteen places of an area light.
+TEST(Inspect, CtrlCIsStatus130) {
+    const auto done = test::runAndInterrupt(
+        {"inspect", "soft_shadow", "--shadow-verdicts", "--size", "1600x1200", "--threads", "1"}, 300);
+    EXPECT_EQ(done.status, 130);
+    EXPECT_EQ(done.out, "");
+    EXPECT_EQ(done.err, "Cancelled.\n");
+}
+
 TEST(Bench, CtrlCIsStatus130) {
     const auto done = test::runAndInterrupt({"bench", "pyramid", "--repeat", "100000"}, 300);
     EXPECT_EQ(done.status, 130);
