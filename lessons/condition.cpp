@@ -139,61 +139,65 @@ std::optional<Error> addBuffers(const ConditionNode& node, const Frame& frame, s
     return {};
 }
 
+// take(i, number) for every pixel i, in reading order, where something was drawn, with the root's number there.
+template <class Take>
+std::optional<Error> goThrough(const Condition& condition, const Frame& frame, const AnyBuffer& polygons,
+                               const std::stop_token& stop, Take take) {
+    const auto ids = std::get<std::span<const std::int32_t>>(polygons.data);
+    Evaluation evaluation{frame, {}, polygons.columns()};
+    if (auto error = addBuffers(condition.root, frame, evaluation.buffers)) return error;
+    for (std::size_t first = 0; first < ids.size(); first += kRun) {
+        if (stop.stop_requested()) return Error{{}, "stopped"};
+        const std::span run = ids.subspan(first, std::min(kRun, ids.size() - first));
+        if (std::ranges::none_of(run, [](std::int32_t id) { return id >= 0; })) continue;
+        const Numbers numbers = evaluation(condition.root, first, run.size());
+        for (std::size_t i = 0; i < run.size(); ++i)
+            if (run[i] >= 0) take(first + i, numbers[i]);
+    }
+    return {};
+}
+
+constexpr const char* kNoPolygons = "no polygon_id in this frame: the z-buffer has not run";
+
 }  // namespace
 
 pipeline::Result<ConditionMask> evaluate(const Condition& condition, const Frame& frame, const std::stop_token& stop) {
     const auto polygons = frame.buffer({pipeline::BufferId::PolygonId});
-    if (!polygons) return Error{{}, "no polygon_id in this frame: the z-buffer has not run"};
-    const auto ids = std::get<std::span<const std::int32_t>>(polygons->data);
-    Evaluation evaluation{frame, {}, polygons->columns()};
-    if (auto error = addBuffers(condition.root, frame, evaluation.buffers)) return *error;
-
-    ConditionMask mask{{int(polygons->columns()), int(polygons->rows())}, std::vector<bool>(ids.size())};
-    for (std::size_t first = 0; first < ids.size(); first += kRun) {
-        if (stop.stop_requested()) return Error{{}, "stopped"};
-        const std::size_t count = std::min(kRun, ids.size() - first);
-        const auto isDrawn = [](std::int32_t id) { return id >= 0; };
-        const auto drawn = std::size_t(std::ranges::count_if(ids.subspan(first, count), isDrawn));
-        mask.drawn += drawn;
-        if (drawn == 0) continue;
-        const Numbers truth = evaluation(condition.root, first, count);
-        for (std::size_t i = 0; i < count; ++i) {
-            if (ids[first + i] < 0 || truth[i] == 0) continue;
-            mask.holds[first + i] = true;
-            ++mask.count;
-        }
-    }
+    if (!polygons) return Error{{}, kNoPolygons};
+    ConditionMask mask{{int(polygons->columns()), int(polygons->rows())}, std::vector<bool>(polygons->count())};
+    const auto error = goThrough(condition, frame, *polygons, stop, [&](std::size_t i, double truth) {
+        ++mask.drawn;
+        if (truth == 0) return;
+        mask.holds[i] = true;
+        ++mask.count;
+    });
+    if (error) return *error;
     return mask;
 }
 
-namespace {
-
-constexpr pipeline::BufferInfo kMask{pipeline::BufferId::Color,
-                                     "condition",
-                                     pipeline::StageId::Shading,
-                                     pipeline::Domain::Pixel,
-                                     pipeline::Element::UInt8,
-                                     1,
-                                     false,
-                                     "",
-                                     "",
-                                     "1 where the condition holds.",
-                                     pipeline::Palette::Sequential,
-                                     0};
-
-AnyBuffer bufferOf(const ConditionMask& mask, const pipeline::BufferInfo& info, std::uint8_t on) {
-    const auto channels = std::size_t(info.channels);
-    const auto owner = std::make_shared<std::vector<std::uint8_t>>(channels * mask.holds.size());
-    for (std::size_t i = 0; i < owner->size(); ++i) (*owner)[i] = mask.holds[i / channels] ? on : 0;
-    std::vector<std::size_t> shape{std::size_t(mask.size.y), std::size_t(mask.size.x)};
-    if (channels > 1) shape.push_back(channels);
-    return {{pipeline::BufferId::Color}, &info, std::move(shape), std::span<const std::uint8_t>(*owner), owner};
+AnyBuffer bufferOf(const ConditionMask& mask) {
+    const auto owner = std::make_shared<std::vector<std::uint8_t>>(mask.holds.begin(), mask.holds.end());
+    return {{pipeline::BufferId::Condition},
+            &bufferInfo(pipeline::BufferId::Condition),
+            {std::size_t(mask.size.y), std::size_t(mask.size.x)},
+            std::span<const std::uint8_t>(*owner),
+            owner};
 }
 
-}  // namespace
-
-AnyBuffer numbersOf(const ConditionMask& mask) { return bufferOf(mask, kMask, 1); }
-AnyBuffer pictureOf(const ConditionMask& mask) { return bufferOf(mask, bufferInfo(pipeline::BufferId::Color), 255); }
+pipeline::Result<AnyBuffer> evaluateNumbers(const Condition& expression, const Frame& frame,
+                                            const std::stop_token& stop) {
+    const auto polygons = frame.buffer({pipeline::BufferId::PolygonId});
+    if (!polygons) return Error{{}, kNoPolygons};
+    const auto owner = std::make_shared<std::vector<double>>(polygons->count());
+    const auto error =
+        goThrough(expression, frame, *polygons, stop, [&](std::size_t i, double number) { (*owner)[i] = number; });
+    if (error) return *error;
+    return AnyBuffer{{pipeline::BufferId::Expression},
+                     &bufferInfo(pipeline::BufferId::Expression),
+                     {polygons->rows(), polygons->columns()},
+                     std::span<const double>(*owner),
+                     owner};
+}
 
 std::optional<glm::ivec2> nextHolding(const ConditionMask& mask, std::optional<glm::ivec2> from, bool forward) {
     const std::size_t n = mask.holds.size();

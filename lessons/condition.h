@@ -58,6 +58,10 @@ struct Condition {
 pipeline::Result<Condition> parseCondition(std::string_view text, const pipeline::SourceLocation& where,
                                            const pipeline::Scene& scene);
 
+// As parseCondition, of an expression that gives a number at every pixel in place of true or false: "2 * n_dot_h.0 - 1".
+pipeline::Result<Condition> parseNumbers(std::string_view text, const pipeline::SourceLocation& where,
+                                         const pipeline::Scene& scene);
+
 // Which pixels of a frame a condition holds for. Only those count where something was drawn.
 struct ConditionMask {
     glm::ivec2 size{0};
@@ -68,9 +72,13 @@ struct ConditionMask {
 pipeline::Result<ConditionMask> evaluate(const Condition& condition, const pipeline::Frame& frame,
                                          const std::stop_token& stop = {});
 
-// As buffers to export: {H, W} uint8, 1 where it holds, else 0; {H, W, 3} uint8, white and black.
-pipeline::AnyBuffer numbersOf(const ConditionMask& mask);
-pipeline::AnyBuffer pictureOf(const ConditionMask& mask);
+// The buffer `condition`: {H, W} uint8, 1 where it holds, else 0.
+pipeline::AnyBuffer bufferOf(const ConditionMask& mask);
+
+// The buffer `expression` of what parseNumbers has read: {H, W} float64; 0 where nothing was drawn. Where the
+// expression has no number, as 0/0 and 1/0, it holds NaN and infinity. Errors as those of evaluate.
+pipeline::Result<pipeline::AnyBuffer> evaluateNumbers(const Condition& expression, const pipeline::Frame& frame,
+                                                      const std::stop_token& stop = {});
 
 // The pixel for which the condition holds after (or before) `from` in reading order, and from the
 // other end on; nothing where it holds nowhere.

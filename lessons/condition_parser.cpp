@@ -27,11 +27,12 @@ public:
     Parser(std::string_view text, const pipeline::SourceLocation& where, const pipeline::Scene& scene)
         : m_text(text), m_where(where), m_scene(scene) {}
 
-    pipeline::Result<Condition> parse() {
+    // channels: of what is asked for, 0 for true or false, 1 for a number.
+    pipeline::Result<Condition> parse(int channels) {
         Condition condition{std::string(m_text), either(), {}};
         skipBlanks();
         if (!m_error && m_at < m_text.size()) fail(m_at, "found " + rest(), "an operator or the end");
-        needTruth(condition.root, 0);
+        channels == 0 ? needTruth(condition.root, 0) : needNumber(condition.root, 0);
         if (m_error) return *m_error;
         condition.buffers = m_buffers | pipeline::setOf({pipeline::BufferId::PolygonId});
         return condition;
@@ -312,7 +313,12 @@ private:
 
 pipeline::Result<Condition> parseCondition(std::string_view text, const pipeline::SourceLocation& where,
                                            const pipeline::Scene& scene) {
-    return Parser(text, where, scene).parse();
+    return Parser(text, where, scene).parse(0);
+}
+
+pipeline::Result<Condition> parseNumbers(std::string_view text, const pipeline::SourceLocation& where,
+                                         const pipeline::Scene& scene) {
+    return Parser(text, where, scene).parse(1);
 }
 
 }  // namespace lessons

@@ -2,6 +2,7 @@
 #include <stop_token>
 #include <string>
 
+#include "app/derived/derived_buffer.h"
 #include "pipeline/core/result.h"
 #include "pipeline/export/export_frame.h"
 
@@ -15,14 +16,22 @@ namespace app {
 struct DerivedArgument {
     bool shadowVerdicts = false;
     std::string where, mix;
-    bool any() const { return shadowVerdicts || !where.empty() || !mix.empty(); }
 };
 void declareDerived(CLI::App& command, DerivedArgument& argument);
 
-// The buffers that a frame must hold for it. Errors: what is wrong with the words.
-pipeline::Result<pipeline::BufferSet> buffersFor(const DerivedArgument& argument, const pipeline::Scene& scene);
+// The derived buffers of the options and of `named`, each once, after their names in the table.
+// Errors: what is wrong with the words, or why the scene has no such buffer.
+struct DerivedWanted {
+    std::vector<pipeline::BufferName> names;
+    DerivedRecipe recipe;
+    pipeline::BufferSet buffers;  // that a frame must hold for them
+};
+pipeline::Result<DerivedWanted> derivedWanted(const DerivedArgument& argument,
+                                              const std::vector<pipeline::BufferName>& named,
+                                              const pipeline::Scene& scene);
+
 // Errors: what cannot be made of this frame, and why. Empty when stopped.
-pipeline::Result<std::vector<pipeline::ExportRequest::Derived>> derivedOf(const DerivedArgument& argument,
+pipeline::Result<std::vector<pipeline::ExportRequest::Derived>> derivedOf(const DerivedWanted& wanted,
                                                                           const pipeline::Frame& frame, int threads,
                                                                           std::stop_token stop);
 

@@ -75,6 +75,24 @@ void tellLeftOut(const pipeline::Frame& frame, const pipeline::ExportRequest& re
     }
 }
 
+// The derived ones of buffers by name, which leave the others behind.
+std::vector<pipeline::BufferName> takeDerived(std::vector<std::string>& names) {
+    std::vector<pipeline::BufferName> derived;
+    std::erase_if(names, [&](const std::string& text) {
+        const auto name = pipeline::findDerived(text);
+        if (name) derived.push_back(*name);
+        return name.has_value();
+    });
+    return derived;
+}
+
+pipeline::StageId lastStageOf(pipeline::BufferSet buffers) {
+    auto last = pipeline::StageId::Transform;
+    for (const pipeline::BufferInfo& info : pipeline::bufferTable())
+        if (buffers.test(index(info.id))) last = std::max(last, info.stage);
+    return last;
+}
+
 // What the cue shows, where the other options do not say otherwise. False: the reasons went to standard error.
 bool takeCue(ExportOptions& options, int& status) {
     const auto refuse = [&](const pipeline::Errors& errors, int why) {
@@ -94,6 +112,8 @@ bool takeCue(ExportOptions& options, int& status) {
     if (options.at.empty() && options.frame.until.empty() && state.place) options.at = text(*state.place);
     if (options.views && options.pixel.empty() && state.pixel)
         options.pixel = fmt::format("{},{}", (*state.pixel)[0], (*state.pixel)[1]);
+    if (options.derived.where.empty()) options.derived.where = state.condition;
+    if (options.derived.mix.empty()) options.derived.mix = state.mix;
     if (options.frame.buffers == FrameArgument().buffers) {
         options.frame.buffers.clear();
         for (const BufferShown& view : state.views) options.frame.buffers.push_back(view.buffer);
@@ -106,7 +126,9 @@ std::string stateToCarry(const ExportOptions& options, const std::optional<pipel
                          const std::optional<glm::ivec2>& pixel) {
     WindowState state = options.scene.state.value_or(WindowState());
     state.scene.clear(), state.set.clear(), state.sceneText.clear();
-    if (!options.scene.state && !at && !pixel) return {};
+    if (!options.derived.where.empty()) state.condition = options.derived.where;
+    if (!options.derived.mix.empty()) state.mix = options.derived.mix;
+    if (!options.scene.state && !at && !pixel && state.condition.empty() && state.mix.empty()) return {};
     if (at) state.place = at, state.stage = at->stage;
     if (pixel) state.pixel = {pixel->x, pixel->y};
     return toToml(state);
@@ -137,24 +159,28 @@ int runExport(ExportOptions options, const CliHost& host) {
         at = *place;
         argument.until = pipeline::stageInfo(at->stage).name;  // nothing later is looked at
     }
-    auto wanted = wantedFrame(*scene, argument);
+    const std::vector<pipeline::BufferName> named = takeDerived(argument.buffers);
+    const auto wanted = wantedFrame(*scene, argument);
     if (!wanted) {
         printErrors(wanted.errors());
         return kWrongUsage;
     }
-    const auto needed = buffersFor(options.derived, *scene);
-    if (!needed) {
-        printErrors(needed.errors());
+    const auto derivedOnes = derivedWanted(options.derived, named, *scene);
+    if (!derivedOnes) {
+        printErrors(derivedOnes.errors());
         return kWrongUsage;
     }
     std::optional<glm::ivec2> pixel;
     if (!options.pixel.empty() && !(pixel = pixelIn(*scene, options.pixel))) return kWrongUsage;
 
     pipeline::FrameRequest frameRequest = wanted->request;
+    if (argument.until.empty()) frameRequest.until = std::max(frameRequest.until, lastStageOf(derivedOnes->buffers));
     frameRequest.stop = interrupt.token();
-    frameRequest.wanted |= *needed;
+    frameRequest.wanted |= derivedOnes->buffers;
     pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
-    pipeline::ExportRequest request{options.folder, wanted->buffers, options.formats, {}, {}, {}};
+    // Derived ones alone: and no other.
+    const auto& buffers = argument.buffers.empty() ? derivedOnes->names : wanted->buffers;
+    pipeline::ExportRequest request{options.folder, buffers, options.formats, {}, {}, {}};
     if (at && frame) {
         const pipeline::Steps steps(frame);
         const pipeline::Moment moment = steps.momentOf(*at);
@@ -170,7 +196,7 @@ int runExport(ExportOptions options, const CliHost& host) {
         return kInterrupted;
     };
     if (!frame) return cancelled();
-    auto derived = derivedOf(options.derived, *frame, options.frame.threads, interrupt.token());
+    auto derived = derivedOf(*derivedOnes, *frame, options.frame.threads, interrupt.token());
     if (!derived) {
         printErrors(derived.errors());
         return kBadInput;

@@ -22,28 +22,57 @@ bool looksAlike(const DifferenceJob::Question& a, const DifferenceJob::Question&
            a.metric == b.metric;
 }
 
-pipeline::BufferDifference compare(const DifferenceJob::Question& q) {
-    return compareBuffers(q.a, q.b, q.channel, q.metric, q.drawnA, q.drawnB);
+pipeline::BufferDifference compare(const DifferenceJob::Question& q, const pipeline::CompareControl& control = {}) {
+    return compareBuffers(q.a, q.b, q.channel, q.metric, q.drawnA, q.drawnB, control);
 }
 
 }  // namespace
 
-DifferenceJob::DifferenceJob(QObject* parent) : QObject(parent) {}
+DifferenceJob::DifferenceJob(QObject* parent) : QObject(parent) {
+    connect(&m_job, &BackgroundJob::progressed, this, [this](double share) {
+        m_share = share;
+        emit progressed();
+    });
+}
 
 std::optional<pipeline::BufferDifference> DifferenceJob::answer(const Question& question) {
     if (m_asked && isSame(*m_asked, question)) return m_answer;
     if (!m_asked || !looksAlike(*m_asked, question)) m_answer.reset();
     m_asked = question;
+    m_cancelled = false;
     if (question.a.count() <= kAtOnce) {
         m_job.forget();
         return m_answer = compare(question);
     }
-    m_job.ask([question](const BackgroundJob::Control&) { return compare(question); },
-              [this](const pipeline::BufferDifference& found) {
-                  m_answer = found;
-                  emit ready();
-              });
+    start();
     return m_answer;
+}
+
+void DifferenceJob::start() {
+    m_share = 0;
+    m_job.ask(
+        [question = *m_asked](const BackgroundJob::Control& control) {
+            return compare(question, {control.stop, control.progress});
+        },
+        [this](const pipeline::BufferDifference& found) {
+            m_answer = found;
+            emit ready();
+        });
+}
+
+void DifferenceJob::cancel() {
+    if (!busy()) return;
+    m_job.forget();
+    m_cancelled = true;
+    m_answer.reset();
+    emit progressed();
+}
+
+void DifferenceJob::retry() {
+    if (!m_cancelled) return;
+    m_cancelled = false;
+    start();
+    emit progressed();
 }
 
 }  // namespace app

@@ -25,11 +25,20 @@ public:
     // frame before, or nothing.
     std::optional<pipeline::BufferDifference> answer(const Question& question);
     bool busy() const { return m_job.busy(); }
+    void cancel();  // what runs, until something else is asked
+    void retry();   // what was cancelled
+    bool wasCancelled() const { return m_cancelled; }
+    double share() const { return m_share; }  // of what runs, 0 to 1
 
 signals:
     void ready();
+    void progressed();  // or cancelled
 
 private:
+    void start();
+
+    bool m_cancelled = false;
+    double m_share = 0;
     std::optional<Question> m_asked;  // the newest
     std::optional<pipeline::BufferDifference> m_answer;
     BackgroundJob m_job;

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
 #include "app/core/scene_step.h"
 #include "app/core/stage_status.h"
@@ -34,6 +35,7 @@ Document::Document(QObject* parent) : QObject(parent) {
                 this, [this, frame = std::move(frame), check] { takeCheck(frame, check); }, Qt::QueuedConnection);
         });
     m_mixer = std::make_unique<MixModel>(*this);
+    m_derived = std::make_unique<DerivedBuffers>(*this);
     constexpr int kRestMilliseconds = 200;
     m_moving.setSingleShot(true);
     m_moving.setInterval(kRestMilliseconds);
@@ -45,6 +47,7 @@ Document::Document(QObject* parent) : QObject(parent) {
 
 Document::~Document() {
     m_worker.reset();
+    m_derived.reset();
     m_mixer.reset();
     m_undo.disconnect();  // clearing itself, it would tell observers that may be gone
 }
@@ -66,7 +69,7 @@ std::optional<StageId> stageShownBy(const QString& file) {
     constexpr std::size_t kHead = std::size_t{4} << 20;  // more than what stands before the pixels
     const auto start = pipeline::readStart(file.toStdString(), kHead);
     if (!start) return {};
-    const auto name = pipeline::findBuffer(pipeline::shownBuffer(*start));
+    const auto name = pipeline::findAnyBuffer(pipeline::shownBuffer(*start));
     return name ? std::optional(pipeline::bufferInfo(name->id).stage) : std::nullopt;
 }
 

@@ -16,6 +16,7 @@
 
 namespace app {
 
+class DerivedBuffers;
 class MixModel;
 
 // A setting's value before the newest step of undo.
@@ -56,6 +57,9 @@ public:
     // How many numbers in the frame's buffers are none; known when the errors are.
     std::optional<std::size_t> nanCount() const { return m_checked ? std::optional(m_check.nan) : std::nullopt; }
     QUndoStack* undoStack() { return &m_undo; }
+    DerivedBuffers& derived() { return *m_derived; }
+    const DerivedBuffers& derived() const { return *m_derived; }
+    const MixModel& mixer() const { return *m_mixer; }
     MixModel& mixer() { return *m_mixer; }  // how the terms are mixed in the pictures on show
     // What the newest step of undo changed, where it changed one setting.
     std::optional<SettingChange> lastChange() const;
@@ -167,6 +171,7 @@ private:
 
     std::unique_ptr<FrameWorker> m_worker;
     std::unique_ptr<MixModel> m_mixer;
+    std::unique_ptr<DerivedBuffers> m_derived;
 };
 
 }  // namespace app

@@ -1,5 +1,7 @@
 #include "app/core/document_state.h"
 
+#include "app/core/derived_buffers.h"
+#include "app/core/mix_model.h"
 #include "app/core/text.h"
 #include "app/state/state_scene.h"
 
@@ -71,6 +73,8 @@ Result<WindowState> stateOf(const Document& document, const fs::path& folder) {
     state.step = document.stepper().level();
     if (const auto pixel = document.pixel()) state.pixel = {pixel->x, pixel->y};
     state.channel = document.channel();
+    state.condition = document.derived().text().toStdString();
+    state.mix = mixText(document.mixer().mix());
     state.bookmarks = document.stepper().bookmarks();
     return state;
 }
@@ -89,6 +93,9 @@ void showPlace(Document& document, const WindowState& state) {
     document.setStage(state.stage);
     if (state.place) stepper.goTo(*state.place);
     document.setChannel(state.channel);
+    document.derived().setText(toQString(state.condition));
+    const auto mix = pipeline::parseMix(state.mix, document.scene().lights.size());
+    mix ? document.mixer().set(*mix) : document.mixer().reset();  // of lights that the scene no longer has
     document.pick(state.pixel ? std::optional(glm::ivec2((*state.pixel)[0], (*state.pixel)[1])) : std::nullopt);
     document.select(std::nullopt);
 }

@@ -8,30 +8,50 @@ namespace {
 
 using pipeline::ExportSummary;
 
-pipeline::Result<ExportSummary> runExport(std::shared_ptr<const pipeline::Scene> scene,
-                                          const pipeline::FramePtr& before, const pipeline::ExportRequest& request,
-                                          const std::stop_token& stop, const pipeline::ExportProgress& progress) {
+using Exported = pipeline::Result<ExportSummary>;
+
+Exported runExport(std::shared_ptr<const pipeline::Scene> scene, const pipeline::FramePtr& before,
+                   pipeline::ExportRequest request, const DerivedRecipe& recipe, const std::stop_token& stop,
+                   const pipeline::ExportProgress& progress) {
+    const ExportSummary cancelled{.cancelled = true, .files = {}};
     pipeline::FrameRequest wanted{.wanted = {}, .stop = stop};
-    for (const pipeline::BufferName& name : request.buffers) wanted.wanted.set(index(name.id));
+    for (const pipeline::BufferName& name : request.buffers) {
+        if (!pipeline::isDerived(name.id)) {
+            wanted.wanted.set(index(name.id));
+            continue;
+        }
+        const auto needed = buffersFor(name, recipe, *scene);
+        if (!needed) return needed.errors();
+        wanted.wanted |= *needed;
+    }
     const pipeline::FramePtr frame = pipeline::runFrame(std::move(scene), wanted, before);
-    if (!frame) return ExportSummary{.cancelled = true, .files = {}};
+    if (!frame) return cancelled;
+    for (const pipeline::BufferName& name : request.buffers) {
+        if (!pipeline::isDerived(name.id)) continue;
+        const std::string words = name.text();
+        const auto tell = [&](double share) { progress(share, words); };
+        auto made = derive(name, recipe, *frame, {.stop = stop, .progress = tell});
+        if (stop.stop_requested()) return cancelled;
+        if (!made) return made.errors();
+        request.derived.push_back({made->buffer, made->meaning});
+    }
     return exportFrame(*frame, request, progress);
 }
 
 }  // namespace
 
 ExportJob::ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::FramePtr before,
-                     pipeline::ExportRequest request, QObject* parent)
+                     pipeline::ExportRequest request, DerivedRecipe recipe, QObject* parent)
     : QObject(parent) {
     // Signals leave in this object's own thread, and not at all once it is gone.
     const auto later = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
     m_thread = std::jthread([this, later, scene = std::move(scene), before = std::move(before),
-                             request = std::move(request)](const std::stop_token& stop) {
+                             request = std::move(request), recipe = std::move(recipe)](const std::stop_token& stop) {
         const auto progress = [&](double share, std::string_view file) {
             later([this, share, name = toQString(file)] { emit progressed(share, name); });
             return !stop.stop_requested();
         };
-        const auto result = runExport(scene, before, request, stop, progress);
+        const auto result = runExport(scene, before, request, recipe, stop, progress);
         later([this, result] {
             if (result) {
                 emit finished(*result);

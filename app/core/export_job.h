@@ -2,6 +2,7 @@
 #include <QObject>
 #include <thread>
 
+#include "app/derived/derived_buffer.h"
 #include "pipeline/export/export_frame.h"
 
 namespace app {
@@ -11,9 +12,9 @@ namespace app {
 class ExportJob : public QObject {
     Q_OBJECT
 public:
-    // `before` may be null; what it holds is reused.
+    // `before` may be null; what it holds is reused. Derived buffers that the request names are made after the recipe.
     ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::FramePtr before, pipeline::ExportRequest request,
-              QObject* parent = nullptr);
+              DerivedRecipe recipe, QObject* parent = nullptr);
     ~ExportJob() override;  // cancels what still runs, and waits
 
     void cancel() { m_thread.request_stop(); }

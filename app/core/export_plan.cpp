@@ -3,12 +3,28 @@
 #include <QRegularExpression>
 
 #include "app/core/text.h"
+#include "pipeline/export/exporter.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace app {
 
-std::vector<ExportRow> exportRows(const pipeline::Frame& frame) {
+namespace {
+
+// As an array of a picture.
+std::uint64_t bytesOf(const pipeline::BufferName& name, const pipeline::Scene& scene) {
+    const pipeline::BufferInfo& info = bufferInfo(name.id);
+    // Numbers of an expression are double.
+    const std::uint64_t element = info.element == pipeline::Element::Real    ? 8
+                                  : info.element == pipeline::Element::Int32 ? 4
+                                                                             : 1;
+    return element * std::uint64_t(info.channels) * std::uint64_t(scene.settings.width) *
+           std::uint64_t(scene.settings.height);
+}
+
+}  // namespace
+
+std::vector<ExportRow> exportRows(const pipeline::Frame& frame, const DerivedRecipe& recipe) {
     std::vector<ExportRow> rows;
     for (const pipeline::BufferName& name : pipeline::allBuffers(frame.scene().lights.size())) {
         ExportRow row{.name = name, .whyNot = {}};
@@ -18,6 +34,11 @@ std::vector<ExportRow> exportRows(const pipeline::Frame& frame) {
             row.whyNot = toQString(frame.whyAbsent(name));
         }
         rows.push_back(std::move(row));
+    }
+    for (const pipeline::BufferName& name : pipeline::allDerived(frame.scene().lights.size())) {
+        const auto buffers = buffersFor(name, recipe, frame.scene());
+        rows.push_back(
+            {name, bytesOf(name, frame.scene()), buffers ? QString() : toQString(buffers.errors().front().found)});
     }
     return rows;
 }
@@ -36,14 +57,40 @@ QString shellWord(const QString& word) {
     return '\'' + quoted + '\'';
 }
 
-QString exportCommand(const pipeline::Scene& scene, const pipeline::ExportRequest& request, bool allBuffers) {
+std::vector<pipeline::PlannedFile> plannedDerived(const pipeline::Scene& scene,
+                                                  const pipeline::ExportRequest& request) {
+    std::vector<pipeline::PlannedFile> files;
+    for (const pipeline::BufferName& name : request.buffers) {
+        if (!pipeline::isDerived(name.id)) continue;
+        for (const std::string& format : request.formats) {
+            const pipeline::Exporter* exporter = pipeline::findExporter(format);
+            if (exporter && exporter->refuses(bufferInfo(name.id)).empty())
+                files.push_back({name, format, name.text() + '.' + format, bytesOf(name, scene), false, {}});
+        }
+    }
+    return files;
+}
+
+QString exportCommand(const pipeline::Scene& scene, const pipeline::ExportRequest& request, const DerivedRecipe& recipe,
+                      bool allBuffers) {
     QStringList words{"shadescope", "export", shellWord(toQString(scene.file.empty() ? scene.name : scene.file)), "-o",
                       shellWord(toQString(request.folder.string()))};
     QStringList formats, buffers;
+    bool anyDerived = false, needsText = false, needsMix = false;
     for (const std::string& format : request.formats) formats += toQString(format);
     words << "--format" << formats.join(',');
-    for (const pipeline::BufferName& name : request.buffers) buffers += toQString(name.text());
-    if (!allBuffers) words << "--buffers" << buffers.join(',');
+    for (const pipeline::BufferName& name : request.buffers) {
+        const bool isDerived = pipeline::isDerived(name.id);
+        anyDerived = anyDerived || isDerived;
+        needsMix = needsMix || name.id == pipeline::BufferId::Mix;
+        needsText = needsText || name.id == pipeline::BufferId::Condition || name.id == pipeline::BufferId::Expression;
+        if (isDerived || !allBuffers) buffers += toQString(name.text());
+    }
+    if (allBuffers && anyDerived) buffers.prepend("all");
+    if (!buffers.isEmpty()) words << "--buffers" << buffers.join(',');
+    if (needsText) words << "--where" << shellWord(toQString(recipe.text));
+    if (const std::string mix = mixText(recipe.mix); needsMix && !mix.empty())
+        words << "--mix" << shellWord(toQString(mix));
     const auto original = pipeline::readScene(scene.file);
     if (original && original->objects.size() == scene.objects.size() &&
         original->lights.size() == scene.lights.size()) {

@@ -3,6 +3,7 @@
 #include <QStringList>
 #include <vector>
 
+#include "app/derived/derived_buffer.h"
 #include "pipeline/export/export_frame.h"
 
 namespace app {
@@ -14,8 +15,8 @@ struct ExportRow {
     QString whyNot;           // why the frame does not have it, or empty
 };
 
-// Every buffer that the frame's scene can have, in the order of the stages.
-std::vector<ExportRow> exportRows(const pipeline::Frame& frame);
+// Every buffer that the frame's scene can have, in the order of the stages, then the derived ones.
+std::vector<ExportRow> exportRows(const pipeline::Frame& frame, const DerivedRecipe& recipe);
 
 // "0.9 MB", "60 B".
 QString sizeText(std::uint64_t bytes);
@@ -24,7 +25,12 @@ QString sizeText(std::uint64_t bytes);
 QString shellWord(const QString& word);
 
 // The command line that writes the same files: settings that differ from the scene's file are
-// named by --set, buffers only where they are not `allBuffers`, the names an export takes by itself.
-QString exportCommand(const pipeline::Scene& scene, const pipeline::ExportRequest& request, bool allBuffers);
+// named by --set, buffers only where they are not `allBuffers`, the names an export takes by itself; the recipe where a
+// derived buffer needs it.
+QString exportCommand(const pipeline::Scene& scene, const pipeline::ExportRequest& request, const DerivedRecipe& recipe,
+                      bool allBuffers);
+
+// The files of the request's derived buffers, which no frame holds, at the size of the scene's picture.
+std::vector<pipeline::PlannedFile> plannedDerived(const pipeline::Scene& scene, const pipeline::ExportRequest& request);
 
 }  // namespace app

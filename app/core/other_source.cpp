@@ -94,7 +94,8 @@ ScenePtr otherScene(const OtherSource& source, const ScenePtr& scene, const Scen
     return other;
 }
 
-std::vector<OtherChoice> otherChoices(const pipeline::Frame& frame, const BufferName& shown, bool hasBefore) {
+std::vector<OtherChoice> otherChoices(const pipeline::Frame& frame, const BufferName& shown, bool hasBefore,
+                                      const DerivedRecipe& recipe) {
     const Scene& scene = frame.scene();
     std::vector<OtherChoice> choices;
     choices.push_back({{}, "Before the last change", {.kind = Kind::Before}});
@@ -111,6 +112,14 @@ std::vector<OtherChoice> otherChoices(const pipeline::Frame& frame, const Buffer
     for (const BufferName& name : pipeline::allBuffers(scene.lights.size())) {
         if (name == shown || !haveSameShape(bufferInfo(name.id), bufferInfo(shown.id))) continue;
         choices.push_back({"Another buffer", toQString(name.text()), {.kind = Kind::Buffer, .buffer = name}});
+    }
+    for (const BufferName& name : pipeline::allDerived(scene.lights.size())) {
+        if (name == shown || !haveSameShape(bufferInfo(name.id), bufferInfo(shown.id))) continue;
+        const auto buffers = buffersFor(name, recipe, scene);
+        choices.push_back({"Another buffer",
+                           toQString(name.text()),
+                           {.kind = Kind::Buffer, .buffer = name},
+                           buffers ? QString() : toQString(buffers.errors().front().found)});
     }
     for (const SettingRef& ref : settingsOf(scene)) {
         const Setting& setting = *ref.setting;

@@ -27,10 +27,10 @@ constexpr std::array kCopies{Copy{A::CopyEquationText, &MathView::asText, "text"
                              Copy{A::CopyEquationJson, &MathView::asJson, "JSON"}};
 
 // Of the view that the keys go to, else of the first one.
-ConditionBar& activeCondition(ViewArea& views) {
+BufferView& activeView(ViewArea& views) {
     const QWidget* focus = QApplication::focusWidget();
     const bool second = focus && views.hasSecond() && views.second().isAncestorOf(focus);
-    return (second ? views.second() : views.first()).condition();
+    return second ? views.second() : views.first();
 }
 
 }  // namespace
@@ -41,9 +41,13 @@ void connectExplainActions(Actions& actions, Document& document, InspectorPanel&
             QApplication::clipboard()->setText((inspector.equation().math()->*copy.write)());
             emit document.said(Document::tr("Copied the equation as %1.").arg(copy.form));
         });
-    QObject::connect(actions[A::Condition], &QAction::triggered, &views, [&views] { activeCondition(views).open(); });
+    QObject::connect(actions[A::Condition], &QAction::triggered, &views,
+                     [&views] { activeView(views).condition().open(); });
+    QObject::connect(actions[A::CopyValue], &QAction::triggered, &views, [&views] { activeView(views).copyValue(); });
+    QObject::connect(actions[A::CopyPicture], &QAction::triggered, &views,
+                     [&views] { activeView(views).copyPicture(); });
     QObject::connect(actions[A::StopWhere], &QAction::triggered, &views, [&views] {
-        ConditionBar& condition = activeCondition(views);
+        ConditionBar& condition = activeView(views).condition();
         condition.isVisible() && condition.hasCondition() ? condition.runToStop() : condition.open();
     });
     EquationSection& equation = inspector.equation();
@@ -61,7 +65,8 @@ void enableExplainActions(Actions& actions, const Document& document, InspectorP
     const QString noEquation =
         document.pixel() ? Document::tr("Nothing was drawn at this pixel.") : Document::tr("Pick a pixel first.");
     for (const Copy& copy : kCopies) enable(copy.id, covered, noEquation);
-    for (const A id : {A::Condition, A::StopWhere}) enable(id, true, {});
+    for (const A id : {A::Condition, A::StopWhere, A::CopyPicture}) enable(id, true, {});
+    enable(A::CopyValue, document.pixel().has_value(), Document::tr("Pick a pixel first."));
     const EquationSection& equation = inspector.equation();
     enable(A::KeepResult, covered && equation.canKeep(),
            covered ? Document::tr("Nothing has changed the result since the pixel was picked.") : noEquation);

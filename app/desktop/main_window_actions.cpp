@@ -210,10 +210,11 @@ std::vector<PaletteEntry> MainWindow::commands() {
                        action->isEnabled() ? QString() : tr("Open a scene first."), [action] { action->trigger(); }});
     }
     if (m_document.frame()) {
-        for (const pipeline::BufferName& name : pipeline::allBuffers(m_document.scene().lights.size())) {
-            all.push_back({toQString(name.text()), tr("Buffer"), QString(), QString(),
-                           [this, name] { m_views->showBuffer(name); }});
-        }
+        const std::size_t lights = m_document.scene().lights.size();
+        for (const auto& names : {pipeline::allBuffers(lights), pipeline::allDerived(lights)})
+            for (const pipeline::BufferName& name : names)
+                all.push_back({toQString(name.text()), tr("Buffer"), QString(), QString(),
+                               [this, name] { m_views->showBuffer(name); }});
     }
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
         all.push_back({toQString(scene.title), tr("Scene"), QString(), QString(),

@@ -176,13 +176,14 @@ void NotesWindow::computeNext() {
     m_worker = std::jthread([this, ticket, state = cue.state, folder = m_cues.folder()](std::stop_token stop) {
         auto scene = sceneOf(state, folder);
         if (!scene || stop.stop_requested()) return;
-        auto frame = frameOf(state, std::make_shared<const pipeline::Scene>(std::move(scene).value()), std::move(stop));
+        auto frame = frameOf(state, std::make_shared<const pipeline::Scene>(std::move(scene).value()), stop);
         if (!frame) return;
+        const QImage image = pictureOf(*frame, state, state.views.front(), {QSize(960, 720)}, stop);
         QMetaObject::invokeMethod(
             this,
-            [this, ticket, state, frame] {
+            [this, ticket, image] {
                 if (ticket != m_nextTicket) return;
-                m_nextImage = pictureOf(*frame, state, state.views.front(), {QSize(960, 720)});
+                m_nextImage = image;
                 m_hasNext = !m_nextImage.isNull();
                 showImage(m_next, m_nextImage);
             },

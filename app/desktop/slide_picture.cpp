@@ -2,6 +2,8 @@
 
 #include <QPainter>
 
+#include "app/core/derived_buffers.h"
+#include "app/core/mix_model.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/desktop/view_area.h"
@@ -22,8 +24,9 @@ using What = SlideRequest::What;
 Result<QImage> bufferPicture(const Document& document, const WindowState& state, std::size_t view, QSize size,
                              const SlideRequest& request) {
     if (view >= state.views.size()) return Error{{}, "there is no second buffer view", {}};
+    const auto known = [&](const pipeline::BufferName& name) { return document.derived().made(name); };
     const QImage image =
-        pictureOf(*document.frame(), state, state.views[view], {size, request.transparent, request.marks});
+        pictureOf(*document.frame(), state, state.views[view], {size, request.transparent, request.marks, known});
     if (image.isNull()) return Error{{}, "the buffer " + state.views[view].buffer + " is not there", {}};
     return image;
 }
@@ -64,6 +67,8 @@ Result<QImage> slidePicture(const Document& document, ViewArea& views, const Sli
     WindowState state;
     views.fill(state);
     if (const auto pixel = document.pixel()) state.pixel = {pixel->x, pixel->y};
+    state.condition = document.derived().text().toStdString();
+    state.mix = mixText(document.mixer().mix());
     QImage image(request.size, QImage::Format_ARGB32_Premultiplied);
     image.fill(request.transparent ? QColor(Qt::transparent) : Theme::current().colors().view);
     const int caption = request.caption ? request.size.height() / 18 : 0;
@@ -108,7 +113,8 @@ Result<std::optional<WindowState>> stateInPicture(const QString& file) {
     if (text.empty()) return std::optional<WindowState>();
     auto state = readState(text, file.toStdString());
     if (!state) return state.errors();
-    if (const std::string shown = pipeline::shownBuffer(*start); pipeline::findBuffer(shown) && !state->views.empty())
+    if (const std::string shown = pipeline::shownBuffer(*start);
+        pipeline::findAnyBuffer(shown) && !state->views.empty())
         return [&] {
             WindowState of = *state;
             if (of.views.front().buffer != shown) of.views.front() = {shown};

@@ -108,7 +108,7 @@ void ViewArea::showBuffer(const pipeline::BufferName& buffer) {
 void ViewArea::showBuffers(const QStringList& names) {
     const std::array views{m_first, m_second};
     for (qsizetype i = 0; i < std::min(names.size(), qsizetype(views.size())); ++i)
-        if (const auto name = pipeline::findBuffer(names[i].toStdString())) views[std::size_t(i)]->setBuffer(*name);
+        if (const auto name = pipeline::findAnyBuffer(names[i].toStdString())) views[std::size_t(i)]->setBuffer(*name);
     if (names.size() > 1 && height() > Theme::current().px(560)) setSecond(true);
 }
 

@@ -65,6 +65,7 @@ public:
 signals:
     void picked(QPoint pixel);
     void regionDragged(QRect region);  // with the right button, or Ctrl and Shift
+    void menuAsked(QPoint at);         // right button without a drag; a place on the screen
     void nudged(QPoint by);            // arrow keys: 1, with Shift 10
     void hovered(std::optional<QPoint> pixel);
     void zoomChanged(double zoom);

@@ -49,7 +49,12 @@ void BufferCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void BufferCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (std::exchange(m_measures, false)) return;
+    if (std::exchange(m_measures, false)) {
+        const QPointF moved = event->position() - m_pressed;
+        const bool isClick = moved.manhattanLength() < QApplication::startDragDistance();
+        if (isClick && event->button() == Qt::RightButton) emit menuAsked(event->globalPosition().toPoint());
+        return;
+    }
     if (event->button() != Qt::LeftButton || m_drags || std::exchange(m_wipes, false)) return;
     if (const auto pixel = pixelAt(event->position())) emit picked(*pixel);
 }

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/core/derived_buffers.h"
 #include "app/core/icons.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
@@ -93,25 +94,36 @@ void BufferChooser::fill() {
     m_list->clear();
     if (!m_document.hasScene()) return;
     const Theme& theme = Theme::current();
-    auto stage = pipeline::StageId::Shading;
-    for (const BufferName& name : pipeline::allBuffers(m_document.scene().lights.size())) {
-        const pipeline::BufferInfo& info = bufferInfo(name.id);
-        if (m_list->topLevelItemCount() == 0 || info.stage != stage) {
-            stage = info.stage;
-            auto* group = new QTreeWidgetItem(m_list, {toQString(pipeline::stageInfo(stage).label)});
-            group->setFlags(Qt::NoItemFlags);
-            group->setFont(0, theme.text(12, 600));
-        }
-        const std::string useless = whyUseless(m_document.scene(), name.id);
+    const auto addGroup = [&](const QString& text) {
+        auto* group = new QTreeWidgetItem(m_list, {text});
+        group->setFlags(Qt::NoItemFlags);
+        group->setFont(0, theme.text(12, 600));
+    };
+    const auto add = [&](const BufferName& name, const QString& useless) {
         auto* item = new QTreeWidgetItem(
-            m_list, {toQString(name.text()),
-                     useless.empty() ? toQString(info.meaning) : tr("left out: ") + toQString(useless)});
+            m_list, {toQString(name.text()), useless.isEmpty() ? toQString(bufferInfo(name.id).meaning) : useless});
         item->setFont(0, theme.mono(13));
         item->setFont(1, theme.text(12));
-        item->setForeground(1, useless.empty() ? theme.colors().text2 : theme.colors().text3);
+        item->setForeground(1, useless.isEmpty() ? theme.colors().text2 : theme.colors().text3);
         item->setToolTip(1, item->text(1));
         item->setData(0, Qt::UserRole, item->text(0));
         if (name == m_name) m_list->setCurrentItem(item);
+    };
+    const pipeline::Scene& scene = m_document.scene();
+    auto stage = pipeline::StageId::Shading;
+    for (const BufferName& name : pipeline::allBuffers(scene.lights.size())) {
+        const pipeline::BufferInfo& info = bufferInfo(name.id);
+        if (m_list->topLevelItemCount() == 0 || info.stage != stage) {
+            stage = info.stage;
+            addGroup(toQString(pipeline::stageInfo(stage).label));
+        }
+        const std::string useless = whyUseless(scene, name.id);
+        add(name, useless.empty() ? QString() : tr("left out: ") + toQString(useless));
+    }
+    addGroup(tr("Derived"));
+    for (const BufferName& name : pipeline::allDerived(scene.lights.size())) {
+        const auto buffers = buffersFor(name, m_document.derived().recipe(), scene);
+        add(name, buffers ? QString() : toQString(buffers.errors().front().found));
     }
     m_list->resizeColumnToContents(0);
 }
@@ -138,7 +150,7 @@ void BufferChooser::filter(const QString& text) {
 void BufferChooser::accept() {
     const QTreeWidgetItem* item = m_list->currentItem();
     if (!item || item->isHidden()) return;
-    const auto name = pipeline::findBuffer(item->data(0, Qt::UserRole).toString().toStdString());
+    const auto name = pipeline::findAnyBuffer(item->data(0, Qt::UserRole).toString().toStdString());
     if (!name) return;
     m_popup->hide();
     emit chosen(*name);

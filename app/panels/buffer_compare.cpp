@@ -1,5 +1,6 @@
 #include "app/panels/buffer_compare.h"
 
+#include "app/core/derived_buffers.h"
 #include "app/core/picture_file.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_canvas.h"
@@ -34,7 +35,14 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
         m_canvas->setWipe(wipe());
     });
     connect(&m_other, &OtherFrame::ready, this, &BufferCompare::changed);
+    connect(&m_derived, &DerivedJob::changed, this, &BufferCompare::changed, Qt::QueuedConnection);
+    connect(&m_document.derived(), &DerivedBuffers::changed, this, [this](const BufferName& name) {
+        if (m_source && m_source->kind == Kind::Buffer && m_source->buffer == name) emit changed();
+    });
     connect(&m_difference, &DifferenceJob::ready, this, &BufferCompare::changed);
+    connect(&m_difference, &DifferenceJob::progressed, this, &BufferCompare::tell);
+    connect(m_bar, &CompareBar::offerTaken, this,
+            [this] { m_difference.wasCancelled() ? m_difference.retry() : m_difference.cancel(); });
     connect(m_bar, &CompareBar::modeChosen, this, [this](CompareMode mode) {
         if (mode != m_mode) setMode(mode);
     });
@@ -50,6 +58,7 @@ void BufferCompare::compareWith(std::optional<OtherSource> source) {
     m_range.reset();
     m_file.reset();
     m_other.forget();
+    m_derived.forget();
     m_bar->setVisible(m_source.has_value());
     if (!m_source)
         setMode(CompareMode::A);
@@ -93,7 +102,9 @@ std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const S
     const OtherSource source = *current();
     const auto name = otherBuffer(source, a.buffer.name, frame->scene());
     const bool isOwn = source.kind == Kind::Buffer || source.kind == Kind::PreviousStage;
-    m_document.want(this, isOwn && name ? pipeline::setOf({name->id}) : pipeline::BufferSet());
+    const bool isDerived = name && pipeline::isDerived(name->id);
+    m_document.want(this, isOwn && name && !isDerived ? pipeline::setOf({name->id}) : pipeline::BufferSet());
+    m_document.derived().want(this, isOwn && isDerived ? std::vector{*name} : std::vector<BufferName>());
     m_frameB.reset();
     if (source.kind == Kind::File) {
         if (m_file && m_file->name == a.buffer.name) return m_file;
@@ -110,13 +121,30 @@ std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const S
         m_why = source.kind == Kind::Before ? tr("Nothing has been changed yet.") : tr("This scene has no such B.");
         return {};
     }
-    if (!isOwn)
-        m_other.request(scene, frame->wanted() | pipeline::setOf({name->id, BufferId::PolygonId, BufferId::Overdraw}));
+    if (!isOwn) {
+        pipeline::BufferSet wanted = frame->wanted() | pipeline::setOf({BufferId::PolygonId, BufferId::Overdraw});
+        if (!isDerived) wanted.set(index(name->id));
+        m_other.request(scene, wanted);
+    }
     m_frameB = isOwn ? frame : m_other.frame();
+    if (isDerived) return findDerived(*name, isOwn);
     const auto found = m_frameB ? m_frameB->buffer(*name) : std::nullopt;
     if (!found)
         m_why = m_frameB && !m_other.busy() ? toQString(m_frameB->whyAbsent(*name)) : tr("B is being computed.");
     return found;
+}
+
+std::optional<AnyBuffer> BufferCompare::findDerived(const BufferName& name, bool isOwn) {
+    DerivedBuffers& derived = m_document.derived();
+    if (isOwn) {
+        const DerivedBuffer* made = derived.made(name);
+        if (!made) m_why = derived.whyNot(name);
+        return made ? std::optional(made->buffer) : std::nullopt;
+    }
+    if (m_frameB) m_derived.ask(m_frameB, name, derived.recipe());
+    if (m_derived.made()) return m_derived.made()->buffer;
+    m_why = m_derived.why().isEmpty() ? tr("B is being computed.") : m_derived.why();
+    return {};
 }
 
 ShownBuffer BufferCompare::show(const FramePtr& frame, ShownBuffer a) {
@@ -127,6 +155,7 @@ ShownBuffer BufferCompare::show(const FramePtr& frame, ShownBuffer a) {
     m_channel = a.look.channel;
     if (!current()) {
         m_document.want(this, {});
+        m_document.derived().want(this, {});
         m_canvas->setOther({}, {});
         return a;
     }
@@ -186,20 +215,6 @@ Wipe BufferCompare::wipe() const {
     return wipe;
 }
 
-void BufferCompare::tell() {
-    if (!m_found && m_why.isEmpty()) m_why = tr("The difference is being computed.");
-    QString sentence = m_found ? findingText(*m_found) : m_why;
-    if (m_found && m_frameB == m_other.frame() && m_other.busy()) sentence += tr(" (B follows)");
-    QString whyNoWorst;
-    if (!m_found)
-        whyNoWorst = m_why;
-    else if (!m_found->worst)
-        whyNoWorst = tr("The two are the same.");
-    else if (m_found->values.info->domain == Domain::Texel)
-        whyNoWorst = tr("A texel of a shadow buffer cannot be picked.");
-    m_bar->setFinding(sentence, whyNoWorst);
-}
-
 void BufferCompare::goToWorst() {
     if (!m_found || !m_found->worst) return;
     const std::size_t worst = *m_found->worst;
@@ -210,14 +225,6 @@ void BufferCompare::goToWorst() {
         case Domain::Vertex: return m_document.select(Selection{Selection::Kind::Vertex, worst});
         case Domain::Texel: break;
     }
-}
-
-QString BufferCompare::readout(QPoint pixel) const {
-    if (!m_found || standsOnShapes(*m_found->values.info)) return {};
-    const auto x = std::size_t(pixel.x()), y = std::size_t(pixel.y());
-    const QString b = "   B " + elementText(*m_b, x, y, m_channel).join(' ');
-    if (showsDifference()) return "   A " + elementText(*m_a, x, y, m_channel).join(' ') + b;
-    return b + "   A − B " + valueText(m_found->values, m_found->values.value(x, y));
 }
 
 }  // namespace app

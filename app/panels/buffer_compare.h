@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <optional>
 
+#include "app/core/derived_job.h"
 #include "app/core/difference_job.h"
 #include "app/core/document.h"
 #include "app/core/other_frame.h"
@@ -55,6 +56,7 @@ signals:
 private:
     std::optional<OtherSource> current() const;  // what is held wins
     std::optional<pipeline::AnyBuffer> findOther(const pipeline::FramePtr& frame, const ShownBuffer& a);
+    std::optional<pipeline::AnyBuffer> findDerived(const pipeline::BufferName& name, bool isOwn);
     Wipe wipe() const;
     void tell();
     void chooseFile();
@@ -63,6 +65,7 @@ private:
     BufferCanvas* m_canvas;
     CompareBar* m_bar;
     OtherFrame m_other;
+    DerivedJob m_derived;  // B, of another frame
     DifferenceJob m_difference;
     QTimer m_blink;
     std::optional<OtherSource> m_source;

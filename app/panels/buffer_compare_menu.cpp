@@ -2,6 +2,7 @@
 #include <QFileDialog>
 #include <QMenu>
 
+#include "app/core/derived_buffers.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_compare.h"
@@ -52,7 +53,8 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
         }
         return place;
     };
-    for (const OtherChoice& choice : otherChoices(*m_document.frame(), shown, bool(m_document.sceneBefore()))) {
+    for (const OtherChoice& choice :
+         otherChoices(*m_document.frame(), shown, bool(m_document.sceneBefore()), m_document.derived().recipe())) {
         QAction* action =
             menuOf(choice.group)->addAction(choice.text, this, [this, source = choice.source] { compareWith(source); });
         action->setCheckable(true);

@@ -46,9 +46,11 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
     connect(others, &QMenu::aboutToShow, this, [this, others] { emit compareMenuOpens(others); });
     m_compare->setMenu(others);
     m_compare->setPopupMode(QToolButton::InstantPopup);
-    auto* more = button("more", tr("More"), tr("Copy, pins, statistics, which way up"));
-    auto* menu = new QMenu(more);
-    menu->addAction(tr("Copy value"), this, &BufferHeader::copyValueChosen);
+    m_more = button("more", tr("More"), tr("Copy, pins, statistics, which way up"));
+    auto* menu = new QMenu(m_more);
+    menu->setToolTipsVisible(true);
+    connect(menu, &QMenu::aboutToShow, this, &BufferHeader::moreMenuOpens);
+    m_copyValue = menu->addAction(tr("Copy value\tAlt+C"), this, &BufferHeader::copyValueChosen);
     menu->addAction(tr("Copy picture"), this, &BufferHeader::copyPictureChosen);
     menu->addAction(tr("Copy the pinned values"), this, &BufferHeader::copyPinsChosen);
     menu->addSeparator();
@@ -59,12 +61,12 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
     m_flip = menu->addAction(tr("Row 0 at the foot\tY"));
     m_flip->setCheckable(true);
     connect(m_flip, &QAction::triggered, this, &BufferHeader::flipChosen);
-    more->setMenu(menu);
-    more->setPopupMode(QToolButton::InstantPopup);
+    m_more->setMenu(menu);
+    m_more->setPopupMode(QToolButton::InstantPopup);
     for (QWidget* part :
          {static_cast<QWidget*>(m_fit), static_cast<QWidget*>(m_original), static_cast<QWidget*>(m_zoom),
           static_cast<QWidget*>(m_loupe), static_cast<QWidget*>(m_overlays), static_cast<QWidget*>(m_compare),
-          static_cast<QWidget*>(more)})
+          static_cast<QWidget*>(m_more)})
         row->addWidget(part);
 
     connect(m_fit, &QToolButton::clicked, this, &BufferHeader::fitChosen);
@@ -135,6 +137,13 @@ void BufferHeader::arrange() {
 }
 
 void BufferHeader::openCompareMenu() { m_compare->showMenu(); }
+
+void BufferHeader::openMoreMenu(const QPoint& at) { m_more->menu()->popup(at); }
+
+void BufferHeader::setValueToCopy(const QString& whyNot) {
+    m_copyValue->setEnabled(whyNot.isEmpty());
+    m_copyValue->setToolTip(whyNot.isEmpty() ? tr("The picked pixel's value, with its name and place") : whyNot);
+}
 
 void BufferHeader::resizeEvent(QResizeEvent*) { arrange(); }
 

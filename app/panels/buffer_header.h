@@ -24,6 +24,8 @@ public:
     void setFlipped(bool flipped);
     BufferChooser* chooser() { return m_chooser; }
     void openCompareMenu();
+    void openMoreMenu(const QPoint& at);         // of the screen
+    void setValueToCopy(const QString& whyNot);  // empty: there is one
 
 signals:
     void channelChosen(int channel);  // -1: all
@@ -32,6 +34,7 @@ signals:
     void overlayMenuOpens(QMenu* menu);  // it is to be filled
     void loupeToggled(bool on);
     void compareMenuOpens(QMenu* menu);  // it is to be filled
+    void moreMenuOpens();
     void copyValueChosen();
     void copyPictureChosen();
     void copyPinsChosen();
@@ -49,9 +52,9 @@ private:
 
     BufferChooser* m_chooser;
     ElidedLabel* m_caption;
-    QToolButton *m_channels[3], *m_fit, *m_original, *m_overlays, *m_loupe, *m_compare;
+    QToolButton *m_channels[3], *m_fit, *m_original, *m_overlays, *m_loupe, *m_compare, *m_more;
     QLabel* m_zoom;
-    QAction* m_flip;
+    QAction *m_flip, *m_copyValue;
     int m_channelCount = 1;
 };
 

@@ -6,6 +6,7 @@
 
 #include "app/core/numbers.h"
 #include "pipeline/inspect/compare.h"
+#include "pipeline/study/shadow_verdict.h"
 
 namespace app {
 
@@ -91,6 +92,13 @@ QString differenceText(double value) {
     return number(value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : size >= 0.1 ? 3 : size >= 0.01 ? 4 : 5);
 }
 
+QString verdictText(double value) {
+    const auto table = pipeline::shadowVerdictTable();
+    if (!(value >= 0 && value < double(table.size()))) return "none";
+    const std::string_view name = table[std::size_t(value)].name;
+    return QString::fromUtf8(name.data(), qsizetype(name.size()));
+}
+
 bool isVector(const BufferInfo& info) { return info.palette == Palette::Direction && info.unit.empty(); }
 
 }  // namespace
@@ -160,7 +168,9 @@ std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<Any
     const BufferInfo& info = *buffer.info;
     if (isColorPicture(info, channel)) return {};
     if (info.domain == pipeline::Domain::Pixel && polygonId) {
-        const auto ids = std::get<std::span<const std::int32_t>>(polygonId->data);
+        // At outlines there may be no verdict.
+        const bool hasHoles = info.palette == Palette::ShadowVerdict;
+        const auto ids = std::get<std::span<const std::int32_t>>(hasHoles ? buffer.data : polygonId->data);
         std::vector<bool> drawn(ids.size());
         std::transform(ids.begin(), ids.end(), drawn.begin(), [](std::int32_t id) { return id >= 0; });
         return drawn;
@@ -222,6 +232,7 @@ QString valueText(const AnyBuffer& buffer, double value, int characters) {
     const BufferInfo& info = *buffer.info;
     QString text;
     if (isDifference(info)) return differenceText(value);
+    if (info.palette == Palette::ShadowVerdict) return verdictText(value);
     if (info.element != Element::Real)
         text = number(value, 0);
     else if (isDepth(info.id))

@@ -1,7 +1,6 @@
 #include "app/panels/buffer_view.h"
 
 #include <QApplication>
-#include <QClipboard>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedLayout>
@@ -47,15 +46,10 @@ void BufferView::observe() {
     connect(m_header, &BufferHeader::fitChosen, m_canvas, &BufferCanvas::toggleFit);
     connect(m_header, &BufferHeader::originalChosen, m_canvas, [this] { m_canvas->setZoom(1); });
     observeOverlays();
+    observeDerived();
     observeMarks();
     connect(m_header, &BufferHeader::loupeToggled, this, &BufferView::setShowLoupe);
-    connect(m_header, &BufferHeader::copyValueChosen, this,
-            [this] { QApplication::clipboard()->setText(m_readout->text()); });
-    connect(m_header, &BufferHeader::copyPinsChosen, this,
-            [this] { QApplication::clipboard()->setText(m_pins->text()); });
-    connect(m_header, &BufferHeader::copyPictureChosen, this, [this] {
-        if (m_shown) QApplication::clipboard()->setImage(m_shown->content.image);
-    });
+    observeCopies();
     connect(m_foot, &RangeFoot::rangeChosen, this, &BufferView::setRange);
     connect(m_foot, &RangeFoot::autofit, this, &BufferView::autofit);
     connect(m_foot, &RangeFoot::logarithmicChosen, this, &BufferView::setLogCounts);
@@ -68,10 +62,7 @@ void BufferView::observe() {
         setBuffer(difference.buffer);
         m_compare->goToWorst();
     });
-    connect(m_compute, &QPushButton::clicked, this, [this] {
-        kept().forced = true;
-        want();
-    });
+    connect(m_compute, &QPushButton::clicked, this, &BufferView::takeOffer);
 
     connect(m_canvas, &BufferCanvas::zoomChanged, m_header, &BufferHeader::setZoom);
     connect(m_canvas, &BufferCanvas::picked, this, [this](QPoint pixel) {
@@ -135,25 +126,12 @@ void BufferView::setChannel(int channel) {
     refresh();
 }
 
-std::optional<pipeline::PaletteRange>& BufferView::keptRange() {
-    return m_compare->showsDifference() ? m_compare->range() : kept().range;
-}
-
-void BufferView::setRange(pipeline::PaletteRange range) {
-    keptRange() = range;
-    refresh();
-}
-
-void BufferView::autofit(bool keep) {
-    keptRange().reset();
-    refresh();
-    if (!keep && m_shown) setRange(m_shown->look.range);
-}
-
 // A buffer that the scene has no use for is computed only when the user insists.
 void BufferView::want() {
+    wantDerived();
     if (isPutAway()) return m_document.want(this, {});
-    const bool useful = m_document.hasScene() && whyUseless(m_document.scene(), m_name.id).empty();
+    const bool isOwn = !pipeline::isDerived(m_name.id);
+    const bool useful = isOwn && m_document.hasScene() && whyUseless(m_document.scene(), m_name.id).empty();
     const bool hasOverlays = whyNoOverlays(bufferInfo(m_name.id)).isEmpty();
     m_document.want(this, (useful || kept().forced ? pipeline::setOf({m_name.id}) : pipeline::BufferSet()) |
                               (hasOverlays ? buffersOf(m_overlays) : pipeline::BufferSet()));
@@ -164,18 +142,13 @@ bool BufferView::standsOnPicture() const { return bufferInfo(m_name.id).domain !
 void BufferView::refresh() {
     m_missed = isPutAway();
     if (m_missed) return;
-    if (!m_document.hasScene()) return showMessage(tr("No scene yet. Open a file, or begin with the pyramid."), false);
+    if (!m_document.hasScene())
+        return showMessage(tr("No scene yet. Open a file, or begin with the pyramid."), Offer::Nothing);
     const pipeline::FramePtr& frame = m_document.frame();
     if (!frame) return;  // the first one is on its way
-    auto shown = showBuffer(*frame, m_name, kept().channel, kept().range);
-    if (!shown) {
-        const QString why = toQString(frame->whyAbsent(m_name));
-        if (m_name.light >= int(frame->scene().lights.size())) return showMessage(why, false);
-        if (frame->until() < bufferInfo(m_name.id).stage) return showMessage(why, false);
-        const bool comes = kept().forced || whyUseless(frame->scene(), m_name.id).empty();
-        if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(why), true);
-        return;
-    }
+    const bool isOwn = !pipeline::isDerived(m_name.id);
+    auto shown = isOwn ? showBuffer(*frame, m_name, kept().channel, kept().range) : showDerived(*frame);
+    if (!shown) return isOwn ? tellAbsent(*frame) : void();
     showMix(*frame, *shown);
     layOver(*frame, *shown);
     m_shown = m_compare->show(frame, std::move(*shown));
@@ -193,6 +166,14 @@ void BufferView::refresh() {
     showRegion();
 }
 
+void BufferView::tellAbsent(const pipeline::Frame& frame) {
+    const QString why = toQString(frame.whyAbsent(m_name));
+    if (m_name.light >= int(frame.scene().lights.size()) || frame.until() < bufferInfo(m_name.id).stage)
+        return showMessage(why, Offer::Nothing);
+    const bool comes = kept().forced || whyUseless(frame.scene(), m_name.id).empty();
+    if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(why), Offer::Compute);
+}
+
 void BufferView::markSelection() {
     const auto& frame = m_document.frame();
     const bool marks = frame && m_document.selection() && standsOnPicture();
@@ -201,10 +182,14 @@ void BufferView::markSelection() {
 
 QString BufferView::message() const { return m_stack->currentWidget() == m_page ? m_message->text() : QString(); }
 
-void BufferView::showMessage(const QString& text, bool canCompute) {
+void BufferView::showMessage(const QString& text, Offer offer) {
     m_shown.reset();
     m_message->setText(text);
-    m_compute->setVisible(canCompute);
+    m_offer = offer;
+    m_compute->setText(offer == Offer::Cancel           ? tr("Cancel")
+                       : pipeline::isDerived(m_name.id) ? tr("Compute")
+                                                        : tr("Compute anyway"));
+    m_compute->setVisible(offer != Offer::Nothing);
     m_foot->hide();
     setAccessibleDescription(text);
     m_stack->setCurrentWidget(m_page);

@@ -53,6 +53,9 @@ public:
     ConditionBar& condition() { return *m_condition; }
     ShadowOverlay& shadows() { return *m_shadows; }
     const std::optional<ShownBuffer>& shown() const { return m_shown; }
+    QString whyNoValue() const;  // why copyValue() has nothing to copy; empty where it has
+    void copyValue();            // of the picked pixel, to the clipboard, and says so
+    void copyPicture();
     QString message() const;  // what stands in place of the picture; empty when there is one
 
 signals:
@@ -81,10 +84,17 @@ private:
     void want();
     void refresh();
     bool isPutAway() const;
-    void showMessage(const QString& text, bool canCompute);
+    enum class Offer { Nothing, Compute, Cancel };  // a button below what is told
+    void showMessage(const QString& text, Offer offer);
+    void takeOffer();
+    void tellAbsent(const pipeline::Frame& frame);
     void showPixels();
     void markSelection();
     void showEdgeFunctions();
+    void observeCopies();
+    void observeDerived();
+    void wantDerived();
+    std::optional<ShownBuffer> showDerived(const pipeline::Frame& frame);
     void showMix(const pipeline::Frame& frame, ShownBuffer& shown) const;
     void layOver(const pipeline::Frame& frame, ShownBuffer& shown) const;
     void nudge(QPoint by);
@@ -118,6 +128,7 @@ private:
     QWidget* m_page;
     QLabel *m_message, *m_readout, *m_notice;
     QPushButton* m_compute;
+    Offer m_offer = Offer::Nothing;
     Loupe* m_loupe;
     RangeFoot* m_foot;
     RegionPanel* m_region;

@@ -1,7 +1,6 @@
 // What a BufferView lays over its picture.
 #include <QLabel>
 
-#include "app/core/mix_model.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
@@ -25,7 +24,7 @@ void BufferView::observeOverlays() {
         setShowLoupe(m_loupe->isVisibleTo(m_canvas));  // the button of the overlays
         refresh();
     });
-    connect(m_notice, &QLabel::linkActivated, this, [this] { m_shadows->setLight(std::nullopt); });
+    connect(m_notice, &QLabel::linkActivated, m_shadows, &ShadowOverlay::cancel);
     connect(m_header, &BufferHeader::overlayMenuOpens, this, [this](QMenu* menu) {
         fillOverlayMenu(*menu, m_overlays, bufferInfo(m_name.id),
                         [this](OverlayId id, bool on) { setOverlay(id, on); });
@@ -35,9 +34,6 @@ void BufferView::observeOverlays() {
         condition->setToolTip(tr("Veils the pixels for which a condition does not hold (/)"));
     });
     connect(m_condition, &ConditionBar::changed, this, &BufferView::refresh);
-    connect(&m_document.mixer(), &MixModel::pictureReady, this, [this] {
-        if (m_name.id == pipeline::BufferId::Color) refresh();
-    });
 }
 
 void BufferView::setOverlay(OverlayId overlay, bool shown) {
@@ -54,19 +50,6 @@ void BufferView::setShowLoupe(bool show) {
     placeOverlays();
 }
 
-// The picture that the terms make as they are mixed stands where the frame buffer would.
-void BufferView::showMix(const pipeline::Frame& frame, ShownBuffer& shown) const {
-    const MixModel& mixer = m_document.mixer();
-    if (m_name.id != pipeline::BufferId::Color || mixer.isPlain()) return;
-    const auto& mixed = mixer.picture();
-    if (mixed && mixed->color.shape == shown.buffer.shape) {
-        const QString notice = shown.notice;
-        shown = showBuffer(frame, mixed->color, {}, shown.look.channel, shown.look.range);
-        shown.notice = notice;
-    }
-    shown.notice = mixer.sentence() + (shown.notice.isEmpty() ? QString() : "<br>" + shown.notice);
-}
-
 void BufferView::layOver(const pipeline::Frame& frame, ShownBuffer& shown) const {
     addOverlays(frame, m_overlays, shown);
     if (m_shadows->light() && whyNoOverlays(*shown.buffer.info).isEmpty()) {
@@ -75,8 +58,9 @@ void BufferView::layOver(const pipeline::Frame& frame, ShownBuffer& shown) const
         const QString notice = m_shadows->notice();
         if (!notice.isEmpty()) shown.notice = shown.notice.isEmpty() ? notice : notice + "<br>" + shown.notice;
     }
-    const auto& mask = m_condition->mask();
-    const bool fits = mask && QSize(mask->size.x, mask->size.y) == shown.content.size;
+    const lessons::ConditionMask* mask = m_condition->mask();
+    const bool fits =
+        mask && m_name.id != pipeline::BufferId::Condition && QSize(mask->size.x, mask->size.y) == shown.content.size;
     if (fits && whyNoOverlays(*shown.buffer.info).isEmpty()) shown.content.overlays.push_back(veilOf(*mask));
 }
 

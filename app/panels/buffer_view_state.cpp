@@ -3,10 +3,30 @@
 
 #include "app/core/text.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/condition_bar.h"
 #include "app/panels/loupe.h"
+#include "app/panels/shadow_overlay.h"
 
 namespace app {
+
+using pipeline::BufferId;
+
+std::optional<pipeline::PaletteRange>& BufferView::keptRange() {
+    return m_compare->showsDifference() ? m_compare->range() : kept().range;
+}
+
+void BufferView::setRange(pipeline::PaletteRange range) {
+    keptRange() = range;
+    refresh();
+}
+
+void BufferView::autofit(bool keep) {
+    keptRange().reset();
+    refresh();
+    if (!keep && m_shown) setRange(m_shown->look.range);
+}
 
 void BufferView::setLogCounts(bool logarithmic) {
     kept().logCounts = logarithmic;
@@ -26,16 +46,26 @@ BufferShown BufferView::state() const {
     }
     for (const OverlayInfo& overlay : overlayTable())
         if (m_overlays[index(overlay.id)]) state.overlays.emplace_back(overlay.key);
+    if (const auto light = m_shadows->light())
+        state.overlays.push_back(pipeline::BufferName{BufferId::ShadowVerdict, int(*light)}.text());
+    if (!m_condition->isHidden()) state.overlays.push_back(pipeline::BufferName{BufferId::Condition}.text());
     state.zoom = m_canvas->part();
     return state;
 }
 
 pipeline::Errors BufferView::lookAt(const BufferShown& state) {
     pipeline::Errors errors;
-    const auto name = pipeline::findBuffer(state.buffer);
+    const auto name = pipeline::findAnyBuffer(state.buffer);
     if (!name) return {{{}, "there is no buffer \"" + state.buffer + '"'}};
     m_overlays.reset();
+    std::optional<std::size_t> verdictsOf;
+    bool asks = name->id == BufferId::Condition || name->id == BufferId::Expression;
     for (const std::string& key : state.overlays) {
+        if (const auto derived = pipeline::findDerived(key)) {
+            if (derived->id == BufferId::ShadowVerdict) verdictsOf = std::size_t(derived->light);
+            asks = asks || derived->id == BufferId::Condition;
+            continue;
+        }
         const auto row =
             std::ranges::find(overlayTable(), key, [](const OverlayInfo& o) { return std::string(o.key); });
         if (row != overlayTable().end())
@@ -43,6 +73,8 @@ pipeline::Errors BufferView::lookAt(const BufferShown& state) {
         else
             errors.push_back({{}, "there is no overlay \"" + key + '"'});
     }
+    m_shadows->setLight(verdictsOf);
+    asks ? m_condition->reveal() : m_condition->close();
     setBuffer(*name);
     setChannel(state.channel);
     kept().range =

@@ -31,6 +31,7 @@ CompareBar::CompareBar(QWidget* parent)
       m_finding(new ElidedLabel(this)),
       m_worst(new QPushButton(tr("Worst pixel"), this)),
       m_stages(new QPushButton(tr("By stage"), this)),
+      m_offer(new QPushButton(this)),
       m_close(new QToolButton(this)),
       m_first(new QHBoxLayout),
       m_second(new QHBoxLayout) {
@@ -57,7 +58,12 @@ CompareBar::CompareBar(QWidget* parent)
     m_second->addWidget(m_stages);
     column->addLayout(m_first);
     column->addLayout(m_second);
-    column->addWidget(m_finding);
+    auto* words = new QHBoxLayout;
+    words->addWidget(m_finding, 1);
+    words->addWidget(m_offer);
+    column->addLayout(words);
+    m_offer->hide();
+    connect(m_offer, &QPushButton::clicked, this, &CompareBar::offerTaken);
 
     connect(m_modes, &Segmented::chosen, this, [this](int mode) { emit modeChosen(CompareMode(mode)); });
     connect(m_metric, &QComboBox::activated, this, [this](int i) { emit metricChosen(DifferenceMetric(i)); });
@@ -72,7 +78,7 @@ CompareBar::CompareBar(QWidget* parent)
         m_modes->setFixedSize(Segmented::widthFor(modeTexts()) + theme.px(10), theme.px(24));
         m_metric->setFont(theme.text(12));
         m_finding->setFont(theme.text(12));
-        for (QPushButton* button : {m_worst, m_stages}) button->setFont(theme.text(12, 500));
+        for (QPushButton* button : {m_worst, m_stages, m_offer}) button->setFont(theme.text(12, 500));
         m_close->setIconSize(QSize(1, 1) * theme.px(16));
     });
 }
@@ -102,6 +108,11 @@ void CompareBar::setMetric(DifferenceMetric metric) {
     m_metric->setCurrentIndex(int(metric));
     const pipeline::MetricInfo& info = pipeline::metricTable()[std::size_t(metric)];
     m_metric->setToolTip(toQString(info.words) + ", " + toQString(info.formula));
+}
+
+void CompareBar::setOffer(Offer offer) {
+    m_offer->setVisible(offer != Offer::Nothing);
+    m_offer->setText(offer == Offer::Cancel ? tr("Cancel") : tr("Compute"));
 }
 
 void CompareBar::setFinding(const QString& sentence, const QString& whyNoWorst) {

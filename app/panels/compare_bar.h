@@ -26,12 +26,15 @@ public:
     void setMetric(pipeline::DifferenceMetric metric);
     // whyNoWorst: empty where there is a worst place to go to.
     void setFinding(const QString& sentence, const QString& whyNoWorst);
+    enum class Offer : unsigned char { Nothing, Cancel, Compute };
+    void setOffer(Offer offer);
 
 signals:
     void modeChosen(CompareMode mode);
     void metricChosen(pipeline::DifferenceMetric metric);
     void worstChosen();
     void stagesChosen();
+    void offerTaken();
     void closed();
 
 protected:
@@ -41,7 +44,7 @@ private:
     Segmented* m_modes;
     QComboBox* m_metric;
     ElidedLabel* m_finding;
-    QPushButton *m_worst, *m_stages;
+    QPushButton *m_worst, *m_stages, *m_offer;
     QToolButton* m_close;
     QHBoxLayout *m_first, *m_second;
 };

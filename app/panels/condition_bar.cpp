@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QToolButton>
 
+#include "app/core/derived_buffers.h"
 #include "app/core/icons.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
@@ -14,6 +15,21 @@
 #include "app/panels/follow_theme.h"
 
 namespace app {
+
+using pipeline::BufferId;
+using pipeline::BufferName;
+
+namespace {
+
+constexpr BufferName kMask{BufferId::Condition}, kNumbers{BufferId::Expression};
+
+QString sentenceOf(const pipeline::Error& error) {
+    const QString sentence = ConditionBar::tr("Column %1: %2").arg(error.where.column).arg(toQString(error.found));
+    return error.expected.empty() ? sentence
+                                  : sentence + ConditionBar::tr(", expected %1").arg(toQString(error.expected));
+}
+
+}  // namespace
 
 ConditionBar::ConditionBar(Document& document, QWidget* parent)
     : QWidget(parent),
@@ -47,7 +63,15 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
     grid->addWidget(m_said, 1, 0, 1, 5);
     grid->setColumnStretch(0, 1);
 
-    connect(m_text, &QLineEdit::textChanged, this, &ConditionBar::read);
+    m_text->setText(document.derived().text());
+    connect(m_text, &QLineEdit::textChanged, &document.derived(), &DerivedBuffers::setText);
+    connect(&document.derived(), &DerivedBuffers::textChanged, this, [this] {
+        if (m_text->text() != m_document.derived().text()) m_text->setText(m_document.derived().text());
+        read();
+    });
+    connect(&document.derived(), &DerivedBuffers::changed, this, [this](const BufferName& name) {
+        if (!isHidden() && (name == kMask || name == kNumbers)) tell();
+    });
     connect(m_previous, &QToolButton::clicked, this, [this] { goTo(false); });
     connect(m_next, &QToolButton::clicked, this, [this] { goTo(true); });
     connect(m_stop, &QToolButton::clicked, this, &ConditionBar::runToStop);
@@ -55,7 +79,12 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
     connect(&m_searching, &BackgroundJob::progressed, this, [this](double share) {
         say(tr("Looking for the next step, %1 %. Esc cancels.").arg(int(100 * share)), false);
     });
-    connect(&m_document, &Document::frameReady, this, &ConditionBar::evaluate);
+    connect(&m_document, &Document::frameReady, this, [this] {
+        if (isHidden()) return;
+        // A frame that holds more buffers of the same scene has the same steps.
+        if (m_document.frame()->sharedScene() != m_searchedScene) m_searching.forget();
+        if (!m_searching.busy()) tell();
+    });
     Stepper& stepper = m_document.stepper();
     connect(&stepper, &Stepper::changed, this, &ConditionBar::watchPlay);
     connect(this, &QObject::destroyed, &stepper, [this, &stepper] {
@@ -82,9 +111,13 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
 }
 
 void ConditionBar::open() {
-    show();
+    reveal();
     m_text->setFocus();
     m_text->selectAll();
+}
+
+void ConditionBar::reveal() {
+    show();
     read();
 }
 
@@ -96,124 +129,69 @@ void ConditionBar::close() {
 void ConditionBar::setText(const QString& text) { m_text->setText(text); }
 QString ConditionBar::said() const { return m_said->text(); }
 
+const lessons::ConditionMask* ConditionBar::mask() const {
+    const DerivedBuffer* made = m_condition && !isHidden() ? m_document.derived().made(kMask) : nullptr;
+    return made ? made->mask.get() : nullptr;
+}
+
+bool ConditionBar::busy() const {
+    const DerivedJob* job = m_document.derived().find(kMask);
+    return m_searching.busy() || (job && job->busy());
+}
+
 void ConditionBar::say(const QString& text, bool isWrong) {
     const ThemeColors& c = Theme::current().colors();
     const QString style = QString("color: %1").arg((isWrong ? c.failed : c.text2).name());
     if (style != m_said->styleSheet()) m_said->setStyleSheet(style);
     m_said->setText(text);
     setAccessibleDescription(text);
-    const QString why = m_mask && m_mask->count > 0 ? QString() : tr("It holds for no pixel.");
+    const lessons::ConditionMask* found = mask();
+    const QString why = found && found->count > 0 ? QString() : tr("It holds for no pixel.");
     for (QToolButton* made : {m_previous, m_next}) made->setEnabled(why.isEmpty());
 }
 
 void ConditionBar::read() {
-    const bool hadMask = m_mask.has_value();
-    if (m_condition && (isHidden() || m_condition->text != m_text->text().toStdString())) m_mask.reset();
-    if (hadMask && !m_mask) emit changed();
     m_condition.reset();
-    const std::string text = m_text->text().toStdString();
-    if (isHidden() || !m_document.hasScene() || m_text->text().trimmed().isEmpty()) {
-        m_document.want(this, {});
-        watchPlay();  // which no longer waits for it
-        return evaluate();
+    m_wrong.clear();
+    m_isOfNumbers = false;
+    DerivedBuffers& derived = m_document.derived();
+    const std::string text = derived.text().trimmed().toStdString();
+    if (!isHidden() && m_document.hasScene() && !text.empty()) {
+        auto condition = lessons::parseCondition(text, {{}, 1, 1}, m_document.scene());
+        m_isOfNumbers = !condition && lessons::parseNumbers(text, {{}, 1, 1}, m_document.scene());
+        if (condition)
+            m_condition = std::move(condition).value();
+        else if (!m_isOfNumbers)
+            m_wrong = sentenceOf(condition.errors().front());
     }
-    auto read = lessons::parseCondition(text, {{}, 1, 1}, m_document.scene());
-    if (!read) {
-        m_asking.forget();
-        m_mask.reset();
-        const pipeline::Error& error = read.errors().front();
-        QString sentence = tr("Column %1: %2").arg(error.where.column).arg(toQString(error.found));
-        if (!error.expected.empty()) sentence += tr(", expected %1").arg(toQString(error.expected));
-        say(sentence, true);
-        return emit changed();
-    }
-    m_condition = std::move(read).value();
-    m_document.want(this, m_condition->buffers);
-    evaluate();
+    std::vector<BufferName> wanted;
+    if (m_condition) wanted = {kMask};
+    if (m_isOfNumbers) wanted = {kNumbers};
+    derived.want(this, wanted);
+    watchPlay();  // which may no longer wait for it
+    tell();
 }
 
-void ConditionBar::evaluate() {
-    m_searching.forget();
-    if (!m_condition || !m_document.frame()) {
-        m_asking.forget();
-        const bool had = m_mask.has_value();
-        m_mask.reset();
-        say({}, false);
-        if (had) emit changed();
-        return;
+void ConditionBar::tell() {
+    const DerivedBuffers& derived = m_document.derived();
+    if (const lessons::ConditionMask* found = mask()) {
+        const double share = found->drawn > 0 ? 100.0 * double(found->count) / double(found->drawn) : 0;
+        say(tr("Holds for %1 of %2 drawn pixels, %3 %")
+                .arg(count(qint64(found->count)), count(qint64(found->drawn)), number(share, 1)),
+            false);
+    } else if (m_isOfNumbers) {
+        const QString why = derived.whyNot(kNumbers);
+        say(why.isEmpty() ? tr("A number at every pixel: the buffer \"expression\" shows it.") : why, false);
+    } else {
+        say(m_condition ? derived.whyNot(kMask) : m_wrong, !m_wrong.isEmpty());
     }
-    // The mask before stays until this one is there; one of another condition has gone already.
-    m_asking.ask(
-        [condition = *m_condition, frame = m_document.frame()](const BackgroundJob::Control& control) {
-            return lessons::evaluate(condition, *frame, control.stop);
-        },
-        [this](const pipeline::Result<lessons::ConditionMask>& found) { take(found); });
-}
-
-void ConditionBar::take(const pipeline::Result<lessons::ConditionMask>& found) {
-    m_mask.reset();
-    if (!found) {
-        say(m_document.busy() ? tr("The buffers are being computed.") : toQString(found.errors().front().found), false);
-        return emit changed();
-    }
-    m_mask = *found;
-    const double share = m_mask->drawn > 0 ? 100.0 * double(m_mask->count) / double(m_mask->drawn) : 0;
-    say(tr("Holds for %1 of %2 drawn pixels, %3 %")
-            .arg(count(qint64(m_mask->count)), count(qint64(m_mask->drawn)), number(share, 1)),
-        false);
     emit changed();
 }
 
-void ConditionBar::runToStop() {
-    const Stepper& stepper = m_document.stepper();
-    if (!m_condition) return;
-    if (!stepper.steps()) return say(tr("The steps of the frame are being counted."), false);
-    const StepsPtr steps = stepper.steps();
-    const pipeline::Moment from = stepper.isInside() && stepper.moment() ? *stepper.moment() : steps->first();
-    m_searching.ask(
-        [condition = *m_condition, steps, from](const BackgroundJob::Control& control) {
-            return nextStop(*steps, from, condition, control.stop, control.progress);
-        },
-        [this](const std::optional<lessons::ConditionStop>& found) {
-            if (!found) return say(tr("No later step makes it hold at a pixel."), false);
-            m_document.stepper().goTo(found->moment);
-            m_document.pick(found->pixel);
-            emit m_document.said(tr("The condition holds at %1, %2.").arg(found->pixel.x).arg(found->pixel.y));
-        });
-}
-
-void ConditionBar::watchPlay() {
-    Stepper& stepper = m_document.stepper();
-    const auto forget = [&] {
-        m_watching.forget();
-        m_ahead.reset();
-        stepper.setStop(this, {});
-        stepper.setHeld(this, false);
-    };
-    if (!m_condition || !stepper.isPlaying() || !stepper.steps() || !stepper.moment()) return forget();
-    const pipeline::Moment now = *stepper.moment();
-    const bool known = m_ahead && m_ahead->steps == stepper.steps() && m_ahead->condition == m_condition->text &&
-                       now >= m_ahead->from && !(m_ahead->stop && now > m_ahead->stop->moment);
-    if (known) return;
-    forget();
-    stepper.setHeld(this, true);
-    m_ahead = Ahead{stepper.steps(), now, m_condition->text, {}};
-    m_watching.ask(
-        [condition = *m_condition, steps = stepper.steps(), now](const BackgroundJob::Control& control) {
-            return nextStop(*steps, now, condition, control.stop, control.progress);
-        },
-        [this](const std::optional<lessons::ConditionStop>& found) {
-            if (m_ahead) m_ahead->stop = found;
-            if (found) m_stopsAt = found->pixel;
-            m_document.stepper().setStop(this, found ? std::optional(found->moment) : std::nullopt);
-            m_document.stepper().setHeld(this, false);
-            evaluate();  // says how many again
-        });
-}
-
 void ConditionBar::goTo(bool next) {
-    if (!m_mask) return;
-    if (const auto pixel = lessons::nextHolding(*m_mask, m_document.pixel(), next)) m_document.pick(*pixel);
+    const lessons::ConditionMask* found = mask();
+    if (!found) return;
+    if (const auto pixel = lessons::nextHolding(*found, m_document.pixel(), next)) m_document.pick(*pixel);
 }
 
 void ConditionBar::keyPressEvent(QKeyEvent* event) {
@@ -222,7 +200,10 @@ void ConditionBar::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Enter:
             if (event->modifiers() & Qt::ControlModifier) return runToStop();
             return goTo(!(event->modifiers() & Qt::ShiftModifier));
-        case Qt::Key_Escape: return m_searching.busy() ? evaluate() : close();
+        case Qt::Key_Escape:
+            if (!m_searching.busy()) return close();
+            m_searching.forget();
+            return tell();
         default: event->accept();  // letters typed here are no keys of the view
     }
 }

@@ -12,24 +12,26 @@ class QToolButton;
 
 namespace app {
 
-// A condition over all pixels, typed: says for how many it holds, goes from one to the next, and on to the next moment
-// of the frame at which it begins to hold, where Play ends too. It follows the scene, and asks off the GUI thread.
+// The document's condition over all pixels, typed: says for how many it holds, goes from one to the next, and on to the
+// next moment of the frame at which it begins to hold, where Play ends too. An expression without a comparison gives
+// numbers in place of a mask. It follows the scene; mask and numbers are derived buffers.
 class ConditionBar : public QWidget {
     Q_OBJECT
 public:
     explicit ConditionBar(Document& document, QWidget* parent = nullptr);
 
-    void open();  // with the keys going to the text
+    void open();    // with the keys going to the text
+    void reveal();  // without
     void close();
     void setText(const QString& text);
-    // Of the document's frame; nothing without a condition, or where it is wrong.
-    const std::optional<lessons::ConditionMask>& mask() const { return m_mask; }
+    // Of the document's frame; null while it is closed, without a condition, or where it is wrong.
+    const lessons::ConditionMask* mask() const;
     QString said() const;  // the count, or what is wrong
     void goTo(bool next);  // the pixel after or before the picked one
     // To the next step that makes it hold at a pixel, from where the stepper stands, else from the frame's beginning.
     void runToStop();
     bool hasCondition() const { return m_condition.has_value(); }
-    bool busy() const { return m_asking.busy() || m_searching.busy(); }
+    bool busy() const;
 
 signals:
     void changed();  // the mask, or that there is none
@@ -40,8 +42,7 @@ protected:
 private:
     void watchPlay();  // finds where Play has to end, whenever that may have changed
     void read();       // the text
-    void evaluate();   // on the newest frame
-    void take(const pipeline::Result<lessons::ConditionMask>& found);
+    void tell();       // what has been found
     void say(const QString& text, bool isWrong);
 
     Document& m_document;
@@ -49,7 +50,8 @@ private:
     QLabel* m_said;
     QToolButton *m_previous, *m_next, *m_stop, *m_close;
     std::optional<lessons::Condition> m_condition;
-    std::optional<lessons::ConditionMask> m_mask;
+    QString m_wrong;  // with the text
+    bool m_isOfNumbers = false;
     // Where Play ends, of these steps, ahead of that moment; nothing where it is not known.
     struct Ahead {
         StepsPtr steps;
@@ -59,7 +61,8 @@ private:
     };
     std::optional<Ahead> m_ahead;
     glm::ivec2 m_stopsAt{0};  // the pixel of the newest stop that was found
-    BackgroundJob m_asking, m_searching, m_watching;
+    std::shared_ptr<const pipeline::Scene> m_searchedScene;
+    BackgroundJob m_searching, m_watching;
 };
 
 // Veils the pixels of a mask's picture for which it does not hold.

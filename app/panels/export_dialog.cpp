@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "app/core/derived_buffers.h"
 #include "app/core/export_job.h"
 #include "app/core/text.h"
 #include "app/panels/export_formats.h"
@@ -119,7 +120,7 @@ QWidget* ExportDialog::makeTarget() {
 
 void ExportDialog::showFrame() {
     if (!m_document.wholeFrame() || m_job) return;
-    m_buffers->setFrame(*m_document.wholeFrame());
+    m_buffers->setFrame(*m_document.wholeFrame(), m_document.derived().recipe());
     showSummary();
 }
 
@@ -147,7 +148,9 @@ void ExportDialog::showSummary() {
         double(m_width->text().toInt()) * m_height->text().toInt() / (double(settings.width) * settings.height);
     double bytes = 0;
     QStringList files = m_formats->sceneFiles();
-    for (const pipeline::PlannedFile& file : plannedFiles(*m_document.wholeFrame(), wanted)) {
+    std::vector<pipeline::PlannedFile> planned = plannedFiles(*m_document.wholeFrame(), wanted);
+    for (pipeline::PlannedFile& file : plannedDerived(m_document.scene(), wanted)) planned.push_back(std::move(file));
+    for (const pipeline::PlannedFile& file : planned) {
         if (file.file.empty()) continue;
         const bool pixels = pipeline::bufferInfo(file.buffer.id).domain == pipeline::Domain::Pixel;
         bytes += double(file.bytes) * (pixels ? scale : 1);
@@ -159,7 +162,8 @@ void ExportDialog::showSummary() {
                          .arg(sizeText(std::uint64_t(bytes))));
     const QString more = files.size() > 7 ? tr("\nand %1 more").arg(files.size() - 7) : QString();
     m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') + more);
-    m_foot->setCommand(exportCommand(*sceneToExport(), wanted, m_buffers->isAllChosen()));
+    m_foot->setCommand(
+        exportCommand(*sceneToExport(), wanted, m_document.derived().recipe(), m_buffers->isAllChosen()));
     const bool ready = !wanted.buffers.empty() && !wanted.formats.empty() && !m_folder->text().isEmpty() &&
                        m_width->hasAcceptableInput() && m_height->hasAcceptableInput();
     m_foot->setReady(ready, tr("Choose a buffer, a format, a folder and a size first."));
@@ -167,7 +171,7 @@ void ExportDialog::showSummary() {
 
 void ExportDialog::start() {
     if (m_job) return;
-    m_job = new ExportJob(sceneToExport(), m_document.wholeFrame(), request(), this);
+    m_job = new ExportJob(sceneToExport(), m_document.wholeFrame(), request(), m_document.derived().recipe(), this);
     connect(m_job, &ExportJob::progressed, this,
             [this](double share, const QString& file) { m_foot->setProgress(share, file); });
     connect(m_job, &ExportJob::finished, this, [this](const pipeline::ExportSummary& summary) {

@@ -22,27 +22,37 @@ ExportList::ExportList(QWidget* parent) : QTreeWidget(parent) {
     connect(this, &QTreeWidget::itemChanged, this, &ExportList::chosenChanged);
 }
 
-void ExportList::setFrame(const pipeline::Frame& frame) {
-    std::vector<pipeline::BufferName> unchecked;
-    for (const Entry& entry : m_entries)
-        if (entry.row.whyNot.isEmpty() && entry.item->checkState(0) != Qt::Checked) unchecked.push_back(entry.row.name);
+void ExportList::setFrame(const pipeline::Frame& frame, const DerivedRecipe& recipe) {
+    std::vector<pipeline::BufferName> unchecked, derived;
+    for (const Entry& entry : m_entries) {
+        const bool isChecked = entry.item->checkState(0) == Qt::Checked;
+        if (pipeline::isDerived(entry.row.name.id) && isChecked) derived.push_back(entry.row.name);
+        if (entry.row.whyNot.isEmpty() && !isChecked) unchecked.push_back(entry.row.name);
+    }
+    const auto isIn = [](const std::vector<pipeline::BufferName>& names, const pipeline::BufferName& name) {
+        return std::ranges::find(names, name) != names.end();
+    };
     const QSignalBlocker quiet(this);
     clear();
     m_entries.clear();
     const Theme& theme = Theme::current();
     QTreeWidgetItem* stage = nullptr;
-    for (ExportRow& row : exportRows(frame)) {
+    for (ExportRow& row : exportRows(frame, recipe)) {
+        const bool isDerived = pipeline::isDerived(row.name.id);
         const pipeline::StageInfo& info = stageInfo(bufferInfo(row.name.id).stage);
-        const QString heading = QStringLiteral("%1 %2").arg(index(info.id) + 1).arg(toQString(info.label));
+        const QString heading =
+            isDerived ? tr("Derived") : QStringLiteral("%1 %2").arg(index(info.id) + 1).arg(toQString(info.label));
         if (!stage || stage->text(0) != heading) {
             stage = new QTreeWidgetItem(this, {heading});
             stage->setFont(0, theme.text(13, 600));
             stage->setFlags(Qt::ItemIsEnabled);
         }
         const bool there = row.whyNot.isEmpty();
-        auto* item = new QTreeWidgetItem(
-            stage, {toQString(row.name.text()), there ? sizeText(row.bytes) : tr("left out: %1").arg(row.whyNot)});
-        const bool checked = there && std::ranges::find(unchecked, row.name) == unchecked.end();
+        auto* item =
+            new QTreeWidgetItem(stage, {toQString(row.name.text()), there       ? sizeText(row.bytes)
+                                                                    : isDerived ? row.whyNot
+                                                                                : tr("left out: %1").arg(row.whyNot)});
+        const bool checked = there && (isDerived ? isIn(derived, row.name) : !isIn(unchecked, row.name));
         item->setCheckState(0, checked ? Qt::Checked : Qt::Unchecked);
         item->setTextAlignment(1, there ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
         item->setToolTip(1, row.whyNot);
@@ -63,7 +73,8 @@ std::vector<pipeline::BufferName> ExportList::chosen() const {
 
 bool ExportList::isAllChosen() const {
     return std::ranges::all_of(m_entries, [](const Entry& entry) {
-        return entry.row.whyNot.isEmpty() == (entry.item->checkState(0) == Qt::Checked);
+        return pipeline::isDerived(entry.row.name.id) ||
+               entry.row.whyNot.isEmpty() == (entry.item->checkState(0) == Qt::Checked);
     });
 }
 

@@ -12,9 +12,10 @@ class ExportList : public QTreeWidget {
 public:
     explicit ExportList(QWidget* parent = nullptr);
 
-    void setFrame(const pipeline::Frame& frame);  // what the user has unchecked stays so
+    // What the user has unchecked stays so; derived buffers are checked by hand.
+    void setFrame(const pipeline::Frame& frame, const DerivedRecipe& recipe);
     std::vector<pipeline::BufferName> chosen() const;
-    bool isAllChosen() const;  // every buffer that is there, no other
+    bool isAllChosen() const;  // every buffer of the frame that is there, no other of it
 
 signals:
     void chosenChanged();

@@ -2,9 +2,11 @@
 
 #include <QMenu>
 
+#include "app/core/derived_buffers.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
+#include "pipeline/buffers/palette.h"
 
 namespace app {
 
@@ -13,7 +15,9 @@ using pipeline::ShadowVerdict;
 
 namespace {
 
-constexpr int kAlpha = 225;  // of 255
+pipeline::Color8 colorOf(std::size_t verdict) {
+    return pipeline::paletteStops(pipeline::Palette::ShadowVerdict)[verdict];
+}
 
 // Acne is striped and leaks are dotted: they are told apart without colour.
 bool isMarked(ShadowVerdict verdict, int x, int y) {
@@ -25,58 +29,21 @@ bool isMarked(ShadowVerdict verdict, int x, int y) {
 }  // namespace
 
 ShadowOverlay::ShadowOverlay(Document& document, QObject* parent) : QObject(parent), m_document(document) {
-    connect(&document, &Document::frameReady, this, &ShadowOverlay::refresh);
     connect(&document, &Document::sceneOpened, this, [this] { setLight(std::nullopt); });
-    connect(&m_job, &BackgroundJob::progressed, this, [this](double share) {
-        m_share = share;
-        emit changed();
+    connect(&document.derived(), &DerivedBuffers::changed, this, [this](const pipeline::BufferName& which) {
+        if (m_light && which == name()) emit changed();
     });
 }
 
 void ShadowOverlay::setLight(std::optional<std::size_t> light) {
     m_light = light;
-    m_job.forget();
-    m_scene.reset();
-    m_exact.reset();
-    m_verdicts.reset();
-    m_document.want(this, light ? pipeline::setOf({BufferId::Shadow}) : pipeline::BufferSet());
-    refresh();
+    m_document.derived().want(this, light ? std::vector{name()} : std::vector<pipeline::BufferName>());
     emit changed();
 }
 
-void ShadowOverlay::refresh() {
-    const pipeline::FramePtr frame = m_document.frame();
-    if (!m_light || !frame) return;
-    m_why = toQString(whyNoShadowVerdicts(frame->scene(), *m_light));
-    if (!m_why.isEmpty()) {
-        m_job.forget();
-        m_scene.reset();
-        m_exact.reset();
-        m_verdicts.reset();
-        return emit changed();
-    }
-    // The newest rays that were asked for still hold, whether they have come or not.
-    if (m_scene && haveSameRays(*m_scene, frame->scene())) return judge();
-    m_scene = frame->sharedScene();
-    m_share = 0;
-    m_exact.reset();
-    m_verdicts.reset();  // of other surfaces, or another light
-    m_job.ask(
-        [scene = m_scene, light = *m_light](const BackgroundJob::Control& control) {
-            return exactShadows(*scene, light, 0, control.stop, control.progress);
-        },
-        [this](const std::optional<pipeline::ExactShadows>& exact) {
-            m_exact = exact;
-            judge();
-        });
-    emit changed();
-}
-
-void ShadowOverlay::judge() {
-    const pipeline::FramePtr frame = m_document.frame();
-    if (!m_exact || !frame || m_exact->light != m_light) return;
-    if (auto verdicts = judgeShadows(*frame, *m_exact)) m_verdicts = std::move(verdicts);
-    emit changed();
+void ShadowOverlay::cancel() {
+    if (DerivedJob* job = m_light ? m_document.derived().find(name()) : nullptr) job->cancel();
+    setLight(std::nullopt);
 }
 
 void ShadowOverlay::fillMenu(QMenu& menu, const QString& whyNot) {
@@ -95,9 +62,29 @@ void ShadowOverlay::fillMenu(QMenu& menu, const QString& whyNot) {
     }
 }
 
+const pipeline::ShadowVerdicts* ShadowOverlay::verdicts() const {
+    const DerivedBuffer* made = m_light ? m_document.derived().made(name()) : nullptr;
+    return made ? made->verdicts.get() : nullptr;
+}
+
 QImage ShadowOverlay::image() const {
-    if (!m_light || !m_verdicts) return {};
-    const auto& map = m_verdicts->verdicts;
+    const pipeline::ShadowVerdicts* found = verdicts();
+    return found ? verdictPicture(*found, kVerdictAlpha) : QImage();
+}
+
+QString ShadowOverlay::notice() const {
+    if (!m_light) return {};
+    const DerivedJob* job = m_document.derived().find(name());
+    QString rays;
+    if (job && (job->busy() || !verdicts())) rays = m_document.derived().whyNot(name());
+    if (job && job->busy() && !rays.isEmpty()) rays += QStringLiteral(" <a href='cancel'>%1</a>").arg(tr("Cancel"));
+    if (!verdicts()) return rays;
+    const QString found = tr("shadow of light %1 against rays").arg(*m_light) + "<br>" + sharesText(*verdicts());
+    return rays.isEmpty() ? found : found + "<br>" + rays;
+}
+
+QImage verdictPicture(const pipeline::ShadowVerdicts& verdicts, int alpha) {
+    const auto& map = verdicts.verdicts;
     QImage image(map.size.x, map.size.y, QImage::Format_ARGB32_Premultiplied);
     for (int y = 0; y < map.size.y; ++y) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
@@ -105,34 +92,25 @@ QImage ShadowOverlay::image() const {
             const std::int32_t value = map.at({x, y});
             line[x] = 0;
             if (value < 0) continue;
-            const pipeline::Color8 c = pipeline::shadowVerdictTable()[std::size_t(value)].color;
+            const pipeline::Color8 c = colorOf(std::size_t(value));
             line[x] = isMarked(ShadowVerdict(value), x, y) ? qRgb(c.r / 3, c.g / 3, c.b / 3)
-                                                           : qPremultiply(qRgba(c.r, c.g, c.b, kAlpha));
+                                                           : qPremultiply(qRgba(c.r, c.g, c.b, alpha));
         }
     }
     return image;
 }
 
-QString ShadowOverlay::notice() const {
-    if (!m_light) return {};
-    if (!m_why.isEmpty()) return m_why;
-    const QString cancel = QStringLiteral(" <a href='cancel'>%1</a>").arg(tr("Cancel"));
-    const QString rays =
-        busy() ? tr("rays to light %1: %2 %").arg(*m_light).arg(int(100 * m_share)) + cancel : QString();
-    if (!m_verdicts) return rays;
+QString sharesText(const pipeline::ShadowVerdicts& verdicts) {
     QStringList parts;
     for (std::size_t v = 0; v < pipeline::kShadowVerdictCount; ++v) {
-        const pipeline::ShadowVerdictInfo& info = pipeline::shadowVerdictTable()[v];
-        // What is nearly white is an outline.
-        const bool isLight = info.color.r > 230;
+        const pipeline::Color8 color = colorOf(v);
+        const bool isLight = color.r > 230;  // nearly white: an outline
         parts << QStringLiteral("<span style='color:%1'>%2</span> %3 %4 %")
-                     .arg(isLight ? Theme::current().colors().text2.name()
-                                  : QColor(info.color.r, info.color.g, info.color.b).name(),
-                          isLight ? "□" : "■", toQString(info.name), number(m_verdicts->percent(ShadowVerdict(v)), 2));
+                     .arg(isLight ? Theme::current().colors().text2.name() : QColor(color.r, color.g, color.b).name(),
+                          isLight ? "□" : "■", toQString(pipeline::shadowVerdictTable()[v].name),
+                          number(verdicts.percent(ShadowVerdict(v)), 2));
     }
-    const QString found = tr("shadow of light %1 against rays").arg(*m_light) + "<br>" + parts.mid(0, 2).join(' ') +
-                          "<br>" + parts.mid(2).join(' ');
-    return rays.isEmpty() ? found : found + "<br>" + rays;
+    return parts.mid(0, 2).join(' ') + "<br>" + parts.mid(2).join(' ');
 }
 
 }  // namespace app

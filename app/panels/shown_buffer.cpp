@@ -6,6 +6,7 @@
 
 #include "app/core/numbers.h"
 #include "app/core/text.h"
+#include "app/panels/buffer_legend.h"
 #include "pipeline/stages/cull.h"
 
 namespace app {
@@ -75,40 +76,6 @@ QString noticeOf(const Findings& found, bool countsDistinct) {
     if (found.nan > 0) parts << QString("%1 NaN").arg(found.nan);
     if (found.infinite > 0) parts << QString("%1 infinite").arg(found.infinite);
     return parts.join(", ");
-}
-
-QColor toColor(pipeline::Color8 c) { return {c.r, c.g, c.b}; }
-
-std::vector<LegendEntry> legendOf(const Frame& frame, const AnyBuffer& buffer) {
-    std::vector<LegendEntry> legend;
-    std::map<int, int> counts;
-    std::visit(
-        [&](const auto& numbers) {
-            for (std::size_t i = 0; i < numbers.size();) {
-                std::size_t end = i + 1;  // neighbours are often equal
-                while (end < numbers.size() && numbers[end] == numbers[i]) ++end;
-                if (numbers[i] >= 0) counts[int(numbers[i])] += int(end - i);
-                i = end;
-            }
-        },
-        buffer.data);
-    const Palette palette = buffer.info->palette;
-    for (const auto& [value, count] : counts) {
-        LegendEntry entry{toColor(paletteColor(palette, value, 0, 1)), Qt::NoBrush, {}};
-        if (palette == Palette::Verdict) {
-            const auto verdict = pipeline::Verdict(value);
-            entry.hatch = hatchOfVerdict(pipeline::letter(verdict));
-            entry.text =
-                QString("%1 %2, %3").arg(QChar(pipeline::letter(verdict)), toQString(name(verdict))).arg(count);
-        } else {
-            entry.text = QString::number(value);
-            const auto& objects = frame.scene().objects;
-            if (buffer.info->id == BufferId::ObjectId && std::size_t(value) < objects.size())
-                entry.text += ' ' + toQString(objects[std::size_t(value)].name);
-        }
-        legend.push_back(entry);
-    }
-    return legend;
 }
 
 // Values in a pixel, then which polygon it shows and how many fragments came.
@@ -236,7 +203,7 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     shown.description = descriptionOf(buffer, content.size, found);
     const Palette palette = shownPalette(info, channel);
     if (hasRange(info, channel)) shown.scale = scaleOf(buffer, shown.look, whole, drawn);
-    if (palette == Palette::Categorical || palette == Palette::Verdict) shown.legend = legendOf(frame, buffer);
+    if (isOfNames(info) && palette == info.palette) shown.legend = legendOf(frame, buffer, drawn);
     return shown;
 }
 

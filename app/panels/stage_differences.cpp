@@ -19,9 +19,7 @@ using pipeline::StageDifference;
 
 namespace {
 
-bool hasSize(const BufferInfo& info) {
-    return info.palette != Palette::Categorical && info.palette != Palette::Verdict;
-}
+bool hasSize(const BufferInfo& info) { return !isOfNames(info); }
 
 QString differText(const StageDifference& row) {
     if (!row.why.empty()) return toQString(row.why);

@@ -4,7 +4,10 @@
 #include <cmath>
 
 #include "app/core/theme.h"
+#include "app/derived/derived_buffer.h"
+#include "app/panels/condition_bar.h"
 #include "app/panels/overlays.h"
+#include "app/panels/shadow_overlay.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"
 
@@ -16,6 +19,64 @@ OverlaySet overlaysOf(const BufferShown& view) {
     for (const OverlayInfo& overlay : overlayTable())
         if (std::ranges::find(view.overlays, overlay.key) != view.overlays.end()) set.set(index(overlay.id));
     return set;
+}
+
+DerivedRecipe recipeOf(const WindowState& state, const pipeline::Scene& scene) {
+    DerivedRecipe recipe{.text = state.condition};
+    if (const auto mix = pipeline::parseMix(state.mix, scene.lights.size())) recipe.mix = *mix;
+    return recipe;
+}
+
+// What a view shows that no frame holds: its buffer, and what is laid over it.
+std::vector<pipeline::BufferName> derivedIn(const BufferShown& view) {
+    std::vector<pipeline::BufferName> names;
+    if (const auto name = pipeline::findDerived(view.buffer)) names.push_back(*name);
+    for (const std::string& overlay : view.overlays)
+        if (const auto name = pipeline::findDerived(overlay)) names.push_back(*name);
+    return names;
+}
+
+// Where derived buffers of a frame come from.
+struct Maker {
+    const pipeline::Frame& frame;
+    DerivedRecipe recipe;
+    const PictureLook& look;
+    const std::stop_token& stop;
+
+    std::optional<DerivedBuffer> operator()(const pipeline::BufferName& name) const {
+        if (look.known) {
+            const DerivedBuffer* known = look.known(name);
+            return known ? std::optional(*known) : std::nullopt;
+        }
+        if (!buffersFor(name, recipe, frame.scene())) return {};
+        auto derived = derive(name, recipe, frame, {.stop = stop});
+        return derived ? std::optional(std::move(derived).value()) : std::nullopt;
+    }
+};
+
+// The buffer of a view, whoever holds it.
+std::optional<ShownBuffer> shownIn(const Maker& make, const pipeline::BufferName& name, const BufferShown& view) {
+    const auto range =
+        view.range ? std::optional(pipeline::PaletteRange{(*view.range)[0], (*view.range)[1]}) : std::nullopt;
+    const bool isMixed = name.id == pipeline::BufferId::Color && !pipeline::isPlain(make.recipe.mix);
+    if (!pipeline::isDerived(name.id) && !isMixed) return showBuffer(make.frame, name, view.channel, range);
+    const auto derived = make(isMixed ? pipeline::BufferName{pipeline::BufferId::Mix} : name);
+    if (!derived) return {};
+    const auto polygons = make.frame.buffer({pipeline::BufferId::PolygonId});
+    ShownBuffer shown = showBuffer(make.frame, derived->buffer, drawnElements(derived->buffer, polygons, view.channel),
+                                   view.channel, range);
+    if (derived->verdicts) shown.content.overlays.push_back(verdictPicture(*derived->verdicts, 0));
+    return shown;
+}
+
+void layOver(const Maker& make, const BufferShown& view, CanvasContent& content) {
+    for (const std::string& overlay : view.overlays) {
+        const auto name = pipeline::findDerived(overlay);
+        const auto derived = name ? make(*name) : std::nullopt;
+        if (!derived) continue;
+        if (derived->verdicts) content.overlays.push_back(verdictPicture(*derived->verdicts, kVerdictAlpha));
+        if (derived->mask && overlay != view.buffer) content.overlays.push_back(veilOf(*derived->mask));
+    }
 }
 
 // A picture in colours is black where nothing was drawn.
@@ -54,6 +115,8 @@ pipeline::FramePtr frameOf(const WindowState& state, std::shared_ptr<const pipel
         .wanted = pipeline::setOf({pipeline::BufferId::Color, pipeline::BufferId::PolygonId}), .stop = stop};
     for (const BufferShown& view : state.views) {
         if (const auto name = pipeline::findBuffer(view.buffer)) request.wanted.set(index(name->id));
+        for (const pipeline::BufferName& name : derivedIn(view))
+            if (const auto needed = buffersFor(name, recipeOf(state, *scene), *scene)) request.wanted |= *needed;
         request.wanted |= buffersOf(overlaysOf(view));
     }
     pipeline::FramePtr frame = runFrame(std::move(scene), request, nullptr);
@@ -63,15 +126,15 @@ pipeline::FramePtr frameOf(const WindowState& state, std::shared_ptr<const pipel
 }
 
 QImage pictureOf(const pipeline::Frame& frame, const WindowState& state, const BufferShown& view,
-                 const PictureLook& look) {
-    const auto name = pipeline::findBuffer(view.buffer);
+                 const PictureLook& look, const std::stop_token& stop) {
+    const auto name = pipeline::findAnyBuffer(view.buffer);
     if (!name) return {};
-    const auto range =
-        view.range ? std::optional(pipeline::PaletteRange{(*view.range)[0], (*view.range)[1]}) : std::nullopt;
-    auto shown = showBuffer(frame, *name, view.channel, range);
+    const Maker make{frame, recipeOf(state, frame.scene()), look, stop};
+    auto shown = shownIn(make, *name, view);
     if (!shown) return {};
     const OverlaySet overlays = overlaysOf(view);
     addOverlays(frame, overlays, *shown);
+    if (whyNoOverlays(bufferInfo(name->id)).isEmpty()) layOver(make, view, shown->content);
     CanvasContent& content = shown->content;
     content.hasGround = !look.transparent;
     if (look.transparent && !content.image.isNull() && isColorPicture(bufferInfo(name->id), view.channel))

@@ -1,7 +1,9 @@
 #pragma once
 #include <QImage>
+#include <functional>
 #include <stop_token>
 
+#include "app/derived/derived_buffer.h"
 #include "app/state/window_state.h"
 #include "pipeline/run/frame.h"
 
@@ -12,6 +14,8 @@ struct PictureLook {
     QSize size{1280, 960};     // pixels
     bool transparent = false;  // where nothing was drawn, and around the picture
     bool marks = true;         // the picked pixel
+    // Derived buffers that are there already, null where one is not; empty: they are made, however long that takes.
+    std::function<const DerivedBuffer*(const pipeline::BufferName& name)> known{};
 };
 
 // The frame that a state shows, at its place, with the buffers of its views; null when stopped. On any thread.
@@ -19,8 +23,8 @@ pipeline::FramePtr frameOf(const WindowState& state, std::shared_ptr<const pipel
                            std::stop_token stop = {});
 
 // A view of a state: the buffer with palette, range, overlays and the part that it shows; what is worth looking at where
-// it shows what fits. Null where the frame has no such buffer.
+// it shows what fits. Null where the frame has no such buffer, or when stopped. On any thread; rays take their time.
 QImage pictureOf(const pipeline::Frame& frame, const WindowState& state, const BufferShown& view,
-                 const PictureLook& look);
+                 const PictureLook& look, const std::stop_token& stop = {});
 
 }  // namespace app

@@ -20,8 +20,8 @@ constexpr double kMost = 1e300;  // of any number: all but what is none
 constexpr std::size_t kMaxViews = 16, kMaxList = 10000;
 constexpr std::array<string_view, 3> kChannels{"red", "green", "blue"};
 
-const KnownKeys kKeys{"scene", "set",      "scene_text",  "stage", "place",     "step",
-                      "pixel", "equation", "arrangement", "view",  "bookmarks", "view3d"};
+const KnownKeys kKeys{"scene",    "set",       "scene_text", "stage",       "place", "step",      "pixel",
+                      "equation", "condition", "mix",        "arrangement", "view",  "bookmarks", "view3d"};
 const KnownKeys kViewKeys{"buffer",  "channel", "range", "overlays", "counts",
                           "flipped", "region",  "zoom",  "center",   "size"};
 constexpr std::array<string_view, 2> kCounts{"linear", "logarithmic"};
@@ -50,6 +50,8 @@ public:
         WindowState state;
         text(table, "scene", state.scene);
         text(table, "scene_text", state.sceneText);
+        text(table, "condition", state.condition);
+        text(table, "mix", state.mix);
         text(table, "arrangement", state.arrangement);
         state.set = strings(table, "set", m_path);
         const auto stages = stageNames(), steps = stepNames();
@@ -138,7 +140,7 @@ private:
         BufferShown view;
         if (const auto* node = table.get("buffer"))
             if (const auto words = m_values.text(*node, path + "buffer")) {
-                if (pipeline::findBuffer(*words))
+                if (pipeline::findAnyBuffer(*words))
                     view.buffer = *words;
                 else
                     m_values.fail(node->source(), path + "buffer is " + pipeline::inQuotes(*words),

@@ -75,6 +75,8 @@ std::string stateText(const WindowState& state, const std::string& prefix) {
     out.line("step", tomlString(name(state.step)));
     if (state.pixel) out.line("pixel", fmt::format("[{}, {}]", (*state.pixel)[0], (*state.pixel)[1]));
     out.line("equation", tomlString(kChannels[std::size_t(state.channel)]));
+    if (!state.condition.empty()) out.line("condition", tomlString(state.condition));
+    if (!state.mix.empty()) out.line("mix", tomlString(state.mix));
     out.line("arrangement", tomlString(state.arrangement));
     if (!state.bookmarks.empty()) {
         std::vector<std::string> places;

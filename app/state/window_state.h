@@ -60,6 +60,8 @@ struct WindowState {
     pipeline::StepLevel step = pipeline::StepLevel::Polygon;
     std::optional<std::array<int, 2>> pixel = {};  // x, y; row 0 on top
     int channel = 2;                               // of the equation: 0 r, 1 g, 2 b
+    std::string condition = {};                    // the text of the buffers `condition` and `expression`
+    std::string mix = {};                          // of the terms, as parseMix reads it; empty: every term as it is
     std::string arrangement = "one";               // of the views: its name
     std::vector<BufferShown> views{BufferShown()};
     SpaceShown space = {};

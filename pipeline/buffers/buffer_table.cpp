@@ -100,27 +100,29 @@ constexpr std::array<BufferInfo, kBufferCount> kTable{{
     {B::Color, "color", S::Shading, D::Pixel, E::UInt8, 3, false, "", "sRGB", "The frame buffer.", P::Color, 0},
 }};
 
+// In the order of BufferId. Their stage is the last that they may read.
+constexpr std::array<BufferInfo, kDerivedCount> kDerived{{
+    {B::Mix, "mix", S::Shading, D::Pixel, E::UInt8, 3, false, "", "sRGB",
+     "The frame buffer that the terms make as they are mixed.", P::Color, 0},
+    {B::ShadowVerdict, "shadow_verdict", S::Shading, D::Pixel, E::Int32, 1, true, "", "",
+     "The shadow factor against exact rays: 0 lit, 1 shadowed, 2 acne, 3 leak.", P::ShadowVerdict, -1},
+    {B::Condition, "condition", S::Shading, D::Pixel, E::UInt8, 1, false, "", "", "1 where the condition holds.",
+     P::Truth, 0},
+    {B::Expression, "expression", S::Shading, D::Pixel, E::Real, 1, false, "", "",
+     "The number that the expression gives.", P::Sequential, 0},
+}};
+
 // findBuffer and bufferInfo index by BufferId.
 static_assert([] {
     for (std::size_t i = 0; i < kTable.size(); ++i)
         if (index(kTable[i].id) != i || (i > 0 && kTable[i].stage < kTable[i - 1].stage)) return false;
+    for (std::size_t i = 0; i < kDerived.size(); ++i)
+        if (index(kDerived[i].id) != kBufferCount + i) return false;
     return true;
 }());
 
-}  // namespace
-
-std::span<const BufferInfo, kBufferCount> bufferTable() { return kTable; }
-
-const BufferInfo& bufferInfo(BufferId id) { return kTable[index(id)]; }
-
-std::string BufferName::text() const {
-    std::string text(bufferInfo(id).name);
-    if (bufferInfo(id).perLight) text += '.' + std::to_string(light);
-    return text;
-}
-
-std::optional<BufferName> findBuffer(std::string_view text) {
-    for (const BufferInfo& info : kTable) {
+std::optional<BufferName> find(std::span<const BufferInfo> table, std::string_view text) {
+    for (const BufferInfo& info : table) {
         if (!info.perLight) {
             if (text == info.name) return BufferName{info.id};
             continue;
@@ -137,15 +139,9 @@ std::optional<BufferName> findBuffer(std::string_view text) {
     return std::nullopt;
 }
 
-std::string nearestBuffer(std::string_view text) {
-    std::vector<std::string> names;
-    for (const BufferName& name : allBuffers(1)) names.push_back(name.text());
-    return nearest(text, names);
-}
-
-std::vector<BufferName> allBuffers(std::size_t lights) {
+std::vector<BufferName> namesOf(std::span<const BufferInfo> table, std::size_t lights) {
     std::vector<BufferName> names;
-    for (const BufferInfo& info : kTable) {
+    for (const BufferInfo& info : table) {
         if (!info.perLight)
             names.push_back({info.id});
         else
@@ -153,6 +149,39 @@ std::vector<BufferName> allBuffers(std::size_t lights) {
     }
     return names;
 }
+
+}  // namespace
+
+std::span<const BufferInfo, kBufferCount> bufferTable() { return kTable; }
+
+std::span<const BufferInfo, kDerivedCount> derivedTable() { return kDerived; }
+
+const BufferInfo& bufferInfo(BufferId id) {
+    return isDerived(id) ? kDerived[index(id) - kBufferCount] : kTable[index(id)];
+}
+
+std::string BufferName::text() const {
+    std::string text(bufferInfo(id).name);
+    if (bufferInfo(id).perLight) text += '.' + std::to_string(light);
+    return text;
+}
+
+std::optional<BufferName> findBuffer(std::string_view text) { return find(kTable, text); }
+std::optional<BufferName> findDerived(std::string_view text) { return find(kDerived, text); }
+
+std::optional<BufferName> findAnyBuffer(std::string_view text) {
+    const auto name = findBuffer(text);
+    return name ? name : findDerived(text);
+}
+
+std::string nearestBuffer(std::string_view text) {
+    std::vector<std::string> names;
+    for (const BufferName& name : allBuffers(1)) names.push_back(name.text());
+    return nearest(text, names);
+}
+
+std::vector<BufferName> allBuffers(std::size_t lights) { return namesOf(kTable, lights); }
+std::vector<BufferName> allDerived(std::size_t lights) { return namesOf(kDerived, lights); }
 
 BufferSet setOf(std::initializer_list<BufferId> ids) {
     BufferSet set;

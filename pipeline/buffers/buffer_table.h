@@ -48,16 +48,32 @@ enum class BufferId : std::uint8_t {
     PolygonsIntensity,
     VerticesIntensity,
     Color,
+    // Derived: made of a finished frame by no stage. A frame does not hold them.
+    Mix,
+    ShadowVerdict,
+    Condition,
+    Expression,
 };
-inline constexpr std::size_t kBufferCount = std::size_t(BufferId::Color) + 1;
 constexpr std::size_t index(BufferId id) { return static_cast<std::size_t>(id); }
+inline constexpr std::size_t kBufferCount = index(BufferId::Color) + 1;  // that frames hold
+inline constexpr std::size_t kDerivedCount = index(BufferId::Expression) + 1 - kBufferCount;
+constexpr bool isDerived(BufferId id) { return index(id) >= kBufferCount; }
 
 // What one row of a buffer stands for.
 enum class Domain : std::uint8_t { Vertex, Polygon, Pixel, Texel };
 // Real is float32, or float64 when the run is in double.
 enum class Element : std::uint8_t { Real, Int32, UInt8 };
 // How a value becomes a colour on the screen.
-enum class Palette : std::uint8_t { Sequential, Diverging, Categorical, Verdict, Direction, Color };
+enum class Palette : std::uint8_t {
+    Sequential,
+    Diverging,
+    Categorical,
+    Verdict,
+    ShadowVerdict,
+    Truth,
+    Direction,
+    Color
+};
 
 struct BufferInfo {
     BufferId id;
@@ -74,7 +90,14 @@ struct BufferInfo {
     double neutral;  // where nothing was drawn, and what readers see when it is left out
 };
 
+// Its values are names: equal or not, and nothing between them.
+constexpr bool isOfNames(const BufferInfo& info) {
+    return info.palette == Palette::Categorical || info.palette == Palette::Verdict ||
+           info.palette == Palette::ShadowVerdict || info.palette == Palette::Truth;
+}
+
 std::span<const BufferInfo, kBufferCount> bufferTable();
+std::span<const BufferInfo, kDerivedCount> derivedTable();
 const BufferInfo& bufferInfo(BufferId id);
 
 // A buffer by name: "depth", "n_dot_l.0".
@@ -84,14 +107,18 @@ struct BufferName {
     std::string text() const;
     bool operator==(const BufferName&) const = default;
 };
-// Nothing where there is no such buffer, or a light's index is missing or too many.
+// Nothing where there is no such buffer, or a light's index is missing or too many. Buffers of a frame.
 std::optional<BufferName> findBuffer(std::string_view text);
+std::optional<BufferName> findDerived(std::string_view text);
+// Of a frame or derived: what a view can show and an export can write.
+std::optional<BufferName> findAnyBuffer(std::string_view text);
 // The nearest existing name, for messages.
 std::string nearestBuffer(std::string_view text);
 // Every buffer a scene with this many lights can have, in the order of the stages.
 std::vector<BufferName> allBuffers(std::size_t lights);
+std::vector<BufferName> allDerived(std::size_t lights);
 
-// Per light where it applies: wanting n_dot_l wants it of every light.
+// Per light where it applies: wanting n_dot_l wants it of every light. Of a frame's buffers alone.
 using BufferSet = std::bitset<kBufferCount>;
 BufferSet setOf(std::initializer_list<BufferId> ids);
 

@@ -21,7 +21,11 @@ constexpr std::array kSlope{hex(0x0b3c6f), hex(0x3f7fb5), hex(0x9cc3df), hex(0xf
 constexpr std::array kEight{hex(0x80b6ce), hex(0xfbdfb3), hex(0x2ca069), hex(0xe1a6ab),
                             hex(0x927ad4), hex(0x7c8118), hex(0x9ef0f1), hex(0x9f8396)};
 constexpr std::array kVerdict{hex(0x5e9a98), hex(0xc18d62), hex(0x927deb), hex(0xc7d3fa), hex(0xeede5c), hex(0xf6b7cf)};
+constexpr std::array kTruth{hex(0x000000), hex(0xffffff)};
 constexpr std::string_view kVerdictLetters = "KBDOCT";
+
+// Lit, shadowed, acne, leak; what is wrong is a colour. No verdict: black, as the ground of a picture.
+constexpr std::array kShadowVerdict{hex(0xf1efea), hex(0x332a5e), hex(0xda7b66), hex(0x9cc3df)};
 
 constexpr Color8 kNan = hex(0xff00c8), kWhite = hex(0xffffff), kBlack = hex(0x000000);
 
@@ -49,6 +53,11 @@ Color8 ofVerdict(double code) {
     return kVerdict[kVerdictLetters.find(letter(static_cast<Verdict>(code)))];
 }
 
+Color8 ofShadowVerdict(double value) {
+    if (!(value >= 0 && value < double(kShadowVerdict.size()))) return kBlack;
+    return kShadowVerdict[static_cast<std::size_t>(value)];
+}
+
 bool unitVectors(const BufferInfo& info) { return info.palette == Palette::Direction && info.unit.empty(); }
 
 }  // namespace
@@ -59,6 +68,8 @@ std::span<const Color8> paletteStops(Palette palette) {
         case Palette::Diverging: return kSlope;
         case Palette::Categorical: return kEight;
         case Palette::Verdict: return kVerdict;
+        case Palette::ShadowVerdict: return kShadowVerdict;
+        case Palette::Truth: return kTruth;
         case Palette::Direction:
         case Palette::Color: break;
     }
@@ -79,7 +90,9 @@ PaletteRange fittingRange(const AnyBuffer& buffer, const BufferStatistics& found
             return {-end, end};
         }
         case Palette::Categorical:
-        case Palette::Verdict: return {found.min, found.max};
+        case Palette::Verdict:
+        case Palette::ShadowVerdict: return {found.min, found.max};
+        case Palette::Truth: return {0, 1};
         case Palette::Direction: return unitVectors(info) ? PaletteRange{-1, 1} : PaletteRange{found.min, found.max};
         case Palette::Color: return {0, info.element == Element::UInt8 ? 255 : found.max};
     }
@@ -94,6 +107,8 @@ Color8 paletteColor(Palette palette, double value, double first, double last) {
         case Palette::Diverging: return onScale(kSlope, position(value, first, last));
         case Palette::Categorical: return inCategory(value);
         case Palette::Verdict: return ofVerdict(value);
+        case Palette::ShadowVerdict: return ofShadowVerdict(value);
+        case Palette::Truth: return value == 0 ? kBlack : kWhite;
         case Palette::Direction:
         case Palette::Color: break;
     }

@@ -9,7 +9,8 @@ namespace pipeline {
 
 // The colours of a palette, sRGB: stops of a scale (Sequential, Diverging), one a category
 // (Categorical; Verdict in the order kept, back-facing, degenerate, outside, clipped,
-// wholly transparent). Empty where the values themselves are colours.
+// wholly transparent; ShadowVerdict lit, shadowed, acne, leak; Truth false, true). Empty where the values themselves
+// are colours.
 std::span<const Color8> paletteStops(Palette palette);
 
 // The values that stand at the two ends of a palette. first > last turns a scale around.

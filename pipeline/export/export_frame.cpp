@@ -17,9 +17,24 @@ namespace {
 
 constexpr const char* kManifest = "manifest.json";
 
-// Every buffer that the scene could have and the request does not exclude.
+// Every buffer that the scene could have and the request does not exclude, and what was derived.
 std::vector<BufferName> askedFor(const Frame& frame, const ExportRequest& request) {
-    return request.buffers.empty() ? allBuffers(frame.scene().lights.size()) : request.buffers;
+    std::vector<BufferName> names = request.buffers.empty() ? allBuffers(frame.scene().lights.size()) : request.buffers;
+    for (const ExportRequest::Derived& derived : request.derived)
+        if (std::ranges::find(names, derived.buffer.name) == names.end()) names.push_back(derived.buffer.name);
+    return names;
+}
+
+const ExportRequest::Derived* findDerived(const ExportRequest& request, const BufferName& name) {
+    const auto found =
+        std::ranges::find(request.derived, name, [](const ExportRequest::Derived& one) { return one.buffer.name; });
+    return found == request.derived.end() ? nullptr : &*found;
+}
+
+std::optional<AnyBuffer> bufferOf(const Frame& frame, const ExportRequest& request, const BufferName& name) {
+    if (!isDerived(name.id)) return frame.buffer(name);
+    const ExportRequest::Derived* derived = findDerived(request, name);
+    return derived ? std::optional(derived->buffer) : std::nullopt;
 }
 
 std::string fileName(const BufferName& buffer, const Exporter& exporter) {
@@ -68,26 +83,6 @@ Result<std::vector<WrittenScene>> writeScene(const Frame& frame, const ExportReq
     return written;
 }
 
-// In every chosen format that can hold them.
-Result<std::vector<WrittenDerived>> writeDerived(const Frame& frame, const ExportRequest& request,
-                                                 const fs::path& folder) {
-    std::vector<WrittenDerived> written;
-    for (const ExportRequest::Derived& derived : request.derived) {
-        written.push_back({derived.name, derived.meaning, {}});
-        for (const std::string& format : request.formats) {
-            const Exporter* exporter = findExporter(format);
-            if (!exporter) continue;
-            const AnyBuffer& buffer = exporter->usesPalette && derived.picture ? *derived.picture : derived.numbers;
-            if (!exporter->refuses(*buffer.info).empty()) continue;
-            const std::string file = derived.name + '.' + std::string(exporter->name);
-            const auto bytes = exporter->write(makeItem(frame, buffer, nullptr, nullptr), folder / file);
-            if (!bytes) return bytes.errors();
-            written.back().files.push_back({file, exporter, *bytes});
-        }
-    }
-    return written;
-}
-
 // The staging folder's name must not reach the user: they asked for `folder`.
 Errors inFolder(Errors errors, const fs::path& folder) {
     for (Error& error : errors)
@@ -100,7 +95,7 @@ Errors inFolder(Errors errors, const fs::path& folder) {
 std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& request) {
     std::vector<PlannedFile> files;
     for (const BufferName& name : askedFor(frame, request)) {
-        const auto buffer = frame.buffer(name);
+        const auto buffer = bufferOf(frame, request, name);
         for (const std::string& format : request.formats) {
             if (findFrameExporter(format)) continue;
             const Exporter* exporter = findExporter(format);
@@ -108,7 +103,7 @@ std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& r
             if (!exporter)
                 file.whyNot = "There is no such format.";
             else if (!buffer)
-                file.whyNot = frame.whyAbsent(name);
+                file.whyNot = isDerived(name.id) ? "It was not derived." : frame.whyAbsent(name);
             else
                 file.whyNot = exporter->refuses(*buffer->info);
             if (file.whyNot.empty()) {
@@ -139,10 +134,12 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
     const auto state = request.state.empty() ? nullptr : std::make_shared<const std::string>(request.state);
     double done = 0;
     for (const PlannedFile& file : files) {
-        const auto buffer = frame.buffer(file.buffer);
+        const auto buffer = bufferOf(frame, request, file.buffer);
         if (!buffer) continue;
-        if (written.empty() || !(written.back().item.buffer.name == file.buffer))
-            written.push_back({makeItem(frame, *buffer, scene, state), {}});
+        if (written.empty() || !(written.back().item.buffer.name == file.buffer)) {
+            const ExportRequest::Derived* derived = findDerived(request, file.buffer);
+            written.push_back({makeItem(frame, *buffer, scene, state), {}, derived ? derived->meaning : std::string()});
+        }
         if (file.file.empty()) continue;
         if (!goOn(done / total, file.file)) return cancelled;
         const Exporter* exporter = findExporter(file.format);
@@ -161,14 +158,6 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
         summary.bytes += file.bytes;
     }
 
-    const auto derived = writeDerived(frame, request, staging.folder());
-    if (!derived) return inFolder(derived.errors(), request.folder);
-    for (const WrittenDerived& one : *derived)
-        for (const WrittenFile& file : one.files) {
-            summary.files.push_back(file.file);
-            summary.bytes += file.bytes;
-        }
-
     if (!goOn(done / total, request.writeMore ? "views" : kManifest)) return cancelled;
     const auto views = writeViews(request, staging.folder());
     if (!views) return inFolder(views.errors(), request.folder);
@@ -181,7 +170,7 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
 
     ByteFile out(staging.folder() / kManifest);
     // Replacing what is not UTF-8: a file's name may hold any bytes.
-    out.write(manifest(frame, askedFor(frame, request), written, *whole, *derived, *views, request.at)
+    out.write(manifest(frame, askedFor(frame, request), written, *whole, *views, request.at)
                   .dump(2, ' ', false, Json::error_handler_t::replace) +
               '\n');
     const auto bytes = out.close();

@@ -14,18 +14,16 @@ namespace pipeline {
 
 struct ExportRequest {
     std::filesystem::path folder;
-    std::vector<BufferName> buffers;                 // empty: all that the frame holds
+    std::vector<BufferName> buffers;                 // empty: all that the frame holds; derived ones always
     std::vector<std::string> formats{"npy", "png"};  // names of exporterTable(), frameExporterTable()
     // Writes more files into the folder it is given, for the same export: pictures of the 3D
     // views. Gives their names. May be empty.
     std::function<Result<std::vector<std::filesystem::path>>(const std::filesystem::path& folder)> writeMore;
     std::string state{};  // what the window shows, as TOML, for pictures that carry their scene; may be empty
-    // Made from the frame beside its own buffers: a mix of terms, a map of verdicts, a condition's mask.
+    // Made of the frame beside its own buffers; `buffers` may name them.
     struct Derived {
-        std::string name;                  // of the files, without an ending: "shadow_verdict.0"
-        std::string meaning;               // one sentence
-        AnyBuffer numbers;                 // for files that hold numbers
-        std::optional<AnyBuffer> picture;  // for files that show colours, in place of the numbers
+        AnyBuffer buffer;
+        std::string meaning;  // one sentence
     };
     std::vector<Derived> derived{};
     std::string at{};  // where inside a stage the frame stands, as a Place is written; for the manifest

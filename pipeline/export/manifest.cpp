@@ -45,8 +45,8 @@ Json describe(const WrittenBuffer& written) {
         files.push_back(entry);
     }
     return {{"name", buffer.name.text()},
-            {"stage", stageInfo(info.stage).name},
-            {"meaning", info.meaning},
+            {"stage", isDerived(info.id) ? Json() : Json(stageInfo(info.stage).name)},
+            {"meaning", written.meaning.empty() ? std::string(info.meaning) : written.meaning},
             {"shape", buffer.shape},
             {"dtype", buffer.dtype()},
             {"unit", info.unit},
@@ -61,7 +61,7 @@ Json describe(const WrittenBuffer& written) {
 Json absent(const Frame& frame, const std::vector<BufferName>& asked) {
     Json buffers = Json::array();
     for (const BufferName& buffer : asked) {
-        if (frame.buffer(buffer)) continue;
+        if (isDerived(buffer.id) || frame.buffer(buffer)) continue;
         buffers.push_back({{"name", buffer.text()},
                            {"stage", stageInfo(bufferInfo(buffer.id).stage).name},
                            {"why", frame.whyAbsent(buffer)}});
@@ -72,13 +72,14 @@ Json absent(const Frame& frame, const std::vector<BufferName>& asked) {
 }  // namespace
 
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
-              const std::vector<WrittenScene>& whole, const std::vector<WrittenDerived>& derived,
-              const std::vector<std::string>& views, const std::string& at) {
+              const std::vector<WrittenScene>& whole, const std::vector<std::string>& views, const std::string& at) {
     Json files = Json::array();
     for (const WrittenScene& file : whole)
         files.push_back({{"file", file.file}, {"format", file.exporter->name}, {"bytes", file.bytes}});
     Json described = Json::array();
-    for (const WrittenBuffer& buffer : buffers) described.push_back(describe(buffer));
+    Json derived = Json::array();
+    for (const WrittenBuffer& buffer : buffers)
+        (isDerived(buffer.item.buffer.name.id) ? derived : described).push_back(describe(buffer));
     Json all{{"program", {{"name", "Shadescope"}, {"version", programVersion()}}},
              {"scene", sceneToJson(frame.scene())},
              {"settings", settingsToJson(frame.scene())},
@@ -92,11 +93,7 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
              {"absent", absent(frame, asked)},
              {"files", files},
              {"views", views}};
-    for (const WrittenDerived& one : derived) {
-        Json names = Json::array();
-        for (const WrittenFile& file : one.files) names.push_back(file.file);
-        all["derived"].push_back({{"name", one.name}, {"meaning", one.meaning}, {"files", names}});
-    }
+    if (!derived.empty()) all["derived"] = std::move(derived);
     if (!at.empty()) all["at"] = at;
     return all;
 }

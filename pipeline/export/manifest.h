@@ -17,6 +17,7 @@ struct WrittenFile {
 struct WrittenBuffer {
     ExportItem item;
     std::vector<WrittenFile> files;
+    std::string meaning{};  // of a derived buffer
 };
 
 // A file of the whole frame.
@@ -26,16 +27,9 @@ struct WrittenScene {
     std::uint64_t bytes;
 };
 
-// A buffer that was made from the frame beside its own.
-struct WrittenDerived {
-    std::string name, meaning;
-    std::vector<WrittenFile> files;
-};
-
 // The text of manifest.json: which program made this of what, with which settings and plan,
 // and what each file holds. `asked` are the buffers that were to be exported.
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
-              const std::vector<WrittenScene>& whole, const std::vector<WrittenDerived>& derived,
-              const std::vector<std::string>& views, const std::string& at);
+              const std::vector<WrittenScene>& whole, const std::vector<std::string>& views, const std::string& at);
 
 }  // namespace pipeline

@@ -98,6 +98,8 @@ std::string_view paletteName(Palette palette) {
         case Palette::Diverging: return "slope";
         case Palette::Categorical: return "eight";
         case Palette::Verdict: return "verdict";
+        case Palette::ShadowVerdict: return "shadow verdict";
+        case Palette::Truth: return "truth";
         case Palette::Direction: return "direction";
         case Palette::Color: return "color";
     }

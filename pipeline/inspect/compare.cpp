@@ -22,8 +22,6 @@ struct DifferenceData {
     std::vector<double> values;
 };
 
-bool isName(const BufferInfo& info) { return info.palette == Palette::Categorical || info.palette == Palette::Verdict; }
-
 bool isSame(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 BufferInfo infoOf(const BufferInfo& a, Metric metric) {
@@ -32,14 +30,14 @@ BufferInfo infoOf(const BufferInfo& a, Metric metric) {
     info.element = Element::Real;
     info.channels = 1;
     info.perLight = false;
-    if (isName(a)) {
+    if (isOfNames(a)) {
         info.meaning = "1 where the two are not the same.";
         info.unit = "";
     } else {
         info.meaning = metricTable()[std::size_t(metric)].words;
         if (metric != Metric::Error && metric != Metric::Absolute) info.unit = "";
     }
-    info.palette = metric == Metric::Error && !isName(a) ? Palette::Diverging : Palette::Sequential;
+    info.palette = metric == Metric::Error && !isOfNames(a) ? Palette::Diverging : Palette::Sequential;
     info.neutral = 0;
     return info;
 }
@@ -53,12 +51,21 @@ struct Comparer {
     Metric metric;
     bool names;
     const std::vector<bool>&drawnA, &drawnB;
+    const CompareControl& control;
+
+    // Looked after now and then: it costs more than an element.
+    bool goesOn(std::size_t i) const {
+        constexpr std::size_t kOften = std::size_t{1} << 18;
+        if (i % kOften != 0) return true;
+        if (control.progress) control.progress(double(i) / double(values.size()));
+        return !control.stop.stop_requested();
+    }
 
     template <class A, class B>
     void operator()(std::span<const A> a, std::span<const B> b) {
         std::optional<std::size_t> firstOneSided;
         double sum = 0;
-        for (std::size_t i = 0; i < values.size(); ++i) {
+        for (std::size_t i = 0; i < values.size() && goesOn(i); ++i) {
             const bool inA = drawnA.empty() || drawnA[i], inB = drawnB.empty() || drawnB[i];
             if (!inA && !inB) continue;
             if (!found.drawn.empty()) found.drawn[i] = true;
@@ -144,7 +151,8 @@ std::string whyNotComparable(const AnyBuffer& a, const AnyBuffer& b) {
 }
 
 BufferDifference compareBuffers(const AnyBuffer& a, const AnyBuffer& b, int channel, DifferenceMetric metric,
-                                const std::vector<bool>& drawnA, const std::vector<bool>& drawnB) {
+                                const std::vector<bool>& drawnA, const std::vector<bool>& drawnB,
+                                const CompareControl& control) {
     const auto channels = std::size_t(a.channels());
     const std::size_t elements = a.count() / channels;
     auto data = std::make_shared<DifferenceData>(DifferenceData{infoOf(*a.info, metric), {}});
@@ -152,8 +160,8 @@ BufferDifference compareBuffers(const AnyBuffer& a, const AnyBuffer& b, int chan
 
     BufferDifference found;
     if (!drawnA.empty() && !drawnB.empty()) found.drawn.resize(elements);
-    std::visit(Comparer{found, data->values, a.channels() > 1 ? channel : -1, channels, metric, isName(*a.info), drawnA,
-                        drawnB},
+    std::visit(Comparer{found, data->values, a.channels() > 1 ? channel : -1, channels, metric, isOfNames(*a.info),
+                        drawnA, drawnB, control},
                a.data, b.data);
     found.values = {a.name, &data->info, a.shape, std::span<const double>(data->values), nullptr};
     if (channels > 1) found.values.shape.pop_back();

@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,10 +50,17 @@ struct BufferDifference {
     std::optional<std::size_t> worst;
 };
 
+// What watches a comparison. share: of what is compared, 0 to 1. Stopped, it gives what it has so far.
+struct CompareControl {
+    std::stop_token stop{};
+    std::function<void(double share)> progress{};
+};
+
 // channel -1: all of them. drawnA and drawnB say which elements hold something; empty: all do.
 // Two equal infinities, and NaN on both sides, are the same. whyNotComparable(a, b) must be empty.
 BufferDifference compareBuffers(const AnyBuffer& a, const AnyBuffer& b, int channel, DifferenceMetric metric,
-                                const std::vector<bool>& drawnA, const std::vector<bool>& drawnB);
+                                const std::vector<bool>& drawnA, const std::vector<bool>& drawnB,
+                                const CompareControl& control = {});
 
 // Made by compareBuffers.
 bool isDifference(const BufferInfo& info);

@@ -48,9 +48,8 @@ std::vector<DepthTests> depthTests(const Frame& frame) {
 }
 
 bool mayBeNegative(const BufferInfo& info) {
-    return info.palette == Palette::Diverging || info.palette == Palette::Direction ||
-           info.palette == Palette::Categorical || info.palette == Palette::Verdict || info.domain == Domain::Vertex ||
-           info.id == BufferId::Position;
+    return info.palette == Palette::Diverging || info.palette == Palette::Direction || isOfNames(info) ||
+           info.domain == Domain::Vertex || info.id == BufferId::Position || info.id == BufferId::Expression;
 }
 
 StrangeNumbers strangeNumbers(const AnyBuffer& buffer, int channel, const std::vector<bool>& drawn) {

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kNames{"emission", "ambient", "diffuse", "specular"};
 
+constexpr std::string_view kSolo = "solo", kMuted = "muted";
+
 BufferName bufferOf(const TermStrip& strip) {
     constexpr std::array kBuffers{BufferId::Emission, BufferId::Ambient, BufferId::Diffuse, BufferId::Specular};
     return {kBuffers[std::size_t(strip.kind)], strip.light};
@@ -80,8 +82,8 @@ Result<MixedPicture> mixOf(const Frame& frame, const FrameData<Real>& data, cons
             mixed.clamped += std::max({intensity.x, intensity.y, intensity.z}) > shading.iMax;
         }
     }
-    mixed.color = {{BufferId::Color},
-                   &bufferInfo(BufferId::Color),
+    mixed.color = {{BufferId::Mix},
+                   &bufferInfo(BufferId::Mix),
                    {std::size_t(size.y), std::size_t(size.x), 3},
                    std::span<const std::uint8_t>(*bytes),
                    bytes};
@@ -142,13 +144,32 @@ Result<TermMix> parseMix(std::string_view text, std::size_t lights) {
             return Error{{}, fmt::format("there is no term {}", inQuotes(name)), known};
         }
         const std::string_view number = name.size() < word.size() ? word.substr(name.size() + 1) : std::string_view();
+        if (number == kSolo || number == kMuted) {
+            (number == kSolo ? strip->solo : strip->muted) = true;
+            continue;
+        }
         double gain = -1;
         const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), gain);
         if (error != std::errc() || end != number.data() + number.size() || !(gain >= 0 && gain <= kMostGain))
-            return Error{{}, fmt::format("found {}", inQuotes(word)), fmt::format("{}=GAIN, from 0 to 4", key(*strip))};
+            return Error{{},
+                         fmt::format("found {}", inQuotes(word)),
+                         fmt::format("{}=GAIN, from 0 to 4, =solo or =muted", key(*strip))};
         strip->gain = gain;
     }
     return mix;
+}
+
+std::string mixText(const TermMix& mix) {
+    std::string text;
+    const auto add = [&](const TermStrip& strip, std::string_view value) {
+        text += fmt::format("{}{}={}", text.empty() ? "" : ",", key(strip), value);
+    };
+    for (const TermStrip& strip : mix) {
+        if (strip.gain != 1) add(strip, shortestText(strip.gain));
+        if (strip.solo) add(strip, kSolo);
+        if (strip.muted) add(strip, kMuted);
+    }
+    return text;
 }
 
 BufferSet mixBuffers() {

@@ -31,8 +31,10 @@ double weight(const TermMix& mix, std::size_t strip);
 std::string describe(
     const TermMix& mix);  // "diffuse 0 alone", "specular 0 × 2.5, no ambient"; "every term" where plain
 
-// "diffuse.0=2,ambient=0": the strips that are named take these gains. Errors say which word, and what is expected.
+// "diffuse.0=2,ambient=muted,specular.0=solo": the strips that are named take these gains, or stand alone, or are left
+// out. Errors say which word, and what is expected.
 Result<TermMix> parseMix(std::string_view text, std::size_t lights);
+std::string mixText(const TermMix& mix);  // that parseMix reads as the same mix; empty where every term is as it is
 
 // The buffers that mixing reads.
 BufferSet mixBuffers();
@@ -44,7 +46,7 @@ std::string whyNoMix(const Scene& scene);
 // the bits of `color`; beside that the last bit may differ where the arithmetic is `fast`, and with more than one
 // sample a pixel `color` is a mean, this a pixel's centre.
 struct MixedPicture {
-    AnyBuffer color;          // {H, W, 3}, uint8
+    AnyBuffer color;          // the buffer `mix`: {H, W, 3}, uint8
     std::size_t clamped = 0;  // pixels of which a channel is above I_max
 };
 // An error names the buffer that the frame lacks. whyNoMix(scene) is empty. Stopped: the error "stopped".

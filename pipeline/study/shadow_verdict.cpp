@@ -17,27 +17,14 @@ namespace {
 // Squares along each side of an area light: half of the light or more is what counts.
 constexpr int kCells = 4;
 
-constexpr BufferInfo kNumbers{BufferId::Shadow,
-                              "shadow_verdict",
-                              StageId::Shading,
-                              Domain::Pixel,
-                              Element::Int32,
-                              1,
-                              true,
-                              "",
-                              "",
-                              "0 lit, 1 shadowed, 2 acne, 3 leak: the shadow factor against exact rays.",
-                              Palette::Categorical,
-                              -1};
-
 }  // namespace
 
 std::span<const ShadowVerdictInfo, kShadowVerdictCount> shadowVerdictTable() {
     static const std::array<ShadowVerdictInfo, kShadowVerdictCount> kTable{{
-        {"lit", "rays reach the light, and the frame has light", Color8(0xF1, 0xEF, 0xEA)},
-        {"shadowed", "rays are blocked, and the frame has a shadow", Color8(0x33, 0x2A, 0x5E)},
-        {"acne", "false shadow: rays reach the light, the frame has a shadow", Color8(0xDA, 0x7B, 0x66)},
-        {"leak", "false light: rays are blocked, the frame has light", Color8(0x9C, 0xC3, 0xDF)},
+        {"lit", "rays reach the light, and the frame has light"},
+        {"shadowed", "rays are blocked, and the frame has a shadow"},
+        {"acne", "false shadow: rays reach the light, the frame has a shadow"},
+        {"leak", "false light: rays are blocked, the frame has light"},
     }};
     return kTable;
 }
@@ -120,30 +107,14 @@ std::optional<ShadowVerdicts> judgeShadows(const Frame& frame, const ExactShadow
     return found;
 }
 
-AnyBuffer numbersOf(const ShadowVerdicts& verdicts) {
+AnyBuffer bufferOf(const ShadowVerdicts& verdicts) {
     const auto owner =
         std::make_shared<std::vector<std::int32_t>>(verdicts.verdicts.pixels.begin(), verdicts.verdicts.pixels.end());
     const glm::ivec2 size = verdicts.verdicts.size;
-    return {{BufferId::Shadow, int(verdicts.light)},
-            &kNumbers,
+    return {{BufferId::ShadowVerdict, int(verdicts.light)},
+            &bufferInfo(BufferId::ShadowVerdict),
             {std::size_t(size.y), std::size_t(size.x)},
             std::span<const std::int32_t>(*owner),
-            owner};
-}
-
-AnyBuffer pictureOf(const ShadowVerdicts& verdicts) {
-    const glm::ivec2 size = verdicts.verdicts.size;
-    const auto owner = std::make_shared<std::vector<std::uint8_t>>(3 * verdicts.verdicts.pixels.size());
-    for (std::size_t i = 0; i < verdicts.verdicts.pixels.size(); ++i) {
-        const std::int32_t verdict = verdicts.verdicts.pixels[i];
-        if (verdict < 0) continue;
-        const Color8 color = shadowVerdictTable()[std::size_t(verdict)].color;
-        for (int c = 0; c < 3; ++c) (*owner)[3 * i + std::size_t(c)] = color[c];
-    }
-    return {{BufferId::Color},
-            &bufferInfo(BufferId::Color),
-            {std::size_t(size.y), std::size_t(size.x), 3},
-            std::span<const std::uint8_t>(*owner),
             owner};
 }
 

@@ -24,7 +24,6 @@ inline constexpr std::size_t kShadowVerdictCount = 4;
 struct ShadowVerdictInfo {
     std::string_view name;     // "acne"
     std::string_view meaning;  // "false shadow: …"
-    Color8 color;              // sRGB
 };
 std::span<const ShadowVerdictInfo, kShadowVerdictCount> shadowVerdictTable();  // in the order of the enumerators
 
@@ -59,8 +58,7 @@ struct ShadowVerdicts {
 // does not.
 std::optional<ShadowVerdicts> judgeShadows(const Frame& frame, const ExactShadows& exact);
 
-// As buffers to export: {H, W} int32, -1 where there is no verdict; {H, W, 3} uint8 in the table's colours.
-AnyBuffer numbersOf(const ShadowVerdicts& verdicts);
-AnyBuffer pictureOf(const ShadowVerdicts& verdicts);
+// The buffer shadow_verdict.k: {H, W} int32, -1 where there is no verdict.
+AnyBuffer bufferOf(const ShadowVerdicts& verdicts);
 
 }  // namespace pipeline

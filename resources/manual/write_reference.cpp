@@ -47,6 +47,10 @@ std::string buffers() {
                             pipeline::stageInfo(info.stage).name, domainText(info.domain), info.channels, unit,
                             info.meaning);
     }
+    text += "\n[Derived](buffers.md#derived-buffers) of a frame:\n\n| name | numbers | what |\n|---|---|---|\n";
+    for (const pipeline::BufferInfo& info : pipeline::derivedTable())
+        text +=
+            fmt::format("| `{}{}` | {} | {} |\n", info.name, info.perLight ? ".k" : "", info.channels, info.meaning);
     return text;
 }
 

@@ -207,7 +207,7 @@ TEST_F(BufferCompareTest, EveryStageIsListedWithWhatDiffers) {
 TEST(OtherChoices, OfferOtherValuesOfChoicesThatHaveAnEffectAndNoOther) {
     const auto frame = test::frameOf(test::pyramid());
     QStringList texts;
-    for (const app::OtherChoice& choice : app::otherChoices(*frame, {BufferId::ZView}, false)) {
+    for (const app::OtherChoice& choice : app::otherChoices(*frame, {BufferId::ZView}, false, {})) {
         if (choice.group.isEmpty() && choice.source.kind == Kind::Before) {
             EXPECT_FALSE(choice.whyNot.isEmpty());  // nothing has been changed
         }

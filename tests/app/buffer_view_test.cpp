@@ -372,7 +372,7 @@ TEST_F(BufferViewTest, AConditionVeilsThePixelsForWhichItDoesNotHold) {
     show({BufferId::Color});
     view.condition().open();
     view.condition().setText("z_view < 700");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.condition().mask().has_value(); }, 10000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.condition().mask() != nullptr; }, 10000));
     const auto z = *document.frame()->buffer({BufferId::ZView});
     std::size_t near = 0;
     for (std::size_t i = 0; i < z.count(); ++i) near += z.flat(i) < 700;

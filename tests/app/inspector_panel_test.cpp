@@ -7,6 +7,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
 #include "app/core/pointed.h"
 #include "app/panels/equation_section.h"
@@ -123,11 +124,14 @@ TEST_F(InspectorPanelTest, StripsMixTheTerms) {
     solo->click();
     EXPECT_NEAR(terms->mixed(), 45, 1e-9);
     EXPECT_NEAR(terms->sum(), 114.739, 5e-4);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return document.mixer().picture().has_value(); }, 10000));
-    EXPECT_EQ(document.mixer().picture()->color.value(268, 281, 2), 66) << "round(255·45/175)";
+    const QObject viewer;
+    const pipeline::BufferName mix{pipeline::BufferId::Mix};
+    document.derived().want(&viewer, {mix});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document.derived().made(mix) != nullptr; }, 10000));
+    EXPECT_EQ(document.derived().made(mix)->buffer.value(268, 281, 2), 66) << "round(255·45/175)";
     EXPECT_TRUE(shows("Mix of terms: ambient alone"));
     document.mixer().reset();
-    EXPECT_FALSE(document.mixer().picture());
+    EXPECT_TRUE(document.mixer().isPlain());
     EXPECT_FALSE(solo->isChecked());
 }
 

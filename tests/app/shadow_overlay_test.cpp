@@ -39,14 +39,18 @@ struct ShadowOverlayTest : testing::Test {
 
 TEST_F(ShadowOverlayTest, LaysTheVerdictsOverThePictureAndFollowsTheBias) {
     view.shadows().setLight(0);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shadows().verdicts().has_value(); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shadows().verdicts() != nullptr; }, 20000));
     EXPECT_GT(view.shadows().verdicts()->counts[std::size_t(pipeline::ShadowVerdict::Acne)], 100u) << "no bias";
     ASSERT_FALSE(view.canvas()->content().overlays.empty());
     EXPECT_EQ(view.canvas()->content().overlays[0].size(), QSize(160, 120));
     EXPECT_TRUE(view.shown()->notice.contains("acne"));
     document.change(*pipeline::findSetting(document.scene(), "shadow.bias_value"), 50);
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return view.shadows().verdicts()->counts[std::size_t(pipeline::ShadowVerdict::Leak)] > 100; }, 20000))
+        [&] {
+            return view.shadows().verdicts() &&
+                   view.shadows().verdicts()->counts[std::size_t(pipeline::ShadowVerdict::Leak)] > 100;
+        },
+        20000))
         << "a bias larger than the scene lets all light through";
     view.shadows().setLight(std::nullopt);
     EXPECT_TRUE(view.canvas()->content().overlays.empty());

@@ -37,7 +37,34 @@ TEST(Export, WritesWhatIsMadeFromTheFrame) {
         EXPECT_TRUE(fs::exists(folder.path() / "out" / file)) << file;
     const Json manifest = manifestOf(folder.path() / "out");
     ASSERT_EQ(manifest["derived"].size(), 3u);
-    EXPECT_EQ(manifest["derived"][0]["name"], "shadow_verdict.0");
+    EXPECT_EQ(manifest["derived"][0]["name"], "mix");
+    EXPECT_EQ(manifest["derived"][1]["name"], "shadow_verdict.0");
+    EXPECT_EQ(manifest["derived"][2]["meaning"], "1 where polygon_id >= 0 holds, else 0.");
+    EXPECT_EQ(manifest["derived"][2]["files"].size(), 2u);
+}
+
+// By name as any buffer, in every format that can hold it, and without one of the frame beside it.
+TEST(Export, WritesDerivedBuffersByName) {
+    const test::TemporaryFolder folder;
+    const auto done = run({"export", "pyramid", "-o", folder / "out", "--buffers", "expression", "--where",
+                           "x + 1000 * y", "--format", "npy,csv,exr,png"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const test::Npy numbers = test::readNpy(folder / "out/expression.npy");
+    EXPECT_EQ(numbers.descr, "<f8");
+    EXPECT_EQ(numbers.values[281 * 640 + 268], 281268) << "a pixel of the right face";
+    EXPECT_EQ(numbers.values[0], 0) << "nothing is drawn there";
+    EXPECT_FALSE(fs::exists(folder.path() / "out/color.npy"));
+    for (const char* file : {"expression.csv", "expression.exr", "expression.png"})
+        EXPECT_TRUE(fs::exists(folder.path() / "out" / file)) << file;
+    const Json manifest = manifestOf(folder.path() / "out");
+    EXPECT_EQ(manifest["buffers"].size(), 0u);
+    EXPECT_EQ(manifest["derived"][0]["maximum"].get<double>(), std::ranges::max(numbers.values));
+    EXPECT_NE(run({"export", "pyramid", "-o", folder / "none", "--buffers", "condition"}).err.find("no condition"),
+              std::string::npos);
+    EXPECT_NE(
+        run({"export", "gl_cube", "-o", folder / "none", "--buffers", "shadow_verdict.0"}).err.find("has no shadows"),
+        std::string::npos);
+    EXPECT_FALSE(fs::exists(folder.path() / "none"));
 }
 
 TEST(Export, RefusesWhatCannotBeMade) {

@@ -114,6 +114,35 @@ TEST_F(ConditionTest, ErrorsSayInWhichColumn) {
     EXPECT_NE(refusal(std::string(200, '!')).find("more than 50"), std::string::npos);
 }
 
+TEST_F(ConditionTest, IsABufferOfOnesAndZeros) {
+    const ConditionMask found = mask("z_view < 700");
+    const pipeline::AnyBuffer buffer = bufferOf(found);
+    EXPECT_EQ(buffer.name.text(), "condition");
+    EXPECT_EQ(buffer.shape, (std::vector<std::size_t>{480, 640}));
+    for (std::size_t i = 0; i < buffer.count(); ++i) ASSERT_EQ(buffer.flat(i), found.holds[i] ? 1 : 0) << i;
+}
+
+// A number without a comparison; nothing drawn is 0, and what has no number stays so.
+TEST_F(ConditionTest, NumbersAreABufferToo) {
+    const auto numbers = [](std::string_view text) {
+        const auto read = parseNumbers(text, {"--where", 1, 1}, s_scene);
+        EXPECT_TRUE(read) << (read ? "" : format(read.errors()));
+        return evaluateNumbers(*read, *s_frame).value();
+    };
+    const pipeline::AnyBuffer twice = numbers("2 * n_dot_l - x");
+    const auto ids = *s_frame->buffer({BufferId::PolygonId}), dots = *s_frame->buffer({BufferId::NDotL, 0});
+    EXPECT_EQ(twice.name.text(), "expression");
+    for (std::size_t i = 0; i < ids.count(); ++i)
+        ASSERT_EQ(twice.flat(i), ids.flat(i) < 0 ? 0 : 2 * dots.flat(i) - double(i % 640)) << i;
+    EXPECT_TRUE(std::isinf(numbers("1 / (x - 268)").value(268, 281)));
+    const auto refused = [](std::string_view text) {
+        return format(parseNumbers(text, {"--where", 1, 1}, s_scene).errors().front());
+    };
+    EXPECT_EQ(refused("x < 3"), "--where:1:1: found a comparison, expected a number");
+    EXPECT_EQ(refused("normal"),
+              "--where:1:1: found a vector, expected a number: one of its channels (.x), or length(…)");
+}
+
 TEST_F(ConditionTest, AFrameWithoutTheBufferIsAnError) {
     const auto read = parseCondition("specular.r > 1", {}, s_scene);
     ASSERT_TRUE(read);

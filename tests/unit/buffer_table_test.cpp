@@ -40,6 +40,20 @@ TEST(BufferTable, ShadowAndShadowBufferAreTwo) {
     EXPECT_EQ(findBuffer("shadow_buffer.3"), (BufferName{BufferId::ShadowBuffer, 3}));
 }
 
+// What is made of a frame has a name that no frame's buffer has, and none that frames are asked for.
+TEST(BufferTable, DerivedBuffersAreNamesApart) {
+    EXPECT_EQ(derivedTable().size(), kDerivedCount);
+    for (const BufferName& name : allDerived(3)) {
+        EXPECT_EQ(findDerived(name.text()), name);
+        EXPECT_EQ(findAnyBuffer(name.text()), name);
+        EXPECT_FALSE(findBuffer(name.text())) << name.text();
+        EXPECT_TRUE(isDerived(name.id) && &bufferInfo(name.id) == &derivedTable()[index(name.id) - kBufferCount]);
+    }
+    EXPECT_EQ(findDerived("shadow_verdict.2"), (BufferName{BufferId::ShadowVerdict, 2}));
+    EXPECT_EQ(findAnyBuffer("depth"), BufferName{BufferId::Depth});
+    EXPECT_FALSE(findDerived("depth") || findDerived("shadow_verdict") || findDerived("mix.0"));
+}
+
 TEST(BufferTable, SuggestsTheNearestName) {
     EXPECT_EQ(nearestBuffer("colour"), "color");
     EXPECT_EQ(nearestBuffer("zview"), "z_view");

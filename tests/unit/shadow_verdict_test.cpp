@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/buffers/palette.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -97,16 +98,19 @@ TEST(ShadowVerdict, SaysWhyThereIsNone) {
     EXPECT_FALSE(exactShadows(boxOverGround(), 0, 1, stop.get_token()));
 }
 
-TEST(ShadowVerdict, IsExportedAsNumbersAndColours) {
+TEST(ShadowVerdict, IsABufferOfNames) {
     const ShadowVerdicts found = judge(boxOverGround());
-    const AnyBuffer numbers = numbersOf(found), picture = pictureOf(found);
-    EXPECT_EQ(numbers.shape, (std::vector<std::size_t>{90, 120}));
-    EXPECT_EQ(picture.shape, (std::vector<std::size_t>{90, 120, 3}));
+    const AnyBuffer buffer = bufferOf(found);
+    EXPECT_EQ(buffer.name, (BufferName{BufferId::ShadowVerdict, 0}));
+    EXPECT_EQ(buffer.name.text(), "shadow_verdict.0");
+    EXPECT_EQ(buffer.shape, (std::vector<std::size_t>{90, 120}));
+    EXPECT_TRUE(isOfNames(*buffer.info));
     const auto first = std::ranges::find(found.verdicts.pixels, int(ShadowVerdict::Shadowed));
     ASSERT_NE(first, found.verdicts.pixels.end());
-    const auto i = std::size_t(first - found.verdicts.pixels.begin());
-    EXPECT_EQ(numbers.flat(i), 1);
-    EXPECT_EQ(picture.flat(3 * i), 0x33);
+    EXPECT_EQ(buffer.flat(std::size_t(first - found.verdicts.pixels.begin())), 1);
+    EXPECT_EQ(paletteStops(Palette::ShadowVerdict).size(), kShadowVerdictCount);
+    EXPECT_EQ(paletteColor(Palette::ShadowVerdict, 1, 0, 1), paletteStops(Palette::ShadowVerdict)[1]);
+    EXPECT_EQ(paletteColor(Palette::ShadowVerdict, -1, 0, 1), Color8(0)) << "no verdict: the ground of a picture";
 }
 
 }  // namespace pipeline

@@ -75,10 +75,18 @@ TEST(TermMix, SoloSilencesTheOthersAndMuteWins) {
     EXPECT_EQ(describe(*parseMix("ambient=0,specular.0=2.5", 1)), "no ambient, specular 0 × 2.5");
 }
 
+TEST(TermMix, IsWrittenAsItIsRead) {
+    EXPECT_EQ(mixText(plainMix(2)), "");
+    for (const char* text : {"ambient=solo", "diffuse.0=2,specular.0=muted", "emission=0.25,emission=solo,ambient=0"})
+        EXPECT_EQ(mixText(*parseMix(text, 1)), text);
+    EXPECT_TRUE((*parseMix("ambient=solo", 1))[1].solo);
+    EXPECT_EQ(mixed(*frameFor(test::pyramid()), *parseMix("ambient=solo", 1)).color.name, BufferName{BufferId::Mix});
+}
+
 TEST(TermMix, NamesWhatIsWrong) {
     EXPECT_EQ(parseMix("diffuse.1=2", 1).errors()[0].expected, "emission, ambient, diffuse.0, specular.0");
     for (const char* wrong : {"ambient=5", "ambient=-1", "ambient", "ambient=nan", "ambient=1x"})
-        EXPECT_EQ(parseMix(wrong, 1).errors()[0].expected, "ambient=GAIN, from 0 to 4") << wrong;
+        EXPECT_EQ(parseMix(wrong, 1).errors()[0].expected, "ambient=GAIN, from 0 to 4, =solo or =muted") << wrong;
     // A frame of which nobody wanted the terms lacks them.
     const auto picture = mixTerms(*runFrame(std::make_shared<const Scene>(test::pyramid()), {}, nullptr), plainMix(1));
     ASSERT_FALSE(picture);

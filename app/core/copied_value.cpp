@@ -1,0 +1,36 @@
+#include "app/core/copied_value.h"
+
+#include <array>
+#include <charconv>
+
+#include "app/core/text.h"
+
+namespace app {
+
+QString copiedValue(const pipeline::AnyBuffer& buffer, glm::ivec2 pixel) {
+    const auto channels = std::size_t(buffer.channels());
+    const std::size_t first = (std::size_t(pixel.y) * buffer.columns() + std::size_t(pixel.x)) * channels;
+    QString text = QStringLiteral("%1 at %2, %3:").arg(toQString(buffer.name.text())).arg(pixel.x).arg(pixel.y);
+    std::visit(
+        [&](const auto& values) {
+            for (std::size_t c = 0; c < channels; ++c) {
+                std::array<char, 32> digits;  // the longest double has 24
+                const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), values[first + c]).ptr;
+                text += ' ' + QString::fromLatin1(digits.data(), end - digits.data());
+            }
+        },
+        buffer.data);
+    return text;
+}
+
+QString whyNoValue(const pipeline::BufferInfo& info) {
+    switch (info.domain) {
+        case pipeline::Domain::Pixel: return {};
+        case pipeline::Domain::Texel: return "The texels of a shadow buffer are not those of the picture.";
+        case pipeline::Domain::Polygon:
+        case pipeline::Domain::Vertex: break;
+    }
+    return "This buffer stands on polygons or vertices and has no pixels.";
+}
+
+}  // namespace app

@@ -1,0 +1,100 @@
+#include "app/core/derived_buffers.h"
+
+#include "app/core/document.h"
+#include "app/core/mix_model.h"
+#include "app/core/text.h"
+
+namespace app {
+
+using pipeline::BufferName;
+
+DerivedBuffers::DerivedBuffers(Document& document) : m_document(document) {
+    connect(&document, &Document::sceneOpened, this, [this] {
+        for (const auto& [name, job] : m_jobs) job->forget();
+        setText({});
+        settle();
+    });
+    connect(&document, &Document::sceneChanged, this, &DerivedBuffers::settle);
+    connect(&document, &Document::frameReady, this, &DerivedBuffers::ask);
+    connect(&document.mixer(), &MixModel::changed, this, &DerivedBuffers::ask);
+}
+
+void DerivedBuffers::setText(const QString& text) {
+    if (text == m_text) return;
+    m_text = text;
+    emit textChanged();
+    settle();
+}
+
+DerivedRecipe DerivedBuffers::recipe() const { return {m_text.trimmed().toStdString(), m_document.mixer().mix()}; }
+
+void DerivedBuffers::want(const QObject* who, std::vector<BufferName> names) {
+    const auto known = m_wanted.find(who);
+    if (known == m_wanted.end() ? names.empty() : known->second == names) return;
+    if (known == m_wanted.end())
+        connect(who, &QObject::destroyed, this, [this, who] {
+            m_wanted.erase(who);
+            // Not at once: what hears of it may be going too.
+            QMetaObject::invokeMethod(this, &DerivedBuffers::settle, Qt::QueuedConnection);
+        });
+    m_wanted[who] = std::move(names);
+    settle();
+}
+
+void DerivedBuffers::settle() {
+    std::map<std::string, std::unique_ptr<DerivedJob>> kept;
+    pipeline::BufferSet needed;
+    for (const auto& [who, names] : m_wanted) {
+        for (const BufferName& name : names) {
+            std::unique_ptr<DerivedJob>& job = kept[name.text()];
+            if (job) continue;
+            if (auto known = m_jobs.find(name.text()); known != m_jobs.end()) job = std::move(known->second);
+            if (!job) {
+                job = std::make_unique<DerivedJob>();
+                connect(job.get(), &DerivedJob::changed, this, [this, name] { emit changed(name); });
+            }
+            if (!m_document.hasScene()) continue;
+            if (const auto buffers = buffersFor(name, recipe(), m_document.scene())) needed |= *buffers;
+        }
+    }
+    m_jobs = std::move(kept);
+    m_document.want(this, needed);
+    ask();
+}
+
+void DerivedBuffers::ask() {
+    const pipeline::FramePtr& frame = m_document.frame();
+    if (!frame) return;
+    for (const auto& [text, job] : m_jobs) job->ask(frame, *pipeline::findDerived(text), recipe());
+}
+
+DerivedJob* DerivedBuffers::find(const BufferName& name) const {
+    const auto job = m_jobs.find(name.text());
+    return job == m_jobs.end() ? nullptr : job->second.get();
+}
+
+const DerivedBuffer* DerivedBuffers::made(const BufferName& name) const {
+    const DerivedJob* job = find(name);
+    const pipeline::FramePtr& frame = m_document.frame();
+    if (!job || !job->made() || !frame) return nullptr;
+    const pipeline::Settings& settings = frame->scene().settings;
+    const pipeline::AnyBuffer& buffer = job->made()->buffer;
+    const bool fits = buffer.columns() == std::size_t(settings.width) && buffer.rows() == std::size_t(settings.height);
+    return fits ? &*job->made() : nullptr;
+}
+
+QString DerivedBuffers::whyNot(const BufferName& name) const {
+    const DerivedJob* job = find(name);
+    if (!job || made(name)) return {};
+    if (!job->errors().empty() && job->errors().front().where.column > 0) {
+        const pipeline::Error& error = job->errors().front();
+        const QString sentence = tr("Column %1: %2").arg(error.where.column).arg(toQString(error.found));
+        return error.expected.empty() ? sentence : sentence + tr(", expected %1").arg(toQString(error.expected));
+    }
+    if (!job->why().isEmpty()) return job->why();
+    if (name.id == pipeline::BufferId::ShadowVerdict && job->busy())
+        return tr("Rays to light %1: %2 %").arg(name.light).arg(int(100 * job->share()));
+    return tr("The buffer is being computed.");
+}
+
+}  // namespace app

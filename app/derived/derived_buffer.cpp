@@ -1,0 +1,110 @@
+#include "app/derived/derived_buffer.h"
+
+#include <fmt/format.h>
+
+namespace app {
+
+using pipeline::BufferId;
+using pipeline::BufferName;
+using pipeline::BufferSet;
+using pipeline::Error;
+using pipeline::Frame;
+using pipeline::Result;
+using pipeline::Scene;
+using pipeline::TermMix;
+
+namespace {
+
+const pipeline::SourceLocation kStart{{}, 1, 1};
+
+TermMix mixOf(const DerivedRecipe& recipe, const Scene& scene) {
+    return recipe.mix.empty() ? pipeline::plainMix(scene.lights.size()) : recipe.mix;
+}
+
+Result<lessons::Condition> conditionOf(const BufferName& name, const DerivedRecipe& recipe, const Scene& scene) {
+    const bool isTruth = name.id == BufferId::Condition;
+    if (recipe.text.empty()) return Error{{}, isTruth ? "There is no condition." : "There is no expression.", {}};
+    return isTruth ? lessons::parseCondition(recipe.text, kStart, scene)
+                   : lessons::parseNumbers(recipe.text, kStart, scene);
+}
+
+Result<DerivedBuffer> makeMix(const DerivedRecipe& recipe, const Frame& frame, const DerivedControl& control) {
+    const TermMix mix = mixOf(recipe, frame.scene());
+    const auto mixed = mixTerms(frame, mix, control.stop);
+    if (!mixed) return mixed.errors();
+    return DerivedBuffer{.buffer = mixed->color,
+                         .meaning = fmt::format("The frame buffer of the terms mixed so: {}.", describe(mix)),
+                         .clamped = mixed->clamped};
+}
+
+Result<DerivedBuffer> makeVerdicts(const BufferName& name, const Frame& frame, const DerivedControl& control) {
+    const auto light = std::size_t(name.light);
+    std::shared_ptr<const KnownRays> rays = control.rays;
+    if (!rays || rays->exact.light != light || !haveSameRays(*rays->scene, frame.scene())) {
+        auto exact = exactShadows(frame.scene(), light, control.threads, control.stop, control.progress);
+        if (!exact) return Error{{}, "stopped", {}};
+        rays = std::make_shared<const KnownRays>(KnownRays{frame.sharedScene(), *std::move(exact)});
+    }
+    auto verdicts = judgeShadows(frame, rays->exact);
+    const BufferName shadow{BufferId::Shadow, name.light};
+    if (!verdicts) return Error{{}, fmt::format("no {} in this frame: {}", shadow.text(), frame.whyAbsent(shadow)), {}};
+    const auto found = std::make_shared<const pipeline::ShadowVerdicts>(*std::move(verdicts));
+    return DerivedBuffer{.buffer = bufferOf(*found),
+                         .meaning =
+                             "Of the shadow factor against exact rays: 0 lit, 1 shadowed, 2 acne, 3 leak; "
+                             "-1 none.",
+                         .verdicts = found,
+                         .rays = rays};
+}
+
+Result<DerivedBuffer> makeCondition(const BufferName& name, const DerivedRecipe& recipe, const Frame& frame,
+                                    const DerivedControl& control) {
+    const auto condition = conditionOf(name, recipe, frame.scene());
+    if (!condition) return condition.errors();
+    if (name.id == BufferId::Expression) {
+        auto numbers = evaluateNumbers(*condition, frame, control.stop);
+        if (!numbers) return numbers.errors();
+        return DerivedBuffer{.buffer = std::move(numbers).value(), .meaning = fmt::format("{}.", recipe.text)};
+    }
+    auto mask = evaluate(*condition, frame, control.stop);
+    if (!mask) return mask.errors();
+    const auto found = std::make_shared<const lessons::ConditionMask>(std::move(mask).value());
+    return DerivedBuffer{
+        .buffer = bufferOf(*found), .meaning = fmt::format("1 where {} holds, else 0.", recipe.text), .mask = found};
+}
+
+}  // namespace
+
+Result<BufferSet> buffersFor(const BufferName& name, const DerivedRecipe& recipe, const Scene& scene) {
+    const auto noneBecause = [](const std::string& why) { return Error{{}, why, {}}; };
+    switch (name.id) {
+        case BufferId::Mix:
+            if (const std::string why = whyNoMix(scene); !why.empty()) return noneBecause(why);
+            if (mixOf(recipe, scene).size() != pipeline::plainMix(scene.lights.size()).size())
+                return noneBecause("The mix is of another number of lights.");
+            return pipeline::mixBuffers();
+        case BufferId::ShadowVerdict:
+            if (const std::string why = whyNoShadowVerdicts(scene, std::size_t(name.light)); !why.empty())
+                return noneBecause(why);
+            return pipeline::setOf({BufferId::Shadow, BufferId::ObjectId});
+        case BufferId::Condition:
+        case BufferId::Expression: {
+            const auto condition = conditionOf(name, recipe, scene);
+            if (!condition) return condition.errors();
+            return condition->buffers;
+        }
+        default: break;
+    }
+    return noneBecause(name.text() + " is a buffer of the frame.");
+}
+
+Result<DerivedBuffer> derive(const BufferName& name, const DerivedRecipe& recipe, const Frame& frame,
+                             const DerivedControl& control) {
+    switch (name.id) {
+        case BufferId::Mix: return makeMix(recipe, frame, control);
+        case BufferId::ShadowVerdict: return makeVerdicts(name, frame, control);
+        default: return makeCondition(name, recipe, frame, control);
+    }
+}
+
+}  // namespace app

@@ -1,0 +1,37 @@
+// What a comparison says.
+#include "app/panels/buffer_compare.h"
+
+namespace app {
+
+using pipeline::Domain;
+
+void BufferCompare::tell() {
+    const bool isOnItsWay = !m_found && m_why.isEmpty();
+    const bool isCancelled = isOnItsWay && m_difference.wasCancelled();
+    const QString waits = isCancelled
+                              ? tr("The difference was cancelled.")
+                              : tr("The difference is being computed, %1 %.").arg(int(100 * m_difference.share()));
+    m_bar->setOffer(isCancelled                         ? CompareBar::Offer::Compute
+                    : isOnItsWay && m_difference.busy() ? CompareBar::Offer::Cancel
+                                                        : CompareBar::Offer::Nothing);
+    QString sentence = m_found ? findingText(*m_found) : isOnItsWay ? waits : m_why;
+    if (m_found && m_frameB == m_other.frame() && m_other.busy()) sentence += tr(" (B follows)");
+    QString whyNoWorst;
+    if (!m_found)
+        whyNoWorst = isOnItsWay ? waits : m_why;
+    else if (!m_found->worst)
+        whyNoWorst = tr("The two are the same.");
+    else if (m_found->values.info->domain == Domain::Texel)
+        whyNoWorst = tr("A texel of a shadow buffer cannot be picked.");
+    m_bar->setFinding(sentence, whyNoWorst);
+}
+
+QString BufferCompare::readout(QPoint pixel) const {
+    if (!m_found || standsOnShapes(*m_found->values.info)) return {};
+    const auto x = std::size_t(pixel.x()), y = std::size_t(pixel.y());
+    const QString b = "   B " + elementText(*m_b, x, y, m_channel).join(' ');
+    if (showsDifference()) return "   A " + elementText(*m_a, x, y, m_channel).join(' ') + b;
+    return b + "   A − B " + valueText(m_found->values, m_found->values.value(x, y));
+}
+
+}  // namespace app
