@@ -1,7 +1,11 @@
-// Time per stage, as the runner measures it, on scenes that load different stages.
+// Time per stage, as the runner measures it, on scenes that load different stages; and of a frame after one change.
 //   stage_bench --benchmark_filter=Shading
+//   stage_bench --benchmark_filter=Change
 #include <benchmark/benchmark.h>
 
+#include "pipeline/run/memory.h"
+#include "pipeline/run/runner.h"
+#include "tests/bench/workloads.h"
 #include "tests/support/scenes.h"
 
 namespace {
@@ -31,13 +35,32 @@ void fromNothing(benchmark::State& state, Scene scene, Precision precision, Stag
         state.SetIterationTime(test::frameOf(scene, setOf({BufferId::Color}))->run(stage).milliseconds / 1000);
 }
 
-// What a slider costs that moves a light: the stages that depend on it, the others reused.
-void lightMoves(benchmark::State& state, Scene scene) {
-    FramePtr frame = test::frameOf(scene, setOf({BufferId::Color}));
-    for (auto _ : state) {
-        scene.lights[0].position.x += 1;
-        frame = test::frameOf(scene, setOf({BufferId::Color}), 0, frame);
+// What one change costs: the stages that depend on it, the others reused. On one thread, 640 x 480, Phong shading with a
+// shadow buffer; the frame before is kept, as the window keeps it.
+struct Change {
+    const char* name;
+    void (*make)(Scene& scene);  // null: nothing changes
+};
+constexpr Change kChanges[]{
+    {"nothing", nullptr},
+    {"camera", [](Scene& scene) { scene.camera.eye += Vec3d(0.01); }},
+    {"light", [](Scene& scene) { scene.lights[0].position += Vec3d(0.01, 0, 0); }},
+    {"material", [](Scene& scene) { scene.objects[0].material.diffuse *= 0.99; }},
+    {"exponent", [](Scene& scene) { scene.objects[0].material.exponent += 1; }},
+};
+
+void changes(benchmark::State& state, const Scene& scene, const Change& change) {
+    const auto before = std::make_shared<const Scene>(scene);
+    auto after = before;
+    if (change.make) {
+        auto changed = std::make_shared<Scene>(scene);
+        change.make(*changed);
+        after = std::move(changed);
     }
+    const FrameRequest request{.wanted = setOf({BufferId::Color}), .threads = 1, .stop = {}};
+    FramePtr frame = runFrame(before, request, nullptr);
+    bool there = true;
+    for (auto _ : state) frame = runFrame((there = !there) ? before : after, request, frame);
 }
 
 void registerAll() {
@@ -55,15 +78,25 @@ void registerAll() {
                     ->Unit(benchmark::kMillisecond);
             }
         }
-        benchmark::RegisterBenchmark((std::string("Light moves/") + name).c_str(), lightMoves, scene)
-            ->UseRealTime()
-            ->Unit(benchmark::kMillisecond);
+    }
+    const bench::Workload& workload = bench::workloads()[1];
+    const auto mesh = meshOf(workload);
+    for (const auto& [arithmetic, text] :
+         {std::pair(Arithmetic::Exact, "exact"), std::pair(Arithmetic::Fast, "fast")}) {
+        const Scene scene = sceneOf(workload, bench::Part::PhongShadow, mesh, false, arithmetic);
+        for (const Change& change : kChanges)
+            benchmark::RegisterBenchmark(
+                (std::string("Change/") + change.name + "/" + workload.name + "/" + text).c_str(), changes, scene,
+                change)
+                ->UseRealTime()
+                ->Unit(benchmark::kMicrosecond);
     }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    pipeline::keepFreedMemory();  // as the program does
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     registerAll();
