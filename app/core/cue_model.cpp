@@ -7,6 +7,7 @@
 
 #include "app/core/document_state.h"
 #include "app/core/text.h"
+#include "app/state/cue_text.h"
 #include "app/state/state_scene.h"
 
 namespace app {
@@ -38,13 +39,15 @@ void CueModel::tell(int i) { emit dataChanged(index(i), index(i)); }
 
 bool CueModel::open(const QString& file) {
     if (m_soon.isActive()) write();
-    const auto list = readCueFile(file.toStdString());
+    const auto text = readCueText(file.toStdString());
+    const auto list = text ? readCues(*text, file.toStdString()) : pipeline::Result<CueList>(text.errors());
     if (!list) {
         emit failed(list.errors());
         return false;
     }
     beginResetModel();
-    m_list = *list;
+    m_list = m_written = *list;
+    m_text = *text;
     m_file = QFileInfo(file).absoluteFilePath();
     m_current = -1;
     m_removed.reset();
@@ -66,7 +69,8 @@ bool CueModel::saveAs(const QString& file) {
 void CueModel::clear() {
     if (m_soon.isActive()) write();
     beginResetModel();
-    m_list = {};
+    m_list = m_written = {};
+    m_text.clear();
     m_file = m_ownFile;
     m_current = -1;
     m_removed.reset();
@@ -79,10 +83,12 @@ void CueModel::write() {
     m_soon.stop();
     QDir().mkpath(QFileInfo(m_file).path());
     QSaveFile out(m_file);
-    const std::string text = toToml(m_list);
+    const std::string text = cueText(m_list, m_text, m_written);
     const bool written = out.open(QIODevice::WriteOnly) &&
                          out.write(text.data(), qint64(text.size())) == qint64(text.size()) && out.commit();
-    if (!written)
+    if (written)
+        m_text = text, m_written = m_list;
+    else
         emit failed({{{m_file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}});
 }
 

@@ -64,6 +64,8 @@ private:
     int m_current = -1;
     QTimer m_soon;
     std::optional<std::pair<int, Cue>> m_removed;
+    std::string m_text;  // of the file, with what someone has written into it by hand; m_written is the list in it
+    CueList m_written;
 };
 
 }  // namespace app

@@ -2,6 +2,7 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
+#include "app/core/pinned_pixels.h"
 #include "app/core/text.h"
 #include "app/state/state_scene.h"
 
@@ -76,6 +77,8 @@ Result<WindowState> stateOf(const Document& document, const fs::path& folder) {
     state.condition = document.derived().text().toStdString();
     state.mix = mixText(document.mixer().mix());
     state.bookmarks = document.stepper().bookmarks();
+    if (const PinnedPixels* pins = PinnedPixels::find(document)) state.pins = pins->all();
+    if (const auto& thing = document.selection()) state.selected = Selected{Selected::Kind(thing->kind), thing->index};
     return state;
 }
 
@@ -97,7 +100,9 @@ void showPlace(Document& document, const WindowState& state) {
     const auto mix = pipeline::parseMix(state.mix, document.scene().lights.size());
     mix ? document.mixer().set(*mix) : document.mixer().reset();  // of lights that the scene no longer has
     document.pick(state.pixel ? std::optional(glm::ivec2((*state.pixel)[0], (*state.pixel)[1])) : std::nullopt);
-    document.select(std::nullopt);
+    PinnedPixels::of(document).set(state.pins);
+    const auto& thing = state.selected;
+    document.select(thing ? std::optional(Selection{Selection::Kind(thing->kind), thing->index}) : std::nullopt);
 }
 
 QString placeText(const WindowState& state) {

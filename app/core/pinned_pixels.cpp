@@ -9,6 +9,8 @@ PinnedPixels& PinnedPixels::of(Document& document) {
     return *new PinnedPixels(document);
 }
 
+const PinnedPixels* PinnedPixels::find(const Document& document) { return document.findChild<PinnedPixels*>(); }
+
 PinnedPixels::PinnedPixels(Document& document) : QObject(&document), m_document(document) {
     connect(&document, &Document::sceneOpened, this, &PinnedPixels::clear);
     connect(&document, &Document::sceneChanged, this, &PinnedPixels::changed);
@@ -30,6 +32,20 @@ bool PinnedPixels::toggle(glm::ivec2 pixel) {
     *place = isNew ? std::optional(pixel) : std::nullopt;
     emit changed();
     return true;
+}
+
+std::map<int, std::array<int, 2>> PinnedPixels::all() const {
+    std::map<int, std::array<int, 2>> pins;
+    for (int number = 1; number <= kMost; ++number)
+        if (const auto pixel = pin(number)) pins[number] = {pixel->x, pixel->y};
+    return pins;
+}
+
+void PinnedPixels::set(const std::map<int, std::array<int, 2>>& pins) {
+    m_pins = {};
+    for (const auto& [number, xy] : pins)
+        if (number >= 1 && number <= kMost) m_pins[std::size_t(number - 1)] = glm::ivec2(xy[0], xy[1]);
+    emit changed();
 }
 
 void PinnedPixels::clear() {

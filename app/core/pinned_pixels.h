@@ -1,6 +1,7 @@
 #pragma once
 #include <QObject>
 #include <array>
+#include <map>
 #include <optional>
 
 #include <glm/glm.hpp>
@@ -18,10 +19,14 @@ public:
 
     // The document's own, made when first asked for.
     static PinnedPixels& of(Document& document);
+    static const PinnedPixels* find(const Document& document);  // null where nobody has asked yet
 
     std::optional<glm::ivec2> pin(int number) const;  // 1 to 9
     // Takes the least free number, or lets go of a pixel that has one. false: all nine are taken.
     bool toggle(glm::ivec2 pixel);
+    // All of them by their numbers, and again.
+    std::map<int, std::array<int, 2>> all() const;
+    void set(const std::map<int, std::array<int, 2>>& pins);
     void clear();
     bool any() const;
 

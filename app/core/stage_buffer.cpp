@@ -1,5 +1,9 @@
 #include "app/core/stage_buffer.h"
 
+#include <algorithm>
+
+#include "pipeline/plan/needs.h"
+
 namespace app {
 
 using pipeline::BufferId;
@@ -20,6 +24,14 @@ BufferName mainBuffer(StageId stage, const pipeline::Scene& scene) {
     return {BufferId::Color};
 }
 
+BufferName mainBufferInside(StageId stage, const pipeline::Scene& scene) {
+    if (stage == StageId::Normals) return {BufferId::PolygonsNormal};
+    return mainBuffer(stage, scene);
+}
+
+namespace {
+
+// What the stage leaves that explains the main one.
 BufferName secondBuffer(StageId stage, const pipeline::Scene& scene) {
     switch (stage) {
         case StageId::Transform: return {BufferId::VerticesWorld};
@@ -34,11 +46,6 @@ BufferName secondBuffer(StageId stage, const pipeline::Scene& scene) {
     return scene.lights.empty() ? BufferName{BufferId::Ambient} : BufferName{BufferId::Specular, 0};
 }
 
-BufferName mainBufferInside(StageId stage, const pipeline::Scene& scene) {
-    if (stage == StageId::Normals) return {BufferId::PolygonsNormal};
-    return mainBuffer(stage, scene);
-}
-
 BufferName secondBufferInside(StageId stage, const pipeline::Scene& scene) {
     switch (stage) {
         case StageId::Cull: return {BufferId::VerticesScreen};
@@ -48,6 +55,42 @@ BufferName secondBufferInside(StageId stage, const pipeline::Scene& scene) {
         case StageId::ShadowBuffer: return {BufferId::PolygonsNormal};
         default: return secondBuffer(stage, scene);
     }
+}
+
+// Beside the first two.
+std::vector<BufferName> moreBuffers(StageId stage, const pipeline::Scene& scene) {
+    const bool lit = !scene.lights.empty();
+    std::vector<BufferName> more;
+    switch (stage) {
+        case StageId::Transform: more = {{BufferId::VerticesView}, {BufferId::PolygonId}}; break;
+        case StageId::Cull: more = {{BufferId::VerticesScreen}, {BufferId::VerticesView}}; break;
+        case StageId::Normals: more = {{BufferId::PolygonsVerdict}, {BufferId::VerticesNormal}}; break;
+        case StageId::ShadowBuffer:
+            if (scene.lights.size() > 1) more.push_back({BufferId::ShadowBuffer, 1});
+            if (lit) more.push_back({BufferId::NDotL, 0});
+            break;
+        case StageId::ZBuffer: more = {{BufferId::PolygonId}, {BufferId::DepthWrites}, {BufferId::Barycentric}}; break;
+        case StageId::Shading:
+            if (lit) more = {{BufferId::Diffuse, 0}, {BufferId::Ambient}, {BufferId::NDotL, 0}};
+            break;
+    }
+    for (const BufferId id : {BufferId::Color, BufferId::ZView, BufferId::PolygonId, BufferId::Normal,
+                              BufferId::PolygonsNormal, BufferId::PolygonsVerdict, BufferId::VerticesScreen})
+        more.push_back({id});
+    return more;
+}
+
+}  // namespace
+
+std::vector<BufferName> usefulBuffers(StageId stage, const pipeline::Scene& scene, bool inside) {
+    std::vector<BufferName> all{inside ? mainBufferInside(stage, scene) : mainBuffer(stage, scene)};
+    std::vector<BufferName> others = moreBuffers(stage, scene);
+    others.insert(others.begin(), inside ? secondBufferInside(stage, scene) : secondBuffer(stage, scene));
+    for (const BufferName& name : others) {
+        const bool isLater = inside && bufferInfo(name.id).stage > stage;
+        if (!isLater && whyUseless(scene, name.id).empty() && std::ranges::count(all, name) == 0) all.push_back(name);
+    }
+    return all;
 }
 
 }  // namespace app

@@ -150,7 +150,7 @@ pipeline::Errors CleanView::lookAt(const WindowState& state) {
     setViewCount(m_views);
     if (!state.views.empty()) add(m_first->lookAt(state.views[0]));
     if (m_twoBuffers) add(m_second->lookAt(state.views[1]));
-    add(m_space->lookAt(state.space));
+    if (!state.spaces.empty()) add(m_space->lookAt(state.spaces.front()));
     showNames();
     return errors;
 }

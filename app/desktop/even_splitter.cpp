@@ -1,6 +1,7 @@
 #include "app/desktop/even_splitter.h"
 
 #include <QMouseEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "app/core/theme.h"
@@ -45,9 +46,35 @@ int snappedPosition(int position, int length, int handle, int reach) {
     return position;
 }
 
+EvenSplitter::EvenSplitter(Qt::Orientation orientation, QWidget* parent) : QSplitter(orientation, parent) {
+    connect(this, &QSplitter::splitterMoved, this, [this] {
+        setShares(sizes());
+        emit sharesChanged();
+    });
+}
+
 void EvenSplitter::makeEven() {
-    constexpr int kEqual = 1000;  // shares: the splitter scales them to its length
-    setSizes(QList<int>(count(), kEqual));
+    setShares(QList<int>(count(), 1));
+    emit sharesChanged();
+}
+
+void EvenSplitter::setShares(const QList<int>& shares) {
+    m_shares = shares;
+    // What differs by the pixel that cannot be shared is even.
+    const auto [least, most] = std::minmax_element(m_shares.begin(), m_shares.end());
+    if (!m_shares.isEmpty() && *most - *least <= 1) m_shares.fill(1);
+    if (m_shares.isEmpty()) return;
+    // Large, so that no part's least size stands for its share before the splitter scales them.
+    constexpr int kLarge = 10'000'000;
+    const int scale = std::max(1, kLarge / *std::max_element(m_shares.begin(), m_shares.end()));
+    QList<int> scaled = m_shares;
+    for (int& share : scaled) share *= scale;
+    setSizes(scaled);
+}
+
+void EvenSplitter::resizeEvent(QResizeEvent* event) {
+    QSplitter::resizeEvent(event);
+    if (!m_shares.isEmpty()) setShares(QList<int>(m_shares));  // a copy: it is given to itself
 }
 
 QSplitterHandle* EvenSplitter::createHandle() { return new Handle(this); }

@@ -26,12 +26,8 @@ constexpr std::array kCopies{Copy{A::CopyEquationText, &MathView::asText, "text"
                              Copy{A::CopyEquationLatex, &MathView::asLatex, "LaTeX"},
                              Copy{A::CopyEquationJson, &MathView::asJson, "JSON"}};
 
-// Of the view that the keys go to, else of the first one.
-BufferView& activeView(ViewArea& views) {
-    const QWidget* focus = QApplication::focusWidget();
-    const bool second = focus && views.hasSecond() && views.second().isAncestorOf(focus);
-    return second ? views.second() : views.first();
-}
+// The one that the keys go to, or went to last; the first one where that is a 3D view.
+BufferView& activeView(ViewArea& views) { return views.activeBuffer(); }
 
 }  // namespace
 

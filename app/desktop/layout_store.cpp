@@ -1,10 +1,14 @@
 #include "app/desktop/layout_store.h"
 
+#include <QDataStream>
 #include <QGuiApplication>
+#include <QIODevice>
 #include <QScreen>
 #include <QSettings>
+#include <algorithm>
 
 #include "app/core/theme.h"
+#include "app/state/view_tree.h"
 
 namespace app {
 namespace {
@@ -17,6 +21,24 @@ QString layoutKey(const QMainWindow& window) {
 // A name may hold what separates keys.
 QString keyOf(const QString& name) {
     return "layouts/" + QString::fromLatin1(name.toUtf8().toBase64(QByteArray::Base64UrlEncoding));
+}
+
+// Layouts were once kept with the sizes of the columns, then of the buffer views, 0 where there is none, beside the
+// arrangement's name.
+QString withSizes(const QString& arrangement, const QByteArray& sizes) {
+    QList<int> columns, buffers;
+    QDataStream stream(sizes);
+    stream >> columns >> buffers;
+    auto tree = arrangementNamed(arrangement.toStdString());
+    if (sizes.isEmpty() || stream.status() != QDataStream::Ok || !tree) return arrangement;
+    const auto weigh = [](ViewTree& all, const QList<int>& weights) {
+        for (qsizetype i = 0; i < std::min(weights.size(), qsizetype(all.parts.size())); ++i)
+            all.parts[std::size_t(i)].weight = std::max(1, weights[i]);
+    };
+    if (arrangement == "compare") weigh(*tree, buffers);
+    if (arrangement == "one" || arrangement == "two") weigh(*tree, columns);
+    if (arrangement == "two") weigh(tree->parts.front(), buffers);
+    return QString::fromStdString(arrangementText(*tree));
 }
 
 constexpr const char* kThemeNames[]{"dark", "light", "projector"};
@@ -50,7 +72,6 @@ void keepLayout(const QString& name, const KeptLayout& layout) {
     settings.beginGroup(keyOf(name));
     settings.setValue("panels", layout.panels);
     settings.setValue("arrangement", layout.arrangement);
-    settings.setValue("sizes", layout.sizes);
     settings.setValue("thumbnails", layout.thumbnails);
 }
 
@@ -58,8 +79,10 @@ std::optional<KeptLayout> keptLayout(const QString& name) {
     QSettings settings;
     settings.beginGroup(keyOf(name));
     if (!settings.contains("arrangement")) return {};
-    return KeptLayout{settings.value("panels").toByteArray(), settings.value("arrangement").toString(),
-                      settings.value("sizes").toByteArray(), settings.value("thumbnails").toBool()};
+    const QString arrangement = settings.value("arrangement").toString();
+    return KeptLayout{settings.value("panels").toByteArray(),
+                      withSizes(arrangement, settings.value("sizes").toByteArray()),
+                      settings.value("thumbnails").toBool()};
 }
 
 void dropLayout(const QString& name) { QSettings().remove(keyOf(name)); }

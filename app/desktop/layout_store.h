@@ -15,8 +15,7 @@ void forgetLayout(const QMainWindow& window);
 // A layout that the user has named.
 struct KeptLayout {
     QByteArray panels;    // QMainWindow::saveState
-    QString arrangement;  // ViewArea::arrangement
-    QByteArray sizes;     // ViewArea::sizes
+    QString arrangement;  // ViewArea::arrangement, with its sizes
     bool thumbnails = false;
     bool operator==(const KeptLayout&) const = default;
 };

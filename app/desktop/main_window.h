@@ -107,6 +107,7 @@ private:
     void fitWidth(bool always);
     void resetLayout();
     void connectLayouts();
+    void enableViewActions();
     void applyLayout(const char* arrangement, bool thumbnails);
     void applyKeptLayout(const QString& name);
     void keepThisLayout();

@@ -70,6 +70,13 @@ void MainWindow::connectActions() {
     on(A::Undo, [this] { m_document.undoStack()->undo(); });
     on(A::Redo, [this] { m_document.undoStack()->redo(); });
     on(A::TwoBufferViews, [this](bool shown) { m_views->setSecond(shown); });
+    on(A::SplitRight, [this] { m_views->splitView(m_views->active(), ViewTree::Kind::Row); });
+    on(A::SplitBelow, [this] { m_views->splitView(m_views->active(), ViewTree::Kind::Column); });
+    on(A::TurnView, [this] { m_views->turnView(m_views->active()); });
+    on(A::CloseView, [this] { m_views->closeView(m_views->active()); });
+    on(A::EvenViews, [this] { m_views->makeEven(); });
+    on(A::NextView, [this] { m_views->goToNext(1); });
+    on(A::PreviousView, [this] { m_views->goToNext(-1); });
     on(A::Thumbnails, [this](bool shown) { m_views->setThumbnails(shown); });
     on(A::LargerText, [] { Theme::current().setScale(Theme::current().scale() + 0.05); });
     on(A::SmallerText, [] { Theme::current().setScale(Theme::current().scale() - 0.05); });
@@ -126,11 +133,12 @@ void MainWindow::enableActions() {
     const bool scene = m_document.hasScene() && m_pages->currentWidget() == m_views;
     const QString noScene = tr("Open a scene first.");
     for (const A id : {A::Close, A::GoToPixel, A::TwoBufferViews, A::Thumbnails, A::LookLayout, A::ExplainLayout,
-                       A::CompareLayout, A::SpaceLayout, A::PictureLayout, A::KeepLayout, A::ResetLayout, A::RedChannel,
-                       A::GreenChannel, A::BlueChannel, A::Study})
+                       A::CompareLayout, A::FourLayout, A::SpaceLayout, A::PictureLayout, A::KeepLayout, A::ResetLayout,
+                       A::RedChannel, A::GreenChannel, A::BlueChannel, A::Study})
         m_actions->setEnabled(id, scene, noScene);
     for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);
     for (const A id : {A::Save, A::SaveAs}) m_actions->setEnabled(id, scene, noScene);
+    enableViewActions();
     for (const A id : {A::Export, A::Slide, A::Film})
         m_actions->setEnabled(id, scene && m_document.frame(),
                               scene ? tr("The first frame is not ready yet.") : noScene);
@@ -150,7 +158,6 @@ void MainWindow::enableActions() {
     actions[A::Redo]->setText(undo.canRedo() ? tr("Redo %1").arg(undo.redoText()) : tr("Redo"));
     actions[kStageActions[index(m_document.stage())]]->setChecked(true);
     actions[kChannelActions[std::size_t(m_document.channel())]]->setChecked(true);
-    actions[A::TwoBufferViews]->setChecked(m_views->hasSecond());
     actions[A::RestoreSession]->setChecked(SessionFile::isWanted());
     actions[A::Thumbnails]->setChecked(m_views->hasThumbnails());
     for (PanelDock* dock : m_docks) dock->toggleViewAction()->setEnabled(scene);

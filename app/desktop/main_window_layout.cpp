@@ -75,7 +75,8 @@ void MainWindow::fitWidth(bool always) {
     for (PanelDock* dock : m_sideDocks) dock->setVisible(m_leftDocks.contains(dock) ? wide : now != Width::Narrow);
     m_rail->setVisible(!wide);
     // One that was chosen stays.
-    if (m_views->arrangement() == "one" || m_views->hasSecond()) m_views->setSecond(wide && height() >= 900);
+    const std::string views = m_views->arrangement();
+    if (views == "one" || views == "two") m_views->setSecond(wide && height() >= 900);
     m_views->setThumbnails(!low);
     QList<QDockWidget*> docks, left;
     QList<int> widths;
@@ -118,7 +119,6 @@ void MainWindow::resetLayout() {
     }
     tabCues();
     m_views->setArrangement("one");
-    m_views->resetSizes();
     fitWidth(true);
 }
 
@@ -135,7 +135,6 @@ void MainWindow::applyKeptLayout(const QString& name) {
     if (!layout) return;
     restoreState(layout->panels, kLayoutVersion);
     m_views->setArrangement(layout->arrangement.toStdString());
-    m_views->restoreSizes(layout->sizes);
     m_views->setThumbnails(layout->thumbnails);
     enableActions();
 }
@@ -146,8 +145,8 @@ void MainWindow::keepThisLayout() {
         QInputDialog::getText(this, tr("Keep this layout"), tr("Name"), QLineEdit::Normal, QString(), &entered)
             .trimmed();
     if (!entered || name.isEmpty()) return;
-    keepLayout(name, {saveState(kLayoutVersion), QString::fromStdString(m_views->arrangement()), m_views->sizes(),
-                      m_views->hasThumbnails()});
+    keepLayout(name,
+               {saveState(kLayoutVersion), QString::fromStdString(m_views->arrangement()), m_views->hasThumbnails()});
     m_status->say(tr("Kept the layout as %1: View, Layout.").arg(name));
 }
 
@@ -159,10 +158,12 @@ void MainWindow::connectLayouts() {
     on(A::LookLayout, [this] { applyLayout("one", m_views->hasThumbnails()); });
     on(A::ExplainLayout, [this] { applyLayout("two", true); });
     on(A::CompareLayout, [this] { applyLayout("compare", m_views->hasThumbnails()); });
+    on(A::FourLayout, [this] { applyLayout("four", m_views->hasThumbnails()); });
     on(A::SpaceLayout, [this] { applyLayout("space", false); });
     on(A::PictureLayout, [this] { applyLayout("buffer", m_views->hasThumbnails()); });
     on(A::KeepLayout, [this] { keepThisLayout(); });
     on(A::ResetLayout, [this] { resetLayout(); });
+    connect(m_views, &ViewArea::changed, this, &MainWindow::enableViewActions);
     QMenu* menu = actions.menu("View/Layout");
     auto* drop = new QMenu(tr("Drop"), menu);
     QAction* before = menu->insertMenu(actions[A::ResetLayout], drop);
@@ -179,6 +180,23 @@ void MainWindow::connectLayouts() {
         }
         drop->setEnabled(!drop->isEmpty());
     });
+}
+
+void MainWindow::enableViewActions() {
+    using A = ActionId;
+    const bool scene = showsScene();
+    const auto enable = [&](A id, const QString& whyNot) {
+        m_actions->setEnabled(id, scene && whyNot.isEmpty(), scene ? whyNot : tr("Open a scene first."));
+    };
+    const ViewLeaf active = m_views->active();
+    enable(A::SplitRight, m_views->whyNotSplit(active, ViewTree::Kind::Row));
+    enable(A::SplitBelow, m_views->whyNotSplit(active, ViewTree::Kind::Column));
+    enable(A::CloseView, m_views->whyNotClose(active));
+    const bool alone = m_views->tree().kind == ViewTree::Kind::Leaf;
+    enable(A::EvenViews, isEven(m_views->tree()) ? tr("They are equal.") : QString());
+    for (const A id : {A::NextView, A::PreviousView}) enable(id, alone ? tr("It is the only view.") : QString());
+    enable(A::TurnView, {});
+    (*m_actions)[A::TwoBufferViews]->setChecked(m_views->hasSecond());
 }
 
 // From the rail the left panels open one at a time.

@@ -1,9 +1,13 @@
 #pragma once
 #include <QStringList>
 #include <QWidget>
+#include <map>
 
 #include "app/core/document.h"
+#include "app/state/view_tree.h"
 #include "app/state/window_state.h"
+
+class QMenu;
 
 namespace app {
 
@@ -12,48 +16,87 @@ class EvenSplitter;
 class ThumbnailStrip;
 class View3dPanel;
 
-// The middle of the window: buffer views at the left, the 3D view at the right, the buffers small
-// below. Going to a stage shows the stage's main buffer.
+// The middle of the window: buffer views and 3D views in any arrangement, the buffers small below. Going to a stage shows
+// the stage's main buffer in the first buffer view, and what explains it in the others of a named arrangement; in one that
+// the user has made the others keep their buffers. A view that is not on show computes nothing.
 class ViewArea : public QWidget {
     Q_OBJECT
 public:
     explicit ViewArea(Document& document, QWidget* parent = nullptr);
 
-    void showBuffer(const pipeline::BufferName& buffer);  // in the first view
-    // By their names, one a view; the second view appears for the second where there is room.
+    void showBuffer(const pipeline::BufferName& buffer);  // in the active buffer view
+    // By their names, one a view; a second view appears for the second where there is room.
     void showBuffers(const QStringList& names);
-    // How the views stand: "one" buffer beside the 3D view; "two", one above the other, beside it; "compare", two side by
-    // side without it; "space", the 3D view alone; "buffer", one buffer alone. False where there is no such arrangement.
-    std::string arrangement() const;
-    bool setArrangement(const std::string& name);
-    bool hasSecond() const;
-    void setSecond(bool shown);  // between "one" and "two"
-    // The parts' sizes, as they are kept with a layout, and the same again.
-    QByteArray sizes() const;
-    void restoreSizes(const QByteArray& sizes);
+
+    // How the views stand; where there is no room for all of them the last ones are not shown.
+    const ViewTree& tree() const { return m_tree; }
+    std::string arrangement() const { return arrangementText(m_tree); }
+    bool setArrangement(const std::string& nameOrText);  // false where it is neither
+    bool hasSecond() const;                              // buffer view
+    void setSecond(bool shown);                          // between "one" and "two"
+    void makeEven();
+
+    // The view that the keys go to, or went to last.
+    ViewLeaf active() const;
+    void goTo(ViewLeaf leaf);
+    void goToNext(int step);  // 1 the next one, −1 the one before
+    // A new view beside it, or below it, with a buffer that explains the stage.
+    void splitView(ViewLeaf leaf, ViewTree::Kind direction);
+    void closeView(ViewLeaf leaf);
+    void turnView(ViewLeaf leaf);  // a buffer view into a 3D view, and back
+    // Empty where it can be done.
+    QString whyNotSplit(ViewLeaf leaf, ViewTree::Kind direction) const;
+    QString whyNotClose(ViewLeaf leaf) const;
+
     bool hasThumbnails() const;
     void setThumbnails(bool shown);
     // What the views show: into a state, and as a state has it. Errors: what there is not.
     void fill(WindowState& state) const;
     pipeline::Errors lookAt(const WindowState& state);
-    // Views side by side in equal parts.
-    void resetSizes();
 
-    BufferView& first() { return *m_first; }
-    BufferView& second() { return *m_second; }
-    View3dPanel& view3d() { return *m_view3d; }
+    // The first ones on show, else those that were there first.
+    BufferView& first() const;
+    BufferView& second();
+    BufferView& activeBuffer() const;  // the active view, or the first one where that is no buffer view
+    View3dPanel& view3d() const;
+    QWidget* frameOf(ViewLeaf leaf) const;  // null where there is no such view
+
+signals:
+    void changed();  // the arrangement, or which view is active
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void showStage();
     void showInside();
+    std::vector<BufferView*> inOrder() const;  // those on show, then the others
+    BufferView& bufferView(int number);        // made when first asked for
+    View3dPanel& spaceView(int number);
+    QWidget* viewOf(ViewLeaf leaf) const;
+    QWidget* framed(QWidget* view, ViewLeaf leaf);
+    void addMenu(QMenu* menu, ViewLeaf leaf);
+    void setTree(ViewTree tree);
+    void layOut();
+    QWidget* build(const ViewTree& tree);
+    void setShares(QWidget* part, const ViewTree& tree);
+    void readShares(const QWidget* part, ViewTree& tree) const;
+    void takeShares();
+    void takeFocus(const QWidget* now);
+    ViewSize room() const;
+    ViewSize leastView() const;
+    int gap() const;
 
     Document& m_document;
-    EvenSplitter* m_columns;
-    EvenSplitter* m_buffers;
-    BufferView* m_first;
-    BufferView* m_second;
-    View3dPanel* m_view3d;
+    std::map<int, BufferView*> m_buffers;  // by their numbers; those not on show keep what they had
+    std::map<int, View3dPanel*> m_spaces;
+    QWidget* m_middle;
+    QWidget* m_root = nullptr;  // what fills it: a splitter, or the frame of a single view
     ThumbnailStrip* m_thumbnails;
+    ViewTree m_tree;   // as it was asked for
+    ViewTree m_shown;  // what of it there is room for
+    ViewLeaf m_active;
+    bool m_laysOut = false;
     bool m_inside = false;  // the stepper, when last looked at
 };
 

@@ -46,22 +46,22 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
     connect(others, &QMenu::aboutToShow, this, [this, others] { emit compareMenuOpens(others); });
     m_compare->setMenu(others);
     m_compare->setPopupMode(QToolButton::InstantPopup);
-    m_more = button("more", tr("More"), tr("Copy, pins, statistics, which way up"));
-    auto* menu = new QMenu(m_more);
-    menu->setToolTipsVisible(true);
-    connect(menu, &QMenu::aboutToShow, this, &BufferHeader::moreMenuOpens);
-    m_copyValue = menu->addAction(tr("Copy value\tAlt+C"), this, &BufferHeader::copyValueChosen);
-    menu->addAction(tr("Copy picture"), this, &BufferHeader::copyPictureChosen);
-    menu->addAction(tr("Copy the pinned values"), this, &BufferHeader::copyPinsChosen);
-    menu->addSeparator();
-    menu->addAction(tr("Pin the picked pixel\tP"), this, &BufferHeader::pinChosen);
-    menu->addAction(tr("Take all pins away\tShift+P"), this, &BufferHeader::unpinAllChosen);
-    menu->addAction(tr("Statistics of what is visible\tM"), this, &BufferHeader::measureChosen);
-    menu->addSeparator();
-    m_flip = menu->addAction(tr("Row 0 at the foot\tY"));
+    m_more = button("more", tr("More"), tr("Copy, pins, statistics, which way up, other views"));
+    m_menu = new QMenu(m_more);
+    m_menu->setToolTipsVisible(true);
+    connect(m_menu, &QMenu::aboutToShow, this, &BufferHeader::moreMenuOpens);
+    m_copyValue = m_menu->addAction(tr("Copy value\tAlt+C"), this, &BufferHeader::copyValueChosen);
+    m_menu->addAction(tr("Copy picture"), this, &BufferHeader::copyPictureChosen);
+    m_menu->addAction(tr("Copy the pinned values"), this, &BufferHeader::copyPinsChosen);
+    m_menu->addSeparator();
+    m_menu->addAction(tr("Pin the picked pixel\tP"), this, &BufferHeader::pinChosen);
+    m_menu->addAction(tr("Take all pins away\tShift+P"), this, &BufferHeader::unpinAllChosen);
+    m_menu->addAction(tr("Statistics of what is visible\tM"), this, &BufferHeader::measureChosen);
+    m_menu->addSeparator();
+    m_flip = m_menu->addAction(tr("Row 0 at the foot\tY"));
     m_flip->setCheckable(true);
     connect(m_flip, &QAction::triggered, this, &BufferHeader::flipChosen);
-    m_more->setMenu(menu);
+    m_more->setMenu(m_menu);
     m_more->setPopupMode(QToolButton::InstantPopup);
     for (QWidget* part :
          {static_cast<QWidget*>(m_fit), static_cast<QWidget*>(m_original), static_cast<QWidget*>(m_zoom),

@@ -26,6 +26,7 @@ public:
     void openCompareMenu();
     void openMoreMenu(const QPoint& at);         // of the screen
     void setValueToCopy(const QString& whyNot);  // empty: there is one
+    QMenu* menu() { return m_menu; }             // of the last button; the window adds what it can do with the view
 
 signals:
     void channelChosen(int channel);  // -1: all
@@ -54,6 +55,7 @@ private:
     ElidedLabel* m_caption;
     QToolButton *m_channels[3], *m_fit, *m_original, *m_overlays, *m_loupe, *m_compare, *m_more;
     QLabel* m_zoom;
+    QMenu* m_menu;
     QAction *m_flip, *m_copyValue;
     int m_channelCount = 1;
 };

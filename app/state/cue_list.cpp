@@ -69,15 +69,18 @@ Result<CueList> readCues(std::string_view text, const std::string& file) {
     return list;
 }
 
+Result<std::string> readCueText(const std::filesystem::path& file) {
+    auto text = pipeline::readFile(file, pipeline::kMaxTomlBytes);
+    if (text) return text;
+    pipeline::Errors errors = text.errors();
+    for (Error& error : errors)
+        if (error.where.file.empty()) error.where.file = file.string();
+    return errors;
+}
+
 Result<CueList> readCueFile(const std::filesystem::path& file) {
-    const auto text = pipeline::readFile(file, pipeline::kMaxTomlBytes);
-    if (!text) {
-        pipeline::Errors errors = text.errors();
-        for (Error& error : errors)
-            if (error.where.file.empty()) error.where.file = file.string();
-        return errors;
-    }
-    return readCues(*text, file.string());
+    const auto text = readCueText(file);
+    return text ? readCues(*text, file.string()) : Result<CueList>(text.errors());
 }
 
 Result<std::size_t> findCue(const CueList& list, std::string_view name) {

@@ -29,6 +29,7 @@ inline constexpr char kCueEnding[] = ".cues";
 // A cue list as TOML: [[cue]] with name, caption, note, and the keys of a state. Scenes are named from the file's folder.
 std::string toToml(const CueList& list);
 pipeline::Result<CueList> readCues(std::string_view text, const std::string& file);
+pipeline::Result<std::string> readCueText(const std::filesystem::path& file);  // the file as it is
 pipeline::Result<CueList> readCueFile(const std::filesystem::path& file);
 
 // By its name, or by its number from 1 where no cue has that name. Errors name the nearest.

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "app/state/state_text.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/core/text.h"
+#include "pipeline/inspect/compare.h"
 
 namespace app {
 
@@ -20,11 +22,13 @@ constexpr double kMost = 1e300;  // of any number: all but what is none
 constexpr std::size_t kMaxViews = 16, kMaxList = 10000;
 constexpr std::array<string_view, 3> kChannels{"red", "green", "blue"};
 
-const KnownKeys kKeys{"scene",    "set",       "scene_text", "stage",       "place", "step",      "pixel",
-                      "equation", "condition", "mix",        "arrangement", "view",  "bookmarks", "view3d"};
-const KnownKeys kViewKeys{"buffer",  "channel", "range", "overlays", "counts",
-                          "flipped", "region",  "zoom",  "center",   "size"};
+const KnownKeys kKeys{"scene", "set",      "scene_text",  "stage",     "place",     "step",
+                      "pixel", "equation", "arrangement", "view",      "bookmarks", "view3d",
+                      "pins",  "selected", "linked",      "condition", "mix"};
+const KnownKeys kViewKeys{"buffer", "channel",    "range",   "overlays", "counts", "against", "compare", "wipe",
+                          "metric", "difference", "flipped", "region",   "zoom",   "center",  "size"};
 constexpr std::array<string_view, 2> kCounts{"linear", "logarithmic"};
+constexpr std::array<string_view, 5> kCompareModes{"a", "b", "blink", "wipe", "difference"};
 const KnownKeys kSpaceKeys{"space", "target", "right", "up", "forward", "distance", "fov", "orthographic", "options"};
 
 std::vector<string_view> stageNames() {
@@ -72,9 +76,10 @@ public:
                 state.views.push_back(readView(*view, m_path + "view."));
             if (state.views.empty()) state.views.emplace_back();
         }
-        if (const auto* node = table.get("view3d"))
-            if (const toml::table* space = m_values.table(*node, m_path + "view3d"))
-                state.space = readSpace(*space, m_path + "view3d.");
+        if (const auto* node = table.get("view3d")) readSpaces(*node, state.spaces);
+        if (const auto* node = table.get("pins")) state.pins = readPins(*node);
+        if (const auto* node = table.get("selected")) state.selected = readSelected(*node);
+        state.linked = flag(table, "linked", m_path);
         return state;
     }
 
@@ -135,6 +140,65 @@ private:
         return {};
     }
 
+    // One table, or an array of them where there are more 3D views.
+    void readSpaces(const toml::node& node, std::vector<SpaceShown>& spaces) {
+        const std::string path = m_path + "view3d";
+        std::vector<const toml::table*> tables;
+        if (node.is_array())
+            tables = m_values.tables(node, path, kMaxViews);
+        else if (const toml::table* one = m_values.table(node, path))
+            tables = {one};
+        if (!tables.empty()) spaces.clear();
+        for (const toml::table* one : tables) spaces.push_back(readSpace(*one, path + '.'));
+    }
+    std::map<int, std::array<int, 2>> readPins(const toml::node& node) {
+        std::map<int, std::array<int, 2>> pins;
+        const toml::array* array = node.as_array();
+        if (!array || array->size() > 9) m_values.refuse(node, m_path + "pins", "an array of up to 9 [number, x, y]");
+        for (std::size_t i = 0; array && i < std::min<std::size_t>(array->size(), 9); ++i)
+            if (const auto pin = m_values.numbers((*array)[i], m_path + "pins", 3, 0, 1 << 20)) {
+                const int number = int((*pin)[0]);
+                if (number < 1 || number > 9)
+                    m_values.refuse((*array)[i], m_path + "pins", "a number from 1 to 9 before x and y");
+                else
+                    pins[number] = {int((*pin)[1]), int((*pin)[2])};
+            }
+        return pins;
+    }
+    std::optional<Selected> readSelected(const toml::node& node) {
+        const auto words = m_values.text(node, m_path + "selected");
+        if (!words) return {};
+        for (std::size_t i = 0; i < kSelectedKinds.size(); ++i) {
+            if (!words->starts_with(std::string(kSelectedKinds[i]) + ' ')) continue;
+            Selected thing{Selected::Kind(i)};
+            const char *begin = words->data() + kSelectedKinds[i].size() + 1, *last = words->data() + words->size();
+            const auto [end, error] = std::from_chars(begin, last, thing.index);
+            if (error == std::errc() && end == last && begin != last) return thing;
+        }
+        m_values.fail(node.source(), m_path + "selected is " + pipeline::inQuotes(*words),
+                      "object, polygon, vertex or light, and its number");
+        return {};
+    }
+    std::optional<BufferShown::Compared> readCompared(const toml::table& table, const std::string& path) {
+        const auto* against = table.get("against");
+        const auto with = against ? m_values.text(*against, path + "against") : std::nullopt;
+        if (!with) return {};
+        BufferShown::Compared compared;
+        compared.with = *with;
+        if (const auto* node = table.get("compare"))
+            if (const auto i = m_values.choice(*node, path + "compare", kCompareModes))
+                compared.mode = kCompareModes[*i];
+        if (const auto* node = table.get("wipe"))
+            compared.wipe = m_values.number(*node, path + "wipe", 0, 1).value_or(compared.wipe);
+        if (const auto* node = table.get("metric")) {
+            std::vector<string_view> names;
+            for (const pipeline::MetricInfo& metric : pipeline::metricTable()) names.push_back(metric.name);
+            if (const auto i = m_values.choice(*node, path + "metric", names)) compared.metric = names[*i];
+        }
+        compared.range = numbers<2>(table, "difference", path);
+        return compared;
+    }
+
     BufferShown readView(const toml::table& table, const std::string& path) {
         known(table, path, kViewKeys);
         BufferShown view;
@@ -158,6 +222,7 @@ private:
         if (table.contains("overlays")) view.overlays = strings(table, "overlays", path);
         if (const auto* node = table.get("counts"))
             if (const auto i = m_values.choice(*node, path + "counts", kCounts)) view.logCounts = *i == 1;
+        view.compared = readCompared(table, path);
         view.flipped = flag(table, "flipped", path).value_or(view.flipped);
         if (const auto* node = table.get("region"))
             if (const auto r = m_values.numbers(*node, path + "region", 4, 0, 1 << 20))

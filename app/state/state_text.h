@@ -1,11 +1,16 @@
 #pragma once
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "app/state/window_state.h"
 #include "pipeline/formats/toml_values.h"
 
 // A state as a part of a TOML file.
 namespace app {
+
+// The kinds of what is selected, in files: "polygon 3".
+inline constexpr std::array<std::string_view, 4> kSelectedKinds{"object", "polygon", "vertex", "light"};
 
 // The keys of a state, then its tables; `prefix` stands before the tables' names: "cue.".
 std::string stateText(const WindowState& state, const std::string& prefix);

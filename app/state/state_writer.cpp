@@ -43,6 +43,14 @@ void write(Lines& out, const BufferShown& view) {
     if (!view.logCounts) out.line("counts", tomlString("linear"));
     if (view.flipped) out.line("flipped", "true");
     if (const auto& r = view.region) out.line("region", fmt::format("[{}]", fmt::join(*r, ", ")));
+    if (const auto& compared = view.compared) {
+        const BufferShown::Compared usual;
+        out.line("against", tomlString(compared->with));
+        out.line("compare", tomlString(compared->mode));
+        if (compared->wipe != usual.wipe) out.line("wipe", tomlNumber(compared->wipe));
+        if (compared->metric != usual.metric) out.line("metric", tomlString(compared->metric));
+        if (compared->range) out.line("difference", list(*compared->range));
+    }
     if (!view.zoom) return;
     out.line("zoom", tomlNumber(view.zoom->factor));
     out.line("center", list(view.zoom->center));
@@ -74,10 +82,18 @@ std::string stateText(const WindowState& state, const std::string& prefix) {
     if (state.place) out.line("place", tomlString(text(*state.place)));
     out.line("step", tomlString(name(state.step)));
     if (state.pixel) out.line("pixel", fmt::format("[{}, {}]", (*state.pixel)[0], (*state.pixel)[1]));
+    if (!state.pins.empty()) {
+        std::vector<std::string> pins;
+        for (const auto& [number, xy] : state.pins) pins.push_back(fmt::format("[{}, {}, {}]", number, xy[0], xy[1]));
+        out.line("pins", fmt::format("[{}]", fmt::join(pins, ", ")));
+    }
+    if (const auto& thing = state.selected)
+        out.line("selected", tomlString(fmt::format("{} {}", kSelectedKinds[std::size_t(thing->kind)], thing->index)));
     out.line("equation", tomlString(kChannels[std::size_t(state.channel)]));
     if (!state.condition.empty()) out.line("condition", tomlString(state.condition));
     if (!state.mix.empty()) out.line("mix", tomlString(state.mix));
     out.line("arrangement", tomlString(state.arrangement));
+    if (state.linked) out.line("linked", *state.linked ? "true" : "false");
     if (!state.bookmarks.empty()) {
         std::vector<std::string> places;
         for (const pipeline::Place& place : state.bookmarks) places.push_back(text(place));
@@ -87,8 +103,10 @@ std::string stateText(const WindowState& state, const std::string& prefix) {
         out.head("[[" + prefix + "view]]");
         write(out, view);
     }
-    out.head("[" + prefix + "view3d]");
-    write(out, state.space);
+    for (const SpaceShown& space : state.spaces) {
+        out.head(state.spaces.size() == 1 ? "[" + prefix + "view3d]" : "[[" + prefix + "view3d]]");
+        write(out, space);
+    }
     return out.take();
 }
 

@@ -30,6 +30,17 @@ struct BufferShown {
         bool operator==(const Zoom&) const = default;
     };
     std::optional<Zoom> zoom = {};
+    // What it is compared with, its B, and which of the two is seen.
+    struct Compared {
+        std::string with =
+            "before";  // "before", "previous stage", "buffer z_view", "setting shading=gouraud", "file a.npy"
+        std::string mode = "wipe";                        // "a", "b", "blink", "wipe", "difference"
+        double wipe = 0.5;                                // the part of the width that A has
+        std::string metric = "E";                         // of the difference: its name
+        std::optional<std::array<double, 2>> range = {};  // of the difference's palette; nothing: fits every frame
+        bool operator==(const Compared&) const = default;
+    };
+    std::optional<Compared> compared = {};
     bool operator==(const BufferShown&) const = default;
 };
 
@@ -47,6 +58,14 @@ struct SpaceShown {
     bool operator==(const SpaceShown&) const = default;
 };
 
+// A thing of the scene that is selected, counted over all objects.
+struct Selected {
+    enum class Kind : unsigned char { Object, Polygon, Vertex, Light };
+    Kind kind = Kind::Object;
+    std::size_t index = 0;
+    bool operator==(const Selected&) const = default;
+};
+
 // What the window shows, whatever its theme, size and docks: enough to see the same again. A session, a cue and a
 // picture's text are one of these; files have it in TOML.
 struct WindowState {
@@ -62,9 +81,12 @@ struct WindowState {
     int channel = 2;                               // of the equation: 0 r, 1 g, 2 b
     std::string condition = {};                    // the text of the buffers `condition` and `expression`
     std::string mix = {};                          // of the terms, as parseMix reads it; empty: every term as it is
-    std::string arrangement = "one";               // of the views: its name
-    std::vector<BufferShown> views{BufferShown()};
-    SpaceShown space = {};
+    std::map<int, std::array<int, 2>> pins = {};   // the pinned pixels by their numbers, 1 to 9
+    std::optional<Selected> selected = {};
+    std::string arrangement = "one";  // of the views: as arrangementOf reads it
+    std::optional<bool> linked = {};  // buffer views zoom and move together; nothing: as linksViews has it
+    std::vector<BufferShown> views{BufferShown()};  // in the order of the arrangement; at least one
+    std::vector<SpaceShown> spaces{SpaceShown()};   // likewise
     std::vector<pipeline::Place> bookmarks = {};
     bool operator==(const WindowState&) const = default;
 };

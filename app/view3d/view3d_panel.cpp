@@ -145,6 +145,10 @@ void View3dPanel::buildHeader() {
         settings->move(more->mapToGlobal(QPoint(more->width() - settings->width(), more->height())));
         settings->show();
     });
+    QToolButton* rest = addMenuButton("more", tr("More"), tr("Other views"));
+    m_menu = new QMenu(rest);
+    rest->setMenu(m_menu);
+    rest->setPopupMode(QToolButton::InstantPopup);
 }
 
 QToolButton* View3dPanel::addToggle(const QString& iconName, const QString& name, const QString& tip) {

@@ -20,7 +20,8 @@ public:
     explicit View3dPanel(Document& document, QWidget* parent = nullptr);
 
     SceneView& view() { return *m_view; }
-    void setBare(bool bare);  // without the header
+    void setBare(bool bare);          // without the header
+    QMenu* menu() { return m_menu; }  // of its last button; the window adds what it can do with the view
     void changeOptions(const ViewOptions& options);
     // A light's space waits for the frame that brings its shadow buffer.
     void setSpace(SpaceId space);
@@ -67,6 +68,7 @@ private:
     QWidget* m_header;
     QToolButton *m_space, *m_face;
     QLabel* m_remark;
+    QMenu* m_menu;
     QToolButton *m_orthographic, *m_normals, *m_vectors, *m_lights, *m_eye;
     NormalsShown m_lastNormals = NormalsShown::Polygons;  // what the toggle brings back
     struct Wanted {

@@ -124,7 +124,7 @@ TEST_F(WindowLook, ADoubleClickEvensTheViews) {
 }
 
 TEST_F(WindowLook, AKeptLayoutIsThereByItsName) {
-    const KeptLayout layout{"panels", "compare", "sizes", true};
+    const KeptLayout layout{"panels", "2: buffer | 1: buffer", true};
     keepLayout("Lecture 2/shadows", layout);
     EXPECT_EQ(keptLayouts(), QStringList("Lecture 2/shadows"));
     EXPECT_EQ(keptLayout("Lecture 2/shadows"), layout);

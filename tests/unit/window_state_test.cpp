@@ -27,13 +27,19 @@ WindowState rich() {
     view.zoom = {12, {268.5, 1.0 / 7}, {801, 600}};
     view.logCounts = false, view.flipped = true, view.region = {3, 4, 99, 47};
     state.views = {view, {"normal", 2}};
-    state.space.space = "point";
+    view.compared = {"setting shading=gouraud", "difference", 0.25, "RAE", std::array{-1e-3, 1.0 / 3}};
+    state.views[0] = view, state.views[1].compared.emplace();
+    state.pins = {{1, {268, 281}}, {9, {0, 0}}};
+    state.selected = Selected{Selected::Kind::Polygon, 12};
+    state.linked = false;
+    state.spaces[0].space = "point";
     SpaceShown::Camera camera;
     camera.target = {0.1, -1.0 / 3, 1e-17};
     camera.right = {0.6, 0.8, -0.0}, camera.forward = {-0.8, 0.6, 0}, camera.up = {0, 0, 1};
     camera.distance = 719.1234567890123, camera.fov = 31.4, camera.orthographic = true;
-    state.space.camera = camera;
-    state.space.options = {{"boxes", 1}, {"normal_length", 12.5}};
+    state.spaces[0].camera = camera;
+    state.spaces[0].options = {{"boxes", 1}, {"normal_length", 12.5}};
+    state.spaces.push_back({"light 0 -x"});
     state.bookmarks = {*pipeline::parsePlace("cull/polygon=1"), *pipeline::parsePlace("shading/layers")};
     return state;
 }
@@ -64,7 +70,21 @@ TEST(WindowState, WhatIsWrongIsToldWithItsPlace) {
     EXPECT_TRUE(errorsIn("[[view]]\nzoom = 4\n").starts_with("s.toml:2:8: view.zoom stands without"));
     EXPECT_TRUE(errorsIn("[view3d]\ndistance = 4\ntarget = [0, 0, 0]\n").starts_with("s.toml:2:12: view3d.distance"));
     EXPECT_TRUE(errorsIn("pixel = [1]\n").starts_with("s.toml:1:9: pixel is an array of 1, expected an array of 2"));
+    EXPECT_EQ(errorsIn("selected = \"polygn 3\"\n"),
+              "s.toml:1:12: selected is \"polygn 3\", expected object, polygon, vertex or light, and its number\n");
+    EXPECT_TRUE(errorsIn("pins = [[10, 3, 4]]\n").starts_with("s.toml:1:9: pins is "));
+    EXPECT_TRUE(
+        errorsIn("[[view]]\nagainst = \"before\"\ncompare = \"wype\"\n").starts_with("s.toml:3:11: view.compare"));
     EXPECT_TRUE(errorsIn("stage = \n").starts_with("s.toml:1:"));
+}
+
+// As every file before there were more 3D views than one has it.
+TEST(WindowState, OneView3dIsATable) {
+    const auto state = readState("[view3d]\nspace = \"eye\"\n", "s.toml");
+    ASSERT_TRUE(state) << format(state.errors());
+    ASSERT_EQ(state->spaces.size(), 1u);
+    EXPECT_EQ(state->spaces[0].space, "eye");
+    EXPECT_NE(toToml(*state).find("\n[view3d]\n"), std::string::npos);
 }
 
 TEST(WindowState, ChangedSettingsAreKeptAsSettings) {

@@ -1,0 +1,246 @@
+// Views: split, turned, closed, gone to by keys, kept in states; a view that is not on show computes nothing.
+#include <QComboBox>
+#include <QMenu>
+#include <QSettings>
+#include <QSplitter>
+#include <QTest>
+
+#include "app/core/stage_buffer.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/even_splitter.h"
+#include "app/desktop/layout_store.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_header.h"
+#include "app/panels/buffer_view.h"
+#include "app/view3d/view3d_panel.h"
+#include "pipeline/formats/scene_reader.h"
+#include "pipeline/plan/needs.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+using pipeline::BufferId;
+
+class WindowViews : public WindowTest {
+protected:
+    WindowViews() {
+        window.resize(2000, 1000);  // room for three views beside each other
+        openPyramid();
+        press("Ctrl+Shift+1");
+    }
+    ViewArea& views() { return window.views(); }
+    QRect placeOf(ViewLeaf leaf) {
+        QWidget* frame = views().frameOf(leaf);
+        return QRect(frame->mapTo(&views(), QPoint(0, 0)), frame->size());
+    }
+    static constexpr ViewLeaf buffer(int number) { return {ViewLeaf::Kind::Buffer, number}; }
+    static constexpr ViewLeaf space(int number) { return {ViewLeaf::Kind::Space, number}; }
+};
+
+TEST_F(WindowViews, FourShowWhatExplainsTheStage) {
+    press("Ctrl+Shift+6");
+    EXPECT_EQ(views().arrangement(), "four");
+    EXPECT_EQ(placeOf(buffer(0)).top(), placeOf(buffer(1)).top());
+    EXPECT_EQ(placeOf(buffer(2)).top(), placeOf(space(0)).top());
+    EXPECT_NEAR(placeOf(buffer(0)).width(), placeOf(space(0)).width(), 2);
+    EXPECT_NEAR(placeOf(buffer(0)).height(), placeOf(space(0)).height(), 2);
+    document().setStage(pipeline::StageId::ZBuffer);
+    WindowState state;
+    views().fill(state);
+    ASSERT_EQ(state.views.size(), 3u);
+    EXPECT_EQ(state.views[0].buffer, "z_view");
+    EXPECT_EQ(state.views[1].buffer, "overdraw");
+    EXPECT_EQ(state.views[2].buffer, "polygon_id");
+}
+
+TEST_F(WindowViews, AViewIsSplitTurnedAndClosedByKeys) {
+    canvas()->setFocus();
+    press("Ctrl+Alt+B");
+    EXPECT_EQ(views().arrangement(), "two");
+    EXPECT_EQ(views().active(), buffer(1)) << "the keys go to the new one";
+    EXPECT_TRUE(views().second().isAncestorOf(QApplication::focusWidget()));
+    EXPECT_FALSE(views().second().buffer() == views().first().buffer());
+    press("Ctrl+Alt+D");
+    EXPECT_EQ(views().arrangement(), "(buffer / 3d) | 3d");
+    ASSERT_TRUE(views().frameOf(space(1)));
+    EXPECT_TRUE(views().frameOf(space(1))->isVisible());
+    EXPECT_EQ(views().active(), space(1));
+    press("Ctrl+Alt+W");
+    EXPECT_EQ(views().arrangement(), "one");
+    press("Ctrl+Alt+W");
+    press("Ctrl+Alt+W");
+    EXPECT_EQ(leavesOf(views().tree()).size(), 1u) << "one stays";
+    EXPECT_FALSE(window.actions()[ActionId::CloseView]->isEnabled());
+    EXPECT_EQ(window.actions()[ActionId::CloseView]->property("whyNot"), "It is the only view.");
+}
+
+TEST_F(WindowViews, KeysGoFromViewToView) {
+    press("Ctrl+Shift+6");
+    canvas()->setFocus();
+    for (const ViewLeaf next : {buffer(1), buffer(2), space(0), buffer(0)}) {
+        press("Ctrl+Tab");
+        EXPECT_EQ(views().active(), next);
+        EXPECT_TRUE(views().frameOf(next)->isAncestorOf(QApplication::focusWidget()));
+        EXPECT_TRUE(views().frameOf(next)->property("active").toBool()) << "its frame shows it";
+    }
+    press("Ctrl+Shift+Tab");
+    EXPECT_EQ(views().active(), space(0));
+}
+
+TEST_F(WindowViews, InAnArrangementOfOnesOwnViewsKeepTheirBuffers) {
+    canvas()->setFocus();
+    press("Ctrl+Alt+R");
+    EXPECT_EQ(arrangementName(views().tree()), "");
+    views().second().setBuffer({BufferId::PolygonId});
+    document().setStage(pipeline::StageId::ZBuffer);
+    EXPECT_EQ(views().first().buffer().id, BufferId::ZView) << "the first one follows the stage";
+    EXPECT_EQ(views().second().buffer().id, BufferId::PolygonId);
+}
+
+TEST_F(WindowViews, AMenuOfEachViewSaysWhatCanBeDone) {
+    QMenu* menu = views().first().findChild<BufferHeader*>()->menu();
+    const auto action = [&](const QString& text) -> QAction* {
+        emit menu->aboutToShow();
+        for (QAction* one : menu->actions())
+            if (one->text() == text) return one;
+        ADD_FAILURE() << text.toStdString();
+        return nullptr;
+    };
+    ASSERT_TRUE(action("Close this view")->isEnabled());
+    action("Close this view")->trigger();
+    EXPECT_EQ(views().arrangement(), "space");
+    press("Ctrl+Shift+5");
+    EXPECT_FALSE(action("Close this view")->isEnabled());
+    EXPECT_EQ(action("Close this view")->toolTip(), "It is the only view.");
+    window.resize(1024, 640);
+    QTest::qWait(50);
+    for (int i = 0; i < 2; ++i) action("Split below")->trigger();
+    EXPECT_FALSE(action("Split below")->isEnabled()) << "640 pixels have no room for three";
+    EXPECT_TRUE(action("Split below")->toolTip().contains("no room"));
+}
+
+TEST_F(WindowViews, WithoutRoomTheLastViewsComeBackWithIt) {
+    // Four times at least 222 pixels, and three gaps.
+    EXPECT_TRUE(views().setArrangement("buffer / buffer / buffer / 3d"));
+    EXPECT_EQ(views().arrangement(), "buffer / buffer / buffer / 3d") << "it is what was asked for";
+    EXPECT_TRUE(views().frameOf(buffer(0))->isVisible());
+    EXPECT_GE(placeOf(buffer(0)).height(), 222);
+    EXPECT_FALSE(views().frameOf(space(0))->isVisible());
+    window.resize(2000, 1500);
+    QTest::qWait(50);
+    EXPECT_TRUE(views().frameOf(space(0))->isVisible());
+    EXPECT_GE(placeOf(space(0)).height(), 222);
+}
+
+TEST_F(WindowViews, SizesComeBackToThePixel) {
+    canvas()->setFocus();
+    press("Ctrl+Alt+R");
+    press("Ctrl+Alt+B");
+    QTest::qWait(50);
+    auto* row = views().findChild<EvenSplitter*>();
+    ASSERT_EQ(row->count(), 3);
+    // 37 pixels to the left, where neither a half nor a third is.
+    QSplitterHandle* handle = row->handle(1);
+    const QPoint from = handle->rect().center();
+    QTest::mousePress(handle, Qt::LeftButton, {}, from);
+    QTest::mouseMove(handle, from - QPoint(37, 0));
+    QTest::mouseRelease(handle, Qt::LeftButton, {}, from - QPoint(37, 0));
+    const auto state = window.state({});
+    ASSERT_TRUE(state);
+    const auto places = [&] {
+        std::vector<QRect> all;
+        for (const ViewLeaf leaf : leavesOf(views().tree())) all.push_back(placeOf(leaf));
+        return all;
+    };
+    const std::vector<QRect> before = places();
+    EXPECT_LT(before[0].width(), before[1].width());
+    press("Ctrl+Shift+5");
+    ASSERT_TRUE(window.showState(*state, {}, SceneChanges::Given));
+    QTest::qWait(50);
+    EXPECT_EQ(places(), before);
+    EXPECT_EQ(toToml(*window.state({})), toToml(*state));
+    press("Ctrl+Alt+E");
+    EXPECT_EQ(views().arrangement(), "buffer | (buffer / buffer) | 3d");
+    EXPECT_FALSE(window.actions()[ActionId::EvenViews]->isEnabled());
+}
+
+TEST_F(WindowViews, EachViewIsItsOwnInAState) {
+    canvas()->setFocus();
+    press("Ctrl+Alt+D");
+    EXPECT_EQ(views().arrangement(), "3d | 3d");
+    WindowState state;
+    views().fill(state);
+    ASSERT_EQ(state.spaces.size(), 2u);
+    state.spaces[0].space = "eye", state.spaces[1].space = "clip";
+    state.arrangement = "buffer | 3d | 3d";
+    state.views = {{"normal", 2}};
+    EXPECT_TRUE(views().lookAt(state).empty());
+    EXPECT_TRUE(waitForFrame());
+    WindowState again;
+    views().fill(again);
+    EXPECT_EQ(again.spaces[0].space, "eye");
+    EXPECT_EQ(again.spaces[1].space, "clip");
+    EXPECT_EQ(again.views[0].buffer, "normal");
+    state.arrangement = "buffer |";
+    EXPECT_EQ(views().lookAt(state).size(), 1u);
+    EXPECT_EQ(views().arrangement(), "one");
+}
+
+// "ambient" has no highlight, "no hidden surface removal" no depth.
+TEST(UsefulBuffers, OfEveryStageAreNotLeftOut) {
+    for (const pipeline::BuiltInScene& built : pipeline::builtInScenes()) {
+        const auto scene = pipeline::readScene(built.file);
+        ASSERT_TRUE(scene);
+        for (const pipeline::StageId stage : pipeline::kStages)
+            for (const bool inside : {false, true}) {
+                const auto all = usefulBuffers(stage, *scene, inside);
+                for (std::size_t i = 1; i < all.size(); ++i) {
+                    EXPECT_EQ(whyUseless(*scene, all[i].id), "") << built.title << ", " << all[i].text();
+                    EXPECT_LT(all[i].light, int(scene->lights.size())) << built.title;
+                    EXPECT_TRUE(!inside || bufferInfo(all[i].id).stage <= stage) << all[i].text();
+                }
+                EXPECT_TRUE(inside || all.size() >= 2) << built.title;
+            }
+    }
+}
+
+// barycentric is shown by nothing else.
+TEST_F(WindowViews, WhatIsNotOnShowIsNotComputed) {
+    const auto has = [&] { return document().frame()->buffer({BufferId::Barycentric}).has_value(); };
+    const auto change = [&](double theta) {
+        document().change(*findSetting(document().scene(), "camera.theta"), theta);
+        EXPECT_TRUE(waitForFrame());
+    };
+    canvas()->setFocus();
+    press("Ctrl+Alt+R");
+    views().second().setBuffer({BufferId::Barycentric});
+    change(41);
+    EXPECT_TRUE(has());
+    press("Ctrl+Alt+W");
+    change(42);
+    EXPECT_FALSE(has()) << "its view is closed";
+    press("Ctrl+Shift+3");
+    views().second().setBuffer({BufferId::Barycentric});
+    press("Ctrl+Shift+5");
+    change(43);
+    EXPECT_FALSE(has()) << "its view is not in this arrangement";
+}
+
+// As layouts were kept once: the columns' sizes, then the buffer views'.
+TEST_F(WindowViews, AnOldLayoutHasItsSizes) {
+    QByteArray sizes;
+    QDataStream stream(&sizes, QIODevice::WriteOnly);
+    stream << QList<int>{600, 300} << QList<int>{200, 100};
+    QSettings settings;
+    settings.beginGroup("layouts/b2xk");  // "old"
+    settings.setValue("arrangement", "two");
+    settings.setValue("sizes", sizes);
+    settings.endGroup();
+    ASSERT_TRUE(keptLayout("old"));
+    EXPECT_EQ(keptLayout("old")->arrangement, "600: (200: buffer / 100: buffer) | 300: 3d");
+}
+
+}  // namespace
+}  // namespace app
