@@ -63,6 +63,41 @@ QString nameOf(const OtherSource& source) {
     return {};
 }
 
+std::string keyOf(const OtherSource& source) {
+    switch (source.kind) {
+        case Kind::Buffer: return "buffer " + source.buffer.text();
+        case Kind::PreviousStage: return "previous stage";
+        case Kind::Before: return "before";
+        case Kind::Setting:
+            return "setting " + source.setting.key() + '=' + formatSetting(source.setting, source.value);
+        case Kind::File: return "file " + source.file.toStdString();
+    }
+    return {};
+}
+
+pipeline::Result<OtherSource> sourceNamed(std::string_view key, const Scene& scene) {
+    if (key == "before") return OtherSource{.kind = Kind::Before};
+    if (key == "previous stage") return OtherSource{.kind = Kind::PreviousStage};
+    const auto rest = [&](std::string_view word) -> std::optional<std::string> {
+        if (!key.starts_with(word)) return {};
+        return std::string(key.substr(word.size()));
+    };
+    if (const auto file = rest("file ")) return OtherSource{.kind = Kind::File, .file = QString::fromStdString(*file)};
+    if (const auto words = rest("buffer "))
+        if (const auto name = pipeline::findBuffer(*words)) return OtherSource{.kind = Kind::Buffer, .buffer = *name};
+    if (const auto words = rest("setting ")) {
+        const auto equals = words->find('=');
+        const auto setting = findSetting(scene, words->substr(0, equals));
+        if (!setting) return setting.errors();
+        const auto value = parseSetting(*setting, equals == words->npos ? "" : words->substr(equals + 1));
+        if (!value) return value.errors();
+        return withSetting(*setting, *value);
+    }
+    return pipeline::Error{{},
+                           "there is nothing called \"" + std::string(key) + "\" to compare with",
+                           "before, previous stage, buffer NAME, setting KEY=VALUE or file FILE"};
+}
+
 std::optional<BufferName> otherBuffer(const OtherSource& source, const BufferName& shown, const Scene& scene) {
     switch (source.kind) {
         case Kind::Buffer: return source.buffer;

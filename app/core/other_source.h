@@ -29,6 +29,11 @@ struct OtherSource {
 // "gouraud (shading)", "before the last change", "diffuse.0", "reference.npy".
 QString nameOf(const OtherSource& source);
 
+// As a file has it: "before", "previous stage", "buffer z_view", "setting shading=gouraud", "file a.npy"; and again, for a
+// scene that has the setting.
+std::string keyOf(const OtherSource& source);
+pipeline::Result<OtherSource> sourceNamed(std::string_view key, const pipeline::Scene& scene);
+
 // The buffer of B's frame that stands against `shown`; nothing where there is none: before the first
 // stage, or for a file.
 std::optional<pipeline::BufferName> otherBuffer(const OtherSource& source, const pipeline::BufferName& shown,

@@ -44,6 +44,8 @@ std::span<const ActionRow> actionTable() {
          "Puts a 3D view in place of the active buffer view, or a buffer view in place of the 3D view."},
         {A::CloseView, "View/Views", "Close the view", "Ctrl+Alt+W", "Gives the active view's room to its neighbours."},
         {A::EvenViews, "View/Views", "Equal parts", "Ctrl+Alt+E", "Makes all views of a row or column equally large."},
+        {A::LinkViews, "View/Views", "Linked zoom", "Ctrl+L", "Buffer views of the same size zoom and move together.",
+         true},
         {A::NextView, "View/Views", "Next view", "Ctrl+Tab", "Goes to the next view.", false, true},
         {A::PreviousView, "View/Views", "Previous view", "Ctrl+Shift+Tab", "Goes to the view before."},
         {A::Thumbnails, "View", "Thumbnails", "Ctrl+T", "Shows the buffers small, in the order of the stages.", true},

@@ -33,6 +33,7 @@ enum class ActionId : unsigned char {
     TurnView,
     CloseView,
     EvenViews,
+    LinkViews,
     NextView,
     PreviousView,
     Thumbnails,

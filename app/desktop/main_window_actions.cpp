@@ -75,6 +75,7 @@ void MainWindow::connectActions() {
     on(A::TurnView, [this] { m_views->turnView(m_views->active()); });
     on(A::CloseView, [this] { m_views->closeView(m_views->active()); });
     on(A::EvenViews, [this] { m_views->makeEven(); });
+    on(A::LinkViews, [this](bool linked) { m_views->setLinked(linked); });
     on(A::NextView, [this] { m_views->goToNext(1); });
     on(A::PreviousView, [this] { m_views->goToNext(-1); });
     on(A::Thumbnails, [this](bool shown) { m_views->setThumbnails(shown); });

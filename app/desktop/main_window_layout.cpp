@@ -196,6 +196,8 @@ void MainWindow::enableViewActions() {
     enable(A::EvenViews, isEven(m_views->tree()) ? tr("They are equal.") : QString());
     for (const A id : {A::NextView, A::PreviousView}) enable(id, alone ? tr("It is the only view.") : QString());
     enable(A::TurnView, {});
+    enable(A::LinkViews, m_views->hasSecond() ? QString() : tr("It needs two buffer views."));
+    (*m_actions)[A::LinkViews]->setChecked(m_views->isLinked());
     (*m_actions)[A::TwoBufferViews]->setChecked(m_views->hasSecond());
 }
 

@@ -15,6 +15,7 @@
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
 #include "app/panels/film_dialog.h"
+#include "app/state/state_scene.h"
 
 namespace app {
 
@@ -26,13 +27,16 @@ std::optional<WindowState> MainWindow::state(const std::filesystem::path& folder
     if (!state) return {};  // a scene too large to be kept
     WindowState whole = std::move(state).value();
     m_views->fill(whole);
+    nameFilesFrom(whole, folder);
     return whole;
 }
 
 bool MainWindow::showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes) {
     if (!app::show(m_document, state, folder, changes)) return false;
     showScene();
-    if (const pipeline::Errors errors = m_views->lookAt(state); !errors.empty())
+    WindowState found = state;
+    findFilesFrom(found, folder);
+    if (const pipeline::Errors errors = m_views->lookAt(found); !errors.empty())
         m_errors->report(tr("Not all of it could be shown."), errors);
     return true;
 }

@@ -2,12 +2,14 @@
 #include "app/desktop/view_area.h"
 
 #include <QApplication>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
 #include "app/core/stage_buffer.h"
 #include "app/desktop/even_splitter.h"
+#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/thumbnail_strip.h"
@@ -96,6 +98,7 @@ void ViewArea::showBuffers(const QStringList& names) {
 
 void ViewArea::fill(WindowState& state) const {
     state.arrangement = arrangement();
+    state.linked = m_linked;
     state.views.clear();
     state.spaces.clear();
     for (const ViewLeaf leaf : leavesOf(m_tree)) {
@@ -114,6 +117,7 @@ pipeline::Errors ViewArea::lookAt(const WindowState& state) {
     const auto wanted = arrangementOf(state.arrangement);
     if (!wanted) add(wanted.errors());
     setArrangement(wanted ? state.arrangement : "one");
+    m_linked = state.linked;
     const auto buffers = inOrder();
     for (std::size_t i = 0; i < std::min(buffers.size(), state.views.size()); ++i)
         add(buffers[i]->lookAt(state.views[i]));
@@ -122,6 +126,8 @@ pipeline::Errors ViewArea::lookAt(const WindowState& state) {
         if (leaf.kind == ViewLeaf::Kind::Space && next < state.spaces.size())
             add(m_spaces.at(leaf.number)->lookAt(state.spaces[next++]));
     if (next == 0 && !state.spaces.empty()) add(view3d().lookAt(state.spaces.front()));
+    m_leadsSoon = false;  // each stands where the state says
+    emit changed();
     return errors;
 }
 
@@ -149,6 +155,40 @@ View3dPanel& ViewArea::view3d() const {
     for (const ViewLeaf leaf : leavesOf(m_tree))
         if (leaf.kind == ViewLeaf::Kind::Space) return *m_spaces.at(leaf.number);
     return *m_spaces.begin()->second;
+}
+
+LinkedPicture ViewArea::pictureIn(BufferView& view) const {
+    const QSize size = view.canvas()->content().size;
+    if (view.parentWidget()->isHidden()) return {};
+    return {size.width(), size.height(), bufferInfo(view.buffer().id).domain == pipeline::Domain::Texel};
+}
+
+void ViewArea::lead(BufferView& view) {
+    if (!isLinked()) return;
+    for (const auto& [number, other] : m_buffers)
+        if (other != &view && moveTogether(pictureIn(*other), pictureIn(view)))
+            other->canvas()->follow(view.canvas()->look());
+}
+
+void ViewArea::join(BufferView& view) {
+    if (!isLinked()) return;
+    for (const auto& [number, other] : m_buffers)
+        if (other != &view && moveTogether(pictureIn(*other), pictureIn(view)))
+            return view.canvas()->follow(other->canvas()->look());
+}
+
+// Once the views have their new sizes.
+void ViewArea::leadSoon() {
+    m_leadsSoon = true;
+    QTimer::singleShot(0, this, [this] {
+        if (std::exchange(m_leadsSoon, false)) lead(activeBuffer());
+    });
+}
+
+void ViewArea::setLinked(bool linked) {
+    m_linked = linked;
+    if (linked) lead(activeBuffer());
+    emit changed();
 }
 
 bool ViewArea::hasThumbnails() const { return !m_thumbnails->isHidden(); }

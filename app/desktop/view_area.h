@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/core/document.h"
+#include "app/state/linked_views.h"
 #include "app/state/view_tree.h"
 #include "app/state/window_state.h"
 
@@ -35,6 +36,10 @@ public:
     bool hasSecond() const;                              // buffer view
     void setSecond(bool shown);                          // between "one" and "two"
     void makeEven();
+
+    // Buffer views of pictures of the same size zoom and move together.
+    bool isLinked() const { return areLinked(m_tree, m_linked); }
+    void setLinked(bool linked);
 
     // The view that the keys go to, or went to last.
     ViewLeaf active() const;
@@ -74,6 +79,10 @@ private:
     BufferView& bufferView(int number);        // made when first asked for
     View3dPanel& spaceView(int number);
     QWidget* viewOf(ViewLeaf leaf) const;
+    LinkedPicture pictureIn(BufferView& view) const;
+    void lead(BufferView& view);  // the others stand where it does
+    void join(BufferView& view);  // stands where another one does
+    void leadSoon();
     QWidget* framed(QWidget* view, ViewLeaf leaf);
     void addMenu(QMenu* menu, ViewLeaf leaf);
     void setTree(ViewTree tree);
@@ -96,8 +105,9 @@ private:
     ViewTree m_tree;   // as it was asked for
     ViewTree m_shown;  // what of it there is room for
     ViewLeaf m_active;
-    bool m_laysOut = false;
-    bool m_inside = false;  // the stepper, when last looked at
+    bool m_laysOut = false, m_leadsSoon = false;
+    std::optional<bool> m_linked;  // nothing: as the arrangement has it
+    bool m_inside = false;         // the stepper, when last looked at
 };
 
 }  // namespace app

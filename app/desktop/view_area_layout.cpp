@@ -68,7 +68,10 @@ BufferView& ViewArea::bufferView(int number) {
     addMenu(view->findChild<BufferHeader*>()->menu(), leaf);
     connect(view, &BufferView::bufferChanged, this, [this, view](const pipeline::BufferName& name) {
         if (view == &activeBuffer()) m_thumbnails->setCurrent(name);
+        join(*view);
     });
+    connect(view->canvas(), &BufferCanvas::moved, this, [this, view] { lead(*view); });
+    connect(view->canvas(), &BufferCanvas::resized, this, [this, view] { join(*view); });
     if (m_document.hasScene()) {
         const auto useful = usefulBuffers(m_document.stage(), m_document.scene(), m_document.stepper().isInside());
         view->setBuffer(useful[std::min(m_buffers.size(), useful.size()) - 1]);
@@ -115,13 +118,16 @@ bool ViewArea::setArrangement(const std::string& nameOrText) {
     for (const auto& [number, view] : m_spaces) add(spaces, number);
     renumber(tree, ViewLeaf::Kind::Buffer, buffers);
     renumber(tree, ViewLeaf::Kind::Space, spaces);
+    if (arrangementName(tree) != arrangementName(m_tree)) m_linked.reset();
     setTree(std::move(tree));
     return true;
 }
 
 void ViewArea::setTree(ViewTree tree) {
+    const bool wasLinked = isLinked();
     m_tree = std::move(tree);
     layOut();
+    if (isLinked() && !wasLinked) leadSoon();
     emit changed();
 }
 

@@ -66,6 +66,24 @@ void BufferCanvas::showPart(const std::optional<BufferShown::Zoom>& part) {
     placePart();
 }
 
+QRectF BufferCanvas::toShown(QRectF picture) const {
+    return QRectF(toShown(picture.topLeft()), toShown(picture.bottomRight())).normalized();
+}
+
+BufferCanvas::Look BufferCanvas::look() const {
+    return {m_fits, toShown(m_focus), m_placement.zoom, toShown(m_placement.toPicture(QRectF(rect()).center()))};
+}
+
+void BufferCanvas::follow(const Look& look) {
+    m_part.reset();
+    m_fits = look.fits;
+    if (m_fits) {
+        m_focus = toShown(look.focus);
+        return placeFocus();
+    }
+    place({QRectF(rect()).center() - toShown(look.center) * look.zoom, look.zoom});
+}
+
 void BufferCanvas::placePart() {
     if (m_content.size.isEmpty()) return;
     const double larger = std::min(width() / m_part->view[0], height() / m_part->view[1]);
@@ -83,6 +101,7 @@ void BufferCanvas::placeFocus() {
 void BufferCanvas::toggleFit() {
     const bool showsFocus = m_fits && m_focus == painted(m_content).focus;
     fit(showsFocus);
+    emit moved();
 }
 
 void BufferCanvas::place(Placement placement) {
@@ -105,6 +124,7 @@ void BufferCanvas::setZoom(double zoom, QPointF anchor) {
     m_part.reset();
     const QPointF picture = m_placement.toPicture(anchor);
     place({anchor - picture * zoom, zoom});
+    emit moved();
 }
 
 QPointF BufferCanvas::anchor() const {
@@ -128,6 +148,7 @@ void BufferCanvas::setContent(CanvasContent content) {
     m_content = std::move(content);
     if (isNewSize) m_part ? placePart() : fit();
     updateAll();
+    if (isNewSize && !m_part) emit resized();
 }
 
 void BufferCanvas::setPicked(std::optional<QPoint> pixel) {

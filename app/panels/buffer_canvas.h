@@ -54,6 +54,16 @@ public:
     // in view when the view changes its size, until the user zooms or moves.
     std::optional<BufferShown::Zoom> part() const;
     void showPart(const std::optional<BufferShown::Zoom>& part);
+    // Where it stands, of the picture as it is given, so that another view of the same size can stand there too: what fits
+    // where it fits, else the same zoom around the same point.
+    struct Look {
+        bool fits = true;
+        QRectF focus;
+        double zoom = 1;
+        QPointF center;
+    };
+    Look look() const;
+    void follow(const Look& look);
     // The steps of the wheel: whole from 2 up. The next one in the direction of `steps`.
     static double nextZoom(double zoom, int steps);
 
@@ -69,6 +79,8 @@ signals:
     void nudged(QPoint by);            // arrow keys: 1, with Shift 10
     void hovered(std::optional<QPoint> pixel);
     void zoomChanged(double zoom);
+    void moved();              // by the user: zoomed, dragged, or fit
+    void resized();            // the picture has another size, and nobody has asked for a part of it
     void wiped(double share);  // by its handle
 
 protected:
@@ -87,6 +99,7 @@ private:
     void place(Placement placement);
     void placeFocus();
     void placePart();
+    QRectF toShown(QRectF picture) const;
     void dragRegion(QPointF to);
     double fittingZoom() const;
     QPointF anchor() const;

@@ -33,15 +33,16 @@ void BufferCanvas::mouseMoveEvent(QMouseEvent* event) {
     setCursor(isOnHandle(m_wipe, rect(), event->position()) ? Qt::SplitHCursor : Qt::CrossCursor);
     if (m_measures && event->buttons()) return dragRegion(event->position());
     if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) {
-        const QPointF moved = event->position() - m_pressed;
+        const QPointF by = event->position() - m_pressed;
         if (event->modifiers() & Qt::ControlModifier) {
             if (const auto pixel = pixelAt(event->position())) emit picked(*pixel);
             m_drags = true;
-        } else if (m_drags || moved.manhattanLength() >= QApplication::startDragDistance()) {
+        } else if (m_drags || by.manhattanLength() >= QApplication::startDragDistance()) {
             m_drags = true;
             m_fits = false;
             m_part.reset();
-            place({m_dragFrom + moved, m_placement.zoom});
+            place({m_dragFrom + by, m_placement.zoom});
+            emit moved();
             return;
         }
     }

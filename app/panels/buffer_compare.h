@@ -11,6 +11,7 @@
 #include "app/panels/compare_bar.h"
 #include "app/panels/shown_buffer.h"
 #include "app/panels/wipe.h"
+#include "app/state/window_state.h"
 
 class QMenu;
 
@@ -35,6 +36,10 @@ public:
     CompareMode mode() const { return m_mode; }
     void setMode(CompareMode mode);  // the same again: back to A
     void setMetric(pipeline::DifferenceMetric metric);
+    // What B is and how the two are shown, and the same again; nothing: no B. "Before the last change" is kept as the
+    // setting that the change has changed, where it is one: later it is another change. Errors: no such B.
+    std::optional<BufferShown::Compared> state() const;
+    pipeline::Errors lookAt(const std::optional<BufferShown::Compared>& state);
     void holdOther(bool held);     // shows B meanwhile
     void holdPrevious(bool held);  // shows the stage before meanwhile, whatever B is
     void goToWorst();

@@ -1,6 +1,8 @@
 // What a BufferCompare offers and says; what it does stands in buffer_compare.cpp.
 #include <QFileDialog>
 #include <QMenu>
+#include <algorithm>
+#include <array>
 
 #include "app/core/derived_buffers.h"
 #include "app/core/numbers.h"
@@ -67,6 +69,47 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
     QAction* nothing = menu.addAction(tr("Nothing"), this, [this] { compareWith(std::nullopt); });
     nothing->setEnabled(m_source.has_value());
     if (!m_source) nothing->setToolTip(tr("Nothing is compared."));
+}
+
+namespace {
+
+constexpr std::array kModes{"a", "b", "blink", "wipe", "difference"};  // in files
+
+}  // namespace
+
+std::optional<BufferShown::Compared> BufferCompare::state() const {
+    if (!m_source) return {};
+    OtherSource source = *m_source;
+    const auto change = m_document.lastChange();
+    if (source.kind == OtherSource::Kind::Before && change)
+        source = {.kind = OtherSource::Kind::Setting, .setting = change->setting, .value = change->before};
+    BufferShown::Compared state{keyOf(source), kModes[std::size_t(m_mode)], m_share,
+                                std::string(pipeline::metricTable()[std::size_t(m_metric)].name)};
+    if (m_range) state.range = {m_range->first, m_range->last};
+    return state;
+}
+
+pipeline::Errors BufferCompare::lookAt(const std::optional<BufferShown::Compared>& state) {
+    if (!state || !m_document.hasScene()) {
+        compareWith(std::nullopt);
+        return {};
+    }
+    const auto source = sourceNamed(state->with, m_document.scene());
+    if (!source) {
+        compareWith(std::nullopt);
+        return source.errors();
+    }
+    for (const pipeline::MetricInfo& metric : pipeline::metricTable())
+        if (metric.name == state->metric) m_metric = metric.id;
+    m_share = state->wipe;
+    compareWith(*source);
+    if (state->range && (*state->range)[0] != (*state->range)[1])
+        m_range = pipeline::PaletteRange{(*state->range)[0], (*state->range)[1]};
+    const auto mode = std::ranges::find(kModes, state->mode, [](const char* name) { return std::string(name); });
+    const auto wanted = mode == kModes.end() ? CompareMode::Wipe : CompareMode(mode - kModes.begin());
+    m_mode = CompareMode::A;
+    setMode(wanted);
+    return {};
 }
 
 void BufferCompare::chooseFile() {

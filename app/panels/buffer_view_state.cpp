@@ -50,6 +50,7 @@ BufferShown BufferView::state() const {
         state.overlays.push_back(pipeline::BufferName{BufferId::ShadowVerdict, int(*light)}.text());
     if (!m_condition->isHidden()) state.overlays.push_back(pipeline::BufferName{BufferId::Condition}.text());
     state.zoom = m_canvas->part();
+    state.compared = m_compare->state();
     return state;
 }
 
@@ -86,6 +87,8 @@ pipeline::Errors BufferView::lookAt(const BufferShown& state) {
                            : std::nullopt);
     m_canvas->setShowEdges(m_overlays[index(OverlayId::Edges)]);
     setShowLoupe(m_loupe->isVisibleTo(m_canvas));  // the header tells whether there are overlays
+    const pipeline::Errors compared = m_compare->lookAt(state.compared);
+    errors.insert(errors.end(), compared.begin(), compared.end());
     want();
     refresh();
     m_canvas->showPart(state.zoom);

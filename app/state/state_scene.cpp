@@ -96,6 +96,33 @@ std::optional<std::vector<std::string>> settingsBetween(const Scene& original, c
 
 }  // namespace
 
+namespace {
+
+constexpr std::string_view kFileWord = "file ";
+
+template <class Change>
+void changeFiles(WindowState& state, Change change) {
+    for (BufferShown& view : state.views)
+        if (view.compared && view.compared->with.starts_with(kFileWord))
+            view.compared->with =
+                std::string(kFileWord) + change(fs::path(view.compared->with.substr(kFileWord.size()))).string();
+}
+
+}  // namespace
+
+void nameFilesFrom(WindowState& state, const fs::path& folder) {
+    if (folder.empty()) return;
+    changeFiles(state, [&](const fs::path& file) {
+        const fs::path within = file.lexically_relative(folder);
+        return within.empty() || *within.begin() == ".." ? file : within;
+    });
+}
+
+void findFilesFrom(WindowState& state, const fs::path& folder) {
+    changeFiles(state,
+                [&](const fs::path& file) { return file.is_absolute() || folder.empty() ? file : folder / file; });
+}
+
 Errors describeScene(WindowState& state, const Scene& scene, const Scene* original) {
     state.set.clear();
     state.sceneText.clear();

@@ -14,6 +14,10 @@ pipeline::Result<pipeline::Scene> readNamedScene(const std::string& name, const 
 // What sceneFile finds again: the name of a built-in scene, a path within `folder`, or an absolute one.
 std::string sceneName(const std::filesystem::path& file, const std::filesystem::path& folder);
 
+// The files that views are compared with: named from `folder` where they are within it; and as absolute paths again.
+void nameFilesFrom(WindowState& state, const std::filesystem::path& folder);
+void findFilesFrom(WindowState& state, const std::filesystem::path& folder);
+
 // The scene that a state shows. original: what readNamedScene gives for state.scene; unused where the state has the
 // whole text. Errors: a setting that the scene does not have, a text that is no scene. The result has passed checkScene.
 pipeline::Result<pipeline::Scene> sceneOf(const WindowState& state, const pipeline::Scene& original);

@@ -5,12 +5,14 @@
 #include <QSplitter>
 #include <QTest>
 
+#include "app/core/pinned_pixels.h"
 #include "app/core/stage_buffer.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/even_splitter.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 #include "app/view3d/view3d_panel.h"
@@ -226,6 +228,87 @@ TEST_F(WindowViews, WhatIsNotOnShowIsNotComputed) {
     press("Ctrl+Shift+5");
     change(43);
     EXPECT_FALSE(has()) << "its view is not in this arrangement";
+}
+
+TEST_F(WindowViews, LinkedViewsZoomAndMoveTogether) {
+    press("Ctrl+Shift+3");
+    QTest::qWait(50);
+    BufferCanvas *a = views().first().canvas(), *b = views().second().canvas();
+    EXPECT_TRUE(views().isLinked()) << "they are there to be compared";
+    EXPECT_EQ(a->look().focus, b->look().focus) << "and fit the same";
+    a->setZoom(8, QPointF(30, 40));
+    EXPECT_EQ(b->zoom(), 8);
+    // The places are whole pixels of the screen.
+    EXPECT_NEAR(b->look().center.x(), a->look().center.x(), 1.0 / 8);
+    EXPECT_NEAR(b->look().center.y(), a->look().center.y(), 1.0 / 8);
+    const QPointF before = a->look().center;
+    QTest::mousePress(b, Qt::LeftButton, {}, QPoint(100, 100));
+    QTest::mouseMove(b, QPoint(140, 180));
+    QTest::mouseRelease(b, Qt::LeftButton, {}, QPoint(140, 180));
+    EXPECT_NEAR(a->look().center.x(), before.x() - 5, 0.25) << "40 pixels at 8 a pixel";
+    EXPECT_NEAR(a->look().center.y(), before.y() - 10, 0.25);
+    press("Ctrl+L");
+    EXPECT_FALSE(views().isLinked());
+    a->setZoom(2, QPointF(30, 40));
+    EXPECT_EQ(b->zoom(), 8);
+    const auto state = window.state({});
+    EXPECT_EQ(state->linked, std::optional(false)) << "a session keeps it";
+    press("Ctrl+L");
+    EXPECT_EQ(a->zoom(), b->zoom()) << "they stand together again";
+}
+
+TEST_F(WindowViews, AShadowBufferMovesAlone) {
+    press("Ctrl+Shift+3");
+    views().second().setBuffer({BufferId::ShadowBuffer, 0});
+    ASSERT_TRUE(waitForFrame());
+    const double zoom = views().second().canvas()->zoom();
+    canvas()->setZoom(16, QPointF(30, 40));
+    EXPECT_EQ(views().second().canvas()->zoom(), zoom);
+    views().second().setBuffer({BufferId::ZView});
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(views().second().canvas()->zoom(), 16) << "a buffer of the frame joins";
+}
+
+// Pins, what is selected, and a comparison in each of its ways.
+TEST_F(WindowViews, AStateHasMarksAndComparisons) {
+    document().pick(glm::ivec2(268, 281));
+    views().first().setFocus();
+    PinnedPixels::of(document()).toggle({10, 20});
+    PinnedPixels::of(document()).toggle({268, 281});
+    document().select(Selection{Selection::Kind::Polygon, 2});
+    document().change(*findSetting(document().scene(), "camera.theta"), 41);
+    ASSERT_TRUE(waitForFrame());
+    BufferCompare& compare = views().first().compare();
+    const auto shading = *findSetting(document().scene(), "shading");
+    for (const OtherSource& source : {OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {BufferId::Normal}},
+                                      OtherSource{.kind = OtherSource::Kind::PreviousStage},
+                                      OtherSource{.kind = OtherSource::Kind::Setting, .setting = shading, .value = 2},
+                                      OtherSource{.kind = OtherSource::Kind::Before}})
+        for (const CompareMode mode : {CompareMode::A, CompareMode::B, CompareMode::Wipe, CompareMode::Difference}) {
+            compare.compareWith(source);
+            if (compare.mode() != mode) compare.setMode(mode);
+            compare.setMetric(pipeline::DifferenceMetric::Squared);
+            const auto kept = window.state({});
+            ASSERT_TRUE(kept);
+            ASSERT_TRUE(kept->views[0].compared);
+            compare.compareWith(std::nullopt);
+            compare.setMetric(pipeline::DifferenceMetric::Error);
+            PinnedPixels::of(document()).clear();
+            document().select(std::nullopt);
+            ASSERT_TRUE(window.showState(*kept, {}, SceneChanges::Given));
+            const auto again = window.state({});
+            EXPECT_EQ(toToml(*again), toToml(*kept));
+            EXPECT_EQ(compare.mode(), mode);
+            EXPECT_EQ(again->pins.size(), 2u);
+            EXPECT_TRUE(again->selected);
+        }
+    // The change that "before" meant is kept with it: later the last change is another one.
+    const std::string with = window.state({})->views[0].compared->with;
+    EXPECT_TRUE(with.starts_with("setting camera.theta=") && with != "setting camera.theta=41") << with;
+    WindowState wrong = *window.state({});
+    wrong.views[0].compared->with = "setting shadin=flat";
+    EXPECT_EQ(views().lookAt(wrong).size(), 1u);
+    EXPECT_FALSE(compare.source());
 }
 
 // As layouts were kept once: the columns' sizes, then the buffer views'.

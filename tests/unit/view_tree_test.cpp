@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/state/linked_views.h"
+
 namespace app {
 namespace {
 
@@ -123,6 +125,21 @@ TEST(ViewTree, AViewCanBecomeAnother) {
     ASSERT_TRUE(replace(all, kSpace, kB));
     EXPECT_EQ(arrangementName(all), "compare");
     EXPECT_FALSE(replace(all, kSpace, kB));
+}
+
+TEST(LinkedViews, TheUserChoosesElseTheArrangement) {
+    EXPECT_TRUE(areLinked(*arrangementNamed("compare"), {}));
+    EXPECT_TRUE(areLinked(*arrangementNamed("four"), {}));
+    EXPECT_FALSE(areLinked(*arrangementNamed("two"), {}));
+    EXPECT_FALSE(areLinked(*arrangementNamed("compare"), false));
+    EXPECT_TRUE(areLinked(*arrangementNamed("two"), true));
+}
+
+TEST(LinkedViews, PicturesOfTheSamePixelsMoveTogether) {
+    EXPECT_TRUE(moveTogether({640, 480}, {640, 480}));
+    EXPECT_FALSE(moveTogether({640, 480}, {480, 640}));
+    EXPECT_FALSE(moveTogether({1024, 1024, true}, {1024, 1024})) << "a texel is no pixel, whatever the sizes";
+    EXPECT_FALSE(moveTogether({}, {})) << "there is no picture";
 }
 
 // Two columns, the first of two views: 2 * 240 + 8 wide, 2 * 180 + 8 high.

@@ -131,6 +131,18 @@ TEST(WindowState, AScenesNameLeadsBackToIt) {
     EXPECT_EQ(format(none.errors()), "no file and no built-in scene \"pyramit\"; the nearest is \"pyramid\"\n");
 }
 
+TEST(WindowState, FilesThatAreComparedAreNamedFromTheFolder) {
+    WindowState state;
+    state.views[0].compared.emplace().with = "file /talks/in/a b.npy";
+    const WindowState absolute = state;
+    nameFilesFrom(state, "/talks");
+    EXPECT_EQ(state.views[0].compared->with, "file in/a b.npy");
+    findFilesFrom(state, "/talks");
+    EXPECT_TRUE(state == absolute);
+    nameFilesFrom(state, "/elsewhere");
+    EXPECT_TRUE(state == absolute) << "it is not within the folder";
+}
+
 TEST(CueList, IsTheSameAfterWritingAndReading) {
     CueList list{"Lecture 1", 50, {{"Why no highlight?", "R leaves 66.6°", "Ask first.\nThen \"turn\" it.", rich()}}};
     list.cues.push_back({"Next", {}, "one line, it's", rich()});
