@@ -84,7 +84,8 @@ pipeline::Result<OtherSource> sourceNamed(std::string_view key, const Scene& sce
     };
     if (const auto file = rest("file ")) return OtherSource{.kind = Kind::File, .file = QString::fromStdString(*file)};
     if (const auto words = rest("buffer "))
-        if (const auto name = pipeline::findAnyBuffer(*words)) return OtherSource{.kind = Kind::Buffer, .buffer = *name};
+        if (const auto name = pipeline::findAnyBuffer(*words))
+            return OtherSource{.kind = Kind::Buffer, .buffer = *name};
     if (const auto words = rest("setting ")) {
         const auto equals = words->find('=');
         const auto setting = findSetting(scene, words->substr(0, equals));

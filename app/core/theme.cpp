@@ -33,7 +33,7 @@ void Theme::set(ThemeId id) {
 double Theme::scale() const { return m_scales[std::size_t(m_id)]; }
 
 void Theme::setScale(double scale) {
-    m_scales[std::size_t(m_id)] = std::clamp(std::round(scale * 20) / 20, 0.85, 2.5);
+    m_scales[std::size_t(m_id)] = std::clamp(std::round(scale * 20) / 20, kLeastScale, kMostScale);
     apply();
 }
 

@@ -27,7 +27,9 @@ public:
 
     ThemeId id() const { return m_id; }
     void set(ThemeId id);
-    double scale() const;         // 0.85 to 2.5; each theme keeps its own, the projector's starts at 1.25
+    // What 3840 by 2160 pixels need where one is a pixel of the screen: 2 % of the height is 44 pixels of a letter of 12.
+    static constexpr double kLeastScale = 0.85, kMostScale = 4;
+    double scale() const;         // within these; each theme keeps its own, the projector's starts at 1.25
     void setScale(double scale);  // clamped, in steps of 0.05
     // Gives palette, font and style sheet to the application, and emits changed().
     // set and setScale do it too; without either, call it once at the start.

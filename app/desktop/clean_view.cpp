@@ -45,7 +45,7 @@ QLabel* nameOver(QWidget* view) {
 
 double CleanView::scaleFor(int height) {
     const double scale = 22.0 / 12 * height / 1080;
-    return std::min(std::ceil(scale * 20) / 20, 2.5);  // in the theme's steps
+    return std::min(std::ceil(scale * 20) / 20, Theme::kMostScale);  // in the theme's steps
 }
 
 CleanView::CleanView(Document& document, CueModel& cues) : m_document(document), m_cues(cues), m_pen(nullptr) {

@@ -99,8 +99,9 @@ bool hasRange(const BufferInfo& info, int channel) {
 }
 
 BufferStatistics channelStatistics(const AnyBuffer& buffer, int channel) {
-    if (channel < 0 || buffer.channels() == 1) return statistics(buffer);
     BufferStatistics found;
+    if (buffer.info->element == Element::UInt8 && buffer.info->palette == Palette::Color) return found;
+    if (channel < 0 || buffer.channels() == 1) return statistics(buffer);
     double min = INFINITY, max = -INFINITY;
     const auto channels = std::size_t(buffer.channels());
     std::visit(
@@ -124,10 +125,8 @@ BufferStatistics channelStatistics(const AnyBuffer& buffer, int channel) {
     return found;
 }
 
-PaletteRange fittingRange(const AnyBuffer& buffer, int channel, pipeline::DepthFormat format) {
-    // What is drawn in full colours has its range without a look at the numbers.
-    const bool needsNumbers = buffer.info->element != Element::UInt8 || buffer.info->palette != Palette::Color;
-    const BufferStatistics found = needsNumbers ? channelStatistics(buffer, channel) : BufferStatistics();
+PaletteRange fittingRange(const AnyBuffer& buffer, int channel, const BufferStatistics& found,
+                          pipeline::DepthFormat format) {
     if (channel < 0 || buffer.channels() == 1) return pipeline::fittingRange(buffer, found, format);
     switch (shownPalette(*buffer.info, channel)) {
         case Palette::Diverging: {

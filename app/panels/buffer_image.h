@@ -23,10 +23,11 @@ bool standsOnShapes(const pipeline::BufferInfo& info);
 // Values become colours by a range that can be chosen; 8-bit colours, directions and names do not.
 bool hasRange(const pipeline::BufferInfo& info, int channel);
 
-// Numbers of one channel, or of all of them where channel is -1.
+// Numbers of one channel, or of all of them where channel is -1. Bytes that are colours are not looked at.
 pipeline::BufferStatistics channelStatistics(const pipeline::AnyBuffer& buffer, int channel);
-// The range that shows all of it.
-pipeline::PaletteRange fittingRange(const pipeline::AnyBuffer& buffer, int channel, pipeline::DepthFormat format);
+// The range that shows all of it; found: channelStatistics of the same.
+pipeline::PaletteRange fittingRange(const pipeline::AnyBuffer& buffer, int channel,
+                                    const pipeline::BufferStatistics& found, pipeline::DepthFormat format);
 
 // A picture in colours has its black background; any other one is nothing where nothing was drawn.
 bool isColorPicture(const pipeline::BufferInfo& info, int channel);

@@ -99,7 +99,9 @@ ConditionBar::ConditionBar(Document& document, QWidget* parent)
     });
     connect(&m_watching, &BackgroundJob::progressed, this,
             [this](double share) { say(tr("Looking for where Play stops, %1 %.").arg(int(100 * share)), false); });
-    connect(&m_document, &Document::sceneChanged, this, &ConditionBar::read);  // lights may come and go
+    connect(&m_document, &Document::sceneChanged, this, [this] {
+        if (!isHidden()) read();  // lights may come and go
+    });
     followTheme(this, [this, grid] {
         const Theme& theme = Theme::current();
         grid->setContentsMargins(theme.px(6), theme.px(4), theme.px(6), theme.px(2));

@@ -103,8 +103,6 @@ QString depthTest(const Frame& frame, QSize size, std::vector<QImage>& images) {
 // NaN and infinities have colours of their own already: they get a frame of marks, negative ones a hatch.
 QString strange(const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn, int channel,
                 CanvasContent& content) {
-    if (buffer.info->element == pipeline::Element::UInt8) return {};  // holds none of them
-    if (const auto all = statistics(buffer); all.nan + all.infinite + all.negative == 0) return {};
     auto found = pipeline::strangeNumbers(buffer, channel, drawn);
     if (found.nan + found.infinite + found.negative == 0) return {};
     const auto width = std::size_t(content.size.width());
@@ -167,7 +165,8 @@ void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown) {
     QStringList legend;
     if (!shown.notice.isEmpty()) legend << shown.notice;
     const auto isOn = [&](OverlayId id) { return overlays[index(id)]; };
-    if (isOn(OverlayId::Strange) && !standsOnShapes(info)) {
+    const bool mayBeStrange = shown.numbers.nan + shown.numbers.infinite + shown.numbers.negative > 0;
+    if (isOn(OverlayId::Strange) && mayBeStrange && !standsOnShapes(info)) {
         const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
         legend << strange(shown.buffer, drawnElements(shown.buffer, polygons, shown.look.channel), shown.look.channel,
                           content);

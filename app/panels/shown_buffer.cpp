@@ -176,10 +176,10 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     const BufferInfo& info = *buffer.info;
     if (channel >= info.channels || info.channels == 1) channel = -1;
     const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
-    const PaletteRange whole = fittingRange(buffer, channel, frame.scene().settings.depthFormat);
-
     ShownBuffer shown;
     shown.buffer = buffer;
+    shown.numbers = channelStatistics(buffer, channel);
+    const PaletteRange whole = fittingRange(buffer, channel, shown.numbers, frame.scene().settings.depthFormat);
     shown.look = {channel, range.value_or(whole)};
     const pipeline::Settings& settings = frame.scene().settings;
     CanvasContent& content = shown.content;

@@ -20,12 +20,13 @@ struct LegendEntry {
 struct ShownBuffer {
     pipeline::AnyBuffer buffer;
     BufferLook look;
-    CanvasContent content;            // without the picked and hovered pixel
-    PaletteBar::Scale scale;          // where there is a range to choose
-    std::vector<LegendEntry> legend;  // where colours are names
-    QString notice;                   // "3 distinct values, 5 NaN"; what is worth telling, may be empty
-    QString empty;                    // "Nothing was drawn: …", else empty
-    QString description;              // for a screen reader
+    pipeline::BufferStatistics numbers;  // of the channel that is shown; none of bytes that are colours
+    CanvasContent content;               // without the picked and hovered pixel
+    PaletteBar::Scale scale;             // where there is a range to choose
+    std::vector<LegendEntry> legend;     // where colours are names
+    QString notice;                      // "3 distinct values, 5 NaN"; what is worth telling, may be empty
+    QString empty;                       // "Nothing was drawn: …", else empty
+    QString description;                 // for a screen reader
 };
 
 // What is shown, in words: "blue, before scaling".

@@ -58,7 +58,7 @@ QImage thumbnail(const pipeline::Frame& frame, const pipeline::BufferName& name,
     if (!buffer) return {};
     const BufferInfo& info = *buffer->info;
     const pipeline::Settings& settings = frame.scene().settings;
-    const BufferLook look{-1, fittingRange(*buffer, -1, settings.depthFormat)};
+    const BufferLook look{-1, fittingRange(*buffer, -1, channelStatistics(*buffer, -1), settings.depthFormat)};
     const bool onPicture = info.domain != Domain::Texel;
     const QSize whole =
         onPicture ? QSize(settings.width, settings.height) : QSize(int(buffer->columns()), int(buffer->rows()));

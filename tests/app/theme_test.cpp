@@ -109,7 +109,7 @@ TEST(Theme, EachThemeKeepsItsOwnScaleAndTheProjectorStartsLarger) {
     theme.set(ThemeId::Dark);
     EXPECT_DOUBLE_EQ(theme.scale(), 1.0);
     theme.setScale(9);
-    EXPECT_DOUBLE_EQ(theme.scale(), 2.5);
+    EXPECT_DOUBLE_EQ(theme.scale(), 4);
     theme.setScale(1.06);
     EXPECT_DOUBLE_EQ(theme.scale(), 1.05);
     theme.setScale(1);
