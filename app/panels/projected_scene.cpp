@@ -54,17 +54,22 @@ ProjectedVertices projectVertices(const pipeline::Frame& frame) {
     return projected;
 }
 
+// visit(number, its corners, the vertices) for each polygon all of whose corners stand in front of the eye.
+template <class Visit>
+void forEachInFront(const pipeline::Frame& frame, Visit visit) {
+    const ProjectedVertices vertices = projectVertices(frame);
+    if (vertices.places.empty()) return;
+    const pipeline::Topology& topology = frame.topology();
+    for (std::size_t p = 0; p < topology.polygonCount(); ++p)
+        if (const auto corners = topology.corners(p); vertices.inFront(corners)) visit(p, corners, vertices);
+}
+
 }  // namespace
 
 std::vector<ProjectedPolygon> projectPolygons(const pipeline::Frame& frame) {
-    const ProjectedVertices vertices = projectVertices(frame);
-    if (vertices.places.empty()) return {};
-    const pipeline::Topology& topology = frame.topology();
     std::vector<ProjectedPolygon> polygons;
-    for (std::size_t p = 0; p < topology.polygonCount(); ++p) {
-        const pipeline::Topology::Corners corners = topology.corners(p);
-        if (!vertices.inFront(corners)) continue;
-        ProjectedPolygon polygon;
+    forEachInFront(frame, [&](std::size_t p, const auto& corners, const ProjectedVertices& vertices) {
+        ProjectedPolygon& polygon = polygons.emplace_back();
         polygon.polygon = int(p);
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const std::uint32_t v = corners[i];
@@ -76,23 +81,18 @@ std::vector<ProjectedPolygon> projectPolygons(const pipeline::Frame& frame) {
         polygon.centre /= double(corners.size());
         polygon.distance /= double(corners.size());
         polygon.goesOn = vertices.goesOn(p);
-        polygons.push_back(std::move(polygon));
-    }
+    });
     return polygons;
 }
 
 std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, bool all) {
-    const ProjectedVertices vertices = projectVertices(frame);
-    if (vertices.places.empty()) return {};
-    const pipeline::Topology& topology = frame.topology();
     std::vector<QPolygonF> outlines;
-    for (std::size_t p = 0; p < topology.polygonCount(); ++p) {
-        const pipeline::Topology::Corners corners = topology.corners(p);
-        if (!vertices.inFront(corners) || !(all || vertices.goesOn(p))) continue;
+    forEachInFront(frame, [&](std::size_t p, const auto& corners, const ProjectedVertices& vertices) {
+        if (!all && !vertices.goesOn(p)) return;
         QPolygonF& outline = outlines.emplace_back();
         outline.reserve(int(corners.size()));
         for (std::size_t i = 0; i < corners.size(); ++i) outline << vertices.places[corners[i]];
-    }
+    });
     return outlines;
 }
 

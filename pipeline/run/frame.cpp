@@ -160,13 +160,9 @@ const Plan& Frame::plan() const {
 std::optional<AnyBuffer> Frame::buffer(const BufferName& name) const {
     const bool perLight = bufferInfo(name.id).perLight;
     if (perLight ? name.light < 0 || std::size_t(name.light) >= m_scene->lights.size() : name.light >= 0) return {};
-    const auto read = [&] { return readStages(*this, [&](const auto& data) { return find(name, data); }); };
-    using enum BufferId;
-    const bool mayBeCopied = name.id == ObjectId || name.id == PolygonId || name.id == Depth || name.id == ShadowBuffer;
-    if (!mayBeCopied) return read();
     const std::scoped_lock lock(m_readMutex);
     if (const auto kept = std::ranges::find(m_read, name, &AnyBuffer::name); kept != m_read.end()) return *kept;
-    std::optional<AnyBuffer> buffer = read();
+    std::optional<AnyBuffer> buffer = readStages(*this, [&](const auto& data) { return find(name, data); });
     if (buffer) m_read.push_back(*buffer);
     return buffer;
 }
