@@ -10,36 +10,15 @@
 #include "app/core/text.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/pen_layer.h"
-#include "app/panels/buffer_canvas.h"
-#include "app/panels/buffer_header.h"
-#include "app/panels/buffer_view.h"
+#include "app/desktop/view_area.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"
-#include "app/view3d/view3d_panel.h"
 #include "pipeline/inspect/pixel_report.h"
 
 namespace app {
 namespace {
 
 constexpr int kKeyMs = 1200, kCursorMs = 2000;
-
-QFrame* framed(QWidget* view) {
-    auto* frame = new QFrame;
-    frame->setProperty("kind", "panel");
-    auto* column = new QVBoxLayout(frame);
-    column->setContentsMargins(1, 1, 1, 1);
-    column->addWidget(view);
-    return frame;
-}
-
-// Over the top left corner of a view.
-QLabel* nameOver(QWidget* view) {
-    auto* label = new QLabel(view);
-    label->setAttribute(Qt::WA_TransparentForMouseEvents);
-    label->setProperty("kind", "overlay");
-    label->setMargin(5);
-    return label;
-}
 
 }  // namespace
 
@@ -53,7 +32,8 @@ CleanView::CleanView(Document& document, CueModel& cues) : m_document(document),
     setWindowTitle(tr("Shadescope, presentation"));
     setAutoFillBackground(true);
     auto* column = new QVBoxLayout(this);
-    column->addWidget(makeViews(), 1);
+    m_views = new ViewArea(document, this, ViewDress::Bare);
+    column->addWidget(m_views, 1);
     column->addWidget(makeEquation());
     m_caption = new CaptionLine(this);
     column->addWidget(m_caption);
@@ -89,25 +69,6 @@ CleanView::~CleanView() {
     qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
 }
 
-QWidget* CleanView::makeViews() {
-    auto* row = new QWidget(this);
-    auto* columns = new QHBoxLayout(row);
-    columns->setContentsMargins(0, 0, 0, 0);
-    m_first = new BufferView(m_document);
-    m_second = new BufferView(m_document);
-    m_space = new View3dPanel(m_document);
-    m_space->setBare(true);
-    m_firstFrame = framed(m_first), m_secondFrame = framed(m_second), m_spaceFrame = framed(m_space);
-    for (QWidget* frame : {m_firstFrame, m_secondFrame, m_spaceFrame}) columns->addWidget(frame, 1);
-    for (BufferView* view : {m_first, m_second}) view->findChild<BufferHeader*>()->hide();
-    m_firstName = nameOver(m_first->canvas()), m_secondName = nameOver(m_second->canvas());
-    connect(m_first, &BufferView::bufferChanged, this, &CleanView::showNames);
-    connect(m_second, &BufferView::bufferChanged, this, &CleanView::showNames);
-    setViewCount(m_views);
-    followTheme(row, [columns] { columns->setSpacing(Theme::current().px(13)); });
-    return row;
-}
-
 QWidget* CleanView::makeEquation() {
     m_equationRow = new QWidget(this);
     auto* columns = new QHBoxLayout(m_equationRow);
@@ -128,40 +89,13 @@ void CleanView::applyTheme() {
     const Theme& theme = Theme::current();
     layout()->setContentsMargins(theme.px(19), theme.px(15), theme.px(19), theme.px(10));
     static_cast<QVBoxLayout*>(layout())->setSpacing(theme.px(12));
-    for (QLabel* name : {m_firstName, m_secondName}) name->setFont(theme.text(13, 600));
     m_value->setFont(theme.mono(13));
     m_swatch->setFixedSize(theme.px(64), theme.px(64));
     m_equationRow->layout()->setSpacing(theme.px(12));
-    showNames();
     showEquation();
 }
 
-void CleanView::setViewCount(int views) {
-    m_views = std::clamp(views, 1, 2);
-    m_secondFrame->setVisible(m_views == 2 && m_twoBuffers);
-    m_spaceFrame->setVisible(m_views == 2 && !m_twoBuffers);
-    emit changed();
-}
-
-pipeline::Errors CleanView::lookAt(const WindowState& state) {
-    pipeline::Errors errors;
-    const auto add = [&](const pipeline::Errors& more) { errors.insert(errors.end(), more.begin(), more.end()); };
-    m_twoBuffers = state.views.size() > 1;
-    setViewCount(m_views);
-    if (!state.views.empty()) add(m_first->lookAt(state.views[0]));
-    if (m_twoBuffers) add(m_second->lookAt(state.views[1]));
-    if (!state.spaces.empty()) add(m_space->lookAt(state.spaces.front()));
-    showNames();
-    return errors;
-}
-
-void CleanView::showNames() {
-    for (auto [label, view] : {std::pair{m_firstName, m_first}, {m_secondName, m_second}}) {
-        label->setText(toQString(view->buffer().text()));
-        label->adjustSize();
-        label->move(Theme::current().px(5), Theme::current().px(5));
-    }
-}
+pipeline::Errors CleanView::lookAt(const WindowState& state) { return m_views->lookAt(state); }
 
 // The lines of the equation itself: symbols, numbers, result. A lecture has no room for where they come from.
 void CleanView::showEquation() {
@@ -215,8 +149,8 @@ bool CleanView::takeKey(int key) {
             m_pen->pointAt(mapFromGlobal(QCursor::pos()));
             m_pen->setSpotlight(!m_pen->hasSpotlight());
             break;
-        case Qt::Key_1: setViewCount(1); break;
-        case Qt::Key_2: setViewCount(2); break;
+        case Qt::Key_1: m_views->setAlone(true); break;
+        case Qt::Key_2: m_views->setAlone(false); break;
         case Qt::Key_F4: emit swapAsked(); break;
         case Qt::Key_Escape:
             if (m_pen->cover() != Cover::None || m_pen->hasPen() || m_pen->hasSpotlight() || m_pen->hasLines()) {
@@ -227,10 +161,9 @@ bool CleanView::takeKey(int key) {
                 break;
             }
             emit left();
-            return true;
+            break;
         default: return false;
     }
-    emit changed();
     return true;
 }
 

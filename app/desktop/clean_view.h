@@ -9,27 +9,23 @@ class QLabel;
 
 namespace app {
 
-class BufferView;
 class CaptionLine;
 class MathView;
 class PenLayer;
-class View3dPanel;
+class ViewArea;
 
-// What an audience sees: one or two views, the equation of the picked pixel, and a line of words; nothing else. It shows
-// the document, as the window does. Keys: B black, W white, P pen, O spotlight, 1 and 2 how many views, Esc takes back
-// what covers the views, then leaves.
+// What an audience sees: the views as the window has them, the equation of the picked pixel, and a line of words; nothing
+// else. It shows the document, as the window does. Keys: B black, W white, P pen, O spotlight, 1 the active view alone, 2
+// all views, Esc takes back what covers the views, then leaves.
 class CleanView : public QWidget {
     Q_OBJECT
 public:
     CleanView(Document& document, CueModel& cues);
     ~CleanView() override;
 
-    // The views of a state: two buffers where it shows two, else a buffer and the 3D view.
-    pipeline::Errors lookAt(const WindowState& state);
-    int viewCount() const { return m_views; }
-    void setViewCount(int views);  // 1 or 2
+    pipeline::Errors lookAt(const WindowState& state);  // the views of a state, as they stand in the window
+    ViewArea& views() { return *m_views; }
     PenLayer& pen() { return *m_pen; }
-    BufferView& first() { return *m_first; }
     QString caption() const;
     QString shownKey() const;  // the last key pressed, for 1.2 s
     // The key does something here, or was an ordinary one.
@@ -40,7 +36,6 @@ public:
 signals:
     void left();
     void swapAsked();  // F4
-    void changed();    // what is seen, save for what the document tells
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -48,29 +43,23 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
-    QWidget* makeViews();
     QWidget* makeEquation();
     void showEquation();
     void showCaption();
     void showKey(const QKeyEvent& key);
-    void showNames();
     void wakeCursor();
     void applyTheme();
 
     Document& m_document;
     CueModel& m_cues;
-    BufferView *m_first, *m_second;
-    View3dPanel* m_space;
-    QWidget *m_firstFrame, *m_secondFrame, *m_spaceFrame;
-    QLabel *m_firstName, *m_secondName;
+    ViewArea* m_views;
     QWidget* m_equationRow;
     MathView* m_math;
     QLabel *m_swatch, *m_value;
     CaptionLine* m_caption;
     PenLayer* m_pen;
     QTimer m_keyTime, m_cursorTime;
-    int m_views = 2;
-    bool m_twoBuffers = false, m_cursorHidden = false;
+    bool m_cursorHidden = false;
 };
 
 }  // namespace app

@@ -19,12 +19,13 @@ namespace app {
 
 using pipeline::BufferName;
 
-ViewArea::ViewArea(Document& document, QWidget* parent)
+ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
     : QWidget(parent),
       m_document(document),
       m_middle(new QWidget(this)),
       m_thumbnails(new ThumbnailStrip(document)),
-      m_tree(*arrangementNamed("one")) {
+      m_tree(*arrangementNamed("one")),
+      m_dress(dress) {
     setObjectName("viewArea");
     auto* middle = new QVBoxLayout(m_middle);
     middle->setContentsMargins(0, 0, 0, 0);
@@ -33,6 +34,7 @@ ViewArea::ViewArea(Document& document, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_middle, 1);
     column->addWidget(m_thumbnails);
+    m_thumbnails->setVisible(dress == ViewDress::Full);
     followTheme(this, [this, column] {
         column->setSpacing(gap());
         for (auto* splitter : findChildren<EvenSplitter*>()) splitter->setHandleWidth(gap());
@@ -182,6 +184,24 @@ void ViewArea::leadSoon() {
     m_leadsSoon = true;
     QTimer::singleShot(0, this, [this] {
         if (std::exchange(m_leadsSoon, false)) lead(activeBuffer());
+    });
+}
+
+// Whole zooms: one pixel of a view's width more, and it shows the same part a step larger.
+void ViewArea::agreeSoon() {
+    if (!isLinked() || std::exchange(m_agreesSoon, true)) return;
+    QTimer::singleShot(0, this, [this] {
+        m_agreesSoon = false;
+        const BufferCanvas& leading = *activeBuffer().canvas();
+        const auto asked = leading.part();
+        if (!isLinked() || !asked) return;
+        for (const auto& [number, other] : m_buffers) {
+            const auto its = other->canvas()->part();
+            const bool isSame = its && its->factor == asked->factor && its->center == asked->center;
+            if (isSame && other->canvas()->zoom() != leading.zoom() &&
+                moveTogether(pictureIn(*other), pictureIn(activeBuffer())))
+                other->canvas()->follow(leading.look());
+        }
     });
 }
 

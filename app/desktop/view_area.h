@@ -17,13 +17,16 @@ class EvenSplitter;
 class ThumbnailStrip;
 class View3dPanel;
 
+// Bare: pictures and their names alone, as an audience sees them.
+enum class ViewDress : unsigned char { Full, Bare };
+
 // The middle of the window: buffer views and 3D views in any arrangement, the buffers small below. Going to a stage shows
 // the stage's main buffer in the first buffer view, and what explains it in the others of a named arrangement; in one that
 // the user has made the others keep their buffers. A view that is not on show computes nothing.
 class ViewArea : public QWidget {
     Q_OBJECT
 public:
-    explicit ViewArea(Document& document, QWidget* parent = nullptr);
+    explicit ViewArea(Document& document, QWidget* parent = nullptr, ViewDress dress = ViewDress::Full);
 
     void showBuffer(const pipeline::BufferName& buffer);  // in the active buffer view
     // By their names, one a view; a second view appears for the second where there is room.
@@ -36,6 +39,9 @@ public:
     bool hasSecond() const;                              // buffer view
     void setSecond(bool shown);                          // between "one" and "two"
     void makeEven();
+    // The active view in the whole room; the others come back to their places, or with another arrangement.
+    void setAlone(bool alone);
+    bool isAlone() const { return m_alone; }
 
     // Buffer views of pictures of the same size zoom and move together.
     bool isLinked() const { return areLinked(m_tree, m_linked); }
@@ -83,6 +89,7 @@ private:
     void lead(BufferView& view);  // the others stand where it does
     void join(BufferView& view);  // stands where another one does
     void leadSoon();
+    void agreeSoon();  // on one zoom, where a state has one for views that have become larger by different factors
     QWidget* framed(QWidget* view, ViewLeaf leaf);
     void addMenu(QMenu* menu, ViewLeaf leaf);
     void setTree(ViewTree tree);
@@ -105,7 +112,8 @@ private:
     ViewTree m_tree;   // as it was asked for
     ViewTree m_shown;  // what of it there is room for
     ViewLeaf m_active;
-    bool m_laysOut = false, m_leadsSoon = false;
+    ViewDress m_dress;
+    bool m_laysOut = false, m_leadsSoon = false, m_agreesSoon = false, m_alone = false;
     std::optional<bool> m_linked;  // nothing: as the arrangement has it
     bool m_inside = false;         // the stepper, when last looked at
 };

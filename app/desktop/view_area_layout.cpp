@@ -65,12 +65,14 @@ BufferView& ViewArea::bufferView(int number) {
     const ViewLeaf leaf{ViewLeaf::Kind::Buffer, number};
     view = new BufferView(m_document);
     framed(view, leaf);
-    addMenu(view->findChild<BufferHeader*>()->menu(), leaf);
+    view->setBare(m_dress == ViewDress::Bare);
+    if (m_dress == ViewDress::Full) addMenu(view->findChild<BufferHeader*>()->menu(), leaf);
     connect(view, &BufferView::bufferChanged, this, [this, view](const pipeline::BufferName& name) {
         if (view == &activeBuffer()) m_thumbnails->setCurrent(name);
         join(*view);
     });
     connect(view->canvas(), &BufferCanvas::moved, this, [this, view] { lead(*view); });
+    connect(view->canvas(), &BufferCanvas::zoomChanged, this, &ViewArea::agreeSoon);
     connect(view->canvas(), &BufferCanvas::resized, this, [this, view] { join(*view); });
     if (m_document.hasScene()) {
         const auto useful = usefulBuffers(m_document.stage(), m_document.scene(), m_document.stepper().isInside());
@@ -85,7 +87,8 @@ View3dPanel& ViewArea::spaceView(int number) {
     const ViewLeaf leaf{ViewLeaf::Kind::Space, number};
     view = new View3dPanel(m_document);
     framed(view, leaf);
-    addMenu(view->menu(), leaf);
+    view->setBare(m_dress == ViewDress::Bare);
+    if (m_dress == ViewDress::Full) addMenu(view->menu(), leaf);
     return *view;
 }
 
@@ -126,6 +129,7 @@ bool ViewArea::setArrangement(const std::string& nameOrText) {
 void ViewArea::setTree(ViewTree tree) {
     const bool wasLinked = isLinked();
     m_tree = std::move(tree);
+    m_alone = false;
     layOut();
     if (isLinked() && !wasLinked) leadSoon();
     emit changed();
@@ -137,6 +141,12 @@ void ViewArea::makeEven() {
     setTree(std::move(tree));
 }
 
+void ViewArea::setAlone(bool alone) {
+    m_alone = alone;
+    layOut();
+    emit changed();
+}
+
 // Frames move from the old splitters to the new ones, and are what they were.
 void ViewArea::layOut() {
     if (m_laysOut) return;  // a frame that moves may give the middle another size for a moment
@@ -145,7 +155,8 @@ void ViewArea::layOut() {
     for (const ViewLeaf leaf : leavesOf(m_tree))
         leaf.kind == ViewLeaf::Kind::Buffer ? void(bufferView(leaf.number)) : void(spaceView(leaf.number));
     const bool isLaidOut = m_middle->isVisible();
-    ViewTree shown = isLaidOut ? fitted(m_tree, room(), leastView(), gap()) : m_tree;
+    const ViewTree whole = m_alone ? ViewTree{Kind::Leaf, active()} : m_tree;
+    ViewTree shown = isLaidOut ? fitted(whole, room(), leastView(), gap()) : whole;
     if (m_root && haveSameViews(shown, m_shown)) {
         m_shown = std::move(shown);
         return setShares(m_root, m_shown);

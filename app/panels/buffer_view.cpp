@@ -107,6 +107,7 @@ void BufferView::setBuffer(const BufferName& name) {
     const bool isOther = !(name == m_name);
     m_name = name;
     m_header->show(name, kept().channel);
+    m_title->setText(toQString(name.text()));
     setAccessibleName(tr("Buffer view: %1").arg(toQString(name.text())));
     want();
     refresh();

@@ -45,6 +45,7 @@ public:
     void setRegion(const std::optional<Region>& region);  // whose statistics stand in the corner
     void setFlipped(bool flipped);                        // row 0 at the foot
     void setShowLoupe(bool show);
+    void setBare(bool bare);  // without the header, the buffer's name over the picture
     // How the buffer is looked at, and the same again. Errors: what there is not, left out.
     BufferShown state() const;
     pipeline::Errors lookAt(const BufferShown& state);
@@ -126,7 +127,7 @@ private:
     StageDifferences* m_stages;
     ConditionBar* m_condition;
     QWidget* m_page;
-    QLabel *m_message, *m_readout, *m_notice;
+    QLabel *m_message, *m_readout, *m_notice, *m_title;
     QPushButton* m_compute;
     Offer m_offer = Offer::Nothing;
     Loupe* m_loupe;

@@ -43,6 +43,7 @@ void BufferView::build() {
     m_readout = overlay(m_canvas);
     m_notice = overlay(m_canvas);
     m_pins = overlay(m_canvas);
+    m_title = overlay(m_canvas);
     m_region = new RegionPanel(m_canvas);
     m_working = new QWidget(m_canvas);
     m_working->hide();
@@ -86,6 +87,13 @@ void BufferView::build() {
     });
 }
 
+void BufferView::setBare(bool bare) {
+    m_header->setVisible(!bare);
+    m_title->setVisible(bare);
+    m_foot->setBare(bare);
+    placeOverlays();
+}
+
 void BufferView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     placeOverlays();
@@ -97,6 +105,9 @@ void BufferView::placeOverlays() {
         m_readout->setText(m_readout->text().replace("   ", "\n"));
     m_readout->adjustSize();
     m_readout->move(kMargin, m_canvas->height() - m_readout->height() - kMargin);
+    m_title->setFont(Theme::current().text(13, 600));  // set while hidden, it does not outlive a style sheet
+    m_title->adjustSize();
+    m_title->move(kMargin, kMargin);
     m_notice->adjustSize();
     const int right = m_loupe->isVisibleTo(m_canvas) ? m_loupe->width() + kMargin : 0;
     m_notice->move(m_canvas->width() - m_notice->width() - kMargin - right, kMargin);

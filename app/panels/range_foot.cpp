@@ -60,10 +60,16 @@ RangeFoot::RangeFoot(QWidget* parent)
 // Where there is little room it is the palette's: the axis has its key too, and the button a short name.
 void RangeFoot::fitWidth() {
     const bool narrow = width() < Theme::current().px(400);
-    m_log->setVisible(!narrow);
+    m_log->setVisible(!narrow && !m_bare);
+    m_fit->setVisible(!m_bare);
     m_fit->setText(narrow ? tr("Fit") : tr("Autofit"));
     m_fit->setAccessibleName(tr("Autofit"));
     m_unit->setVisible(!m_unit->text().isEmpty() && width() > Theme::current().px(560));
+}
+
+void RangeFoot::setBare(bool bare) {
+    m_bare = bare;
+    fitWidth();
 }
 
 void RangeFoot::resizeEvent(QResizeEvent* event) {

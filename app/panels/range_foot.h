@@ -18,6 +18,7 @@ public:
 
     // keepsFitting: the range follows every frame. logarithmic: the axis of the histogram's counts.
     void show(const ShownBuffer& shown, bool keepsFitting, bool logarithmic);
+    void setBare(bool bare);  // without its buttons, which have keys
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -33,6 +34,7 @@ private:
     PaletteBar* m_bar;
     QPushButton *m_log, *m_fit;
     LegendBar* m_legend;
+    bool m_bare = false;
 };
 
 }  // namespace app

@@ -168,7 +168,7 @@ TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
     settle();
     EXPECT_EQ(view.caption(), "R leaves away from the eye.");
     EXPECT_TRUE(view.findChild<MathView*>()->isVisible());
-    EXPECT_EQ(view.first().buffer().id, pipeline::BufferId::Color);
+    EXPECT_EQ(view.views().first().buffer().id, pipeline::BufferId::Color);
     // No letters under 2 % of the height.
     for (const QLabel* label : view.findChildren<QLabel*>())
         if (label->isVisible() && !label->text().isEmpty()) {
@@ -197,6 +197,68 @@ TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
     QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window.presentation().isOn(); }, 5000));
     EXPECT_EQ(Theme::current().scale(), scale);
+}
+
+TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
+    openPyramid();
+    document().pick(glm::ivec2(268, 281));
+    const std::vector<std::string> arrangements{"four", "2: buffer | 1: (buffer / 3d)", "compare"};
+    for (const std::string& arrangement : arrangements) {
+        ASSERT_TRUE(window.views().setArrangement(arrangement));
+        settle();
+        if (arrangement == "compare") window.views().first().canvas()->setZoom(6, QPointF(50, 60));
+        press("Ctrl+B");
+    }
+    press("Ctrl+F11");
+    ASSERT_TRUE(window.presentation().isOn());
+    CleanView& view = *window.presentation().cleanView();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    QApplication::setActiveWindow(&view);
+    // What the audience's views show, and the pictures of those that are buffers.
+    const auto seen = [&](int cue) {
+        settle();
+        WindowState state;
+        view.views().fill(state);
+        EXPECT_EQ(state.arrangement, model().cue(cue).state.arrangement);
+        EXPECT_EQ(state.linked, model().cue(cue).state.linked);
+        const auto& kept = model().cue(cue).state.views;
+        EXPECT_EQ(state.views.size(), kept.size());
+        for (std::size_t i = 0; i < std::min(state.views.size(), kept.size()); ++i) {
+            BufferShown shown = state.views[i];
+            shown.zoom = kept[i].zoom;  // of views of other sizes
+            EXPECT_EQ(shown, kept[i]);
+        }
+        std::vector<QImage> pictures;
+        for (const ViewLeaf leaf : leavesOf(view.views().tree())) {
+            EXPECT_TRUE(view.views().frameOf(leaf)->isVisible());
+            if (leaf.kind == ViewLeaf::Kind::Buffer)
+                pictures.push_back(view.views().frameOf(leaf)->findChild<BufferCanvas*>()->grab().toImage());
+        }
+        return pictures;
+    };
+    QTest::keyClick(&view, Qt::Key_PageUp);
+    QTest::keyClick(&view, Qt::Key_PageUp);
+    std::vector<std::vector<QImage>> first;
+    for (int cue = 0; cue < 3; ++cue) {
+        if (cue > 0) QTest::keyClick(&view, Qt::Key_PageDown);
+        first.push_back(seen(cue));
+    }
+    EXPECT_EQ(first[0].size(), 3u);
+    // Views that are there to be compared move together, here too.
+    EXPECT_TRUE(view.views().isLinked());
+    EXPECT_EQ(view.views().second().canvas()->zoom(), view.views().first().canvas()->zoom());
+    for (int cue = 1; cue >= 0; --cue) {
+        QTest::keyClick(&view, Qt::Key_PageUp);
+        EXPECT_EQ(seen(cue), first[std::size_t(cue)]) << cue;
+    }
+    QTest::keyClick(&view, Qt::Key_1);
+    const auto shown = [&](int buffer) { return view.views().frameOf({ViewLeaf::Kind::Buffer, buffer})->isVisible(); };
+    EXPECT_TRUE(shown(0) && !shown(1));
+    QTest::keyClick(&view, Qt::Key_2);
+    EXPECT_TRUE(shown(0) && shown(1));
+    QTest::keyClick(&view, Qt::Key_1);
+    QTest::keyClick(&view, Qt::Key_PageDown);
+    seen(1);  // a cue has its own views
 }
 
 TEST_F(WindowCues, NotesHaveTheNextCueThePlaceAndTheTime) {
