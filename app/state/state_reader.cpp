@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/state/state_text.h"
+#include "app/state/view_tree.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/core/text.h"
 #include "pipeline/inspect/compare.h"
@@ -56,7 +57,6 @@ public:
         text(table, "scene_text", state.sceneText);
         text(table, "condition", state.condition);
         text(table, "mix", state.mix);
-        text(table, "arrangement", state.arrangement);
         state.set = strings(table, "set", m_path);
         const auto stages = stageNames(), steps = stepNames();
         if (const auto* node = table.get("stage"))
@@ -77,6 +77,7 @@ public:
             if (state.views.empty()) state.views.emplace_back();
         }
         if (const auto* node = table.get("view3d")) readSpaces(*node, state.spaces);
+        state.arrangement = readArrangement(table, state.views.size());
         if (const auto* node = table.get("pins")) state.pins = readPins(*node);
         if (const auto* node = table.get("selected")) state.selected = readSelected(*node);
         state.linked = flag(table, "linked", m_path);
@@ -120,6 +121,17 @@ private:
         for (std::size_t i = 0; array && i < std::min(array->size(), kMaxList); ++i)
             if (const auto one = place((*array)[i], m_path + "bookmarks")) all.push_back(*one);
         return all;
+    }
+    // Where nothing is said, one that has all the buffers.
+    std::string readArrangement(const toml::table& table, std::size_t buffers) {
+        const std::string usual = buffers < 2 ? "one" : buffers == 2 ? "two" : "four";
+        const auto* node = table.get("arrangement");
+        const auto words = node ? m_values.text(*node, m_path + "arrangement") : std::nullopt;
+        if (!words) return usual;
+        const auto tree = arrangementOf(*words);
+        if (tree) return *words;
+        m_values.fail(node->source(), m_path + tree.errors().front().found, tree.errors().front().expected);
+        return usual;
     }
     template <std::size_t n>
     std::optional<std::array<double, n>> numbers(const toml::table& table, string_view key, const std::string& path,

@@ -75,7 +75,24 @@ TEST(WindowState, WhatIsWrongIsToldWithItsPlace) {
     EXPECT_TRUE(errorsIn("pins = [[10, 3, 4]]\n").starts_with("s.toml:1:9: pins is "));
     EXPECT_TRUE(
         errorsIn("[[view]]\nagainst = \"before\"\ncompare = \"wype\"\n").starts_with("s.toml:3:11: view.compare"));
+    EXPECT_EQ(errorsIn("arrangement = \"buffer |\"\n"),
+              "s.toml:1:15: arrangement is \"buffer |\", expected a name, or buffer and 3d with | and / between them\n");
     EXPECT_TRUE(errorsIn("stage = \n").starts_with("s.toml:1:"));
+}
+
+// Written by hand, with its buffers alone.
+TEST(WindowState, WithoutAnArrangementAllBuffersAreShown) {
+    const std::string view = "[[view]]\nbuffer = \"depth\"\n";
+    const auto arrangementOfMany = [&](int views) {
+        std::string text;
+        for (int i = 0; i < views; ++i) text += view;
+        const auto state = readState(text, "s.toml");
+        return state ? state->arrangement : format(state.errors());
+    };
+    EXPECT_EQ(arrangementOfMany(0), "one");
+    EXPECT_EQ(arrangementOfMany(1), "one");
+    EXPECT_EQ(arrangementOfMany(2), "two");
+    EXPECT_EQ(arrangementOfMany(3), "four");
 }
 
 // As every file before there were more 3D views than one has it.
