@@ -26,18 +26,30 @@ bool isOpen(const Document& document, const WindowState& state, const fs::path& 
 
 namespace {
 
-Result<Scene> originalOf(const Document& document, const WindowState& state, const fs::path& folder, bool open) {
-    if (open) return *document.kept().scene;
-    if (!state.scene.empty()) return readNamedScene(state.scene, folder);
+// A text stands for a file that is not there.
+bool hasFile(const WindowState& state, const fs::path& folder) {
+    std::error_code ignored;
+    return !state.scene.empty() && (state.sceneText.empty() || fs::exists(sceneFile(state.scene, folder), ignored));
+}
+
+Result<Scene> originalOf(const Document& document, const WindowState& state, const fs::path& folder) {
+    if (isOpen(document, state, folder)) return *document.kept().scene;
+    if (hasFile(state, folder)) return readNamedScene(state.scene, folder);
     if (!state.sceneText.empty()) return Scene();
     return pipeline::Error{{}, "the state names no scene", "a scene file, or the name of a built-in scene"};
 }
 
+QString nameOf(SceneChanges changes) {
+    switch (changes) {
+        case SceneChanges::Given: return Document::tr("to what is kept");
+        case SceneChanges::Ours: return Document::tr("changes of the last session");
+        case SceneChanges::Pasted: break;
+    }
+    return Document::tr("paste");
+}
+
 bool showScene(Document& document, const WindowState& state, const fs::path& folder, SceneChanges changes) {
-    const fs::path file = state.scene.empty() ? fs::path() : sceneFile(state.scene, folder);
-    std::error_code ignored;
-    const bool open = isOpen(document, state, folder);
-    const Result<Scene> original = originalOf(document, state, folder, open);
+    const Result<Scene> original = originalOf(document, state, folder);
     if (!original) {
         emit document.failed(original.errors());
         return false;
@@ -49,14 +61,18 @@ bool showScene(Document& document, const WindowState& state, const fs::path& fol
     }
     Scene scene = std::move(shown).value();
     scene.file = original->file;
-    if (!open) {
+    // Neither has a file: the same document.
+    const bool isLoose = changes == SceneChanges::Pasted && !hasFile(state, folder) && document.hasScene() &&
+                         document.kept().file.isEmpty();
+    if (!isLoose && !isOpen(document, state, folder)) {
         Document::Kept kept;
-        if (!file.empty())
-            kept = {toQString(fs::absolute(file, ignored).string()), std::make_shared<const Scene>(*original)};
-        document.setScene(changes == SceneChanges::Given ? scene : *original, kept);
+        std::error_code ignored;
+        if (hasFile(state, folder))
+            kept = {toQString(fs::absolute(sceneFile(state.scene, folder), ignored).string()),
+                    std::make_shared<const Scene>(*original)};
+        document.setScene(changes == SceneChanges::Given || !kept.scene ? scene : *original, kept);
     }
-    document.replace(std::move(scene), changes == SceneChanges::Given ? Document::tr("to what is kept")
-                                                                      : Document::tr("changes of the last session"));
+    document.replace(std::move(scene), nameOf(changes));
     if (changes == SceneChanges::Given) document.undoStack()->setClean();
     return true;
 }

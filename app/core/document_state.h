@@ -13,7 +13,8 @@ pipeline::Result<WindowState> stateOf(const Document& document, const std::files
 // How the scene of a state is taken.
 enum class SceneChanges {
     Given,  // what the state changes in its file belongs to it: nothing to be kept
-    Ours    // changes that were not saved, as one step of undo
+    Ours,   // changes that were not saved, as one step of undo
+    Pasted  // likewise
 };
 // Shows it. A scene from the file that is open stays the same document with one more step of undo. When the scene cannot
 // be had the one before stays, the document's failed() tells why, and this gives false.

@@ -25,6 +25,9 @@ std::span<const ActionRow> actionTable() {
 
         {A::Undo, "Edit", "Undo", "Ctrl+Z", "Takes the last change back."},
         {A::Redo, "Edit", "Redo", "Ctrl+Shift+Z", "Makes the change again."},
+        {A::CopyState, "Edit", "Copy view and state", "Ctrl+C",
+         "Copies scene, stage, step, pixel and how every view looks, as text that a window shows again.", false, true},
+        {A::PasteState, "Edit", "Paste view and state", "Ctrl+V", "Shows what a window has copied as text."},
         {A::CopyValue, "Edit", "Copy value", "Alt+C",
          "Copies the picked pixel's value in the buffer on show, with all its digits.", false, true},
         {A::CopyPicture, "Edit", "Copy picture", "", "Copies the buffer on show as a picture, a pixel each."},

@@ -20,6 +20,8 @@ enum class ActionId : unsigned char {
     Quit,
     Undo,
     Redo,
+    CopyState,
+    PasteState,
     CopyValue,
     CopyPicture,
     CopyEquationText,

@@ -93,6 +93,9 @@ private:
     void closeScene();
     void rememberWhere();
     void showCarriedState(const QString& picture);
+    void lookAt(const WindowState& state);
+    void copyState();
+    void pasteState();
     void exportSlide();
     void exportFilm();
     // main_window_cues.cpp: cues, and presenting

@@ -69,6 +69,14 @@ void MainWindow::connectActions() {
     on(A::Quit, [this] { close(); });
     on(A::Undo, [this] { m_document.undoStack()->undo(); });
     on(A::Redo, [this] { m_document.undoStack()->redo(); });
+    on(A::CopyState, [this] { copyState(); });
+    on(A::PasteState, [this] { pasteState(); });
+    // In views and on the start page: tables and formulas copy themselves.
+    for (const A id : {A::CopyState, A::PasteState}) {
+        removeAction(actions[id]);
+        actions[id]->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        m_pages->addAction(actions[id]);
+    }
     on(A::TwoBufferViews, [this](bool shown) { m_views->setSecond(shown); });
     on(A::SplitRight, [this] { m_views->splitView(m_views->active(), ViewTree::Kind::Row); });
     on(A::SplitBelow, [this] { m_views->splitView(m_views->active(), ViewTree::Kind::Column); });
@@ -133,9 +141,9 @@ void MainWindow::enableActions() {
     using A = ActionId;
     const bool scene = m_document.hasScene() && m_pages->currentWidget() == m_views;
     const QString noScene = tr("Open a scene first.");
-    for (const A id : {A::Close, A::GoToPixel, A::TwoBufferViews, A::Thumbnails, A::LookLayout, A::ExplainLayout,
-                       A::CompareLayout, A::FourLayout, A::SpaceLayout, A::PictureLayout, A::KeepLayout, A::ResetLayout,
-                       A::RedChannel, A::GreenChannel, A::BlueChannel, A::Study})
+    for (const A id : {A::Close, A::CopyState, A::GoToPixel, A::TwoBufferViews, A::Thumbnails, A::LookLayout,
+                       A::ExplainLayout, A::CompareLayout, A::FourLayout, A::SpaceLayout, A::PictureLayout,
+                       A::KeepLayout, A::ResetLayout, A::RedChannel, A::GreenChannel, A::BlueChannel, A::Study})
         m_actions->setEnabled(id, scene, noScene);
     for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);
     for (const A id : {A::Save, A::SaveAs}) m_actions->setEnabled(id, scene, noScene);

@@ -1,5 +1,7 @@
 // What the MainWindow shows as a value, and what becomes of it when a scene is left: sessions, recent files, the
 // question before changes are lost.
+#include <QApplication>
+#include <QClipboard>
 #include <QFileInfo>
 #include <QStackedWidget>
 
@@ -16,6 +18,7 @@
 #include "app/panels/error_list.h"
 #include "app/panels/film_dialog.h"
 #include "app/state/state_scene.h"
+#include "pipeline/formats/toml_writer.h"
 
 namespace app {
 
@@ -36,9 +39,13 @@ bool MainWindow::showState(const WindowState& state, const std::filesystem::path
     showScene();
     WindowState found = state;
     findFilesFrom(found, folder);
-    if (const pipeline::Errors errors = m_views->lookAt(found); !errors.empty())
-        m_errors->report(tr("Not all of it could be shown."), errors);
+    lookAt(found);
     return true;
+}
+
+void MainWindow::lookAt(const WindowState& state) {
+    if (const pipeline::Errors errors = m_views->lookAt(state); !errors.empty())
+        m_errors->report(tr("Not all of it could be shown."), errors);
 }
 
 bool MainWindow::mayLeaveScene() {
@@ -74,8 +81,38 @@ void MainWindow::showCarriedState(const QString& picture) {
                                 state.errors());
     if (!state->has_value()) return;
     showPlace(m_document, **state);
-    if (const pipeline::Errors errors = m_views->lookAt(**state); !errors.empty())
-        m_errors->report(tr("Not all of it could be shown."), errors);
+    lookAt(**state);
+}
+
+// A scene that is no part of the program goes along, for a machine that does not have its file.
+void MainWindow::copyState() {
+    auto now = state({});
+    if (!now) {
+        emit m_document.said(tr("The scene is too large to be copied as text."));
+        return;
+    }
+    if (std::filesystem::path(now->scene).is_absolute())
+        if (const auto text = toTomlScene(m_document.scene())) now->sceneText = *text, now->set.clear();
+    QApplication::clipboard()->setText(toQString(toToml(*now)));
+    emit m_document.said(tr("Copied what you see as text. Ctrl+V in a view shows it again, in any window."));
+}
+
+// Without a scene it is a place in the scene on show.
+void MainWindow::pasteState() {
+    const std::string text = QApplication::clipboard()->text().trimmed().toStdString();
+    const auto read = text.empty() ? pipeline::Result<WindowState>(pipeline::Error{
+                                         {"clipboard", 1, 1}, "no text", "what Ctrl+C in a view has copied"})
+                                   : readState(text, "clipboard");
+    if (!read) return m_errors->report(tr("This is no state of a window. Nothing has changed."), read.errors());
+    m_errors->hide();
+    if (read->scene.empty() && read->sceneText.empty() && showsScene()) {
+        showPlace(m_document, *read);
+        lookAt(*read);
+    } else {
+        if (!isOpen(m_document, *read, {}) && !mayLeaveScene()) return;
+        if (!showState(*read, {}, SceneChanges::Pasted)) return;
+    }
+    emit m_document.said(tr("Shows what was copied: %1.").arg(placeText(*read)));
 }
 
 void MainWindow::exportSlide() {

@@ -1,5 +1,7 @@
 // What the window shows, kept and shown again: states, sessions, recent files, and the question before changes are lost.
+#include <QClipboard>
 #include <QFile>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
@@ -81,6 +83,89 @@ TEST_F(WindowSession, AStateShownAgainIsTheSameState) {
     EXPECT_EQ(toToml(*again), toToml(*far));
     EXPECT_EQ(pictureOnScreen(), picture);
     EXPECT_FALSE(document().isChanged()) << "the change belongs to the state";
+}
+
+TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
+    goFar();
+    canvas()->setFocus();
+    press("Ctrl+C");
+    const QString text = QApplication::clipboard()->text();
+    EXPECT_EQ(text.toStdString(), toToml(*window.state({})));
+    const int steps = document().undoStack()->count();
+
+    document().change(*findSetting(document().scene(), "camera.theta"), 10);
+    EXPECT_TRUE(waitForFrame());
+    document().setStage(pipeline::StageId::Cull);
+    window.views().setArrangement("four");
+    window.views().view3d().setFocus();
+    press("Ctrl+V");
+    waitForState();
+    EXPECT_EQ(toToml(*window.state({})), text.toStdString());
+    EXPECT_EQ(document().undoStack()->count(), steps + 2) << "one step";
+    EXPECT_EQ(document().undoStack()->undoText(), "paste");
+    document().undoStack()->undo();
+    EXPECT_EQ(document().scene().camera.theta, 10);
+    document().undoStack()->setClean();
+
+    MainWindow other;
+    other.resize(window.size());
+    other.show();
+    other.actions()[ActionId::PasteState]->trigger();  // on its start page
+    ASSERT_TRUE(other.document().hasScene());
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return !other.document().busy() && other.document().stepper().isSettled(); }, 30000));
+    EXPECT_EQ(toToml(*other.state({})), text.toStdString());
+    other.document().undoStack()->setClean();
+}
+
+TEST_F(WindowSession, ACopyNeedsNoFile) {
+    const QString file = folder.filePath("mine.toml");
+    openPyramid();
+    document().change(*findSetting(document().scene(), "camera.theta"), 12);
+    ASSERT_TRUE(document().save(file));
+    canvas()->setFocus();
+    press("Ctrl+C");
+    ASSERT_TRUE(QFile::remove(file));
+    window.showStartPage();
+    MainWindow other;
+    other.show();
+    other.actions()[ActionId::PasteState]->trigger();
+    ASSERT_TRUE(other.document().hasScene());
+    EXPECT_EQ(other.document().scene().camera.theta, 12);
+}
+
+TEST_F(WindowSession, WhatIsNoStateIsToldWithItsPlaceAndNothingChanges) {
+    openPyramid();
+    canvas()->setFocus();
+    const std::string before = toToml(*window.state({}));
+    auto* errors = find<ErrorList>("errorList");
+    for (const auto& [text, told] : {std::pair{"a letter", "clipboard:1:"},
+                                     {"stage = \"cull\"\npixl = [1, 2]", "clipboard:2:1: no key \"pixl\""},
+                                     {" \n", "clipboard:1:1: no text"}}) {
+        QApplication::clipboard()->setText(text);
+        press("Ctrl+V");
+        EXPECT_TRUE(errors->isVisible());
+        EXPECT_TRUE(errors->text().contains(told)) << errors->text().toStdString();
+        EXPECT_EQ(toToml(*window.state({})), before);
+    }
+    // A place in the scene on show.
+    QApplication::clipboard()->setText("stage = \"cull\"\npixel = [3, 4]\n");
+    press("Ctrl+V");
+    EXPECT_FALSE(errors->isVisible());
+    EXPECT_EQ(document().stage(), pipeline::StageId::Cull);
+    EXPECT_EQ(document().pixel(), glm::ivec2(3, 4));
+}
+
+TEST_F(WindowSession, TextFieldsCopyTheirOwnText) {
+    openPyramid();
+    canvas()->setFocus();
+    press("Ctrl+/");
+    auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_TRUE(field);
+    field->setText("x < 3");
+    field->selectAll();
+    press("Ctrl+C");
+    EXPECT_EQ(QApplication::clipboard()->text(), "x < 3");
 }
 
 TEST_F(WindowSession, TheNextStartShowsWhatWasLeftAndTheChangesAreStillUnsaved) {
