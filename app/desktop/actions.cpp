@@ -15,7 +15,7 @@ std::span<const ActionRow> actionTable() {
          "Writes the scene to its file; asks for a name where that holds more than this program writes."},
         {A::SaveAs, "File", "Save scene as…", "Ctrl+Shift+S", "Writes the scene with all its settings as a TOML file."},
         {A::Export, "File", "Export buffers…", "Ctrl+E", "Writes the buffers of this frame to a folder.", false, true},
-        {A::Slide, "File", "Picture for a slide…", "Ctrl+F12",
+        {A::Slide, "File", "Picture for a slide…", "Ctrl+F12; F12",
          "Saves a view in any size, on a transparent ground; the file opens the scene again."},
         {A::Film, "File", "Step film…", "", "Writes a buffer's build-up, step by step, as a GIF or as PNG files."},
         {A::RestoreSession, "File", "Restore the session at start", "",
@@ -24,7 +24,7 @@ std::span<const ActionRow> actionTable() {
         {A::Quit, "File", "Quit", "Ctrl+Q", "Closes the window."},
 
         {A::Undo, "Edit", "Undo", "Ctrl+Z", "Takes the last change back."},
-        {A::Redo, "Edit", "Redo", "Ctrl+Shift+Z", "Makes the change again."},
+        {A::Redo, "Edit", "Redo", "Ctrl+Shift+Z; Ctrl+Y", "Makes the change again."},
         {A::CopyState, "Edit", "Copy view and state", "Ctrl+C",
          "Copies scene, stage, step, pixel and how every view looks, as text that a window shows again.", false, true},
         {A::PasteState, "Edit", "Paste view and state", "Ctrl+V", "Shows what a window has copied as text."},

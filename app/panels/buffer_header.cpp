@@ -26,7 +26,7 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
         row->addWidget(m_channels[c]);
         connect(m_channels[c], &QToolButton::clicked, this, [this, c](bool on) { emit channelChosen(on ? c : -1); });
     }
-    m_fit = button("fit", tr("Fit"), tr("Show what is drawn; again for all of the picture"));
+    m_fit = button("fit", tr("Fit"), tr("Show what is drawn; again for all of the picture (F)"));
     m_original = new QToolButton(this);
     m_original->setText("1:1");
     m_original->setAccessibleName(tr("One to one"));

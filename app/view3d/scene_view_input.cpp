@@ -111,6 +111,8 @@ bool SceneView::keyAction(int key) {
         case Qt::Key_3: go(ViewPreset::Side); return true;
         case Qt::Key_7: go(ViewPreset::Top); return true;
         case Qt::Key_9:
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
         case Qt::Key_R: go(ViewPreset::Iso); return true;
         case Qt::Key_0: go(ViewPreset::Eye); return true;
         case Qt::Key_A: go(ViewPreset::Everything); return true;

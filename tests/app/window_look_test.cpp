@@ -8,6 +8,7 @@
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
+#include "app/desktop/key_sheet.h"
 #include "app/desktop/even_splitter.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/panel_table.h"
@@ -168,10 +169,22 @@ TEST_F(WindowLook, KeysAreListedAndEscapeClosesTheList) {
     openPyramid();
     canvas()->setFocus();
     QTest::keyClick(canvas(), Qt::Key_H);
-    auto* sheet = find<QWidget>("keySheet");
+    auto* sheet = find<KeySheet>("keySheet");
     ASSERT_TRUE(sheet->isVisible());
-    QTest::keyClick(sheet, Qt::Key_Escape);
+    QWidget* field = QApplication::focusWidget();
+    ASSERT_TRUE(sheet->isAncestorOf(field));
+    QTest::keyClicks(field, "fit buffer");
+    EXPECT_FALSE(sheet->shown().empty());
+    for (const KeyRow& row : sheet->shown()) EXPECT_EQ(row.region, "In a buffer") << row.what.toStdString();
+    QTest::keyClick(field, Qt::Key_Escape);
     EXPECT_FALSE(sheet->isVisible());
+}
+
+TEST(Keys, AreFoundByAnyOfTheirWords) {
+    const std::vector<KeyRow> rows{{"Run", "Step back", "Shift+F10"}, {"In a buffer", "Loupe", "Z"}};
+    EXPECT_EQ(rowsWith(rows, ""), rows);
+    EXPECT_EQ(rowsWith(rows, "f10 STEP"), std::vector<KeyRow>{rows[0]});
+    EXPECT_EQ(rowsWith(rows, "loupe run"), std::vector<KeyRow>());
 }
 
 // Two that share a key: Qt calls neither.
