@@ -154,7 +154,7 @@ void TablePage::copy(TableFormat format) {
     const std::vector<int> places = chosenPlaces();
     if (places.empty()) return;
     QApplication::clipboard()->setText(m_model->text(places, format));
-    const QString words[]{tr("text"), tr("CSV"), tr("Markdown"), tr("LaTeX")};
+    const QString words[]{tr("text"), tr("CSV"), tr("Markdown"), tr("LaTeX"), tr("NumPy")};
     const QString rows = places.size() == 1 ? tr("1 row") : tr("%1 rows").arg(count(qint64(places.size())));
     emit m_document.said(tr("Copied %1 as %2.").arg(rows, words[std::size_t(format)]));
 }
@@ -170,6 +170,7 @@ void TablePage::showMenu(QPoint at) {
     add(tr("Copy as CSV\tCtrl+C"), TableFormat::Csv);
     add(tr("Copy as Markdown"), TableFormat::Markdown);
     add(tr("Copy as LaTeX"), TableFormat::Latex);
+    add(tr("Copy as NumPy"), TableFormat::NumPy);
     menu.addSeparator();
     menu.addAction(tr("Select all\tCtrl+A"), m_view, &QTableView::selectAll);
     menu.exec(m_view->viewport()->mapToGlobal(at));

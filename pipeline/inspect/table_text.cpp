@@ -166,6 +166,58 @@ void writeLatex(const SceneTable& table, std::span<const std::uint32_t> rows, co
     sink("\\hline\n\\end{tabular}\n");
 }
 
+std::string pythonString(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) {
+        if (c == '\'' || c == '\\') out += '\\';
+        out += c == '\n' || c == '\r' ? ' ' : c;
+    }
+    return out + '\'';
+}
+
+std::string pythonNumber(const Cell& cell) {
+    const auto* single = std::get_if<float>(&cell);
+    const auto* real = std::get_if<double>(&cell);
+    const double value = single ? double(*single) : real ? *real : 0;
+    if (std::holds_alternative<std::monostate>(cell) || std::isnan(value)) return "np.nan";
+    if (std::isinf(value)) return value > 0 ? "np.inf" : "-np.inf";
+    return exactText(cell);
+}
+
+// A column of whole numbers that misses one has to hold NaN: a double.
+std::string dtypeOf(const TableColumn& column, std::span<const std::uint32_t> rows) {
+    bool isText = false, isDouble = false, isFloat = false, isMissing = false;
+    std::size_t letters = 1;
+    for (const std::uint32_t row : rows) {
+        const Cell cell = column.cell(row);
+        if (const auto* words = std::get_if<std::string>(&cell)) isText = true, letters = std::max(letters, width(*words));
+        isDouble |= std::holds_alternative<double>(cell);
+        isFloat |= std::holds_alternative<float>(cell);
+        isMissing |= std::holds_alternative<std::monostate>(cell);
+    }
+    if (isText) return fmt::format("U{}", letters);
+    return isFloat && !isDouble ? "f4" : isDouble || isMissing ? "f8" : "i8";
+}
+
+void writeNumPy(const SceneTable& table, std::span<const std::uint32_t> rows, const TextSink& sink) {
+    std::vector<std::string> types, fields;
+    for (const TableColumn& column : table.columns) {
+        types.push_back(dtypeOf(column, rows));
+        fields.push_back(fmt::format("({}, '{}')", pythonString(column.heading()), types.back()));
+    }
+    sink("np.array([");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        std::string text = i > 0 ? ",\n          (" : "(";
+        for (std::size_t c = 0; c < types.size(); ++c) {
+            const Cell cell = table.columns[c].cell(rows[i]);
+            text += types[c][0] == 'U' ? pythonString(exactText(cell)) : pythonNumber(cell);
+            text += types.size() == 1 ? "," : c + 1 < types.size() ? ", " : "";
+        }
+        sink(text + ')');
+    }
+    sink(fmt::format("],\n         dtype=[{}])\n", fmt::join(fields, ", ")));
+}
+
 }  // namespace
 
 std::string readableText(const TableColumn& column, const Cell& cell) {
@@ -198,6 +250,7 @@ void writeTable(const SceneTable& table, std::span<const std::uint32_t> rows, Ta
         case TableFormat::Csv: return writeCsv(table, rows, sink);
         case TableFormat::Markdown: return writeMarkdown(table, rows, sink);
         case TableFormat::Latex: return writeLatex(table, rows, sink);
+        case TableFormat::NumPy: return writeNumPy(table, rows, sink);
     }
 }
 

@@ -15,9 +15,10 @@ std::string readableText(const TableColumn& column, const Cell& cell);
 std::string exactText(const Cell& cell);
 
 // Text: facts, aligned columns, and what each column means. Csv: RFC 4180, exact numbers.
-// Markdown and Latex: a table for a page; LaTeX as a tabular, in words of plain LaTeX.
-enum class TableFormat : std::uint8_t { Text, Csv, Markdown, Latex };
-inline constexpr std::array<std::string_view, 4> kTableFormats{"text", "csv", "markdown", "latex"};
+// Markdown and Latex: a table for a page; LaTeX as a tabular, in words of plain LaTeX. NumPy: an expression in Python, a
+// structured array with a field a column, exact numbers, NaN where there is none.
+enum class TableFormat : std::uint8_t { Text, Csv, Markdown, Latex, NumPy };
+inline constexpr std::array<std::string_view, 5> kTableFormats{"text", "csv", "markdown", "latex", "numpy"};
 
 // Gives the text to `sink` in pieces: a table of a million rows is never one string.
 using TextSink = std::function<void(std::string_view)>;

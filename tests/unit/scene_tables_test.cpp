@@ -201,6 +201,20 @@ TEST(TableText, LatexIsATabular) {
               "1 & -- & $-$0.10 \\\\\n\\hline\n\\end{tabular}\n");
 }
 
+// −0.1f in the digits of a float; a row without a name has the empty text, one without a number NaN.
+TEST(TableText, NumPyIsAStructuredArray) {
+    EXPECT_EQ(written(smallTable(), TableFormat::NumPy),
+              "np.array([(0, 'a|b, \"50 %\"', -0.1),\n          (1, '', -0.1)],\n"
+              "         dtype=[('num_pts', 'i8'), ('name', 'U11'), ('x', 'f4')])\n");
+    SceneTable odd;
+    odd.rows = 2;
+    odd.columns.push_back({"", "it's", "", "", -1, {}, [](std::size_t i) {
+                               return i == 0 ? Cell(std::int64_t(7)) : Cell();
+                           }});
+    EXPECT_EQ(written(odd, TableFormat::NumPy),
+              "np.array([(7,),\n          (np.nan,)],\n         dtype=[('it\\'s', 'f8')])\n");
+}
+
 TEST(TableText, TextIsAligned) {
     EXPECT_EQ(written(smallTable(), TableFormat::Text),
               "Small.\n\n\nnum_pts  name             x\n      0  a|b, \"50 %\"  −0.10\n      1  –            −0.10\n\n"
