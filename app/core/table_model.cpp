@@ -50,6 +50,7 @@ void TableModel::setTable(SceneTable table) {
 void TableModel::clear() {
     beginResetModel();
     m_table = {};
+    m_pointed.clear();
     m_order.clear();
     m_sorted = -1;
     endResetModel();
@@ -58,6 +59,15 @@ void TableModel::clear() {
 int TableModel::placeOf(std::uint32_t row) const {
     if (m_order.empty()) return int(row);
     return int(std::ranges::find(m_order, row) - m_order.begin());
+}
+
+void TableModel::setPointed(std::vector<std::uint32_t> rows) {
+    if (rows == m_pointed) return;
+    std::swap(rows, m_pointed);
+    rows.insert(rows.end(), m_pointed.begin(), m_pointed.end());
+    for (const std::uint32_t row : rows)
+        if (row < m_table.rows)
+            emit dataChanged(index(placeOf(row), 0), index(placeOf(row), columnCount() - 1), {Qt::BackgroundRole});
 }
 
 QString TableModel::text(std::vector<int> places, pipeline::TableFormat format) const {
@@ -96,6 +106,9 @@ QVariant TableModel::data(const QModelIndex& index, int role) const {
         case Qt::TextAlignmentRole:
             return int((isNumeric(index.column()) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         case Qt::FontRole: return Theme::current().mono(13);
+        case Qt::BackgroundRole:
+            return std::ranges::binary_search(m_pointed, rowAt(index.row())) ? Theme::current().colors().hover
+                                                                             : QVariant();
         case Qt::ToolTipRole: {
             const Cell cell = column.cell(rowAt(index.row()));
             const QString value = toQString(pipeline::exactText(cell));

@@ -25,6 +25,9 @@ public:
         return m_order.empty() ? std::uint32_t(place) : m_order[std::size_t(place)];
     }
     int placeOf(std::uint32_t row) const;
+    // Rows that stand out, in ascending order: what is under the cursor in another view.
+    void setPointed(std::vector<std::uint32_t> rows);
+    const std::vector<std::uint32_t>& pointed() const { return m_pointed; }
     // The rows at these places as text with a line of headings; in the order on show.
     QString text(std::vector<int> places, pipeline::TableFormat format) const;
     // Why columns are empty: "N x, N y: Flat shading needs polygon normals only."
@@ -42,7 +45,8 @@ private:
 
     pipeline::SceneTable m_table;
     std::vector<std::uint32_t> m_order;  // row at each place; empty: the table's own order
-    std::vector<bool> m_numeric;         // per column
+    std::vector<std::uint32_t> m_pointed;
+    std::vector<bool> m_numeric;  // per column
     int m_sorted = -1;
     Qt::SortOrder m_direction = Qt::AscendingOrder;
 };

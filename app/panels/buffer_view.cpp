@@ -6,6 +6,7 @@
 #include <QStackedLayout>
 #include <QStyle>
 
+#include "app/core/shadow_texel.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
@@ -199,14 +200,21 @@ void BufferView::showMessage(const QString& text, Offer offer) {
 
 void BufferView::showPixels() {
     const bool isPicture = standsOnPicture();
-    m_canvas->setPicked(isPicture ? toPoint(m_document.pixel()) : std::nullopt);
-    m_canvas->setHovered(isPicture ? toPoint(m_document.hovered()) : m_localHover);
+    m_canvas->setPicked(isPicture ? toPoint(m_document.pixel()) : texelOf(m_document.pixel()));
+    m_canvas->setHovered(isPicture      ? toPoint(m_document.hovered())
+                         : m_localHover ? m_localHover
+                                        : texelOf(m_document.hovered()));
     showEdgeFunctions();
     const std::optional<QPoint> at =
         m_canvas->content().hovered ? m_canvas->content().hovered : m_canvas->content().picked;
     m_readout->setText(at && m_shown ? readout(*at) : QString());
     m_readout->setVisible(!m_readout->text().isEmpty());
     placeOverlays();
+}
+
+std::optional<QPoint> BufferView::texelOf(std::optional<glm::ivec2> pixel) const {
+    if (!pixel || !m_document.frame()) return {};
+    return toPoint(shadowTexel(*m_document.frame(), std::size_t(m_name.light), *pixel));
 }
 
 QString BufferView::readout(QPoint pixel) const {

@@ -101,6 +101,8 @@ private:
     void nudge(QPoint by);
     void compareBy(CompareMode mode);
     bool standsOnPicture() const;
+    // On which texel of the shadow buffer on show a pixel's point falls.
+    std::optional<QPoint> texelOf(std::optional<glm::ivec2> pixel) const;
     QString readout(QPoint pixel) const;
     void placeOverlays();
     void observeMarks();

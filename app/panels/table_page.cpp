@@ -28,6 +28,9 @@ TablePage::TablePage(Document& document, pipeline::TableId table, QWidget* paren
     connect(&document, &Document::frameReady, this, &TablePage::refresh);
     connect(&document, &Document::selectionChanged, this, &TablePage::markRows);
     connect(&document, &Document::pixelChanged, this, &TablePage::markRows);
+    connect(&document, &Document::hoverChanged, this, [this] {
+        if (m_shown && isVisible()) m_model->setPointed(rowsOf(*m_shown, m_table, {}, m_document.hovered()));
+    });
     connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& now) { choose(now.row()); });
     // The row that is current already may have lost its mark to a picked pixel.

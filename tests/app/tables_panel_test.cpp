@@ -91,6 +91,24 @@ TEST_F(TablesPanelTest, ThePickedPixelsPolygonIsMarked) {
     EXPECT_TRUE(chosen(panel.page(TableId::Vertices)).empty());
 }
 
+TEST_F(TablesPanelTest, WhatIsUnderTheCursorElsewhereStandsOut) {
+    const auto pointed = [](TablePage& page) {
+        std::vector<int> places;
+        for (int place = 0; place < page.view().model()->rowCount(); ++place)
+            if (page.view().model()->index(place, 0).data(Qt::BackgroundRole).isValid()) places.push_back(place);
+        return places;
+    };
+    click(polygons(), 0);
+    document.hover(glm::ivec2(268, 281));
+    EXPECT_EQ(pointed(polygons()), std::vector{2});
+    EXPECT_EQ(document.selection(), (Selection{Kind::Polygon, 0})) << "hovering changes nothing";
+    document.hover(std::nullopt);
+    EXPECT_TRUE(pointed(polygons()).empty());
+    TablePage& vertices = show(TableId::Vertices);
+    document.hover(glm::ivec2(268, 281));
+    EXPECT_EQ(pointed(vertices), (std::vector{2, 3, 4}));
+}
+
 // Signed areas: −1991, −697, 36, 895, 1757 for polygons 4, 0, 3, 1, 2.
 TEST_F(TablesPanelTest, SortsByValueAndKeepsWhatIsSelected) {
     click(polygons(), 3);
