@@ -68,6 +68,9 @@ void paintMark(QPainter& painter, FragmentVerdict verdict, QPointF centre) {
 
 FragmentsSection::FragmentsSection(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Fragments"));
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::PointingHandCursor);
+    setToolTip(tr("A click on a row marks its polygon in every view"));
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     setSizePolicy(policy);
     followTheme(this, [this] {
@@ -79,6 +82,7 @@ FragmentsSection::FragmentsSection(QWidget* parent) : QWidget(parent) {
 void FragmentsSection::show(const pipeline::PixelReport& report) {
     m_fragments = report.fragments;
     m_culled = report.culled;
+    m_current = std::clamp(m_current, 0, std::max(0, int(m_fragments.size() + m_culled.size()) - 1));
     QStringList lines;
     for (const FragmentReport& f : m_fragments)
         lines << tr("polygon %1, %2, %3").arg(f.polygon).arg(toQString(f.text), toQString(name(f.verdict)));
@@ -137,6 +141,20 @@ QSize FragmentsSection::sizeHint() const {
 
 void FragmentsSection::resizeEvent(QResizeEvent*) { updateGeometry(); }
 
+// Below the words: those of the selected polygon, and a ring around the one that the keys are at.
+void FragmentsSection::paintRows(QPainter& painter) const {
+    const ThemeColors& c = Theme::current().colors();
+    const auto all = rows();
+    for (int i = 0; i < int(all.size()); ++i) {
+        const QRect row = all[std::size_t(i)];
+        if (m_selected && polygonOf(i) == *m_selected) painter.fillRect(row, c.tint);
+        if (!hasFocus() || i != m_current) continue;
+        painter.setPen(QPen(c.focus, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(row.adjusted(1, 1, -1, -1), 3, 3);
+    }
+}
+
 void FragmentsSection::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
@@ -145,6 +163,7 @@ void FragmentsSection::paintEvent(QPaintEvent*) {
     const QFont words = theme.text(12), digits = theme.mono(12);
     const Widths w = widths();
     const int gap = theme.px(8), line = rowHeight();
+    paintRows(painter);
     int y = 0;
     for (const FragmentReport& f : m_fragments) {
         const Comparison comparison = comparisonOf(f);

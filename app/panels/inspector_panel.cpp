@@ -29,6 +29,14 @@ InspectorPanel::InspectorPanel(Document& document, QWidget* parent) : QWidget(pa
     connect(&document, &Document::frameReady, this, &InspectorPanel::refresh);
     connect(&document, &Document::pixelChanged, this, &InspectorPanel::refresh);
     connect(&document, &Document::channelChanged, this, &InspectorPanel::refresh);
+    connect(m_fragments, &FragmentsSection::polygonAsked, this, [this](std::uint32_t polygon) {
+        m_document.select(Selection{Selection::Kind::Polygon, polygon});
+    });
+    connect(&document, &Document::selectionChanged, this, [this] {
+        const auto& thing = m_document.selection();
+        const bool isPolygon = thing && thing->kind == Selection::Kind::Polygon;
+        m_fragments->setSelected(isPolygon ? std::optional(std::uint32_t(thing->index)) : std::nullopt);
+    });
     followTheme(this, [this] { styleHeader(); });
     // The projector has room for one thing at a time: the equation.
     connect(&Theme::current(), &Theme::changed, this, [this, before = Theme::current().id()]() mutable {

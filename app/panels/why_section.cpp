@@ -1,5 +1,6 @@
 #include "app/panels/why_section.h"
 
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -9,6 +10,7 @@
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/source_view.h"
 
 namespace app {
 
@@ -34,6 +36,7 @@ WhySection::WhySection(Document& document, QWidget* parent)
     addRow(tr("Fragment"), StageId::ZBuffer, BufferId::ZView);
     addRow(tr("Weights"), StageId::ZBuffer, BufferId::Barycentric);
     addRow(tr("Polygon"), StageId::Cull, BufferId::PolygonsVerdict);
+    addRow(tr("Vertices"), StageId::Transform, BufferId::VerticesScreen);
     addRow(tr("Object"), StageId::Transform, BufferId::VerticesScreen);
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
@@ -50,24 +53,41 @@ WhySection::WhySection(Document& document, QWidget* parent)
 
 WhySection::Row& WhySection::addRow(const QString& label, StageId stage, BufferId buffer) {
     const int n = int(m_rows.size());
-    Row row{new QLabel(label, this), new QLabel(this), new QToolButton(this)};
+    Row row{new QLabel(label, this), new QLabel(this), new QToolButton(this), stage, buffer};
     row.label->setProperty("tone", "3");
     row.value->setTextFormat(Qt::RichText);
     row.value->setWordWrap(true);
-    row.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    row.value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse |
+                                       Qt::LinksAccessibleByKeyboard);
+    connect(row.value, &QLabel::linkActivated, this, &WhySection::follow);
     row.go->setIcon(icon("chevron-right"));
     const QString stageName = toQString(pipeline::stageInfo(stage).label);
     row.go->setAccessibleName(tr("%1: go to %2").arg(label, stageName));
     row.go->setToolTip(tr("Go to the stage %1").arg(stageName));
-    connect(row.go, &QToolButton::clicked, this, [this, stage, buffer] {
-        m_document.setStage(stage);
-        emit bufferAsked({buffer});
-    });
+    connect(row.go, &QToolButton::clicked, this, [this, n] { go(std::size_t(n)); });
     m_grid->addWidget(row.label, n, 0, Qt::AlignVCenter);
     m_grid->addWidget(row.value, n, 1, Qt::AlignVCenter);
     m_grid->addWidget(row.go, n, 2, Qt::AlignVCenter);
     m_rows.push_back(row);
     return m_rows.back();
+}
+
+void WhySection::go(std::size_t row) {
+    m_document.setStage(m_rows[row].stage);
+    emit bufferAsked({m_rows[row].buffer});
+    using Kind = Selection::Kind;
+    if (row == 3 && m_polygon) m_document.select(Selection{Kind::Polygon, *m_polygon});
+    if (row == 5 && m_object) m_document.select(Selection{Kind::Object, *m_object});
+}
+
+// "vertex:3" or "file".
+void WhySection::follow(const QString& link) {
+    if (link == "file") {
+        if (!showSource(m_file, m_line, m_column, window())) emit m_document.said(tr("%1 cannot be read.").arg(m_file));
+        return;
+    }
+    go(4);
+    m_document.select(Selection{Selection::Kind::Vertex, std::size_t(link.section(':', 1).toULongLong())});
 }
 
 void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
@@ -97,14 +117,21 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
     const auto place = frame.placeOf(r.polygon);
     const pipeline::Object& object = frame.scene().objects[place.object];
     const QString vertices = QString("%1, %2, %3").arg(r.vertices[0]).arg(r.vertices[1]).arg(r.vertices[2]);
-    m_rows[3].label->setText(tr("Polygon %1").arg(r.polygon));
-    m_rows[3].value->setText(tr("vertices %1; kept").arg(digits(vertices)));
+    m_polygon = std::size_t(r.polygon), m_object = place.object;
+    m_rows[3].label->setText(tr("Polygon"));
+    m_rows[3].value->setText(tr("%1; kept").arg(digits(QString::number(r.polygon))));
+    QStringList links;
+    for (const int vertex : r.vertices)
+        links << QString("<a href=\"vertex:%1\">%2</a>").arg(vertex).arg(digits(QString::number(vertex)));
+    m_rows[4].value->setText(links.join(", "));
     QString source = toQString(object.name);
     if (place.polygon < object.mesh->polygonPlaces.size()) {
         const pipeline::TextPosition at = object.mesh->polygonPlaces[place.polygon];
-        source += ", " + digits(QString("%1:%2:%3").arg(toQString(object.mesh->file)).arg(at.line).arg(at.column));
+        m_file = sourceFile(frame.scene().file, object.mesh->file), m_line = at.line, m_column = at.column;
+        const QString line = digits(QString("%1:%2:%3").arg(toQString(object.mesh->file)).arg(at.line).arg(at.column));
+        source += ", " + (QFileInfo(m_file).isFile() ? QString("<a href=\"file\">%1</a>").arg(line) : line);
     }
-    m_rows[4].value->setText(source);
+    m_rows[5].value->setText(source);
     m_sentence = tr("%1 fragments, polygon %2, vertices %3").arg(r.fragments.size()).arg(r.polygon).arg(vertices);
     if (r.fragments.size() == 1) m_sentence.replace("fragments", "fragment");
 }

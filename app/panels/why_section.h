@@ -11,8 +11,8 @@ class QToolButton;
 
 namespace app {
 
-// Why this colour: the chain from the pixel back to the file. Each row's button goes to the stage
-// that it comes from.
+// Why this colour: the chain from the pixel back to the line of its file. Each row's button goes to the stage that it comes
+// from; a polygon, a vertex or an object is selected then, and a line of a file is shown.
 class WhySection : public QWidget {
     Q_OBJECT
 public:
@@ -28,12 +28,19 @@ private:
     struct Row {
         QLabel *label, *value;
         QToolButton* go;
+        pipeline::StageId stage;
+        pipeline::BufferId buffer;
     };
     Row& addRow(const QString& label, pipeline::StageId stage, pipeline::BufferId buffer);
+    void go(std::size_t row);
+    void follow(const QString& link);
 
     Document& m_document;
     QGridLayout* m_grid;
-    std::vector<Row> m_rows;  // pixel, fragment, weights, polygon, object
+    std::vector<Row> m_rows;  // pixel, fragment, weights, polygon, vertices, object
+    std::optional<std::size_t> m_polygon, m_object;
+    QString m_file;  // that the polygon comes from
+    int m_line = 0, m_column = 0;
     QString m_sentence;
 };
 

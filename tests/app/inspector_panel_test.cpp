@@ -3,16 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTextBlock>
 #include <QToolButton>
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
 #include "app/core/pointed.h"
 #include "app/panels/equation_section.h"
+#include "app/panels/fragments_section.h"
 #include "app/panels/math_view.h"
+#include "app/panels/source_view.h"
 #include "app/panels/terms_section.h"
+#include "app/panels/why_section.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/support/scenes.h"
 
@@ -161,4 +166,48 @@ TEST_F(InspectorPanelTest, ASymbolOfASettingAsksForItsControl) {
     emit panel.equation().math()->activated("material.0.n");
     ASSERT_EQ(asked.size(), 1);
     EXPECT_EQ(asked[0][0].toString(), "material.0.n");
+}
+
+// Polygon 2 is seen there; polygon 4, the base, came and lost.
+TEST_F(InspectorPanelTest, ARowOfTheFragmentsSelectsItsPolygon) {
+    auto* rows = panel.findChild<app::FragmentsSection*>();
+    ASSERT_EQ(rows->rows().size(), panel.report()->fragments.size() + panel.report()->culled.size());
+    QTest::mouseClick(rows, Qt::LeftButton, {}, rows->rows().front().center());
+    const auto polygonAt = [&](std::size_t i) {
+        const auto& r = *panel.report();
+        return std::size_t(i < r.fragments.size() ? r.fragments[i].polygon : r.culled[i - r.fragments.size()].polygon);
+    };
+    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, polygonAt(0)}));
+    EXPECT_TRUE(document.pixel()) << "the pixel stays picked";
+    if (rows->rows().size() < 2) return;
+    rows->setFocus();
+    QTest::keyClick(rows, Qt::Key_Down);
+    QTest::keyClick(rows, Qt::Key_Return);
+    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, polygonAt(1)}));
+}
+
+TEST_F(InspectorPanelTest, PolygonVerticesAndObjectAreJumps) {
+    auto* why = panel.findChild<app::WhySection*>();
+    const auto buttons = why->findChildren<QToolButton*>();
+    ASSERT_EQ(buttons.size(), 6);
+    buttons[3]->click();
+    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, 2}));
+    EXPECT_EQ(document.stage(), pipeline::StageId::Cull);
+    const int vertex = panel.report()->vertices[1];
+    for (auto* label : why->findChildren<QLabel*>())
+        if (label->text().contains("vertex:")) emit label->linkActivated(QString("vertex:%1").arg(vertex));
+    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Vertex, std::size_t(vertex)}));
+    EXPECT_EQ(document.stage(), pipeline::StageId::Transform);
+    buttons[5]->click();
+    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Object, 0}));
+}
+
+TEST(SourceView, ShowsTheLineOfAFile) {
+    const app::SourceView view("folder/a.des", "one\ntwo\nthree\n", 2, 3);
+    const auto* lines = view.findChild<QPlainTextEdit*>();
+    EXPECT_EQ(lines->textCursor().block().text(), "two");
+    EXPECT_EQ(lines->textCursor().positionInBlock(), 2);
+    EXPECT_TRUE(view.windowTitle().contains("a.des, line 2"));
+    EXPECT_EQ(app::sourceFile("/scenes/a.scene", "models/b.des"), "/scenes/models/b.des");
+    EXPECT_EQ(app::sourceFile("/scenes/a.scene", ""), "") << "a built-in shape";
 }
