@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include <QApplication>
 #include <QKeyEvent>
+#include <QMouseEvent>
 
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
@@ -12,6 +15,7 @@ namespace app {
 
 NumberField::NumberField(pipeline::SettingRef setting, QWidget* parent) : QLineEdit(parent), m_setting(setting) {
     setAlignment(Qt::AlignRight);
+    setFocusPolicy(Qt::TabFocus);  // a click that is no drag gives it too
     followTheme(this, [this] {
         setFont(Theme::current().mono());
         setFixedWidth(Theme::current().px(62));
@@ -69,6 +73,44 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     } else {
         QLineEdit::keyPressEvent(event);
     }
+}
+
+// A field that has the focus is written in.
+void NumberField::mousePressEvent(QMouseEvent* event) {
+    m_drags = false;
+    if (event->button() != Qt::LeftButton || hasFocus()) return QLineEdit::mousePressEvent(event);
+    m_pressed = event->position();
+}
+
+void NumberField::mouseMoveEvent(QMouseEvent* event) {
+    if (!m_pressed) return QLineEdit::mouseMoveEvent(event);
+    const double by = event->position().x() - m_pressed->x();
+    if (!m_drags && std::abs(by) < QApplication::startDragDistance()) return;
+    m_drags = true;
+    m_pressed = event->position();
+    const pipeline::Setting& setting = *m_setting.setting;
+    constexpr double kPixels = 200;
+    const bool fast = event->modifiers() & Qt::ShiftModifier, slow = event->modifiers() & Qt::AltModifier;
+    const double change = by * (setting.high - setting.low) / kPixels * (fast ? 10 : slow ? 0.1 : 1);
+    m_dragged = std::clamp(m_dragged.value_or(m_value) + change, setting.min, setting.max);
+    emit dragged(rounded(*m_dragged, slow));
+}
+
+void NumberField::mouseReleaseEvent(QMouseEvent* event) {
+    if (!m_pressed) return QLineEdit::mouseReleaseEvent(event);
+    m_pressed.reset();
+    m_dragged.reset();
+    if (std::exchange(m_drags, false)) return emit entered(m_value);
+    setFocus(Qt::MouseFocusReason);
+    selectAll();
+}
+
+// As a person would write it: three digits of the range, with Alt one more.
+double NumberField::rounded(double value, bool fine) const {
+    const pipeline::Setting& setting = *m_setting.setting;
+    const double digits = std::floor(std::log10(setting.high - setting.low)) - (fine ? 3 : 2);
+    const double grid = setting.kind == pipeline::SettingKind::Integer ? 1 : std::pow(10.0, -digits);
+    return std::round(value * grid) / grid;
 }
 
 void NumberField::focusOutEvent(QFocusEvent* event) {

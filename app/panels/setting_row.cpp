@@ -87,6 +87,7 @@ void SettingRow::addNumber(QGridLayout& form, int row, QWidget* parent) {
     m_controls = {slider, field};
     connect(slider, &ValueSlider::moved, this, [this](double value) { change(value, Document::Change::Live); });
     connect(slider, &ValueSlider::released, this, [this](double value) { change(value, Document::Change::Done); });
+    connect(field, &NumberField::dragged, this, [this](double value) { change(value, Document::Change::Live); });
     connect(field, &NumberField::entered, this, [this](double value) { change(value, Document::Change::Done); });
     m_show = [slider, field](double value, std::optional<double> before) {
         if (!slider->isDragged()) slider->setValue(value);

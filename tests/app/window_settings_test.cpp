@@ -68,6 +68,26 @@ TEST_F(WindowSettings, DraggedSliderShowsFramesWhileItMovesAndIsOneStepOfUndo) {
     EXPECT_EQ(color(), last);
 }
 
+// 200 pixels are the slider's range, 0 to 1; k_r begins at 0.2.
+TEST_F(WindowSettings, ANumberIsDraggedSidewaysInOneStepOfUndo) {
+    openPyramid();
+    auto* field = find<NumberField>("material.0.kr");
+    canvas()->setFocus();
+    const QPoint from = field->rect().center();
+    QTest::mousePress(field, Qt::LeftButton, Qt::NoModifier, from);
+    QTest::mouseMove(field, from + QPoint(20, 0));
+    QTest::mouseMove(field, from + QPoint(40, 0));
+    EXPECT_DOUBLE_EQ(value("material.0.kr"), 0.4);
+    QTest::mouseRelease(field, Qt::LeftButton, Qt::NoModifier, from + QPoint(40, 0));
+    EXPECT_FALSE(field->hasFocus());
+    EXPECT_EQ(document().undoStack()->count(), 1);
+    press("Ctrl+Z");
+    EXPECT_DOUBLE_EQ(value("material.0.kr"), 0.2);
+    QTest::mouseClick(field, Qt::LeftButton, Qt::NoModifier, from);
+    EXPECT_TRUE(field->hasFocus()) << "a click is for typing";
+    EXPECT_EQ(document().undoStack()->index(), 0);
+}
+
 TEST_F(WindowSettings, LightIsChangedByANumberAndThePictureOnTheScreenFollows) {
     openPyramid();
     const glm::ivec2 pixel(268, 281);  // on the right face
