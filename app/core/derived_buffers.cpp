@@ -57,9 +57,11 @@ void DerivedBuffers::settle() {
             if (const auto buffers = buffersFor(name, recipe(), m_document.scene())) needed |= *buffers;
         }
     }
-    m_jobs = std::move(kept);
+    m_jobs.swap(kept);
     m_document.want(this, needed);
     ask();
+    for (const auto& [text, job] : kept)
+        if (job) emit changed(*pipeline::findDerived(text));  // it went
 }
 
 void DerivedBuffers::ask() {

@@ -80,6 +80,22 @@ std::vector<BufferName> moreBuffers(StageId stage, const pipeline::Scene& scene)
     return more;
 }
 
+// Zero throughout, whatever the view: nothing to look at.
+bool isDark(const pipeline::Scene& scene, const BufferName& name) {
+    const auto none = [&](auto part) {
+        return std::ranges::all_of(scene.objects,
+                                   [&](const pipeline::Object& o) { return part(o.material) == pipeline::Vec3d(0); });
+    };
+    const bool isGl = scene.settings.model == pipeline::Model::OpenGl;
+    if (name.id == BufferId::Ambient) return !isGl && scene.ambient.intensity == 0;
+    if (name.id != BufferId::Specular && name.id != BufferId::Diffuse) return false;
+    const pipeline::Light& light = scene.lights[std::size_t(name.light)];
+    if (light.intensity == 0) return true;
+    if (name.id == BufferId::Diffuse) return none([](const pipeline::Material& m) { return m.diffuse; });
+    return none([](const pipeline::Material& m) { return m.specular; }) ||
+           (isGl && light.gl.specular == pipeline::Vec3d(0));
+}
+
 }  // namespace
 
 std::vector<BufferName> usefulBuffers(StageId stage, const pipeline::Scene& scene, bool inside) {
@@ -88,7 +104,8 @@ std::vector<BufferName> usefulBuffers(StageId stage, const pipeline::Scene& scen
     others.insert(others.begin(), inside ? secondBufferInside(stage, scene) : secondBuffer(stage, scene));
     for (const BufferName& name : others) {
         const bool isLater = inside && bufferInfo(name.id).stage > stage;
-        if (!isLater && whyUseless(scene, name.id).empty() && std::ranges::count(all, name) == 0) all.push_back(name);
+        const bool shows = !isLater && !isDark(scene, name) && whyUseless(scene, name.id).empty();
+        if (shows && std::ranges::count(all, name) == 0) all.push_back(name);
     }
     return all;
 }

@@ -52,22 +52,20 @@ QImage sampledImage(const AnyBuffer& buffer, const BufferLook& look, const QRect
 
 }  // namespace
 
-QImage thumbnail(const pipeline::Frame& frame, const pipeline::BufferName& name, QSize size,
+QImage thumbnail(const pipeline::Frame& frame, const AnyBuffer& buffer, QSize size,
                  const std::optional<AnyBuffer>& polygonId) {
-    const auto buffer = frame.buffer(name);
-    if (!buffer) return {};
-    const BufferInfo& info = *buffer->info;
+    const BufferInfo& info = *buffer.info;
     const pipeline::Settings& settings = frame.scene().settings;
-    const BufferLook look{-1, fittingRange(*buffer, -1, channelStatistics(*buffer, -1), settings.depthFormat)};
+    const BufferLook look{-1, fittingRange(buffer, -1, channelStatistics(buffer, -1), settings.depthFormat)};
     const bool onPicture = info.domain != Domain::Texel;
     const QSize whole =
-        onPicture ? QSize(settings.width, settings.height) : QSize(int(buffer->columns()), int(buffer->rows()));
+        onPicture ? QSize(settings.width, settings.height) : QSize(int(buffer.columns()), int(buffer.rows()));
     const QRectF all(QPointF(0, 0), QSizeF(whole));
     QRectF focus = onPicture ? focusOn(outlinesOf(frame, true), whole) & all : all;
     if (focus.isEmpty()) focus = all;
     const QSize fitted = focus.size().scaled(size, Qt::KeepAspectRatio).toSize().expandedTo({1, 1});
-    return standsOnShapes(info) ? shapesImage(frame, *buffer, look, focus, fitted)
-                                : sampledImage(*buffer, look, focus, fitted, polygonId);
+    return standsOnShapes(info) ? shapesImage(frame, buffer, look, focus, fitted)
+                                : sampledImage(buffer, look, focus, fitted, polygonId);
 }
 
 }  // namespace app

@@ -7,9 +7,9 @@
 namespace app {
 
 // A small picture of a buffer, at most as large as `size`, of the part of the picture where
-// something is drawn; null where the frame has no such buffer.
+// something is drawn.
 // polygonId: the frame's, so that several thumbnails share it.
-QImage thumbnail(const pipeline::Frame& frame, const pipeline::BufferName& name, QSize size,
+QImage thumbnail(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, QSize size,
                  const std::optional<pipeline::AnyBuffer>& polygonId);
 
 }  // namespace app

@@ -6,32 +6,15 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "app/core/derived_buffers.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_painter.h"
 #include "app/panels/follow_theme.h"
-#include "app/panels/thumbnail.h"
-#include "pipeline/plan/needs.h"
 
 namespace app {
 
 using pipeline::BufferId;
 using pipeline::BufferName;
-
-std::vector<BufferName> thumbnailBuffers(pipeline::StageId stage, const pipeline::Scene& scene) {
-    static const pipeline::BufferSet landmarks =
-        pipeline::setOf({BufferId::VerticesScreen, BufferId::PolygonsVerdict, BufferId::ZView, BufferId::PolygonId,
-                         BufferId::Normal, BufferId::ShadowBuffer, BufferId::Color});
-    std::vector<BufferName> names;
-    for (const BufferName& name : pipeline::allBuffers(scene.lights.size())) {
-        const pipeline::BufferInfo& info = bufferInfo(name.id);
-        const bool isOthers = info.stage != stage && !(landmarks[index(name.id)] && name.light <= 0);
-        // H is of another model, and a buffer of zeros teaches nothing.
-        const bool isNever =
-            name.id == BufferId::Emission || name.id == BufferId::NDotH || name.id == BufferId::HalfwayVector;
-        if (!isOthers && !isNever) names.push_back(name);
-    }
-    return names;
-}
 
 ThumbnailStrip::ThumbnailStrip(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setFocusPolicy(Qt::StrongFocus);
@@ -44,6 +27,7 @@ ThumbnailStrip::ThumbnailStrip(Document& document, QWidget* parent) : QWidget(pa
     connect(&document, &Document::frameReady, this, [this] { m_later.start(); });
     connect(&document, &Document::stageChanged, this, &ThumbnailStrip::rebuild);
     connect(&document, &Document::sceneOpened, this, &ThumbnailStrip::rebuild);
+    connect(&document.derived(), &DerivedBuffers::changed, this, &ThumbnailStrip::takeDerived);
     connect(&document, &Document::pointedChanged, this, qOverload<>(&ThumbnailStrip::update));
     followTheme(this, [this] {
         updateGeometry();
@@ -70,17 +54,6 @@ int ThumbnailStrip::itemAt(QPoint at) const {
     return -1;
 }
 
-void ThumbnailStrip::rebuild() {
-    m_items.clear();
-    if (m_document.hasScene())
-        for (const BufferName& name : thumbnailBuffers(m_document.stage(), m_document.scene()))
-            m_items.push_back({name, {}, {}});
-    m_offset = 0;
-    setCurrent(m_current);
-    want();
-    refresh();
-}
-
 void ThumbnailStrip::setCurrent(const BufferName& name) {
     m_current = name;
     for (int i = 0; i < int(m_items.size()); ++i)
@@ -88,43 +61,6 @@ void ThumbnailStrip::setCurrent(const BufferName& name) {
             m_marked = i;
             reveal(i);
         }
-    update();
-}
-
-// Left-out buffers are not computed for a thumbnail.
-void ThumbnailStrip::want() {
-    pipeline::BufferSet wanted;
-    if (m_document.hasScene() && isVisible())
-        for (int i = 0; i < int(m_items.size()); ++i) {
-            const BufferId id = m_items[std::size_t(i)].name.id;
-            if (itemRect(i).intersects(rect()) && whyUseless(m_document.scene(), id).empty()) wanted.set(index(id));
-        }
-    m_document.want(this, wanted, Document::When::AtRest);
-}
-
-void ThumbnailStrip::refresh() {
-    const pipeline::FramePtr& frame = m_document.frame();
-    if (!frame || !isVisible()) return update();
-    const auto polygons = frame->buffer({BufferId::PolygonId});
-    QStringList absent;
-    for (int i = 0; i < int(m_items.size()); ++i) {
-        Item& item = m_items[std::size_t(i)];
-        item.why = toQString(whyUseless(frame->scene(), item.name.id));
-        const QRect rect = itemRect(i);
-        if (!rect.intersects(this->rect())) continue;
-        if (frame->until() < bufferInfo(item.name.id).stage) {  // while stepping inside an earlier stage
-            item.picture = {};
-            item.why = toQString(frame->whyAbsent(item.name));
-            absent << toQString(item.name.text()) + ": " + item.why;
-            continue;
-        }
-        const QSize size(rect.width() - 6, rect.height() - Theme::current().px(24));
-        if (QImage picture = thumbnail(*frame, item.name, size, polygons); !picture.isNull() || !item.why.isEmpty())
-            item.picture = std::move(picture);
-        if (!item.picture.isNull()) item.why.clear();
-        if (!item.why.isEmpty()) absent << toQString(item.name.text()) + ": " + item.why;
-    }
-    setAccessibleDescription(absent.join(' '));
     update();
 }
 

@@ -11,7 +11,7 @@ namespace app {
 // The buffers worth a look at a stage: its own, and the main ones of the other stages, in their order.
 std::vector<pipeline::BufferName> thumbnailBuffers(pipeline::StageId stage, const pipeline::Scene& scene);
 
-// Buffers as small pictures, nine in a row; the ones left out are hatched, with the reason as tooltip.
+// Buffers as small pictures, nine in a row, derived ones that a view shows at the end; the ones left out are hatched, with the reason as tooltip.
 // Only what is in sight is asked for.
 class ThumbnailStrip : public QWidget {
     Q_OBJECT
@@ -41,6 +41,8 @@ private:
         QImage picture;
         QString why;  // it is left out; empty when it is there or on its way
     };
+    std::vector<pipeline::BufferName> derivedOnShow() const;
+    void takeDerived();
     void rebuild();
     void refresh();
     void want();
@@ -53,6 +55,7 @@ private:
 
     Document& m_document;
     std::vector<Item> m_items;
+    std::vector<pipeline::BufferName> m_derived;  // of them, at the end
     pipeline::BufferName m_current{pipeline::BufferId::Color};
     int m_marked = 0;  // by the keyboard
     int m_offset = 0;  // pixels that stand left of the strip

@@ -4,14 +4,12 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
 
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/condition_bar.h"
-#include "app/panels/thumbnail_strip.h"
 #include "pipeline/buffers/palette.h"
 #include "tests/support/scenes.h"
 
@@ -265,21 +263,6 @@ TEST_F(BufferViewTest, TheOldPictureStaysUntilTheNewFrameIsThere) {
     document.replace(scene, "turn");
     EXPECT_EQ(image(), before);
     ASSERT_TRUE(QTest::qWaitFor([&] { return image() != before; }, 10000));
-}
-
-TEST(ThumbnailStrip, HatchesWhatIsLeftOutAndOpensWhatIsClicked) {
-    Document document;
-    app::ThumbnailStrip strip(document);
-    strip.resize(900, strip.sizeHint().height());
-    strip.show();
-    document.setScene(test::pyramid());
-    document.setStage(pipeline::StageId::ZBuffer);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return strip.accessibleDescription().contains("shadow_buffer.0"); }, 10000));
-    EXPECT_TRUE(strip.accessibleDescription().contains("The only object is convex"));
-    QSignalSpy chosen(&strip, &app::ThumbnailStrip::chosen);
-    QTest::keyClick(&strip, Qt::Key_Left);
-    QTest::keyClick(&strip, Qt::Key_Return);
-    ASSERT_EQ(chosen.size(), 1);
 }
 
 TEST_F(BufferViewTest, OverlaysLieOverThePictureAndSayWhatTheyStandFor) {

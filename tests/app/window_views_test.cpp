@@ -19,6 +19,7 @@
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/plan/needs.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/scenes.h"
 
 namespace app {
 namespace {
@@ -188,6 +189,24 @@ TEST_F(WindowViews, EachViewIsItsOwnInAState) {
     state.arrangement = "buffer |";
     EXPECT_EQ(views().lookAt(state).size(), 1u);
     EXPECT_EQ(views().arrangement(), "one");
+}
+
+// A highlight of k_s = 0, or of a light without any, is no picture.
+TEST(UsefulBuffers, BesideTheFrameBufferStandsOneThatIsNotZero) {
+    for (const pipeline::BuiltInScene& built : pipeline::builtInScenes()) {
+        pipeline::Scene scene = *pipeline::readScene(built.file);
+        scene.settings.width = 160, scene.settings.height = 120;
+        const auto useful = usefulBuffers(pipeline::StageId::Shading, scene, false);
+        ASSERT_GT(useful.size(), 1u) << built.name;
+        const auto frame = test::frameOf(scene, pipeline::setOf({useful[1].id}));
+        const auto buffer = frame->buffer(useful[1]);
+        ASSERT_TRUE(buffer) << built.name << ' ' << useful[1].text();
+        bool any = false;
+        for (std::size_t i = 0; i < buffer->count() && !any; ++i) any = buffer->flat(i) != 0;
+        // Their highlights fall where no polygon is.
+        const bool isMissed = built.name == "box_over_plane" || built.name == "vertex_normals";
+        EXPECT_NE(any, isMissed) << built.name << ' ' << useful[1].text();
+    }
 }
 
 // "ambient" has no highlight, "no hidden surface removal" no depth.

@@ -1,0 +1,102 @@
+// Which buffers a ThumbnailStrip shows, and their pictures.
+#include "app/core/derived_buffers.h"
+#include "app/core/text.h"
+#include "app/core/theme.h"
+#include "app/panels/thumbnail.h"
+#include "app/panels/thumbnail_strip.h"
+#include "pipeline/plan/needs.h"
+
+namespace app {
+
+using pipeline::BufferId;
+using pipeline::BufferName;
+
+std::vector<BufferName> thumbnailBuffers(pipeline::StageId stage, const pipeline::Scene& scene) {
+    static const pipeline::BufferSet landmarks =
+        pipeline::setOf({BufferId::VerticesScreen, BufferId::PolygonsVerdict, BufferId::ZView, BufferId::PolygonId,
+                         BufferId::Normal, BufferId::ShadowBuffer, BufferId::Color});
+    std::vector<BufferName> names;
+    for (const BufferName& name : pipeline::allBuffers(scene.lights.size())) {
+        const pipeline::BufferInfo& info = bufferInfo(name.id);
+        const bool isOthers = info.stage != stage && !(landmarks[index(name.id)] && name.light <= 0);
+        // H is of another model, and a buffer of zeros teaches nothing.
+        const bool isNever =
+            name.id == BufferId::Emission || name.id == BufferId::NDotH || name.id == BufferId::HalfwayVector;
+        if (!isOthers && !isNever) names.push_back(name);
+    }
+    return names;
+}
+
+// Those that somebody looks at, and that are there.
+std::vector<BufferName> ThumbnailStrip::derivedOnShow() const {
+    std::vector<BufferName> names;
+    if (!m_document.hasScene()) return names;
+    for (const BufferName& name : pipeline::allDerived(m_document.scene().lights.size()))
+        if (m_document.derived().made(name)) names.push_back(name);
+    return names;
+}
+
+void ThumbnailStrip::takeDerived() {
+    if (!m_document.hasScene()) return;
+    if (derivedOnShow() == m_derived) return m_later.start();
+    const int offset = m_offset;
+    rebuild();
+    scrollTo(offset);
+}
+
+void ThumbnailStrip::rebuild() {
+    m_items.clear();
+    if (m_document.hasScene())
+        for (const BufferName& name : thumbnailBuffers(m_document.stage(), m_document.scene()))
+            m_items.push_back({name, {}, {}});
+    m_derived = derivedOnShow();
+    for (const BufferName& name : m_derived) m_items.push_back({name, {}, {}});
+    m_offset = 0;
+    setCurrent(m_current);
+    want();
+    refresh();
+}
+
+// Left-out buffers are not computed for a thumbnail.
+void ThumbnailStrip::want() {
+    pipeline::BufferSet wanted;
+    if (m_document.hasScene() && isVisible())
+        for (int i = 0; i < int(m_items.size()); ++i) {
+            const BufferId id = m_items[std::size_t(i)].name.id;
+            const bool isOwn = !pipeline::isDerived(id);  // the others are made for who looks at them
+            if (isOwn && itemRect(i).intersects(rect()) && whyUseless(m_document.scene(), id).empty())
+                wanted.set(index(id));
+        }
+    m_document.want(this, wanted, Document::When::AtRest);
+}
+
+void ThumbnailStrip::refresh() {
+    const pipeline::FramePtr& frame = m_document.frame();
+    if (!frame || !isVisible()) return update();
+    const auto polygons = frame->buffer({BufferId::PolygonId});
+    QStringList absent;
+    for (int i = 0; i < int(m_items.size()); ++i) {
+        Item& item = m_items[std::size_t(i)];
+        const bool isDerived = pipeline::isDerived(item.name.id);
+        item.why = isDerived ? QString() : toQString(whyUseless(frame->scene(), item.name.id));
+        const QRect rect = itemRect(i);
+        if (!rect.intersects(this->rect())) continue;
+        if (frame->until() < bufferInfo(item.name.id).stage) {  // while stepping inside an earlier stage
+            item.picture = {};
+            item.why = toQString(frame->whyAbsent(item.name));
+            absent << toQString(item.name.text()) + ": " + item.why;
+            continue;
+        }
+        const QSize size(rect.width() - 6, rect.height() - Theme::current().px(24));
+        const DerivedBuffer* made = isDerived ? m_document.derived().made(item.name) : nullptr;
+        const auto buffer = made ? std::optional(made->buffer) : isDerived ? std::nullopt : frame->buffer(item.name);
+        QImage picture = buffer ? thumbnail(*frame, *buffer, size, polygons) : QImage();
+        if (!picture.isNull() || !item.why.isEmpty()) item.picture = std::move(picture);
+        if (!item.picture.isNull()) item.why.clear();
+        if (!item.why.isEmpty()) absent << toQString(item.name.text()) + ": " + item.why;
+    }
+    setAccessibleDescription(absent.join(' '));
+    update();
+}
+
+}  // namespace app
