@@ -122,6 +122,7 @@ std::span<const ActionRow> actionTable() {
 
         {A::RunCommand, "Help", "Run a command…", "Ctrl+Shift+P", "Finds any action, buffer or scene by its name."},
         {A::Keys, "Help", "Keys", "H; ?", "Lists the keys."},
+        {A::Manual, "Help", "Manual", "F1", "Opens the manual at the page of what you are at."},
     });
     return kTable;
 }

@@ -94,6 +94,7 @@ enum class ActionId : unsigned char {
     Check,
     RunCommand,
     Keys,
+    Manual,
 };
 
 // One action: its place in the menus, its key, and one line on what it does. Menus, the list of

@@ -18,6 +18,7 @@ class CommandPalette;
 class ErrorList;
 class KeySheet;
 class LessonPanel;
+class ManualWindow;
 class PanelDock;
 class PixelField;
 class Presentation;
@@ -85,6 +86,7 @@ private:
     bool saveSceneAs();  // likewise
     void exportBuffers();
     void showStudy();
+    void showManual();
     void showChecks();
     std::vector<PaletteEntry> commands();
     // main_window_state.cpp: what is on show, and leaving it
@@ -139,9 +141,10 @@ private:
     Presentation* m_presentation;
     bool m_presents = false;  // from before it begins to after it has ended
     Session* m_session = nullptr;
-    StudyPanel* m_study = nullptr;   // a window of its own; made when first asked for
-    CheckPanel* m_checks = nullptr;  // likewise
-    std::optional<Width> m_width;    // as last laid out; nothing on the start page
+    StudyPanel* m_study = nullptr;     // a window of its own; made when first asked for
+    ManualWindow* m_manual = nullptr;  // likewise
+    CheckPanel* m_checks = nullptr;    // likewise
+    std::optional<Width> m_width;      // as last laid out; nothing on the start page
 };
 
 }  // namespace app

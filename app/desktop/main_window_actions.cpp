@@ -1,3 +1,4 @@
+#include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -14,6 +15,7 @@
 #include "app/desktop/explain_actions.h"
 #include "app/desktop/key_sheet.h"
 #include "app/desktop/main_window.h"
+#include "app/desktop/manual_window.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/pixel_field.h"
 #include "app/desktop/step_actions.h"
@@ -102,6 +104,7 @@ void MainWindow::connectActions() {
     on(A::Check, [this] { showChecks(); });
     on(A::RunCommand, [this] { m_palette->open(commands()); });
     on(A::Keys, [this] { m_keys->open(); });
+    on(A::Manual, [this] { showManual(); });
     connectStepActions(*m_actions, m_document);
     connectExplainActions(*m_actions, m_document, *findChild<InspectorPanel*>(), *m_views);
     for (std::size_t i = 0; i < kStageActions.size(); ++i)
@@ -205,6 +208,12 @@ void MainWindow::exportBuffers() {
 void MainWindow::showStudy() {
     if (!m_study) m_study = new StudyPanel(m_document, this);
     showApart(*m_study);
+}
+
+void MainWindow::showManual() {
+    const QString page = m_width ? manualPageOf(QApplication::focusWidget()) : QStringLiteral("README.md");
+    if (!m_manual) m_manual = new ManualWindow(this);
+    m_manual->open(page);
 }
 
 void MainWindow::showChecks() {

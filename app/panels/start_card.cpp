@@ -116,7 +116,7 @@ void CardGrid::clear() {
     m_cards.clear();
 }
 
-int CardGrid::columns(int width) const { return width < Theme::current().px(840) ? 2 : m_most; }
+int CardGrid::columns(int width) const { return std::clamp(width / Theme::current().px(210), 2, m_most); }
 
 void CardGrid::setMostColumns(int most) {
     m_most = most;

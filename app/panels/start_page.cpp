@@ -76,7 +76,12 @@ QWidget* StartPage::makeLeft() {
     buttons->addStretch(1);
     column->addSpacing(16);
     column->addLayout(buttons);
-    column->addSpacing(24);
+    column->addSpacing(8);
+    column->addWidget(
+        makeLabel(tr("New here? Open the pyramid, press Ctrl+→ and Ctrl+← to walk through the stages, click any "
+                     "pixel to see why it has its colour. F1 opens the manual."),
+                  13, 400, 2, left));
+    column->addSpacing(16);
     column->addWidget(makeHeading(tr("Recent"), QString(), left));
     m_recent = new QVBoxLayout;
     m_recent->setSpacing(2);
@@ -139,10 +144,6 @@ QWidget* StartPage::makeRight() {
     column->addWidget(makeHeading(tr("Scenes"), tr("Enter opens, arrows move"), page));
     column->addWidget(m_scenes);
     column->addStretch(1);
-    column->addWidget(
-        makeLabel(tr("New here? Open the pyramid, press Ctrl+→ to walk through the stages, click any pixel to "
-                     "see why it has its colour."),
-                  13, 400, 2, page));
     for (const pipeline::BuiltInScene& scene : m_gallery.scenes()) {
         auto* card = new StartCard(StartCard::Kind::Scene, toQString(scene.title), toQString(scene.look), m_scenes);
         card->setObjectName(QStringLiteral("scene:") + toQString(scene.name));

@@ -1,0 +1,147 @@
+#include "app/desktop/manual_window.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QImage>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QVBoxLayout>
+#include <array>
+
+#include "app/core/text.h"
+#include "app/panels/follow_theme.h"
+#include "pipeline/formats/built_in_scenes.h"
+
+namespace app {
+namespace {
+
+struct PartPage {
+    const char *part, *page;  // a widget's object name or class, and its page
+};
+// What stands within another thing before that.
+constexpr auto kPages = std::to_array<PartPage>({
+    {"app::BufferView", "buffers.md"},
+    {"app::View3dPanel", "view3d.md"},
+    {"app::ThumbnailStrip", "buffers.md"},
+    {"app::StageStrip", "steps.md"},
+    {"app::Timeline", "steps.md"},
+    {"app::TermsSection", "mix.md"},
+    {"app::StartPage", "README.md"},
+    {"scene", "settings.md"},
+    {"settings", "settings.md"},
+    {"lesson", "lessons.md"},
+    {"cues", "present.md"},
+    {"inspector", "pixel.md"},
+    {"tables", "tables.md"},
+    {"scanline", "section.md"},
+    {"app::StudyPanel", "study.md"},
+    {"app::CheckPanel", "check.md"},
+});
+
+}  // namespace
+
+QString manualPageOf(const QWidget* widget) {
+    for (; widget; widget = widget->parentWidget())
+        for (const PartPage& row : kPages)
+            if (widget->objectName() == row.part || QLatin1String(widget->metaObject()->className()) == row.part)
+                return row.page;
+    return "window.md";
+}
+
+QString headingName(const QString& heading) {
+    QString name;
+    for (const QChar c : heading.toLower())
+        if (c.isLetterOrNumber() || c == '-' || c == '_')
+            name += c;
+        else if (c == ' ')
+            name += '-';
+    return name;
+}
+
+ManualPage::ManualPage(QWidget* parent) : QTextBrowser(parent) {
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // every page has the same width
+    m_reload.setSingleShot(true);
+    m_reload.setInterval(50);
+    connect(&m_reload, &QTimer::timeout, this, [this] {
+        const int at = verticalScrollBar()->value();
+        reload();
+        verticalScrollBar()->setValue(at);
+    });
+}
+
+void ManualPage::scrollToHeading(const QString& name) {
+    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() == 0 || headingName(block.text()) != name) continue;
+        setTextCursor(QTextCursor(block));
+        document()->documentLayout()->documentSize();  // the page is laid out, and can be scrolled to its end
+        verticalScrollBar()->setValue(int(document()->documentLayout()->blockBoundingRect(block).top()));
+        return;
+    }
+}
+
+QVariant ManualPage::loadResource(int type, const QUrl& name) {
+    QVariant found = QTextBrowser::loadResource(type, name);
+    if (type != QTextDocument::ImageResource) return found;
+    QImage image = found.canConvert<QImage>() ? found.value<QImage>() : QImage();
+    if (image.isNull()) image.loadFromData(found.toByteArray());
+    const double ratio = devicePixelRatioF();
+    const int room = int((viewport()->width() - 2 * int(document()->documentMargin())) * ratio);
+    if (image.width() > room) image = image.scaledToWidth(room, Qt::SmoothTransformation);
+    image.setDevicePixelRatio(ratio);
+    return image;
+}
+
+// Pictures are read again, in their new width; not at once: a page that is being laid out may bring a scroll bar.
+void ManualPage::resizeEvent(QResizeEvent* event) {
+    QTextBrowser::resizeEvent(event);
+    if (event->oldSize().width() == event->size().width() || source().isEmpty()) return;
+    m_reload.start();
+}
+
+ManualWindow::ManualWindow(QWidget* parent) : QWidget(parent, Qt::Window), m_page(new ManualPage(this)) {
+    setObjectName("manual");
+    setWindowTitle(tr("The manual of Shadescope"));
+    setAutoFillBackground(true);
+    m_page->setOpenExternalLinks(true);
+    m_page->setAccessibleName(windowTitle());
+    m_page->setFrameShape(QFrame::NoFrame);
+    auto* contents = new QPushButton(tr("Contents"), this);
+    auto* back = new QPushButton(tr("Back"), this);
+    auto* forward = new QPushButton(tr("Forward"), this);
+    back->setShortcut(QKeySequence::Back);
+    forward->setShortcut(QKeySequence::Forward);
+    back->setEnabled(false), forward->setEnabled(false);
+    connect(contents, &QPushButton::clicked, this, [this] { open("README.md"); });
+    connect(back, &QPushButton::clicked, m_page, &QTextBrowser::backward);
+    connect(forward, &QPushButton::clicked, m_page, &QTextBrowser::forward);
+    connect(m_page, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
+    connect(m_page, &QTextBrowser::forwardAvailable, forward, &QWidget::setEnabled);
+    connect(m_page, &QTextBrowser::sourceChanged, this, [this](const QUrl& page) {
+        if (page.hasFragment()) m_page->scrollToHeading(page.fragment());
+    });
+    auto* row = new QHBoxLayout;
+    for (QPushButton* button : {contents, back, forward}) row->addWidget(button);
+    row->addStretch(1);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(row);
+    column->addWidget(m_page, 1);
+    followTheme(this, [this, row] {
+        const Theme& theme = Theme::current();
+        m_page->document()->setDefaultFont(theme.text(14));
+        m_page->document()->setDocumentMargin(theme.px(24));
+        row->setSpacing(theme.px(6));
+        resize(QSize(theme.px(860), theme.px(900)).boundedTo(screen()->availableSize()));
+        m_page->reload();
+    });
+}
+
+void ManualWindow::open(const QString& page) {
+    const auto folder = pipeline::resourceFolder() / "manual";
+    m_page->setSource(QUrl::fromLocalFile(toQString(folder.string()) + '/' + page));
+    show();
+    raise();
+    activateWindow();
+}
+
+}  // namespace app
