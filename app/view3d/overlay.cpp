@@ -134,6 +134,33 @@ double overlap(const QRectF& a, const QRectF& b) {
     return both.isEmpty() ? 0 : both.width() * both.height();
 }
 
+// What belongs to a plane, a length or an equation, gives way to letters by lines, up or down.
+void movePlanes(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, glm::dvec2 view) {
+    constexpr double kTip = 6;
+    std::vector<QRectF> taken;
+    for (const glm::dvec2& tip : tips) taken.push_back(QRectF(tip.x - kTip, tip.y - kTip, 2 * kTip, 2 * kTip));
+    for (const PlacedLabel& placed : labels)
+        if (placed.label.kind != Label::Kind::Caption && placed.label.kind != Label::Kind::Plane)
+            taken.push_back(boxOf(placed));
+    for (PlacedLabel& plane : labels) {
+        if (plane.label.kind != Label::Kind::Plane) continue;
+        const glm::dvec2 own = plane.at;
+        const QSizeF size = sizeOf(plane.label);
+        double least = 1e300;
+        for (const int lines : {0, -1, 1, -2, 2, -3, 3}) {
+            PlacedLabel tried = plane;
+            tried.at = inside(own + glm::dvec2(0, lines * size.height()), size, view);
+            double covered = 0;
+            for (const QRectF& other : taken) covered += overlap(boxOf(tried), other);
+            if (covered >= least) continue;
+            least = covered;
+            plane.at = tried.at;
+            if (covered == 0) break;
+        }
+        taken.push_back(boxOf(plane));
+    }
+}
+
 // One caption after the other, each at the place where it covers least.
 void placeCaptions(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, glm::dvec2 view,
                    std::vector<QRectF> taken) {
@@ -217,6 +244,7 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         if (!isAway && !(isTip && !near.contains(toPoint(placed.mark))))
             placed.at = inside(placed.at, sizeOf(placed.label), view.size);
     }
+    movePlanes(result, tips, view.size);
     placeCaptions(result, tips, view.size, taken);
     return result;
 }

@@ -293,7 +293,8 @@ void SceneView::refresh() {
     if (m_vtk) m_vtk->setView(viewFrame(), m_drawing);
     m_sentence->setText(sentence());
     m_sentence->setVisible(!works);
-    m_legend->setVisible(works && shown()->map.keepsLengths());
+    // A low view has its room for the scene; the letters stand at their vectors.
+    m_legend->setVisible(works && shown()->map.keepsLengths() && 5 * m_legend->height() <= height());
     m_cube->setVisible(works && !isPoint());
     m_legend->setOptions(m_options);
     m_cube->setCamera(m_camera, m_space.space);

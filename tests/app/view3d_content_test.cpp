@@ -339,9 +339,16 @@ TEST(View3dDrawing, CaptionsCoverNothing) {
                                   .text = "L",
                                   .distance = {},
                                   .ink = app::Ink::L});
+    // Where the letters are.
+    drawing.labels.push_back({.kind = app::Label::Kind::Plane,
+                              .at = at(300, 20),
+                              .foot = at(200, 150),
+                              .text = "(N·L) N",
+                              .distance = {},
+                              .ink = app::Ink::N});
     const QRectF legend(8, 250, 300, 42);
     const auto labels = app::placeLabels(drawing, view, 1, {legend});
-    ASSERT_EQ(labels.size(), 7u);
+    ASSERT_EQ(labels.size(), 8u);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const QRectF box = app::boxOf(labels[i]);
         EXPECT_TRUE(QRectF(0, 0, size.x, size.y).contains(box)) << labels[i].label.text;
