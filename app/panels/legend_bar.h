@@ -5,13 +5,14 @@
 
 namespace app {
 
-// Names beside their colours, as many as fit; the rest are told in the tooltip.
+// Names beside their colours, in as many rows as fit; the rest are told in the tooltip.
 class LegendBar : public QWidget {
     Q_OBJECT
 public:
     explicit LegendBar(QWidget* parent = nullptr);
     void setEntries(std::vector<LegendEntry> entries);
     QSize minimumSizeHint() const override;
+    std::vector<QRect> places() const;  // of the entries that fit, in their order
 
 protected:
     void paintEvent(QPaintEvent* event) override;
