@@ -8,6 +8,8 @@
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/compare_bar.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/loupe.h"
@@ -96,6 +98,7 @@ void BufferView::setBare(bool bare) {
 
 void BufferView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    m_compare->bar()->fit(height());
     placeOverlays();
 }
 

@@ -83,6 +83,12 @@ CompareBar::CompareBar(QWidget* parent)
     });
 }
 
+void CompareBar::fit(int height) {
+    const bool isLow = height < Theme::current().px(260);
+    m_finding->setVisible(!isLow);
+    for (QPushButton* button : {m_worst, m_stages}) button->setVisible(!isLow || m_first->indexOf(button) >= 0);
+}
+
 // Where there is no room beside the choices the buttons have a row of their own.
 void CompareBar::resizeEvent(QResizeEvent*) {
     int needed = Theme::current().px(12 + 5 * 6);

@@ -28,6 +28,7 @@ public:
     void setFinding(const QString& sentence, const QString& whyNoWorst);
     enum class Offer : unsigned char { Nothing, Cancel, Compute };
     void setOffer(Offer offer);
+    void fit(int height);  // of the view: in a low one the choices alone stand here
 
 signals:
     void modeChosen(CompareMode mode);

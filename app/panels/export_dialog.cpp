@@ -17,6 +17,7 @@
 #include "app/panels/export_list.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/job_foot.h"
+#include "app/panels/on_screen.h"
 #include "pipeline/plan/needs.h"
 
 namespace app {
@@ -55,7 +56,7 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
         halves->setSpacing(theme.px(16));
         m_total->setFont(theme.text(13, 600));
         m_files->setFont(theme.mono(12));
-        resize(theme.px(880), theme.px(620));
+        resize(onScreen(*this, theme.px(880), theme.px(620)));
     });
     // Everything that the scene has a use for is computed while the dialog is open, so that the
     // list can tell what is there from what is left out.

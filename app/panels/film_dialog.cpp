@@ -14,6 +14,7 @@
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/job_foot.h"
+#include "app/panels/on_screen.h"
 
 namespace app {
 namespace {
@@ -42,7 +43,7 @@ FilmDialog::FilmDialog(Document& document, const pipeline::BufferName& buffer, Q
     followTheme(this, [this, column] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
-        resize(theme.px(620), theme.px(380));
+        resize(onScreen(*this, theme.px(620), theme.px(380)));
     });
     showOrder();
 }

@@ -10,6 +10,7 @@
 
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/on_screen.h"
 
 namespace app {
 
@@ -36,7 +37,7 @@ SourceView::SourceView(const QString& file, const QString& text, int line, int c
         marked.format.setBackground(theme.colors().tint);
         marked.format.setProperty(QTextFormat::FullWidthSelection, true);
         lines->setExtraSelections({marked});
-        resize(theme.px(640), theme.px(420));
+        resize(onScreen(*this, theme.px(640), theme.px(420)));
     });
 }
 
