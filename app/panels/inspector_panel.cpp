@@ -156,7 +156,8 @@ void InspectorPanel::showHeader(const pipeline::Frame& frame) {
         const QString object = toQString(frame.scene().objects[std::size_t(r.object)].name);
         m_place->setText(tr("Polygon %1 of %2, row 0 on top").arg(r.polygon).arg(object));
     } else {
-        m_place->setText(tr("Background: nothing was drawn here."));
+        m_place->setText(m_document.stepper().isInside() ? tr("Nothing is drawn here yet.")
+                                                         : tr("Background: nothing was drawn here."));
     }
     setAccessibleDescription(tr("Pixel %1, colour %2. %3").arg(place, m_value->text(), m_place->text()));
 }

@@ -202,6 +202,13 @@ TEST_F(InspectorPanelTest, PolygonVerticesAndObjectAreJumps) {
     EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Object, 0}));
 }
 
+// Before the first step there is no background yet.
+TEST_F(InspectorPanelTest, InsideAFrameItSaysWhatIsStillToCome) {
+    document.stepper().toFirst();
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return document.stepper().isSettled() && shows("Nothing is drawn here yet."); }, 10000));
+}
+
 TEST(SourceView, ShowsTheLineOfAFile) {
     const app::SourceView view("folder/a.des", "one\ntwo\nthree\n", 2, 3);
     const auto* lines = view.findChild<QPlainTextEdit*>();
