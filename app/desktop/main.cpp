@@ -8,6 +8,7 @@
 
 #include "app/cli/cli.h"
 #include "app/state/cue_list.h"
+#include "app/state/state_scene.h"
 #include "pipeline/core/text.h"
 #include "pipeline/run/memory.h"
 #ifdef SHADESCOPE_WINDOW
@@ -83,8 +84,9 @@ int main(int argc, char** argv) {
     if (first.starts_with("--")) return refuse("there is no option " + pipeline::inQuotes(first));
     const bool file = !first.empty() && first[0] != '-';  // "-platform" and the like are for Qt
     std::error_code ignored;
-    if (file && first.find_first_of("./") == first.npos && !std::filesystem::exists(first, ignored))
+    const std::string scene = file ? app::sceneFile(first, {}).string() : "";
+    if (file && first.find_first_of("./") == first.npos && !std::filesystem::exists(scene, ignored))
         return refuse("there is no file and no command " + pipeline::inQuotes(first) + "; the nearest command is " +
                       app::nearestCommand(first));
-    return openWindow(argc, argv, file ? first : "", {}, session);
+    return openWindow(argc, argv, scene, {}, session);
 }
