@@ -12,7 +12,7 @@ template <class Real>
 std::optional<glm::ivec2> texelOf(const pipeline::FrameData<Real>& data, std::size_t light, glm::ivec2 pixel) {
     if (!data.shadowBuffer || !data.zBuffer || light >= data.shadowBuffer->lights.size()) return {};
     const auto& samples = data.shadowBuffer->lights[light];
-    const auto& triangles = data.zBuffer->triangle;
+    const pipeline::Buffer2D<std::uint32_t>& triangles = *data.zBuffer->triangle;
     if (samples.empty() || pixel.x >= triangles.size.x || pixel.y >= triangles.size.y) return {};
     const std::uint32_t triangle = triangles.at(pixel);
     if (triangle == pipeline::kNoTriangle) return {};
@@ -23,7 +23,7 @@ std::optional<glm::ivec2> texelOf(const pipeline::FrameData<Real>& data, std::si
     pipeline::ShadowSettings settings;
     settings.bias = pipeline::ShadowBias::Constant;  // the only one that asks for no normal
     const auto test = pipeline::shadowTest(samples[middle], settings, position, {});
-    const glm::ivec2 size = samples[middle].depth[test.face].size;
+    const glm::ivec2 size = samples[middle].depth[test.face]->size;
     if (glm::any(glm::lessThan(test.texel, glm::ivec2(0))) || glm::any(glm::greaterThanEqual(test.texel, size)))
         return {};
     const auto faces = int(middle * samples[middle].faces.size() + test.face);

@@ -60,7 +60,7 @@ std::vector<LightFrustum> lightFrusta(const pipeline::Frame& frame) {
             const auto& sample = lights[k][lights[k].size() / 2];
             const auto first = std::ptrdiff_t(result.size());
             for (std::size_t face = 0; face < sample.faces.size(); ++face) {
-                result.push_back(frustumOf(int(k), int(face), sample.faces[face], sample.depth[face]));
+                result.push_back(frustumOf(int(k), int(face), sample.faces[face], *sample.depth[face]));
                 result.back().faces = int(sample.faces.size());
             }
             std::stable_sort(result.begin() + first, result.end(),

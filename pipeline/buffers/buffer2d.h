@@ -54,5 +54,13 @@ struct Buffer2D {
 struct Tile {
     glm::ivec2 min{0}, max{0};
 };
+inline constexpr int kTileSize = 64;  // pixels
+
+// Tile i of a picture, row by row.
+inline Tile tileOf(glm::ivec2 picture, std::size_t i) {
+    const int columns = (picture.x + kTileSize - 1) / kTileSize;
+    const glm::ivec2 at{int(i) % columns, int(i) / columns};
+    return {at * kTileSize, glm::min((at + 1) * kTileSize, picture)};
+}
 
 }  // namespace pipeline

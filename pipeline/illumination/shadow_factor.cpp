@@ -53,7 +53,7 @@ ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& 
 template <class Real>
 int litTexels(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position, Vec3<Real> normal) {
     const ShadowTest<Real> test = shadowTest(light, settings, position, normal);
-    const Buffer2D<Real>& depth = light.depth[test.face];
+    const Buffer2D<Real>& depth = *light.depth[test.face];
     const int r = settings.filter;
     // The faces of a point light adjoin: for what lies beyond a seam stands the texel before it. Beyond the buffer of a
     // light at infinity there is nothing.

@@ -19,7 +19,7 @@ std::optional<EdgeView> viewAt(const FrameData<Real>& data, glm::ivec2 pixel) {
     if (!data.zBuffer || !data.transform) return {};
     const TransformOutput<Real>& in = *data.transform;
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= in.view.size.x || pixel.y >= in.view.size.y) return {};
-    const std::uint32_t id = data.zBuffer->triangle.at(pixel);
+    const std::uint32_t id = data.zBuffer->triangle->at(pixel);
     if (id == kNoTriangle) return {};
     const Triangle& triangle = in.topology->triangles[id];
     const auto& v = triangle.vertices;

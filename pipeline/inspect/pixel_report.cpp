@@ -264,8 +264,8 @@ template <class Real>
 void fill(const FrameData<Real>& data, PixelReport& report) {
     if (!data.zBuffer) return;
     reportFragments(data, report);
-    const std::size_t at = data.zBuffer->zView.offset(report.pixel);
-    const std::uint32_t triangle = data.zBuffer->triangle.pixels[at];
+    const std::size_t at = data.zBuffer->zView->offset(report.pixel);
+    const std::uint32_t triangle = data.zBuffer->triangle->pixels[at];
     if (data.shading && !data.keys.shading.outlines) reportLayers(data, triangle, at, report);
     if (triangle == kNoTriangle) return;
     const Topology& topology = *data.transform->topology;
@@ -275,7 +275,7 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
     report.object = int(topology.polygonObject[std::size_t(report.polygon)]);
     for (std::size_t i = 0; i < 3; ++i) report.vertices[i] = int(topology.triangles[triangle].vertices[i]);
     report.barycentric = Vec3d(b);
-    report.zView = double(data.zBuffer->zView.pixels[at]);
+    report.zView = double(data.zBuffer->zView->pixels[at]);
     report.depth = data.zBuffer->depth.empty() ? report.zView : double(data.zBuffer->depth.pixels[at]);
     const Vec3<Real> position = interpolated(data.transform->world, topology.triangles[triangle].vertices, b);
     report.position = Vec3d(position);

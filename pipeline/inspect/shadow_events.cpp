@@ -31,7 +31,7 @@ template <class Real>
 std::string comparison(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
                        Vec3<Real> normal) {
     const ShadowTest<Real> test = shadowTest(light, settings, position, normal);
-    const Buffer2D<Real>& depth = light.depth[test.face];
+    const Buffer2D<Real>& depth = *light.depth[test.face];
     const glm::ivec2 at = test.texel;
     const bool inside = at.x >= 0 && at.y >= 0 && at.x < depth.size.x && at.y < depth.size.y;
     const Real stored = inside ? depth.at(at) : std::numeric_limits<Real>::infinity();

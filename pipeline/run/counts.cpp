@@ -39,8 +39,7 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
                                data.zBuffer->note);
         }
         case StageId::Shading: {
-            const auto seen =
-                std::ranges::count_if(data.zBuffer->triangle.pixels, [](std::uint32_t t) { return t != kNoTriangle; });
+            const long long seen = data.zBuffer->seenPixels;
             if (data.keys.shading.outlines) return plural(seen, "pixel") + " of outlines";
             std::string text = plural(seen, "pixel") + " shaded";
             if (data.keys.shading.layers.drawn) text += "; " + plural(data.shading->counts.layers, "layer");

@@ -54,7 +54,7 @@ std::optional<AnyBuffer> kept(const BufferName& name, const Buffer2D<T>& b, std:
 template <class Real>
 AnyBuffer ids(const BufferName& name, const FrameData<Real>& data) {
     const Topology& topology = *data.transform->topology;
-    const Buffer2D<std::uint32_t>& seen = data.zBuffer->triangle;
+    const Buffer2D<std::uint32_t>& seen = *data.zBuffer->triangle;
     std::vector<std::int32_t> values(seen.pixels.size(), kNothing);
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (seen.pixels[i] == kNoTriangle) continue;
@@ -69,7 +69,7 @@ template <class Real>
 std::optional<AnyBuffer> depth(const BufferName& name, const FrameData<Real>& data) {
     if (data.keys.zBuffer.visibility != Visibility::ZBuffer) return {};
     const DepthFormat format = data.transform->depthFormat;
-    if (format == DepthFormat::Linear) return view(name, data.zBuffer->zView, data.zBuffer);
+    if (format == DepthFormat::Linear) return view(name, *data.zBuffer->zView, data.zBuffer);
     const Buffer2D<double>& stored = data.zBuffer->depth;
     if (!std::is_same_v<Real, float> || format == DepthFormat::Fixed32) return view(name, stored, data.zBuffer);
     return own(name, {std::size_t(stored.size.y), std::size_t(stored.size.x)},
@@ -82,15 +82,15 @@ std::optional<AnyBuffer> shadowDepth(const BufferName& name, const FrameData<Rea
     const auto& lights = data.shadowBuffer->lights;
     const auto k = std::size_t(name.light);
     if (k >= lights.size() || lights[k].empty()) return {};
-    const std::vector<Buffer2D<Real>>& first = lights[k][0].depth;
-    if (lights[k].size() == 1 && first.size() == 1) return view(name, first[0], data.shadowBuffer);
+    const std::vector<LateBuffer2D<Real>>& first = lights[k][0].depth;
+    if (lights[k].size() == 1 && first.size() == 1) return view(name, *first[0], data.shadowBuffer);
     const std::size_t faces = lights[k].size() * first.size();
     std::vector<Real> values;
-    values.reserve(faces * first[0].pixels.size());
+    values.reserve(faces * first[0]->pixels.size());
     for (const LightView<Real>& sample : lights[k])
-        for (const Buffer2D<Real>& face : sample.depth)
-            values.insert(values.end(), face.pixels.begin(), face.pixels.end());
-    const glm::ivec2 size = first[0].size;
+        for (const LateBuffer2D<Real>& face : sample.depth)
+            values.insert(values.end(), face->pixels.begin(), face->pixels.end());
+    const glm::ivec2 size = first[0]->size;
     return own(name, {faces, std::size_t(size.y), std::size_t(size.x)}, std::move(values));
 }
 
@@ -140,7 +140,7 @@ std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& dat
             return view(name, data.normals->vertex, data.normals);
         case BufferId::ShadowBuffer: return shadowDepth(name, data);
         case Depth: return depth(name, data);
-        case ZView: return view(name, data.zBuffer->zView, data.zBuffer);
+        case ZView: return view(name, *data.zBuffer->zView, data.zBuffer);
         case ObjectId:
         case PolygonId: return ids(name, data);
         case Barycentric: return kept(name, data.zBuffer->barycentric, data.zBuffer);

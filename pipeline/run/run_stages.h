@@ -78,17 +78,18 @@ std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& input
 }
 
 // Triangles set up piece by piece.
-inline std::shared_ptr<const TrianglePieces> setUpAll(const SetUpInputs& inputs, Threads& threads) {
-    auto out = std::make_shared<TrianglePieces>(prepareSetUp(inputs));
-    threads.forRange(out->pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t piece = begin; piece < end; ++piece) setUpPiece(inputs, piece, *out);
+inline TrianglePieces setUpAll(const SetUpInputs& inputs, Threads& threads) {
+    TrianglePieces out = prepareSetUp(inputs);
+    threads.forRange(out.pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t piece = begin; piece < end; ++piece) setUpPiece(inputs, piece, out);
     });
     return out;
 }
 
 // What a face of a light sees, in float.
-inline void drawShadowFace(const TransformOutput<float>& in, const View& face, Buffer2D<float>& depth,
+inline void drawShadowFace(const TransformOutput<float>& in, LightView<float>& light, std::size_t number,
                            Threads& threads) {
+    const View& face = light.faces[number];
     std::vector<Vec3<float>> positions(in.world.size());
     SnappedVertices snapped;
     snapped.bits = face.subPixelBits;
@@ -97,10 +98,14 @@ inline void drawShadowFace(const TransformOutput<float>& in, const View& face, B
         toLightViewInVectors(face, in.world, begin, end, positions);
         snapInVectors(face, positions, begin, end, snapped);
     });
-    const auto pieces = setUpAll({*in.topology, face, positions, snapped}, threads);
-    threads.forRange(pieces->tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) shadowBufferInVectors(face, *pieces, tile, depth);
+    const TrianglePieces pieces = setUpAll({*in.topology, face, positions, snapped}, threads);
+    const auto blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
+    threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) shadowBufferInVectors(face, pieces, tile, *blocks);
     });
+    light.blocks[number] = blocks;
+    light.depth[number] = LateBuffer2D<float>(
+        [blocks] { return rowsOf(*blocks, std::vector<std::uint8_t>(blocks->tileCount(), 1), 0.0F); });
 }
 
 template <class Real>
@@ -109,12 +114,12 @@ std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBuff
     auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in, std::is_same_v<Real, float>));
     const auto drawFace = [&](LightView<Real>& light, std::size_t face) {
         if constexpr (std::is_same_v<Real, float>) {
-            drawShadowFace(in, light.faces[face], light.depth[face], threads);
+            drawShadowFace(in, light, face, threads);
         } else {
             const TriangleBins<Real> bins = binForLight(in, light.faces[face]);
             threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t tile = begin; tile < end; ++tile)
-                    shadowBuffer(light.faces[face], bins, tile, light.depth[face]);
+                    shadowBuffer(light.faces[face], bins, tile, *light.depth[face]);
             });
         }
     };
@@ -131,6 +136,7 @@ template <class Real>
 void sumCounts(ZBufferOutput<Real>& out) {
     for (std::int32_t n : out.overdraw.pixels) out.arrived += n;
     for (std::int32_t n : out.depthWrites.pixels) out.won += n;
+    for (std::uint32_t triangle : out.triangle->pixels) out.seenPixels += triangle != kNoTriangle;
 }
 
 template <class Real>
@@ -153,19 +159,30 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBu
                                                                        const TransformOutput<float>& in,
                                                                        const SetUpInputs& setUp, Threads& threads) {
     auto out = std::make_shared<ZBufferOutput<float>>();
-    out->zView = Buffer2D<float>(in.view.size), out->triangle = Buffer2D<std::uint32_t>(in.view.size);  // tile by tile
     if (inputs.weights) out->barycentric = {in.view.size, Vec3<float>(0)};
     if (inputs.counts) out->overdraw = out->depthWrites = {in.view.size, 0};
-    const auto pieces = setUpAll(setUp, threads);
-    out->pieces = pieces;
-    for (const TrianglePiece& piece : pieces->pieces) out->clipped += piece.clipped, out->unclipped += piece.unclipped;
-    for (std::size_t tile = 0; tile < pieces->tileCount(); ++tile) out->tileIsDrawn.push_back(pieces->touches(tile));
-    std::vector<TileCounts> counts(pieces->tileCount());
+    auto seen = std::make_shared<SeenBlocks>();
+    seen->pieces = setUpAll(setUp, threads);
+    seen->z = BlockBuffer2D<float>(in.view.size), seen->record = BlockBuffer2D<std::uint32_t>(in.view.size);
+    const TrianglePieces& pieces = seen->pieces;
+    for (const TrianglePiece& piece : pieces.pieces) out->clipped += piece.clipped, out->unclipped += piece.unclipped;
+    for (std::size_t tile = 0; tile < pieces.tileCount(); ++tile) out->tileIsDrawn.push_back(pieces.touches(tile));
+    std::vector<TileCounts> counts(pieces.tileCount());
     threads.forRange(counts.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile)
-            counts[tile] = zBufferInVectors(in.view, *pieces, tile, *out);
+        for (std::size_t tile = begin; tile < end; ++tile) counts[tile] = zBufferInVectors(in.view, tile, *seen, *out);
     });
-    for (const TileCounts& tile : counts) out->arrived += tile.arrived, out->won += tile.won;
+    for (const TileCounts& tile : counts)
+        out->arrived += tile.arrived, out->won += tile.won, out->seenPixels += tile.seen;
+    out->seen = seen;
+    const std::vector<std::uint8_t>& drawn = out->tileIsDrawn;
+    out->zView =
+        LateBuffer2D<float>([seen, drawn] { return rowsOf(seen->z, drawn, std::numeric_limits<float>::infinity()); });
+    out->triangle = LateBuffer2D<std::uint32_t>([seen, drawn] {
+        Buffer2D<std::uint32_t> rows = rowsOf(seen->record, drawn, kNoTriangle);
+        for (std::uint32_t& i : rows.pixels)
+            if (i != kNoTriangle) i = seen->pieces.triangleOf(i);
+        return rows;
+    });
     return out;
 }
 

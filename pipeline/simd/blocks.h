@@ -10,24 +10,44 @@
 #include <cmath>
 #include <cstring>
 
+#include "pipeline/buffers/block_buffer.h"
 #include "pipeline/simd/lanes.h"
 #include "pipeline/simd/set_up.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// A tile as 16 × 16 blocks of 4 × 4 pixels, a block's pixels side by side: the part of a small triangle in a block is
-// one vector, or a few. Whatever is known of a block stands together: arrays a power of two apart would share few lines
-// of the cache.
-constexpr int kBlock = 4, kBlockPixels = kBlock * kBlock, kBlocksAcross = kTileSize / kBlock;
-constexpr std::size_t kBlocks = std::size_t(kBlocksAcross) * std::size_t(kBlocksAcross);
-constexpr std::size_t kTilePixels = std::size_t(kTileSize) * std::size_t(kTileSize);
-
 HWY_INLINE std::size_t blockAt(int x, int y) { return std::size_t(y * kBlocksAcross + x) * kBlockPixels; }
 
 // Where the pixels of the vector from pixel `first` of a block on stand in it.
-HWY_INLINE Ints columnOf(int first) { return hn::And(hn::Iota(I(), std::int32_t(first)), hn::Set(I(), kBlock - 1)); }
-HWY_INLINE Ints rowOf(int first) { return hn::ShiftRight<2>(hn::Iota(I(), std::int32_t(first))); }
+alignas(64) constexpr std::int32_t kColumns[kBlockPixels]{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr std::int32_t kRows[kBlockPixels]{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+HWY_INLINE Ints columnOf(int first) { return hn::Load(I(), kColumns + first); }
+HWY_INLINE Ints rowOf(int first) { return hn::Load(I(), kRows + first); }
+
+// The first pixel of the block that the vector at `at` of a tile is in, and the vector's first pixel in the block.
+struct BlockPlace {
+    int x, y, first;
+    HWY_INLINE explicit BlockPlace(std::size_t at) {
+        const int block = int(at) / kBlockPixels;
+        x = block % kBlocksAcross * kBlock, y = block / kBlocksAcross * kBlock;
+        first = hn::Lanes(F()) == kBlockPixels ? 0 : int(at) % kBlockPixels;
+    }
+};
+
+// What an affine function has more in each pixel of a block than in the first. Sums wrap round.
+struct LaneSteps {
+    alignas(64) std::int32_t of[kBlockPixels]{};
+    HWY_INLINE void become(std::int32_t column, std::int32_t row) {
+        for (int first = 0; first < kBlockPixels; first += int(hn::Lanes(F())))
+            hn::Store(hn::Add(hn::Mul(hn::Set(I(), column), columnOf(first)), hn::Mul(hn::Set(I(), row), rowOf(first))),
+                      I(), of + first);
+    }
+};
+HWY_INLINE std::int32_t wrapped(std::int32_t value, std::int32_t column, int x, std::int32_t row, int y) {
+    using Unsigned = std::uint32_t;
+    return std::int32_t(Unsigned(value) + Unsigned(column) * Unsigned(x) + Unsigned(row) * Unsigned(y));
+}
 
 // The blocks [min, max) of a tile that a box of pixels touches.
 struct BlockRange {
@@ -86,9 +106,95 @@ private:
     Ints m_right1, m_right2, m_down1, m_down2;
 };
 
+// Of the blocks [min, max) in row y of blocks, those outside of which an edge function leaves no pixel; a few more, for
+// rounding. least: what each must be at least; column, row: what it grows by from pixel to pixel.
+struct EdgeRows {
+    double value[3], column[3], row[3];  // at the tile's first pixel
+    std::pair<int, int> blocksInRow(int y, int min, int max) const {
+        double low = min, high = max;
+        for (int i = 0; i < 3; ++i) {
+            // Where the edge function is largest in the block: at one of its corners.
+            const double atFirst = value[i] + row[i] * (kBlock * y + (row[i] > 0 ? kBlock - 1 : 0)) +
+                                   std::max(column[i], 0.0) * (kBlock - 1);
+            const double step = column[i] * kBlock;
+            if (step == 0 && atFirst < 0) return {min, min};
+            if (step > 0) low = std::max(low, std::floor(-atFirst / step));
+            if (step < 0) high = std::min(high, std::ceil(-atFirst / step) + 1);
+        }
+        return {int(low), int(std::max(low, high))};
+    }
+};
+
+// Those of a triangle of up to some thousands of pixels, in a tile. From pixel to pixel an edge function grows by
+// multiples of 2^bits steps²: how many of these it has, rounded down, fits into 32 bits, and what is below is the same
+// everywhere.
+class MiddleEdges {
+public:
+    HWY_INLINE MiddleEdges() {}  // of no triangle
+    // bits: of the grid that corners stand on.
+    HWY_INLINE MiddleEdges(const RasterTriangle<float>& t, Tile tile, int bits)
+        : m_bits(bits), m_unit(float(1 << bits)), m_inverse(std::ldexp(t.inverseArea2, 2 * (kSubPixelBits - bits))) {
+        const auto& c = t.snapped.corners;
+        const int drop = kSubPixelBits - bits;
+        const glm::i64vec2 first = (glm::i64vec2(tile.min) << std::int64_t(bits)) + (std::int64_t(1) << (bits - 1));
+        for (int i = 0; i < 3; ++i) {
+            const EdgeFunction edge(c[std::size_t(i + 1) % 3], c[std::size_t(i + 2) % 3]);
+            const std::int64_t dx = edge.dx >> drop, dy = edge.dy >> drop;
+            const std::int64_t bias = edge.ownsBoundary() ? 0 : 1;
+            const std::int64_t value = dx * (first.y - (edge.p.y >> drop)) - dy * (first.x - (edge.p.x >> drop)) - bias;
+            const std::int64_t high = value >> bits;
+            const std::int64_t most = std::abs(high) + (std::abs(dx) + std::abs(dy)) * kTileSize;
+            m_fits = m_fits && most < (std::int64_t(1) << 31), m_isNarrow = m_isNarrow && most < (1 << 24);
+            m_value[i] = std::int32_t(high), m_column[i] = std::int32_t(-dy), m_row[i] = std::int32_t(dx);
+            m_below[i] = std::int32_t(value - (high << bits) + bias);
+            m_steps[i].become(m_column[i], m_row[i]);
+        }
+    }
+    bool fits() const { return m_fits; }  // else nothing of it holds
+    EdgeRows rows() const {
+        EdgeRows rows{};
+        for (int i = 0; i < 3; ++i)
+            rows.value[i] = double(m_value[i]), rows.column[i] = double(m_column[i]), rows.row[i] = double(m_row[i]);
+        return rows;
+    }
+    // x, y: the block's first pixel, relative to the tile's; first: the vector's first pixel in it.
+    HWY_INLINE EdgesAt at(int x, int y, int first) const {
+        const Ints e0 = edge(0, x, y, first), e1 = edge(1, x, y, first), e2 = edge(2, x, y, first);
+        const auto inside = hn::Gt(hn::Or(e0, hn::Or(e1, e2)), hn::Set(I(), -1));
+        return {hn::RebindMask(F(), inside), linear(e1, 1), linear(e2, 2)};
+    }
+    // l1 or l2 alone.
+    HWY_INLINE Floats linear(int i, int x, int y, int first) const { return linear(edge(i, x, y, first), i); }
+
+private:
+    HWY_INLINE Ints edge(int i, int x, int y, int first) const {
+        return hn::Add(hn::Set(I(), wrapped(m_value[i], m_column[i], x, m_row[i], y)),
+                       hn::Load(I(), m_steps[i].of + first));
+    }
+    // The edge function is rounded once: it is a sum of two numbers that have at most 24 bits each.
+    HWY_INLINE Floats linear(Ints high, int i) const {
+        if (HWY_LIKELY(m_isNarrow)) {
+            const Floats above = hn::Mul(hn::ConvertTo(F(), high), all(m_unit));
+            return hn::Mul(hn::Add(above, all(float(m_below[i]))), all(m_inverse));
+        }
+        const int split = 23 - m_bits;
+        const Ints part = hn::And(high, hn::Set(I(), (1 << split) - 1));
+        const Ints low = hn::Add(hn::ShiftLeftSame(part, m_bits), hn::Set(I(), m_below[i]));
+        const Floats whole = hn::Add(hn::Mul(hn::ConvertTo(F(), hn::ShiftRightSame(high, split)), all(0x1p23F)),
+                                     hn::ConvertTo(F(), low));
+        return hn::Mul(whole, all(m_inverse));
+    }
+    LaneSteps m_steps[3];
+    int m_bits = 1;
+    float m_unit = 2, m_inverse = 0;
+    std::int32_t m_value[3]{}, m_below[3]{}, m_column[3]{}, m_row[3]{};
+    bool m_fits = true, m_isNarrow = true;  // whether 24 bits are enough
+};
+
 // Those of any other triangle, in double, from the tile's first pixel on.
 class LargeEdges {
 public:
+    LargeEdges() = default;  // of no triangle
     LargeEdges(const RasterTriangle<float>& t, Tile tile) : m_inverse(t.inverseArea2) {
         const auto& c = t.snapped.corners;
         const EdgeFunction edges[3]{{c[1], c[2]}, {c[2], c[0]}, {c[0], c[1]}};
@@ -107,20 +213,11 @@ public:
         }
     }
     bool exact() const { return m_exact; }  // double holds all of them in the tile
-    // Of the blocks [min, max) in row y of blocks, those outside of which an edge function leaves no pixel; a few more,
-    // for rounding.
-    std::pair<int, int> blocksInRow(int y, int min, int max) const {
-        double low = min, high = max;
-        for (int i = 0; i < 3; ++i) {
-            // Where the edge function is largest in the block: at one of its corners.
-            const double atFirst = m_value[i] - m_bias[i] + m_row[i] * (kBlock * y + (m_row[i] > 0 ? kBlock - 1 : 0)) +
-                                   std::max(m_column[i], 0.0) * (kBlock - 1);
-            const double step = m_column[i] * kBlock;
-            if (step == 0 && atFirst < 0) return {min, min};
-            if (step > 0) low = std::max(low, std::floor(-atFirst / step));
-            if (step < 0) high = std::min(high, std::ceil(-atFirst / step) + 1);
-        }
-        return {int(low), int(std::max(low, high))};
+    EdgeRows rows() const {
+        EdgeRows rows{};
+        for (int i = 0; i < 3; ++i)
+            rows.value[i] = m_value[i] - m_bias[i], rows.column[i] = m_column[i], rows.row[i] = m_row[i];
+        return rows;
     }
     // x, y: the block's first pixel, relative to the tile's; first: the vector's first pixel in it.
     HWY_INLINE EdgesAt at(int x, int y, int first) const {
@@ -162,8 +259,8 @@ private:
                                    hn::Min(hn::Sub(e1, hn::Set(d, m_bias[1])), hn::Sub(e2, hn::Set(d, m_bias[2]))));
         return {hn::DemoteTo(H(), least), hn::DemoteTo(H(), e1), hn::DemoteTo(H(), e2)};
     }
-    double m_value[3], m_column[3], m_row[3], m_bias[3];
-    float m_inverse;
+    double m_value[3]{}, m_column[3]{}, m_row[3]{}, m_bias[3]{};
+    float m_inverse = 0;
     bool m_exact = true;
 };
 
@@ -172,43 +269,11 @@ struct Distances {
     Floats w0, toW1, toW2;
     HWY_INLINE Distances(float first, float second, float third)
         : w0(all(first)), toW1(all(second - first)), toW2(all(third - first)) {}
-    HWY_INLINE Floats z(const EdgesAt& at, bool perspective) const {
-        const Floats w = hn::Add(hn::Add(w0, hn::Mul(at.l1, toW1)), hn::Mul(at.l2, toW2));
+    HWY_INLINE Floats z(Floats l1, Floats l2, bool perspective) const {
+        const Floats w = hn::Add(hn::Add(w0, hn::Mul(l1, toW1)), hn::Mul(l2, toW2));
         return perspective ? hn::Div(all(1), w) : w;
     }
 };
-
-// Rows of the picture from a tile's blocks. first: of the first block; `stride` numbers further stand those of the next.
-template <class T>
-HWY_INLINE void writeRows(const T* first, std::size_t stride, Tile tile, Buffer2D<T>& out) {
-    const int width = tile.max.x - tile.min.x;
-    for (int y = 0; y < tile.max.y - tile.min.y; ++y) {
-        T* to = &out.pixels[out.offset({tile.min.x, tile.min.y + y})];
-        const T* from = first + std::size_t(y / kBlock * kBlocksAcross) * stride + y % kBlock * kBlock;
-        int x = 0;
-        for (; x + kBlock <= width; x += kBlock, from += stride) std::memcpy(to + x, from, kBlock * sizeof(T));
-        std::copy_n(from, width - x, to + x);
-    }
-}
-// The other way round; what lies beyond the picture becomes `beyond`.
-template <class T>
-HWY_INLINE void readRows(const Buffer2D<T>& from, Tile tile, T beyond, T* first, std::size_t stride) {
-    const int width = tile.max.x - tile.min.x, height = tile.max.y - tile.min.y;
-    if (width < kTileSize || height < kTileSize)
-        for (std::size_t block = 0; block < kBlocks; ++block) std::fill_n(first + block * stride, kBlockPixels, beyond);
-    for (int y = 0; y < height; ++y) {
-        const T* row = &from.pixels[from.offset({tile.min.x, tile.min.y + y})];
-        T* to = first + std::size_t(y / kBlock * kBlocksAcross) * stride + y % kBlock * kBlock;
-        int x = 0;
-        for (; x + kBlock <= width; x += kBlock, to += stride) std::memcpy(to, row + x, kBlock * sizeof(T));
-        std::copy_n(row + x, width - x, to);
-    }
-}
-template <class T>
-HWY_INLINE void fillRows(T value, Tile tile, Buffer2D<T>& out) {
-    for (int y = tile.min.y; y < tile.max.y; ++y)
-        std::fill_n(&out.pixels[out.offset({tile.min.x, y})], tile.max.x - tile.min.x, value);
-}
 
 // Calls visit(at, edges) for the vectors of the tile that a triangle covers a part of; at: of its first pixel in the
 // blocks.
@@ -227,13 +292,14 @@ HWY_INLINE void forEachVector(const SmallTriangle& t, Tile tile, Visit visit) {
             }
     }
 }
-template <class Visit>
-HWY_INLINE void forEachVector(const LargeEdges& edges, const RasterTriangle<float>& t, Tile tile, Visit visit) {
+template <class Edges, class Visit>
+HWY_INLINE void forEachVector(const Edges& edges, const RasterTriangle<float>& t, Tile tile, Visit visit) {
     const Tile box = t.snapped.pixels();
     const BlockRange blocks(box.min, box.max, tile);
     const int lanes = int(hn::Lanes(F()));
+    const EdgeRows rows = edges.rows();
     for (int y = blocks.minY; y < blocks.maxY; ++y) {
-        const auto [left, right] = edges.blocksInRow(y, blocks.minX, blocks.maxX);
+        const auto [left, right] = rows.blocksInRow(y, blocks.minX, blocks.maxX);
         for (int x = left; x < right; ++x)
             for (int first = 0; first < kBlockPixels; first += lanes) {
                 const EdgesAt at = edges.at(kBlock * x, kBlock * y, first);

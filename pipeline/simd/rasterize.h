@@ -1,5 +1,5 @@
 #pragma once
-#include "pipeline/simd/set_up.h"
+#include "pipeline/simd/seen_blocks.h"
 #include "pipeline/stages/shadow_buffer.h"
 #include "pipeline/stages/z_buffer.h"
 
@@ -7,14 +7,17 @@ namespace pipeline {
 
 // What zBuffer and shadowBuffer do in float, several pixels at a time. IEEE's operations alone, in the same order, and
 // coverage in whole numbers, in double only where it holds them without rounding: the same bits as theirs, on every
-// machine. A tile is drawn in room of its own, in squares of 4 × 4 pixels, and written to the picture when it is done.
+// machine.
 
-// For the depth format Linear. Overdraw, depth writes and barycentric weights only where `out` has room for them.
 struct TileCounts {
     long long arrived = 0, won = 0;  // fragments
+    long long seen = 0;              // pixels in which there is a triangle
 };
-TileCounts zBufferInVectors(const View& view, const TrianglePieces& pieces, std::size_t tile,
-                            ZBufferOutput<float>& out);
-void shadowBufferInVectors(const View& face, const TrianglePieces& pieces, std::size_t tile, Buffer2D<float>& depth);
+// For the depth format Linear, into the blocks of `seen`. Overdraw, depth writes and barycentric weights only where `out`
+// has room for them.
+TileCounts zBufferInVectors(const View& view, std::size_t tile, SeenBlocks& seen, ZBufferOutput<float>& out);
+// Also a tile that nothing touches, which holds +infinity.
+void shadowBufferInVectors(const View& face, const TrianglePieces& pieces, std::size_t tile,
+                           BlockBuffer2D<float>& depth);
 
 }  // namespace pipeline

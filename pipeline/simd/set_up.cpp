@@ -239,7 +239,7 @@ std::size_t trianglesOfPiece(const SetUpInputs& inputs, const TrianglePieces& pi
 
 TrianglePieces prepareSetUp(const SetUpInputs& inputs) {
     // Enough for the threads of a large machine to share, few enough for their lists of tiles not to count.
-    constexpr std::size_t kMost = 32, kSmallest = 4096;
+    constexpr std::size_t kMost = TrianglePieces::kMostPieces, kSmallest = 4096;
     TrianglePieces out;
     out.size = inputs.view.size;
     out.tiles = (out.size + kTileSize - 1) / kTileSize;

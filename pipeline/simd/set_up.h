@@ -48,6 +48,19 @@ struct TrianglePiece {
 
 // Drawn piece after piece, the order is that of the polygons.
 struct TrianglePieces {
+    // A record of all pieces: its index in a list of its piece, and which piece, in bits that no index reaches.
+    static constexpr int kPieceBit = 26, kMostPieces = 32;
+    static constexpr std::uint32_t kIndex = (1u << kPieceBit) - 1;
+    static std::uint32_t record(std::size_t piece, std::uint32_t index) {
+        return index + (std::uint32_t(piece) << kPieceBit);
+    }
+    const TrianglePiece& pieceOf(std::uint32_t record) const { return pieces[record >> kPieceBit & (kMostPieces - 1)]; }
+    // Index into Topology::triangles.
+    std::uint32_t triangleOf(std::uint32_t record) const {
+        const TrianglePiece& piece = pieceOf(record);
+        return record & TrianglePiece::kOther ? piece.others[record & kIndex].id : piece.small[record & kIndex].id;
+    }
+
     glm::ivec2 size{0}, tiles{0};  // of the picture, pixels; columns and rows of tiles
     std::vector<TrianglePiece> pieces;
 

@@ -9,73 +9,35 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
+#include "pipeline/simd/elements.h"
 #include "pipeline/simd/power.h"
-#include "pipeline/simd/shadows.h"
-#include "pipeline/simd/surfaces.h"
+#include "pipeline/simd/put_pixels.h"
 #include "pipeline/stages/shading_terms.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 namespace {
 
-// What the pixels of a tile have in common.
-struct Common {
-    const ShadingInputs& inputs;
-    const ShadingSources<float>& in;
-    ShadingOutput<float>& out;  // its polygons or vertices have been shaded
-    glm::ivec2 origin;          // of the tile
-    bool everyShadow = false;   // S also where nothing depends on it: somebody looks
-
-    bool has(BufferId id) const { return !out.vectors[index(id)].empty() || !out.scalars[index(id)].empty(); }
-};
-
 // What a light makes of a material.
 struct Reflected {
     Vec3<float> diffuse, specular;
 };
-// Of the object that pixels belong to; mostly the one of the pixels before.
+// Of an object whose pixels are shaded.
 struct Look {
-    std::size_t object = ~std::size_t(0);
-    const Material* material = nullptr;
+    bool powers, halfway;  // whether there is a highlight, and of which form
+    float exponent;
     BaseTerms<float> base;
     std::vector<Reflected> lights;
-    bool halfway = false;
-    float exponent = 0;
 
-    void become(const ShadingInputs& inputs, std::size_t next) {
-        if (object == next) return;
-        object = next;
-        material = &inputs.materials[next];
-        base = baseTerms<float>(inputs, *material);
-        halfway = usesHalfway(inputs.illumination.model, *material);
-        exponent = float((halfway ? inputs.illumination.exponentFactor : 1.0) * material->exponent);
-        lights.clear();
+    Look(const ShadingInputs& inputs, const Material& material)
+        : powers(material.specular != Vec3d(0) || inputs.illumination.detail.dull),
+          halfway(usesHalfway(inputs.illumination.model, material)),
+          exponent(float((halfway ? inputs.illumination.exponentFactor : 1.0) * material.exponent)),
+          base(baseTerms<float>(inputs, material)) {
         for (const Light& light : inputs.lights) {
             const Vec3<float> shining(light.intensity * light.color);
-            lights.push_back({shining * Vec3<float>(material->diffuse), shining * Vec3<float>(material->specular)});
+            lights.push_back({shining * Vec3<float>(material.diffuse), shining * Vec3<float>(material.specular)});
         }
-    }
-};
-
-struct Surfaces {
-    Floats3 position, N, V;
-    Floats3 weights;  // over the corners of the triangle
-    Ints polygon, vertices[3];
-};
-
-// Pixels of one vector, and what of them goes into buffers that are there.
-struct Pixels {
-    const Common& scene;
-    std::size_t at;  // the vector's place in the tile
-    Mask mask;
-
-    HWY_INLINE void put(BufferId id, Floats3 v, std::size_t k = 0) const {
-        auto& buffers = scene.out.vectors[index(id)];
-        if (!buffers.empty()) putPixels(v.x, v.y, v.z, F(), mask, at, scene.origin, buffers[k]);
-    }
-    HWY_INLINE void put(BufferId id, Floats v, std::size_t k = 0) const {
-        auto& buffers = scene.out.scalars[index(id)];
-        if (!buffers.empty()) putPixels(v, mask, at, scene.origin, buffers[k]);
     }
 };
 
@@ -88,260 +50,291 @@ HWY_INLINE Floats3 where(Mask mask, Floats3 v) {
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
 }
 
-// The terms of light k in its shadow, added to the intensity.
-template <class A>
-HWY_INLINE void addLight(const Pixels& pixels, std::size_t k, const Surfaces& at, Floats3 diffuse, Floats3 specular,
-                         Floats3& intensity, ShadingCounts& counts) {
-    const Common& scene = pixels.scene;
-    const Mask idle = hn::And(isZero(diffuse), isZero(specular));
-    const bool everywhere = scene.inputs.parts.idleLookups || scene.everyShadow;
-    const Mask wanted = everywhere ? pixels.mask : hn::AndNot(idle, pixels.mask);
-    const Floats S = shadowFactors<A>(scene.inputs, scene.in, k, at.position, at.polygon, wanted);
-    if (scene.in.shadow && !scene.in.shadow->lights[k].empty()) {
-        const long long lookups = countOf(wanted);
-        counts.lookups += lookups, counts.idleLookups += countOf(pixels.mask) - lookups;
-    }
-    diffuse = scaled(diffuse, S), specular = scaled(specular, S);
-    intensity = intensity + diffuse + specular;
-    pixels.put(BufferId::Shadow, S, k);
-    pixels.put(BufferId::Diffuse, diffuse, k);
-    pixels.put(BufferId::Specular, specular, k);
-}
+// A row of blocks on its way to the picture.
+struct ShadedRow {
+    SurfaceRow surface;
+    Row3 N, V;                                    // unit
+    Row3 emission, ambient;                       // where they are kept
+    Row3 L, R, H;                                 // of a light, where they are kept
+    Row nDotL, rDotV, nDotH;                      // likewise
+    Row3 diffuse, specular;                       // of a light, without its shadow and then in it
+    Row shadow;                                   // S
+    Row3 intensity;                               // the sum
+    alignas(64) std::int32_t object[kRowPixels];  // that is seen
+};
 
-// The intensity in Phong shading, of pixels that are all of one object.
+// The pixels of a tile.
 template <class A>
-HWY_INLINE Floats3 illuminate(const Pixels& pixels, const Look& look, const Surfaces& at, ShadingCounts& counts) {
-    const ShadingInputs& inputs = pixels.scene.inputs;
-    const LightDetail& detail = inputs.illumination.detail;
-    const bool powers = look.material->specular != Vec3d(0) || detail.dull;
-    pixels.put(BufferId::Emission, all(look.base.emission));
-    pixels.put(BufferId::Ambient, all(look.base.ambient));
-    Floats3 intensity = all(sumOf(look.base));
-    for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-        if (!inputs.parts.lights[k]) continue;
-        const Light& light = inputs.lights[k];
+class TileShader {
+public:
+    // Polygons or vertices of `out` have been shaded.
+    TileShader(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile, ShadingOutput<float>& out)
+        : m_inputs(inputs), m_in(in), m_tile(tile), m_out(out), m_surfaces(inputs, in, tile), m_bytes(out.iMax) {
+        for (std::size_t id = 0; id < kBufferCount; ++id)
+            m_keeps = m_keeps || (id != index(BufferId::Intensity) && has(BufferId(id)));
+        for (const Material& material : inputs.materials) m_looks.emplace_back(inputs, material);
+        for (std::size_t k = 0; k < inputs.lights.size(); ++k) m_shadows.emplace_back(inputs, in, k);
+    }
+
+    ShadingCounts shade() {
+        for (int y = 0; y * kBlock < m_tile.max.y - m_tile.min.y; ++y) {
+            m_first = std::size_t(y) * kRowPixels;
+            m_surfaces.find(y, m_row.surface);
+            m_inputs.shading == Shading::Phong ? shadePhong() : shadeGathered();
+            write();
+        }
+        return m_counts;
+    }
+
+private:
+    bool has(BufferId id) const { return !m_out.vectors[index(id)].empty() || !m_out.scalars[index(id)].empty(); }
+    HWY_INLINE Mask seen(std::size_t i) const { return seenIn(m_row.surface.triangle + i); }
+    // Calls body(i, mask) for the vectors of the row in which something is seen.
+    template <class Body>
+    HWY_INLINE void forEachSeen(Body body) {
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F()))
+            if (const Mask mask = seen(i); !hn::AllFalse(F(), mask)) body(i, mask);
+    }
+    // The same for those of an object.
+    template <class Body>
+    HWY_INLINE void forEachOf(std::size_t object, Body body) {
+        if (m_looks.size() == 1) return forEachSeen(body);
+        const Ints wanted = hn::Set(I(), std::int32_t(object));
+        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
+            const auto mine = hn::Eq(hn::Load(I(), m_row.object + i), wanted);
+            const Mask both = hn::And(mask, asFloats(mine));
+            if (!hn::AllFalse(F(), both)) body(i, both);
+        });
+    }
+
+    void keep(BufferId id, const Row3& row, std::size_t k = 0) {
+        auto& buffers = m_out.vectors[index(id)];
+        if (buffers.empty()) return;
+        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
+            const Floats3 v = load(row, i);
+            putPixels(v, mask, m_first + i, m_tile.min, buffers[k]);
+        });
+    }
+    void keep(BufferId id, const Row& row, std::size_t k = 0) {
+        auto& buffers = m_out.scalars[index(id)];
+        if (buffers.empty()) return;
+        forEachSeen([&](std::size_t i, Mask mask)
+                        HWY_ATTR { putPixels(load(row, i), mask, m_first + i, m_tile.min, buffers[k]); });
+    }
+
+    void shadePhong() {
+        const std::vector<std::size_t> objects = findObjects();
+        orient();
+        for (const std::size_t object : objects) beginIntensity(object);
+        if (m_keeps) {
+            keep(BufferId::Position, m_row.surface.position), keep(BufferId::Normal, m_row.N);
+            keep(BufferId::ViewVector, m_row.V);
+            keep(BufferId::Emission, m_row.emission), keep(BufferId::Ambient, m_row.ambient);
+        }
+        for (std::size_t k = 0; k < m_inputs.lights.size(); ++k) {
+            if (!m_inputs.parts.lights[k]) continue;
+            if (m_keeps) clearVectors();
+            for (const std::size_t object : objects) m_keeps ? reflect<true>(k, object) : reflect<false>(k, object);
+            if (m_keeps) {
+                keep(BufferId::LightVector, m_row.L, k), keep(BufferId::NDotL, m_row.nDotL, k);
+                keep(BufferId::ReflectionVector, m_row.R, k), keep(BufferId::RDotV, m_row.rDotV, k);
+                keep(BufferId::HalfwayVector, m_row.H, k), keep(BufferId::NDotH, m_row.nDotH, k);
+            }
+            addLight(k);
+        }
+    }
+
+    // Those seen in the row, and which of them in each pixel.
+    std::vector<std::size_t> findObjects() {
+        std::vector<std::size_t> found;
+        if (m_looks.size() == 1) return {0};
+        const auto* objects = reinterpret_cast<const std::int32_t*>(m_in.transform.topology->polygonObject.data());
+        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
+            hn::Store(hn::GatherIndex(I(), objects, hn::Load(I(), m_row.surface.polygon + i)), I(), m_row.object + i);
+            for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1) {
+                const auto object = std::size_t(m_row.object[i + std::size_t(std::countr_zero(bits))]);
+                if (std::ranges::find(found, object) == found.end()) found.push_back(object);
+            }
+        });
+        return found;
+    }
+
+    void orient() {
+        const View& view = m_in.transform.view;
+        forEachSeen([&](std::size_t i, Mask mask)
+                        HWY_ATTR { store(A::unit(load(m_row.surface.normal, i), mask), m_row.N, i); });
+        const Floats3 eye = all(Vec3<float>(view.eye)), forward = all(Vec3<float>(view.forward));
+        const Floats3 none = all(Vec3<float>(0));
+        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
+            if (!m_inputs.parts.viewVector)
+                store(none, m_row.V, i);
+            else if (view.perspective)
+                store(A::unit(eye - load(m_row.surface.position, i), mask), m_row.V, i);
+            else
+                store({hn::Neg(forward.x), hn::Neg(forward.y), hn::Neg(forward.z)}, m_row.V, i);
+        });
+    }
+
+    void beginIntensity(std::size_t object) {
+        const BaseTerms<float>& base = m_looks[object].base;
+        fill(object, all(sumOf(base)), m_row.intensity);
+        if (has(BufferId::Emission)) fill(object, all(base.emission), m_row.emission);
+        if (has(BufferId::Ambient)) fill(object, all(base.ambient), m_row.ambient);
+    }
+    void fill(std::size_t object, Floats3 value, Row3& to) {
+        forEachOf(object, [&](std::size_t i, Mask mask) HWY_ATTR { store(choose(mask, value, load(to, i)), to, i); });
+    }
+    void clearVectors() {
+        for (Row3* row : {&m_row.L, &m_row.R, &m_row.H}) *row = {};
+        for (Row* row : {&m_row.nDotL, &m_row.rDotV, &m_row.nDotH}) *row = {};
+    }
+
+    // The terms of light k over the pixels of an object, as without shadows. keeps: also the vectors of it.
+    template <bool kKeeps>
+    void reflect(std::size_t k, std::size_t object) {
+        const Light& light = m_inputs.lights[k];
+        const LightDetail detail = m_inputs.illumination.detail;
+        const Look& look = m_looks[object];
+        const bool atInfinity = light.kind == LightKind::AtInfinity;
         const Vec3<float> place(light.position);
-        const Floats3 L = light.kind == LightKind::AtInfinity ? all(normalized(place))
-                                                              : A::unit(all(place) - at.position, pixels.mask);
-        const Floats nDotL = A::dot(at.N, L);
-        const Mask lit = hn::And(pixels.mask, hn::Gt(nDotL, all(0)));
-        counts.evaluations += countOf(pixels.mask);
-        pixels.put(BufferId::LightVector, L, k);
-        pixels.put(BufferId::NDotL, nDotL, k);
-        Floats3 R = all(Vec3<float>(0)), H = R;
-        Floats rDotV = all(0), nDotH = rDotV;
-        if (detail.reflection || (!look.halfway && powers)) {
-            R = scaled(at.N, hn::Add(nDotL, nDotL)) - L;
-            rDotV = A::dot(R, at.V);
-            pixels.put(BufferId::ReflectionVector, R, k);
-            pixels.put(BufferId::RDotV, rDotV, k);
+        const Floats3 source = all(atInfinity ? normalized(place) : place);
+        const Reflected reflected = look.lights[k];
+        const bool mirrors = look.powers && !look.halfway, halves = look.powers && look.halfway;
+        const Floats exponent = all(look.exponent);
+        ShadingCounts counts;
+        forEachOf(object, [&](std::size_t i, Mask mask) HWY_ATTR {
+            const Floats3 N = load(m_row.N, i), V = load(m_row.V, i);
+            const Floats3 L = atInfinity ? source : A::unit(source - load(m_row.surface.position, i), mask);
+            const Floats nDotL = A::dot(N, L);
+            const Mask lit = hn::And(mask, hn::Gt(nDotL, all(0)));
+            counts.evaluations += countOf(mask);
+            if constexpr (kKeeps) putInto(mask, L, m_row.L, i), putInto(mask, nDotL, m_row.nDotL, i);
+            Floats power = all(0), q = power;
+            Mask towards = lit;
+            if (mirrors || (kKeeps && detail.reflection)) {
+                const Floats3 R = scaled(N, hn::Add(nDotL, nDotL)) - L;
+                const Floats rDotV = A::dot(R, V);
+                if constexpr (kKeeps) putInto(mask, R, m_row.R, i), putInto(mask, rDotV, m_row.rDotV, i);
+                if (mirrors) towards = hn::And(lit, hn::Gt(rDotV, all(0))), q = halfSquare<A>(R, V);
+            }
+            if (halves || (kKeeps && detail.halfway)) {
+                const Floats3 H = A::unit(L + V, mask);
+                const Floats nDotH = A::dot(N, H);
+                if constexpr (kKeeps) putInto(mask, H, m_row.H, i), putInto(mask, nDotH, m_row.nDotH, i);
+                if (halves) towards = hn::And(lit, hn::Gt(nDotH, all(0))), q = halfSquare<A>(N, H);
+            }
+            if (look.powers) {
+                if (!hn::AllFalse(F(), towards)) power = powerOfCosines<A>(q, exponent, towards);
+                const Mask vanished = hn::And(towards, hn::Gt(hn::Mul(exponent, q), all(kVanishing<float>)));
+                const long long vanishing = detail.vanishing ? 0 : countOf(vanished);
+                counts.vanished += vanishing, counts.powers += countOf(towards) - vanishing;
+            }
+            // Never -0: what is left out is +0.
+            const Floats3 specular = scaled(all(reflected.specular), power) + all(Vec3<float>(0));
+            putInto(mask, where(lit, scaled(all(reflected.diffuse), nDotL)), m_row.diffuse, i);
+            putInto(mask, where(towards, specular), m_row.specular, i);
+        });
+        m_counts += counts;
+    }
+    // Of pixels of one object among others'.
+    HWY_INLINE void putInto(Mask mask, Floats3 v, Row3& to, std::size_t i) const {
+        store(m_looks.size() == 1 ? v : choose(mask, v, load(to, i)), to, i);
+    }
+    HWY_INLINE void putInto(Mask mask, Floats v, Row& to, std::size_t i) const {
+        store(m_looks.size() == 1 ? v : hn::IfThenElse(mask, v, load(to, i)), to, i);
+    }
+
+    // The terms of light k in its shadow, added to the intensity.
+    void addLight(std::size_t k) {
+        const bool casts = m_shadows[k].casts || m_shadows[k].looksUp();
+        if (casts) findShadows(m_shadows[k]);
+        forEachSeen([&](std::size_t i, Mask) HWY_ATTR {
+            Floats3 diffuse = load(m_row.diffuse, i), specular = load(m_row.specular, i);
+            if (casts) {
+                const Floats S = load(m_row.shadow, i);
+                diffuse = scaled(diffuse, S), specular = scaled(specular, S);
+                if (m_keeps) store(diffuse, m_row.diffuse, i), store(specular, m_row.specular, i);
+            }
+            store(load(m_row.intensity, i) + diffuse + specular, m_row.intensity, i);
+        });
+        if (!m_keeps) return;
+        if (!casts) std::ranges::fill(m_row.shadow.of, 1.0F);
+        keep(BufferId::Shadow, m_row.shadow, k);
+        keep(BufferId::Diffuse, m_row.diffuse, k), keep(BufferId::Specular, m_row.specular, k);
+    }
+    void findShadows(const ShadowLight& light) {
+        const bool everywhere = m_inputs.parts.idleLookups || has(BufferId::Shadow);
+        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
+            const Mask idle = hn::And(isZero(load(m_row.diffuse, i)), isZero(load(m_row.specular, i)));
+            const Mask wanted = everywhere ? mask : hn::AndNot(idle, mask);
+            const Floats3 position = load(m_row.surface.position, i), normal = load(m_row.surface.facing, i);
+            store(light.template factors<A>(m_inputs.shadow, position, normal, wanted), m_row.shadow, i);
+            if (!light.looksUp()) return;
+            const long long lookups = countOf(wanted);
+            m_counts.lookups += lookups, m_counts.idleLookups += countOf(mask) - lookups;
+        });
+    }
+
+    // Flat or Gouraud shading: what polygons or vertices have, and the shadows of the pixels.
+    void shadeGathered() {
+        const auto& elements = m_inputs.shading == Shading::Flat ? m_out.polygons : m_out.vertices;
+        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
+            const Elements<A> at(m_inputs, m_in, m_row.surface, i, mask);
+            const Floats3 emission = at.difference(elements.base, 0), ambient = at.difference(elements.base, 1);
+            store(all(Vec3<float>(0)) + emission + ambient, m_row.intensity, i);
+            if (m_keeps) store(emission, m_row.emission, i), store(ambient, m_row.ambient, i);
+        });
+        if (m_keeps) {
+            keep(BufferId::Position, m_row.surface.position);
+            keep(BufferId::Emission, m_row.emission), keep(BufferId::Ambient, m_row.ambient);
         }
-        if (detail.halfway || (look.halfway && powers)) {
-            H = A::unit(L + at.V, pixels.mask);
-            nDotH = A::dot(at.N, H);
-            pixels.put(BufferId::HalfwayVector, H, k);
-            pixels.put(BufferId::NDotH, nDotH, k);
+        const auto lights = std::int32_t(m_inputs.lights.size());
+        for (std::size_t k = 0; k < m_inputs.lights.size(); ++k) {
+            if (!m_inputs.parts.lights[k]) continue;
+            forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
+                const Elements<A> at(m_inputs, m_in, m_row.surface, i, mask);
+                store(at.sum(elements.terms, lights, std::int32_t(k), 0), m_row.diffuse, i);
+                store(at.sum(elements.terms, lights, std::int32_t(k), 1), m_row.specular, i);
+            });
+            addLight(k);
         }
-        Floats power = all(0);
-        Mask towards = lit;
-        if (powers) {
-            towards = hn::And(lit, hn::Gt(look.halfway ? nDotH : rDotV, all(0)));
-            const Floats q = look.halfway ? halfSquare<A>(at.N, H) : halfSquare<A>(R, at.V);
-            const Floats exponent = all(look.exponent);
-            power = powerOfCosines<A>(q, exponent, towards);
-            const Mask vanished = hn::And(towards, hn::Gt(hn::Mul(exponent, q), all(kVanishing<float>)));
-            const long long vanishing = detail.vanishing ? 0 : countOf(vanished);
-            counts.vanished += vanishing, counts.powers += countOf(towards) - vanishing;
+    }
+    // The row's intensity and color, 0 where nothing is seen.
+    void write() {
+        auto& intensities = m_out.vectors[index(BufferId::Intensity)];
+        ColorRows colors;
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+            const Mask mask = seen(i);
+            if (intensities.empty() && hn::AllFalse(F(), mask)) {
+                colors.put(hn::Zero(I()), hn::Zero(I()), hn::Zero(I()), i);
+                continue;
+            }
+            const Floats3 v = where(mask, load(m_row.intensity, i));
+            colors.put(m_bytes.template of<A>(v.x), m_bytes.template of<A>(v.y), m_bytes.template of<A>(v.z), i);
+            if (const Mask inTile = within(m_tile, m_first + i); !intensities.empty() && !hn::AllFalse(F(), inTile))
+                putPixels(v, inTile, m_first + i, m_tile.min, intensities[0]);
         }
-        const Reflected& reflected = look.lights[k];
-        // Never -0: what is left out is +0.
-        const Floats3 specular = scaled(all(reflected.specular), power) + all(Vec3<float>(0));
-        addLight<A>(pixels, k, at, where(lit, scaled(all(reflected.diffuse), nDotL)), where(towards, specular),
-                    intensity, counts);
+        colors.copyTo(m_tile, int(m_first / kRowPixels) * kBlock, m_out.color);
     }
-    return intensity;
-}
 
-// Two vectors of three numbers each, side by side in an array: the first of them, or the second.
-template <class Pair>
-HWY_INLINE Floats3 gatherOf(const std::vector<Pair>& values, Ints index, int which) {
-    static_assert(sizeof(Pair) == 6 * sizeof(float));
-    const auto* base = reinterpret_cast<const float*>(values.data()) + std::ptrdiff_t(3) * which;
-    const Ints at = hn::Mul(index, hn::Set(I(), 6));
-    const Ints one = hn::Set(I(), 1);
-    return {hn::GatherIndex(F(), base, at), hn::GatherIndex(F(), base, hn::Add(at, one)),
-            hn::GatherIndex(F(), base, hn::Add(at, hn::Add(one, one)))};
-}
-
-// The intensity in flat or Gouraud shading: what polygons or vertices have, and the shadows of the pixels.
-template <class A>
-HWY_INLINE Floats3 gathered(const Pixels& pixels, const Surfaces& at, ShadingCounts& counts) {
-    const ShadingInputs& inputs = pixels.scene.inputs;
-    const bool flat = inputs.shading == Shading::Flat;
-    const auto& elements = flat ? pixels.scene.out.polygons : pixels.scene.out.vertices;
-    const std::size_t lights = inputs.lights.size();
-    // Interpolated by differences, so that equal values stay what they are.
-    const auto base = [&](int which) HWY_ATTR {
-        if (flat) return gatherOf(elements.base, at.polygon, which);
-        const Floats3 first = gatherOf(elements.base, at.vertices[0], which);
-        const Floats3 second = gatherOf(elements.base, at.vertices[1], which) - first;
-        const Floats3 third = gatherOf(elements.base, at.vertices[2], which) - first;
-        return scaledPlus<A>(third, at.weights.z, scaledPlus<A>(second, at.weights.y, first));
-    };
-    const auto term = [&](std::size_t k, int which) HWY_ATTR {
-        const auto of = [&](Ints element) HWY_ATTR {
-            const Ints first = hn::Mul(element, hn::Set(I(), std::int32_t(lights)));
-            return gatherOf(elements.terms, hn::Add(first, hn::Set(I(), std::int32_t(k))), which);
-        };
-        if (flat) return of(at.polygon);
-        const Floats3 first = scaledPlus<A>(of(at.vertices[0]), at.weights.x, all(Vec3<float>(0)));
-        return scaledPlus<A>(of(at.vertices[2]), at.weights.z, scaledPlus<A>(of(at.vertices[1]), at.weights.y, first));
-    };
-    const Floats3 emission = base(0), ambient = base(1);
-    pixels.put(BufferId::Emission, emission);
-    pixels.put(BufferId::Ambient, ambient);
-    Floats3 intensity = all(Vec3<float>(0)) + emission + ambient;
-    for (std::size_t k = 0; k < lights; ++k)
-        if (inputs.parts.lights[k]) addLight<A>(pixels, k, at, term(k, 0), term(k, 1), intensity, counts);
-    return intensity;
-}
-
-using Bytes = hn::Rebind<std::uint8_t, F>;
-
-// frameBufferValue of one channel; its bits in exact arithmetic.
-template <class A>
-HWY_INLINE hn::Vec<Bytes> bytesOf(Floats intensity, double iMax) {
-    if constexpr (!A::kExact) {
-        const Floats value = hn::Mul(intensity, all(iMax > 0 ? float(255 / iMax) : 0));
-        const Floats clamped = hn::IfThenElseZero(hn::Gt(value, all(0)), hn::Min(value, all(255)));
-        return hn::DemoteTo(Bytes(), hn::ConvertTo(I(), hn::Add(clamped, all(0.5F))));
-    }
-#if HWY_TARGET == HWY_SCALAR
-    return hn::Set(Bytes(), frameBufferValue(Vec3d(double(hn::GetLane(intensity))), iMax).x);
-#else
-    const hn::Half<F> half;
-    const hn::Rebind<double, hn::Half<F>> d;
-    const auto rounded = [&](auto some) HWY_ATTR {
-        const auto share = hn::Div(hn::PromoteTo(d, some), hn::Set(d, iMax));
-        const auto value = hn::Add(hn::Mul(share, hn::Set(d, 255)), hn::Set(d, 0.5));
-        const auto clamped = hn::IfThenElseZero(hn::Gt(share, hn::Zero(d)), hn::Min(value, hn::Set(d, 255.5)));
-        return hn::DemoteTo(hn::Rebind<std::int32_t, decltype(d)>(), clamped);
-    };
-    if (!(iMax > 0)) return hn::Zero(Bytes());
-    const auto low = rounded(hn::LowerHalf(half, intensity)), high = rounded(hn::UpperHalf(half, intensity));
-    return hn::DemoteTo(Bytes(), hn::Combine(I(), high, low));
-#endif
-}
-
-// Of the vector at `at` of a block.
-template <class A>
-HWY_INLINE Surfaces surfacesOf(const Common& scene, const SurfaceBlock& block, std::size_t at, Mask hit) {
-    const ShadingInputs& inputs = scene.inputs;
-    const ShadingSources<float>& in = scene.in;
-    Surfaces out;
-    out.polygon = hn::Load(I(), &block.polygon[at]);
-    out.position = inputs.parts.position ? load(block.position, at) : all(Vec3<float>(0));
-    if (inputs.shading != Shading::Phong) {
-        out.weights = load(block.weights, at);
-        const auto ids = hn::Load(U(), &block.triangle[at]);
-        const auto none = hn::Eq(ids, hn::Set(U(), kNoTriangle));
-        const Ints triangle = hn::BitCast(I(), hn::IfThenZeroElse(none, ids));
-        static_assert(sizeof(Triangle) == 16);
-        const auto* words = reinterpret_cast<const std::int32_t*>(in.transform.topology->triangles.data());
-        for (int i = 0; i < 3; ++i)
-            out.vertices[i] = hn::GatherIndex(I(), words, hn::Add(hn::ShiftLeft<2>(triangle), hn::Set(I(), i)));
-        return out;
-    }
-    out.N = A::unit(load(block.normal, at), hit);
-    const View& view = in.transform.view;
-    if (!inputs.parts.viewVector)
-        out.V = all(Vec3<float>(0));
-    else if (view.perspective)
-        out.V = A::unit(all(Vec3<float>(view.eye)) - out.position, hit);
-    else
-        out.V = all(-Vec3<float>(view.forward));
-    return out;
-}
-
-// A vector in Phong shading: object by object.
-template <class A>
-HWY_INLINE Floats3 shadeObjects(const Pixels& pixels, const Surfaces& surfaces, Look& look, ShadingCounts& counts) {
-    const Topology& topology = *pixels.scene.in.transform.topology;
-    Ints objects = hn::Zero(I());
-    if (topology.meshes.size() > 1)
-        objects = hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(topology.polygonObject.data()),
-                                  surfaces.polygon);
-    HWY_ALIGN std::int32_t object[16];
-    hn::Store(objects, I(), object);
-    Floats3 intensity = all(Vec3<float>(0));
-    Mask left = pixels.mask;
-    while (!hn::AllFalse(F(), left)) {
-        const std::int32_t next = object[hn::FindKnownFirstTrue(F(), left)];
-        const Mask same = hn::And(left, hn::RebindMask(F(), hn::Eq(objects, hn::Set(I(), next))));
-        look.become(pixels.scene.inputs, std::size_t(next));
-        const Floats3 some = illuminate<A>({pixels.scene, pixels.at, same}, look, surfaces, counts);
-        intensity = {hn::IfThenElse(same, some.x, intensity.x), hn::IfThenElse(same, some.y, intensity.y),
-                     hn::IfThenElse(same, some.z, intensity.z)};
-        left = hn::AndNot(same, left);
-    }
-    return intensity;
-}
-
-// In which pixels of a vector something is seen.
-HWY_INLINE Mask seenIn(const TileSurfaces& tile, std::size_t at) {
-    const auto ids = hn::Load(U(), &tile[at / kBlockPixels].triangle[at % kBlockPixels]);
-    return hn::RebindMask(F(), hn::Ne(ids, hn::Set(U(), kNoTriangle)));
-}
-
-template <class A>
-HWY_INLINE void shadeVector(const Common& scene, const TileSurfaces& tile, std::size_t at, Mask inTile, Look& look,
-                            ShadingCounts& counts) {
-    const SurfaceBlock& block = tile[at / kBlockPixels];
-    const std::size_t inBlock = at % kBlockPixels;
-    const Pixels pixels{scene, at, seenIn(tile, at)};
-    Floats3 intensity = all(Vec3<float>(0));
-    if (!hn::AllFalse(F(), pixels.mask)) {
-        const Surfaces surfaces = surfacesOf<A>(scene, block, inBlock, pixels.mask);
-        pixels.put(BufferId::Position, surfaces.position);
-        if (scene.inputs.shading == Shading::Phong) {
-            pixels.put(BufferId::Normal, surfaces.N);
-            pixels.put(BufferId::ViewVector, surfaces.V);
-            intensity = shadeObjects<A>(pixels, surfaces, look, counts);
-        } else
-            intensity = gathered<A>(pixels, surfaces, counts);
-        intensity = where(pixels.mask, intensity);
-    }
-    const Pixels whole{scene, at, inTile};
-    whole.put(BufferId::Intensity, intensity);
-    const double iMax = scene.out.iMax;
-    putPixels(bytesOf<A>(intensity.x, iMax), bytesOf<A>(intensity.y, iMax), bytesOf<A>(intensity.z, iMax), Bytes(),
-              inTile, at, scene.origin, scene.out.color);
-}
+    const ShadingInputs& m_inputs;
+    const ShadingSources<float>& m_in;
+    Tile m_tile;
+    ShadingOutput<float>& m_out;
+    Surfaces<A> m_surfaces;
+    ToBytes m_bytes;
+    bool m_keeps = false;                // any buffer beside color and intensity
+    std::vector<Look> m_looks;           // per object
+    std::vector<ShadowLight> m_shadows;  // per light
+    std::size_t m_first = 0;             // of the row, in the tile
+    ShadedRow m_row;
+    ShadingCounts m_counts;
+};
 
 template <class A>
 ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
                         ShadingOutput<float>& out) {
-    Common scene{inputs, in, out, tile.min};
-    scene.everyShadow = scene.has(BufferId::Shadow);
-    Look look;
-    ShadingCounts counts;
-    TileSurfaces surfaces;
-    findSurfaces<A>(inputs, in, tile, surfaces);
-    const glm::ivec2 size = tile.max - tile.min;
-    for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F())) {
-        const glm::ivec2 block = pixelOf(at / kBlockPixels * kBlockPixels);
-        const int inBlock = int(at % kBlockPixels);
-        const auto inColumns = hn::Lt(columnOf(inBlock), hn::Set(I(), size.x - block.x));
-        const auto inRows = hn::Lt(rowOf(inBlock), hn::Set(I(), size.y - block.y));
-        const Mask inTile = asFloats(hn::And(inColumns, inRows));
-        if (const std::size_t next = at + hn::Lanes(F()); next < kTilePixels && inputs.parts.position) {
-            const Mask seen = seenIn(surfaces, next);
-            const Floats3 position = load(surfaces[next / kBlockPixels].position, next % kBlockPixels);
-            if (!hn::AllFalse(F(), seen)) fetchTexels<A>(inputs, in, position, seen);
-        }
-        if (!hn::AllFalse(F(), inTile)) shadeVector<A>(scene, surfaces, at, inTile, look, counts);
-    }
-    return counts;
+    return TileShader<A>(inputs, in, tile, out).shade();
 }
 
 }  // namespace

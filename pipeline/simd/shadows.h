@@ -28,6 +28,17 @@ HWY_INLINE LightPoints lightPoints(const View& face, Floats3 position) {
             A::dot(all(Vec3<float>(face.forward)), p)};
 }
 
+// Where a texel stands in the blocks of a buffer.
+HWY_INLINE Ints texelPlace(const BlockBuffer2D<float>& depth, Ints column, Ints row) {
+    static_assert(kTileSize == 64 && kBlock == 4);
+    const I whole;
+    const Ints tile =
+        hn::Add(hn::Mul(hn::ShiftRight<6>(row), hn::Set(whole, depth.tiles.x)), hn::ShiftRight<6>(column));
+    const auto bits = [&](Ints v, int mask) HWY_ATTR { return hn::And(v, hn::Set(whole, mask)); };
+    const Ints block = hn::Add(hn::ShiftLeft<6>(bits(row, 60)), hn::ShiftLeft<2>(bits(column, 60)));
+    return hn::Add(hn::Add(hn::ShiftLeft<12>(tile), block), hn::Add(hn::ShiftLeft<2>(bits(row, 3)), bits(column, 3)));
+}
+
 // A buffer is larger than the caches next to the processor, and neighbours in the picture may be far apart in it: what
 // the next pixels will look up is on its way while these are shaded.
 template <class A>
@@ -35,15 +46,18 @@ HWY_INLINE void fetchTexels(const ShadingInputs& inputs, const ShadingSources<fl
     if (!in.shadow || inputs.illumination.model == Model::OpenGl) return;
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
         if (inputs.lights[k].kind != LightKind::AtInfinity || in.shadow->lights[k].empty()) continue;
-        const Buffer2D<float>& depth = in.shadow->lights[k][0].depth[0];
+        const BlockBuffer2D<float>& depth = *in.shadow->lights[k][0].blocks[0];
         const LightPoints points = lightPoints<A>(in.shadow->lights[k][0].faces[0], position);
         const Floats zero = all(0), last = all(float(depth.size.x - 1));
         const Ints column = hn::ConvertTo(I(), hn::Min(hn::Max(points.x, zero), last));
         const Ints row = hn::ConvertTo(I(), hn::Min(hn::Max(points.y, zero), last));
         HWY_ALIGN std::int32_t texels[16];
-        hn::Store(hn::Add(hn::Mul(row, hn::Set(I(), depth.size.x)), column), I(), texels);
-        for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1)
-            hwy::Prefetch(&depth.pixels[std::size_t(texels[std::countr_zero(bits)])]);
+        hn::Store(texelPlace(depth, column, row), I(), texels);
+        // Of a block the corners: what lies between them is mostly in the same lines.
+        constexpr std::uint32_t kCorners = 0b1001'0000'0000'1001;
+        const std::uint32_t some = hn::Lanes(F()) == kBlockPixels ? kCorners : ~0U;
+        for (std::uint32_t bits = bitsOf(mask) & some; bits != 0; bits &= bits - 1)
+            hwy::Prefetch(&depth.blocks[0].of[std::size_t(texels[std::countr_zero(bits)])]);
     }
 }
 
@@ -59,7 +73,7 @@ template <class A>
 HWY_INLINE Floats litOnFace(const LightView<float>& light, std::size_t number, const ShadowSettings& settings,
                             Floats3 position, Floats3 normal, Mask wanted) {
     const View& face = light.faces[number];
-    const Buffer2D<float>& depth = light.depth[number];
+    const BlockBuffer2D<float>& depth = *light.blocks[number];
     const Floats zero = all(0), one = all(1), last = all(float(depth.size.x - 1));
     const Floats3 right = all(Vec3<float>(face.right)), up = all(Vec3<float>(face.up)),
                   forward = all(Vec3<float>(face.forward));
@@ -106,8 +120,7 @@ HWY_INLINE Floats litOnFace(const LightView<float>& light, std::size_t number, c
                                         hn::And(hn::And(hn::Ge(v, zero), hn::Le(v, last)), wanted));
             const Ints column = hn::ConvertTo(I(), hn::IfThenElseZero(inside, u));
             const Ints row = hn::ConvertTo(I(), hn::IfThenElseZero(inside, v));
-            const Ints at = hn::Add(hn::Mul(row, hn::Set(I(), depth.size.x)), column);
-            const Floats stored = hn::GatherIndex(F(), depth.pixels.data(), at);
+            const Floats stored = hn::GatherIndex(F(), depth.blocks[0].of, texelPlace(depth, column, row));
             const Mask shadowed = hn::And(inside, hn::Gt(p.z, hn::Add(stored, bias)));
             lit = hn::Add(lit, hn::IfThenZeroElse(shadowed, one));
         }
@@ -138,32 +151,45 @@ HWY_INLINE Floats litCount(const LightView<float>& light, const ShadowSettings& 
     return lit;
 }
 
-// S of light k where it is wanted, else 1: shadowAt, of points of these polygons.
-template <class A>
-HWY_INLINE Floats shadowFactors(const ShadingInputs& inputs, const ShadingSources<float>& in, std::size_t k,
-                                Floats3 position, Ints polygon, Mask wanted) {
-    const Light& light = inputs.lights[k];
-    const bool none = !light.castsShadow || inputs.illumination.model == Model::OpenGl;
-    if (none || hn::AllFalse(F(), wanted)) return all(1);
-    const Floats3 normal = gather(in.normals.polygon, polygon);
-    const bool looksUp = in.shadow && !in.shadow->lights[k].empty();
-    const SampleGrid grid = sampleGrid(light);
-    const AreaSides sides = sidesOf(light);
-    const int texels = filteredTexels(inputs.shadow);
-    Floats lit = all(0);
-    for (int i = 0; i < grid.count(); ++i) {
-        const Vec3<float> place(samplePlace(light, grid, sides, i));
-        const Floats3 L =
-            light.kind == LightKind::AtInfinity ? all(normalized(place)) : A::unit(all(place) - position, wanted);
-        const Mask faces = hn::And(wanted, hn::Gt(A::dot(normal, L), all(0)));
-        if (hn::AllFalse(F(), faces)) continue;
-        const Floats seen =
-            looksUp ? litCount<A>(in.shadow->lights[k][std::size_t(i)], inputs.shadow, position, normal, faces)
-                    : all(float(texels));
-        lit = hn::Add(lit, hn::IfThenElseZero(faces, seen));
+// A light as pixels see it, whose shadow they may be in.
+struct ShadowLight {
+    const std::vector<LightView<float>>* views = nullptr;  // per place; null without a shadow buffer
+    bool casts, atInfinity;
+    std::vector<Vec3<float>> places;  // of its samples; at infinity the direction towards it
+
+    ShadowLight(const ShadingInputs& inputs, const ShadingSources<float>& in, std::size_t k)
+        : casts(inputs.lights[k].castsShadow && inputs.illumination.model != Model::OpenGl),
+          atInfinity(inputs.lights[k].kind == LightKind::AtInfinity) {
+        if (in.shadow && !in.shadow->lights[k].empty()) views = &in.shadow->lights[k];
+        if (!casts) return;
+        const Light& light = inputs.lights[k];
+        const SampleGrid grid = sampleGrid(light);
+        const AreaSides sides = sidesOf(light);
+        for (int i = 0; i < grid.count(); ++i) {
+            const Vec3<float> place(samplePlace(light, grid, sides, i));
+            places.push_back(atInfinity ? normalized(place) : place);
+        }
     }
-    return hn::IfThenElse(wanted, hn::Div(lit, all(float(grid.count() * texels))), all(1));
-}
+    bool looksUp() const { return views != nullptr; }
+
+    // S where it is wanted, else 1: shadowAt, of points of polygons with these normals.
+    template <class A>
+    HWY_INLINE Floats factors(const ShadowSettings& settings, Floats3 position, Floats3 normal, Mask wanted) const {
+        if (!casts || hn::AllFalse(F(), wanted)) return all(1);
+        const int texels = filteredTexels(settings);
+        Floats lit = all(0);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const Floats3 place = all(places[i]);
+            const Floats3 L = atInfinity ? place : A::unit(place - position, wanted);
+            const Mask faces = hn::And(wanted, hn::Gt(A::dot(normal, L), all(0)));
+            if (hn::AllFalse(F(), faces)) continue;
+            const Floats seen =
+                views ? litCount<A>((*views)[i], settings, position, normal, faces) : all(float(texels));
+            lit = hn::Add(lit, hn::IfThenElseZero(faces, seen));
+        }
+        return hn::IfThenElse(wanted, hn::Div(lit, all(float(int(places.size()) * texels))), all(1));
+    }
+};
 
 }  // namespace pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

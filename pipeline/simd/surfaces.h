@@ -7,119 +7,223 @@
 #endif
 
 #include <array>
+#include <optional>
 
 #include "pipeline/simd/arithmetic.h"
 #include "pipeline/simd/seen.h"
+#include "pipeline/simd/seen_blocks.h"
+#include "pipeline/simd/shadows.h"
 #include "pipeline/stages/shading.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// What is seen in a block. Numbers of pixels in which nothing is seen are any.
-struct SurfaceBlock {
-    alignas(64) std::uint32_t triangle[kBlockPixels];
-    std::int32_t polygon[kBlockPixels];
-    float normal[3][kBlockPixels];    // of Phong shading, not unit
-    float position[3][kBlockPixels];  // where it is interpolated
-    float weights[3][kBlockPixels];   // of flat and Gouraud shading
+// Numbers of the pixels of a row of blocks. What shading computes goes from row to row in short loops, which keep what
+// they work on in registers and find what others left in the nearest cache.
+constexpr std::size_t kRowPixels = std::size_t(kBlocksAcross) * kBlockPixels;
+struct Row {
+    alignas(64) float of[kRowPixels];
 };
-using TileSurfaces = std::array<SurfaceBlock, kBlocks>;
+struct Row3 {
+    Row x, y, z;
+};
+HWY_INLINE Floats load(const Row& from, std::size_t i) { return hn::Load(F(), from.of + i); }
+HWY_INLINE Floats3 load(const Row3& from, std::size_t i) { return {load(from.x, i), load(from.y, i), load(from.z, i)}; }
+HWY_INLINE void store(Floats v, Row& to, std::size_t i) { hn::Store(v, F(), to.of + i); }
+HWY_INLINE void store(Floats3 v, Row3& to, std::size_t i) {
+    store(v.x, to.x, i), store(v.y, to.y, i), store(v.z, to.z, i);
+}
+HWY_INLINE Floats3 choose(Mask mask, Floats3 yes, Floats3 no) {
+    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
 
-// Whole vectors are stored: see rasterize.cpp.
-HWY_INLINE void store(Floats3 v, Mask mask, float (&to)[3][kBlockPixels], std::size_t first) {
-    hn::Store(hn::IfThenElse(mask, v.x, hn::Load(F(), &to[0][first])), F(), &to[0][first]);
-    hn::Store(hn::IfThenElse(mask, v.y, hn::Load(F(), &to[1][first])), F(), &to[1][first]);
-    hn::Store(hn::IfThenElse(mask, v.z, hn::Load(F(), &to[2][first])), F(), &to[2][first]);
-}
-HWY_INLINE Floats3 load(const float (&from)[3][kBlockPixels], std::size_t first) {
-    return {hn::Load(F(), &from[0][first]), hn::Load(F(), &from[1][first]), hn::Load(F(), &from[2][first])};
-}
+// What is seen in a row of blocks. Numbers of pixels in which nothing is seen are any, but for `triangle`.
+struct SurfaceRow {
+    alignas(64) std::uint32_t triangle[kRowPixels];  // kNoTriangle where nothing is
+    alignas(64) std::int32_t polygon[kRowPixels];
+    Row3 normal;    // of Phong shading, not unit
+    Row3 position;  // where it is interpolated
+    Row3 weights;   // of flat and Gouraud shading
+    Row3 facing;    // the polygon's normal, where shadows are cast
+};
 
 // A quantity of a triangle's corners, to be interpolated.
 struct Corners {
     Vec3<float> origin{0}, toSecond{0}, toThird{0};
+    void become(Vec3<float> first, Vec3<float> second, Vec3<float> third) {
+        origin = first, toSecond = second - first, toThird = third - first;
+    }
     void become(const std::vector<Vec3<float>>& values, const std::uint32_t (&v)[3]) {
-        origin = values[v[0]], toSecond = values[v[1]] - origin, toThird = values[v[2]] - origin;
+        become(values[v[0]], values[v[1]], values[v[2]]);
     }
     template <class A>
-    HWY_INLINE Floats3 at(const Floats3& b) const {
-        return scaledPlus<A>(all(toThird), b.z, scaledPlus<A>(all(toSecond), b.y, all(origin)));
+    HWY_INLINE Floats3 at(Floats second, Floats third) const {
+        return scaledPlus<A>(all(toThird), third, scaledPlus<A>(all(toSecond), second, all(origin)));
     }
 };
 
+// Finds what is seen in a tile, row of blocks after row of blocks. In fast arithmetic a normal is interpolated linearly
+// in the picture, as n/z of the corners, which has its direction; and a position is found from z_view.
 template <class A>
-HWY_INLINE void findSurfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
-                             TileSurfaces& out) {
-    const ZBufferOutput<float>& z = in.zBuffer;
-    const Topology& topology = *in.transform.topology;
-    constexpr std::size_t kStride = sizeof(SurfaceBlock) / sizeof(float);
-    readRows(z.triangle, tile, kNoTriangle, out[0].triangle, kStride);
-    for (SurfaceBlock& block : out) std::fill_n(block.polygon, kBlockPixels, 0);
-    const bool perPixel = inputs.shading == Shading::Phong, position = inputs.parts.position;
-    Corners normals, positions;
-    Ints polygon = hn::Zero(I());
-    const auto begin = [&](std::uint32_t id) HWY_ATTR {
-        const Triangle& triangle = topology.triangles[id];
-        polygon = hn::Set(I(), std::int32_t(triangle.polygon));
-        if (perPixel) normals.become(in.normals.vertex, triangle.vertices);
-        if (position) positions.become(in.transform.world, triangle.vertices);
-    };
-    const auto visit = [&](std::size_t at, Mask mask, const Floats3& b) HWY_ATTR {
-        SurfaceBlock& block = out[at / kBlockPixels];
-        const std::size_t first = at % kBlockPixels;
-        const Ints before = hn::Load(I(), &block.polygon[first]);
-        hn::Store(hn::IfThenElse(hn::RebindMask(I(), mask), polygon, before), I(), &block.polygon[first]);
-        if (perPixel)
-            store(normals.at<A>(b), mask, block.normal, first);
-        else
-            store(b, mask, block.weights, first);
-        if (position) store(positions.at<A>(b), mask, block.position, first);
-    };
-    if (z.pieces) {
-        const int columns = z.pieces->tiles.x;
-        const int index = tile.min.y / kTileSize * columns + tile.min.x / kTileSize;
-        return forEachSeen(in.transform.view, *z.pieces, std::size_t(index), out[0].triangle, kStride, begin, visit);
+class Surfaces {
+public:
+    Surfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile)
+        : m_inputs(inputs),
+          m_in(in),
+          m_tile(tile),
+          m_perPixel(inputs.shading == Shading::Phong),
+          m_positioned(inputs.parts.position) {
+        if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
+            m_index = std::size_t(tile.min.y / kTileSize * seen->pieces.tiles.x + tile.min.x / kTileSize);
+            m_isDrawn = in.zBuffer.tileIsDrawn[m_index] != 0;
+            m_records = seen->record.tile(m_index)->of;
+            m_triangle.emplace(in.transform.view, seen->pieces, tile);
+        }
+        if (inputs.illumination.model == Model::OpenGl) return;
+        for (const Light& light : inputs.lights) m_facing = m_facing || light.castsShadow;
     }
-    // Drawn by the stage's own text, which keeps the weights.
-    const std::size_t lanes = hn::Lanes(F());
-    for (std::size_t place = 0; place < kTilePixels; ++place) {
-        const std::uint32_t id = out[place / kBlockPixels].triangle[place % kBlockPixels];
-        if (id == kNoTriangle) continue;
-        const std::size_t at = place / lanes * lanes;
-        begin(id);
-        const auto here = hn::Eq(hn::Iota(I(), std::int32_t(at)), hn::Set(I(), std::int32_t(place)));
-        visit(at, hn::RebindMask(F(), here), all(z.barycentric.at(tile.min + pixelOf(place))));
-    }
-}
+    bool facing() const { return m_facing; }
 
-// Numbers of the pixels in `mask` into a buffer: of the vector at `at` of the tile whose first pixel is `origin`.
-template <class Vectors, class Number, class Pixel>
-HWY_INLINE void putPixels(const Vectors& x, const Vectors& y, const Vectors& z, const hn::Rebind<Number, F> d,
-                          Mask mask, std::size_t at, glm::ivec2 origin, Buffer2D<Pixel>& out) {
-    static_assert(sizeof(Pixel) == 3 * sizeof(Number));
-    if (hn::AllTrue(F(), mask)) {
-        constexpr std::size_t kRow = std::min<std::size_t>(kBlock, HWY_LANES(float) < kBlock ? 1 : kBlock);
-        HWY_ALIGN Number numbers[3 * 16];
-        hn::StoreInterleaved3(x, y, z, d, numbers);
-        for (std::size_t l = 0; l < hn::Lanes(d); l += kRow)
-            std::memcpy(&out.at(origin + pixelOf(at + l)), numbers + 3 * l, kRow * sizeof(Pixel));
-        return;
+    void find(int row, SurfaceRow& out) {
+        if (!m_isDrawn) {  // its blocks are not written
+            std::ranges::fill(out.triangle, kNoTriangle);
+            return;
+        }
+        const std::size_t begin = std::size_t(row) * kRowPixels;
+        const bool positions = m_positioned && !fromDepth();
+        if (m_perPixel && positions)
+            m_facing ? findRow<true, true, true>(begin, out) : findRow<true, true, false>(begin, out);
+        else if (m_perPixel)
+            m_facing ? findRow<true, false, true>(begin, out) : findRow<true, false, false>(begin, out);
+        else if (positions)
+            m_facing ? findRow<false, true, true>(begin, out) : findRow<false, true, false>(begin, out);
+        else
+            m_facing ? findRow<false, false, true>(begin, out) : findRow<false, false, false>(begin, out);
+        if (m_positioned && fromDepth()) findPositions(row, out);
+        if (!m_positioned || !m_facing) return;
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+            const Mask seen = seenIn(out.triangle + i);
+            if (!hn::AllFalse(F(), seen)) fetchTexels<A>(m_inputs, m_in, load(out.position, i), seen);
+        }
     }
-    HWY_ALIGN Number one[16], two[16], three[16];
-    hn::Store(x, d, one), hn::Store(y, d, two), hn::Store(z, d, three);
-    for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1) {
-        const auto l = std::size_t(std::countr_zero(bits));
-        out.at(origin + pixelOf(at + l)) = {one[l], two[l], three[l]};
+
+private:
+    HWY_INLINE bool fromDepth() const { return !A::kExact && m_triangle; }
+
+    // What the stage's own text has drawn, which keeps the weights, in the pixels of a vector.
+    struct Drawn {
+        HWY_ALIGN std::uint32_t triangle[16];
+        HWY_ALIGN float weights[3][16];
+        Drawn(const ZBufferOutput<float>& z, Tile tile, std::size_t at) {
+            for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
+                const glm::ivec2 pixel = tile.min + pixelOf(at + l);
+                const bool inside = pixel.x < tile.max.x && pixel.y < tile.max.y;
+                triangle[l] = inside ? z.triangle->at(pixel) : kNoTriangle;
+                for (int i = 0; i < 3; ++i) weights[i][l] = inside ? z.barycentric.at(pixel)[i] : 0;
+            }
+        }
+    };
+
+    // The vectors of the row of blocks that begins with pixel `begin` of the tile.
+    template <bool kPerPixel, bool kPositions, bool kFacing>
+    void findRow(std::size_t begin, SurfaceRow& out) {
+        std::optional<Drawn> drawn;
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+            const std::size_t at = begin + i;
+            if (!m_triangle) drawn.emplace(m_in.zBuffer, m_tile, at);
+            const std::uint32_t* const names = m_triangle ? m_records + at : drawn->triangle;
+            const auto here = hn::Load(U(), names);
+            Mask left = seenIn(names);
+            auto triangle = hn::Set(U(), kNoTriangle);
+            Ints polygon = hn::Zero(I());
+            Floats3 normal = all(Vec3<float>(0)), position = normal, weights = normal, facing = normal;
+            while (!hn::AllFalse(F(), left)) {
+                const std::uint32_t name = names[hn::FindKnownFirstTrue(F(), left)];
+                const Mask mine = hn::RebindMask(F(), hn::Eq(here, hn::Set(U(), name)));
+                left = hn::AndNot(mine, left);
+                if (name != m_name) become(name);
+                triangle = hn::IfThenElse(hn::RebindMask(U(), mine), hn::Set(U(), m_id), triangle);
+                polygon = hn::IfThenElse(hn::RebindMask(I(), mine), hn::Set(I(), m_polygon), polygon);
+                if constexpr (kFacing) facing = choose(mine, all(m_normal), facing);
+                if constexpr (!A::kExact && kPerPixel && !kPositions) {
+                    if (m_triangle && m_triangle->isLinear()) {
+                        const Shares l = m_triangle->linear(at);
+                        normal = choose(mine, m_normals.template at<A>(l.one, l.two), normal);
+                        continue;
+                    }
+                }
+                const Floats3 b = m_triangle
+                                      ? m_triangle->weights(at)
+                                      : Floats3{hn::Load(F(), drawn->weights[0]), hn::Load(F(), drawn->weights[1]),
+                                                hn::Load(F(), drawn->weights[2])};
+                if constexpr (kPerPixel)
+                    normal = choose(mine, m_normals.template at<A>(b.y, b.z), normal);
+                else
+                    weights = choose(mine, b, weights);
+                if constexpr (kPositions) position = choose(mine, m_positions.template at<A>(b.y, b.z), position);
+            }
+            hn::Store(triangle, U(), out.triangle + i), hn::Store(polygon, I(), out.polygon + i);
+            if constexpr (kPerPixel)
+                store(normal, out.normal, i);
+            else
+                store(weights, out.weights, i);
+            if constexpr (kFacing) store(facing, out.facing, i);
+            if constexpr (kPositions) store(position, out.position, i);
+        }
     }
-}
-HWY_INLINE void putPixels(Floats value, Mask mask, std::size_t at, glm::ivec2 origin, Buffer2D<float>& out) {
-    HWY_ALIGN float numbers[16];
-    hn::Store(value, F(), numbers);
-    for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1) {
-        const auto l = std::size_t(std::countr_zero(bits));
-        out.at(origin + pixelOf(at + l)) = numbers[l];
+    // The name of a triangle: its record in the blocks, which one that clipping has cut has several of, or its index.
+    HWY_NOINLINE void become(std::uint32_t name) {
+        m_name = m_id = name;
+        if (m_triangle) m_triangle->become(name), m_id = m_triangle->id();
+        const Triangle& triangle = m_in.transform.topology->triangles[m_id];
+        m_polygon = std::int32_t(triangle.polygon);
+        if (m_positioned && !fromDepth()) m_positions.become(m_in.transform.world, triangle.vertices);
+        if (m_facing) m_normal = m_in.normals.polygon[triangle.polygon];
+        if (!m_perPixel) return;
+        const auto& normals = m_in.normals.vertex;
+        if (!fromDepth() || !m_triangle->isLinear()) return m_normals.become(normals, triangle.vertices);
+        const bool perspective = m_in.transform.view.perspective;
+        const auto divided = [&](int corner) {
+            const Vec3<float> n = m_triangle->atCorner(normals, triangle.vertices, corner);
+            return perspective ? m_triangle->w(corner) * n : n;
+        };
+        m_normals.become(divided(0), divided(1), divided(2));
     }
-}
+    // World space, from z_view: worldPoint.
+    void findPositions(int row, SurfaceRow& out) const {
+        const View& view = m_in.transform.view;
+        const float* z = m_in.zBuffer.seen->z.tile(m_index)->of + std::size_t(row) * kRowPixels;
+        const Vec3<float> eye(view.eye), forward(view.forward);
+        const Vec3<float> right(view.right / view.scale.x), down(-view.up / view.scale.y);
+        const auto first = glm::vec2(glm::dvec2(m_tile.min) + 0.5 - view.centre);
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+            const BlockPlace place(std::size_t(row) * kRowPixels + i);
+            const auto across = [&](Ints lanes, int block, float from) HWY_ATTR {
+                return hn::Add(hn::ConvertTo(F(), hn::Add(lanes, hn::Set(I(), block))), all(from));
+            };
+            const Floats x = across(columnOf(place.first), place.x, first.x);
+            const Floats y = across(rowOf(place.first), place.y, first.y);
+            const Floats3 beside = scaledPlus<A>(all(right), x, scaled(all(down), y));
+            const Floats depth = hn::Load(F(), z + i);
+            const Floats3 position = view.perspective ? scaledPlus<A>(beside + all(forward), depth, all(eye))
+                                                      : beside + scaledPlus<A>(all(forward), depth, all(eye));
+            store(position, out.position, i);
+        }
+    }
+
+    const ShadingInputs& m_inputs;
+    const ShadingSources<float>& m_in;
+    Tile m_tile;
+    bool m_perPixel, m_positioned, m_facing = false, m_isDrawn = true;
+    std::size_t m_index = 0;                   // of the tile
+    const std::uint32_t* m_records = nullptr;  // of the tile; null where the stage's own text drew
+    std::optional<SeenTriangle> m_triangle;
+    // Of the last triangle.
+    std::uint32_t m_name = kNoTriangle, m_id = kNoTriangle;
+    std::int32_t m_polygon = 0;
+    Corners m_normals, m_positions;
+    Vec3<float> m_normal{0};  // the polygon's
+};
 
 }  // namespace pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -9,15 +9,6 @@
 
 namespace pipeline {
 
-inline constexpr int kTileSize = 64;  // pixels
-
-// Tile i of a picture, row by row.
-inline Tile tileOf(glm::ivec2 picture, std::size_t i) {
-    const int columns = (picture.x + kTileSize - 1) / kTileSize;
-    const glm::ivec2 at{int(i) % columns, int(i) / columns};
-    return {at * kTileSize, glm::min((at + 1) * kTileSize, picture)};
-}
-
 // The triangles that go on, set up in polygon order, and which of them touch which tile of a
 // view's picture. Tiles are what threads share out; within a tile the drawing order is kept.
 template <class Real>

@@ -134,8 +134,8 @@ void drawOutlines(const View& view, const OutlineBins<Real>& bins, std::size_t t
             const Real z = view.perspective ? 1 / w : w, b = view.perspective ? t * edge.w[1] * z : t;
             const Fragment<Real> fragment{z, view.perspective ? w : Real(0),
                                           edge.weights[0] + b * (edge.weights[1] - edge.weights[0])};
-            const std::size_t at = out.zView.offset(pixel - out.origin);
-            if (record) record->push_back({edge.id, pixel, double(z), double(out.zView.pixels[at]), true});
+            const std::size_t at = out.zView->offset(pixel - out.origin);
+            if (record) record->push_back({edge.id, pixel, double(z), double(out.zView->pixels[at]), true});
             ++out.overdraw.pixels[at];
             writeFragment(out, at, edge.id, fragment);
         });

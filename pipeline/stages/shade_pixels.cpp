@@ -170,8 +170,8 @@ ShadingCounts shadePixels(const ShadingInputs& inputs, const ShadingSources<Real
     ShadingScratch<Real> scratch(inputs);
     for (int y = tile.min.y; y < tile.max.y; ++y) {
         for (int x = tile.min.x; x < tile.max.x; ++x) {
-            const std::size_t at = in.zBuffer.triangle.offset({x, y});
-            const std::uint32_t id = in.zBuffer.triangle.pixels[at];
+            const std::size_t at = in.zBuffer.triangle->offset({x, y});
+            const std::uint32_t id = in.zBuffer.triangle->pixels[at];
             if (id == kNoTriangle) continue;
             const Vec3<Real> intensity = shade(inputs, in, out, id, in.zBuffer.barycentric.pixels[at], {x, y}, wanted,
                                                scratch, Writer<Real>{wanted.any ? &out : nullptr, at}, counts);

@@ -146,8 +146,8 @@ template <class Real>
 ShadingCounts shadeOutlines(const ShadingSources<Real>& in, Tile tile, ShadingOutput<Real>& out) {
     for (int y = tile.min.y; y < tile.max.y; ++y) {
         for (int x = tile.min.x; x < tile.max.x; ++x) {
-            const std::size_t at = in.zBuffer.triangle.offset({x, y});
-            if (in.zBuffer.triangle.pixels[at] == kNoTriangle) continue;
+            const std::size_t at = in.zBuffer.triangle->offset({x, y});
+            if (in.zBuffer.triangle->pixels[at] == kNoTriangle) continue;
             out.vectors[index(BufferId::Intensity)][0].pixels[at] = Vec3<Real>(Real(out.iMax));
             out.color.pixels[at] = Color8(255);
         }

@@ -91,7 +91,7 @@ std::size_t faceOf(const LightView<Real>& light, Vec3<Real> world) {
 
 template <class Real>
 ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in,
-                                             bool raw) {
+                                             bool empty) {
     ShadowBufferOutput<Real> out;
     out.lights.resize(inputs.casters.size());
     for (std::size_t k = 0; k < inputs.casters.size(); ++k) {
@@ -100,12 +100,9 @@ ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, c
             light.faces = inputs.casters[k].kind == LightKind::AtInfinity
                               ? std::vector<View>{fitAtInfinity(place, inputs.size, in)}
                               : sixFaces(place, inputs.size, in);
-            for (const View& face : light.faces) {
-                if (raw)
-                    light.depth.emplace_back(face.size);
-                else
-                    light.depth.emplace_back(face.size, std::numeric_limits<Real>::infinity());
-            }
+            light.depth.resize(light.faces.size()), light.blocks.resize(light.faces.size());
+            for (std::size_t i = 0; i < light.faces.size() && !empty; ++i)
+                light.depth[i] = Buffer2D<Real>(light.faces[i].size, std::numeric_limits<Real>::infinity());
             // A difference, three products and two sums, on either side of the comparison.
             Real largest = Real(largestComponent(light.faces[0].eye));
             for (const Vec3<Real>& world : in.world) largest = std::max(largest, largestComponent(world));

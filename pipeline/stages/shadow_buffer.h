@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "pipeline/buffers/buffer2d.h"
+#include "pipeline/buffers/block_buffer.h"
+#include "pipeline/buffers/late_buffer.h"
 #include "pipeline/stages/bin.h"
 #include "pipeline/stages/transform.h"
 
@@ -29,8 +30,10 @@ struct ShadowBufferInputs {
 template <class Real>
 struct LightView {
     std::vector<View> faces;
-    std::vector<Buffer2D<Real>> depth;  // Z' per face: z_view of that face, +infinity where nothing is
-    Real rounding = 0;                  // bound of the rounding error of a z', world units
+    std::vector<LateBuffer2D<Real>> depth;  // Z' per face: z_view of that face, +infinity where nothing is
+    // The same, where pipeline/simd drew it; else none.
+    std::vector<std::shared_ptr<const BlockBuffer2D<float>>> blocks;
+    Real rounding = 0;  // bound of the rounding error of a z', world units
 };
 
 template <class Real>
@@ -42,10 +45,10 @@ struct ShadowBufferOutput {
 // Gives a view whose `forward` is set a right-handed pair of axes across it: the sides of the texels.
 void placeAxes(View& view);
 
-// raw: every texel will be written before any is read, so that none is cleared here.
+// empty: without room for Z', which pipeline/simd makes for itself.
 template <class Real>
 ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in,
-                                             bool raw = false);
+                                             bool empty = false);
 
 // The scene's triangles as one face of a light sees them, whichever way they face.
 template <class Real>

@@ -9,9 +9,9 @@ ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format) {
     const glm::ivec2 size = extent.max - extent.min;
     ZBufferOutput<Real> out;
     out.origin = extent.min;
-    out.zView = {size, std::numeric_limits<Real>::infinity()};
+    out.zView = Buffer2D<Real>(size, std::numeric_limits<Real>::infinity());
     if (format != DepthFormat::Linear) out.depth = {size, DepthCode::cleared(format)};
-    out.triangle = {size, kNoTriangle};
+    out.triangle = Buffer2D<std::uint32_t>(size, kNoTriangle);
     out.barycentric = {size, Vec3<Real>(0)};
     out.overdraw = {size, 0};
     out.depthWrites = {size, 0};
@@ -40,17 +40,17 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
     for (const std::uint32_t i : order) {
         const RasterTriangle<Real>& triangle = bins.triangles[i];
         forEachCovered(triangle.snapped, tile, [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
-            const std::size_t at = out.zView.offset(pixel - out.origin);
+            const std::size_t at = out.zView->offset(pixel - out.origin);
             const Fragment<Real> fragment = interpolate(triangle, e, view.perspective);
             double depth = double(fragment.z);
             if (!linear) {
                 const auto w = interpolateW(triangle, e);
                 depth = code.encode(w, w);  // reads the one that w is
             }
-            const double stored = linear ? double(out.zView.pixels[at]) : out.depth.pixels[at];
+            const double stored = linear ? double(out.zView->pixels[at]) : out.depth.pixels[at];
             // What is there is nearer than nothing: in the far plane a reversed depth is the cleared 0 itself.
-            const bool first = out.triangle.pixels[at] == kNoTriangle;
-            const bool won = linear ? fragment.z < out.zView.pixels[at] : first || code.nearer(depth, stored);
+            const bool first = out.triangle->pixels[at] == kNoTriangle;
+            const bool won = linear ? fragment.z < out.zView->pixels[at] : first || code.nearer(depth, stored);
             if (record) record->push_back({triangle.id, pixel, depth, stored, won});
             ++out.overdraw.pixels[at];
             if (!won) return;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/buffers/buffer2d.h"
+#include "pipeline/buffers/late_buffer.h"
 #include "pipeline/scene/opacity.h"
 #include "pipeline/stages/bin.h"
 
@@ -28,22 +28,23 @@ struct ZBufferInputs {
     bool operator==(const ZBufferInputs&) const = default;
 };
 
-struct TrianglePieces;  // pipeline/simd/set_up.h
+struct SeenBlocks;  // pipeline/simd/seen_blocks.h
 
 template <class Real>
 struct ZBufferOutput {
-    glm::ivec2 origin{0};                // the pixel that stands first; (0, 0) but for a replay
-    Buffer2D<double> depth;              // as stored, exactly; empty in format Linear, where it is zView
-    Buffer2D<Real> zView;                // world units; +infinity where nothing was drawn
-    Buffer2D<std::uint32_t> triangle;    // index into Topology::triangles; kNoTriangle
-    Buffer2D<Vec3<Real>> barycentric;    // perspective-correct weights over that triangle's corners; may be empty
-    Buffer2D<std::int32_t> overdraw;     // fragments that arrived; may be empty
-    Buffer2D<std::int32_t> depthWrites;  // fragments that won; may be empty
-    long long arrived = 0, won = 0;      // the same over all pixels
-    std::shared_ptr<const TrianglePieces> pieces{};  // what was drawn, where pipeline/simd did
-    std::string note;                                // what the painter's order took; may be empty
-    std::vector<std::uint8_t> tileIsDrawn;           // per tile of kTileSize, row by row: whether a triangle touches it
-    long long clipped = 0, unclipped = 0;            // triangles that went through the clipper; that did not
+    glm::ivec2 origin{0};                      // the pixel that stands first; (0, 0) but for a replay
+    Buffer2D<double> depth;                    // as stored, exactly; empty in format Linear, where it is zView
+    LateBuffer2D<Real> zView;                  // world units; +infinity where nothing was drawn
+    LateBuffer2D<std::uint32_t> triangle;      // index into Topology::triangles; kNoTriangle
+    Buffer2D<Vec3<Real>> barycentric;          // perspective-correct weights over that triangle's corners; may be empty
+    Buffer2D<std::int32_t> overdraw;           // fragments that arrived; may be empty
+    Buffer2D<std::int32_t> depthWrites;        // fragments that won; may be empty
+    long long arrived = 0, won = 0;            // the same over all pixels
+    std::shared_ptr<const SeenBlocks> seen{};  // what zView and triangle are made of, where pipeline/simd drew
+    long long seenPixels = 0;                  // in which there is a triangle
+    std::string note;                          // what the painter's order took; may be empty
+    std::vector<std::uint8_t> tileIsDrawn;     // per tile of kTileSize, row by row: whether a triangle touches it
+    long long clipped = 0, unclipped = 0;      // triangles that went through the clipper; that did not
 };
 template <class Real>
 ZBufferOutput<Real> prepareZBuffer(Tile extent, DepthFormat format);
@@ -54,8 +55,8 @@ Vec3<Real> barycentricAt(const TransformOutput<Real>& in, std::uint32_t triangle
 // Those of the triangle that is seen in a pixel.
 template <class Real>
 Vec3<Real> barycentricAt(const TransformOutput<Real>& in, const ZBufferOutput<Real>& zBuffer, glm::ivec2 pixel) {
-    const std::size_t at = zBuffer.triangle.offset(pixel);
-    return zBuffer.barycentric.empty() ? barycentricAt(in, zBuffer.triangle.pixels[at], pixel)
+    const std::size_t at = zBuffer.triangle->offset(pixel);
+    return zBuffer.barycentric.empty() ? barycentricAt(in, zBuffer.triangle->pixels[at], pixel)
                                        : zBuffer.barycentric.pixels[at];
 }
 
@@ -70,8 +71,8 @@ struct FragmentRecord {
 // A fragment takes the pixel.
 template <class Real>
 void writeFragment(ZBufferOutput<Real>& out, std::size_t at, std::uint32_t triangle, const Fragment<Real>& fragment) {
-    out.zView.pixels[at] = fragment.z;
-    out.triangle.pixels[at] = triangle;
+    out.zView->pixels[at] = fragment.z;
+    out.triangle->pixels[at] = triangle;
     out.barycentric.pixels[at] = fragment.barycentric;
     ++out.depthWrites.pixels[at];
 }

@@ -59,7 +59,7 @@ ShadowBufferOutput<Real> shadowBuffersSoFar(const FrameData<Real>& data, std::si
         }
         threads.forRange(bins.bins.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t tile = begin; tile < end; ++tile)
-                shadowBuffer(view.faces[face], bins, tile, view.depth[face]);
+                shadowBuffer(view.faces[face], bins, tile, *view.depth[face]);
         });
     };
     std::vector<LightView<Real>>& samples = out.lights[light];
@@ -89,7 +89,7 @@ void take(const std::vector<std::uint8_t>& done, const Buffer2D<T>& from, Buffer
 // Per pixel whether it has been shaded.
 template <class Real>
 std::vector<std::uint8_t> shadedPixels(const FrameData<Real>& data, const ShadingProgress& progress) {
-    const Buffer2D<std::uint32_t>& seen = data.zBuffer->triangle;
+    const Buffer2D<std::uint32_t>& seen = *data.zBuffer->triangle;
     const Topology& topology = *data.transform->topology;
     std::vector<std::uint8_t> done(seen.pixels.size(), 0);
     for (std::size_t i = 0; i < done.size(); ++i) {

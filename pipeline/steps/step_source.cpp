@@ -17,7 +17,7 @@ struct Seen {
 template <class Real>
 Seen countSeen(const FrameData<Real>& data) {
     const Topology& topology = *data.transform->topology;
-    const Buffer2D<std::uint32_t>& triangles = data.zBuffer->triangle;
+    const Buffer2D<std::uint32_t>& triangles = *data.zBuffer->triangle;
     const std::size_t count = topology.polygonCount();
     Seen seen{std::vector<std::int64_t>(count), std::vector<std::int64_t>(count), std::vector<int>(count, -1),
               std::vector<int>(count, -1)};
@@ -54,7 +54,7 @@ public:
 
     std::vector<PixelSpan> spans(StageId stage, std::size_t element) const override {
         if (stage == StageId::ZBuffer) return spansOf(m_drawing, element);
-        const Buffer2D<std::uint32_t>& seen = m_data.zBuffer->triangle;
+        const Buffer2D<std::uint32_t>& seen = *m_data.zBuffer->triangle;
         const std::uint32_t polygon = m_pixelPhase->number(element);
         std::vector<PixelSpan> spans;
         for (int y = m_seen.first[polygon]; y <= m_seen.last[polygon]; ++y)

@@ -43,7 +43,7 @@ void expectTexelsMeetTheirPoints(const pipeline::Scene& scene) {
             ++found;
             const auto at = [&](int c) { return positions->value(std::size_t(x), std::size_t(y), c); };
             const pipeline::Vec3d point{at(0), at(1), at(2)};
-            const int rows = light.depth[0].size.y;
+            const int rows = light.depth[0]->size.y;
             const pipeline::View& face = light.faces[std::size_t(texel->y / rows)];
             const double z = glm::dot(point - face.eye, face.forward);
             const glm::dvec2 centre(texel->x + 0.5, texel->y % rows + 0.5);

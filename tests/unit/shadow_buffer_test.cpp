@@ -94,8 +94,8 @@ TEST(ShadowFactor, FilteringCountsTexels) {
     face.centre = {2, 2}, face.scale = {1, 1};
     face.forward = {0, 0, 1}, face.right = {1, 0, 0}, face.up = {0, 1, 0};
     light.faces = {face};
-    light.depth.emplace_back(face.size, 1.0);
-    for (int y = 0; y < 4; ++y) light.depth[0].at({0, y}) = 9;  // one column of four lies behind the point
+    light.depth.emplace_back(Buffer2D<double>(face.size, 1.0));
+    for (int y = 0; y < 4; ++y) light.depth[0]->at({0, y}) = 9;  // one column of four lies behind the point
     const ShadowSettings constant{ShadowBias::Constant, 0, 1};
     // Texel (1, 1) and its 8 neighbours: the column x = 0 has 3 of the 9.
     EXPECT_NEAR(shadowFactor(light, constant, Vec3d(-0.5, 0.5, 5), Vec3d(0, 0, -1)), 3.0 / 9, 1e-15);

@@ -37,8 +37,8 @@ void expectTheSameBits(const Scene& scene) {
     ZBufferOutput<float> out = prepareZBuffer<float>({{0, 0}, in.view.size}, DepthFormat::Linear);
     for (std::size_t tile = 0; tile < bins.bins.size(); ++tile)
         zBuffer(in.view, DepthFormat::Linear, bins, bins.bins[tile], bins.tile(tile), out);
-    EXPECT_EQ(out.zView.pixels, data.zBuffer->zView.pixels);
-    EXPECT_EQ(out.triangle.pixels, data.zBuffer->triangle.pixels);
+    EXPECT_EQ(out.zView->pixels, data.zBuffer->zView->pixels);
+    EXPECT_EQ(out.triangle->pixels, data.zBuffer->triangle->pixels);
     EXPECT_EQ(out.barycentric.pixels, data.zBuffer->barycentric.pixels);
     EXPECT_EQ(out.overdraw.pixels, data.zBuffer->overdraw.pixels);
     EXPECT_EQ(out.depthWrites.pixels, data.zBuffer->depthWrites.pixels);
@@ -49,7 +49,7 @@ void expectTheSameBits(const Scene& scene) {
     EXPECT_EQ(sum(out.depthWrites), data.zBuffer->won);
     for (int y = 0; y < in.view.size.y; y += 7)
         for (int x = 0; x < in.view.size.x; x += 5) {
-            const std::uint32_t id = out.triangle.at({x, y});
+            const std::uint32_t id = out.triangle->at({x, y});
             if (id == kNoTriangle) continue;
             EXPECT_EQ(barycentricAt(in, id, {x, y}), out.barycentric.at({x, y}));
         }
@@ -61,7 +61,7 @@ void expectTheSameBits(const Scene& scene) {
                 Buffer2D<float> depth(light.faces[face].size, std::numeric_limits<float>::infinity());
                 for (std::size_t tile = 0; tile < seen.bins.size(); ++tile)
                     shadowBuffer(light.faces[face], seen, tile, depth);
-                EXPECT_EQ(depth.pixels, light.depth[face].pixels);
+                EXPECT_EQ(depth.pixels, light.depth[face]->pixels);
             }
         }
     }

@@ -1,0 +1,71 @@
+#pragma once
+#include <algorithm>
+#include <cstring>
+
+#include "pipeline/buffers/buffer2d.h"
+
+namespace pipeline {
+
+inline constexpr int kBlock = 4;  // pixels along the side of a block
+inline constexpr int kBlockPixels = kBlock * kBlock, kBlocksAcross = kTileSize / kBlock;
+inline constexpr std::size_t kBlocks = std::size_t(kBlocksAcross) * std::size_t(kBlocksAcross);  // of a tile
+inline constexpr std::size_t kTilePixels = kBlocks * std::size_t(kBlockPixels);
+
+template <class T>
+struct alignas(kBlockPixels * sizeof(T)) Block {
+    T of[kBlockPixels];
+};
+
+// One T per pixel in squares of 4 × 4 whose pixels stand side by side, tile after tile: the part of a small triangle in
+// a block is one vector, or a few, and a tile one piece of memory. Tiles are whole; what of them lies beyond the picture
+// counts for nothing. Nothing is written in the beginning.
+template <class T>
+struct BlockBuffer2D {
+    glm::ivec2 size{0}, tiles{0};  // of the picture, pixels; columns and rows of tiles
+    std::vector<Block<T>, LeavesRaw<Block<T>>> blocks;
+
+    BlockBuffer2D() = default;
+    explicit BlockBuffer2D(glm::ivec2 extent)
+        : size(extent), tiles((extent + kTileSize - 1) / kTileSize), blocks(tileCount() * kBlocks) {}
+
+    std::size_t tileCount() const { return std::size_t(tiles.x) * std::size_t(tiles.y); }
+    Block<T>* tile(std::size_t i) { return &blocks[i * kBlocks]; }
+    const Block<T>* tile(std::size_t i) const { return &blocks[i * kBlocks]; }
+    void fill(std::size_t i, T value) { std::fill_n(tile(i)->of, kTilePixels, value); }
+};
+
+// Row after row of the picture's pixels in a tile, from its blocks. Rows of 4 pixels are copied as they stand.
+template <class T>
+void copyRows(const Block<T>* blocks, Tile tile, Buffer2D<T>& out) {
+    const int width = tile.max.x - tile.min.x;
+    for (int y = 0; y < tile.max.y - tile.min.y; ++y) {
+        T* to = &out.pixels[out.offset({tile.min.x, tile.min.y + y})];
+        const Block<T>* from = blocks + std::ptrdiff_t(y / kBlock) * kBlocksAcross;
+        const int first = y % kBlock * kBlock;
+        int x = 0;
+        for (; x + kBlock <= width; x += kBlock, ++from) std::memcpy(to + x, from->of + first, kBlock * sizeof(T));
+        if (x < width) std::copy_n(from->of + first, width - x, to + x);
+    }
+}
+
+template <class T>
+void fillTile(T value, Tile tile, Buffer2D<T>& out) {
+    for (int y = tile.min.y; y < tile.max.y; ++y)
+        std::fill_n(&out.pixels[out.offset({tile.min.x, y})], tile.max.x - tile.min.x, value);
+}
+
+// All of it. written: per tile, whether it has been; the others hold `nothing`.
+template <class T>
+Buffer2D<T> rowsOf(const BlockBuffer2D<T>& blocks, const std::vector<std::uint8_t>& written, T nothing) {
+    Buffer2D<T> out(blocks.size);
+    for (std::size_t i = 0; i < blocks.tileCount(); ++i) {
+        const Tile tile = tileOf(blocks.size, i);
+        if (written[i])
+            copyRows(blocks.tile(i), tile, out);
+        else
+            fillTile(nothing, tile, out);
+    }
+    return out;
+}
+
+}  // namespace pipeline

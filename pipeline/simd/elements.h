@@ -1,0 +1,68 @@
+// Included once for each instruction set, like lanes.h.
+#if defined(SHADESCOPE_ELEMENTS_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHADESCOPE_ELEMENTS_H
+#undef SHADESCOPE_ELEMENTS_H
+#else
+#define SHADESCOPE_ELEMENTS_H
+#endif
+
+#include <vector>
+
+#include "pipeline/simd/surfaces.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pipeline::HWY_NAMESPACE {
+
+// Two vectors of three numbers each, side by side in an array: the first of them, or the second.
+template <class Pair>
+HWY_INLINE Floats3 gatherOf(const std::vector<Pair>& values, Ints index, int which) {
+    static_assert(sizeof(Pair) == 6 * sizeof(float));
+    const auto* base = reinterpret_cast<const float*>(values.data()) + std::ptrdiff_t(3) * which;
+    const Ints at = hn::Mul(index, hn::Set(I(), 6));
+    const Ints one = hn::Set(I(), 1);
+    return {hn::GatherIndex(F(), base, at), hn::GatherIndex(F(), base, hn::Add(at, one)),
+            hn::GatherIndex(F(), base, hn::Add(at, hn::Add(one, one)))};
+}
+
+// The polygons or vertices of a vector's pixels.
+template <class A>
+struct Elements {
+    bool flat;
+    Floats3 weights;
+    Ints of[3];
+    HWY_INLINE Elements(const ShadingInputs& inputs, const ShadingSources<float>& in, const SurfaceRow& row,
+                        std::size_t i, Mask mask)
+        : flat(inputs.shading == Shading::Flat) {
+        weights = load(row.weights, i);
+        of[0] = of[1] = of[2] = hn::Load(I(), row.polygon + i);
+        if (flat) return;
+        const auto ids = hn::IfThenElseZero(hn::RebindMask(U(), mask), hn::Load(U(), row.triangle + i));
+        const Ints first = hn::ShiftLeft<2>(hn::BitCast(I(), ids));
+        static_assert(sizeof(Triangle) == 16);
+        const auto* words = reinterpret_cast<const std::int32_t*>(in.transform.topology->triangles.data());
+        for (int corner = 0; corner < 3; ++corner)
+            of[corner] = hn::GatherIndex(I(), words, hn::Add(first, hn::Set(I(), corner)));
+    }
+    // By differences, so that equal values stay what they are.
+    template <class Pair>
+    HWY_INLINE Floats3 difference(const std::vector<Pair>& values, int which) const {
+        const Floats3 first = gatherOf(values, of[0], which);
+        if (flat) return first;
+        const Floats3 second = gatherOf(values, of[1], which) - first;
+        const Floats3 third = gatherOf(values, of[2], which) - first;
+        return scaledPlus<A>(third, weights.z, scaledPlus<A>(second, weights.y, first));
+    }
+    template <class Pair>
+    HWY_INLINE Floats3 sum(const std::vector<Pair>& values, std::int32_t lights, std::int32_t k, int which) const {
+        const auto at = [&](int corner) HWY_ATTR {
+            return gatherOf(values, hn::Add(hn::Mul(of[corner], hn::Set(I(), lights)), hn::Set(I(), k)), which);
+        };
+        if (flat) return at(0);
+        const Floats3 first = scaledPlus<A>(at(0), weights.x, all(Vec3<float>(0)));
+        return scaledPlus<A>(at(2), weights.z, scaledPlus<A>(at(1), weights.y, first));
+    }
+};
+
+}  // namespace pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,14 @@
+#pragma once
+#include "pipeline/buffers/block_buffer.h"
+#include "pipeline/simd/set_up.h"
+
+namespace pipeline {
+
+// What is seen in each pixel, as pipeline/simd leaves it. The tiles that no triangle touches are not written.
+struct SeenBlocks {
+    TrianglePieces pieces;
+    BlockBuffer2D<float> z;               // z_view; +infinity where nothing was drawn
+    BlockBuffer2D<std::uint32_t> record;  // of the triangle, in `pieces`; kNoTriangle
+};
+
+}  // namespace pipeline
