@@ -36,6 +36,17 @@ long FrameWorker::request(std::shared_ptr<const Scene> scene, FrameRequest reque
     return ticket;
 }
 
+namespace {
+
+// Puts what will be shown into the form in which it is read, so that the window does not wait for that.
+void readAhead(const pipeline::Frame& frame) {
+    const pipeline::BufferSet wanted = frame.wanted().set(index(pipeline::BufferId::PolygonId));
+    for (const pipeline::BufferName& name : pipeline::allBuffers(frame.scene().lights.size()))
+        if (wanted[index(name.id)]) frame.buffer(name);
+}
+
+}  // namespace
+
 void FrameWorker::work(std::stop_token quit) {
     while (!quit.stop_requested()) {
         Job job;
@@ -54,6 +65,7 @@ void FrameWorker::work(std::stop_token quit) {
         FramePtr frame = pipeline::runFrame(std::move(job.scene), job.request, m_last);
         if (!frame) continue;  // stopped: a newer request waits
         m_last = std::move(frame);
+        readAhead(*m_last);
         m_deliver(m_last, job.ticket);
         if (m_deliverCheck) check();
     }

@@ -1,7 +1,10 @@
 #include "app/view3d/overlay.h"
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainterPath>
+#include <QPixmapCache>
+#include <QThread>
 #include <algorithm>
 #include <cmath>
 
@@ -41,17 +44,48 @@ QFont fontOf(Label::Kind kind) {
     return theme.text(12);
 }
 
-// Text with a halo in the view's colour, so that it reads on any picture. `at` is its middle.
-void paintText(QPainter& painter, glm::dvec2 at, const QString& text, const QFont& font, const QColor& ink,
-               double halo) {
-    const QFontMetricsF metrics(font);
-    const QRectF tight = metrics.tightBoundingRect(text);
+// Text with a halo in the view's colour, so that it reads on any picture; its middle is the origin.
+void paintHaloedText(QPainter& painter, const QString& text, const QFont& font, const QColor& ink) {
     QPainterPath path;
-    path.addText(toPoint(at) - tight.center(), font, text);
+    path.addText(-QFontMetricsF(font).tightBoundingRect(text).center(), font, text);
     QColor back = Theme::current().colors().view;
     back.setAlphaF(0.88f);
-    painter.strokePath(path, QPen(back, halo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.strokePath(path, QPen(back, kHalo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.fillPath(path, ink);
+}
+
+// The same around `at`. Stroking outlines took an eighth of the window's time while a hand drags: the few words of a
+// view are stroked once and kept as pictures.
+void paintText(QPainter& painter, glm::dvec2 at, const QString& text, const QFont& font, const QColor& ink) {
+    // A picture would be scaled; and only the window's thread has pictures to keep.
+    const bool isWindow = QThread::currentThread() == QCoreApplication::instance()->thread();
+    if (!isWindow || painter.transform().type() > QTransform::TxTranslate) {
+        painter.save();
+        painter.translate(toPoint(at));
+        paintHaloedText(painter, text, font, ink);
+        painter.restore();
+        return;
+    }
+    const double ratio = painter.device()->devicePixelRatio();
+    const QString key = QStringList{text, font.key(), ink.name(QColor::HexArgb), Theme::current().colors().view.name(),
+                                    QString::number(ratio)}
+                            .join('\n');
+    const QSizeF box = QFontMetricsF(font).tightBoundingRect(text).size() + QSizeF(2 * kHalo, 2 * kHalo);
+    const QSize size(int(std::ceil(box.width() * ratio)), int(std::ceil(box.height() * ratio)));
+    QPixmap picture;
+    if (!QPixmapCache::find(key, &picture)) {
+        picture = QPixmap(size);
+        picture.setDevicePixelRatio(ratio);
+        picture.fill(Qt::transparent);
+        QPainter words(&picture);
+        words.translate(QPointF(size.width(), size.height()) / (2 * ratio));
+        paintHaloedText(words, text, font, ink);
+        QPixmapCache::insert(key, picture);
+    }
+    // On whole pixels of the screen, so that letters stay sharp.
+    const QPointF corner = toPoint(at) - QPointF(size.width(), size.height()) / (2 * ratio);
+    painter.drawPixmap(QPointF(std::round(corner.x() * ratio), std::round(corner.y() * ratio)) / ratio, picture);
 }
 
 // A few steps that push letters off each other and off tips; each step moves by what is missing.
@@ -278,8 +312,7 @@ void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& vi
         if (placed.atBorder) paintBorderMark(painter, placed);
         const bool quiet = kind == Label::Kind::Caption;
         paintText(painter, placed.at, toQString(placed.label.text), fontOf(kind),
-                  mixed(quiet ? colors.text2 : colorOf(placed.label.ink, colors), colors.view, placed.label.strength),
-                  kHalo);
+                  mixed(quiet ? colors.text2 : colorOf(placed.label.ink, colors), colors.view, placed.label.strength));
     }
     painter.restore();
 }
