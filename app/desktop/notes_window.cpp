@@ -9,6 +9,7 @@
 
 #include "app/core/text.h"
 #include "app/core/theme.h"
+#include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/state_picture.h"
 #include "app/panels/surface.h"
@@ -115,14 +116,16 @@ QWidget* NotesWindow::makeFoot() {
     auto* row = new QHBoxLayout(foot);
     row->setContentsMargins(0, 0, 0, 0);
     m_timer = makeLabel(foot, 1), m_left = makeLabel(foot, 2);
-    m_keys = makeLabel(foot, 2), m_clock = makeLabel(foot, 1);
+    m_clock = makeLabel(foot, 1);
+    m_keys = new ElidedLabel(foot);  // what a small screen can do without
+    m_keys->setProperty("tone", 2);
+    m_keys->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_timer->setAccessibleName(tr("Time since you began"));
     m_clock->setAccessibleName(tr("Clock"));
     m_keys->setText(tr("PgUp back · PgDn on · B black · P pen · O spotlight · F4 swap screens · Esc leave"));
     row->addWidget(m_timer);
     row->addWidget(m_left);
-    row->addStretch(1);
-    row->addWidget(m_keys);
+    row->addWidget(m_keys, 1);
     row->addWidget(m_clock);
     return foot;
 }

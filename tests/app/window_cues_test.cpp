@@ -272,6 +272,10 @@ TEST_F(WindowCues, NotesHaveTheNextCueThePlaceAndTheTime) {
     EXPECT_EQ(notes.notes(), "Ask first.");
     EXPECT_TRUE(notes.timer().startsWith("0:0")) << notes.timer().toStdString();
     EXPECT_TRUE(QTest::qWaitFor([&] { return notes.hasNextPicture(); }, 30000));
+    Theme::current().set(ThemeId::Projector);
+    Theme::current().setScale(CleanView::scaleFor(720));
+    EXPECT_LE(notes.minimumSizeHint().width(), 1280) << "it fits a screen of 720 lines";
+    Theme::current().setScale(1.25);
     model().setCurrent(2);
     EXPECT_EQ(notes.place(), "cue 3 of 3");
     EXPECT_FALSE(notes.hasNextPicture());
