@@ -277,7 +277,7 @@ static bool keepsKey(QObject* watched, const QKeyEvent& key) {
 }
 
 // "Ctrl+←" and "Ctrl+→" go to a stage from anywhere, also from a text field that would take them.
-// At the first and the last stage they do nothing else instead.
+// At the first and the last stage they say so, and do nothing else instead.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     if (dropsHere(watched, *event)) return true;
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
@@ -286,6 +286,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
         const bool isArrow = key->key() == Qt::Key_Left || key->key() == Qt::Key_Right;
         if (isArrow && key->modifiers() == Qt::ControlModifier) {
             event->setAccepted(event->type() == QEvent::KeyPress);
+            const ActionId stage = key->key() == Qt::Key_Left ? ActionId::PreviousStage : ActionId::NextStage;
+            if (event->isAccepted()) emit m_document.said((*m_actions)[stage]->property("whyNot").toString());
             return true;
         }
         if (event->type() == QEvent::ShortcutOverride && keepsKey(watched, *key)) {

@@ -156,9 +156,9 @@ void MainWindow::enableActions() {
                               scene ? tr("The first frame is not ready yet.") : noScene);
     m_actions->setEnabled(A::Unpick, scene && m_document.pixel(), tr("Pick a pixel first."));
     m_actions->setEnabled(A::NextStage, scene && m_document.stage() != pipeline::StageId::Shading,
-                          scene ? tr("Already at the last stage.") : noScene);
+                          scene ? tr("Already at the last stage; Ctrl+← goes back.") : noScene);
     m_actions->setEnabled(A::PreviousStage, scene && m_document.stage() != pipeline::StageId::Transform,
-                          scene ? tr("Already at the first stage.") : noScene);
+                          scene ? tr("Already at the first stage; Ctrl+→ goes on.") : noScene);
     enableStepActions(*m_actions, m_document, scene);
     enableCueActions();
     enableExplainActions(*m_actions, m_document, *findChild<InspectorPanel*>(), scene);

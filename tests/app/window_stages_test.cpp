@@ -1,4 +1,5 @@
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "app/core/stage_buffer.h"
@@ -32,6 +33,17 @@ TEST_F(WindowStages, EveryStageShowsItsMainBufferAndBackIsTheSamePicture) {
         press("Ctrl+Left");
     }
     for (std::size_t i = 1; i < forth.size(); ++i) EXPECT_NE(forth[i], forth[i - 1]);
+}
+
+TEST_F(WindowStages, AKeyWithoutAStageToGoToSaysWhereOthersAre) {
+    openPyramid();
+    QSignalSpy said(&document(), &Document::said);
+    press("Ctrl+Right");
+    ASSERT_FALSE(said.isEmpty());
+    EXPECT_EQ(said.takeLast().front().toString(), "Already at the last stage; Ctrl+← goes back.");
+    document().setStage(pipeline::StageId::Transform);
+    press("Ctrl+Left");
+    EXPECT_EQ(said.takeLast().front().toString(), "Already at the first stage; Ctrl+→ goes on.");
 }
 
 TEST_F(WindowStages, KeysGoToAStageFromATextFieldToo) {
