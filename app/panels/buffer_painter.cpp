@@ -23,7 +23,7 @@ QRect visiblePixels(const CanvasContent& content, const Placement& placement, QR
 void paintImage(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {
     // Only what is seen is scaled: at 72 times a whole picture would be larger than any screen.
     const QRectF target(placement.toWidget(pixels.topLeft()), QSizeF(pixels.size()) * placement.zoom);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, placement.zoom < 1);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, placement.zoom * painter.transform().m11() < 1);
     painter.drawImage(target, content.image, pixels);
     for (const QImage& overlay : content.overlays) painter.drawImage(target, overlay, pixels);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);

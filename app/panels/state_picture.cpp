@@ -94,11 +94,18 @@ void clearBackground(const pipeline::Frame& frame, QImage& image) {
     }
 }
 
+// How much larger than on the screen, where the view fits its picture into a usual height. What is drawn over pixels of
+// a certain size is that of the view, and lines and letters grow with it.
+double growthOf(const BufferShown& view, QSize size) {
+    constexpr double kUsualHeight = 600;
+    if (!view.zoom) return size.height() / kUsualHeight;
+    return std::min(size.width() / view.zoom->view[0], size.height() / view.zoom->view[1]);
+}
+
 Placement placementOf(const CanvasContent& content, const BufferShown& view, QSize size) {
     const QPointF middle(size.width() / 2.0, size.height() / 2.0);
     if (view.zoom) {
-        const double larger = std::min(size.width() / view.zoom->view[0], size.height() / view.zoom->view[1]);
-        const double zoom = view.zoom->factor * larger;
+        const double zoom = view.zoom->factor * growthOf(view, size);
         return {middle - QPointF(view.zoom->center[0], view.zoom->center[1]) * zoom, zoom};
     }
     const QRectF focus = content.focus.isEmpty() ? QRectF(QPointF(0, 0), QSizeF(content.size)) : content.focus;
@@ -144,9 +151,13 @@ QImage pictureOf(const pipeline::Frame& frame, const WindowState& state, const B
     QImage image(look.size, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     QPainter painter(&image);
-    const Placement placement = placementOf(content, view, look.size);
-    paintCanvas(painter, content, placement, image.rect(), overlays[index(OverlayId::Edges)]);
-    paintMarks(painter, content, placement, image.rect());
+    const double growth = growthOf(view, look.size);
+    Placement placement = placementOf(content, view, look.size);
+    placement.origin /= growth, placement.zoom /= growth;
+    const QRect visible = QRectF(QPointF(0, 0), QSizeF(look.size) / growth).toAlignedRect();
+    painter.scale(growth, growth);
+    paintCanvas(painter, content, placement, visible, overlays[index(OverlayId::Edges)]);
+    paintMarks(painter, content, placement, visible);
     return image;
 }
 

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
+#include <set>
 
 #include "app/core/document_state.h"
 #include "app/desktop/slide_dialog.h"
@@ -65,6 +66,17 @@ TEST_F(WindowSlide, KeepsTheColoursOfTheBuffer) {
             for (int x = 0; x < image.width(); x += 5) same += image.pixelColor(x, y) == own ? 1 : 0;
         EXPECT_GT(same, 500);
     }
+}
+
+// At 4 screen pixels each there is no grid on the screen; 14 pixels each in a larger picture make none either.
+TEST_F(WindowSlide, IsTheViewLargerAndNothingElse) {
+    window.views().first().canvas()->setZoom(4);
+    const QImage image = picture({What::First, {1920, 1080}, true, false, false});
+    std::set<QRgb> colors;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (qAlpha(image.pixel(x, y)) == 255) colors.insert(image.pixel(x, y));
+    EXPECT_LE(colors.size(), 3u) << "those of the three polygons";
 }
 
 TEST_F(WindowSlide, ACaptionStandsBelow) {
