@@ -63,7 +63,7 @@ HWY_INLINE void fetchTexels(const ShadingInputs& inputs, const ShadingSources<fl
 
 // The texel that a coordinate lies in: texelAt, as a number.
 HWY_INLINE Floats texelAt(Floats x) {
-    const Floats limit = all(1 << 30);
+    const Floats limit = all(0x1p30F);
     const Mask inRange = hn::And(hn::Gt(x, hn::Neg(limit)), hn::Lt(x, limit));
     return hn::IfThenElse(inRange, hn::Floor(x), hn::Neg(limit));
 }
