@@ -11,6 +11,8 @@ namespace {
 constexpr const char* kTemplate = R"(
 * { outline: 0; }
 QMainWindow, QDialog { background: @bg; }
+QMainWindow::separator { background: @bg; width: 8u; height: 8u; }
+QToolBar { background: @surface; border: 1px solid @line; border-radius: 6u; padding: 4u; }
 QToolTip { background: @raised; color: @text; border: 1px solid @outline; padding: 4u; }
 QLabel { background: transparent; color: @text; }
 QLabel[tone="2"] { color: @text2; }

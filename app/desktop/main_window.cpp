@@ -63,14 +63,6 @@ MainWindow::MainWindow() : m_actions(new Actions(this)) {
     connectDocument();
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        setStyleSheet(
-            QStringLiteral("QMainWindow::separator { background: %1; width: %2px; height: %2px; }"
-                           "QToolBar { background: %3; border: 1px solid %4; border-radius: %5px; padding: %6px; }")
-                .arg(theme.colors().bg.name())
-                .arg(theme.px(8))
-                .arg(theme.colors().surface.name(), theme.colors().line.name())
-                .arg(theme.px(6))
-                .arg(theme.px(4)));
         m_title->setFont(theme.text());
         m_rail->setIconSize(QSize(theme.px(18), theme.px(18)));
         if (!m_presents) fitWidth(true);

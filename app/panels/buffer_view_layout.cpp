@@ -8,7 +8,6 @@
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
-#include "app/panels/buffer_view.h"
 #include "app/panels/compare_bar.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/follow_theme.h"
@@ -78,9 +77,6 @@ void BufferView::build() {
     all->addWidget(m_foot);
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        m_readout->setFont(theme.mono(12));
-        m_pins->setFont(theme.mono(12));
-        m_notice->setFont(theme.text(12));
         m_notice->setTextFormat(Qt::RichText);
         m_message->setFont(theme.text(13));
         m_compute->setFont(theme.text(13, 500));
@@ -104,11 +100,15 @@ void BufferView::resizeEvent(QResizeEvent* event) {
 
 void BufferView::placeOverlays() {
     constexpr int kMargin = 8;
+    // Set while they are hidden, fonts do not outlive a view that moves in the window.
+    const Theme& theme = Theme::current();
+    for (QLabel* numbers : {m_readout, m_pins}) numbers->setFont(theme.mono(12));
+    m_notice->setFont(theme.text(12));
+    m_title->setFont(theme.text(13, 600));
     if (m_readout->sizeHint().width() > m_canvas->width() - 2 * kMargin)  // A, B and their difference
         m_readout->setText(m_readout->text().replace("   ", "\n"));
     m_readout->adjustSize();
     m_readout->move(kMargin, m_canvas->height() - m_readout->height() - kMargin);
-    m_title->setFont(Theme::current().text(13, 600));  // set while hidden, it does not outlive a style sheet
     m_title->adjustSize();
     m_title->move(kMargin, kMargin);
     m_notice->adjustSize();

@@ -144,6 +144,7 @@ void InspectorPanel::refresh() {
 }
 
 void InspectorPanel::showHeader(const pipeline::Frame& frame) {
+    styleHeader();  // fonts set while it was hidden do not outlive its way into the window
     const pipeline::PixelReport& r = *m_report;
     const QString place = QString("%1, %2").arg(r.pixel.x).arg(r.pixel.y);
     m_title->setText(tr("Pixel") +

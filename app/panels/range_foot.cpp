@@ -84,6 +84,7 @@ void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting, bool logarithm
     m_legend->setEntries(shown.legend);
     if (!hasScale) return;
     const auto [low, high] = std::minmax(shown.look.range.first, shown.look.range.last);
+    for (QLabel* label : {m_low, m_high}) label->setFont(Theme::current().mono(12));  // it may have been hidden
     m_low->setText(valueText(shown.buffer, low, 8));
     m_high->setText(valueText(shown.buffer, high, 8));
     m_unit->setText(toQString(shown.buffer.info->unit));

@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <QTest>
 
+#include "app/core/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/inspector_panel.h"
 #include "app/panels/tables_panel.h"
@@ -35,6 +36,21 @@ TEST_F(WindowPick, InspectorFollowsThePickedPixel) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return inspector->report()->pixel == glm::ivec2(329, 250); }));
     const auto& color = inspector->report()->color;
     EXPECT_EQ(QColor(color.r, color.g, color.b), frameColor({329, 250}));
+}
+
+// So that digits stand below each other, and do not move when one changes.
+TEST_F(WindowPick, NumbersHaveTheFaceForNumbersFromTheStart) {
+    openPyramid();
+    document().pick(glm::ivec2(268, 281));
+    EXPECT_TRUE(waitForFrame());
+    int found = 0;
+    for (const QLabel* label : window.findChildren<QLabel*>()) {
+        const bool isValue = label->text() == "37 93 167" || label->text().startsWith("x 268 y 281");
+        if (!isValue || !label->isVisible()) continue;
+        ++found;
+        EXPECT_EQ(label->font().families(), Theme::current().mono().families()) << label->text().toStdString();
+    }
+    EXPECT_GE(found, 2) << "the inspector's, and that of a view";
 }
 
 TEST_F(WindowPick, ARowOfATableIsMarkedInEveryView) {
