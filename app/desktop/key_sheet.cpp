@@ -49,7 +49,7 @@ constexpr ViewKey kViewKeys[]{
     {"In the 3D view", "Move, turn or scale with the ring", "M"},
     {"In the 3D view", "Along an axis, during a drag", "X, Y, Z"},
     {"In the inspector", "From symbol to symbol; open", "arrows; Enter"},
-    {"In the inspector", "Gain of a term", "← →, 0 … 4"},
+    {"In the inspector", "Gain of a term; none, four times", "← →; Home, End"},
     {"In a table", "Copy the rows", "Ctrl+C"},
     {"On a slider", "One step, ten steps", "arrows, Page"},
     {"In the clean view", "Black, white", "B, W"},

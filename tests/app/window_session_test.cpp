@@ -116,6 +116,13 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
         QTest::qWaitFor([&] { return !other.document().busy() && other.document().stepper().isSettled(); }, 30000));
     EXPECT_EQ(toToml(*other.state({})), text.toStdString());
     other.document().undoStack()->setClean();
+    other.close();
+    window.showStartPage();
+    QApplication::setActiveWindow(&window);
+    QTest::qWait(50);
+    press("Ctrl+V");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.state({}).has_value(); }, 5000)) << "by its key, too";
+    document().undoStack()->setClean();
 }
 
 TEST_F(WindowSession, ACopyNeedsNoFile) {
