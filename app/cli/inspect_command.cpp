@@ -52,7 +52,8 @@ bool knowsFormat(const InspectOptions& options, std::span<const std::string_view
 }
 
 int printTable(std::shared_ptr<const pipeline::Scene> scene, const InspectOptions& options) {
-    if (!knowsFormat(options, pipeline::kTableFormats, "text, csv, markdown, latex or numpy for a table")) return kWrongUsage;
+    if (!knowsFormat(options, pipeline::kTableFormats, "text, csv, markdown, latex or numpy for a table"))
+        return kWrongUsage;
     const auto id = pipeline::findTable(options.table).value();  // CLI11 has checked both words
     const auto format = std::ranges::find(pipeline::kTableFormats, options.format);
     const auto write = [](std::string_view text) { fmt::print("{}", text); };
@@ -209,12 +210,13 @@ void declareInspect(CLI::App& program, const CliHost&, int& status) {
     what->require_option(1);
     std::vector<std::string> formats(pipeline::kTableFormats.begin(), pipeline::kTableFormats.end());
     formats.emplace_back("svg");
-    CLI::Option* format = command
-                              ->add_option("--format", options->format,
-                                           "Of a table text, csv, markdown, latex or numpy; of a pixel its equation alone, "
-                                           "markdown or latex; of a row csv or svg")
-                              ->type_name("FORMAT")
-                              ->check(CLI::IsMember(formats));
+    CLI::Option* format =
+        command
+            ->add_option("--format", options->format,
+                         "Of a table text, csv, markdown, latex or numpy; of a pixel its equation alone, "
+                         "markdown or latex; of a row csv or svg")
+            ->type_name("FORMAT")
+            ->check(CLI::IsMember(formats));
     declareThreads(*command, options->threads);
     format->excludes(where)->excludes(verdicts);
     command->add_flag("--json", options->json, "Print JSON")->excludes(format);

@@ -190,7 +190,8 @@ std::string dtypeOf(const TableColumn& column, std::span<const std::uint32_t> ro
     std::size_t letters = 1;
     for (const std::uint32_t row : rows) {
         const Cell cell = column.cell(row);
-        if (const auto* words = std::get_if<std::string>(&cell)) isText = true, letters = std::max(letters, width(*words));
+        if (const auto* words = std::get_if<std::string>(&cell))
+            isText = true, letters = std::max(letters, width(*words));
         isDouble |= std::holds_alternative<double>(cell);
         isFloat |= std::holds_alternative<float>(cell);
         isMissing |= std::holds_alternative<std::monostate>(cell);

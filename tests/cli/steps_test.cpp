@@ -72,7 +72,8 @@ TEST(ExportCue, WritesWhatTheCueShows) {
     test::writeText(folder / "bad.cues", "[[cue]]\nname = \"a\"\nscene = \"pyramid\"\narrangement = \"2 buffers\"\n");
     const auto arranged = run({"export", "--cue", (folder / "bad.cues").string() + ":a", "-o", folder / "none"});
     EXPECT_EQ(arranged.status, bad.status);
-    EXPECT_NE(arranged.err.find("bad.cues:4:15: cue.0.arrangement is \"2 buffers\""), std::string::npos) << arranged.err;
+    EXPECT_NE(arranged.err.find("bad.cues:4:15: cue.0.arrangement is \"2 buffers\""), std::string::npos)
+        << arranged.err;
     EXPECT_EQ(run({"export", "pyramid", "--cue", (folder / "talk.cues").string() + ":1", "-o", folder / "none"}).status,
               2);
     EXPECT_EQ(run({"export", "-o", folder / "none"}).status, 2);

@@ -208,9 +208,8 @@ TEST(TableText, NumPyIsAStructuredArray) {
               "         dtype=[('num_pts', 'i8'), ('name', 'U11'), ('x', 'f4')])\n");
     SceneTable odd;
     odd.rows = 2;
-    odd.columns.push_back({"", "it's", "", "", -1, {}, [](std::size_t i) {
-                               return i == 0 ? Cell(std::int64_t(7)) : Cell();
-                           }});
+    odd.columns.push_back(
+        {"", "it's", "", "", -1, {}, [](std::size_t i) { return i == 0 ? Cell(std::int64_t(7)) : Cell(); }});
     EXPECT_EQ(written(odd, TableFormat::NumPy),
               "np.array([(7,),\n          (np.nan,)],\n         dtype=[('it\\'s', 'f8')])\n");
 }

@@ -75,8 +75,9 @@ TEST(WindowState, WhatIsWrongIsToldWithItsPlace) {
     EXPECT_TRUE(errorsIn("pins = [[10, 3, 4]]\n").starts_with("s.toml:1:9: pins is "));
     EXPECT_TRUE(
         errorsIn("[[view]]\nagainst = \"before\"\ncompare = \"wype\"\n").starts_with("s.toml:3:11: view.compare"));
-    EXPECT_EQ(errorsIn("arrangement = \"buffer |\"\n"),
-              "s.toml:1:15: arrangement is \"buffer |\", expected a name, or buffer and 3d with | and / between them\n");
+    EXPECT_EQ(
+        errorsIn("arrangement = \"buffer |\"\n"),
+        "s.toml:1:15: arrangement is \"buffer |\", expected a name, or buffer and 3d with | and / between them\n");
     EXPECT_TRUE(errorsIn("stage = \n").starts_with("s.toml:1:"));
 }
 
