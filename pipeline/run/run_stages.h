@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -74,16 +75,16 @@ std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& input
     if (inputs.vertexNormals)
         for (std::size_t object = 0; object < in.topology->meshes.size(); ++object)
             if (!threads.stopped()) vertexNormals(inputs, in, object, *out);
+    out->weighted = {};
     return out;
 }
 
-// Triangles set up piece by piece.
-inline TrianglePieces setUpAll(const SetUpInputs& inputs, Threads& threads) {
-    TrianglePieces out = prepareSetUp(inputs);
-    threads.forRange(out.pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t piece = begin; piece < end; ++piece) setUpPiece(inputs, piece, out);
+// Pieces [first, last) of the triangles are set up.
+inline void setUpPieces(const SetUpInputs& inputs, std::size_t first, std::size_t last, TrianglePieces& out,
+                        Threads& threads) {
+    threads.forRange(last - first, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t piece = first + begin; piece < first + end; ++piece) setUpPiece(inputs, piece, out);
     });
-    return out;
 }
 
 // What a face of a light sees, in float.
@@ -98,11 +99,22 @@ inline void drawShadowFace(const TransformOutput<float>& in, LightView<float>& l
         toLightViewInVectors(face, in.world, begin, end, positions);
         snapInVectors(face, positions, begin, end, snapped);
     });
-    const TrianglePieces pieces = setUpAll({*in.topology, face, positions, snapped}, threads);
+    const SetUpInputs setUp{*in.topology, face, positions, snapped};
+    TrianglePieces pieces = prepareSetUp(setUp);
     const auto blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
-    threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) shadowBufferInVectors(face, pieces, tile, *blocks);
-    });
+    // Nobody asks for these triangles afterwards: of a large mesh only some of them stand in memory at a time.
+    constexpr std::size_t kAtOnce = 8;
+    for (std::size_t first = 0; first < pieces.pieces.size() && !threads.stopped(); first += kAtOnce) {
+        const std::size_t last = std::min(first + kAtOnce, pieces.pieces.size());
+        setUpPieces(setUp, first, last, pieces, threads);
+        threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t tile = begin; tile < end; ++tile) {
+                if (first == 0) blocks->fill(tile, std::numeric_limits<float>::infinity());
+                shadowBufferInVectors(face, pieces, tile, *blocks);
+            }
+        });
+        for (std::size_t piece = first; piece < last; ++piece) pieces.pieces[piece] = {};
+    }
     light.blocks[number] = blocks;
     light.depth[number] = LateBuffer2D<float>(
         [blocks] { return rowsOf(*blocks, std::vector<std::uint8_t>(blocks->tileCount(), 1), 0.0F); });
@@ -162,7 +174,8 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBu
     if (inputs.weights) out->barycentric = {in.view.size, Vec3<float>(0)};
     if (inputs.counts) out->overdraw = out->depthWrites = {in.view.size, 0};
     auto seen = std::make_shared<SeenBlocks>();
-    seen->pieces = setUpAll(setUp, threads);
+    seen->pieces = prepareSetUp(setUp);
+    setUpPieces(setUp, 0, seen->pieces.pieces.size(), seen->pieces, threads);
     seen->z = BlockBuffer2D<float>(in.view.size), seen->record = BlockBuffer2D<std::uint32_t>(in.view.size);
     const TrianglePieces& pieces = seen->pieces;
     for (const TrianglePiece& piece : pieces.pieces) out->clipped += piece.clipped, out->unclipped += piece.unclipped;

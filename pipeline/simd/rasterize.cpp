@@ -169,7 +169,6 @@ TileCounts drawTile(const View& view, std::size_t index, SeenBlocks& seen, ZBuff
 
 void drawShadowTile(const View& face, const TrianglePieces& all, std::size_t index, BlockBuffer2D<float>& depth) {
     const Tile tile = tileOf(all.size, index);
-    depth.fill(index, kFar);
     Block<float>* const blocks = depth.tile(index);
     const auto draw = [&](std::size_t at, const EdgesAt& edges, const Distances& distances) HWY_ATTR {
         float* const to = &blocks[0].of[at];

@@ -16,7 +16,7 @@ struct TileCounts {
 // For the depth format Linear, into the blocks of `seen`. Overdraw, depth writes and barycentric weights only where `out`
 // has room for them.
 TileCounts zBufferInVectors(const View& view, std::size_t tile, SeenBlocks& seen, ZBufferOutput<float>& out);
-// Also a tile that nothing touches, which holds +infinity.
+// Onto what stands in the tile; +infinity where nothing does.
 void shadowBufferInVectors(const View& face, const TrianglePieces& pieces, std::size_t tile,
                            BlockBuffer2D<float>& depth);
 

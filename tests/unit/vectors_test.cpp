@@ -7,6 +7,7 @@
 #include <set>
 
 #include "pipeline/run/frame_data.h"
+#include "pipeline/scene/shape.h"
 #include "pipeline/simd/shade_pixels.h"
 #include "tests/support/scenes.h"
 
@@ -81,6 +82,15 @@ TEST(Vectors, RasterizeToTheSameBits) {
         for (Object& object : random.objects) object.material.alpha = 1;
         if (random.settings.antialiasing == 1) expectTheSameBits(random);
     }
+}
+
+// 4 * 64 quadrilaterals around and 2 * 64 upwards are 64,512 triangles: more pieces than the shadow buffer's pass has in
+// memory at a time.
+TEST(Vectors, RasterizeManyTrianglesToTheSameBits) {
+    Scene scene = spheres();
+    scene.objects[0].mesh = makeShape({ShapeKind::Sphere, 64});
+    scene.objects[0].transform.scale = Vec3d(150);
+    expectTheSameBits(scene);
 }
 
 // Edge functions beyond what double holds: a triangle from one end of the guard band to the other.
