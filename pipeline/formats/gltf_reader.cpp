@@ -17,6 +17,7 @@ namespace pipeline {
 namespace {
 
 constexpr std::size_t kMaxObjects = 65536;
+constexpr std::size_t kShares = 1000;  // of one instance, for who waits
 
 enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
 
@@ -37,18 +38,22 @@ std::array<std::size_t, 3> cornersOf(std::uint64_t mode, std::size_t i) {
 
 class GltfReader {
 public:
-    GltfReader(GltfFile& file, const FileLoader& load) : m_file(file), m_buffers(load) {}
+    GltfReader(GltfFile& file, const FileLoader& load, const ReadProgress& progress)
+        : m_file(file), m_buffers(load), m_progress(progress) {}
 
     std::vector<Object> read() {
         checkHead();
         if (!m_file.errors.empty()) return {};
         const std::vector<GltfInstance> instances = instancesOf(m_file);
+        ReadMeter meter(kShares * instances.size(), m_file.name, m_progress);
+        m_meter = &meter;
         for (const GltfInstance& instance : instances) {
-            if (m_file.errors.size() >= kMaxErrors) break;
+            if (m_file.errors.size() >= kMaxErrors || !meter.goesOn(m_told, m_file.errors)) break;
             const GltfValue primitives = instance.mesh["primitives"];
             if (!primitives.isThere()) primitives.refuse("an array of primitives");
             for (std::size_t k = 0; k < primitives.size(); ++k)
                 readPrimitive(instance, primitives.at(k), primitives.size() > 1);
+            m_told += kShares;
         }
         return std::move(m_objects);
     }
@@ -107,6 +112,7 @@ private:
             const bool mirrored = glm::determinant(glm::dmat3(instance.toWorld)) < 0;
             std::unordered_map<std::array<double, 6>, std::uint32_t, VertexHash> vertexOf;
             for (std::size_t i = 0; i < count; ++i) {
+                if (!m_meter->goesOn(m_told + kShares * i / count, m_file.errors)) return;
                 std::array<std::size_t, 3> triangle = cornersOf(*mode, i);
                 if (mirrored) std::swap(triangle[1], triangle[2]);
                 std::array<std::uint32_t, 3> polygon{};
@@ -232,6 +238,9 @@ private:
 
     GltfFile& m_file;
     GltfBuffers m_buffers;
+    const ReadProgress& m_progress;
+    ReadMeter* m_meter = nullptr;
+    std::size_t m_told = 0;  // of kShares for each instance
     bool m_quantized = false;
     std::size_t m_elements = 0;  // read so far
     std::vector<Object> m_objects;
@@ -243,7 +252,7 @@ Result<LoadedModel> readGltf(const SourceText& source, const FileLoader& load) {
     Result<GltfFile> parsed = parseGltf(source);
     if (!parsed) return parsed.errors();
     GltfFile file = std::move(parsed).value();
-    std::vector<Object> objects = GltfReader(file, load).read();
+    std::vector<Object> objects = GltfReader(file, load, source.progress).read();
     if (!file.errors.empty()) return file.errors;
     return LoadedModel{std::move(objects), std::move(file.remarks)};
 }

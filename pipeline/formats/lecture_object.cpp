@@ -17,9 +17,18 @@ constexpr Countable kCorners{"vertex", "vertices", 3, kMaxPolygonVertices, 1};
 constexpr std::string_view kMaterialKeys[] = {"material.#.kr", "material.#.kg", "material.#.kb", "material.#.ks",
                                               "material.#.n"};
 
-void readVertices(TextScanner& scanner, std::size_t count, Mesh& mesh) {
+// The scanner of a long list, which may be given up.
+struct LongList {
+    TextScanner& scanner;
+    ReadMeter meter;
+    Errors& errors;
+    bool good() { return scanner.good() && meter.goesOn(scanner.size() - scanner.bytesLeft(), errors); }
+};
+
+void readVertices(LongList& list, std::size_t count, Mesh& mesh) {
+    TextScanner& scanner = list.scanner;
     const Setting& place = settingRow("object.#.tx");  // a vertex may be as far away as an object
-    for (std::size_t i = 0; i < count && scanner.good(); ++i) {
+    for (std::size_t i = 0; i < count && list.good(); ++i) {
         Vec3d& position = mesh.positions.emplace_back();
         for (int axis = 0; axis < 3; ++axis) {
             const std::optional<double> value = parseNumber(scanner.next());
@@ -50,15 +59,16 @@ void readPolygon(TextScanner& scanner, std::size_t cornerCount, Mesh& mesh) {
 }
 
 // False when the rest of the file cannot be made sense of.
-bool readPolygons(TextScanner& scanner, std::size_t count, Mesh& mesh) {
+bool readPolygons(LongList& list, std::size_t count, Mesh& mesh) {
+    TextScanner& scanner = list.scanner;
     mesh.firstCorner.assign(1, 0);
-    for (std::size_t i = 0; i < count && scanner.good(); ++i) {
+    for (std::size_t i = 0; i < count && list.good(); ++i) {
         const std::optional<std::size_t> corners = readCount(scanner, kCorners, i);
         if (!corners) return false;
         mesh.polygonPlaces.push_back(scanner.place());
         readPolygon(scanner, *corners, mesh);
     }
-    return scanner.good();
+    return list.good();
 }
 
 }  // namespace
@@ -70,8 +80,9 @@ ObjectDescription readObjectDescription(const SourceText& source, Errors& errors
     if (!vertices || *vertices < kVertices.least) return description;
     const std::optional<std::size_t> polygons = readCount(scanner, kPolygons);
     if (!polygons) return description;
-    readVertices(scanner, *vertices, description.mesh);
-    if (!readPolygons(scanner, *polygons, description.mesh)) return description;
+    LongList list{scanner, {source.text.size(), source.name, source.progress}, errors};
+    readVertices(list, *vertices, description.mesh);
+    if (!readPolygons(list, *polygons, description.mesh)) return description;
 
     Scene scratch;  // settings belong to scenes
     scratch.objects.emplace_back();

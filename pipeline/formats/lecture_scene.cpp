@@ -82,7 +82,7 @@ private:
             return entry->second;
         }
         const std::size_t before = m_errors.size();
-        ObjectDescription description = readObjectDescription({file->text, file->path}, m_errors);
+        ObjectDescription description = readObjectDescription({file->text, file->path, m_source.progress}, m_errors);
         if (m_errors.size() > before || !m_scanner.good()) return entry->second;
         description.mesh.file = name;
         entry->second = {makeMesh(std::move(description.mesh)), description.material};

@@ -13,13 +13,14 @@ bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 }  // namespace
 
-LineScanner::LineScanner(std::string_view text, std::string file, Errors& errors)
-    : m_text(text), m_file(std::move(file)), m_errors(errors) {
+LineScanner::LineScanner(std::string_view text, std::string file, Errors& errors, ReadProgress progress)
+    : m_text(text), m_file(std::move(file)), m_errors(errors), m_meter(text.size(), m_file, std::move(progress)) {
     if (text.starts_with(kByteOrderMark)) m_next = kByteOrderMark.size();
 }
 
 bool LineScanner::nextLine() {
-    if (m_next >= m_text.size() || m_errors.size() >= kMaxErrors) return false;
+    if (m_errors.size() >= kMaxErrors || !m_meter.goesOn(std::min(m_next, m_text.size()), m_errors)) return false;
+    if (m_next >= m_text.size()) return false;
     m_lineBegin = m_begin = m_end = m_next;
     m_line = m_nextLine++;
     m_lineEnd = std::min(m_text.find_first_of("\r\n", m_next), m_text.size());

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "pipeline/core/result.h"
+#include "pipeline/formats/read_progress.h"
 #include "pipeline/scene/mesh.h"
 
 namespace pipeline {
@@ -14,9 +15,9 @@ namespace pipeline {
 class LineScanner {
 public:
     // Errors are appended to `errors` until there are kMaxErrors. `text` must outlive the scanner.
-    LineScanner(std::string_view text, std::string file, Errors& errors);
+    LineScanner(std::string_view text, std::string file, Errors& errors, ReadProgress progress = {});
 
-    // Goes to the next line; false at the end of the text or when there are enough errors.
+    // Goes to the next line; false at the end of the text, when there are enough errors, or when reading was given up.
     bool nextLine();
     // The next word of this line; empty at its end.
     std::string_view next();
@@ -38,6 +39,7 @@ private:
     std::string_view m_text;
     std::string m_file;
     Errors& m_errors;
+    ReadMeter m_meter;
     std::size_t m_next = 0;              // where the next line begins
     std::size_t m_begin = 0, m_end = 0;  // the word read last
     std::size_t m_lineEnd = 0;           // of this line as written, without its end mark

@@ -45,7 +45,7 @@ void readOpacity(LineScanner& scanner, std::string_view what, double& alpha, boo
 }  // namespace
 
 void readMtl(const SourceText& source, std::vector<NamedMaterial>& materials, Errors& errors) {
-    LineScanner scanner(source.text, source.name, errors);
+    LineScanner scanner(source.text, source.name, errors, source.progress);
     NamedMaterial* current = nullptr;
     bool ambientGiven = false, opacityGiven = false;
     while (scanner.nextLine()) {

@@ -55,7 +55,10 @@ std::string indexRange(std::string_view what, std::size_t count) {
 class ObjReader {
 public:
     ObjReader(const SourceText& source, const FileLoader& load, Errors& errors)
-        : m_source(source), m_load(load), m_errors(errors), m_scanner(source.text, source.name, errors) {
+        : m_source(source),
+          m_load(load),
+          m_errors(errors),
+          m_scanner(source.text, source.name, errors, source.progress) {
         m_objectName = stemOf(source.name);
     }
 
@@ -179,7 +182,7 @@ private:
         const Result<NamedFile> file = m_load(name);
         if (!file) return file.errors();
         const std::size_t known = m_file.materials.size();
-        readMtl({file->text, file->path}, m_file.materials, m_errors);
+        readMtl({file->text, file->path, m_source.progress}, m_file.materials, m_errors);
         for (std::size_t i = known; i < m_file.materials.size(); ++i)
             m_file.materialOf.try_emplace(m_file.materials[i].name, i);
         return {};

@@ -18,9 +18,16 @@ namespace {
 class PlyBody {
 public:
     PlyBody(const SourceText& source, PlyForm form, LineScanner& scanner, Errors& errors)
-        : m_source(source), m_form(form), m_scanner(scanner), m_errors(errors) {
+        : m_source(source),
+          m_form(form),
+          m_scanner(scanner),
+          m_errors(errors),
+          m_meter(source.text.size(), source.name, source.progress) {
         m_at = std::min(scanner.nextLineAt(), source.text.size());
     }
+
+    // In text form the scanner tells.
+    bool goesOn() { return isText() || m_meter.goesOn(m_at, m_errors); }
 
     bool isText() const { return m_form == PlyForm::Text; }
 
@@ -89,6 +96,7 @@ private:
     PlyForm m_form;
     LineScanner& m_scanner;
     Errors& m_errors;
+    ReadMeter m_meter;
     std::size_t m_at = 0;  // the next byte
     std::size_t m_valueAt = 0;
     double m_value = 0;
@@ -172,7 +180,7 @@ void readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, 
         if (isVertex) normalsKnown = hasNormals;
         if (isVertex) mesh.positions.reserve(element.count);
         for (std::size_t i = 0; i < element.count; ++i) {
-            if (!readRow(body, element, i, mesh.positions.size(), row)) return;
+            if (!body.goesOn() || !readRow(body, element, i, mesh.positions.size(), row)) return;
             if (isVertex) mesh.positions.emplace_back(row.values[0], row.values[1], row.values[2]);
             if (hasNormals) {
                 const std::optional<Vec3d> normal = unitVector({row.values[3], row.values[4], row.values[5]});
@@ -182,6 +190,7 @@ void readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, 
             if (isFace) addPolygon(mesh, row.corners, body.place());
         }
     }
+    body.goesOn();
     if (!normalsKnown) mesh.normals.clear();
 }
 
@@ -189,7 +198,7 @@ void readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, 
 
 Result<LoadedModel> readPly(const SourceText& source, const FileLoader&) {
     Errors errors;
-    LineScanner scanner(source.text, source.name, errors);
+    LineScanner scanner(source.text, source.name, errors, source.progress);
     const PlyHeader header = readPlyHeader(scanner);
     if (!errors.empty()) return errors;
     Mesh mesh;

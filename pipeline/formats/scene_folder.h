@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "pipeline/core/result.h"
+#include "pipeline/formats/read_progress.h"
 
 namespace pipeline {
 
@@ -16,6 +17,7 @@ inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 30;   // all fil
 struct SourceText {
     std::string_view text;
     std::string name;
+    ReadProgress progress = {};
 };
 
 // A file that a scene names, or why there is none; the error's place is left to the caller,

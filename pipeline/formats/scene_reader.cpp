@@ -26,7 +26,7 @@ bool beginsWithEndlessWord(std::string_view start) {
 
 Error refused(SourceLocation where, std::string found) { return {std::move(where), std::move(found), knownFormats()}; }
 
-Result<Scene> readUnchecked(const std::filesystem::path& file) {
+Result<Scene> readUnchecked(const std::filesystem::path& file, const ReadProgress& progress) {
     const std::string name = file.string();
     Result<std::string> text = readStart(file, kStart);
     if (!text) return text.errors();
@@ -36,15 +36,15 @@ Result<Scene> readUnchecked(const std::filesystem::path& file) {
         return refused({name, 1, 1}, "found a word of more than " + groupedDigits(kMaxWord) + " bytes");
     if (text->size() == kStart) text = readFile(file);
     if (!text) return text.errors();
-    return format->read({*text, name}, filesBeside(file));
+    return format->read({*text, name, progress}, filesBeside(file));
 }
 
 }  // namespace
 
-Result<Scene> readScene(const std::filesystem::path& file) {
+Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress& progress) {
     const std::string name = file.string();
     try {
-        Result<Scene> result = readUnchecked(file);
+        Result<Scene> result = readUnchecked(file, progress);
         if (!result) return inFile(result.errors(), name);
         Scene scene = std::move(result).value();
         if (scene.name.empty()) scene.name = file.filename().string();

@@ -67,7 +67,9 @@ Result<LoadedModel> readBinary(const SourceText& source) {
                      {}};
     Errors errors;
     WeldedMesh welded;
+    ReadMeter meter(bytes.size(), source.name, source.progress);
     for (std::size_t i = 0; i < count && errors.size() < kMaxErrors; ++i) {
+        if (!meter.goesOn(i * kFacet, errors)) break;
         std::array<std::uint32_t, 3> corners{};
         for (std::size_t k = 0; k < 3; ++k) {
             std::array<double, 3> p{};
@@ -87,6 +89,7 @@ Result<LoadedModel> readBinary(const SourceText& source) {
         }
         addPolygon(welded.mesh(), corners);
     }
+    meter.goesOn(bytes.size(), errors);
     if (!errors.empty()) return errors;
     LoadedModel model;
     addObject(welded, source, stemOf(source.name), model.objects);
@@ -109,7 +112,7 @@ std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedMesh& welded
 
 Result<LoadedModel> readText(const SourceText& source) {
     Errors errors;
-    LineScanner scanner(source.text, source.name, errors);
+    LineScanner scanner(source.text, source.name, errors, source.progress);
     LoadedModel model;
     std::string name = stemOf(source.name);
     WeldedMesh welded;

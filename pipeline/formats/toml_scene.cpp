@@ -163,7 +163,7 @@ private:
         const auto loaded = file ? load(node, *file) : std::nullopt;
         if (!loaded) return;
         Errors errors;
-        ObjectDescription description = readObjectDescription({loaded->text, loaded->path}, errors);
+        ObjectDescription description = readObjectDescription({loaded->text, loaded->path, m_source.progress}, errors);
         m_values.add(errors);
         if (!errors.empty()) return;
         description.mesh.file = *file;
@@ -182,7 +182,7 @@ private:
         const FileLoader beside = [&, folder = fs::path(*file).parent_path()](std::string_view name) {
             return m_load((folder / name).string());
         };
-        const Result<LoadedModel> model = readModel({loaded->text, loaded->path}, extension, beside);
+        const Result<LoadedModel> model = readModel({loaded->text, loaded->path, m_source.progress}, extension, beside);
         if (!model) return m_values.add(model.errors());
         std::ranges::copy(model->objects, std::back_inserter(m_scene.objects));
         std::ranges::copy(model->remarks, std::back_inserter(m_scene.remarks));

@@ -1,0 +1,159 @@
+// How far a file has been read, for who waits, and reading that is given up.
+#include "pipeline/formats/read_progress.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "pipeline/formats/scene_reader.h"
+#include "tests/support/files.h"
+#include "tests/support/gltf_files.h"
+
+namespace pipeline {
+namespace {
+
+constexpr int kTriangles = 3000;
+
+template <class T>
+std::string bytesOf(T value) {
+    std::string bytes(sizeof(T), '\0');
+    std::memcpy(bytes.data(), &value, sizeof(T));
+    return bytes;
+}
+
+// So many triangles beside each other, written once for each: three corners of their own.
+std::string corner(int i, int k) { return fmt::format("{} {} 0", i + (k == 1), k == 2 ? 1 : 0); }
+
+std::string objText() {
+    std::string text;
+    for (int i = 0; i < kTriangles; ++i) {
+        for (int k = 0; k < 3; ++k) text += "v " + corner(i, k) + "\n";
+        text += "f -3 -2 -1\n";
+    }
+    return text;
+}
+
+std::string plyText(const char* form) {
+    return fmt::format(
+        "ply\nformat {} 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        form, 3 * kTriangles, kTriangles);
+}
+
+std::string plyAscii() {
+    std::string text = plyText("ascii");
+    for (int i = 0; i < 3 * kTriangles; ++i) text += corner(i / 3, i % 3) + "\n";
+    for (int i = 0; i < kTriangles; ++i) text += fmt::format("3 {} {} {}\n", 3 * i, 3 * i + 1, 3 * i + 2);
+    return text;
+}
+
+std::string plyBinary() {
+    std::string text = plyText("binary_little_endian");
+    for (int i = 0; i < 3 * kTriangles; ++i)
+        text += bytesOf(float(i / 3 + (i % 3 == 1))) + bytesOf(float(i % 3 == 2)) + bytesOf(0.0f);
+    for (int i = 0; i < kTriangles; ++i) {
+        text += '\3';
+        for (int k = 0; k < 3; ++k) text += bytesOf(std::int32_t(3 * i + k));
+    }
+    return text;
+}
+
+std::string stlAscii() {
+    std::string text = "solid s\n";
+    for (int i = 0; i < kTriangles; ++i) {
+        text += "facet normal 0 0 1\nouter loop\n";
+        for (int k = 0; k < 3; ++k) text += "vertex " + corner(i, k) + "\n";
+        text += "endloop\nendfacet\n";
+    }
+    return text + "endsolid s\n";
+}
+
+std::string stlBinary() {
+    std::string text = std::string(80, ' ') + bytesOf(std::uint32_t(kTriangles));
+    for (int i = 0; i < kTriangles; ++i) {
+        text += std::string(12, '\0');
+        for (int k = 0; k < 3; ++k) text += bytesOf(float(i + (k == 1))) + bytesOf(float(k == 2)) + bytesOf(0.0f);
+        text += std::string(2, '\0');
+    }
+    return text;
+}
+
+std::string description() {
+    std::string text = fmt::format("{} {}\n", 3 * kTriangles, kTriangles);
+    for (int i = 0; i < 3 * kTriangles; ++i) text += corner(i / 3, i % 3) + "\n";
+    for (int i = 0; i < kTriangles; ++i) text += fmt::format("3 {} {} {}\n", 3 * i, 3 * i + 1, 3 * i + 2);
+    return text + "1 1 1 0.5 10\n";
+}
+
+struct ReadFile {
+    const char* name;
+    std::string (*text)();
+    const char* told;  // the file that is told of
+};
+
+class ReadProgressOf : public testing::TestWithParam<ReadFile> {
+protected:
+    ReadProgressOf() {
+        test::writeText(folder / GetParam().name, GetParam().text());
+        test::writeText(folder / "model.obj", objText());
+    }
+    Result<Scene> read(const ReadProgress& progress) { return readScene(folder / GetParam().name, progress); }
+    test::TemporaryFolder folder;
+};
+
+TEST_P(ReadProgressOf, GrowsToTheEnd) {
+    std::vector<double> shares;
+    const auto scene = read([&](double share, std::string_view file) {
+        EXPECT_TRUE(file.ends_with(GetParam().told)) << file;
+        shares.push_back(share);
+        return true;
+    });
+    ASSERT_TRUE(scene) << format(scene.errors());
+    ASSERT_GT(shares.size(), 50u);
+    EXPECT_LT(shares.size(), 500u) << "as often as somebody can see";
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    EXPECT_LT(shares.front(), 0.05);
+    EXPECT_GT(shares.back(), 0.95);
+    EXPECT_LE(shares.back(), 1);
+}
+
+TEST_P(ReadProgressOf, GivenUpThereIsNoScene) {
+    for (const double until : {0.0, 0.5}) {
+        int after = 0;
+        const auto scene = read([&](double share, std::string_view) {
+            if (share >= until) ++after;
+            return share < until;
+        });
+        EXPECT_FALSE(scene);
+        EXPECT_LE(after, 3) << "and it is read no further";
+    }
+}
+
+std::string sceneOfModel() { return "[[object]]\nmodel = \"model.obj\"\n"; }
+
+INSTANTIATE_TEST_SUITE_P(Formats, ReadProgressOf,
+                         testing::Values(ReadFile{"a.obj", objText, "a.obj"}, ReadFile{"a.ply", plyAscii, "a.ply"},
+                                         ReadFile{"b.ply", plyBinary, "b.ply"}, ReadFile{"a.stl", stlAscii, "a.stl"},
+                                         ReadFile{"b.stl", stlBinary, "b.stl"}, ReadFile{"a.des", description, "a.des"},
+                                         ReadFile{"a.toml", sceneOfModel, "model.obj"}),
+                         [](const auto& which) {
+                             std::string name = which.param.name;
+                             std::ranges::replace(name, '.', '_');
+                             return name;
+                         });
+
+TEST(ReadProgress, OfAGltfModelIsToldForEachInstance) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "square.gltf", test::fileOf(test::squareParts()));
+    int told = 0;
+    const auto scene = readScene(folder / "square.gltf", [&](double, std::string_view) { return ++told < 100; });
+    EXPECT_TRUE(scene);
+    EXPECT_GT(told, 0);
+    EXPECT_FALSE(readScene(folder / "square.gltf", [](double, std::string_view) { return false; }));
+}
+
+}  // namespace
+}  // namespace pipeline
