@@ -6,6 +6,7 @@
 #include <QStackedLayout>
 #include <QStyle>
 
+#include "app/core/put_away.h"
 #include "app/core/shadow_texel.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_canvas.h"
@@ -131,7 +132,7 @@ void BufferView::setChannel(int channel) {
 // A buffer that the scene has no use for is computed only when the user insists.
 void BufferView::want() {
     wantDerived();
-    if (isPutAway()) return m_document.want(this, {});
+    if (isPutAway(*this)) return m_document.want(this, {});
     const bool isOwn = !pipeline::isDerived(m_name.id);
     const bool useful = isOwn && m_document.hasScene() && whyUseless(m_document.scene(), m_name.id).empty();
     const bool hasOverlays = whyNoOverlays(bufferInfo(m_name.id)).isEmpty();
@@ -142,7 +143,7 @@ void BufferView::want() {
 bool BufferView::standsOnPicture() const { return bufferInfo(m_name.id).domain != Domain::Texel; }
 
 void BufferView::refresh() {
-    m_missed = isPutAway();
+    m_missed = isPutAway(*this);
     if (m_missed) return;
     if (!m_document.hasScene())
         return showMessage(tr("No scene yet. Open a file, or begin with the pyramid."), Offer::Nothing);

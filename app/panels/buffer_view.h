@@ -84,7 +84,6 @@ private:
     void observeOverlays();
     void want();
     void refresh();
-    bool isPutAway() const;
     enum class Offer { Nothing, Compute, Cancel };  // a button below what is told
     void showMessage(const QString& text, Offer offer);
     void takeOffer();

@@ -3,6 +3,7 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
+#include "app/core/put_away.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/shadow_overlay.h"
@@ -36,8 +37,8 @@ void BufferView::observeDerived() {
 
 void BufferView::wantDerived() {
     std::vector<BufferName> wanted;
-    if (!isPutAway() && pipeline::isDerived(m_name.id)) wanted.push_back(m_name);
-    if (!isPutAway() && m_name.id == BufferId::Color && !m_document.mixer().isPlain()) wanted.push_back(kMix);
+    if (!isPutAway(*this) && pipeline::isDerived(m_name.id)) wanted.push_back(m_name);
+    if (!isPutAway(*this) && m_name.id == BufferId::Color && !m_document.mixer().isPlain()) wanted.push_back(kMix);
     m_document.derived().want(this, std::move(wanted));
 }
 

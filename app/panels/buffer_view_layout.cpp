@@ -130,13 +130,6 @@ void BufferView::placeOverlays() {
     m_loupe->follow();
 }
 
-// Left out of the window for now: it wants nothing, and costs nothing. A window that is not open yet is no such case.
-bool BufferView::isPutAway() const {
-    for (const QWidget* part = this; !part->isWindow(); part = part->parentWidget())
-        if (part->isHidden()) return true;
-    return false;
-}
-
 void BufferView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     want();

@@ -9,6 +9,7 @@
 
 #include "app/core/icons.h"
 #include "app/core/pointed.h"
+#include "app/core/put_away.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/view3d/view_settings.h"
@@ -192,6 +193,17 @@ void View3dPanel::resizeEvent(QResizeEvent* event) {
     arrangeHeader();
 }
 
+void View3dPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    wantBuffers();
+    if (std::exchange(m_missed, false)) takeFrame();
+}
+
+void View3dPanel::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    wantBuffers();
+}
+
 void View3dPanel::changeOptions(const ViewOptions& options) {
     m_view->setOptions(options);
     showOptions();
@@ -214,14 +226,20 @@ bool View3dPanel::wantsFrusta() const {
 
 void View3dPanel::wantBuffers() {
     if (!m_document.hasScene()) return;
+    if (isPutAway(*this)) return m_document.want(this, {});
     auto wanted = contentBuffers(m_document.scene(), m_view->options().normals == NormalsShown::Vertices);
     const bool useful = whyUseless(m_document.scene(), pipeline::BufferId::ShadowBuffer).empty();
     if (wantsFrusta() && useful) wanted |= pipeline::setOf({pipeline::BufferId::ShadowBuffer});
     m_document.want(this, wanted);
 }
 
+bool View3dPanel::misses() {
+    m_missed = m_missed || isPutAway(*this);
+    return m_missed;
+}
+
 void View3dPanel::takeFrame() {
-    if (!m_document.frame()) return;
+    if (!m_document.frame() || misses()) return;
     const Stepper& stepper = m_document.stepper();
     const bool inside = stepper.isInside() && stepper.steps();
     // Vertices without a place would all stand at the origin.
@@ -249,7 +267,7 @@ void View3dPanel::takeFrame() {
 
 void View3dPanel::takePixel() {
     const auto& frame = m_document.frame();
-    if (!frame || !m_view->content()) return;
+    if (!frame || !m_view->content() || misses()) return;
     m_view->setContent(std::make_shared<const ViewContent>(withPixel(*m_view->content(), *frame, m_document.pixel())),
                        false);
     showHandles();
@@ -257,7 +275,7 @@ void View3dPanel::takePixel() {
 
 void View3dPanel::takeSelection() {
     const auto& frame = m_document.frame();
-    if (!frame || !m_view->content()) return;
+    if (!frame || !m_view->content() || misses()) return;
     m_view->setContent(
         std::make_shared<const ViewContent>(withSelection(*m_view->content(), *frame, m_document.selection())), false);
     showHandles();
@@ -266,7 +284,7 @@ void View3dPanel::takeSelection() {
 void View3dPanel::takeHover() {
     const auto& content = m_view->content();
     const auto pixel = m_document.hovered();
-    m_view->setProbe(content && pixel ? pointShownBy(*content, *pixel) : std::nullopt);
+    m_view->setProbe(content && pixel && !isPutAway(*this) ? pointShownBy(*content, *pixel) : std::nullopt);
 }
 
 void View3dPanel::pick(const Hit& hit) {

@@ -33,6 +33,8 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     void buildHeader();
@@ -52,6 +54,7 @@ private:
     void addFrusta();
     void wantBuffers();
     void showWanted();
+    bool misses();
     void takeFrame();
     void takePixel();
     void takeSelection();
@@ -79,6 +82,7 @@ private:
     };
     std::optional<Wanted> m_wanted;  // once the scene's first frame is there
     bool m_newScene = true;
+    bool m_missed = false;                                // a frame, or what is picked in it, while it was put away
     std::shared_ptr<const pipeline::Scene> m_beforeDrag;  // null while nothing is dragged
     std::optional<SpaceId> m_awaited;                     // the space to go to when its frame is there
 };

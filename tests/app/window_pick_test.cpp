@@ -54,6 +54,7 @@ TEST_F(WindowPick, NumbersHaveTheFaceForNumbersFromTheStart) {
 }
 
 TEST_F(WindowPick, ARowOfATableIsMarkedInEveryView) {
+    window.resize(1600, 1060);  // room for the views beside the tables
     openPyramid();
     auto* dock = find<QDockWidget>("tables");
     EXPECT_FALSE(dock->isVisible());
@@ -70,6 +71,7 @@ TEST_F(WindowPick, ARowOfATableIsMarkedInEveryView) {
     // Vertex 1 of the pyramid stands at (226.67, 286.67) in the picture.
     EXPECT_NEAR(canvas()->content().marked[0][0].x(), 226.67, 0.01);
     EXPECT_NEAR(canvas()->content().marked[0][0].y(), 286.67, 0.01);
+    ASSERT_TRUE(find<SceneView>("sceneView")->isVisible());
     const auto& content = find<SceneView>("sceneView")->content();
     EXPECT_EQ(content->markedLoop, (std::vector<std::uint32_t>{1, 2, 4}));
     QTest::mouseClick(canvas(), Qt::LeftButton, Qt::NoModifier, onCanvas({268, 281}));

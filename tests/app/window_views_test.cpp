@@ -160,7 +160,7 @@ TEST_F(WindowViews, SizesComeBackToThePixel) {
     const std::vector<QRect> before = places();
     EXPECT_LT(before[0].width(), before[1].width());
     press("Ctrl+Shift+5");
-    ASSERT_TRUE(window.showState(*state, {}, SceneChanges::Given));
+    window.showState(*state, {}, SceneChanges::Given);
     QTest::qWait(50);
     EXPECT_EQ(places(), before);
     EXPECT_EQ(toToml(*window.state({})), toToml(*state));
@@ -249,6 +249,23 @@ TEST_F(WindowViews, WhatIsNotOnShowIsNotComputed) {
     EXPECT_FALSE(has()) << "its view is not in this arrangement";
 }
 
+TEST_F(WindowViews, A3dViewThatIsNotOnShowTakesNoFrameAndThenTheNewest) {
+    const glm::ivec2 rightFace{268, 281};
+    SceneView& view = views().view3d().view();
+    press("Ctrl+Shift+5");
+    const auto before = view.content();
+    document().change(*findSetting(document().scene(), "camera.theta"), 41);
+    EXPECT_TRUE(waitForFrame());
+    document().pick(rightFace);
+    EXPECT_EQ(view.content(), before);
+    press("Ctrl+Shift+4");
+    EXPECT_TRUE(waitForFrame());
+    ASSERT_TRUE(view.content());
+    EXPECT_EQ(view.content()->eye.eye, pipeline::makeView(document().scene()).eye);
+    EXPECT_GE(view.content()->pickedPolygon, 0);
+    EXPECT_FALSE(view.content()->mesh->polygonNormals.empty()) << "its buffers are wanted again";
+}
+
 TEST_F(WindowViews, LinkedViewsZoomAndMoveTogether) {
     press("Ctrl+Shift+3");
     QTest::qWait(50);
@@ -314,7 +331,7 @@ TEST_F(WindowViews, AStateHasMarksAndComparisons) {
             compare.setMetric(pipeline::DifferenceMetric::Error);
             PinnedPixels::of(document()).clear();
             document().select(std::nullopt);
-            ASSERT_TRUE(window.showState(*kept, {}, SceneChanges::Given));
+            window.showState(*kept, {}, SceneChanges::Given);
             const auto again = window.state({});
             EXPECT_EQ(toToml(*again), toToml(*kept));
             EXPECT_EQ(compare.mode(), mode);
