@@ -1,5 +1,7 @@
 #include "app/core/background_job.h"
 
+#include <QCoreApplication>
+
 namespace app {
 
 BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {}
@@ -28,6 +30,11 @@ void BackgroundJob::start(std::function<std::function<void()>(const Control&)> j
             if (stop.stop_requested()) return;
             QMetaObject::invokeMethod(
                 this, [this, ticket, done] { take(ticket, done); }, Qt::QueuedConnection);
+            {
+                const std::lock_guard lock(m_mutex);
+                m_posted = ticket;
+            }
+            m_finished.notify_one();
         },
         running);
     if (!wasBusy) emit busyChanged(true);
@@ -38,6 +45,15 @@ void BackgroundJob::take(long ticket, const std::function<void()>& done) {
     m_taken = ticket;
     done();
     if (!busy()) emit busyChanged(false);
+}
+
+bool BackgroundJob::waitFor(std::chrono::milliseconds longest) {
+    {
+        std::unique_lock lock(m_mutex);
+        if (!m_finished.wait_for(lock, longest, [this] { return m_posted >= m_ticket || !busy(); })) return false;
+    }
+    QCoreApplication::sendPostedEvents(this, QEvent::MetaCall);
+    return true;
 }
 
 void BackgroundJob::forget() {

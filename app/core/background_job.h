@@ -1,6 +1,9 @@
 #pragma once
 #include <QObject>
+#include <chrono>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 
 #include "app/core/newest_worker.h"
 
@@ -32,6 +35,8 @@ public:
             running);
     }
     void forget();  // what runs and what waits
+    // Waits for what was asked for last, at most so long; its result then comes within this call. Whether it did.
+    bool waitFor(std::chrono::milliseconds longest);
     bool busy() const { return m_taken < m_ticket; }
 
 signals:
@@ -43,7 +48,10 @@ private:
     void take(long ticket, const std::function<void()>& done);
 
     long m_ticket = 0, m_taken = 0, m_oldestValid = 0;
-    std::unique_ptr<NewestWorker> m_worker;
+    std::mutex m_mutex;
+    std::condition_variable m_finished;
+    long m_posted = 0;                       // of the newest result that is on its way; guarded by m_mutex
+    std::unique_ptr<NewestWorker> m_worker;  // last: its thread uses the others
 };
 
 }  // namespace app

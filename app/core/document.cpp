@@ -10,8 +10,6 @@
 #include "app/core/scene_step.h"
 #include "app/core/stage_status.h"
 #include "app/core/text.h"
-#include "pipeline/formats/png_scene.h"
-#include "pipeline/formats/scene_reader.h"
 #include "pipeline/formats/toml_writer.h"
 
 namespace app {
@@ -62,34 +60,9 @@ std::shared_ptr<const Scene> Document::sceneBefore() const {
     return static_cast<const SceneStep*>(m_undo.command(m_undo.index() - 1))->before();
 }
 
-namespace {
-
-// The stage of the buffer that a picture shows; nothing for any other file.
-std::optional<StageId> stageShownBy(const QString& file) {
-    constexpr std::size_t kHead = std::size_t{4} << 20;  // more than what stands before the pixels
-    const auto start = pipeline::readStart(file.toStdString(), kHead);
-    if (!start) return {};
-    const auto name = pipeline::findAnyBuffer(pipeline::shownBuffer(*start));
-    return name ? std::optional(pipeline::bufferInfo(name->id).stage) : std::nullopt;
-}
-
-}  // namespace
-
-bool Document::open(const QString& file) {
-    auto scene = pipeline::readScene(file.toStdString());
-    if (!scene) {
-        emit failed(scene.errors());
-        return false;
-    }
-    if (const auto errors = checkScene(*scene); !errors.empty()) {
-        emit failed(errors);
-        return false;
-    }
-    const auto read = std::make_shared<const Scene>(*scene);
-    setScene(*read, {QFileInfo(file).absoluteFilePath(), read});
-    if (file.endsWith(".png", Qt::CaseInsensitive))
-        if (const auto stage = stageShownBy(file)) setStage(*stage);
-    return true;
+void Document::open(const OpenedScene& opened) {
+    setScene(opened.scene, opened.kept);
+    if (opened.stage) setStage(*opened.stage);
 }
 
 bool Document::save(const QString& file) {
@@ -112,7 +85,7 @@ bool Document::save(const QString& file) {
     return true;
 }
 
-void Document::setScene(Scene scene, Kept kept) {
+void Document::setScene(Scene scene, KeptScene kept) {
     m_undo.clear();
     m_kept = std::move(kept);
     setLive(false);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/core/frame_worker.h"
+#include "app/core/opened_scene.h"
 #include "app/core/selection.h"
 #include "app/core/stepper.h"
 #include "pipeline/core/result.h"
@@ -36,6 +37,7 @@ public:
 
     bool hasScene() const { return m_scene != nullptr; }
     const pipeline::Scene& scene() const { return *m_scene; }  // only when hasScene()
+    const std::shared_ptr<const pipeline::Scene>& sharedScene() const { return m_scene; }
     // The newest finished frame; null before the first. It may lag behind scene() while a slider moves.
     // frame()->scene() is the scene that it shows. While stepping inside it, the frame as far as it has got.
     const pipeline::FramePtr& frame() const { return m_frame; }
@@ -66,22 +68,15 @@ public:
     // The scene before the newest step of undo, a whole drag being one; null where there is none.
     std::shared_ptr<const pipeline::Scene> sceneBefore() const;
 
-    // The file that the scene was read from or saved to last, as an absolute path, and the scene in it; null where it
-    // came from no file.
-    struct Kept {
-        QString file;
-        std::shared_ptr<const pipeline::Scene> scene;
-    };
-    const Kept& kept() const { return m_kept; }
+    const KeptScene& kept() const { return m_kept; }
     // Whether closing it would lose changes to a file.
     bool isChanged() const { return m_kept.scene && !m_undo.isClean(); }
 
-    // Reads a scene file, or a picture that carries its scene and begins at the stage of what it shows. When that fails
-    // the open scene stays, and failed() tells why.
-    bool open(const QString& file);
+    // A picture that carries its scene begins at the stage of what it shows.
+    void open(const OpenedScene& opened);
     // Writes the scene with its settings as TOML, whole or not at all. When that fails failed() tells why.
     bool save(const QString& file);
-    void setScene(pipeline::Scene scene, Kept kept = {});  // as if opened: clears the undo stack
+    void setScene(pipeline::Scene scene, KeptScene kept = {});  // as if opened: clears the undo stack
 
     // Changes one setting. While a slider is dragged: Live for every step, then Done; the whole
     // drag is one step of undo. Out-of-range values and scenes that checkScene refuses change
@@ -136,7 +131,7 @@ private:
     pipeline::BufferSet wanted() const;
 
     std::shared_ptr<const pipeline::Scene> m_scene;
-    Kept m_kept;
+    KeptScene m_kept;
     pipeline::FramePtr m_frame, m_whole;
     Stepper m_stepper;
     pipeline::StageId m_stage = pipeline::StageId::Shading;

@@ -10,7 +10,6 @@ namespace app {
 
 namespace fs = std::filesystem;
 using pipeline::Result;
-using pipeline::Scene;
 
 namespace {
 
@@ -26,19 +25,6 @@ bool isOpen(const Document& document, const WindowState& state, const fs::path& 
 
 namespace {
 
-// A text stands for a file that is not there.
-bool hasFile(const WindowState& state, const fs::path& folder) {
-    std::error_code ignored;
-    return !state.scene.empty() && (state.sceneText.empty() || fs::exists(sceneFile(state.scene, folder), ignored));
-}
-
-Result<Scene> originalOf(const Document& document, const WindowState& state, const fs::path& folder) {
-    if (isOpen(document, state, folder)) return *document.kept().scene;
-    if (hasFile(state, folder)) return readNamedScene(state.scene, folder);
-    if (!state.sceneText.empty()) return Scene();
-    return pipeline::Error{{}, "the state names no scene", "a scene file, or the name of a built-in scene"};
-}
-
 QString nameOf(SceneChanges changes) {
     switch (changes) {
         case SceneChanges::Given: return Document::tr("to what is kept");
@@ -48,40 +34,11 @@ QString nameOf(SceneChanges changes) {
     return Document::tr("paste");
 }
 
-bool showScene(Document& document, const WindowState& state, const fs::path& folder, SceneChanges changes) {
-    const Result<Scene> original = originalOf(document, state, folder);
-    if (!original) {
-        emit document.failed(original.errors());
-        return false;
-    }
-    Result<Scene> shown = sceneOf(state, *original);
-    if (!shown) {
-        emit document.failed(shown.errors());
-        return false;
-    }
-    Scene scene = std::move(shown).value();
-    scene.file = original->file;
-    // Neither has a file: the same document.
-    const bool isLoose = changes == SceneChanges::Pasted && !hasFile(state, folder) && document.hasScene() &&
-                         document.kept().file.isEmpty();
-    if (!isLoose && !isOpen(document, state, folder)) {
-        Document::Kept kept;
-        std::error_code ignored;
-        if (hasFile(state, folder))
-            kept = {toQString(fs::absolute(sceneFile(state.scene, folder), ignored).string()),
-                    std::make_shared<const Scene>(*original)};
-        document.setScene(changes == SceneChanges::Given || !kept.scene ? scene : *original, kept);
-    }
-    document.replace(std::move(scene), nameOf(changes));
-    if (changes == SceneChanges::Given) document.undoStack()->setClean();
-    return true;
-}
-
 }  // namespace
 
 Result<WindowState> stateOf(const Document& document, const fs::path& folder) {
     WindowState state;
-    const Document::Kept& kept = document.kept();
+    const KeptScene& kept = document.kept();
     if (!kept.file.isEmpty()) state.scene = sceneName(toPath(kept.file), folder);
     const pipeline::Errors errors = describeScene(state, document.scene(), kept.scene.get());
     if (!errors.empty()) return errors;
@@ -98,10 +55,17 @@ Result<WindowState> stateOf(const Document& document, const fs::path& folder) {
     return state;
 }
 
-bool show(Document& document, const WindowState& state, const fs::path& folder, SceneChanges changes) {
-    if (!showScene(document, state, folder, changes)) return false;
+void show(Document& document, const OpenedScene& opened, const WindowState& state, SceneChanges changes) {
+    const KeptScene& kept = opened.kept;
+    const bool isOpen = kept.scene && kept.scene == document.kept().scene;
+    // Neither has a file: the same document.
+    const bool isLoose =
+        changes == SceneChanges::Pasted && !kept.scene && document.hasScene() && document.kept().file.isEmpty();
+    if (!isLoose && !isOpen)
+        document.setScene(changes == SceneChanges::Given || !kept.scene ? opened.scene : *kept.scene, kept);
+    document.replace(opened.scene, nameOf(changes));
+    if (changes == SceneChanges::Given) document.undoStack()->setClean();
     showPlace(document, state);
-    return true;
 }
 
 void showPlace(Document& document, const WindowState& state) {

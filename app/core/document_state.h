@@ -16,9 +16,9 @@ enum class SceneChanges {
     Ours,   // changes that were not saved, as one step of undo
     Pasted  // likewise
 };
-// Shows it. A scene from the file that is open stays the same document with one more step of undo. When the scene cannot
-// be had the one before stays, the document's failed() tells why, and this gives false.
-bool show(Document& document, const WindowState& state, const std::filesystem::path& folder, SceneChanges changes);
+// Shows a state, of which readStateScene gave the scene. A scene from the file that is open stays the same document with
+// one more step of undo.
+void show(Document& document, const OpenedScene& opened, const WindowState& state, SceneChanges changes);
 
 // The same without its scene.
 void showPlace(Document& document, const WindowState& state);

@@ -12,7 +12,7 @@
 namespace app {
 
 QString ownFile(const Document& document) {
-    const Document::Kept& kept = document.kept();
+    const KeptScene& kept = document.kept();
     const QFileInfo info(kept.file);
     if (!kept.scene || info.suffix().toLower() != QLatin1String("toml") || !info.isWritable()) return {};
     const auto isBuiltIn = [&](const pipeline::BuiltInScene& scene) {

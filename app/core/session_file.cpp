@@ -41,6 +41,12 @@ SessionFile::Left SessionFile::take() {
 
 void SessionFile::settle() { QFile::remove(m_tried); }
 
+bool SessionFile::giveBack() {
+    if (!QFile::exists(m_tried)) return false;
+    QFile::remove(m_file);
+    return QFile::rename(m_tried, m_file);
+}
+
 bool SessionFile::write(const WindowState& state) {
     QDir().mkpath(QFileInfo(m_file).path());
     const std::string text = toToml(state);

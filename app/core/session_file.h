@@ -23,6 +23,7 @@ public:
     };
     Left take();
     void settle();                         // it has been restored
+    bool giveBack();                       // it has not, and may be tried again; false where there is none
     bool write(const WindowState& state);  // whole or not at all
     void remove();
     const QString& file() const { return m_file; }

@@ -16,7 +16,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/icons.h"
-#include "app/core/recent_files.h"
+#include "app/core/scene_opener.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
@@ -39,11 +39,10 @@
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
 #include "app/panels/timeline.h"
-#include "app/state/cue_list.h"
 
 namespace app {
 
-MainWindow::MainWindow() : m_actions(new Actions(this)) {
+MainWindow::MainWindow() : m_opener(new SceneOpener(this)), m_actions(new Actions(this)) {
     setObjectName("mainWindow");
     setMinimumSize(1024, 640);
     setAcceptDrops(true);
@@ -53,7 +52,7 @@ MainWindow::MainWindow() : m_actions(new Actions(this)) {
     makeCentre();
     makeDocks();
     makeTimeline();
-    m_status = new StatusLine(m_document, this);
+    m_status = new StatusLine(m_document, *m_opener, this);
     setStatusBar(m_status);
     m_palette = new CommandPalette(this);
     m_keys = new KeySheet(*m_actions, this);
@@ -126,7 +125,7 @@ void MainWindow::makeCentre() {
     column->addWidget(m_pages, 1);
     setCentralWidget(centre);
     connect(m_start, &StartPage::openRequested, this, &MainWindow::chooseFile);
-    connect(m_start, &StartPage::fileChosen, this, &MainWindow::openFile);
+    connect(m_start, &StartPage::fileChosen, this, [this](const QString& file) { openFile(file); });
     connect(m_start, &StartPage::recentChosen, this, &MainWindow::openRecent);
     connect(m_start, &StartPage::lessonChosen, this, &MainWindow::openLesson);
     connect(m_start, &StartPage::keysRequested, (*m_actions)[ActionId::Keys], &QAction::trigger);
@@ -180,6 +179,11 @@ void MainWindow::makeTimeline() {
 }
 
 void MainWindow::connectDocument() {
+    // A lesson's scene, or a checked case, goes before what is still being read.
+    connect(&m_document, &Document::sceneOpened, m_opener, &SceneOpener::cancel);
+    connect(m_opener, &SceneOpener::changed, this,
+            [this] { m_status->setVisible(m_width.has_value() || m_opener->busy()); });
+    connect(m_status, &StatusLine::cancelAsked, this, &MainWindow::cancelOpening);
     connect(&m_document, &Document::sceneOpened, this, [this] {
         m_errors->hide();
         showScene();
@@ -203,14 +207,6 @@ void MainWindow::connectDocument() {
         const QString still = m_document.hasScene() ? tr(" The scene before is still open.") : QString();
         m_errors->report(tr("%1 could not be read.").arg(file) + still, errors);
     });
-}
-
-bool MainWindow::openFile(const QString& file) {
-    if (file.endsWith(kCueEnding)) return openCues(file);
-    if (!mayLeaveScene() || !m_document.open(file)) return false;
-    showCarriedState(file);
-    addRecentFile(file);
-    return true;
 }
 
 // The lessons on the start page, with how far the reader has come.
@@ -273,8 +269,13 @@ static bool keepsKey(QObject* watched, const QKeyEvent& key) {
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     if (dropsHere(watched, *event)) return true;
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
-    if (isKey && m_width && isActiveWindow()) {
+    if (isKey && isActiveWindow() && (m_width || m_opener->busy())) {
         const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Escape && m_opener->busy()) {
+            event->accept();
+            if (event->type() == QEvent::KeyPress) cancelOpening();
+            return true;
+        }
         const bool isArrow = key->key() == Qt::Key_Left || key->key() == Qt::Key_Right;
         if (isArrow && key->modifiers() == Qt::ControlModifier) {
             event->setAccepted(event->type() == QEvent::KeyPress);
@@ -293,7 +294,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_presentation->end();
     if (!mayLeaveScene()) return event->ignore();
-    if (m_session) m_session->save(!m_document.isChanged());
+    if (m_session) m_session->end(!m_document.isChanged());
     if (m_width == Width::Wide) saveLayout(*this);
     saveTheme();
     QMainWindow::closeEvent(event);

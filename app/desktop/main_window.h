@@ -1,5 +1,6 @@
 #pragma once
 #include <QMainWindow>
+#include <functional>
 
 #include "app/core/document.h"
 #include "app/core/document_state.h"
@@ -22,6 +23,7 @@ class ManualWindow;
 class PanelDock;
 class PixelField;
 class Presentation;
+class SceneOpener;
 class Session;
 class StageStrip;
 class StartPage;
@@ -43,16 +45,22 @@ public:
     ViewArea& views() { return *m_views; }
     const Actions& actions() const { return *m_actions; }
 
-    // What goes wrong stands in the error list. Asks before changes to the scene on show are lost; false where it stays.
-    bool openFile(const QString& file);
+    // Scenes are read away from the window; the one before stays until then, and where reading fails or is cancelled. What
+    // goes wrong stands in the error list. `then` follows once the scene is on show.
+    using Then = std::function<void()>;
+    // Asks before changes to the scene on show are lost; false where it is to stay.
+    bool openFile(const QString& file, const Then& then = {});
     bool openRecent(const QString& file);  // where the window stood when it was left
+    SceneOpener& opener() { return *m_opener; }
     // What the window shows, its scene named from `folder`; nothing on the start page, or where the scene is too large.
     std::optional<WindowState> state(const std::filesystem::path& folder) const;
-    // Asks nothing. False where the scene cannot be had.
-    bool showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes);
+    // Asks nothing.
+    void showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes,
+                   const Then& then = {});
     // Keeps the session in a folder from now on; restores the last one first, unless it is switched off.
-    bool openCues(const QString& file, const QString& name = {});  // and shows the cue, the first where none is named
-    void present();                                                // begins, or ends
+    // And shows the cue, the first where none is named. False where there is no such list or cue.
+    bool openCues(const QString& file, const QString& name = {}, const Then& then = {});
+    void present();  // begins, or ends
     Presentation& presentation() { return *m_presentation; }
     CuePanel& cues() { return *m_cues; }
     void startSession(const QString& folder, bool restore);
@@ -94,7 +102,11 @@ private:
     bool mayLeaveScene();
     void closeScene();
     void rememberWhere();
-    void showCarriedState(const QString& picture);
+    void openScene(const QString& name,
+                   std::function<pipeline::Result<OpenedScene>(const pipeline::ReadProgress&)> read,
+                   std::function<void(const OpenedScene&)> take);
+    void cancelOpening();
+    void showCarriedState(const OpenedScene& picture);
     void lookAt(const WindowState& state);
     void copyState();
     void pasteState();
@@ -105,7 +117,9 @@ private:
     void enableCueActions();
     std::optional<WindowState> cueState() const;
     void keepCue();
-    void goToCue(int cue);
+    void goToCue(int cue, const Then& then = {});
+    void stepCue(int by);
+    void beginPresenting();
     // main_window_layout.cpp: what stands where in which width
     enum class Width { Narrow, Medium, Wide };  // below 1100, below 1440, from there on
     Width widthClass() const;
@@ -120,6 +134,8 @@ private:
     void showOneLeftDock(PanelDock* shown);
 
     Document m_document;
+    SceneOpener* m_opener;
+    std::optional<int> m_cueAsked;  // whose scene is being read
     Actions* m_actions;
     QLabel* m_title;
     StageStrip* m_strip;

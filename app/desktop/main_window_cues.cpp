@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 
+#include "app/core/scene_opener.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/main_window.h"
@@ -33,7 +34,7 @@ QString cueFilter() { return MainWindow::tr("Cue lists (*%1)").arg(kCueEnding); 
 void MainWindow::connectCues() {
     m_cues = findChild<CuePanel*>();
     m_presentation = new Presentation(m_document, m_cues->model(), *this);
-    connect(m_cues, &CuePanel::asked, this, &MainWindow::goToCue);
+    connect(m_cues, &CuePanel::asked, this, [this](int cue) { goToCue(cue); });
     connect(m_cues, &CuePanel::keepAsked, this, &MainWindow::keepCue);
     connect(m_cues, &CuePanel::replaceAsked, this, [this] {
         CueModel& model = m_cues->model();
@@ -54,12 +55,12 @@ void MainWindow::connectCues() {
     connect(&m_cues->model(), &CueModel::failed, this, [this](const pipeline::Errors& errors) {
         m_errors->report(tr("The cue list before is still open."), errors);
     });
-    connect(m_presentation, &Presentation::cueAsked, this, &MainWindow::goToCue);
+    connect(m_presentation, &Presentation::cueAsked, this, [this](int cue) { goToCue(cue); });
     connect(m_presentation, &Presentation::ended, this, [this] { m_presents = false; });
     const auto on = [&](A id, auto run) { connect((*m_actions)[id], &QAction::triggered, this, run); };
     on(A::KeepCue, [this] { keepCue(); });
-    on(A::NextCue, [this] { goToCue(m_cues->model().current() + 1); });
-    on(A::PreviousCue, [this] { goToCue(m_cues->model().current() - 1); });
+    on(A::NextCue, [this] { stepCue(1); });
+    on(A::PreviousCue, [this] { stepCue(-1); });
     on(A::Present, [this] { present(); });
     (*m_actions)[A::NotesScreen]->setChecked(true);
 }
@@ -93,18 +94,25 @@ void MainWindow::keepCue() {
         if (dock->objectName() == "cues" && m_width == Width::Wide) dock->show(), dock->raise();
 }
 
-void MainWindow::goToCue(int cue) {
+void MainWindow::goToCue(int cue, const Then& then) {
     CueModel& model = m_cues->model();
     if (cue < 0 || cue >= model.size()) return;
     const WindowState state = model.cue(cue).state;
     // A talk is not stopped by a question. Within a file the changes stay, as steps of undo.
     if (!m_presentation->isOn() && !isOpen(m_document, state, model.folder()) && !mayLeaveScene()) return;
-    if (!showState(state, model.folder(), SceneChanges::Given)) return;
-    m_presentation->lookAt(state);
-    model.setCurrent(cue);
+    showState(state, model.folder(), SceneChanges::Given, [this, state, cue, then] {
+        m_cueAsked.reset();
+        m_presentation->lookAt(state);
+        m_cues->model().setCurrent(cue);
+        if (then) then();
+    });
+    if (m_opener->busy()) m_cueAsked = cue;
 }
 
-bool MainWindow::openCues(const QString& file, const QString& name) {
+// From the cue on show, or from the one whose scene is still being read.
+void MainWindow::stepCue(int by) { goToCue(m_cueAsked.value_or(m_cues->model().current()) + by); }
+
+bool MainWindow::openCues(const QString& file, const QString& name, const Then& then) {
     CueModel& model = m_cues->model();
     if (!model.open(file)) return false;
     int first = 0;
@@ -116,7 +124,7 @@ bool MainWindow::openCues(const QString& file, const QString& name) {
         }
         first = int(*found);
     }
-    goToCue(first);
+    goToCue(first, then);
     for (PanelDock* dock : m_docks)
         if (dock->objectName() == "cues" && m_width == Width::Wide) dock->show(), dock->raise();
     return true;
@@ -124,7 +132,11 @@ bool MainWindow::openCues(const QString& file, const QString& name) {
 
 void MainWindow::present() {
     if (m_presentation->isOn()) return m_presentation->end();
-    if (!showsScene()) goToCue(std::max(0, m_cues->model().current()));
+    if (!showsScene()) return goToCue(std::max(0, m_cues->model().current()), [this] { beginPresenting(); });
+    beginPresenting();
+}
+
+void MainWindow::beginPresenting() {
     const auto now = state({});
     if (!now) return;
     QList<QAction*> keys;

@@ -7,16 +7,19 @@
 
 #include "app/core/document_state.h"
 #include "app/core/recent_files.h"
+#include "app/core/scene_opener.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/keep_changes.h"
 #include "app/desktop/main_window.h"
+#include "app/desktop/presentation.h"
 #include "app/desktop/session.h"
 #include "app/desktop/slide_dialog.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
 #include "app/panels/film_dialog.h"
+#include "app/state/cue_list.h"
 #include "app/state/state_scene.h"
 #include "pipeline/formats/toml_writer.h"
 
@@ -34,13 +37,55 @@ std::optional<WindowState> MainWindow::state(const std::filesystem::path& folder
     return whole;
 }
 
-bool MainWindow::showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes) {
-    if (!app::show(m_document, state, folder, changes)) return false;
-    showScene();
-    WindowState found = state;
-    findFilesFrom(found, folder);
-    lookAt(found);
+void MainWindow::openScene(const QString& name, SceneOpener::Read read, std::function<void(const OpenedScene&)> take) {
+    m_cueAsked.reset();
+    const auto left = m_document.sharedScene();
+    m_opener->open(name, std::move(read), [this, left, take](const pipeline::Result<OpenedScene>& opened) {
+        const bool changed = left != m_document.sharedScene() && m_document.isChanged();
+        if (!opened) {
+            m_cueAsked.reset();
+            emit m_document.failed(opened.errors());
+            if (m_session) m_session->begin();
+        } else if (!changed || m_presentation->isOn() || opened->kept.scene == m_document.kept().scene ||
+                   mayLeaveScene()) {
+            take(*opened);
+        }
+    });
+}
+
+void MainWindow::cancelOpening() {
+    m_opener->cancel();
+    m_cueAsked.reset();
+    if (m_session) m_session->begin();
+}
+
+bool MainWindow::openFile(const QString& file, const Then& then) {
+    if (file.endsWith(kCueEnding)) return openCues(file, {}, then);
+    if (!mayLeaveScene()) return false;
+    const auto read = [file](const pipeline::ReadProgress& progress) { return readSceneFile(file, progress); };
+    openScene(QFileInfo(file).fileName(), read, [this, file, then](const OpenedScene& opened) {
+        m_document.open(opened);
+        showCarriedState(opened);
+        addRecentFile(file);
+        if (then) then();
+    });
     return true;
+}
+
+void MainWindow::showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes,
+                           const Then& then) {
+    const KeptScene open = isOpen(m_document, state, folder) ? m_document.kept() : KeptScene();
+    const auto read = [state, folder, open](const pipeline::ReadProgress& progress) {
+        return readStateScene(state, folder, open, progress);
+    };
+    openScene(QFileInfo(toQString(state.scene)).fileName(), read, [=, this](const OpenedScene& opened) {
+        app::show(m_document, opened, state, changes);
+        showScene();
+        WindowState found = state;
+        findFilesFrom(found, folder);
+        lookAt(found);
+        if (then) then();
+    });
 }
 
 void MainWindow::lookAt(const WindowState& state) {
@@ -73,9 +118,8 @@ void MainWindow::rememberWhere() {
 }
 
 // A picture's scene is open; what the window showed then comes with it.
-void MainWindow::showCarriedState(const QString& picture) {
-    if (!picture.endsWith(".png", Qt::CaseInsensitive)) return;
-    const auto state = stateInPicture(picture);
+void MainWindow::showCarriedState(const OpenedScene& picture) {
+    const auto& state = picture.carried;
     if (!state)
         return m_errors->report(tr("The scene is open; what the picture says about the views is not read."),
                                 state.errors());
@@ -105,14 +149,17 @@ void MainWindow::pasteState() {
                                    : readState(text, "clipboard");
     if (!read) return m_errors->report(tr("This is no state of a window. Nothing has changed."), read.errors());
     m_errors->hide();
+    const auto tell = [this, place = placeText(*read)] {
+        emit m_document.said(tr("Shows what was copied: %1.").arg(place));
+    };
     if (read->scene.empty() && read->sceneText.empty() && showsScene()) {
         showPlace(m_document, *read);
         lookAt(*read);
     } else {
         if (!isOpen(m_document, *read, {}) && !mayLeaveScene()) return;
-        if (!showState(*read, {}, SceneChanges::Pasted)) return;
+        return showState(*read, {}, SceneChanges::Pasted, tell);
     }
-    emit m_document.said(tr("Shows what was copied: %1.").arg(placeText(*read)));
+    tell();
 }
 
 void MainWindow::exportSlide() {
@@ -140,16 +187,18 @@ bool MainWindow::openRecent(const QString& file) {
     QString text;
     for (const RecentFile& recent : recentFiles())
         if (recent.file == file) text = recent.state;
-    if (!openFile(file)) return false;
-    if (text.isEmpty()) return true;
-    const auto state = readState(text.toStdString(), "recent");
-    if (!state) return true;  // of another version: the file is open all the same
-    return showState(*state, {}, SceneChanges::Given);
+    return openFile(file, [this, text] {
+        if (text.isEmpty()) return;
+        const auto state = readState(text.toStdString(), "recent");
+        // One of another version is not read; the file is open all the same.
+        if (state) showState(*state, {}, SceneChanges::Given);
+    });
 }
 
 void MainWindow::startSession(const QString& folder, bool restore) {
     m_session = new Session(
         m_document, folder, [this] { return state({}); }, this);
+    connect(m_views, &ViewArea::changed, m_session, &Session::saveSoon);
     if (restore && SessionFile::isWanted()) {
         SessionFile& file = m_session->file();
         const SessionFile::Left left = file.take();
@@ -158,7 +207,7 @@ void MainWindow::startSession(const QString& folder, bool restore) {
                              left.errors);
         if (left.state) showState(*left.state, {}, SceneChanges::Ours);
     }
-    m_session->begin();
+    if (!m_opener->busy()) m_session->begin();
 }
 
 }  // namespace app

@@ -10,19 +10,24 @@ Session::Session(Document& document, const QString& folder, std::function<std::o
     m_soon.setSingleShot(true);
     m_soon.setInterval(3000);
     connect(&m_soon, &QTimer::timeout, this, [this] { save(); });
-    const auto later = [this] { m_soon.start(); };
-    connect(&document, &Document::sceneOpened, this, later);
-    connect(&document, &Document::sceneChanged, this, later);
-    connect(&document, &Document::stageChanged, this, later);
-    connect(&document, &Document::pixelChanged, this, later);
-    connect(&document, &Document::channelChanged, this, later);
-    connect(&document.stepper(), &Stepper::changed, this, later);
+    connect(&document, &Document::sceneOpened, this, &Session::saveSoon);
+    connect(&document, &Document::sceneChanged, this, &Session::saveSoon);
+    connect(&document, &Document::stageChanged, this, &Session::saveSoon);
+    connect(&document, &Document::pixelChanged, this, &Session::saveSoon);
+    connect(&document, &Document::channelChanged, this, &Session::saveSoon);
+    connect(&document.stepper(), &Stepper::changed, this, &Session::saveSoon);
     // A first frame has come of it: that scene does not end the program.
     connect(&document, &Document::frameReady, this, [this] { m_file.settle(); });
 }
 
 void Session::begin() {
     if (!m_state()) m_file.settle();
+}
+
+void Session::end(bool withChanges) {
+    if (!m_state() && m_file.giveBack()) return;
+    save(withChanges);
+    m_file.settle();
 }
 
 void Session::save(bool withChanges) {

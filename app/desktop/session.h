@@ -19,10 +19,13 @@ public:
             QObject* parent);
 
     SessionFile& file() { return m_file; }
+    void saveSoon() { m_soon.start(); }
     // What was read has been shown, or could not be.
     void begin();
     // withChanges: what was not saved too; else the next session begins with the file.
     void save(bool withChanges = true);
+    // The same as the program ends. A session that is still being restored stays for the next start.
+    void end(bool withChanges);
 
 private:
     SessionFile m_file;

@@ -105,22 +105,4 @@ std::string slidePng(const QImage& image, const Document& document, const Window
     return pipeline::pngOf(bytes, {straight.width(), straight.height()}, texts);
 }
 
-Result<std::optional<WindowState>> stateInPicture(const QString& file) {
-    constexpr std::size_t kHead = std::size_t{4} << 20;  // more than what stands before the pixels
-    const auto start = pipeline::readStart(file.toStdString(), kHead);
-    if (!start) return std::optional<WindowState>();
-    const std::string text = pipeline::carriedState(*start);
-    if (text.empty()) return std::optional<WindowState>();
-    auto state = readState(text, file.toStdString());
-    if (!state) return state.errors();
-    if (const std::string shown = pipeline::shownBuffer(*start);
-        pipeline::findAnyBuffer(shown) && !state->views.empty())
-        return [&] {
-            WindowState of = *state;
-            if (of.views.front().buffer != shown) of.views.front() = {shown};
-            return std::optional(of);
-        }();
-    return std::optional(*state);
-}
-
 }  // namespace app

@@ -25,7 +25,4 @@ pipeline::Result<QImage> slidePicture(const Document& document, ViewArea& views,
 // A PNG file that carries the scene and what the window shows, so that it opens them again.
 std::string slidePng(const QImage& image, const Document& document, const WindowState& state);
 
-// The state that such a picture, or one of a buffer, carries; nothing where it carries none. Errors: it is no state.
-pipeline::Result<std::optional<WindowState>> stateInPicture(const QString& file);
-
 }  // namespace app

@@ -6,6 +6,7 @@
 
 #include "app/core/stage_status.h"
 #include "app/core/text.h"
+#include "app/desktop/opening_bar.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/scene/scene_remarks.h"
 
@@ -29,7 +30,8 @@ QString pixelText(const pipeline::Frame& frame, glm::ivec2 pixel) {
     return text;
 }
 
-StatusLine::StatusLine(Document& document, QWidget* parent) : QStatusBar(parent), m_document(document) {
+StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* parent)
+    : QStatusBar(parent), m_document(document) {
     setSizeGripEnabled(false);
     const auto add = [this](int stretch) {
         auto* label = new QLabel(this);
@@ -43,7 +45,10 @@ StatusLine::StatusLine(Document& document, QWidget* parent) : QStatusBar(parent)
         }
         return label;
     };
+    auto* opening = new OpeningBar(opener, this);
+    addWidget(opening);
     m_sentence = add(1);
+    connect(opening, &OpeningBar::cancelAsked, this, &StatusLine::cancelAsked);
     m_hovered = add(0);
     m_remarks = add(0);
     m_nan = add(0);

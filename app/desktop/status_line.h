@@ -7,14 +7,19 @@ class QLabel;
 
 namespace app {
 
-// Left the last event in a sentence; right the pixel under the cursor, remarks about the scene,
+class SceneOpener;
+
+// Left the last event in a sentence, and what is being opened; right the pixel under the cursor, remarks about the scene,
 // whether every number is one, the error against double precision, and how many threads compute.
 class StatusLine : public QStatusBar {
     Q_OBJECT
 public:
-    explicit StatusLine(Document& document, QWidget* parent = nullptr);
+    StatusLine(Document& document, const SceneOpener& opener, QWidget* parent = nullptr);
 
     void say(const QString& sentence);
+
+signals:
+    void cancelAsked();  // the opening
 
 private:
     void showHovered();

@@ -210,6 +210,7 @@ void ViewArea::readShares(const QWidget* part, ViewTree& tree) const {
 void ViewArea::takeShares() {
     readShares(m_root, m_shown);
     if (haveSameViews(m_tree, m_shown)) m_tree = m_shown;
+    emit changed();
 }
 
 bool ViewArea::eventFilter(QObject* watched, QEvent* event) {

@@ -28,11 +28,11 @@ fs::path sceneFile(const std::string& name, const fs::path& folder) {
     return found != scenes.end() ? found->file : file;
 }
 
-Result<Scene> readNamedScene(const std::string& name, const fs::path& folder) {
+Result<Scene> readNamedScene(const std::string& name, const fs::path& folder, const pipeline::ReadProgress& progress) {
     const fs::path file = sceneFile(name, folder);
     std::error_code ignored;
     // A path says best itself why it cannot be read.
-    if (fs::exists(file, ignored) || name.find_first_of("./") != name.npos) return pipeline::readScene(file);
+    if (fs::exists(file, ignored) || name.find_first_of("./") != name.npos) return pipeline::readScene(file, progress);
     std::vector<std::string> names;
     for (const BuiltInScene& scene : pipeline::builtInScenes()) names.push_back(scene.name);
     return Error{{},

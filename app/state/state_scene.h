@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/state/window_state.h"
+#include "pipeline/formats/read_progress.h"
 #include "pipeline/scene/scene.h"
 
 namespace app {
@@ -10,7 +11,8 @@ namespace app {
 // A scene by its file, looked for from `folder`, or by the name of a built-in scene; a file goes before a built-in
 // scene of the same name. Empty `folder`: the current one.
 std::filesystem::path sceneFile(const std::string& name, const std::filesystem::path& folder);
-pipeline::Result<pipeline::Scene> readNamedScene(const std::string& name, const std::filesystem::path& folder);
+pipeline::Result<pipeline::Scene> readNamedScene(const std::string& name, const std::filesystem::path& folder,
+                                                 const pipeline::ReadProgress& progress = {});
 // What sceneFile finds again: the name of a built-in scene, a path within `folder`, or an absolute one.
 std::string sceneName(const std::filesystem::path& file, const std::filesystem::path& folder);
 

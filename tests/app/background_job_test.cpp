@@ -113,4 +113,25 @@ TEST(BackgroundJob, SaysHowFarItIs) {
     EXPECT_EQ(busy.size(), 2);
 }
 
+TEST(BackgroundJob, WaitedForItComesWithinTheCall) {
+    BackgroundJob job;
+    int result = 0;
+    job.ask([](const Control&) { return 7; }, [&](int given) { result = given; });
+    EXPECT_TRUE(job.waitFor(std::chrono::minutes(1)));
+    EXPECT_EQ(result, 7);
+    EXPECT_FALSE(job.busy());
+    EXPECT_TRUE(job.waitFor(std::chrono::minutes(1))) << "there is nothing to wait for";
+}
+
+TEST(BackgroundJob, WaitedForInVainItComesLater) {
+    BackgroundJob job;
+    Gate gate;
+    int result = 0;
+    job.ask([&](const Control& control) { return gate.wait(control) ? 7 : 0; }, [&](int given) { result = given; });
+    EXPECT_FALSE(job.waitFor(std::chrono::milliseconds(1)));
+    EXPECT_EQ(result, 0);
+    gate.open = true;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return result == 7; }, 10000));
+}
+
 }  // namespace app

@@ -14,6 +14,7 @@
 #include <ctime>
 #include <vector>
 
+#include "app/core/scene_opener.h"
 #include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/view_area.h"
@@ -52,8 +53,9 @@ void runUntil(Done done, qint64 most) {
     while (!done() && since.elapsed() < most) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
 }
 
-void settle(app::Document& document) {
-    runUntil([&] { return document.frame() && !document.busy(); }, 60000);
+void settle(app::MainWindow& window) {
+    const app::Document& document = window.document();
+    runUntil([&] { return !window.opener().busy() && document.frame() && !document.busy(); }, 60000);
     QCoreApplication::processEvents();
 }
 
@@ -135,7 +137,7 @@ double drag(app::MainWindow& window) {
     mouse.stop();
     const double perSecond = 1000.0 * frames / double(time.elapsed());
     document.change(setting, begin, app::Document::Change::Done);
-    settle(document);
+    settle(window);
     return perSecond;
 }
 
@@ -170,18 +172,18 @@ int main(int argc, char** argv) {
         QElapsedTimer opening;
         opening.start();
         if (!window.openFile(QString::fromStdString(scene.file.string()))) continue;
-        settle(window.document());
+        settle(window);
         const double opened = double(opening.nsecsElapsed()) / 1e6;
         pipeline::Scene sized = window.document().scene();
         sized.settings.width = 640, sized.settings.height = 480;
         window.document().replace(sized, "size");
-        settle(window.document());
+        settle(window);
         stepByStep(window, 8);
         const double windowBefore = windowCpu(), wholeBefore = wholeCpu();
         const std::vector<double> times = stepByStep(window, kSteps);
         const double windowStep = (windowCpu() - windowBefore) / kSteps,
                      wholeStep = (wholeCpu() - wholeBefore) / kSteps;
-        settle(window.document());
+        settle(window);
         std::printf("%-28s %9.0f %9.1f %9.1f %12.1f %10.1f %9.1f\n", scene.name.c_str(), opened,
                     times[times.size() / 2], times.back(), windowStep, wholeStep, drag(window));
         std::fflush(stdout);

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <QTest>
 
+#include "app/core/scene_opener.h"
 #include "app/core/theme.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
@@ -19,6 +20,7 @@ QString resourceScene(const char* name) {
 WindowTest::WindowTest() {
     QSettings().clear();
     Theme::current().set(ThemeId::Light);
+    window.opener().setPatience(std::chrono::minutes(1));
     window.setGeometry(0, 0, 1600, 900);
     window.show();
     // There may be no window manager to make it the active one.

