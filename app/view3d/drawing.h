@@ -19,11 +19,11 @@ QColor mixed(const QColor& a, const QColor& b, double shareOfA);
 struct InkedSolid {
     Ink ink;
     Solid solid;
-    double unit = 1;      // world units per logical pixel where it stands
+    double unit = 1;      // world units per pixel of the design where it stands
     double strength = 1;  // 1 full, 0 gone into the background
 };
 
-// A line, a little over 1 logical pixel wide. Its ends may fade into the background: 1 full, 0 gone.
+// A line, a little over 1 pixel of the design wide. Its ends may fade into the background: 1 full, 0 gone.
 struct InkedLine {
     Vec3d a, b;
     Ink ink = Ink::Edge;
@@ -69,6 +69,10 @@ void dimAllBut(const std::vector<VectorCode>& codes, Drawing& drawing);
 struct ViewFrame {
     OrbitCamera camera;
     glm::dvec2 size{640, 480};  // logical pixels
+    double scale = 1;           // of all marks, as of the letters beside them: logical pixels a pixel of the design
+
+    // World units that a pixel of the design spans at the camera's target.
+    double unitsPerMarkPixel() const { return scale * camera.unitsPerPixel(size.y); }
 };
 
 }  // namespace app

@@ -9,7 +9,7 @@ namespace app {
 
 namespace {
 
-constexpr double kReach = 13, kTipReach = 10, kRingReach = 7, kArmLength = 46;  // logical pixels
+constexpr double kReach = 13, kTipReach = 10, kRingReach = 7, kArmLength = 46;  // pixels of the design
 constexpr int kRingPieces = 64;
 
 // World units that a pixel spans at a point.
@@ -151,7 +151,8 @@ Vec3d scaled(const Handle& handle, std::optional<std::size_t> arm, const HandleV
              DragStep step) {
     Vec3d result = handle.value;
     if (!arm) {
-        const double factor = 1 + shareOf(step) * (by.x - by.y) / kArmLength;  // to the right and up it grows
+        const double factor =
+            1 + shareOf(step) * (by.x - by.y) / (kArmLength * view.view.scale);  // to the right and up it grows
         for (int i = 0; i < 3; ++i) result[i] = scaled(result[i], factor, step);
         return result;
     }
@@ -185,16 +186,16 @@ std::optional<Grip> armAt(const Handle& handle, std::size_t index, const HandleV
         double nearest = 1e300;
         for (std::size_t i = 0; i < handle.arms.size(); ++i) {
             const double distance = distanceToRing(handle, i, view, cursor);
-            if (!(distance < kRingReach)) continue;
+            if (!(distance < kRingReach * view.view.scale)) continue;
             const double rate = distance - 4 * std::abs(glm::dot(handle.arms[i].axis, view.view.camera.forward));
             if (rate < nearest) nearest = rate, best = Grip{index, i};
         }
         return best;
     }
     const auto tips = armTips(handle, view);
-    const bool onRing = glm::length(cursor - placeOf(view, handle.at).at) <= kReach / 2;
+    const bool onRing = glm::length(cursor - placeOf(view, handle.at).at) <= kReach * view.view.scale / 2;
     for (std::size_t i = 0; i < tips.size() && !best; ++i)
-        if (glm::length(tips[i] - cursor) < kTipReach && !onRing) best = Grip{index, i};
+        if (glm::length(tips[i] - cursor) < kTipReach * view.view.scale && !onRing) best = Grip{index, i};
     return best;
 }
 
@@ -219,7 +220,7 @@ Projected placeOf(const HandleView& view, Vec3d world) {
 
 std::vector<glm::dvec2> armTips(const Handle& handle, const HandleView& view) {
     std::vector<glm::dvec2> tips;
-    const double length = kArmLength * unitAt(view, handle.at);
+    const double length = kArmLength * view.view.scale * unitAt(view, handle.at);
     for (const HandleArm& arm : handle.arms) tips.push_back(placeOf(view, handle.at + length * arm.axis).at);
     return tips;
 }
@@ -231,7 +232,7 @@ std::vector<Vec3d> armRing(const Handle& handle, std::size_t arm, const HandleVi
                         : away.y <= away.z                   ? Vec3d(0, 1, 0)
                                                              : Vec3d(0, 0, 1);
     const Vec3d u = glm::normalize(glm::cross(axis, other)), v = glm::cross(axis, u);
-    const double radius = kArmLength * unitAt(view, handle.at);
+    const double radius = kArmLength * view.view.scale * unitAt(view, handle.at);
     std::vector<Vec3d> ring;
     for (int i = 0; i <= kRingPieces; ++i) {
         const double a = 2 * std::numbers::pi * i / kRingPieces;
@@ -245,7 +246,7 @@ std::optional<Grip> gripAt(std::span<const Handle> handles, std::optional<std::s
     if (hot && *hot < handles.size())
         if (const auto grip = armAt(handles[*hot], *hot, view, cursor)) return grip;
     std::optional<Grip> best;
-    double nearest = kReach;
+    double nearest = kReach * view.view.scale;
     for (std::size_t i = 0; i < handles.size(); ++i) {
         const Projected p = placeOf(view, handles[i].at);
         if (!p.inFront || glm::length(p.at - cursor) >= nearest) continue;

@@ -71,13 +71,14 @@ public:
     }
 
     QImage render(ViewPreset preset) {
-        const ViewFrame view{presetCamera(preset, *m_content, m_options, m_size, false), m_size};
+        const ViewFrame view{presetCamera(preset, *m_content, m_options, m_size, false), m_size,
+                             Theme::current().scale()};
         return paint(view, drawWorld(*m_content, m_options, view), true);
     }
 
     QImage renderShot(const OrbitCamera& camera, const ViewShot& shot) {
         m_scene.setContent(m_content, shot.hasGround ? groundLines(*m_content) : std::vector<InkedLine>{});
-        const ViewFrame view{camera, m_size};
+        const ViewFrame view{camera, m_size, Theme::current().scale()};
         const Drawing drawing = (shot.isPoint ? drawPoint : drawWorld)(*m_content, m_options, view);
         m_scene.setView(view, drawing, m_pixelRatio);
         QImage image = shot.transparent ? renderTransparent() : m_window->render();
@@ -92,7 +93,7 @@ public:
     // "At the point"; from then on the window shows `point` in place of the world.
     QImage renderPoint(std::shared_ptr<const ViewContent> point) {
         m_scene.setContent(point, {});
-        const ViewFrame view{pointCamera(ViewPreset::Iso, *point, {}, m_size, false), m_size};
+        const ViewFrame view{pointCamera(ViewPreset::Iso, *point, {}, m_size, false), m_size, Theme::current().scale()};
         return paint(view, drawPoint(*point, m_options, view), false);
     }
 

@@ -14,6 +14,7 @@ namespace app {
 
 namespace {
 
+// Pixels of the design.
 constexpr double kLetterGap = 21, kTipGap = 17, kBeyondTip = 14, kBorder = 16, kHalo = 5;
 
 QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
@@ -45,33 +46,38 @@ QFont fontOf(Label::Kind kind) {
 }
 
 // Text with a halo in the view's colour, so that it reads on any picture; its middle is the origin.
-void paintHaloedText(QPainter& painter, const QString& text, const QFont& font, const QColor& ink) {
+void paintHaloedText(QPainter& painter, const QString& text, const QFont& font, const QColor& ink, double halo) {
     QPainterPath path;
     path.addText(-QFontMetricsF(font).tightBoundingRect(text).center(), font, text);
     QColor back = Theme::current().colors().view;
     back.setAlphaF(0.88f);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.strokePath(path, QPen(back, kHalo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.strokePath(path, QPen(back, halo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.fillPath(path, ink);
 }
 
 // The same around `at`. Stroking outlines took an eighth of the window's time while a hand drags: the few words of a
 // view are stroked once and kept as pictures.
-void paintText(QPainter& painter, glm::dvec2 at, const QString& text, const QFont& font, const QColor& ink) {
+void paintText(QPainter& painter, glm::dvec2 at, const QString& text, const QFont& font, const QColor& ink,
+               double halo) {
     // A picture would be scaled; and only the window's thread has pictures to keep.
     const bool isWindow = QThread::currentThread() == QCoreApplication::instance()->thread();
     if (!isWindow || painter.transform().type() > QTransform::TxTranslate) {
         painter.save();
         painter.translate(toPoint(at));
-        paintHaloedText(painter, text, font, ink);
+        paintHaloedText(painter, text, font, ink, halo);
         painter.restore();
         return;
     }
     const double ratio = painter.device()->devicePixelRatio();
-    const QString key = QStringList{text, font.key(), ink.name(QColor::HexArgb), Theme::current().colors().view.name(),
-                                    QString::number(ratio)}
+    const QString key = QStringList{text,
+                                    font.key(),
+                                    ink.name(QColor::HexArgb),
+                                    Theme::current().colors().view.name(),
+                                    QString::number(ratio),
+                                    QString::number(halo)}
                             .join('\n');
-    const QSizeF box = QFontMetricsF(font).tightBoundingRect(text).size() + QSizeF(2 * kHalo, 2 * kHalo);
+    const QSizeF box = QFontMetricsF(font).tightBoundingRect(text).size() + QSizeF(2 * halo, 2 * halo);
     const QSize size(int(std::ceil(box.width() * ratio)), int(std::ceil(box.height() * ratio)));
     QPixmap picture;
     if (!QPixmapCache::find(key, &picture)) {
@@ -80,7 +86,7 @@ void paintText(QPainter& painter, glm::dvec2 at, const QString& text, const QFon
         picture.fill(Qt::transparent);
         QPainter words(&picture);
         words.translate(QPointF(size.width(), size.height()) / (2 * ratio));
-        paintHaloedText(words, text, font, ink);
+        paintHaloedText(words, text, font, ink, halo);
         QPixmapCache::insert(key, picture);
     }
     // On whole pixels of the screen, so that letters stay sharp.
@@ -111,8 +117,8 @@ void relax(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips
 }
 
 // Where the way from the middle of the view to a point crosses the border.
-glm::dvec2 borderPoint(const Projected& p, glm::dvec2 size) {
-    const glm::dvec2 middle = size / 2.0, half = middle - kBorder;
+glm::dvec2 borderPoint(const Projected& p, glm::dvec2 size, double border) {
+    const glm::dvec2 middle = size / 2.0, half = middle - border;
     glm::dvec2 d = p.at - middle;
     if (!std::isfinite(d.x) || !std::isfinite(d.y) || glm::length(d) == 0) d = {0, 1};
     const double reach = std::max(std::abs(d.x) / half.x, std::abs(d.y) / half.y);
@@ -121,28 +127,29 @@ glm::dvec2 borderPoint(const Projected& p, glm::dvec2 size) {
 
 void markCaption(PlacedLabel& placed, const ViewFrame& view) {
     const Projected p = project(view.camera, view.size, placed.label.at);
+    const double border = kBorder * view.scale;
     placed.mark = p.at;
-    placed.atBorder = !p.inFront || p.at.x < kBorder || p.at.y < kBorder || p.at.x > view.size.x - kBorder ||
-                      p.at.y > view.size.y - kBorder;
+    placed.atBorder = !p.inFront || p.at.x < border || p.at.y < border || p.at.x > view.size.x - border ||
+                      p.at.y > view.size.y - border;
     if (!placed.atBorder) return;
     placed.label.text += placed.label.distance;
-    placed.mark = borderPoint(p, view.size);
+    placed.mark = borderPoint(p, view.size, border);
 }
 
 // Where a text of this size may stand, the best first. At the border inwards; else above its mark, below it, at a side.
-std::vector<glm::dvec2> captionPlaces(const PlacedLabel& placed, QSizeF size, glm::dvec2 view) {
-    constexpr double kBeside = 14, kAbove = 18;
-    const glm::dvec2 aside{size.width() / 2 + kBeside, 0};
+std::vector<glm::dvec2> captionPlaces(const PlacedLabel& placed, QSizeF size, const ViewFrame& view) {
+    const double beside = 14 * view.scale, above = 18 * view.scale;
+    const glm::dvec2 aside{size.width() / 2 + beside, 0};
     const double line = size.height();
     std::vector<glm::dvec2> places;
-    const bool right = placed.mark.x > view.x / 2;
+    const bool right = placed.mark.x > view.size.x / 2;
     const glm::dvec2 inwards = placed.mark + (right ? -aside : aside),
                      outwards = placed.mark + (right ? aside : -aside);
     if (!placed.atBorder) {
-        places = {placed.mark - glm::dvec2(0, kAbove), placed.mark + glm::dvec2(0, kAbove), inwards, outwards};
+        places = {placed.mark - glm::dvec2(0, above), placed.mark + glm::dvec2(0, above), inwards, outwards};
         for (const double lines : {1.0, 2.0})
             for (const double sign : {-1.0, 1.0})
-                places.push_back(placed.mark + glm::dvec2(0, sign * (kAbove + lines * line)));
+                places.push_back(placed.mark + glm::dvec2(0, sign * (above + lines * line)));
     }
     for (int lines = 0; lines <= 4; ++lines)
         for (const double sign : {-1.0, 1.0}) places.push_back(inwards + glm::dvec2(0, sign * lines * line));
@@ -169,10 +176,10 @@ double overlap(const QRectF& a, const QRectF& b) {
 }
 
 // What belongs to a plane, a length or an equation, gives way to letters by lines, up or down.
-void movePlanes(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, glm::dvec2 view) {
-    constexpr double kTip = 6;
+void movePlanes(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, const ViewFrame& view) {
+    const double r = 6 * view.scale;
     std::vector<QRectF> taken;
-    for (const glm::dvec2& tip : tips) taken.push_back(QRectF(tip.x - kTip, tip.y - kTip, 2 * kTip, 2 * kTip));
+    for (const glm::dvec2& tip : tips) taken.push_back(QRectF(tip.x - r, tip.y - r, 2 * r, 2 * r));
     for (const PlacedLabel& placed : labels)
         if (placed.label.kind != Label::Kind::Caption && placed.label.kind != Label::Kind::Plane)
             taken.push_back(boxOf(placed));
@@ -183,7 +190,7 @@ void movePlanes(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>&
         double least = 1e300;
         for (const int lines : {0, -1, 1, -2, 2, -3, 3}) {
             PlacedLabel tried = plane;
-            tried.at = inside(own + glm::dvec2(0, lines * size.height()), size, view);
+            tried.at = inside(own + glm::dvec2(0, lines * size.height()), size, view.size);
             double covered = 0;
             for (const QRectF& other : taken) covered += overlap(boxOf(tried), other);
             if (covered >= least) continue;
@@ -196,20 +203,20 @@ void movePlanes(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>&
 }
 
 // One caption after the other, each at the place where it covers least.
-void placeCaptions(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, glm::dvec2 view,
+void placeCaptions(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, const ViewFrame& view,
                    std::vector<QRectF> taken) {
-    constexpr double kMark = 7, kTip = 6;
+    const double mark = 7 * view.scale, tipRadius = 6 * view.scale;
     const auto around = [](glm::dvec2 p, double r) { return QRectF(p.x - r, p.y - r, 2 * r, 2 * r); };
-    for (const glm::dvec2& tip : tips) taken.push_back(around(tip, kTip));
+    for (const glm::dvec2& tip : tips) taken.push_back(around(tip, tipRadius));
     for (const PlacedLabel& placed : labels)
-        taken.push_back(placed.label.kind == Label::Kind::Caption ? around(placed.mark, kMark) : boxOf(placed));
+        taken.push_back(placed.label.kind == Label::Kind::Caption ? around(placed.mark, mark) : boxOf(placed));
     for (PlacedLabel& caption : labels) {
         if (caption.label.kind != Label::Kind::Caption) continue;
         const QSizeF size = sizeOf(caption.label);
         double least = 1e300;
         for (const glm::dvec2& wanted : captionPlaces(caption, size, view)) {
             PlacedLabel tried = caption;
-            tried.at = inside(wanted, size, view);
+            tried.at = inside(wanted, size, view.size);
             // Moved off its own place by the border it may lie on its mark.
             double covered = 0;
             for (const QRectF& other : taken) covered += overlap(boxOf(tried), other);
@@ -222,24 +229,25 @@ void placeCaptions(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec
     }
 }
 
-void paintBorderMark(QPainter& painter, const PlacedLabel& placed) {
+void paintBorderMark(QPainter& painter, const PlacedLabel& placed, double scale) {
     const ThemeColors& colors = Theme::current().colors();
     const QColor ink = colorOf(placed.label.ink, colors);
-    painter.setPen(QPen(ink, 2.5));
+    painter.setPen(QPen(ink, 2.5 * scale));
     painter.setBrush(placed.label.ink == Ink::V ? QBrush(colors.view) : QBrush(ink));
-    painter.drawEllipse(toPoint(placed.mark), 5.5, 5.5);
+    painter.drawEllipse(toPoint(placed.mark), 5.5 * scale, 5.5 * scale);
 }
 
 // White in black, seen on every picture: a square stands for a pixel, as in the buffer views.
 void paintMarker(QPainter& painter, const Drawing::Marker& marker, const ViewFrame& view, bool square) {
     const Projected p = project(view.camera, view.size, marker.at);
     if (!p.inFront) return;
-    painter.setPen(QPen(Qt::black, 1.8, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    const double s = view.scale;
+    painter.setPen(QPen(Qt::black, 1.8 * s, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     painter.setBrush(marker.hidden ? Qt::NoBrush : QBrush(Qt::white));
     if (square)
-        painter.drawRect(QRectF(p.at.x - 3.5, p.at.y - 3.5, 7, 7));
+        painter.drawRect(QRectF(p.at.x - 3.5 * s, p.at.y - 3.5 * s, 7 * s, 7 * s));
     else
-        painter.drawEllipse(toPoint(p.at), 4.2, 4.2);
+        painter.drawEllipse(toPoint(p.at), 4.2 * s, 4.2 * s);
 }
 
 }  // namespace
@@ -249,8 +257,7 @@ QRectF boxOf(const PlacedLabel& placed) {
     return {toPoint(placed.at) - QPointF(size.width(), size.height()) / 2, size};
 }
 
-std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, double scale,
-                                     const std::vector<QRectF>& taken) {
+std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, const std::vector<QRectF>& taken) {
     std::vector<PlacedLabel> result;
     std::vector<glm::dvec2> tips;
     for (const Label& label : drawing.labels) {
@@ -264,12 +271,13 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         if (!p.inFront) continue;
         const glm::dvec2 foot = project(view.camera, view.size, label.foot).at;
         placed.mark = p.at;
-        placed.at = label.kind == Label::Kind::Note ? p.at : p.at + kBeyondTip * scale * unit(p.at - foot, {0, -1});
+        placed.at =
+            label.kind == Label::Kind::Note ? p.at : p.at + kBeyondTip * view.scale * unit(p.at - foot, {0, -1});
         if (label.kind == Label::Kind::Plane) placed.at.x += (p.at.x < foot.x ? -0.5 : 0.5) * sizeOf(label).width();
         if (label.kind == Label::Kind::Letter) tips.push_back(p.at);
         result.push_back(placed);
     }
-    relax(result, tips, scale);
+    relax(result, tips, view.scale);
     for (PlacedLabel& placed : result) {
         // An axis that ends outside has its name there.
         const bool isAway = placed.label.kind == Label::Kind::Axis || placed.label.kind == Label::Kind::Note;
@@ -278,8 +286,8 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         if (!isAway && !(isTip && !near.contains(toPoint(placed.mark))))
             placed.at = inside(placed.at, sizeOf(placed.label), view.size);
     }
-    movePlanes(result, tips, view.size);
-    placeCaptions(result, tips, view.size, taken);
+    movePlanes(result, tips, view);
+    placeCaptions(result, tips, view, taken);
     return result;
 }
 
@@ -289,9 +297,9 @@ void paintProbe(QPainter& painter, Vec3d point, const ViewFrame& view) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    for (const QPen& pen : {QPen(Qt::black, 3), QPen(Qt::white, 1.5)}) {
+    for (const QPen& pen : {QPen(Qt::black, 3 * view.scale), QPen(Qt::white, 1.5 * view.scale)}) {
         painter.setPen(pen);
-        painter.drawEllipse(toPoint(p.at), 5, 5);
+        painter.drawEllipse(toPoint(p.at), 5 * view.scale, 5 * view.scale);
     }
     painter.restore();
 }
@@ -304,15 +312,16 @@ void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& vi
     if (drawing.point) paintMarker(painter, *drawing.point, view, true);
     if (drawing.foot) paintMarker(painter, *drawing.foot, view, false);
     if (drawing.vertex) paintProbe(painter, *drawing.vertex, view);
-    std::vector<PlacedLabel> labels = placeLabels(drawing, view, theme.scale(), taken);
+    std::vector<PlacedLabel> labels = placeLabels(drawing, view, taken);
     // Letters over captions.
     std::ranges::stable_partition(labels, [](const PlacedLabel& p) { return p.label.kind == Label::Kind::Caption; });
     for (const PlacedLabel& placed : labels) {
         const Label::Kind kind = placed.label.kind;
-        if (placed.atBorder) paintBorderMark(painter, placed);
+        if (placed.atBorder) paintBorderMark(painter, placed, view.scale);
         const bool quiet = kind == Label::Kind::Caption;
         paintText(painter, placed.at, toQString(placed.label.text), fontOf(kind),
-                  mixed(quiet ? colors.text2 : colorOf(placed.label.ink, colors), colors.view, placed.label.strength));
+                  mixed(quiet ? colors.text2 : colorOf(placed.label.ink, colors), colors.view, placed.label.strength),
+                  kHalo * view.scale);
     }
     painter.restore();
 }

@@ -21,7 +21,7 @@ struct PlacedLabel {
 // there is room; captions beside their marks, or at the border: above, below or at a side of them, where they cover
 // no letter, no mark and none of each other, and nothing that is `taken`. All of them inside the view. `scale` is the
 // font scale.
-std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, double scale,
+std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view,
                                      const std::vector<QRectF>& taken = {});
 // The space that a label takes.
 QRectF boxOf(const PlacedLabel& placed);

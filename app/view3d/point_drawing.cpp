@@ -15,7 +15,7 @@ namespace app {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kArrowRadius = 2.2;  // logical pixels
+constexpr double kArrowRadius = 2.2;  // pixels of the design
 constexpr int kAround = 72;           // pieces of a circle
 
 const VectorArrow* find(const ViewContent& content, VectorCode code) {
@@ -79,7 +79,7 @@ private:
 
     void vectors() {
         const OrbitCamera& camera = m_view.camera;
-        const double unit = camera.unitsPerPixel(m_view.size.y);
+        const double unit = m_view.unitsPerMarkPixel();
         for (const VectorArrow& v : m_content.vectors) {
             if (!m_options.shows(v.code)) continue;
             const ShapePlacement placement{Vec3d(0.0), v.direction, -camera.forward, unit};
@@ -152,9 +152,8 @@ private:
     }
     // What a construction says, line by line under the point, where no vector stands.
     void caption(std::string text) {
-        constexpr double kFirst = 20, kNext = 17;  // logical pixels
-        const double down = (kFirst + kNext * m_captions++) * Theme::current().scale();
-        const Vec3d at = -down * m_view.camera.unitsPerPixel(m_view.size.y) * m_view.camera.up;
+        constexpr double kFirst = 20, kNext = 17;
+        const Vec3d at = -(kFirst + kNext * m_captions++) * m_view.unitsPerMarkPixel() * m_view.camera.up;
         m_drawing.labels.push_back({.kind = Label::Kind::Note,
                                     .at = at,
                                     .foot = {},
@@ -195,7 +194,7 @@ private:
     }
 
     void dashed(Vec3d from, Vec3d to, Ink ink) {
-        const double unit = m_view.camera.unitsPerPixel(m_view.size.y), length = glm::length(to - from);
+        const double unit = m_view.unitsPerMarkPixel(), length = glm::length(to - from);
         const double step = 10 * unit;
         if (!(length > 0) || !(step > length / 2000)) return;
         const Vec3d along = (to - from) / length;
@@ -205,12 +204,12 @@ private:
     }
 
     void strong(Vec3d from, Vec3d to, Ink ink) {
-        const double unit = m_view.camera.unitsPerPixel(m_view.size.y);
+        const double unit = m_view.unitsPerMarkPixel();
         if (glm::length(to - from) > 0) m_drawing.solids.push_back({ink, tube(from, to, 3.4 * unit, 10), unit});
     }
 
     void dotted(Vec3d from, Vec3d to, Ink ink) {
-        const double step = 5 * m_view.camera.unitsPerPixel(m_view.size.y), length = glm::length(to - from);
+        const double step = 5 * m_view.unitsPerMarkPixel(), length = glm::length(to - from);
         if (!(length > 0) || !(step > length / 2000)) return;
         const Vec3d along = (to - from) / length;
         for (double s = 0; s < length; s += step)

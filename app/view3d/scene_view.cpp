@@ -134,7 +134,9 @@ SceneView::~SceneView() {
 
 const std::shared_ptr<const ViewContent>& SceneView::shown() const { return isWorld() ? m_content : m_moved; }
 
-ViewFrame SceneView::viewFrame() const { return {m_camera, {std::max(width(), 1), std::max(height(), 1)}}; }
+ViewFrame SceneView::viewFrame() const {
+    return {m_camera, {std::max(width(), 1), std::max(height(), 1)}, Theme::current().scale()};
+}
 
 void SceneView::setContent(std::shared_ptr<const ViewContent> content, bool newScene) {
     m_content = std::move(content);

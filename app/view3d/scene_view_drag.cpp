@@ -9,7 +9,7 @@ namespace app {
 
 namespace {
 
-constexpr double kHotReach = 64;  // logical pixels around a handle within which its arms stay
+constexpr double kHotReach = 64;  // pixels of the design around a handle within which its arms stay
 constexpr double kBelowArms = 48;
 
 glm::dvec2 toVector(QPointF p) { return {p.x(), p.y()}; }
@@ -36,8 +36,8 @@ void SceneView::findHandle(QPointF position) {
         const HandleView view = handlesOnScreen();
         grip = gripAt(m_handles, m_hot, view, toVector(position));
         const bool gone = !grip && m_hot &&
-                          (*m_hot >= m_handles.size() ||
-                           glm::length(placeOf(view, m_handles[*m_hot].at).at - toVector(position)) > kHotReach);
+                          (*m_hot >= m_handles.size() || glm::length(placeOf(view, m_handles[*m_hot].at).at -
+                                                                     toVector(position)) > kHotReach * view.view.scale);
         if (gone) m_hot.reset();
     } else {
         m_hot.reset();
@@ -120,7 +120,7 @@ void SceneView::paintHandles(QPainter& painter) const {
     // Below the arms, which they would cover.
     QPointF beside = m_last;
     if (m_hot && *m_hot < m_handles.size() && !m_handles[*m_hot].arms.empty())
-        beside.setY(std::max(beside.y(), placeOf(view, m_handles[*m_hot].at).at.y + kBelowArms));
+        beside.setY(std::max(beside.y(), placeOf(view, m_handles[*m_hot].at).at.y + kBelowArms * view.view.scale));
     paintNumbers(painter, m_numbers, beside, view.view);
 }
 

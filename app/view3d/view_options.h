@@ -15,7 +15,7 @@ enum class NormalColors { OfN, Direction };
 // What the handle of an object changes.
 enum class HandleTool { Move, Turn, Scale };
 
-// What of a ViewContent is drawn, and how large. Lengths are in logical pixels.
+// What of a ViewContent is drawn, and how large. Lengths are in pixels of the design, which grow with the letters.
 struct ViewOptions {
     NormalsShown normals = NormalsShown::Polygons;
     double normalLength = 40;   // 4 to 400

@@ -12,7 +12,7 @@ namespace app {
 
 namespace {
 
-constexpr double kArrowRadius = 2;  // logical pixels
+constexpr double kArrowRadius = 2;  // pixels of the design
 constexpr double kGridReach = 3.2;  // of the scene's radius
 
 // Grid lines are cut into pieces so that they can fade away from the scene.
@@ -85,7 +85,7 @@ class WorldPainter {
 public:
     WorldPainter(const ViewContent& content, const ViewOptions& options, const ViewFrame& view)
         : m_content(content), m_options(options), m_view(view) {
-        m_unit = view.camera.unitsPerPixel(view.size.y);
+        m_unit = view.unitsPerMarkPixel();
     }
 
     Drawing take() {
@@ -105,7 +105,7 @@ private:
         const Vec3d d = camera.position() - point;
         return camera.orthographic || !(glm::length(d) > 0) ? -camera.forward : glm::normalize(d);
     }
-    // World units that a pixel spans at a point: what keeps its size on the screen is scaled by it.
+    // World units that a pixel of the design spans at a point: what keeps its size on the screen is scaled by it.
     double unitAt(Vec3d point) const {
         if (m_view.camera.orthographic) return m_unit;
         const double depth = glm::dot(point - m_view.camera.position(), m_view.camera.forward);

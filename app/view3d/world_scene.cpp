@@ -11,6 +11,7 @@
 #include <vtkTexture.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/view3d/space_drawing.h"
 #include "app/view3d/vtk_data.h"
@@ -22,8 +23,8 @@ namespace {
 
 constexpr float kRestStrength = 0.55f;   // of the edges while a polygon is picked
 constexpr double kShineStrength = 0.28;  // of a vector where something stands before it
-constexpr double kEdgeWidth = 1.4, kLineWidth = 1.25, kPickedOuter = 5, kPickedInner = 2.5;  // logical pixels
-constexpr double kHalo = 1.6;  // logical pixels around vectors and normals
+constexpr double kEdgeWidth = 1.4, kLineWidth = 1.25, kPickedOuter = 5, kPickedInner = 2.5;  // pixels of the design
+constexpr double kHalo = 1.6;  // around vectors and normals
 
 void setColor(vtkActor& actor, const QColor& color) {
     actor.GetProperty()->SetColor(color.redF(), color.greenF(), color.blueF());
@@ -202,7 +203,7 @@ void WorldScene::colorLines() {
 void WorldScene::setView(const ViewFrame& view, const Drawing& drawing, double pixelRatio) {
     m_pixelRatio = pixelRatio;
     const auto width = [&](Layer& layer, double pixels) {
-        layer.actor->GetProperty()->SetLineWidth(float(pixels * pixelRatio));
+        layer.actor->GetProperty()->SetLineWidth(float(pixels * view.scale * pixelRatio));
     };
     width(m_edges, kEdgeWidth);
     fadeEdges(view);
@@ -228,8 +229,8 @@ void WorldScene::setView(const ViewFrame& view, const Drawing& drawing, double p
 
 // Edges closer together than they are wide would cover the faces that they bound.
 void WorldScene::fadeEdges(const ViewFrame& view) {
-    constexpr double kGone = 3, kFull = 14;  // mean length, logical pixels
-    const double pixels = m_content ? m_content->mesh->meanEdge / view.camera.unitsPerPixel(view.size.y) : kFull;
+    constexpr double kGone = 3, kFull = 14;  // mean length
+    const double pixels = m_content ? m_content->mesh->meanEdge / view.unitsPerMarkPixel() : kFull;
     const double strength = std::clamp((pixels - kGone) / (kFull - kGone), 0.0, 1.0);
     m_edges.actor->GetProperty()->SetOpacity(strength);
     m_edges.actor->SetVisibility(strength > 0);
@@ -240,10 +241,18 @@ void WorldScene::scaleNormals(const ViewFrame& view) {
     constexpr double kRadius = 1.1;
     const Solid glyph =
         placed(smallArrow(m_options.normalLength, kRadius), {.along = {1, 0, 0}, .towardsEye = {0, 0, 1}});
-    const double scale = view.camera.unitsPerPixel(view.size.y);
+    const double scale = view.unitsPerMarkPixel();
     m_normals.mapper->SetSourceData(solidData(glyph));
     m_normalHalos.mapper->SetSourceData(solidData(inflated(glyph, kHalo)));
     for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) glyphs->mapper->SetScaleFactor(scale);
+}
+
+void WorldScene::setPart(const Part& part) {
+    vtkCamera& vtk = *m_world->GetActiveCamera();
+    const double tangent = std::tan(glm::radians(m_fovY) / 2) * part.half.y;
+    vtk.SetViewAngle(glm::degrees(2 * std::atan(tangent)));
+    vtk.SetParallelScale(m_halfHeight * part.half.y);
+    vtk.SetWindowCenter(part.middle.x / part.half.x, part.middle.y / part.half.y);
 }
 
 void WorldScene::placeCamera(const ViewFrame& view) {
@@ -261,9 +270,12 @@ void WorldScene::placeCamera(const ViewFrame& view) {
     vtk.SetPosition(position.x, position.y, position.z);
     vtk.SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
     vtk.SetViewUp(camera.up.x, camera.up.y, camera.up.z);
-    vtk.SetViewAngle(camera.fovY);
+    m_fovY = camera.fovY;
+    m_halfHeight = camera.unitsPerPixel(view.size.y) * view.size.y / 2;
+    vtk.SetViewAngle(m_fovY);
     vtk.SetParallelProjection(camera.orthographic);
-    vtk.SetParallelScale(camera.unitsPerPixel(view.size.y) * view.size.y / 2);
+    vtk.SetParallelScale(m_halfHeight);
+    vtk.SetWindowCenter(0, 0);
     m_world->ResetCameraClippingRange();
 }
 

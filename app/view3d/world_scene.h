@@ -34,6 +34,12 @@ public:
     void setBackground(const QColor& color);  // until the next setColors
     // What changes with the camera. pixelRatio: device pixels per logical pixel of view.size.
     void setView(const ViewFrame& view, const Drawing& drawing, double pixelRatio);
+    // The render window shows a part of the view alone: `middle` of the part, from the view's, and half of its size, in
+    // halves of the view's height; y up. Until the next setView.
+    struct Part {
+        glm::dvec2 middle, half;
+    };
+    void setPart(const Part& part);
 
 private:
     struct Layer {
@@ -69,6 +75,7 @@ private:
     ViewOptions m_options;
     ThemeColors m_colors;
     double m_pixelRatio = 1;
+    double m_fovY = 30, m_halfHeight = 1;  // of the whole view: degrees; world units at the target
 };
 
 }  // namespace app

@@ -347,7 +347,7 @@ TEST(View3dDrawing, CaptionsCoverNothing) {
                               .distance = {},
                               .ink = app::Ink::N});
     const QRectF legend(8, 250, 300, 42);
-    const auto labels = app::placeLabels(drawing, view, 1, {legend});
+    const auto labels = app::placeLabels(drawing, view, {legend});
     ASSERT_EQ(labels.size(), 8u);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const QRectF box = app::boxOf(labels[i]);
