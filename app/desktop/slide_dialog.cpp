@@ -10,14 +10,18 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "app/core/put_away.h"
 #include "app/core/text.h"
+#include "app/desktop/view_area.h"
 #include "app/panels/buffer_painter.h"
 #include "app/panels/follow_theme.h"
+#include "app/view3d/view3d_panel.h"
 
 namespace app {
 namespace {
@@ -41,25 +45,41 @@ SlideDialog::SlideDialog(const Document& document, ViewArea& views, WindowState 
     auto* halves = new QHBoxLayout;
     halves->addWidget(m_picture, 1);
     halves->addWidget(makeFields());
-    auto* copyIt = new QPushButton(tr("Copy"), this);
-    auto* close = new QPushButton(tr("Close"), this);
+    m_progress = new QProgressBar(this);
+    m_progress->setAccessibleName(tr("Progress"));
+    m_progress->setTextVisible(false);
+    m_progress->hide();
+    m_copy = new QPushButton(tr("Copy"), this);
+    m_close = new QPushButton(tr("Close"), this);
+    m_close->setObjectName("slideClose");
     m_save = new QPushButton(tr("Save…"), this);
     m_save->setProperty("kind", "primary");
     m_save->setDefault(true);
-    connect(copyIt, &QPushButton::clicked, this, &SlideDialog::copy);
-    connect(close, &QPushButton::clicked, this, &SlideDialog::reject);
+    connect(m_copy, &QPushButton::clicked, this, &SlideDialog::copy);
+    connect(m_close, &QPushButton::clicked, this, [this] {
+        if (!m_job.busy()) return reject();
+        m_job.forget();
+        m_message->setText(tr("Cancelled. Nothing was written."));
+    });
+    connect(&m_job, &BackgroundJob::progressed, this, [this](double share) {
+        m_progress->setRange(0, share < 1 ? 100 : 0);  // a file is written after that
+        if (share < 1) m_progress->setValue(int(100 * share));
+    });
+    connect(&m_job, &BackgroundJob::busyChanged, this, &SlideDialog::showWork);
     connect(m_save, &QPushButton::clicked, this, &SlideDialog::choose);
     auto* row = new QHBoxLayout;
     row->addWidget(m_message, 1);
-    row->addWidget(copyIt);
-    row->addWidget(close);
+    row->addWidget(m_copy);
+    row->addWidget(m_close);
     row->addWidget(m_save);
     auto* column = new QVBoxLayout(this);
     column->addLayout(halves, 1);
+    column->addWidget(m_progress);
     column->addLayout(row);
     followTheme(this, [this, column] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
+        m_progress->setFixedHeight(theme.px(6));
         resize(theme.px(900), theme.px(480));
     });
     m_ready = true;
@@ -74,8 +94,10 @@ QWidget* SlideDialog::makeFields() {
     m_what->addItem(tr("Buffer: %1").arg(toQString(m_state.views.front().buffer)), int(SlideRequest::What::First));
     if (m_state.views.size() > 1)
         m_what->addItem(tr("Buffer: %1").arg(toQString(m_state.views[1].buffer)), int(SlideRequest::What::Second));
-    m_what->addItem(tr("3D view"), int(SlideRequest::What::Space));
-    m_what->addItem(tr("Buffer and 3D view"), int(SlideRequest::What::Beside));
+    if (!isPutAway(m_views.view3d())) {
+        m_what->addItem(tr("3D view"), int(SlideRequest::What::Space));
+        m_what->addItem(tr("Buffer and 3D view"), int(SlideRequest::What::Beside));
+    }
     m_sizes = new QComboBox(fields);
     for (const QSize& size : kSizes) m_sizes->addItem(tr("%1 × %2").arg(size.width()).arg(size.height()));
     m_sizes->addItem(tr("other"));
@@ -150,21 +172,43 @@ void SlideDialog::preview() {
     m_picture->setPixmap(pixmap);
 }
 
-bool SlideDialog::save(const QString& file) {
-    QApplication::setOverrideCursor(Qt::WaitCursor);
-    const auto image = slidePicture(m_document, m_views, request());
-    const std::string png = image ? slidePng(*image, m_document, m_state) : std::string();
-    QApplication::restoreOverrideCursor();
-    if (!image) {
-        m_message->setText(toQString(format(image.errors())).trimmed());
-        return false;
-    }
-    QSaveFile out(file);
-    const bool written = !png.empty() && out.open(QIODevice::WriteOnly) &&
-                         out.write(png.data(), qint64(png.size())) == qint64(png.size()) && out.commit();
-    m_message->setText(written ? tr("Saved as %1.").arg(QFileInfo(file).fileName())
-                               : tr("Could not write %1: %2").arg(file, out.errorString()));
-    return written;
+void SlideDialog::showWork() {
+    const bool works = m_job.busy();
+    m_progress->setRange(0, 100);
+    m_progress->setValue(0);
+    m_progress->setVisible(works);
+    m_save->setDisabled(works), m_copy->setDisabled(works);
+    m_close->setText(works ? tr("Cancel") : tr("Close"));
+    if (works) m_message->clear();
+}
+
+void SlideDialog::make(std::function<void(Made&)> finish, std::function<void(const Made&)> done) {
+    const auto content = slideContent(m_document, m_views, request());
+    if (!content) return m_message->setText(toQString(format(content.errors())).trimmed());
+    m_job.ask(
+        [content = *content, finish](const BackgroundJob::Control& control) {
+            auto image = drawSlide(content, control);
+            if (!image) return Made{{}, image.errors()};
+            Made made{std::move(image).value(), {}};
+            if (!control.stop.stop_requested()) finish(made);
+            return made;
+        },
+        [this, done](const Made& made) {
+            made.errors.empty() ? done(made) : m_message->setText(toQString(format(made.errors)).trimmed());
+        });
+}
+
+void SlideDialog::save(const QString& file) {
+    const auto write = [file, scene = m_document.sharedScene(), state = m_state](Made& made) {
+        const std::string png = slidePng(made.image, *scene, state);
+        QSaveFile out(file);
+        const bool written = !png.empty() && out.open(QIODevice::WriteOnly) &&
+                             out.write(png.data(), qint64(png.size())) == qint64(png.size()) && out.commit();
+        if (!written)
+            made.errors = {
+                pipeline::Error{{file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}};
+    };
+    make(write, [this, file](const Made&) { m_message->setText(tr("Saved as %1.").arg(QFileInfo(file).fileName())); });
 }
 
 void SlideDialog::choose() {
@@ -177,10 +221,11 @@ void SlideDialog::choose() {
 }
 
 void SlideDialog::copy() {
-    if (const auto image = slidePicture(m_document, m_views, request())) {
-        QApplication::clipboard()->setImage(*image);
-        m_message->setText(tr("Copied the picture."));
-    }
+    make([](Made&) {},
+         [this](const Made& made) {
+             QApplication::clipboard()->setImage(made.image);
+             m_message->setText(tr("Copied the picture."));
+         });
 }
 
 }  // namespace app

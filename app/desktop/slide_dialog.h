@@ -6,6 +6,7 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
@@ -19,12 +20,20 @@ public:
     SlideDialog(const Document& document, ViewArea& views, WindowState state, QWidget* parent = nullptr);
 
     SlideRequest request() const;
-    bool save(const QString& file);  // false: why not stands in the dialog
+    void save(const QString& file);  // away from the window; what comes of it stands in the dialog
+    bool isWorking() const { return m_job.busy(); }
     QString message() const;
 
 private:
     QWidget* makeFields();
     void preview();
+    struct Made {
+        QImage image;
+        pipeline::Errors errors;
+    };
+    // finish(made) on the job's thread, done(made) here, where there are no errors.
+    void make(std::function<void(Made&)> finish, std::function<void(const Made&)> done);
+    void showWork();
     void choose();
     void copy();
 
@@ -35,8 +44,10 @@ private:
     QSpinBox *m_width, *m_height;
     QCheckBox *m_transparent, *m_caption, *m_marks;
     QLabel *m_picture, *m_message;
-    QPushButton* m_save;
+    QPushButton *m_save, *m_copy, *m_close;
+    QProgressBar* m_progress;
     bool m_ready = false;
+    BackgroundJob m_job;
 };
 
 }  // namespace app

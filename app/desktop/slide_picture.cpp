@@ -4,6 +4,7 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
+#include "app/core/put_away.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/desktop/view_area.h"
@@ -11,7 +12,6 @@
 #include "app/view3d/view3d_panel.h"
 #include "pipeline/export/png_file.h"
 #include "pipeline/formats/png_scene.h"
-#include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/toml_writer.h"
 
 namespace app {
@@ -21,81 +21,112 @@ using pipeline::Error;
 using pipeline::Result;
 using What = SlideRequest::What;
 
-Result<QImage> bufferPicture(const Document& document, const WindowState& state, std::size_t view, QSize size,
-                             const SlideRequest& request) {
+int captionHeight(const SlideRequest& request) { return request.caption ? request.size.height() / 18 : 0; }
+
+struct Part {
+    What what = What::First;
+    QRect place;
+};
+std::vector<Part> partsOf(const SlideRequest& request) {
+    const QSize room(request.size.width(), request.size.height() - captionHeight(request));
+    if (request.what != What::Beside) return {{request.what, QRect(QPoint(0, 0), room)}};
+    const int gap = room.width() / 60, half = (room.width() - gap) / 2;
+    return {{What::First, QRect(0, 0, half, room.height())},
+            {What::Space, QRect(room.width() - half, 0, half, room.height())}};
+}
+
+Result<QImage> bufferPicture(const SlideContent& content, std::size_t view, QSize size, const std::stop_token& stop) {
+    const WindowState& state = content.state;
     if (view >= state.views.size()) return Error{{}, "there is no second buffer view", {}};
-    const auto known = [&](const pipeline::BufferName& name) { return document.derived().made(name); };
-    const QImage image =
-        pictureOf(*document.frame(), state, state.views[view], {size, request.transparent, request.marks, known});
+    const auto known = [&](const pipeline::BufferName& name) {
+        const auto found = content.derived.find(name.text());
+        return found == content.derived.end() ? nullptr : &found->second;
+    };
+    const PictureLook look{size, content.request.transparent, content.request.marks, known};
+    const QImage image = pictureOf(*content.frame, state, state.views[view], look, stop);
     if (image.isNull()) return Error{{}, "the buffer " + state.views[view].buffer + " is not there", {}};
     return image;
 }
 
-Result<QImage> onePicture(const Document& document, ViewArea& views, const WindowState& state, What what, QSize size,
-                          const SlideRequest& request) {
-    switch (what) {
-        case What::First: return bufferPicture(document, state, 0, size, request);
-        case What::Second: return bufferPicture(document, state, 1, size, request);
-        case What::Space: return views.view3d().view().picture(size, request.transparent);
-        case What::Beside: break;
-    }
-    return Error{{}, "nothing to show", {}};
-}
-
-void writeCaption(QPainter& painter, const QRect& box, const Document& document) {
+void writeCaption(QPainter& painter, const QRect& box, const SlideContent& content) {
     const Theme& theme = Theme::current();
     QFont strong = theme.text(13, 600), plain = theme.text(13);
     for (QFont* font : {&strong, &plain}) font->setPixelSize(std::max(8, int(0.5 * box.height())));
-    const auto& stage = stageInfo(document.stage());
-    const QString label = toQString(stage.label);
-    const QString words = document.stepper().isInside() ? document.stepper().words() : toQString(stage.summary);
     const int left = box.left() + box.height() / 4;
     painter.setFont(strong);
     painter.setPen(theme.colors().accent);
-    painter.drawText(box.adjusted(left, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, label);
-    const int from = left + QFontMetrics(strong).horizontalAdvance(label) + box.height() / 3;
+    painter.drawText(box.adjusted(left, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, content.stage);
+    const int from = left + QFontMetrics(strong).horizontalAdvance(content.stage) + box.height() / 3;
     painter.setFont(plain);
     painter.setPen(theme.colors().text);
     painter.drawText(QRect(from, box.top(), box.right() - from, box.height()), Qt::AlignVCenter | Qt::AlignLeft,
-                     QFontMetrics(plain).elidedText(words, Qt::ElideRight, box.right() - from));
+                     QFontMetrics(plain).elidedText(content.words, Qt::ElideRight, box.right() - from));
 }
 
 }  // namespace
 
-Result<QImage> slidePicture(const Document& document, ViewArea& views, const SlideRequest& request) {
+Result<SlideContent> slideContent(const Document& document, const ViewArea& views, const SlideRequest& request) {
     if (!document.frame()) return Error{{}, "the first frame is not there yet", {}};
-    WindowState state;
+    SlideContent content;
+    content.request = request;
+    content.frame = document.frame();
+    WindowState& state = content.state;
     views.fill(state);
     if (const auto pixel = document.pixel()) state.pixel = {pixel->x, pixel->y};
     state.condition = document.derived().text().toStdString();
     state.mix = mixText(document.mixer().mix());
+    for (const pipeline::BufferName& name : pipeline::allDerived(document.frame()->scene().lights.size()))
+        if (const DerivedBuffer* made = document.derived().made(name)) content.derived.emplace(name.text(), *made);
+    for (const auto& [what, place] : partsOf(request)) {
+        if (what != What::Space) continue;
+        if (isPutAway(views.view3d())) return Error{{}, "no 3D view is on show", {}};
+        const auto space = views.view3d().view().picture(place.size(), request.transparent);
+        if (!space) return space.errors();
+        content.space = *space;
+    }
+    const auto& stage = stageInfo(document.stage());
+    content.stage = toQString(stage.label);
+    content.words = document.stepper().isInside() ? document.stepper().words() : toQString(stage.summary);
+    return content;
+}
+
+Result<QImage> drawSlide(const SlideContent& content, const BackgroundJob::Control& control) {
+    const SlideRequest& request = content.request;
     QImage image(request.size, QImage::Format_ARGB32_Premultiplied);
     image.fill(request.transparent ? QColor(Qt::transparent) : Theme::current().colors().view);
-    const int caption = request.caption ? request.size.height() / 18 : 0;
-    const QSize room(request.size.width(), request.size.height() - caption);
     QPainter painter(&image);
-    std::vector<std::pair<What, QRect>> parts{{request.what, QRect(QPoint(0, 0), room)}};
-    if (request.what == What::Beside) {
-        const int gap = room.width() / 60, half = (room.width() - gap) / 2;
-        parts = {{What::First, QRect(0, 0, half, room.height())},
-                 {What::Space, QRect(room.width() - half, 0, half, room.height())}};
-    }
-    for (const auto& [what, place] : parts) {
-        const auto part = onePicture(document, views, state, what, place.size(), request);
+    const std::vector<Part> parts = partsOf(request);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto progress = [&](double share) {
+            if (control.progress) control.progress((double(i) + share) / double(parts.size()));
+            return !control.stop.stop_requested();
+        };
+        const auto& [what, place] = parts[i];
+        const auto part = what == What::Space
+                              ? renderBeside(*content.space, progress)
+                              : bufferPicture(content, what == What::Second ? 1 : 0, place.size(), control.stop);
         if (!part) return part;
         painter.drawImage(place, *part);
+        progress(1);
     }
-    if (caption > 0) writeCaption(painter, QRect(0, room.height(), room.width(), caption), document);
+    const int caption = captionHeight(request);
+    const QRect below(0, request.size.height() - caption, request.size.width(), caption);
+    if (caption > 0) writeCaption(painter, below, content);
     return image;
 }
 
-std::string slidePng(const QImage& image, const Document& document, const WindowState& state) {
+Result<QImage> slidePicture(const Document& document, const ViewArea& views, const SlideRequest& request) {
+    const auto content = slideContent(document, views, request);
+    return content ? drawSlide(*content, {}) : content.errors();
+}
+
+std::string slidePng(const QImage& image, const pipeline::Scene& scene, const WindowState& state) {
     std::vector<pipeline::PngText> texts;
-    const auto scene = toTomlScene(document.scene());
-    if (scene && scene->size() <= pipeline::kMaxCarriedScene) {
+    const auto text = toTomlScene(scene);
+    if (text && text->size() <= pipeline::kMaxCarriedScene) {
         WindowState carried = state;  // the scene stands beside it
         carried.scene.clear(), carried.set.clear(), carried.sceneText.clear();
-        texts = {{pipeline::kSceneChunk, *scene}, {pipeline::kStateChunk, toToml(carried)}};
+        texts = {{pipeline::kSceneChunk, *text}, {pipeline::kStateChunk, toToml(carried)}};
     }
     const QImage straight = image.convertToFormat(QImage::Format_RGBA8888);
     std::vector<std::uint8_t> bytes;

@@ -1,9 +1,13 @@
 #pragma once
 #include <QImage>
+#include <map>
 #include <string>
 
+#include "app/core/background_job.h"
 #include "app/core/document.h"
+#include "app/derived/derived_buffer.h"
 #include "app/state/window_state.h"
+#include "app/view3d/offscreen.h"
 
 namespace app {
 
@@ -19,10 +23,24 @@ struct SlideRequest {
     bool marks = true;     // the picked pixel
 };
 
-// Errors: nothing to show yet, a buffer that is left out, no OpenGL for the 3D view.
-pipeline::Result<QImage> slidePicture(const Document& document, ViewArea& views, const SlideRequest& request);
+// What a slide shows: values alone, so that it can be drawn away from the window.
+struct SlideContent {
+    SlideRequest request;
+    pipeline::FramePtr frame;
+    WindowState state;
+    std::map<std::string, DerivedBuffer> derived;  // those that are there, by name
+    std::optional<SpacePicture> space;
+    QString stage, words;  // of the caption
+};
+// Errors: nothing to show yet.
+pipeline::Result<SlideContent> slideContent(const Document& document, const ViewArea& views,
+                                            const SlideRequest& request);
+// Errors: a buffer that is left out, no OpenGL for the 3D view, or it was told to stop.
+pipeline::Result<QImage> drawSlide(const SlideContent& content, const BackgroundJob::Control& control);
+// Both at once.
+pipeline::Result<QImage> slidePicture(const Document& document, const ViewArea& views, const SlideRequest& request);
 
 // A PNG file that carries the scene and what the window shows, so that it opens them again.
-std::string slidePng(const QImage& image, const Document& document, const WindowState& state);
+std::string slidePng(const QImage& image, const pipeline::Scene& scene, const WindowState& state);
 
 }  // namespace app

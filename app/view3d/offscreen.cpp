@@ -5,11 +5,15 @@
 #include <QSaveFile>
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <future>
+#include <thread>
 
 #include "app/core/theme.h"
 #include "app/view3d/headless_window.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
+#include "app/view3d/vtk_turn.h"
 #include "app/view3d/world_scene.h"
 
 namespace app {
@@ -55,6 +59,30 @@ bool savePng(const QImage& image, const std::filesystem::path& file) {
     return out.open(QIODevice::WriteOnly) && image.save(&out, "PNG") && out.commit();
 }
 
+glm::ivec2 tileOf(const ViewShot& shot) { return glm::min(shot.size, glm::ivec2(shot.tile)); }
+
+// Those at the right and at the foot may reach beyond the picture.
+std::vector<QRect> tilesOf(QSize picture, glm::ivec2 tile) {
+    std::vector<QRect> tiles;
+    for (int y = 0; y < picture.height(); y += tile.y)
+        for (int x = 0; x < picture.width(); x += tile.x) tiles.emplace_back(x, y, tile.x, tile.y);
+    return tiles;
+}
+
+WorldScene::Part partOf(const QRect& tile, QSize picture) {
+    const double half = picture.height() / 2.0;
+    const QPointF middle = QRectF(tile).center() - QRectF({}, QSizeF(picture)).center();
+    return {{middle.x() / half, -middle.y() / half}, {tile.width() / 2.0 / half, tile.height() / 2.0 / half}};
+}
+
+// Row by row: a painter would have to convert.
+void copyInto(QImage& image, QPoint at, const QImage& tile) {
+    const QRect inside = QRect(at, tile.size()) & image.rect();
+    const qsizetype bytes = image.depth() / 8;
+    for (int y = 0; y < inside.height(); ++y)
+        std::copy_n(tile.constScanLine(y), inside.width() * bytes, image.scanLine(at.y() + y) + at.x() * bytes);
+}
+
 class ViewRenderer {
 public:
     ViewRenderer(std::shared_ptr<HeadlessWindow> window, std::shared_ptr<const ViewContent> content,
@@ -76,12 +104,25 @@ public:
         return paint(view, drawWorld(*m_content, m_options, view), true);
     }
 
-    QImage renderShot(const OrbitCamera& camera, const ViewShot& shot) {
+    // Tile by tile, the other views taking their turns in between. Null where it was given up.
+    QImage renderShot(const OrbitCamera& camera, const ViewShot& shot, const ShotProgress& progress) {
+        std::unique_lock turn(vtkTurn());
         m_scene.setContent(m_content, shot.hasGround ? groundLines(*m_content) : std::vector<InkedLine>{});
         const ViewFrame view{camera, m_size, Theme::current().scale()};
         const Drawing drawing = (shot.isPoint ? drawPoint : drawWorld)(*m_content, m_options, view);
         m_scene.setView(view, drawing, m_pixelRatio);
-        QImage image = shot.transparent ? renderTransparent() : m_window->render();
+        QImage image({shot.size.x, shot.size.y},
+                     shot.transparent ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB888);
+        const std::vector<QRect> tiles = tilesOf(image.size(), tileOf(shot));
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            m_scene.setPart(partOf(tiles[i], image.size()));
+            copyInto(image, tiles[i].topLeft(), shot.transparent ? renderTransparent() : m_window->render());
+            turn.unlock();
+            if (progress && !progress(double(i + 1) / double(tiles.size()))) return {};
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));  // else the lock would hardly be given away
+            turn.lock();
+        }
+        turn.unlock();
         QPainter painter(&image);
         painter.scale(m_pixelRatio, m_pixelRatio);
         paintOverlay(painter, drawing, view);
@@ -153,11 +194,21 @@ pipeline::Result<QImage> renderView(const ViewContent& content, const ViewOption
     return ViewRenderer(*window, std::make_shared<const ViewContent>(content), options, size, 1).render(preset);
 }
 
-pipeline::Result<QImage> renderView(std::shared_ptr<const ViewContent> content, const ViewOptions& options,
-                                    const OrbitCamera& camera, const ViewShot& shot) {
-    const auto window = HeadlessWindow::create(shot.size);
+pipeline::Result<QImage> renderView(const SpacePicture& picture, const ShotProgress& progress) {
+    const ViewShot& shot = picture.shot;
+    std::unique_lock turn(vtkTurn());
+    const auto window = HeadlessWindow::create(tileOf(shot));
     if (!window) return window.errors();
-    return ViewRenderer(*window, std::move(content), options, shot.size, shot.pixelRatio).renderShot(camera, shot);
+    ViewRenderer renderer(*window, picture.content, picture.options, shot.size, shot.pixelRatio);
+    turn.unlock();
+    QImage image = renderer.renderShot(picture.camera, shot, progress);
+    turn.lock();
+    if (image.isNull()) return pipeline::Error{{}, "the picture was given up", {}};
+    return image;
+}
+
+pipeline::Result<QImage> renderBeside(const SpacePicture& picture, const ShotProgress& progress) {
+    return std::async(std::launch::async, [&] { return renderView(picture, progress); }).get();
 }
 
 pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::Frame& frame,

@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,9 +27,20 @@ struct ViewShot {
     glm::ivec2 size{1280, 960};  // pixels
     double pixelRatio = 1;
     bool transparent = false, isPoint = false, hasGround = false;
+    int tile = 1024;  // pixels: it is rendered in parts of at most so many rows and columns
 };
-pipeline::Result<QImage> renderView(std::shared_ptr<const ViewContent> content, const ViewOptions& options,
-                                    const OrbitCamera& camera, const ViewShot& shot);
+// What a view shows, as values.
+struct SpacePicture {
+    std::shared_ptr<const ViewContent> content;
+    ViewOptions options;
+    OrbitCamera camera;
+    ViewShot shot;
+};
+// How far a picture has got, 0 to 1. False: give up; then there is none.
+using ShotProgress = std::function<bool(double share)>;
+pipeline::Result<QImage> renderView(const SpacePicture& picture, const ShotProgress& progress = {});
+// The same for a caller whose thread may have the window's OpenGL: a thread has one kind of OpenGL at a time.
+pipeline::Result<QImage> renderBeside(const SpacePicture& picture, const ShotProgress& progress = {});
 
 // The 3D views of a frame as PNG files of 1280 × 960 pixels in `folder`: world.png, front.png,
 // side.png, top.png, eye.png and everything.png (the eye and its picture plane included), with

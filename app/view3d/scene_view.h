@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/view3d/handle_drag.h"
+#include "app/view3d/offscreen.h"
 #include "app/view3d/space_content.h"
 #include "app/view3d/vtk_widget.h"
 #include "app/view3d/world_drawing.h"
@@ -60,8 +61,8 @@ public:
     const OrbitCamera& camera() const { return m_camera; }
     void setCamera(const OrbitCamera& camera);
     bool isTouched() const { return m_touched; }  // the user has moved the camera; else it follows the view's size
-    // What the view shows as a picture of another size, rendered without the screen. Errors: nothing to show, no OpenGL.
-    pipeline::Result<QImage> picture(QSize size, bool transparent) const;
+    // What the view shows, for a picture of another size. Errors: nothing to show.
+    pipeline::Result<SpacePicture> picture(QSize size, bool transparent) const;
     void frameAnew();            // as if not
     void go(ViewPreset preset);  // in 250 ms, or at once where motion is not wanted
     // From the scene's own eye out of it, until its frustum is seen whole.

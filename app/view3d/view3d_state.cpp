@@ -2,11 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <future>
 #include <utility>
 
 #include "app/core/text.h"
-#include "app/view3d/offscreen.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view3d_panel.h"
 
@@ -100,18 +98,19 @@ std::optional<SpaceId> spaceNamed(std::string_view name) {
 }  // namespace
 
 // A camera that the user has not moved frames the picture as it does the view.
-pipeline::Result<QImage> SceneView::picture(QSize size, bool transparent) const {
+pipeline::Result<SpacePicture> SceneView::picture(QSize size, bool transparent) const {
     if (!shown()) return pipeline::Error{{}, "the 3D view has nothing to show", {}};
     constexpr double kUsualHeight = 600;  // of a view with letters in their own size
-    ViewShot shot{
-        {size.width(), size.height()}, std::max(0.2, size.height() / kUsualHeight), transparent, isPoint(), isWorld()};
+    const ViewShot shot{.size = {size.width(), size.height()},
+                        .pixelRatio = std::max(0.2, size.height() / kUsualHeight),
+                        .transparent = transparent,
+                        .isPoint = isPoint(),
+                        .hasGround = isWorld()};
     const glm::dvec2 logical = glm::dvec2(shot.size) / shot.pixelRatio;
     const auto framed = isPoint() ? pointCamera : presetCamera;
     const OrbitCamera camera =
         m_touched ? m_camera : framed(ViewPreset::Iso, *shown(), m_options, logical, m_camera.orthographic);
-    // On a thread of its own, because this one has the window's OpenGL, and a thread has one kind of OpenGL at a time. It is
-    // waited for: VTK is at work in one place.
-    return std::async(std::launch::async, [&] { return renderView(shown(), m_options, camera, shot); }).get();
+    return SpacePicture{shown(), m_options, camera, shot};
 }
 
 SpaceShown View3dPanel::state() const {

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/view3d/vtk_turn.h"
 #include "app/view3d/world_scene.h"
 
 namespace app {
@@ -88,6 +89,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent), m_impl(std::make_unique
 VtkWidget::~VtkWidget() {
     Impl& impl = *m_impl;
     if (!impl.window) return;
+    const std::lock_guard turn(vtkTurn());
     impl.context->makeCurrent(&impl.surface);
     impl.window->ReleaseGraphicsResources(impl.window);
     impl.scene.reset();
@@ -139,6 +141,7 @@ void VtkWidget::render() {
     const double ratio = devicePixelRatioF();
     const QSize size(int(std::lround(width() * ratio)), int(std::lround(height() * ratio)));
     if (!impl.changed() && impl.picture.size() == size && (impl.isSmooth || !impl.wantsSmooth())) return;
+    const std::lock_guard turn(vtkTurn());
     if (size.isEmpty() || !open() || !impl.context->makeCurrent(&impl.surface)) return;
     if (std::exchange(impl.colorsChanged, false)) impl.scene->setColors(impl.colors);
     if (std::exchange(impl.contentChanged, false)) impl.scene->setContent(impl.content, impl.ground);

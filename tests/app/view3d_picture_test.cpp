@@ -74,7 +74,8 @@ TEST_P(EveryTheme, FacesKeepTheFrameBuffersColours) {
 TEST_P(EveryTheme, ArrowsHaveTheirColoursAtTheirTips) {
     const ViewContent content = pyramidContent();
     const QImage image = render(content);
-    const app::ViewFrame view{app::presetCamera(ViewPreset::Iso, content, {}, kSize, false), kSize};
+    const app::ViewFrame view{app::presetCamera(ViewPreset::Iso, content, {}, kSize, false), kSize,
+                              Theme::current().scale()};
     int letters = 0;
     for (const app::Label& label : app::drawWorld(content, {}, view).labels) {
         if (label.kind != app::Label::Kind::Letter) continue;
@@ -105,6 +106,69 @@ TEST(View3dPicture, HiddenArrowsShineThroughFaintly) {
     const int change = difference(with.pixel(at.x, at.y), without.pixel(at.x, at.y));
     EXPECT_GT(change, 8);
     EXPECT_GT(difference(with.pixel(at.x, at.y), Theme::current().colors().N.rgb()), 20) << "not at full strength";
+}
+
+// A tile's matrix is rounded otherwise than the whole one: along lines a sample of four may fall to the other side.
+TEST(View3dPicture, RenderedInTilesItIsThePictureInOnePiece) {
+    const auto content = std::make_shared<const ViewContent>(pyramidContent());
+    for (const bool orthographic : {false, true})
+        for (const bool transparent : {false, true}) {
+            app::SpacePicture picture{
+                content, {}, app::presetCamera(ViewPreset::Iso, *content, {}, kSize, orthographic), {}};
+            picture.shot = {.size = kSize, .transparent = transparent, .hasGround = true, .tile = 1024};
+            const auto whole = app::renderView(picture);
+            picture.shot.tile = 170;  // 800 and 600 are no multiples of it
+            std::vector<double> shares;
+            const auto tiled = app::renderView(picture, [&](double share) {
+                shares.push_back(share);
+                return true;
+            });
+            ASSERT_TRUE(whole && tiled);
+            ASSERT_EQ(tiled->size(), whole->size());
+            EXPECT_EQ(shares.size(), 5u * 4u);
+            EXPECT_EQ(shares.back(), 1);
+            const auto isSeam = [](int at) { return at % 170 == 0 || at % 170 == 169; };
+            int others = 0, atSeams = 0, seams = 0;
+            for (int y = 0; y < kSize.y; ++y)
+                for (int x = 0; x < kSize.x; ++x) {
+                    const QRgb a = tiled->pixel(x, y), b = whole->pixel(x, y);
+                    const bool isOther = difference(a, b) > 2 || std::abs(qAlpha(a) - qAlpha(b)) > 2;
+                    others += isOther;
+                    seams += isSeam(x) || isSeam(y);
+                    atSeams += isOther && (isSeam(x) || isSeam(y));
+                }
+            EXPECT_LT(others, kSize.x * kSize.y / 500);
+            EXPECT_LT(atSeams, seams / 100) << "of " << seams;
+        }
+}
+
+TEST(View3dPicture, ItCanBeGivenUpAfterEachTile) {
+    const auto content = std::make_shared<const ViewContent>(pyramidContent());
+    app::SpacePicture picture{content, {}, app::presetCamera(ViewPreset::Iso, *content, {}, kSize, false), {}};
+    picture.shot.size = kSize;
+    picture.shot.tile = 200;
+    int tiles = 0;
+    EXPECT_FALSE(app::renderView(picture, [&](double) { return ++tiles < 3; }));
+    EXPECT_EQ(tiles, 3);
+}
+
+// Twice as large letters bring lines and arrows of twice the width, in the same places.
+TEST(View3dPicture, MarksGrowWithTheLetters) {
+    const auto content = std::make_shared<const ViewContent>(pyramidContent());
+    const auto inked = [&](double scale) {
+        Theme::current().setScale(scale);
+        const QImage with = render(*content, ViewPreset::Iso, {.normals = app::NormalsShown::Off, .lights = false});
+        const QColor ink = Theme::current().colors().N;
+        int count = 0;
+        for (int y = 0; y < kSize.y; ++y)
+            for (int x = 0; x < kSize.x; ++x) count += difference(with.pixel(x, y), ink.rgb()) <= 3;
+        return count;
+    };
+    const int once = inked(1), twice = inked(2);
+    Theme::current().setScale(1);
+    // An arrow twice as long and twice as wide covers four times as much, its letter too; its rim takes from both.
+    EXPECT_GT(twice, 3 * once);
+    EXPECT_LT(twice, 5.5 * once);
 }
 
 TEST(View3dPicture, NormalsCanBeSwitchedOff) {

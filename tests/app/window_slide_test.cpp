@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
@@ -102,7 +103,9 @@ TEST_F(WindowSlide, TheFileOpensTheSceneAndTheState) {
     const auto shown = window.state({});
     SlideDialog dialog(document(), window.views(), *shown);
     const QString file = folder.filePath("slide.png");
-    ASSERT_TRUE(dialog.save(file)) << dialog.message().toStdString();
+    dialog.save(file);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, 60000));
+    ASSERT_EQ(dialog.message(), "Saved as slide.png.");
     document().undoStack()->setClean();
     ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
     settle();
@@ -126,6 +129,30 @@ TEST_F(WindowSlide, APictureOfABufferIsNoPromiseOfAnother) {
     const auto state = stateInPicture(other.fileName());
     ASSERT_TRUE(state);
     EXPECT_FALSE(state->has_value());
+}
+
+TEST_F(WindowSlide, ALargeSlideIsMadeAwayFromTheWindowAndCanBeCancelled) {
+    const auto shown = window.state({});
+    SlideDialog dialog(document(), window.views(), *shown);
+    auto* what = dialog.findChild<QComboBox*>("slideWhat");
+    what->setCurrentIndex(what->findData(int(What::Space)));
+    for (QSpinBox* side : dialog.findChildren<QSpinBox*>()) side->setValue(3000);
+    const QString file = folder.filePath("large.png");
+    dialog.save(file);
+    EXPECT_TRUE(dialog.isWorking());
+    dialog.findChild<QPushButton*>("slideClose")->click();
+    EXPECT_FALSE(dialog.isWorking());
+    EXPECT_EQ(dialog.message(), "Cancelled. Nothing was written.");
+    QTest::qWait(300);
+    EXPECT_FALSE(QFile::exists(file));
+
+    auto* progress = dialog.findChild<QProgressBar*>();
+    int most = 0;
+    QObject::connect(progress, &QProgressBar::valueChanged, &dialog, [&](int value) { most = std::max(most, value); });
+    dialog.save(file);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, 120000));
+    EXPECT_GT(most, 30) << "three by three tiles";
+    EXPECT_EQ(QImage(file).size(), QSize(3000, 3000));
 }
 
 TEST_F(WindowSlide, AFilmIsWrittenWithProgressAndCanBeCancelled) {

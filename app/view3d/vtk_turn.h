@@ -1,0 +1,9 @@
+#pragma once
+#include <mutex>
+
+namespace app {
+
+// VTK is at work in one place at a time: a view that is painted and a picture that is rendered beside it take turns.
+std::mutex& vtkTurn();
+
+}  // namespace app
