@@ -28,6 +28,12 @@ QString rowText(const AnyBuffer& buffer, std::size_t row, int channel) {
     return values.size() == 1 ? values[0] : '(' + values.join(", ") + ')';
 }
 
+// Also where one of them is a line or a point.
+bool isNear(const QRectF& box, const QRectF& window) {
+    return box.right() >= window.left() && box.left() <= window.right() && box.bottom() >= window.top() &&
+           box.top() <= window.bottom();
+}
+
 // A few words on a ground of their own, near the place that they speak of.
 struct Chip {
     QPointF of;
@@ -85,8 +91,9 @@ Qt::BrushStyle hatchOfVerdict(char letter) {
     }
 }
 
-ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer, const BufferLook& look) {
+ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer, const BufferLook& look, bool isSmall) {
     ShapePicture picture;
+    picture.isSmall = isSmall;
     const Domain domain = buffer.info->domain;
     std::vector<ProjectedPolygon> polygons = projectPolygons(frame);
     std::stable_sort(polygons.begin(), polygons.end(), [](const auto& a, const auto& b) {
@@ -102,7 +109,7 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer,
                 shape.letter = QChar(letter);
                 shape.hatch = hatchOfVerdict(letter);
                 shape.value = QString::number(row);
-            } else {
+            } else if (!isSmall) {
                 shape.value = rowText(buffer, row, look.channel);
             }
         }
@@ -117,7 +124,7 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer,
             seen[v] = true;
             const bool isColor = buffer.info->palette == Palette::Color || buffer.info->unit.empty();
             picture.points.push_back({shape.outline.corners[i], int(v), isColor ? colorOf(buffer, v, look) : QColor(),
-                                      rowText(buffer, v, look.channel)});
+                                      isSmall ? QString() : rowText(buffer, v, look.channel)});
         }
     return picture;
 }
@@ -133,7 +140,19 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
         for (const QPointF& p : polygon) result << place(p);
         return result;
     };
+    const auto boxOf = [&](const Shape& shape) {
+        const QRectF box = shape.outline.corners.boundingRect();
+        return QRectF(place(box.topLeft()), box.size() * zoom);
+    };
+    // Outlines of polygons that are hardly wider than they are would cover all that lies between them; and such
+    // polygons, each smoothed by itself, would let the ground shine through between them.
+    constexpr double kTiny = 3;
+    const auto isTiny = [](const QRectF& box) { return std::max(box.width(), box.height()) < kTiny; };
+    const QRectF near = window.adjusted(-kTiny, -kTiny, kTiny, kTiny);
     for (const Shape& shape : picture.shapes) {
+        const QRectF box = boxOf(shape);
+        if (!isNear(box, near)) continue;
+        painter.setRenderHint(QPainter::Antialiasing, !isTiny(box));
         const QPolygonF corners = placed(shape.outline.corners);
         // What culling drops stays visible through what covers it.
         QColor fill = shape.fill;
@@ -146,7 +165,10 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
             painter.drawPolygon(corners);
         }
     }
+    painter.setRenderHint(QPainter::Antialiasing);
     for (const Shape& shape : picture.shapes) {
+        const QRectF box = boxOf(shape);
+        if (isTiny(box) || !isNear(box, near)) continue;
         QPen pen(shape.outline.goesOn ? c.text : c.text3, shape.outline.goesOn ? 1.5 : 1.2);
         if (!shape.outline.goesOn) pen.setDashPattern({4, 3});
         painter.setPen(pen);

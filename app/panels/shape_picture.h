@@ -33,7 +33,8 @@ struct ShapePicture {
 // The hatches that tell verdicts apart without colour.
 Qt::BrushStyle hatchOfVerdict(char letter);
 
-ShapePicture shapePicture(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const BufferLook& look);
+ShapePicture shapePicture(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const BufferLook& look,
+                          bool isSmall = false);
 
 // Under `zoom` (screen pixels per picture pixel) with the picture's corner at `origin`. What is
 // written stays within `window`.

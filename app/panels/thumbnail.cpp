@@ -18,8 +18,7 @@ QImage shapesImage(const pipeline::Frame& frame, const AnyBuffer& buffer, const 
     QImage image(size, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     QPainter painter(&image);
-    ShapePicture shapes = shapePicture(frame, buffer, look);
-    shapes.isSmall = true;
+    const ShapePicture shapes = shapePicture(frame, buffer, look, true);
     const double zoom = size.width() / focus.width();
     paintShapes(painter, shapes, -focus.topLeft() * zoom, zoom, image.rect());
     return image;

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "app/core/background_job.h"
 #include "app/core/document.h"
 
 namespace app {
@@ -40,11 +41,17 @@ private:
         pipeline::BufferName name;
         QImage picture;
         QString why;  // it is left out; empty when it is there or on its way
+        bool isInSight = false;
+    };
+    struct Picture {
+        pipeline::BufferName name;
+        QImage image;  // null where the frame has no such buffer
     };
     std::vector<pipeline::BufferName> derivedOnShow() const;
     void takeDerived();
     void rebuild();
     void refresh();
+    void take(const std::vector<Picture>& pictures);
     void want();
     void scrollTo(int offset);
     void reveal(int item);
@@ -60,6 +67,7 @@ private:
     int m_marked = 0;  // by the keyboard
     int m_offset = 0;  // pixels that stand left of the strip
     QTimer m_later;
+    BackgroundJob m_drawing;
 };
 
 }  // namespace app

@@ -11,6 +11,16 @@ namespace app {
 using pipeline::BufferId;
 using pipeline::BufferName;
 
+namespace {
+
+struct Wanted {
+    BufferName name;
+    std::optional<pipeline::AnyBuffer> buffer;
+    QSize size;
+};
+
+}  // namespace
+
 std::vector<BufferName> thumbnailBuffers(pipeline::StageId stage, const pipeline::Scene& scene) {
     static const pipeline::BufferSet landmarks =
         pipeline::setOf({BufferId::VerticesScreen, BufferId::PolygonsVerdict, BufferId::ZView, BufferId::PolygonId,
@@ -48,9 +58,9 @@ void ThumbnailStrip::rebuild() {
     m_items.clear();
     if (m_document.hasScene())
         for (const BufferName& name : thumbnailBuffers(m_document.stage(), m_document.scene()))
-            m_items.push_back({name, {}, {}});
+            m_items.push_back({name, {}, {}, false});
     m_derived = derivedOnShow();
-    for (const BufferName& name : m_derived) m_items.push_back({name, {}, {}});
+    for (const BufferName& name : m_derived) m_items.push_back({name, {}, {}, false});
     m_offset = 0;
     setCurrent(m_current);
     want();
@@ -70,31 +80,54 @@ void ThumbnailStrip::want() {
     m_document.want(this, wanted, Document::When::AtRest);
 }
 
+// Drawn away from the window: a million polygons take their time.
 void ThumbnailStrip::refresh() {
     const pipeline::FramePtr& frame = m_document.frame();
     if (!frame || !isVisible()) return update();
-    const auto polygons = frame->buffer({BufferId::PolygonId});
-    QStringList absent;
+    std::vector<Wanted> wanted;
     for (int i = 0; i < int(m_items.size()); ++i) {
         Item& item = m_items[std::size_t(i)];
         const bool isDerived = pipeline::isDerived(item.name.id);
         item.why = isDerived ? QString() : toQString(whyUseless(frame->scene(), item.name.id));
         const QRect rect = itemRect(i);
-        if (!rect.intersects(this->rect())) continue;
+        item.isInSight = rect.intersects(this->rect());
+        if (!item.isInSight) continue;
         if (frame->until() < bufferInfo(item.name.id).stage) {  // while stepping inside an earlier stage
             item.picture = {};
             item.why = toQString(frame->whyAbsent(item.name));
-            absent << toQString(item.name.text()) + ": " + item.why;
             continue;
         }
-        const QSize size(rect.width() - 6, rect.height() - Theme::current().px(24));
         const DerivedBuffer* made = isDerived ? m_document.derived().made(item.name) : nullptr;
-        const auto buffer = made ? std::optional(made->buffer) : isDerived ? std::nullopt : frame->buffer(item.name);
-        QImage picture = buffer ? thumbnail(*frame, *buffer, size, polygons) : QImage();
-        if (!picture.isNull() || !item.why.isEmpty()) item.picture = std::move(picture);
-        if (!item.picture.isNull()) item.why.clear();
-        if (!item.why.isEmpty()) absent << toQString(item.name.text()) + ": " + item.why;
+        wanted.push_back({item.name,
+                          made        ? std::optional(made->buffer)
+                          : isDerived ? std::nullopt
+                                      : frame->buffer(item.name),
+                          QSize(rect.width() - 6, rect.height() - Theme::current().px(24))});
     }
+    m_drawing.ask(
+        [frame, wanted](const BackgroundJob::Control& control) {
+            std::vector<Picture> pictures;
+            const auto polygons = frame->buffer({BufferId::PolygonId});
+            for (const auto& [name, buffer, size] : wanted)
+                if (!control.stop.stop_requested())
+                    pictures.push_back({name, buffer ? thumbnail(*frame, *buffer, size, polygons) : QImage()});
+            return pictures;
+        },
+        [this](const std::vector<Picture>& pictures) { take(pictures); });
+    update();
+}
+
+void ThumbnailStrip::take(const std::vector<Picture>& pictures) {
+    for (const Picture& drawn : pictures)
+        for (Item& item : m_items) {
+            if (item.name != drawn.name) continue;
+            // One that is on its way leaves the picture before it.
+            if (!drawn.image.isNull() || !item.why.isEmpty()) item.picture = drawn.image;
+            if (!item.picture.isNull()) item.why.clear();
+        }
+    QStringList absent;
+    for (const Item& item : m_items)
+        if (item.isInSight && !item.why.isEmpty()) absent << toQString(item.name.text()) + ": " + item.why;
     setAccessibleDescription(absent.join(' '));
     update();
 }
