@@ -14,6 +14,7 @@
 #include "app/core/theme.h"
 #include "app/view3d/view_settings.h"
 #include "pipeline/plan/needs.h"
+#include "pipeline/scene/topology.h"
 
 namespace app {
 
@@ -45,6 +46,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(m_view, &SceneView::orthographicChanged, m_orthographic, &QToolButton::setChecked);
     connect(&document, &Document::sceneOpened, this, [this] {
         m_newScene = true;
+        m_building.forget();
         m_awaited.reset();
         m_view->setContent(nullptr, true);
         m_view->setEmptyText({});
@@ -245,11 +247,26 @@ void View3dPanel::takeFrame() {
     // Vertices without a place would all stand at the origin.
     const bool placed = m_document.frame()->until() != pipeline::StageId::Transform;
     const pipeline::FramePtr frame = inside && !placed ? m_document.wholeFrame() : m_document.frame();
-    const ViewContent world = contentOf(*frame, m_document.pixel(), m_view->content().get());
-    ViewContent shown = withSelection(world, *frame, m_document.selection());
-    if (wantsFrusta()) shown.frusta = lightFrusta(*frame);
-    if (inside) shown = withProgress(shown, *stepper.steps(), *stepper.moment());
-    const auto content = std::make_shared<const ViewContent>(std::move(shown));
+    const auto build = [frame, before = m_view->content(), pixel = m_document.pixel(),
+                        selection = m_document.selection(), frusta = wantsFrusta(),
+                        steps = inside ? stepper.steps() : nullptr, moment = stepper.moment()] {
+        ViewContent shown = withSelection(contentOf(*frame, pixel, before.get()), *frame, selection);
+        if (frusta) shown.frusta = lightFrusta(*frame);
+        if (steps) shown = withProgress(shown, *steps, *moment);
+        return std::make_shared<const ViewContent>(std::move(shown));
+    };
+    constexpr std::size_t kMuch = 50000;  // triangles
+    if (frame->topology().triangles.size() <= kMuch) {
+        m_building.forget();
+        return showContent(build());
+    }
+    // While a slider moves what is under way may finish: it is better than none until the hand rests.
+    m_building.ask([build](const BackgroundJob::Control&) { return build(); },
+                   [this](const std::shared_ptr<const ViewContent>& content) { showContent(content); },
+                   BackgroundJob::Running::Finish);
+}
+
+void View3dPanel::showContent(const std::shared_ptr<const ViewContent>& content) {
     const bool newScene = std::exchange(m_newScene, false);
     if (newScene) {
         // As many normals as can be told apart; the slider shows more or fewer.
@@ -268,6 +285,7 @@ void View3dPanel::takeFrame() {
 void View3dPanel::takePixel() {
     const auto& frame = m_document.frame();
     if (!frame || !m_view->content() || misses()) return;
+    if (m_building.busy()) return takeFrame();  // the content on show is of another frame
     m_view->setContent(std::make_shared<const ViewContent>(withPixel(*m_view->content(), *frame, m_document.pixel())),
                        false);
     showHandles();
@@ -276,6 +294,7 @@ void View3dPanel::takePixel() {
 void View3dPanel::takeSelection() {
     const auto& frame = m_document.frame();
     if (!frame || !m_view->content() || misses()) return;
+    if (m_building.busy()) return takeFrame();
     m_view->setContent(
         std::make_shared<const ViewContent>(withSelection(*m_view->content(), *frame, m_document.selection())), false);
     showHandles();

@@ -2,6 +2,7 @@
 #include <QWidget>
 #include <memory>
 
+#include "app/core/background_job.h"
 #include "app/core/document.h"
 #include "app/state/window_state.h"
 #include "app/view3d/scene_view.h"
@@ -56,6 +57,7 @@ private:
     void showWanted();
     bool misses();
     void takeFrame();
+    void showContent(const std::shared_ptr<const ViewContent>& content);
     void takePixel();
     void takeSelection();
     void takeHover();
@@ -81,6 +83,7 @@ private:
         SpaceShown asked;
     };
     std::optional<Wanted> m_wanted;  // once the scene's first frame is there
+    BackgroundJob m_building;        // of the content, where there is much
     bool m_newScene = true;
     bool m_missed = false;                                // a frame, or what is picked in it, while it was put away
     std::shared_ptr<const pipeline::Scene> m_beforeDrag;  // null while nothing is dragged

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -40,59 +42,89 @@ QColor toColor(glm::vec3 c) {
     return {v.x, v.y, v.z};
 }
 
+using pipeline::Color8;
+static_assert(sizeof(Color8) == 3 && sizeof(Vec3d) == 3 * sizeof(double));
+
+Color8 toColor8(glm::vec3 c) { return Color8(glm::round(glm::clamp(c, 0.0f, 1.0f) * 255.0f)); }
+Color8 toColor8(const QColor& c) { return Color8(c.red(), c.green(), c.blue()); }
+Color8 mixed(Color8 a, Color8 b, double shareOfA) {
+    if (shareOfA == 1) return a;
+    return Color8(glm::round(glm::dvec3(a) * shareOfA + glm::dvec3(b) * (1 - shareOfA)));
+}
+
+// Whole arrays at once: a mesh may have millions of points.
+vtkSmartPointer<vtkPoints> pointsOf(const std::vector<Vec3d>& positions) {
+    auto points = newPoints();
+    points->SetNumberOfPoints(vtkIdType(positions.size()));
+    if (!positions.empty())
+        std::memcpy(points->GetData()->GetVoidPointer(0), positions.data(), positions.size() * sizeof(Vec3d));
+    return points;
+}
+
+// Cells of so many points each.
+vtkSmartPointer<vtkCellArray> cellsOf(const std::vector<vtkIdType>& ids, vtkIdType size) {
+    auto corners = vtkSmartPointer<vtkIdTypeArray>::New();
+    corners->SetNumberOfValues(vtkIdType(ids.size()));
+    std::ranges::copy(ids, corners->GetPointer(0));
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->SetData(size, corners);
+    return cells;
+}
+
 vtkIdType addPoint(vtkPoints& points, Vec3d p) { return points.InsertNextPoint(p.x, p.y, p.z); }
 
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, FacesShown shown, double strength,
                                        const ThemeColors& colors) {
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    auto points = newPoints();
-    auto rgb = newColors();
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    const Color8 ground = toColor8(colors.view);
     const auto colorAt = [&](const Face& face, std::size_t corner) {
         if (shown == FacesShown::Normals && !mesh.vertexNormalColors.empty())
-            return toColor(mesh.vertexNormalColors[face.vertices[corner]]);
+            return toColor8(mesh.vertexNormalColors[face.vertices[corner]]);
         if (shown == FacesShown::Normals && !mesh.polygonNormalColors.empty())
-            return toColor(mesh.polygonNormalColors[std::size_t(face.polygon)]);
-        return face.shaded ? toColor(face.colors[corner]) : colors.hover;
+            return toColor8(mesh.polygonNormalColors[std::size_t(face.polygon)]);
+        return face.shaded ? toColor8(face.colors[corner]) : toColor8(colors.hover);
     };
     // A vertex is one point while the faces around it give it one colour.
     struct Placed {
         vtkIdType point = -1;
-        QRgb color = 0;
+        Color8 color{0};
     };
     std::vector<Placed> placed(mesh.positions.size());
-    for (const Face& face : mesh.faces) {
-        vtkIdType ids[3];
+    std::vector<Vec3d> points;
+    std::vector<Color8> rgb;
+    std::vector<vtkIdType> corners;
+    points.reserve(mesh.positions.size());
+    rgb.reserve(mesh.positions.size());
+    corners.reserve(3 * mesh.faces.size());
+    for (const Face& face : mesh.faces)
         for (std::size_t i = 0; i < 3; ++i) {
             Placed& at = placed[face.vertices[i]];
-            const QRgb color = mixed(colorAt(face, i), colors.view, strength).rgb();
+            const Color8 color = mixed(colorAt(face, i), ground, strength);
             if (at.point < 0 || at.color != color) {
-                at = {addPoint(*points, mesh.positions[face.vertices[i]]), color};
-                addColor(*rgb, color);
+                at = {vtkIdType(points.size()), color};
+                points.push_back(mesh.positions[face.vertices[i]]);
+                rgb.push_back(color);
             }
-            ids[i] = at.point;
+            corners.push_back(at.point);
         }
-        cells->InsertNextCell(3, ids);
-    }
-    data->SetPoints(points);
-    data->SetPolys(cells);
-    data->GetPointData()->SetScalars(rgb);
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(pointsOf(points));
+    data->SetPolys(cellsOf(corners, 3));
+    auto scalars = newColors();
+    scalars->SetNumberOfTuples(vtkIdType(rgb.size()));
+    if (!rgb.empty()) std::memcpy(scalars->GetPointer(0), rgb.data(), rgb.size() * sizeof(Color8));
+    data->GetPointData()->SetScalars(scalars);
     return data;
 }
 
 vtkSmartPointer<vtkPolyData> edgesData(const ViewMesh& mesh) {
+    std::vector<vtkIdType> ends;
+    ends.reserve(2 * mesh.edges.size());
+    for (const auto& [a, b] : mesh.edges) ends.push_back(vtkIdType(a)), ends.push_back(vtkIdType(b));
     auto data = vtkSmartPointer<vtkPolyData>::New();
-    auto points = newPoints();
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    for (const Vec3d& p : mesh.positions) addPoint(*points, p);
-    for (const auto& [a, b] : mesh.edges) {
-        const vtkIdType ids[2]{vtkIdType(a), vtkIdType(b)};
-        cells->InsertNextCell(2, ids);
-    }
-    data->SetPoints(points);
-    data->SetLines(cells);
+    data->SetPoints(pointsOf(mesh.positions));
+    data->SetLines(cellsOf(ends, 2));
     return data;
 }
 
