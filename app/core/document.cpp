@@ -65,6 +65,19 @@ void Document::open(const OpenedScene& opened) {
     if (opened.stage) setStage(*opened.stage);
 }
 
+bool Document::reload(const OpenedScene& again) {
+    const auto keys = [](const Scene& scene) {
+        std::vector<std::string> all;
+        for (const SettingRef& setting : settingsOf(scene)) all.push_back(setting.key());
+        return all;
+    };
+    if (keys(again.scene) != keys(*m_scene)) return false;
+    m_kept = again.kept;
+    replace(again.scene, tr("reading %1 again").arg(QFileInfo(m_kept.file).fileName()));
+    m_undo.setClean();
+    return true;
+}
+
 bool Document::save(const QString& file) {
     const auto text = toTomlScene(*m_scene);
     if (!text) {
@@ -79,8 +92,8 @@ bool Document::save(const QString& file) {
             {pipeline::Error{{file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}});
         return false;
     }
-    m_undo.setClean();
     m_kept = {QFileInfo(file).absoluteFilePath(), m_scene};
+    m_undo.setClean();
     emit said(tr("The scene is saved as %1.").arg(QFileInfo(file).fileName()));
     return true;
 }

@@ -74,6 +74,8 @@ public:
 
     // A picture that carries its scene begins at the stage of what it shows.
     void open(const OpenedScene& opened);
+    // Its file, read again: one step of undo. False where the scene in it has other settings, and nothing has changed.
+    bool reload(const OpenedScene& again);
     // Writes the scene with its settings as TOML, whole or not at all. When that fails failed() tells why.
     bool save(const QString& file);
     void setScene(pipeline::Scene scene, KeptScene kept = {});  // as if opened: clears the undo stack

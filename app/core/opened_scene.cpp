@@ -1,6 +1,7 @@
 #include "app/core/opened_scene.h"
 
 #include <QFileInfo>
+#include <tuple>
 
 #include "app/core/text.h"
 #include "app/state/state_scene.h"
@@ -37,6 +38,14 @@ std::optional<pipeline::StageId> stageShownBy(const QString& picture) {
     return name ? std::optional(pipeline::bufferInfo(name->id).stage) : std::nullopt;
 }
 
+// What makeMesh derives follows from these.
+bool isSame(const pipeline::Mesh& a, const pipeline::Mesh& b) {
+    const auto given = [](const pipeline::Mesh& mesh) {
+        return std::tie(mesh.file, mesh.positions, mesh.normals, mesh.corners, mesh.firstCorner, mesh.polygonPlaces);
+    };
+    return given(a) == given(b);
+}
+
 }  // namespace
 
 Result<std::optional<WindowState>> stateInPicture(const QString& file) {
@@ -63,6 +72,17 @@ Result<OpenedScene> readSceneFile(const QString& file, const pipeline::ReadProgr
         opened.carried = stateInPicture(file);
     }
     return opened;
+}
+
+Result<OpenedScene> readSceneAgain(const KeptScene& kept, const pipeline::ReadProgress& progress) {
+    Result<OpenedScene> read = readSceneFile(kept.file, progress);
+    if (!read) return read;
+    OpenedScene again = std::move(read).value();
+    std::vector<pipeline::Object>& objects = again.scene.objects;
+    for (std::size_t i = 0; i < std::min(objects.size(), kept.scene->objects.size()); ++i)
+        if (const auto& mesh = kept.scene->objects[i].mesh; isSame(*objects[i].mesh, *mesh)) objects[i].mesh = mesh;
+    again.kept.scene = std::make_shared<const Scene>(again.scene);
+    return again;
 }
 
 Result<OpenedScene> readStateScene(const WindowState& state, const fs::path& folder, const KeptScene& open,

@@ -30,6 +30,9 @@ struct OpenedScene {
 // Reads a scene file, or a picture that carries its scene.
 pipeline::Result<OpenedScene> readSceneFile(const QString& file, const pipeline::ReadProgress& progress = {});
 
+// Reads the file again. Meshes that are as they were stay the same ones, so that what was computed of them can be reused.
+pipeline::Result<OpenedScene> readSceneAgain(const KeptScene& kept, const pipeline::ReadProgress& progress = {});
+
 // Reads the scene of a state, named from `folder`. open: of the file that the state names, where that is open already.
 pipeline::Result<OpenedScene> readStateScene(const WindowState& state, const std::filesystem::path& folder,
                                              const KeptScene& open, const pipeline::ReadProgress& progress = {});

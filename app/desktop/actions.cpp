@@ -11,6 +11,8 @@ std::span<const ActionRow> actionTable() {
     using A = ActionId;
     static constexpr auto kTable = std::to_array<ActionRow>({
         {A::Open, "File", "Open…", "Ctrl+O", "Opens a scene file."},
+        {A::ReadAgain, "File", "Read the file again", "F5",
+         "Takes over what was changed in the scene's file; views, step and pixel stay."},
         {A::Save, "File", "Save scene", "Ctrl+S",
          "Writes the scene to its file; asks for a name where that holds more than this program writes."},
         {A::SaveAs, "File", "Save scene as…", "Ctrl+Shift+S", "Writes the scene with all its settings as a TOML file."},

@@ -10,6 +10,7 @@ namespace app {
 
 enum class ActionId : unsigned char {
     Open,
+    ReadAgain,
     Save,
     SaveAs,
     Export,

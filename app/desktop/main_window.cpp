@@ -201,6 +201,7 @@ void MainWindow::connectDocument() {
         enableActions();
         showTitle();
     });
+    connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
     connect(&m_document, &Document::failed, this, [this](const pipeline::Errors& errors) {
         const QString file = errors.empty() ? QString() : QFileInfo(toQString(errors.front().where.file)).fileName();
         if (file.isEmpty()) return m_errors->report(tr("That cannot be done. Nothing has changed."), errors);

@@ -101,6 +101,7 @@ private:
     bool showsScene() const;
     bool mayLeaveScene();
     void closeScene();
+    void readAgain();
     void rememberWhere();
     void openScene(const QString& name,
                    std::function<pipeline::Result<OpenedScene>(const pipeline::ReadProgress&)> read,

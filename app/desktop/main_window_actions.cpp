@@ -61,6 +61,7 @@ void MainWindow::connectActions() {
     const Actions& actions = *m_actions;
     const auto on = [&](A id, auto run) { connect(actions[id], &QAction::triggered, this, run); };
     on(A::Open, [this] { chooseFile(); });
+    on(A::ReadAgain, [this] { readAgain(); });
     on(A::Save, [this] { saveScene(); });
     on(A::SaveAs, [this] { saveSceneAs(); });
     on(A::Export, [this] { exportBuffers(); });
@@ -150,6 +151,8 @@ void MainWindow::enableActions() {
         m_actions->setEnabled(id, scene, noScene);
     for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);
     for (const A id : {A::Save, A::SaveAs}) m_actions->setEnabled(id, scene, noScene);
+    m_actions->setEnabled(A::ReadAgain, scene && m_document.kept().scene,
+                          scene ? tr("This scene comes from no file.") : noScene);
     enableViewActions();
     for (const A id : {A::Export, A::Slide, A::Film})
         m_actions->setEnabled(id, scene && m_document.frame(),

@@ -72,6 +72,23 @@ bool MainWindow::openFile(const QString& file, const Then& then) {
     return true;
 }
 
+// A scene with other settings is opened like another file, and looked at as before.
+void MainWindow::readAgain() {
+    const KeptScene kept = m_document.kept();  // keeping changes may make it another
+    if (!mayLeaveScene()) return;
+    const QString name = QFileInfo(kept.file).fileName();
+    const auto read = [kept](const pipeline::ReadProgress& progress) { return readSceneAgain(kept, progress); };
+    openScene(name, read, [this, name](const OpenedScene& again) {
+        m_errors->hide();
+        const auto now = state({});
+        if (!m_document.reload(again)) {
+            m_document.open(again);
+            if (now) showPlace(m_document, *now), lookAt(*now);
+        }
+        emit m_document.said(tr("%1 has been read again.").arg(name));
+    });
+}
+
 void MainWindow::showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes,
                            const Then& then) {
     const KeptScene open = isOpen(m_document, state, folder) ? m_document.kept() : KeptScene();

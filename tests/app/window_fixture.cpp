@@ -1,8 +1,11 @@
 #include "tests/app/window_fixture.h"
 
+#include <QAbstractButton>
 #include <QApplication>
+#include <QMessageBox>
 #include <QSettings>
 #include <QTest>
+#include <QTimer>
 
 #include "app/core/scene_opener.h"
 #include "app/core/theme.h"
@@ -39,6 +42,22 @@ bool WindowTest::waitForFrame() {
     const bool there = QTest::qWaitFor([this] { return document().frame() && !document().busy(); }, 30000);
     QTest::qWait(50);  // for what is painted a moment later
     return there && QTest::qWaitFor([this] { return !document().busy(); }, 30000);
+}
+
+void WindowTest::answer(const QString& button, const std::function<void()>& act) {
+    bool asked = false;
+    QTimer::singleShot(0, &window, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        asked = box != nullptr;
+        for (QAbstractButton* one : box ? box->buttons() : QList<QAbstractButton*>())
+            if (one->text() == button) return one->click();
+        if (box) box->reject();
+    });
+    act();
+    QCoreApplication::processEvents();
+    window.activateWindow();  // not every platform gives a box's focus back
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(asked);
 }
 
 void WindowTest::press(const char* keys) {

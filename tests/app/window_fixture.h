@@ -24,6 +24,9 @@ protected:
     // Presses keys in the widget that has the focus: "Ctrl+Right".
     void press(const char* keys);
 
+    // Presses a button of the question that `act` asks.
+    void answer(const QString& button, const std::function<void()>& act);
+
     template <class Widget>
     Widget* find(const QString& name) {
         Widget* found = window.findChild<Widget*>(name);

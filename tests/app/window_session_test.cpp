@@ -2,7 +2,6 @@
 #include <QClipboard>
 #include <QFile>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSplitter>
 #include <QTest>
@@ -44,22 +43,6 @@ protected:
     }
     void waitForState() {
         EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && document().stepper().isSettled(); }, 30000));
-    }
-    // Presses a button of the question as soon as it is asked.
-    void answer(const QString& button, const std::function<void()>& act) {
-        bool asked = false;
-        QTimer::singleShot(0, &window, [&] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            asked = box != nullptr;
-            for (QAbstractButton* one : box ? box->buttons() : QList<QAbstractButton*>())
-                if (one->text() == button) return one->click();
-            if (box) box->reject();
-        });
-        act();
-        QCoreApplication::processEvents();
-        window.activateWindow();  // not every platform gives a box's focus back
-        QCoreApplication::processEvents();
-        EXPECT_TRUE(asked);
     }
 };
 

@@ -1,0 +1,141 @@
+// F5: a scene file that is being written beside the window.
+#include <QFile>
+#include <QTest>
+
+#include "app/core/stepper.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/error_list.h"
+#include "app/state/window_state.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+constexpr const char* kLight = "\n[[light]]\nposition = [3, -5, 7]\nintensity = 120\n";
+
+class WindowReload : public WindowTest {
+protected:
+    // One triangle; the ambient light is on line 6.
+    void write(const QByteArray& ambient, const QByteArray& lights = kLight) {
+        QFile out(file);
+        ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+        out.write(
+            "[camera]\nkind = \"look-at\"\neye = [3, -4, 3]\ntarget = [0, 0, 0]\n[ambient]\nintensity = " + ambient +
+            lights + "\n[[object]]\nvertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\npolygons = [[0, 1, 2]]\n");
+    }
+    void openOwn() {
+        write("30");
+        ASSERT_TRUE(window.openFile(file));
+        ASSERT_TRUE(waitForFrame());
+    }
+    void lookClosely() {
+        ASSERT_TRUE(QTest::qWaitFor([this] { return document().stepper().steps() != nullptr; }, 10000));
+        document().stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=0"));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return document().stepper().isSettled(); }, 10000));
+        document().pick(glm::ivec2(30, 20));
+        window.views().setSecond(true);
+        window.views().first().setBuffer({pipeline::BufferId::ZView});
+        window.views().first().canvas()->setZoom(8, QPointF(100, 100));
+    }
+    // What the window shows, but for its scene.
+    std::string place() {
+        auto now = window.state({});
+        now->set.clear();
+        return toToml(*now);
+    }
+    QString file = folder.filePath("own.toml");
+};
+
+TEST_F(WindowReload, TheFileIsReadAgainAndWhatIsLookedAtStays) {
+    openOwn();
+    lookClosely();
+    const std::string before = place();
+    const auto mesh = document().scene().objects[0].mesh;
+    write("60");
+    press("F5");
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(document().scene().ambient.intensity, 60);
+    EXPECT_EQ(place(), before);
+    EXPECT_EQ(document().scene().objects[0].mesh, mesh) << "it has not changed, and what was computed of it is reused";
+    EXPECT_FALSE(document().isChanged());
+}
+
+TEST_F(WindowReload, ItIsOneStepOfUndoAndTheStepsBeforeStay) {
+    openOwn();
+    document().change(*findSetting(document().scene(), "ambient.intensity"), 40);
+    document().undoStack()->setClean();
+    write("60");
+    press("F5");
+    EXPECT_EQ(document().scene().ambient.intensity, 60);
+    press("Ctrl+Z");
+    EXPECT_EQ(document().scene().ambient.intensity, 40);
+    EXPECT_TRUE(document().isChanged()) << "against what is in the file now";
+    press("Ctrl+Z");
+    EXPECT_EQ(document().scene().ambient.intensity, 30);
+    document().undoStack()->setClean();
+}
+
+TEST_F(WindowReload, AFileThatIsAsItWasLeavesNoStep) {
+    openOwn();
+    press("F5");
+    EXPECT_EQ(document().undoStack()->count(), 0);
+}
+
+TEST_F(WindowReload, WithOtherLightsTheStepsOfUndoGoAndTheViewsStay) {
+    openOwn();
+    lookClosely();
+    document().change(*findSetting(document().scene(), "ambient.intensity"), 40);
+    document().undoStack()->setClean();
+    ASSERT_TRUE(waitForFrame());
+    for (const QByteArray& lights : {QByteArray(kLight) + kLight, QByteArray(), QByteArray(kLight)}) {
+        const std::string before = place();
+        write("60", lights);
+        press("F5");
+        ASSERT_TRUE(waitForFrame());
+        EXPECT_TRUE(QTest::qWaitFor([this] { return document().stepper().isSettled(); }, 10000));
+        EXPECT_EQ(document().scene().lights.size(), std::size_t(lights.count("[[light]]")));
+        EXPECT_EQ(document().undoStack()->count(), 0);
+        EXPECT_EQ(document().pixel(), glm::ivec2(30, 20));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return place() == before; }, 5000)) << place() << before;
+    }
+}
+
+TEST_F(WindowReload, AMistakeIsNamedWithItsPlaceAndTheSceneStays) {
+    openOwn();
+    const auto before = document().sharedScene();
+    write("\"much\"");
+    press("F5");
+    EXPECT_EQ(document().sharedScene(), before);
+    EXPECT_TRUE(find<ErrorList>("errorList")->text().contains("own.toml:6:13"))
+        << find<ErrorList>("errorList")->text().toStdString();
+    write("60");
+    press("F5");
+    EXPECT_FALSE(find<ErrorList>("errorList")->isVisible());
+    EXPECT_EQ(document().scene().ambient.intensity, 60);
+}
+
+TEST_F(WindowReload, ChangesThatAreNotSavedAreAskedAbout) {
+    openOwn();
+    document().change(*findSetting(document().scene(), "ambient.intensity"), 40);
+    write("60");
+    answer("Go back", [this] { window.actions()[ActionId::ReadAgain]->trigger(); });
+    EXPECT_EQ(document().scene().ambient.intensity, 40);
+    answer("Drop", [this] { window.actions()[ActionId::ReadAgain]->trigger(); });
+    EXPECT_EQ(document().scene().ambient.intensity, 60);
+    EXPECT_FALSE(document().isChanged());
+}
+
+TEST_F(WindowReload, WithoutAFileItSaysWhyNot) {
+    pipeline::Scene scene;
+    document().setScene(scene);
+    ASSERT_TRUE(waitForFrame());
+    const QAction* action = window.actions()[ActionId::ReadAgain];
+    EXPECT_FALSE(action->isEnabled());
+    EXPECT_TRUE(action->toolTip().contains("no file"));
+}
+
+}  // namespace
+}  // namespace app
