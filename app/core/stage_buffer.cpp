@@ -31,6 +31,14 @@ BufferName mainBufferInside(StageId stage, const pipeline::Scene& scene) {
 
 namespace {
 
+// The shadows, where there are any; else the highlights.
+BufferName besideTheFrame(const pipeline::Scene& scene) {
+    for (std::size_t k = 0; k < scene.lights.size(); ++k)
+        if (scene.lights[k].castsShadow && whyUseless(scene, BufferId::Shadow).empty())
+            return {BufferId::Shadow, int(k)};
+    return scene.lights.empty() ? BufferName{BufferId::Ambient} : BufferName{BufferId::Specular, 0};
+}
+
 // What the stage leaves that explains the main one.
 BufferName secondBuffer(StageId stage, const pipeline::Scene& scene) {
     switch (stage) {
@@ -43,7 +51,7 @@ BufferName secondBuffer(StageId stage, const pipeline::Scene& scene) {
         case StageId::ZBuffer: return {BufferId::Overdraw};
         case StageId::Shading: break;
     }
-    return scene.lights.empty() ? BufferName{BufferId::Ambient} : BufferName{BufferId::Specular, 0};
+    return besideTheFrame(scene);
 }
 
 BufferName secondBufferInside(StageId stage, const pipeline::Scene& scene) {
@@ -71,7 +79,8 @@ std::vector<BufferName> moreBuffers(StageId stage, const pipeline::Scene& scene)
             break;
         case StageId::ZBuffer: more = {{BufferId::PolygonId}, {BufferId::DepthWrites}, {BufferId::Barycentric}}; break;
         case StageId::Shading:
-            if (lit) more = {{BufferId::Diffuse, 0}, {BufferId::Ambient}, {BufferId::NDotL, 0}};
+            if (lit)
+                more = {{BufferId::Specular, 0}, {BufferId::Diffuse, 0}, {BufferId::Ambient}, {BufferId::NDotL, 0}};
             break;
     }
     for (const BufferId id : {BufferId::Color, BufferId::ZView, BufferId::PolygonId, BufferId::Normal,
