@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
@@ -20,7 +21,21 @@ void write(QPainter& painter, QRect& line, const QString& text, const QFont& fon
     line.setLeft(line.left() + painter.fontMetrics().horizontalAdvance(fitting));
 }
 
+QString fittingLine(const QString& text, const QFont& font, int width) {
+    const QFontMetrics metrics(font);
+    return fitting(text, [&](const QString& part) { return metrics.horizontalAdvance(part) <= width; });
+}
+
 }  // namespace
+
+QString fitting(QString text, const std::function<bool(const QString&)>& fits) {
+    while (!text.isEmpty() && !fits(text)) {
+        const auto sign =
+            std::find_if(text.crbegin(), text.crend(), [](QChar c) { return c == u';' || c == u':' || c == u','; });
+        text.truncate(std::max<qsizetype>(0, text.crend() - sign - 1));
+    }
+    return text;
+}
 
 QColor stateColor(StageState state) {
     const ThemeColors& c = Theme::current().colors();
@@ -103,16 +118,18 @@ void StageCard::paintEvent(QPaintEvent*) {
     if (m_status.state == StageState::LeftOut) {
         painter.setFont(theme.text(12));
         painter.setPen(c.text2);
-        if (m_compact) {
-            QRect line(box.left(), box.top(), box.width(), lineHeight);
-            return write(painter, line, m_status.reason, theme.text(12), c.text2);
-        }
-        return painter.drawText(box, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_status.reason);
+        if (m_compact) box.setHeight(lineHeight);
+        constexpr int kFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+        const QString reason = fitting(m_status.reason, [&](const QString& part) {
+            const QRect taken = painter.fontMetrics().boundingRect(box, kFlags, part);
+            return taken.height() <= box.height() && taken.width() <= box.width();
+        });
+        return painter.drawText(box, kFlags, reason.isEmpty() ? word(m_status.state) : reason);
     }
     paintNumbers(painter, QRect(box.left(), box.top(), box.width(), lineHeight));
     if (m_compact) return;
     QRect counts(box.left(), box.top() + lineHeight, box.width(), lineHeight);
-    write(painter, counts, m_status.counts, theme.text(12), c.text2);
+    write(painter, counts, fittingLine(m_status.counts, theme.text(12), counts.width()), theme.text(12), c.text2);
 }
 
 void StageCard::paintBox(QPainter& painter) const {
@@ -151,9 +168,15 @@ void StageCard::paintTitle(QPainter& painter, const QRect& line) const {
     const ThemeColors& c = theme.colors();
     QRect left = line;
     const QFont stateFont = theme.text(12, 500);
-    const QString stateWord = m_compact ? QString() : word(m_status.state);
-    const int wordWidth = QFontMetrics(stateFont).horizontalAdvance(stateWord);
+    const double size = m_compact ? 13 : 14;
+    const QString number = QString::number(index(m_stage) + 1);
     const int markWidth = theme.px(10);
+    const int titleWidth = QFontMetrics(theme.text(size, 500)).horizontalAdvance(number) + theme.px(8) +
+                           QFontMetrics(theme.text(size, 600)).horizontalAdvance(text());
+    // The mark alone where the word would take room from the title.
+    const int room = line.width() - titleWidth - markWidth - 2 * theme.px(6);
+    const QString stateWord = m_compact ? QString() : fittingLine(word(m_status.state), stateFont, room);
+    const int wordWidth = QFontMetrics(stateFont).horizontalAdvance(stateWord);
     const int gap = wordWidth > 0 ? theme.px(6) : 0;
     QRect state = line;
     state.setLeft(line.right() - wordWidth - gap - markWidth);
@@ -164,8 +187,7 @@ void StageCard::paintTitle(QPainter& painter, const QRect& line) const {
     painter.drawText(state, Qt::AlignLeft | Qt::AlignVCenter, stateWord);
 
     left.setRight(line.right() - wordWidth - gap - markWidth - theme.px(6));
-    const double size = m_compact ? 13 : 14;
-    write(painter, left, QString::number(index(m_stage) + 1), theme.text(size, 500), c.text3);
+    write(painter, left, number, theme.text(size, 500), c.text3);
     left.setLeft(left.left() + theme.px(8));
     write(painter, left, text(), theme.text(size, 600), c.text);
 }
@@ -177,8 +199,14 @@ void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {
     write(painter, rest, m_status.time, theme.mono(12), c.text2);
     if (m_status.error.isEmpty()) return;
     rest.setLeft(rest.left() + theme.px(m_compact ? 8 : 12));
-    if (!m_compact) write(painter, rest, QStringLiteral("error "), theme.text(12), c.text2);
-    write(painter, rest, m_status.error, theme.mono(12), c.text2);
+    const QFontMetrics digits(theme.mono(12));
+    QString error = m_status.error;
+    if (digits.horizontalAdvance(error) > rest.width()) error = error.section(' ', 0, 0);  // without its unit
+    const int room = rest.width() - digits.horizontalAdvance(error);
+    if (room < 0) return;
+    if (!m_compact)
+        write(painter, rest, fittingLine(QStringLiteral("error "), theme.text(12), room), theme.text(12), c.text2);
+    write(painter, rest, error, theme.mono(12), c.text2);
 }
 
 void StageCard::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <QAbstractButton>
+#include <functional>
 
 #include "app/core/stage_status.h"
 
@@ -43,5 +44,8 @@ private:
 // ● ran, ○ reused, – left out, ◐ in progress, · not yet: in the state's colour, 10 by 10 at scale 1.
 void paintMark(QPainter& painter, QPointF centre, StageState state);
 QColor stateColor(StageState state);
+
+// A text, or its beginning up to a sign where it can end; nothing where that does not fit either.
+QString fitting(QString text, const std::function<bool(const QString&)>& fits);
 
 }  // namespace app

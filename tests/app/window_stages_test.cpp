@@ -63,6 +63,17 @@ TEST_F(WindowStages, ClickOnACardGoesToItsStage) {
     EXPECT_TRUE(card.isOnShow());
 }
 
+TEST(StageCardWords, EndAtASignWhereTheyDoNotFit) {
+    const QString counts = "2 686 fragments, 2 686 won; 2 parts left out";
+    const auto within = [&](qsizetype letters) {
+        return fitting(counts, [letters](const QString& part) { return part.size() <= letters; });
+    };
+    EXPECT_EQ(within(44), counts);
+    EXPECT_EQ(within(43), "2 686 fragments, 2 686 won");
+    EXPECT_EQ(within(20), "2 686 fragments");
+    EXPECT_EQ(within(10), "");
+}
+
 // The pyramid is one convex object: no shadow buffer is needed, and the flat shading needs no
 // vertex normals. Everything else ran.
 TEST_F(WindowStages, CardsTellWhatRanAndWhatWasLeftOut) {
