@@ -174,7 +174,7 @@ void StageCard::paintTitle(QPainter& painter, const QRect& line) const {
     const int titleWidth = QFontMetrics(theme.text(size, 500)).horizontalAdvance(number) + theme.px(8) +
                            QFontMetrics(theme.text(size, 600)).horizontalAdvance(text());
     // The mark alone where the word would take room from the title.
-    const int room = line.width() - titleWidth - markWidth - 2 * theme.px(6);
+    const int room = line.width() - titleWidth - markWidth - 2 * theme.px(6) - theme.px(2);  // 2 for rounding
     const QString stateWord = m_compact ? QString() : fittingLine(word(m_status.state), stateFont, room);
     const int wordWidth = QFontMetrics(stateFont).horizontalAdvance(stateWord);
     const int gap = wordWidth > 0 ? theme.px(6) : 0;
