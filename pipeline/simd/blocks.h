@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "pipeline/buffers/block_buffer.h"
 #include "pipeline/simd/lanes.h"
@@ -44,6 +43,7 @@ struct LaneSteps {
                       I(), of + first);
     }
 };
+// The function's value at a block's first pixel (x, y), likewise wrapped round: exact wherever it fits.
 HWY_INLINE std::int32_t wrapped(std::int32_t value, std::int32_t column, int x, std::int32_t row, int y) {
     using Unsigned = std::uint32_t;
     return std::int32_t(Unsigned(value) + Unsigned(column) * Unsigned(x) + Unsigned(row) * Unsigned(y));
@@ -106,10 +106,11 @@ private:
     Ints m_right1, m_right2, m_down1, m_down2;
 };
 
-// Of the blocks [min, max) in row y of blocks, those outside of which an edge function leaves no pixel; a few more, for
-// rounding. least: what each must be at least; column, row: what it grows by from pixel to pixel.
+// A triangle's edge functions over a tile, for the rows of blocks that it has pixels in.
 struct EdgeRows {
-    double value[3], column[3], row[3];  // at the tile's first pixel
+    double value[3], column[3], row[3];  // at the tile's first pixel, at least 0 where covered; more at the next pixel
+    // Of the blocks [min, max) in row y of blocks, those outside of which an edge function leaves no pixel; a few more,
+    // for rounding.
     std::pair<int, int> blocksInRow(int y, int min, int max) const {
         double low = min, high = max;
         for (int i = 0; i < 3; ++i) {

@@ -1,7 +1,8 @@
 #include "pipeline/simd/shade_pixels.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <vector>
 
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE

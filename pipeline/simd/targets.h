@@ -1,6 +1,6 @@
 #pragma once
-// Before Highway's headers: for which processors kernels are compiled. What lies below SSE4 takes vectors of one number,
-// and what AVX3_DL adds to AVX-512 no kernel uses. Structs hold vectors in them, which those of no
+// Before Highway's headers: for which processors kernels are compiled. What lies below SSE4 takes the compiler's own
+// way, and what AVX3_DL adds to AVX-512 no kernel uses. Structs hold vectors in them, which those of no
 // fixed width forbid. Under the address sanitizer a compiler takes a quarter of an hour for the widest of the shading
 // kernels: there vectors of one number and of eight are watched, and the tests hold the others to their bits.
 #if defined(__SANITIZE_ADDRESS__) && defined(__x86_64__)
