@@ -201,7 +201,8 @@ void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {
     rest.setLeft(rest.left() + theme.px(m_compact ? 8 : 12));
     const QFontMetrics digits(theme.mono(12));
     QString error = m_status.error;
-    if (digits.horizontalAdvance(error) > rest.width()) error = error.section(' ', 0, 0);  // without its unit
+    if (digits.horizontalAdvance(error) > rest.width())
+        error = error.section(',', 0, 0).section(' ', 0, 0);  // the number alone
     const int room = rest.width() - digits.horizontalAdvance(error);
     if (room < 0) return;
     if (!m_compact)
