@@ -34,20 +34,26 @@ struct BlockPlace {
     }
 };
 
-// What an affine function has more in each pixel of a block than in the first. Sums wrap round.
-struct LaneSteps {
-    alignas(64) std::int32_t of[kBlockPixels]{};
-    HWY_INLINE void become(std::int32_t column, std::int32_t row) {
-        for (int first = 0; first < kBlockPixels; first += int(hn::Lanes(F())))
-            hn::Store(hn::Add(hn::Mul(hn::Set(I(), column), columnOf(first)), hn::Mul(hn::Set(I(), row), rowOf(first))),
-                      I(), of + first);
+// An affine function over the pixels of a tile, in 32 bits: exact wherever its value fits, for sums wrap round.
+struct TileFunction {
+    std::int32_t value = 0, column = 0, row = 0;  // at the tile's first pixel; more at the next column, at the next row
+    alignas(64) std::int32_t steps[kBlockPixels]{};  // what a block's pixels have more than its first
+
+    HWY_INLINE void become(std::int32_t first, std::int32_t right, std::int32_t down) {
+        value = first, column = right, row = down;
+        const Ints toRight = hn::Set(I(), column), toDown = hn::Set(I(), row);
+        for (int i = 0; i < kBlockPixels; i += int(hn::Lanes(F())))
+            hn::Store(hn::Add(hn::Mul(toRight, columnOf(i)), hn::Mul(toDown, rowOf(i))), I(), steps + i);
+    }
+    std::int32_t atPixel(int x, int y) const {
+        using Wraps = std::uint32_t;
+        return std::int32_t(Wraps(value) + Wraps(column) * Wraps(x) + Wraps(row) * Wraps(y));
+    }
+    // x, y: the block's first pixel, relative to the tile's; first: the vector's first pixel in it.
+    HWY_INLINE Ints at(int x, int y, int first) const {
+        return hn::Add(hn::Set(I(), atPixel(x, y)), hn::Load(I(), steps + first));
     }
 };
-// The function's value at a block's first pixel (x, y), likewise wrapped round: exact wherever it fits.
-HWY_INLINE std::int32_t wrapped(std::int32_t value, std::int32_t column, int x, std::int32_t row, int y) {
-    using Unsigned = std::uint32_t;
-    return std::int32_t(Unsigned(value) + Unsigned(column) * Unsigned(x) + Unsigned(row) * Unsigned(y));
-}
 
 // The blocks [min, max) of a tile that a box of pixels touches.
 struct BlockRange {
@@ -146,32 +152,27 @@ public:
             const std::int64_t high = value >> bits;
             const std::int64_t most = std::abs(high) + (std::abs(dx) + std::abs(dy)) * kTileSize;
             m_fits = m_fits && most < (std::int64_t(1) << 31), m_isNarrow = m_isNarrow && most < (1 << 24);
-            m_value[i] = std::int32_t(high), m_column[i] = std::int32_t(-dy), m_row[i] = std::int32_t(dx);
+            m_edges[i].become(std::int32_t(high), std::int32_t(-dy), std::int32_t(dx));
             m_below[i] = std::int32_t(value - (high << bits) + bias);
-            m_steps[i].become(m_column[i], m_row[i]);
         }
     }
     bool fits() const { return m_fits; }  // else nothing of it holds
     EdgeRows rows() const {
         EdgeRows rows{};
         for (int i = 0; i < 3; ++i)
-            rows.value[i] = double(m_value[i]), rows.column[i] = double(m_column[i]), rows.row[i] = double(m_row[i]);
+            rows.value[i] = m_edges[i].value, rows.column[i] = m_edges[i].column, rows.row[i] = m_edges[i].row;
         return rows;
     }
     // x, y: the block's first pixel, relative to the tile's; first: the vector's first pixel in it.
     HWY_INLINE EdgesAt at(int x, int y, int first) const {
-        const Ints e0 = edge(0, x, y, first), e1 = edge(1, x, y, first), e2 = edge(2, x, y, first);
+        const Ints e0 = m_edges[0].at(x, y, first), e1 = m_edges[1].at(x, y, first), e2 = m_edges[2].at(x, y, first);
         const auto inside = hn::Gt(hn::Or(e0, hn::Or(e1, e2)), hn::Set(I(), -1));
         return {hn::RebindMask(F(), inside), linear(e1, 1), linear(e2, 2)};
     }
     // l1 or l2 alone.
-    HWY_INLINE Floats linear(int i, int x, int y, int first) const { return linear(edge(i, x, y, first), i); }
+    HWY_INLINE Floats linear(int i, int x, int y, int first) const { return linear(m_edges[i].at(x, y, first), i); }
 
 private:
-    HWY_INLINE Ints edge(int i, int x, int y, int first) const {
-        return hn::Add(hn::Set(I(), wrapped(m_value[i], m_column[i], x, m_row[i], y)),
-                       hn::Load(I(), m_steps[i].of + first));
-    }
     // The edge function is rounded once: it is a sum of two numbers that have at most 24 bits each.
     HWY_INLINE Floats linear(Ints high, int i) const {
         if (HWY_LIKELY(m_isNarrow)) {
@@ -185,10 +186,10 @@ private:
                                      hn::ConvertTo(F(), low));
         return hn::Mul(whole, all(m_inverse));
     }
-    LaneSteps m_steps[3];
+    TileFunction m_edges[3];
     int m_bits = 1;
     float m_unit = 2, m_inverse = 0;
-    std::int32_t m_value[3]{}, m_below[3]{}, m_column[3]{}, m_row[3]{};
+    std::int32_t m_below[3]{};
     bool m_fits = true, m_isNarrow = true;  // whether 24 bits are enough
 };
 

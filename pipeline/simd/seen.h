@@ -52,8 +52,7 @@ public:
             return {m_middle.linear(1, place.x, place.y, place.first),
                     m_middle.linear(2, place.x, place.y, place.first)};
         const auto edge = [&](int i) HWY_ATTR {
-            const Ints e = hn::Add(hn::Set(I(), wrapped(m_value[i], m_column[i], place.x, m_row[i], place.y)),
-                                   hn::Load(I(), m_steps[i].of + place.first));
+            const Ints e = m_edges[i].at(place.x, place.y, place.first);
             return hn::Mul(hn::ConvertTo(F(), e), all(m_small->inverseArea2));
         };
         return {edge(0), edge(1)};
@@ -115,9 +114,9 @@ private:
         m_w[0] = t.w0, m_w[1] = t.w1, m_w[2] = t.w2;
         for (int corner = 0; corner < 3; ++corner) m_order[corner] = t.corner(corner);
         const int x = m_tile.min.x - t.x, y = m_tile.min.y - t.y;
-        m_column[0] = t.a1, m_row[0] = t.b1, m_value[0] = wrapped(t.c1, t.a1, x, t.b1, y);
-        m_column[1] = t.a2, m_row[1] = t.b2, m_value[1] = wrapped(t.c2, t.a2, x, t.b2, y);
-        m_steps[0].become(t.a1, t.b1), m_steps[1].become(t.a2, t.b2);
+        // From the box's first pixel to the tile's.
+        m_edges[0].become(t.c1, t.a1, t.b1), m_edges[0].value = m_edges[0].atPixel(x, y);
+        m_edges[1].become(t.c2, t.a2, t.b2), m_edges[1].value = m_edges[1].atPixel(x, y);
     }
     void becomeOther(const RasterTriangle<float>& t) {
         m_small = nullptr, m_other = &t, m_id = t.id;
@@ -141,8 +140,7 @@ private:
     float m_w[3]{};
     std::array<int, 3> m_order{};  // which of the triangle's own corners each is, or kCut for all
     const SmallTriangle* m_small = nullptr;
-    LaneSteps m_steps[2];  // of a small triangle's edge functions 1 and 2
-    std::int32_t m_value[2]{}, m_column[2]{}, m_row[2]{};
+    TileFunction m_edges[2];  // a small triangle's edge functions 1 and 2
     const RasterTriangle<float>* m_other = nullptr;
     MiddleEdges m_middle;
     LargeEdges m_large;  // where m_middle does not fit
