@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/numbers.h"
+#include "app/core/number_format.h"
 #include "app/core/text.h"
 
 namespace app {
@@ -13,7 +13,10 @@ namespace {
 
 constexpr std::size_t kMostDistinct = 500'000;  // numbers that are sorted for it: some 30 ms
 
-QString shortest(std::optional<double> value) { return value ? QString::number(*value, 'g', 6) : QStringLiteral("–"); }
+QString shortest(std::optional<double> value) {
+    if (!value) return QStringLiteral("–");
+    return written(NumberStyle::current().format(), *value).value_or(QString::number(*value, 'g', 6));
+}
 
 }  // namespace
 

@@ -62,6 +62,7 @@ QLineEdit, QComboBox, QAbstractSpinBox, QPlainTextEdit, QTextEdit, QTextBrowser 
   border: 1px solid @outline; border-radius: 4u; padding: 0 6u;
   selection-background-color: @fill; selection-color: @onFill; }
 QLineEdit, QComboBox, QAbstractSpinBox { min-height: 22u; }
+QLineEdit:disabled, QComboBox:disabled, QAbstractSpinBox:disabled { color: @text3; border-color: @line; }
 QComboBox::drop-down { border: 0; width: 20u; }
 QComboBox::down-arrow { image: url(:/icons/control-chevron.svg); width: 12u; height: 12u; }
 QComboBox QAbstractItemView { background: @raised; color: @text; border: 1px solid @outline;

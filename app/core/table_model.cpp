@@ -4,6 +4,7 @@
 
 #include <QFont>
 
+#include "app/core/number_format.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 
@@ -30,7 +31,22 @@ bool numeric(const SceneTable& table, const TableColumn& column) {
     return true;
 }
 
+QString shownText(const TableColumn& column, const Cell& cell) {
+    const auto* single = std::get_if<float>(&cell);
+    const auto* real = std::get_if<double>(&cell);
+    if (single || real)
+        if (const auto chosen = written(NumberStyle::current().format(), single ? double(*single) : *real))
+            return *chosen;
+    return toQString(readableText(column, cell));
+}
+
 }  // namespace
+
+TableModel::TableModel(QObject* parent) : QAbstractTableModel(parent) {
+    connect(&NumberStyle::current(), &NumberStyle::changed, this, [this] {
+        if (m_table.rows > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    });
+}
 
 void TableModel::setTable(SceneTable table) {
     const bool same = sameShape(table, m_table);
@@ -102,7 +118,7 @@ QVariant TableModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const TableColumn& column = m_table.columns[std::size_t(index.column())];
     switch (role) {
-        case Qt::DisplayRole: return toQString(readableText(column, column.cell(rowAt(index.row()))));
+        case Qt::DisplayRole: return shownText(column, column.cell(rowAt(index.row())));
         case Qt::TextAlignmentRole:
             return int((isNumeric(index.column()) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         case Qt::FontRole: return Theme::current().mono(13);

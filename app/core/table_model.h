@@ -13,7 +13,7 @@ namespace app {
 class TableModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit TableModel(QObject* parent = nullptr);
 
     // Columns, rows and order stay where the new table has as many of them under the same names.
     void setTable(pipeline::SceneTable table);

@@ -39,6 +39,8 @@ std::span<const ActionRow> actionTable() {
         {A::CopyEquationJson, "Edit", "Copy equation as JSON", "", "Copies its lines as text and LaTeX, for programs."},
         {A::KeepResult, "Edit", "Keep the result before", "Alt+K",
          "Keeps what the picked pixel's intensity was before the last change, or drops it.", true},
+        {A::Preferences, "Edit", "Preferences…", "Ctrl+,",
+         "Theme, size of the letters, how numbers are written, and where the program keeps its files.", false, true},
 
         {A::TwoBufferViews, "View", "Second buffer view", "Ctrl+Alt+V", "Shows a second buffer below the first.", true},
         {A::SplitRight, "View/Views", "Split to the right", "Ctrl+Alt+R",

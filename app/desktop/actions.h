@@ -30,6 +30,7 @@ enum class ActionId : unsigned char {
     CopyEquationLatex,
     CopyEquationJson,
     KeepResult,
+    Preferences,
     TwoBufferViews,
     SplitRight,
     SplitBelow,

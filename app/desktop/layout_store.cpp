@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "app/core/number_format.h"
 #include "app/core/theme.h"
 #include "app/state/view_tree.h"
 
@@ -42,6 +43,7 @@ QString withSizes(const QString& arrangement, const QByteArray& sizes) {
 }
 
 constexpr const char* kThemeNames[]{"dark", "light", "projector"};
+constexpr const char* kFormNames[]{"as stored", "fixed", "scientific", "hexadecimal"};
 
 }  // namespace
 
@@ -108,6 +110,26 @@ void restoreTheme() {
         theme.setScale(scale.toDouble());
     }
     theme.set(chosen);
+}
+
+void saveNumbers() {
+    const NumberFormat& format = NumberStyle::current().format();
+    QSettings settings;
+    settings.setValue("numbers/form", kFormNames[int(format.form)]);
+    settings.setValue("numbers/digits", format.digits);
+    settings.setValue("numbers/power", format.power ? QString::number(*format.power) : QStringLiteral("never"));
+}
+
+void restoreNumbers() {
+    const QSettings settings;
+    NumberFormat format;
+    const auto form = std::ranges::find(kFormNames, settings.value("numbers/form").toString());
+    if (form != std::end(kFormNames)) format.form = NumberFormat::Form(form - std::begin(kFormNames));
+    format.digits = settings.value("numbers/digits", format.digits).toInt();
+    bool isNumber = false;
+    const int power = settings.value("numbers/power").toInt(&isNumber);
+    if (isNumber) format.power = power;
+    NumberStyle::current().set(format);
 }
 
 }  // namespace app

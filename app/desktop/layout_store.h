@@ -28,4 +28,8 @@ void dropLayout(const QString& name);
 void saveTheme();
 void restoreTheme();  // the desktop's light or dark at the first start
 
+// How numbers are written, kept for the program.
+void saveNumbers();
+void restoreNumbers();
+
 }  // namespace app

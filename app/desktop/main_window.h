@@ -95,6 +95,7 @@ private:
     void exportBuffers();
     void showStudy();
     void showManual();
+    void showPreferences();
     void showChecks();
     std::vector<PaletteEntry> commands();
     // main_window_state.cpp: what is on show, and leaving it

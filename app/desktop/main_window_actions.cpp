@@ -18,6 +18,7 @@
 #include "app/desktop/manual_window.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/pixel_field.h"
+#include "app/desktop/preferences_dialog.h"
 #include "app/desktop/step_actions.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/check_panel.h"
@@ -104,6 +105,7 @@ void MainWindow::connectActions() {
     on(A::Study, [this] { showStudy(); });
     on(A::Check, [this] { showChecks(); });
     on(A::RunCommand, [this] { m_palette->open(commands()); });
+    on(A::Preferences, [this] { showPreferences(); });
     on(A::Keys, [this] { m_keys->open(); });
     on(A::Manual, [this] { showManual(); });
     connectStepActions(*m_actions, m_document);
@@ -217,6 +219,14 @@ void MainWindow::showManual() {
     const QString page = m_width ? manualPageOf(QApplication::focusWidget()) : QStringLiteral("README.md");
     if (!m_manual) m_manual = new ManualWindow(this);
     m_manual->open(page);
+}
+
+void MainWindow::showPreferences() {
+    auto* dialog = new PreferencesDialog(this);
+    connect(dialog, &PreferencesDialog::keysAsked, this, [this] { m_keys->open(); });
+    connect(dialog, &QDialog::finished, this, &MainWindow::enableActions);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void MainWindow::showChecks() {

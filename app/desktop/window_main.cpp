@@ -23,6 +23,7 @@ int runWindow(int argc, char** argv, const WindowStart& start) {
     prepareApplication();
     QApplication application(argc, argv);
     restoreTheme();
+    restoreNumbers();
     MainWindow window;
     window.show();
     if (start.session) window.startSession(SessionFile::usualFolder(), start.file.isEmpty() && start.cues.isEmpty());

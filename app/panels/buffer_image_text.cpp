@@ -1,6 +1,7 @@
 // The values of a buffer as people read them.
 #include <cmath>
 
+#include "app/core/number_format.h"
 #include "app/core/numbers.h"
 #include "app/panels/buffer_image.h"
 #include "pipeline/inspect/compare.h"
@@ -41,8 +42,10 @@ bool isVector(const BufferInfo& info) { return info.palette == Palette::Directio
 QString valueText(const AnyBuffer& buffer, double value, int characters) {
     const BufferInfo& info = *buffer.info;
     QString text;
-    if (isDifference(info)) return differenceText(value);
     if (info.palette == Palette::ShadowVerdict) return verdictText(value);
+    if (info.element == Element::Real)
+        if (const auto chosen = written(NumberStyle::current().format(), value, characters)) return *chosen;
+    if (isDifference(info)) return differenceText(value);
     if (info.element != Element::Real)
         text = number(value, 0);
     else if (isDepth(info.id))

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/luminance.h"
 #include "app/core/theme.h"
 #include "app/panels/edge_painter.h"
 
@@ -43,12 +44,10 @@ void paintGrid(QPainter& painter, const Placement& placement, const QRect& pixel
     }
 }
 
-double luminance(QRgb c) {
-    const auto linear = [](int v) {
-        const double s = v / 255.0;
-        return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(qRed(c)) + 0.7152 * linear(qGreen(c)) + 0.0722 * linear(qBlue(c));
+// Black or white, whatever is read on the ground.
+Qt::GlobalColor inkOn(QRgb ground) {
+    const double light = luminance(linearLight(qRed(ground)), linearLight(qGreen(ground)), linearLight(qBlue(ground)));
+    return light > 0.46 ? Qt::black : Qt::white;
 }
 
 void paintTexts(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {
@@ -63,13 +62,14 @@ void paintTexts(QPainter& painter, const CanvasContent& content, const Placement
             QRgb ground = content.image.pixel(x, y);
             for (const QImage& overlay : content.overlays)
                 if (qAlpha(overlay.pixel(x, y)) != 0) ground = overlay.pixel(x, y);
-            if (qAlpha(ground) == 0)
-                painter.setPen(c.text2);
-            else
-                painter.setPen(luminance(ground) > 0.46 ? Qt::black : Qt::white);
+            painter.setPen(qAlpha(ground) == 0 ? c.text2 : QColor(inkOn(ground)));
             const QRectF cell(placement.toWidget(QPointF(x, y)), QSizeF(placement.zoom, placement.zoom));
             double top = cell.center().y() - double(lines.size()) * metrics.height() / 2;
             for (const QString& line : lines) {
+                const double wide = metrics.horizontalAdvance(line);
+                QFont fitting = font;  // a number in the digits of the user's choice may be longer
+                if (wide > cell.width()) fitting.setPixelSize(std::max(5, int(11 * cell.width() / wide)));
+                painter.setFont(fitting);
                 painter.drawText(QRectF(cell.left(), top, cell.width(), metrics.height()), Qt::AlignCenter, line);
                 top += metrics.height();
             }
@@ -108,7 +108,7 @@ void paintStrange(QPainter& painter, const CanvasContent& content, const Placeme
         for (int x = pixels.left(); x <= pixels.right(); ++x) {
             const QString mark = content.strange(x, y);
             if (mark.isEmpty()) continue;
-            painter.setPen(luminance(content.image.pixel(x, y)) > 0.46 ? Qt::black : Qt::white);
+            painter.setPen(inkOn(content.image.pixel(x, y)));
             painter.drawText(QRectF(placement.toWidget(QPointF(x, y)), QSizeF(placement.zoom, placement.zoom)),
                              Qt::AlignCenter, mark);
         }

@@ -6,6 +6,7 @@
 #include <QStackedLayout>
 #include <QStyle>
 
+#include "app/core/number_format.h"
 #include "app/core/put_away.h"
 #include "app/core/shadow_texel.h"
 #include "app/core/text.h"
@@ -78,6 +79,7 @@ void BufferView::observe() {
     });
 
     connect(&m_document, &Document::frameReady, this, &BufferView::refresh);
+    connect(&NumberStyle::current(), &NumberStyle::changed, this, &BufferView::refresh);
     connect(&m_document, &Document::sceneOpened, this, [this] {
         m_kept.clear();
         m_shown.reset();

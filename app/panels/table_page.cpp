@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/core/number_format.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/airy_cells.h"
@@ -26,6 +27,9 @@ TablePage::TablePage(Document& document, pipeline::TableId table, QWidget* paren
         m_model->clear();
     });
     connect(&document, &Document::frameReady, this, &TablePage::refresh);
+    connect(&NumberStyle::current(), &NumberStyle::changed, this, [this] {
+        if (m_shown) fitColumns();
+    });
     connect(&document, &Document::selectionChanged, this, &TablePage::markRows);
     connect(&document, &Document::pixelChanged, this, &TablePage::markRows);
     connect(&document, &Document::hoverChanged, this, [this] {

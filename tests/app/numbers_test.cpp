@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "app/core/number_format.h"
+
 namespace {
 
 std::string utf8(const QString& text) { return text.toStdString(); }
@@ -56,4 +58,52 @@ TEST(Numbers, ErrorsHaveTwoDigitsAndTimesThree) {
 TEST(Numbers, FullPrecisionReadsBackTheSame) {
     for (const double value : {0.1, 1.0 / 3, 671.45391845703125, -1e-300, 0.0})
         EXPECT_EQ(app::fullPrecision(value).toDouble(), value);
+}
+
+namespace {
+
+using Format = app::NumberFormat;
+
+std::string in(const Format& format, double value, int characters = 0) {
+    return utf8(app::written(format, value, characters).value_or("as stored"));
+}
+
+}  // namespace
+
+TEST(NumberFormat, LeavesTheDigitsToTheNumberUnlessAskedForOthers) {
+    EXPECT_EQ(in({}, 0.5), "as stored");
+    EXPECT_EQ(in({}, NAN), "as stored");
+    EXPECT_EQ(in({Format::Form::Fixed, 3, {}}, 1234.5), "1\u2009234.500");
+    EXPECT_EQ(in({Format::Form::Scientific, 3, {}}, -1234.6), "−1.235e3");
+    EXPECT_EQ(in({Format::Form::Scientific, 3, {}}, 0), "0");
+    EXPECT_EQ(in({Format::Form::Fixed, 3, {}}, INFINITY), "+∞");
+}
+
+// 0.1f = 0x1.99999a · 2^-4: its 23 bits after the point are six hexadecimal digits, the last of them even.
+TEST(NumberFormat, HexadecimalHasEveryBit) {
+    const Format hex{Format::Form::Hexadecimal, 2, {}};
+    EXPECT_EQ(in(hex, 0.75), "0x1.8p-1");
+    EXPECT_EQ(in(hex, double(0.1f)), "0x1.99999ap-4");
+    EXPECT_EQ(in(hex, double(0.1f), 8), "0x1.99999ap-4");
+    EXPECT_EQ(in(hex, -0.0), "−0x0p+0");
+    EXPECT_EQ(in(hex, -INFINITY), "−∞");
+}
+
+// At 10^4 the number has its power, beside it not; below 10^-4 too, at it not. 0 has none.
+TEST(NumberFormat, PowersOfTenStandBeyondTheChosenOne) {
+    const Format format{Format::Form::Fixed, 2, 4};
+    EXPECT_EQ(in(format, 9999.99), "9\u2009999.99");
+    EXPECT_EQ(in(format, 10000), "1.00e4");
+    EXPECT_EQ(in(format, 0.0001), "0.00");
+    EXPECT_EQ(in(format, 0.00009), "9.00e-5");
+    EXPECT_EQ(in(format, 0), "0.00");
+    EXPECT_EQ(in({Format::Form::AsStored, 2, 4}, -123456), "−1.23e5");
+    EXPECT_EQ(in({Format::Form::AsStored, 2, 4}, 0.5), "as stored");
+}
+
+// "−1.2346e-5" has 10 characters; 8 are left with two digits.
+TEST(NumberFormat, LeavesOutDigitsWhereThereIsLittleRoom) {
+    EXPECT_EQ(in({Format::Form::Scientific, 4, {}}, -1.23456e-5), "−1.2346e-5");
+    EXPECT_EQ(in({Format::Form::Scientific, 4, {}}, -1.23456e-5, 8), "−1.23e-5");
+    EXPECT_EQ(in({Format::Form::Fixed, 6, {}}, 671.4539, 8), "671.4539");
 }

@@ -1,0 +1,15 @@
+#pragma once
+#include <cmath>
+
+namespace app {
+
+// Relative luminance of linear red, green and blue, in their unit: Rec. ITU-R BT.709-6 (2015), item 3.2.
+inline double luminance(double red, double green, double blue) { return 0.2126 * red + 0.7152 * green + 0.0722 * blue; }
+
+// The light, 0 to 1, that a byte of an sRGB picture stands for: IEC 61966-2-1 (1999).
+inline double linearLight(int byte) {
+    const double s = byte / 255.0;
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace app
