@@ -72,15 +72,15 @@ struct EdgesAt {
     Floats l1, l2;
 };
 
-// A small triangle's edge functions at the pixels of one vector of a block, which it walks over blocks.
+// A small triangle's edge functions at the pixels of one vector of a block, which it walks over blocks: less 1 where the
+// edge does not own its samples, so that a pixel is inside where none is below 0.
 class SmallEdges {
 public:
     // x, y: the first block's first pixel, relative to that of the triangle's box; first: the vector's in its block.
     HWY_INLINE SmallEdges(const SmallTriangle& t, int x, int y, int first)
-        : m_above0(above(t, 0)),
-          m_above1(above(t, 1)),
-          m_above2(above(t, 2)),
-          m_area(hn::Set(I(), t.area)),
+        : m_bias1(hn::Set(I(), bias(t, 1))),
+          m_bias2(hn::Set(I(), bias(t, 2))),
+          m_sum(hn::Set(I(), t.area - bias(t, 0) - bias(t, 1) - bias(t, 2))),
           m_inverse(all(t.inverseArea2)),
           m_right1(hn::Set(I(), kBlock * t.a1)),
           m_right2(hn::Set(I(), kBlock * t.a2)),
@@ -91,23 +91,23 @@ public:
             return hn::Add(hn::Set(I(), c + a * x + b * y),
                            hn::Add(hn::Mul(hn::Set(I(), a), column), hn::Mul(hn::Set(I(), b), row)));
         };
-        m_row1 = m_e1 = start(t.a1, t.b1, t.c1), m_row2 = m_e2 = start(t.a2, t.b2, t.c2);
+        m_row1 = m_e1 = start(t.a1, t.b1, t.c1 - bias(t, 1)), m_row2 = m_e2 = start(t.a2, t.b2, t.c2 - bias(t, 2));
     }
     HWY_INLINE Mask inside() const {
-        const Ints e0 = hn::Sub(hn::Sub(m_area, m_e1), m_e2);
-        return hn::RebindMask(F(),
-                              hn::And(hn::Gt(e0, m_above0), hn::And(hn::Gt(m_e1, m_above1), hn::Gt(m_e2, m_above2))));
+        const Ints e0 = hn::Sub(hn::Sub(m_sum, m_e1), m_e2);
+        return asFloats(hn::Gt(hn::Or(e0, hn::Or(m_e1, m_e2)), hn::Set(I(), -1)));
     }
     HWY_INLINE EdgesAt at(Mask inside) const {
-        return {inside, hn::Mul(hn::ConvertTo(F(), m_e1), m_inverse), hn::Mul(hn::ConvertTo(F(), m_e2), m_inverse)};
+        const auto share = [&](Ints e, Ints bias)
+                               HWY_ATTR { return hn::Mul(hn::ConvertTo(F(), hn::Add(e, bias)), m_inverse); };
+        return {inside, share(m_e1, m_bias1), share(m_e2, m_bias2)};
     }
     HWY_INLINE void goRight() { m_e1 = hn::Add(m_e1, m_right1), m_e2 = hn::Add(m_e2, m_right2); }
     HWY_INLINE void goDown() { m_e1 = m_row1 = hn::Add(m_row1, m_down1), m_e2 = m_row2 = hn::Add(m_row2, m_down2); }
 
 private:
-    // Above -1 where the edge owns its samples, else above 0.
-    HWY_INLINE static Ints above(const SmallTriangle& t, int edge) { return hn::Set(I(), -(t.owns >> edge & 1)); }
-    Ints m_e1, m_e2, m_row1, m_row2, m_above0, m_above1, m_above2, m_area;
+    HWY_INLINE static int bias(const SmallTriangle& t, int edge) { return t.owns >> edge & 1 ? 0 : 1; }
+    Ints m_e1, m_e2, m_row1, m_row2, m_bias1, m_bias2, m_sum;
     Floats m_inverse;
     Ints m_right1, m_right2, m_down1, m_down2;
 };

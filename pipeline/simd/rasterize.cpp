@@ -65,11 +65,12 @@ HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances
     count(&out.counted->arrived[0].of[at], inside), count(&out.counted->won[0].of[at], won);
 }
 
-// The lists of tiles jump about in the triangles.
+// The lists of tiles jump about in the triangles, which may stand across two lines of the cache.
 HWY_INLINE void fetchAhead(const TrianglePiece& piece, std::span<const std::uint32_t> list, std::size_t n) {
-    constexpr std::size_t kAhead = 8;
-    if (n + kAhead < list.size() && !(list[n + kAhead] & TrianglePiece::kOther))
-        hwy::Prefetch(&piece.small[list[n + kAhead]]);
+    constexpr std::size_t kAhead = 12;
+    if (n + kAhead >= list.size() || list[n + kAhead] & TrianglePiece::kOther) return;
+    const SmallTriangle& t = piece.small[list[n + kAhead]];
+    hwy::Prefetch(&t.a1), hwy::Prefetch(&t.order);
 }
 
 // Calls visit(at, edges, distances) for the vectors of a tile that a triangle which is not small covers a part of, and
@@ -104,6 +105,51 @@ void drawOther(const View& view, const RasterTriangle<float>& t, std::uint32_t r
         });
     sums.addTo(counts);
 }
+
+// Whether a triangle was turned round for its corners to run clockwise. One that clipping has cut counts as facing.
+bool facesViewer(const RasterTriangle<float>& t) {
+    int own[3]{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vec3<float>& w = t.weights[corner];
+        if (w.x != 1 && w.y != 1 && w.z != 1) return true;
+        own[corner] = w.x == 1 ? 0 : w.y == 1 ? 1 : 2;
+    }
+    return own[1] != (own[0] + 1) % 3;
+}
+
+// The farthest depth that is stored in each square of a tile.
+class Farthest {
+public:
+    explicit Farthest(const Block<float>* blocks) {
+        for (int y = 0; y < kAcross; ++y)
+            for (int x = 0; x < kAcross; ++x) {
+                Floats most = all(-kFar);
+                for (int row = 0; row < kSide / kBlock; ++row) {
+                    const float* from = blocks[0].of + blockAt(x * kSide / kBlock, y * kSide / kBlock + row);
+                    for (std::size_t i = 0; i < std::size_t(kSide * kBlock); i += hn::Lanes(F()))
+                        most = hn::Max(most, hn::Load(F(), from + i));
+                }
+                m_of[y][x] = hn::GetLane(hn::MaxOfLanes(F(), most));
+            }
+    }
+    // Whether no pixel of a triangle with these w can be nearer than what is there; box: its pixels.
+    bool hides(std::array<float, 3> w, Tile box, Tile tile, bool perspective) const {
+        const auto [low, high] = std::ranges::minmax(w);
+        // Interpolation errs by some units in the last of 24 places.
+        const float nearest =
+            perspective ? (1 - 0x1p-19F) / high : low - 0x1p-20F * std::max(std::abs(low), std::abs(high));
+        const glm::ivec2 first = glm::max(box.min - tile.min, 0) / kSide;
+        const glm::ivec2 last = (glm::min(box.max, tile.max) - tile.min - 1) / kSide;
+        for (int y = first.y; y <= last.y; ++y)
+            for (int x = first.x; x <= last.x; ++x)
+                if (!(nearest > m_of[y][x])) return false;
+        return true;
+    }
+
+private:
+    static constexpr int kSide = 16, kAcross = kTileSize / kSide;
+    float m_of[kAcross][kAcross];
+};
 
 // The weights of what is seen in a tile, as rows.
 void writeWeights(const View& view, const SeenBlocks& seen, std::size_t index, Buffer2D<Vec3<float>>& out) {
@@ -175,24 +221,47 @@ void drawShadowTile(const View& face, const TrianglePieces& all, std::size_t ind
         const Floats z = distances.z(edges.l1, edges.l2, face.perspective), stored = hn::Load(F(), to);
         hn::Store(hn::IfThenElse(hn::And(edges.inside, hn::Lt(z, stored)), z, stored), F(), to);
     };
+    const auto drawSmall = [&](const SmallTriangle& t) HWY_ATTR {
+        const Distances distances(t.w0, t.w1, t.w2);
+        forEachVector(t, tile, [&](std::size_t at, const EdgesAt& edges) HWY_ATTR { draw(at, edges, distances); });
+    };
+    const auto drawOne = [&](const TrianglePiece& piece, std::uint32_t i) HWY_ATTR {
+        if (!(i & TrianglePiece::kOther)) return drawSmall(piece.small[i]);
+        const RasterTriangle<float>& t = piece.others[i & TrianglePieces::kIndex];
+        forEachOfOther(t, tile, face.subPixelBits, draw, [&](glm::ivec2 texel, const std::array<std::int64_t, 3>& e) {
+            float& stored = blocks[0].of[placeOf(texel - tile.min)];
+            stored = std::min(stored, interpolate(t, e, face.perspective).z);
+        });
+    };
+    // The nearest remains, whatever the order. What faces the light comes first: of a solid, it hides the rest.
+    std::vector<std::pair<const TrianglePiece*, std::uint32_t>> rest;
     for (const TrianglePiece& piece : all.pieces) {
         const auto list = piece.list(index);
         for (std::size_t n = 0; n < list.size(); ++n) {
             fetchAhead(piece, list, n);
-            if (const std::uint32_t i = list[n]; !(i & TrianglePiece::kOther)) {
-                const SmallTriangle& t = piece.small[i];
-                const Distances distances(t.w0, t.w1, t.w2);
-                forEachVector(t, tile,
-                              [&](std::size_t at, const EdgesAt& edges) HWY_ATTR { draw(at, edges, distances); });
-                continue;
-            }
-            const RasterTriangle<float>& t = piece.others[list[n] & TrianglePieces::kIndex];
-            forEachOfOther(t, tile, face.subPixelBits, draw,
-                           [&](glm::ivec2 texel, const std::array<std::int64_t, 3>& e) {
-                               float& stored = blocks[0].of[placeOf(texel - tile.min)];
-                               stored = std::min(stored, interpolate(t, e, face.perspective).z);
-                           });
+            const std::uint32_t i = list[n];
+            const bool first = i & TrianglePiece::kOther ? facesViewer(piece.others[i & TrianglePieces::kIndex])
+                                                         : piece.small[i].facesViewer();
+            if (first)
+                drawOne(piece, i);
+            else
+                rest.emplace_back(&piece, i);
         }
+    }
+    if (rest.empty()) return;
+    const Farthest farthest(blocks);
+    for (const auto& [piece, i] : rest) {
+        const bool isHidden = [&, piece = piece, i = i] {
+            if (i & TrianglePiece::kOther) {
+                const RasterTriangle<float>& t = piece->others[i & TrianglePieces::kIndex];
+                return farthest.hides(t.w, t.snapped.pixels(), tile, face.perspective);
+            }
+            const SmallTriangle& t = piece->small[i];
+            const glm::ivec2 low(t.x, t.y);
+            return farthest.hides({t.w0, t.w1, t.w2}, {low, low + glm::ivec2(t.width, t.height)}, tile,
+                                  face.perspective);
+        }();
+        if (!isHidden) drawOne(*piece, i);
     }
 }
 

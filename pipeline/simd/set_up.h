@@ -22,6 +22,7 @@ struct SmallTriangle {
     std::uint8_t owns;               // bit i: edge i owns the samples on it
     std::uint8_t order;              // which of the triangle's own corners is corner 0, + 3 when they were turned round
 
+    bool facesViewer() const { return order >= 3; }
     // Which of the triangle's own corners is corner i.
     int corner(int i) const {
         const int first = order % 3, at = first + i < 3 ? first + i : first + i - 3;

@@ -93,6 +93,32 @@ TEST(Vectors, RasterizeManyTrianglesToTheSameBits) {
     expectTheSameBits(scene);
 }
 
+// A shadow buffer draws what faces the light first and leaves out the rest where that is nearer. Of a sphere that is
+// turned inside out, what faces away is the nearer; of one in another that is turned, it depends on the place; planes of
+// 2 triangles through all of it are larger than the tiles.
+TEST(Vectors, DrawShadowsOfWhatIsTurnedInsideOutToTheSameBits) {
+    const auto turned = [](const Mesh& mesh) {
+        Mesh out;
+        out.positions = mesh.positions;
+        out.corners.assign(mesh.corners.rbegin(), mesh.corners.rend());
+        for (auto first = mesh.firstCorner.rbegin(); first != mesh.firstCorner.rend(); ++first)
+            out.firstCorner.push_back(mesh.firstCorner.back() - *first);
+        return makeMesh(std::move(out));
+    };
+    for (const LightKind kind : {LightKind::AtInfinity, LightKind::Point}) {
+        Scene scene = spheres();
+        scene.lights[0].kind = kind;
+        scene.settings.cull = CullMode::None;
+        Object inner = scene.objects[0];
+        inner.mesh = turned(*inner.mesh), inner.transform.scale *= 0.9;
+        Object plane = scene.objects[0];
+        plane.mesh = makeShape({ShapeKind::Plane, 1}), plane.transform.scale = Vec3d(900);
+        scene.objects.push_back(inner), scene.objects.push_back(plane);
+        scene.objects[1].mesh = turned(*scene.objects[1].mesh);
+        expectTheSameBits(scene);
+    }
+}
+
 // Edge functions beyond what double holds: a triangle from one end of the guard band to the other.
 TEST(Vectors, RasterizeHugeTrianglesToTheSameBits) {
     Scene scene = test::pyramid();
