@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "pipeline/run/frame_data.h"
-#include "pipeline/run/parallel.h"
-#include "pipeline/simd/cull.h"
-#include "pipeline/simd/normals.h"
+#include "pipeline/run/stage_parts.h"
 #include "pipeline/simd/rasterize.h"
 #include "pipeline/simd/shade_pixels.h"
 #include "pipeline/simd/transform.h"
@@ -22,9 +20,6 @@
 
 // Each stage as a whole: its pieces on threads. runner.cpp alone reads it.
 namespace pipeline {
-
-// Enough work for one piece that handing it out does not show.
-inline constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1, kSampleGrain = 1;
 
 // What the kernels of pipeline/simd read beside; in float alone.
 inline void snapVertices(TransformOutput<float>& out, Threads& threads) {
@@ -53,12 +48,7 @@ std::shared_ptr<const TransformOutput<Real>> runTransform(const TransformInputs&
 template <class Real>
 std::shared_ptr<const CullOutput> runCull(const CullInputs& inputs, const TransformOutput<Real>& in, Threads& threads) {
     auto out = std::make_shared<CullOutput>(prepareCull(in.topology->polygonCount()));
-    threads.forRange(in.topology->polygonCount(), kPolygonGrain, [&](std::size_t begin, std::size_t end) {
-        if constexpr (std::is_same_v<Real, float>)
-            cullInVectors(inputs, in, begin, end, *out);
-        else
-            cull(inputs, in, begin, end, *out);
-    });
+    cullPolygons(inputs, in, in.topology->polygonCount(), threads, *out);
     return out;
 }
 
@@ -66,12 +56,7 @@ template <class Real>
 std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
                                                       Threads& threads) {
     auto out = std::make_shared<NormalsOutput<Real>>(prepareNormals(inputs, in));
-    threads.forRange(in.topology->polygonCount(), kPolygonGrain, [&](std::size_t begin, std::size_t end) {
-        if constexpr (std::is_same_v<Real, float>)
-            polygonNormalsInVectors(inputs, in, begin, end, *out);
-        else
-            polygonNormals(inputs, in, begin, end, *out);
-    });
+    findPolygonNormals(inputs, in, in.topology->polygonCount(), threads, *out);
     if (inputs.vertexNormals)
         for (std::size_t object = 0; object < in.topology->meshes.size(); ++object)
             if (!threads.stopped()) vertexNormals(inputs, in, object, *out);
@@ -79,68 +64,11 @@ std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& input
     return out;
 }
 
-// Pieces [first, last) of the triangles are set up.
-inline void setUpPieces(const SetUpInputs& inputs, std::size_t first, std::size_t last, TrianglePieces& out,
-                        Threads& threads) {
-    threads.forRange(last - first, 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t piece = first + begin; piece < first + end; ++piece) setUpPiece(inputs, piece, out);
-    });
-}
-
-// What a face of a light sees, in float.
-inline void drawShadowFace(const TransformOutput<float>& in, LightView<float>& light, std::size_t number,
-                           Threads& threads) {
-    const View& face = light.faces[number];
-    std::vector<Vec3<float>> positions(in.world.size());
-    SnappedVertices snapped;
-    snapped.bits = face.subPixelBits;
-    snapped.resize(positions.size());
-    threads.forRange(positions.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
-        toLightViewInVectors(face, in.world, begin, end, positions);
-        snapInVectors(face, positions, begin, end, snapped);
-    });
-    const SetUpInputs setUp{*in.topology, face, positions, snapped};
-    TrianglePieces pieces = prepareSetUp(setUp);
-    const auto blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
-    // Nobody asks for these triangles afterwards: of a large mesh only some of them stand in memory at a time.
-    constexpr std::size_t kAtOnce = 8;
-    for (std::size_t first = 0; first < pieces.pieces.size() && !threads.stopped(); first += kAtOnce) {
-        const std::size_t last = std::min(first + kAtOnce, pieces.pieces.size());
-        setUpPieces(setUp, first, last, pieces, threads);
-        threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t tile = begin; tile < end; ++tile) {
-                if (first == 0) blocks->fill(tile, std::numeric_limits<float>::infinity());
-                shadowBufferInVectors(face, pieces, tile, *blocks);
-            }
-        });
-        for (std::size_t piece = first; piece < last; ++piece) pieces.pieces[piece] = {};
-    }
-    light.blocks[number] = blocks;
-    light.depth[number] = LateBuffer2D<float>(
-        [blocks] { return rowsOf(*blocks, std::vector<std::uint8_t>(blocks->tileCount(), 1), 0.0F); });
-}
-
 template <class Real>
 std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBufferInputs& inputs,
                                                                 const TransformOutput<Real>& in, Threads& threads) {
     auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in, std::is_same_v<Real, float>));
-    const auto drawFace = [&](LightView<Real>& light, std::size_t face) {
-        if constexpr (std::is_same_v<Real, float>) {
-            drawShadowFace(in, light, face, threads);
-        } else {
-            const TriangleBins<Real> bins = binForLight(in, light.faces[face]);
-            threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t tile = begin; tile < end; ++tile)
-                    shadowBuffer(light.faces[face], bins, tile, *light.depth[face]);
-            });
-        }
-    };
-    for (std::vector<LightView<Real>>& samples : out->lights)
-        threads.forRange(samples.size(), kSampleGrain, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                for (std::size_t face = 0; face < samples[i].faces.size() && !threads.stopped(); ++face)
-                    drawFace(samples[i], face);
-        });
+    for (std::vector<LightView<Real>>& samples : out->lights) drawShadows<Real>(in, {}, samples, threads);
     return out;
 }
 

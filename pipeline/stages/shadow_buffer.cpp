@@ -113,10 +113,10 @@ ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, c
 }
 
 template <class Real>
-TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face) {
+TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face, std::span<const std::uint8_t> drawn) {
     std::vector<Vec3<Real>> positions(in.world.size());
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = toLightView(face, in.world[i]);
-    return binTriangles<Real>(*in.topology, face, positions, {});
+    return binTriangles<Real>(*in.topology, face, positions, {}, {}, drawn);
 }
 
 template <class Real>
@@ -131,12 +131,12 @@ void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t 
     }
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                               \
-    template Vec3<Real> toLightView(const View&, Vec3<Real>);                                                      \
-    template std::size_t faceOf(const LightView<Real>&, Vec3<Real>);                                               \
-    template ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs&, const TransformOutput<Real>&, \
-                                                          bool);                                                   \
-    template TriangleBins<Real> binForLight(const TransformOutput<Real>&, const View&);                            \
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                   \
+    template Vec3<Real> toLightView(const View&, Vec3<Real>);                                                          \
+    template std::size_t faceOf(const LightView<Real>&, Vec3<Real>);                                                   \
+    template ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs&, const TransformOutput<Real>&,     \
+                                                          bool);                                                       \
+    template TriangleBins<Real> binForLight(const TransformOutput<Real>&, const View&, std::span<const std::uint8_t>); \
     template void shadowBuffer(const View&, const TriangleBins<Real>&, std::size_t, Buffer2D<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

@@ -50,9 +50,10 @@ template <class Real>
 ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in,
                                              bool empty = false);
 
-// The scene's triangles as one face of a light sees them, whichever way they face.
+// The scene's triangles as one face of a light sees them, whichever way they face; drawn: as in binTriangles.
 template <class Real>
-TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face);
+TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face,
+                               std::span<const std::uint8_t> drawn = {});
 
 // Draws the triangles of tile `tile` of `bins` into the depth of that face.
 template <class Real>

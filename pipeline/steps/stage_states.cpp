@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/run/stage_parts.h"
 #include "pipeline/stages/translucent.h"
 
 namespace pipeline {
@@ -17,25 +18,42 @@ TransformOutput<Real> transformSoFar(const FrameData<Real>& data, std::size_t ve
 }
 
 template <class Real>
-CullOutput cullSoFar(const FrameData<Real>& data, std::size_t polygons) {
+CullOutput cullSoFar(const FrameData<Real>& data, std::size_t polygons, Threads& threads) {
     CullOutput out = prepareCull(data.transform->topology->polygonCount());
-    cull(data.keys.cull, *data.transform, 0, polygons, out);
+    cullPolygons(data.keys.cull, *data.transform, polygons, threads, out);
     std::fill(out.verdicts.begin() + std::ptrdiff_t(polygons), out.verdicts.end(), Verdict::NotYet);
     return out;
 }
 
 template <class Real>
-NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygons, std::size_t vertices) {
+NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygons, std::size_t vertices,
+                                 Threads& threads) {
     const NormalsInputs& inputs = data.keys.normals;
     const TransformOutput<Real>& in = *data.transform;
     const std::vector<std::uint32_t>& first = in.topology->firstVertex;
     NormalsOutput<Real> out = prepareNormals(inputs, in);
-    polygonNormals(inputs, in, 0, polygons, out);
+    findPolygonNormals(inputs, in, polygons, threads, out);
     for (std::size_t object = 0; object + 1 < first.size() && first[object] < vertices; ++object)
         vertexNormals(inputs, in, object, out);
     if (!out.vertex.empty()) std::fill(out.vertex.begin() + std::ptrdiff_t(vertices), out.vertex.end(), Vec3<Real>(0));
     return out;
 }
+
+namespace {
+
+// With the same texels, which are not copied where they stand in blocks.
+template <class Real>
+LightView<Real> sharing(const LightView<Real>& light) {
+    if constexpr (std::is_same_v<Real, float>)
+        if (!light.blocks.empty() && light.blocks[0]) {
+            LightView<float> out{light.faces, {}, light.blocks, light.rounding};
+            for (const auto& blocks : light.blocks) out.depth.push_back(rowsLater(blocks));
+            return out;
+        }
+    return light;
+}
+
+}  // namespace
 
 template <class Real>
 ShadowBufferOutput<Real> shadowBuffersSoFar(const FrameData<Real>& data, std::size_t light, std::size_t polygons,
@@ -46,28 +64,13 @@ ShadowBufferOutput<Real> shadowBuffersSoFar(const FrameData<Real>& data, std::si
     if (!data.transform->transparent.empty()) opaque = withoutTransparent(*data.transform);
     const TransformOutput<Real>& in = opaque.topology ? opaque : *data.transform;
     ShadowBufferOutput<Real> out = prepareShadowBuffer(inputs, in);
-    for (std::size_t k = 0; k < light; ++k) out.lights[k] = whole[k];
-    if (polygons == 0) return out;
-    const auto drawFace = [&](LightView<Real>& view, std::size_t face) {
-        TriangleBins<Real> bins = binForLight(in, view.faces[face]);
-        const auto isLater = [&](std::uint32_t i) {
-            return in.topology->triangles[bins.triangles[i].id].polygon >= polygons;
-        };
-        for (std::size_t tile = 0; tile < bins.bins.size(); ++tile) {
-            std::vector<std::uint32_t>& list = bins.bins[tile];
-            list.erase(std::ranges::find_if(list, isLater), list.end());
-        }
-        threads.forRange(bins.bins.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t tile = begin; tile < end; ++tile)
-                shadowBuffer(view.faces[face], bins, tile, *view.depth[face]);
-        });
-    };
-    std::vector<LightView<Real>>& samples = out.lights[light];
-    threads.forRange(samples.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            for (std::size_t face = 0; face < samples[i].faces.size() && !threads.stopped(); ++face)
-                drawFace(samples[i], face);
-    });
+    const bool over = polygons >= in.topology->polygonCount();
+    for (std::size_t k = 0; k < light + (over ? 1 : 0); ++k)
+        for (std::size_t i = 0; i < whole[k].size(); ++i) out.lights[k][i] = sharing(whole[k][i]);
+    if (polygons == 0 || over) return out;
+    std::vector<std::uint8_t> drawn(in.topology->polygonCount(), 0);
+    std::fill_n(drawn.begin(), polygons, std::uint8_t(1));
+    drawShadows<Real>(in, drawn, out.lights[light], threads);
     return out;
 }
 
@@ -159,8 +162,8 @@ ShadingOutput<Real> shadedSoFar(const FrameData<Real>& data, const ShadingOutput
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                  \
     template TransformOutput<Real> transformSoFar(const FrameData<Real>&, std::size_t);                               \
-    template CullOutput cullSoFar(const FrameData<Real>&, std::size_t);                                               \
-    template NormalsOutput<Real> normalsSoFar(const FrameData<Real>&, std::size_t, std::size_t);                      \
+    template CullOutput cullSoFar(const FrameData<Real>&, std::size_t, Threads&);                                     \
+    template NormalsOutput<Real> normalsSoFar(const FrameData<Real>&, std::size_t, std::size_t, Threads&);            \
     template ShadowBufferOutput<Real> shadowBuffersSoFar(const FrameData<Real>&, std::size_t, std::size_t, Threads&); \
     template std::shared_ptr<const ShadingOutput<Real>> shadedOpaque(const FrameData<Real>&, BufferSet, Threads&);    \
     template ShadingOutput<Real> shadedSoFar(const FrameData<Real>&, const ShadingOutput<Real>&, BufferSet,           \

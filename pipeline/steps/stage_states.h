@@ -14,10 +14,11 @@ TransformOutput<Real> transformSoFar(const FrameData<Real>& data, std::size_t ve
 
 // The polygons that it has not come to have the verdict NotYet.
 template <class Real>
-CullOutput cullSoFar(const FrameData<Real>& data, std::size_t polygons);
+CullOutput cullSoFar(const FrameData<Real>& data, std::size_t polygons, Threads& threads);
 
 template <class Real>
-NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygons, std::size_t vertices);
+NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygons, std::size_t vertices,
+                                 Threads& threads);
 
 // The lights before `light` are drawn, those after it cleared; of its polygons, in scene order and without those of
 // transparent objects, the first so many are drawn, into all its faces and samples alike.

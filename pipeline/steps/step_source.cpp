@@ -181,13 +181,13 @@ private:
                     std::make_shared<TransformOutput<Real>>(transformSoFar(m_data, std::size_t(moment.done)));
                 return;
             case StageId::Cull:
-                out.cull = std::make_shared<CullOutput>(cullSoFar(m_data, std::size_t(moment.done)));
+                out.cull = std::make_shared<CullOutput>(cullSoFar(m_data, std::size_t(moment.done), threads));
                 return;
             case StageId::Normals: {
                 std::size_t polygons = 0, vertices = 0;
                 for (const StepPhase& phase : all)
                     (phase.kind == ElementKind::Polygon ? polygons : vertices) = over(phase, moment.done).elements;
-                out.normals = std::make_shared<NormalsOutput<Real>>(normalsSoFar(m_data, polygons, vertices));
+                out.normals = std::make_shared<NormalsOutput<Real>>(normalsSoFar(m_data, polygons, vertices, threads));
                 return;
             }
             case StageId::ShadowBuffer: {

@@ -1,10 +1,13 @@
 // Time per stage, as the runner measures it, on scenes that load different stages; and of a frame after one change.
 //   stage_bench --benchmark_filter=Shading
 //   stage_bench --benchmark_filter=Change
+// And of a jump into the middle of a stage, and to its end:
+//   stage_bench --benchmark_filter=Seek
 #include <benchmark/benchmark.h>
 
 #include "pipeline/run/memory.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/steps/steps.h"
 #include "tests/bench/workloads.h"
 #include "tests/support/scenes.h"
 
@@ -63,6 +66,19 @@ void changes(benchmark::State& state, const Scene& scene, const Change& change) 
     for (auto _ : state) frame = runFrame((there = !there) ? before : after, request, frame);
 }
 
+// The state of a stage between its steps, 640 x 480, a million polygons, all processors.
+void seeks(benchmark::State& state, StageId stage, double share) {
+    static const Steps steps = [] {
+        const bench::Workload& workload = bench::workloads()[3];
+        Scene scene = sceneOf(workload, bench::Part::PhongShadow, meshOf(workload), false, Arithmetic::Exact);
+        scene.settings.width = 640, scene.settings.height = 480;
+        const FrameRequest request{.wanted = setOf({BufferId::Color}), .threads = 0, .stop = {}};
+        return Steps(runFrame(std::make_shared<const Scene>(std::move(scene)), request, nullptr));
+    }();
+    const Moment moment{stage, std::int64_t(share * double(steps.total(stage)))};
+    for (auto _ : state) benchmark::DoNotOptimize(steps.frameAt(moment));
+}
+
 void registerAll() {
     const std::pair<const char*, Scene> scenes[]{{"pyramid", test::pyramid()}, {"spheres", spheres()}};
     for (const auto& [name, scene] : scenes) {
@@ -91,6 +107,12 @@ void registerAll() {
                 ->UseRealTime()
                 ->Unit(benchmark::kMicrosecond);
     }
+    for (const StageId stage : kStages)
+        for (const auto& [share, text] : {std::pair(0.5, "middle"), std::pair(0.999, "end")})
+            benchmark::RegisterBenchmark(("Seek/" + std::string(stageInfo(stage).name) + "/" + text).c_str(), seeks,
+                                         stage, share)
+                ->UseRealTime()
+                ->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace

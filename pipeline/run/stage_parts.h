@@ -1,0 +1,109 @@
+#pragma once
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "pipeline/run/parallel.h"
+#include "pipeline/simd/cull.h"
+#include "pipeline/simd/normals.h"
+#include "pipeline/simd/rasterize.h"
+#include "pipeline/simd/transform.h"
+#include "pipeline/stages/shadow_buffer.h"
+
+// Parts of stages, on threads and in vectors where there are any: what a whole stage is run from, and what steps into
+// one are.
+namespace pipeline {
+
+// Enough work for one piece that handing it out does not show.
+inline constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1, kSampleGrain = 1;
+
+// Polygons [0, count).
+template <class Real>
+void cullPolygons(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t count, Threads& threads,
+                  CullOutput& out) {
+    threads.forRange(count, kPolygonGrain, [&](std::size_t begin, std::size_t end) {
+        if constexpr (std::is_same_v<Real, float>)
+            cullInVectors(inputs, in, begin, end, out);
+        else
+            cull(inputs, in, begin, end, out);
+    });
+}
+template <class Real>
+void findPolygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t count,
+                        Threads& threads, NormalsOutput<Real>& out) {
+    threads.forRange(count, kPolygonGrain, [&](std::size_t begin, std::size_t end) {
+        if constexpr (std::is_same_v<Real, float>)
+            polygonNormalsInVectors(inputs, in, begin, end, out);
+        else
+            polygonNormals(inputs, in, begin, end, out);
+    });
+}
+
+// Pieces [first, last) of the triangles are set up.
+inline void setUpPieces(const SetUpInputs& inputs, std::size_t first, std::size_t last, TrianglePieces& out,
+                        Threads& threads) {
+    threads.forRange(last - first, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t piece = first + begin; piece < first + end; ++piece) setUpPiece(inputs, piece, out);
+    });
+}
+
+// The rows of a buffer that is drawn in blocks.
+inline LateBuffer2D<float> rowsLater(const std::shared_ptr<const BlockBuffer2D<float>>& blocks) {
+    return LateBuffer2D<float>(
+        [blocks] { return rowsOf(*blocks, std::vector<std::uint8_t>(blocks->tileCount(), 1), 0.0F); });
+}
+
+// What a face of a light sees; drawn: per polygon, whether it takes part; empty: all do.
+inline void drawShadowFace(const TransformOutput<float>& in, std::span<const std::uint8_t> drawn,
+                           LightView<float>& light, std::size_t number, Threads& threads) {
+    const View& face = light.faces[number];
+    std::vector<Vec3<float>> positions(in.world.size());
+    SnappedVertices snapped;
+    snapped.bits = face.subPixelBits;
+    snapped.resize(positions.size());
+    threads.forRange(positions.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
+        toLightViewInVectors(face, in.world, begin, end, positions);
+        snapInVectors(face, positions, begin, end, snapped);
+    });
+    const SetUpInputs setUp{*in.topology, face, positions, snapped, {}, {}, drawn};
+    TrianglePieces pieces = prepareSetUp(setUp);
+    const auto blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
+    // Nobody asks for these triangles afterwards: of a large mesh only some of them stand in memory at a time.
+    constexpr std::size_t kAtOnce = 8;
+    for (std::size_t first = 0; first < pieces.pieces.size() && !threads.stopped(); first += kAtOnce) {
+        const std::size_t last = std::min(first + kAtOnce, pieces.pieces.size());
+        setUpPieces(setUp, first, last, pieces, threads);
+        threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t tile = begin; tile < end; ++tile) {
+                if (first == 0) blocks->fill(tile, std::numeric_limits<float>::infinity());
+                shadowBufferInVectors(face, pieces, tile, *blocks);
+            }
+        });
+        for (std::size_t piece = first; piece < last; ++piece) pieces.pieces[piece] = {};
+    }
+    light.blocks[number] = blocks;
+    light.depth[number] = rowsLater(blocks);
+}
+template <class Real>
+void drawShadowFace(const TransformOutput<Real>& in, std::span<const std::uint8_t> drawn, LightView<Real>& light,
+                    std::size_t number, Threads& threads) {
+    const View& face = light.faces[number];
+    const TriangleBins<Real> bins = binForLight(in, face, drawn);
+    threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile) shadowBuffer(face, bins, tile, *light.depth[number]);
+    });
+}
+
+// What all samples and faces of a light see.
+template <class Real>
+void drawShadows(const TransformOutput<Real>& in, std::span<const std::uint8_t> drawn,
+                 std::vector<LightView<Real>>& samples, Threads& threads) {
+    threads.forRange(samples.size(), kSampleGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t face = 0; face < samples[i].faces.size() && !threads.stopped(); ++face)
+                drawShadowFace(in, drawn, samples[i], face, threads);
+    });
+}
+
+}  // namespace pipeline
