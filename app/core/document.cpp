@@ -1,5 +1,6 @@
 #include "app/core/document.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QFileInfo>
@@ -50,14 +51,29 @@ Document::~Document() {
     m_undo.disconnect();  // clearing itself, it would tell observers that may be gone
 }
 
+// Steps of undo that change what is on show alone are none of the scene's.
+const SceneStep* Document::newestChange() const {
+    for (int i = m_undo.index() - 1; i >= 0; --i)
+        if (const auto* step = static_cast<const SceneStep*>(m_undo.command(i)); step->changesScene()) return step;
+    return nullptr;
+}
+
 std::optional<SettingChange> Document::lastChange() const {
-    if (m_undo.index() == 0) return std::nullopt;
-    return static_cast<const SceneStep*>(m_undo.command(m_undo.index() - 1))->change();
+    const SceneStep* step = newestChange();
+    return step ? step->change() : std::nullopt;
 }
 
 std::shared_ptr<const Scene> Document::sceneBefore() const {
-    if (m_undo.index() == 0) return nullptr;
-    return static_cast<const SceneStep*>(m_undo.command(m_undo.index() - 1))->before();
+    const SceneStep* step = newestChange();
+    return step ? step->before() : nullptr;
+}
+
+bool Document::isEdited() const {
+    const int clean = m_undo.cleanIndex(), now = m_undo.index();
+    if (clean < 0) return true;  // no undo leads there
+    for (int i = std::min(clean, now); i < std::max(clean, now); ++i)
+        if (static_cast<const SceneStep*>(m_undo.command(i))->changesScene()) return true;
+    return false;
 }
 
 void Document::open(const OpenedScene& opened) {
@@ -172,14 +188,18 @@ void Document::setLive(bool live) {
         m_moving.stop();
 }
 
-void Document::replace(Scene scene, const QString& text) {
+void Document::replace(Scene scene, const QString& text) { replace(std::move(scene), text, {}); }
+
+void Document::replace(Scene scene, const QString& text, Looks looks) {
     if (const auto errors = checkScene(scene); !errors.empty()) {
         emit failed(errors);
         return;
     }
     setLive(false);
-    if (scene == *m_scene) return;
-    m_undo.push(new SceneStep(*this, m_scene, std::make_shared<const Scene>(std::move(scene)), text));
+    const bool isOther = scene != *m_scene;
+    if (!isOther && !looks.before) return;
+    const auto after = isOther ? std::make_shared<const Scene>(std::move(scene)) : m_scene;
+    m_undo.push(new SceneStep(*this, m_scene, after, text, std::move(looks)));
 }
 
 void Document::setSceneValue(std::shared_ptr<const Scene> scene) {

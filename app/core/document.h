@@ -3,6 +3,7 @@
 #include <QString>
 #include <QTimer>
 #include <QUndoStack>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,6 +20,7 @@ namespace app {
 
 class DerivedBuffers;
 class MixModel;
+class SceneStep;
 
 // A setting's value before the newest step of undo.
 struct SettingChange {
@@ -70,7 +72,9 @@ public:
 
     const KeptScene& kept() const { return m_kept; }
     // Whether closing it would lose changes to a file.
-    bool isChanged() const { return m_kept.scene && !m_undo.isClean(); }
+    bool isChanged() const { return m_kept.scene && isEdited(); }
+    // Whether the scene is another than when it was opened or saved.
+    bool isEdited() const;
 
     // A picture that carries its scene begins at the stage of what it shows.
     void open(const OpenedScene& opened);
@@ -90,6 +94,11 @@ public:
     void edit(pipeline::Scene scene, const QString& text, Change kind);
     // Replaces the scene in one step of undo, named by `text`.
     void replace(pipeline::Scene scene, const QString& text);
+    // What is on show belongs to the step: `before` brings back what it was, `after` shows the new again.
+    struct Looks {
+        std::function<void()> before, after;
+    };
+    void replace(pipeline::Scene scene, const QString& text, Looks looks);
 
     void setStage(pipeline::StageId stage);  // leaves the inside of a stage
     void nextStage();
@@ -121,6 +130,7 @@ signals:
 
 private:
     friend class SceneStep;
+    const SceneStep* newestChange() const;
     void showStage(pipeline::StageId stage);
     void showFrame(const pipeline::FramePtr& frame);
     void setSceneValue(std::shared_ptr<const pipeline::Scene> scene);

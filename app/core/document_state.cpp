@@ -55,15 +55,18 @@ Result<WindowState> stateOf(const Document& document, const fs::path& folder) {
     return state;
 }
 
-void show(Document& document, const OpenedScene& opened, const WindowState& state, SceneChanges changes) {
+void show(Document& document, const OpenedScene& opened, const WindowState& state, SceneChanges changes,
+          Document::Looks looks) {
     const KeptScene& kept = opened.kept;
     const bool isOpen = kept.scene && kept.scene == document.kept().scene;
     // Neither has a file: the same document.
     const bool isLoose =
         changes == SceneChanges::Pasted && !kept.scene && document.hasScene() && document.kept().file.isEmpty();
-    if (!isLoose && !isOpen)
+    if (!isLoose && !isOpen) {
         document.setScene(changes == SceneChanges::Given || !kept.scene ? opened.scene : *kept.scene, kept);
-    document.replace(opened.scene, nameOf(changes));
+        looks = {};  // of a document that is gone
+    }
+    document.replace(opened.scene, nameOf(changes), std::move(looks));
     if (changes == SceneChanges::Given) document.undoStack()->setClean();
     showPlace(document, state);
 }

@@ -17,8 +17,9 @@ enum class SceneChanges {
     Pasted  // likewise
 };
 // Shows a state, of which readStateScene gave the scene. A scene from the file that is open stays the same document with
-// one more step of undo.
-void show(Document& document, const OpenedScene& opened, const WindowState& state, SceneChanges changes);
+// one more step of undo, which has `looks`.
+void show(Document& document, const OpenedScene& opened, const WindowState& state, SceneChanges changes,
+          Document::Looks looks = {});
 
 // The same without its scene.
 void showPlace(Document& document, const WindowState& state);

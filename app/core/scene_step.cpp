@@ -14,6 +14,11 @@ SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const 
     nameAfterSetting();
 }
 
+SceneStep::SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, Looks looks)
+    : SceneStep(document, std::move(before), std::move(after), text) {
+    m_looks = std::move(looks);
+}
+
 bool SceneStep::mergeWith(const QUndoCommand* other) {
     const auto& newer = static_cast<const SceneStep&>(*other);  // same id: a step of the same drag
     m_after = newer.m_after;
@@ -22,8 +27,17 @@ bool SceneStep::mergeWith(const QUndoCommand* other) {
     return true;
 }
 
-void SceneStep::undo() { m_document.setSceneValue(m_before); }
-void SceneStep::redo() { m_document.setSceneValue(m_after); }
+void SceneStep::undo() {
+    if (changesScene()) m_document.setSceneValue(m_before);
+    if (m_looks.before) m_looks.before();
+    m_undone = true;
+}
+
+// The first time it is being made, and whoever makes it shows the rest.
+void SceneStep::redo() {
+    if (changesScene()) m_document.setSceneValue(m_after);
+    if (m_undone && m_looks.after) m_looks.after();
+}
 
 std::optional<SettingChange> SceneStep::change() const {
     if (!m_setting) return std::nullopt;

@@ -9,10 +9,14 @@ namespace app {
 class SceneStep : public QUndoCommand {
 public:
     using ScenePtr = std::shared_ptr<const pipeline::Scene>;
+    using Looks = Document::Looks;
 
     // drag: steps with the same number >= 0 merge; -1 never does.
     SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, int drag = -1);
     SceneStep(Document& document, ScenePtr before, ScenePtr after, const pipeline::SettingRef& setting, int drag);
+
+    // What was on show goes along; it may be all that the step changes.
+    SceneStep(Document& document, ScenePtr before, ScenePtr after, const QString& text, Looks looks);
 
     int id() const override { return m_drag; }
     bool mergeWith(const QUndoCommand* other) override;
@@ -21,6 +25,7 @@ public:
 
     std::optional<SettingChange> change() const;
     const ScenePtr& before() const { return m_before; }
+    bool changesScene() const { return m_before != m_after; }
 
 private:
     void nameAfterSetting();
@@ -29,6 +34,8 @@ private:
     ScenePtr m_before, m_after;
     std::optional<pipeline::SettingRef> m_setting;
     int m_drag = -1;
+    Looks m_looks;
+    bool m_undone = false;
 };
 
 }  // namespace app

@@ -232,7 +232,7 @@ void MainWindow::openLesson(const QString& name) {
 void MainWindow::showTitle() {
     const bool shown = m_document.hasScene() && m_pages->currentWidget() == m_views;
     const QString name = shown ? toQString(m_document.scene().name) : QString();
-    const QString edited = shown && !m_document.undoStack()->isClean() ? tr(" · edited") : QString();
+    const QString edited = shown && m_document.isEdited() ? tr(" · edited") : QString();
     m_title->setText(name + edited);
     setWindowTitle(name.isEmpty() ? QStringLiteral("Shadescope") : name + QStringLiteral(" – Shadescope"));
 }

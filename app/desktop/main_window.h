@@ -110,6 +110,7 @@ private:
     void cancelOpening();
     void showCarriedState(const OpenedScene& picture);
     void lookAt(const WindowState& state);
+    Document::Looks looksTo(const WindowState& next);
     void copyState();
     void pasteState();
     void exportSlide();

@@ -96,13 +96,24 @@ void MainWindow::showState(const WindowState& state, const std::filesystem::path
         return readStateScene(state, folder, open, progress);
     };
     openScene(QFileInfo(toQString(state.scene)).fileName(), read, [=, this](const OpenedScene& opened) {
-        app::show(m_document, opened, state, changes);
-        showScene();
         WindowState found = state;
         findFilesFrom(found, folder);
+        app::show(m_document, opened, state, changes,
+                  changes == SceneChanges::Pasted ? looksTo(found) : Document::Looks());
+        showScene();
         lookAt(found);
         if (then) then();
     });
+}
+
+// From what the window shows now; none where that cannot be kept.
+Document::Looks MainWindow::looksTo(const WindowState& next) {
+    const auto now = state({});
+    if (!now) return {};
+    const auto show = [this](const WindowState& state) {
+        return [this, state] { showPlace(m_document, state), lookAt(state); };
+    };
+    return {show(*now), show(next)};
 }
 
 void MainWindow::lookAt(const WindowState& state) {
@@ -170,6 +181,7 @@ void MainWindow::pasteState() {
         emit m_document.said(tr("Shows what was copied: %1.").arg(place));
     };
     if (read->scene.empty() && read->sceneText.empty() && showsScene()) {
+        m_document.replace(m_document.scene(), tr("paste"), looksTo(*read));
         showPlace(m_document, *read);
         lookAt(*read);
     } else {

@@ -82,14 +82,23 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     EXPECT_TRUE(waitForFrame());
     document().setStage(pipeline::StageId::Cull);
     window.views().setArrangement("four");
+    waitForState();
+    const std::string before = toToml(*window.state({}));
     window.views().view3d().setFocus();
     press("Ctrl+V");
     waitForState();
     EXPECT_EQ(toToml(*window.state({})), text.toStdString());
     EXPECT_EQ(document().undoStack()->count(), steps + 2) << "one step";
     EXPECT_EQ(document().undoStack()->undoText(), "paste");
+    const auto settled = [&](const std::string& wanted) {
+        return QTest::qWaitFor([&] { return toToml(*window.state({})) == wanted; }, 10000);
+    };
     document().undoStack()->undo();
     EXPECT_EQ(document().scene().camera.theta, 10);
+    EXPECT_TRUE(settled(before)) << "the views are the ones from before, too: " << toToml(*window.state({}));
+    document().undoStack()->redo();
+    EXPECT_TRUE(settled(text.toStdString()));
+    document().undoStack()->undo();
     document().undoStack()->setClean();
 
     MainWindow other;
@@ -108,6 +117,22 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     press("Ctrl+V");
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.state({}).has_value(); }, 5000)) << "by its key, too";
     document().undoStack()->setClean();
+}
+
+// A place changes nothing that a file could keep.
+TEST_F(WindowSession, APastedPlaceIsOneStepOfUndoAndNoChangeOfTheScene) {
+    openPyramid();
+    document().pick(glm::ivec2(268, 281));
+    QApplication::clipboard()->setText("stage = \"cull\"\npixel = [3, 4]\n");
+    canvas()->setFocus();
+    press("Ctrl+V");
+    EXPECT_EQ(document().stage(), pipeline::StageId::Cull);
+    EXPECT_EQ(document().pixel(), glm::ivec2(3, 4));
+    EXPECT_FALSE(document().isChanged());
+    EXPECT_FALSE(document().sceneBefore()) << "nothing of the scene has been changed yet";
+    press("Ctrl+Z");
+    EXPECT_EQ(document().stage(), pipeline::StageId::Shading);
+    EXPECT_EQ(document().pixel(), glm::ivec2(268, 281));
 }
 
 TEST_F(WindowSession, ACopyNeedsNoFile) {
