@@ -23,7 +23,9 @@ bool LineScanner::nextLine() {
     if (m_next >= m_text.size()) return false;
     m_lineBegin = m_begin = m_end = m_next;
     m_line = m_nextLine++;
-    m_lineEnd = std::min(m_text.find_first_of("\r\n", m_next), m_text.size());
+    // A text whose lines all end with CR is searched for LF once.
+    if (m_newline < m_next || m_line == 1) m_newline = std::min(m_text.find('\n', m_next), m_text.size());
+    m_lineEnd = m_next + std::min(m_text.substr(m_next, m_newline - m_next).find('\r'), m_newline - m_next);
     m_next = m_lineEnd + (m_text.substr(m_lineEnd, 2) == "\r\n" ? 2 : 1);
     return true;
 }

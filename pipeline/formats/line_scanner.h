@@ -41,6 +41,7 @@ private:
     Errors& m_errors;
     ReadMeter m_meter;
     std::size_t m_next = 0;              // where the next line begins
+    std::size_t m_newline = 0;           // the first LF from there on
     std::size_t m_begin = 0, m_end = 0;  // the word read last
     std::size_t m_lineEnd = 0;           // of this line as written, without its end mark
     std::size_t m_lineBegin = 0;

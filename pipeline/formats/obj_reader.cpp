@@ -199,40 +199,65 @@ private:
     std::map<std::pair<std::size_t, std::string>, std::uint32_t, std::less<>> m_groupOf;
 };
 
-// A position with one normal is one vertex; with another normal it is another one.
-Mesh meshOf(const ObjFile& file, const Group& group) {
-    const bool hasNormals = std::ranges::find(group.corners, kNone, &Corner::normal) == group.corners.end();
-    Mesh mesh;
-    std::unordered_map<std::uint64_t, std::uint32_t> vertexOf;
-    std::vector<std::uint32_t> polygon;
-    for (std::size_t i = 0; i + 1 < group.firstCorner.size(); ++i) {
-        polygon.clear();
-        for (std::size_t k = group.firstCorner[i]; k < group.firstCorner[i + 1]; ++k) {
-            const Corner& corner = group.corners[k];
-            const std::uint64_t key = std::uint64_t{corner.position} << 32 | (hasNormals ? corner.normal : kNone);
-            const auto [vertex, isNew] = vertexOf.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
-            if (isNew) {
-                mesh.positions.push_back(file.positions[corner.position]);
-                if (hasNormals) mesh.normals.push_back(file.normals[corner.normal]);
+// Makes the meshes of the groups of a file. A position with one normal is one vertex; with another normal it is another
+// one.
+class MeshMaker {
+public:
+    explicit MeshMaker(const ObjFile& file) : m_file(file), m_first(file.positions.size(), kNone) {}
+
+    Mesh meshOf(const Group& group) {
+        const bool hasNormals = std::ranges::find(group.corners, kNone, &Corner::normal) == group.corners.end();
+        m_mesh = {}, m_cornerOf.clear(), m_others.clear();
+        std::vector<std::uint32_t> polygon;
+        for (std::size_t i = 0; i + 1 < group.firstCorner.size(); ++i) {
+            polygon.clear();
+            for (std::size_t k = group.firstCorner[i]; k < group.firstCorner[i + 1]; ++k) {
+                const Corner& corner = group.corners[k];
+                polygon.push_back(vertex({corner.position, hasNormals ? corner.normal : kNone}));
             }
-            polygon.push_back(vertex->second);
+            addPolygon(m_mesh, polygon, group.places[i]);
         }
-        addPolygon(mesh, polygon, group.places[i]);
+        for (const Corner& corner : m_cornerOf) m_first[corner.position] = kNone;
+        return std::move(m_mesh);
     }
-    return mesh;
-}
+
+private:
+    std::uint32_t vertex(const Corner& corner) {
+        const auto next = static_cast<std::uint32_t>(m_cornerOf.size());
+        std::uint32_t& first = m_first[corner.position];
+        if (first == kNone) {
+            first = next;
+        } else {
+            if (m_cornerOf[first].normal == corner.normal) return first;
+            const std::uint64_t key = std::uint64_t{corner.position} << 32 | corner.normal;
+            if (const auto [other, isNew] = m_others.try_emplace(key, next); !isNew) return other->second;
+        }
+        m_cornerOf.push_back(corner);
+        m_mesh.positions.push_back(m_file.positions[corner.position]);
+        if (corner.normal != kNone) m_mesh.normals.push_back(m_file.normals[corner.normal]);
+        return next;
+    }
+
+    const ObjFile& m_file;
+    std::vector<std::uint32_t> m_first;                         // vertex of a position, or kNone
+    std::unordered_map<std::uint64_t, std::uint32_t> m_others;  // by position and normal, where it has several
+    std::vector<Corner> m_cornerOf;                             // per vertex
+    Mesh m_mesh;
+};
 
 }  // namespace
 
 Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
     Errors errors;
-    const ObjFile file = ObjReader(source, load, errors).read();
+    ObjFile file = ObjReader(source, load, errors).read();
     if (!errors.empty()) return errors;
     std::map<std::size_t, int> groupsOf;
     for (const Group& group : file.groups) ++groupsOf[group.object];
     LoadedModel model;
-    for (const Group& group : file.groups) {
-        Mesh mesh = meshOf(file, group);
+    MeshMaker maker(file);
+    for (Group& group : file.groups) {
+        Mesh mesh = maker.meshOf(group);
+        group.corners = {}, group.firstCorner = {}, group.places = {};  // room for what is derived
         if (mesh.polygonCount() == 0) continue;
         mesh.file = fileNameOf(source.name);
         Object& object = model.objects.emplace_back();

@@ -13,8 +13,7 @@ namespace fs = std::filesystem;
 
 Error noPlace(std::string found, std::string expected = {}) { return {{}, std::move(found), std::move(expected)}; }
 
-// Reads up to `count` bytes. The size that the file system reports is not relied on: a file may
-// grow, and some have none.
+// Reads up to `count` bytes. The size that the file system reports is a guess: a file may grow, and some have none.
 Result<std::string> readBytes(const fs::path& file, std::size_t count) {
     std::error_code ignored;  // a file that cannot be looked at is not a regular one
     const fs::file_status status = fs::status(file, ignored);
@@ -24,9 +23,12 @@ Result<std::string> readBytes(const fs::path& file, std::size_t count) {
 
     std::ifstream stream(file, std::ios::binary);
     std::string text;
+    const std::uintmax_t size = fs::file_size(file, ignored);
+    if (!ignored) text.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, count)) + 1);
     while (stream && text.size() < count) {
         const std::size_t before = text.size();
-        const std::size_t step = std::min(count - before, std::max<std::size_t>(before, 64 * 1024));
+        const std::size_t step =
+            std::min(count - before, std::max({before, text.capacity() - before, std::size_t{64 * 1024}}));
         text.resize(before + step);
         stream.read(text.data() + before, static_cast<std::streamsize>(step));
         text.resize(before + static_cast<std::size_t>(stream.gcount()));

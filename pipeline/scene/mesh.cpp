@@ -230,23 +230,47 @@ Outline triangulate(const LocalPolygon& polygon, std::vector<Vec2<double>>& flat
     return outline;
 }
 
-bool isClosed(const Mesh& mesh) {
-    std::vector<std::uint64_t> edges, opposites;
-    edges.reserve(mesh.corners.size());
-    opposites.reserve(mesh.corners.size());
-    for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
-        const std::span<const std::uint32_t> corners = mesh.polygon(i);
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            const std::uint64_t from = corners[k], to = corners[k + 1 == corners.size() ? 0 : k + 1];
-            if (from == to) return false;
-            edges.push_back(from << 32 | to);
-            opposites.push_back(to << 32 | from);
+// The ends of a mesh's directed edges, those that leave a vertex side by side and in order.
+class Edges {
+public:
+    // Backwards: of the edges turned round.
+    Edges(const Mesh& mesh, bool backwards) : m_first(mesh.positions.size() + 1, 0), m_ends(mesh.corners.size()) {
+        forEachEdge(mesh, backwards, [&](std::uint32_t from, std::uint32_t) { ++m_first[from]; });
+        std::size_t sum = 0;
+        for (std::uint32_t& first : m_first) first = static_cast<std::uint32_t>(sum += first);
+        forEachEdge(mesh, backwards, [&](std::uint32_t from, std::uint32_t to) { m_ends[--m_first[from]] = to; });
+        for (std::size_t i = 0; i + 1 < m_first.size(); ++i)
+            std::sort(m_ends.begin() + m_first[i], m_ends.begin() + m_first[i + 1]);
+    }
+    bool operator==(const Edges&) const = default;
+    // Two edges from and to the same vertices, or one from a vertex to itself.
+    bool hasRepeated() const {
+        for (std::size_t i = 0; i + 1 < m_first.size(); ++i) {
+            const std::span<const std::uint32_t> ends(m_ends.begin() + m_first[i], m_ends.begin() + m_first[i + 1]);
+            if (std::ranges::adjacent_find(ends) != ends.end()) return true;
+            if (std::ranges::binary_search(ends, static_cast<std::uint32_t>(i))) return true;
+        }
+        return false;
+    }
+
+private:
+    template <class Visit>
+    static void forEachEdge(const Mesh& mesh, bool backwards, Visit visit) {
+        for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
+            const std::span<const std::uint32_t> corners = mesh.polygon(i);
+            std::uint32_t from = corners.back();
+            for (const std::uint32_t to : corners) {
+                backwards ? visit(to, from) : visit(from, to);
+                from = to;
+            }
         }
     }
-    std::ranges::sort(edges);
-    if (edges.empty() || std::ranges::adjacent_find(edges) != edges.end()) return false;
-    std::ranges::sort(opposites);
-    return edges == opposites;
+    std::vector<std::uint32_t> m_first, m_ends;
+};
+
+bool isClosed(const Mesh& mesh) {
+    const Edges edges(mesh, false);
+    return mesh.polygonCount() > 0 && !edges.hasRepeated() && edges == Edges(mesh, true);
 }
 
 // No vertex in front of the polygon's plane by more than rounding explains.

@@ -3,8 +3,12 @@
 //   stage_bench --benchmark_filter=Change
 // And of a jump into the middle of a stage, and to its end:
 //   stage_bench --benchmark_filter=Seek
+// And of reading a model of a million triangles:
+//   stage_bench --benchmark_filter=Read
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
+#include "pipeline/formats/model_reader.h"
 #include "pipeline/run/memory.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"
@@ -79,6 +83,19 @@ void seeks(benchmark::State& state, StageId stage, double share) {
     for (auto _ : state) benchmark::DoNotOptimize(steps.frameAt(moment));
 }
 
+void reads(benchmark::State& state) {
+    const std::shared_ptr<const Mesh> mesh = meshOf(bench::workloads()[3]);
+    std::string text;
+    for (const Vec3d& p : mesh->positions)
+        fmt::format_to(std::back_inserter(text), "v {:.6f} {:.6f} {:.6f}\n", p.x, p.y, p.z);
+    for (const Triangle& t : mesh->triangles)
+        fmt::format_to(std::back_inserter(text), "f {} {} {}\n", t.vertices[0] + 1, t.vertices[1] + 1,
+                       t.vertices[2] + 1);
+    const FileLoader none = [](std::string_view) -> Result<NamedFile> { return Error{}; };
+    for (auto _ : state) benchmark::DoNotOptimize(readModel({text, "spheres.obj", {}}, ".obj", none));
+    state.SetBytesProcessed(std::int64_t(text.size()) * state.iterations());
+}
+
 void registerAll() {
     const std::pair<const char*, Scene> scenes[]{{"pyramid", test::pyramid()}, {"spheres", spheres()}};
     for (const auto& [name, scene] : scenes) {
@@ -107,6 +124,7 @@ void registerAll() {
                 ->UseRealTime()
                 ->Unit(benchmark::kMicrosecond);
     }
+    benchmark::RegisterBenchmark("Read/obj", reads)->Unit(benchmark::kMillisecond);
     for (const StageId stage : kStages)
         for (const auto& [share, text] : {std::pair(0.5, "middle"), std::pair(0.999, "end")})
             benchmark::RegisterBenchmark(("Seek/" + std::string(stageInfo(stage).name) + "/" + text).c_str(), seeks,

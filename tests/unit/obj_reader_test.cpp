@@ -70,7 +70,8 @@ TEST(ObjReader, NegativeIndicesCountFromTheLast) {
 TEST(ObjReader, LineEndsMarksCommentsAndContinuations) {
     for (const char* text :
          {"v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nf 1 2 3\r\n", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3",
-          "v 0 0 0\rv 1 0 0\rv 1 1 0\rf 1 2 3", "v 0 0 0 # a\n\nv 1 0 \\\n 0\nv 1 1 0\nf\t1 2\\\r\n 3 #4"}) {
+          "v 0 0 0\rv 1 0 0\rv 1 1 0\rf 1 2 3", "v 0 0 0\rv 1 0 0\nv 1 1 0\r\nf 1 2 3\r",
+          "v 0 0 0 # a\n\nv 1 0 \\\n 0\nv 1 1 0\nf\t1 2\\\r\n 3 #4"}) {
         const auto objects = objectsOf(text);
         ASSERT_EQ(objects.size(), 1u) << text;
         EXPECT_EQ(objects[0].mesh->positions, (std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}})) << text;
@@ -85,6 +86,24 @@ TEST(ObjReader, PositionWithTwoNormalsIsTwoVertices) {
     EXPECT_EQ(polygon(objects[0], 1), (Indices{0, 3, 4}));
     EXPECT_EQ(objects[0].mesh->positions[2], objects[0].mesh->positions[3]);
     EXPECT_EQ(objects[0].mesh->normals, (std::vector<Vec3d>{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}, {0, 0, 1}}));
+}
+
+TEST(ObjReader, PositionWithManyNormalsIsAVertexForEach) {
+    // Three normals at position 1, each met twice; the second object begins anew.
+    const auto objects = objectsOf(kSquare +
+                                   "vn 1 0 0\nvn 0 1 0\nvn 0 0 1\n"
+                                   "f 1//1 2//1 3//1\nf 1//2 2//1 3//1\nf 1//3 2//1 3//1\nf 1//2 3//1 4//1\n"
+                                   "f 1//3 3//1 4//1\nf 1//1 3//1 4//1\no second\nf 1//3 2//3 3//3");
+    ASSERT_EQ(objects.size(), 2u);
+    const Mesh& mesh = *objects[0].mesh;
+    EXPECT_EQ(mesh.positions.size(), 6u);
+    EXPECT_EQ(polygon(objects[0], 1), (Indices{3, 1, 2}));
+    EXPECT_EQ(polygon(objects[0], 3), (Indices{3, 2, 5}));
+    EXPECT_EQ(polygon(objects[0], 4), (Indices{4, 2, 5}));
+    EXPECT_EQ(polygon(objects[0], 5), (Indices{0, 2, 5}));
+    EXPECT_EQ(mesh.normals[4], Vec3d(0, 0, 1));
+    EXPECT_EQ(polygon(objects[1], 0), (Indices{0, 1, 2}));
+    EXPECT_EQ(objects[1].mesh->normals[0], Vec3d(0, 0, 1));
 }
 
 TEST(ObjReader, NormalsThatAreNotThereForAllCornersAreLeftOut) {
