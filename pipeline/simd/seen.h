@@ -64,10 +64,13 @@ public:
         const Shares b = corrected(linear(at));
         const Floats b0 = hn::Sub(hn::Sub(all(1), b.one), b.two);
         if (m_order[0] > 2) return ofCut(b);
-        HWY_ALIGN float of[3][16];
-        hn::Store(b0, F(), of[m_order[0]]), hn::Store(b.one, F(), of[m_order[1]]),
-            hn::Store(b.two, F(), of[m_order[2]]);
-        return {hn::Load(F(), of[0]), hn::Load(F(), of[1]), hn::Load(F(), of[2])};
+        const auto of = [&](int own) HWY_ATTR {
+            const Ints wanted = hn::Set(I(), own);
+            const Mask first = asFloats(hn::Eq(wanted, hn::Set(I(), m_order[0])));
+            const Mask second = asFloats(hn::Eq(wanted, hn::Set(I(), m_order[1])));
+            return hn::IfThenElse(first, b0, hn::IfThenElse(second, b.one, b.two));
+        };
+        return {of(0), of(1), of(2)};
     }
 
 private:
