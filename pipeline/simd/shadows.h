@@ -53,10 +53,7 @@ HWY_INLINE void fetchTexels(const ShadingInputs& inputs, const ShadingSources<fl
         const Ints row = hn::ConvertTo(I(), hn::Min(hn::Max(points.y, zero), last));
         HWY_ALIGN std::int32_t texels[16];
         hn::Store(texelPlace(depth, column, row), I(), texels);
-        // Of a block the corners: what lies between them is mostly in the same lines.
-        constexpr std::uint32_t kCorners = 0b1001'0000'0000'1001;
-        const std::uint32_t some = hn::Lanes(F()) == kBlockPixels ? kCorners : ~0U;
-        for (std::uint32_t bits = bitsOf(mask) & some; bits != 0; bits &= bits - 1)
+        for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1)
             hwy::Prefetch(&depth.blocks[0].of[std::size_t(texels[std::countr_zero(bits)])]);
     }
 }
