@@ -37,11 +37,12 @@ public:
     std::uint32_t id() const { return m_id; }  // index into Topology::triangles
     // Else it is so large that weights() is all that is known of it.
     bool isLinear() const { return m_small || m_middle.fits(); }
-    float w(int corner) const { return m_w[corner]; }
+    float w(std::size_t corner) const { return m_w[corner]; }
     // A quantity of the triangle's own corners at one of the corners that are drawn, which clipping may have made.
-    Vec3<float> atCorner(const std::vector<Vec3<float>>& values, const std::uint32_t (&v)[3], int corner) const {
+    Vec3<float> atCorner(const std::vector<Vec3<float>>& values, const std::uint32_t (&v)[3],
+                         std::size_t corner) const {
         if (m_order[corner] < 3) return values[v[m_order[corner]]];
-        const Vec3<float>& share = m_other->weights[std::size_t(corner)];
+        const Vec3<float>& share = m_other->weights[corner];
         return share.x * values[v[0]] + share.y * values[v[1]] + share.z * values[v[2]];
     }
 
@@ -115,7 +116,7 @@ private:
         const SmallTriangle& t = piece.small[i];
         m_small = &t, m_id = t.id;
         m_w[0] = t.w0, m_w[1] = t.w1, m_w[2] = t.w2;
-        for (int corner = 0; corner < 3; ++corner) m_order[corner] = t.corner(corner);
+        for (std::size_t corner = 0; corner < 3; ++corner) m_order[corner] = t.corner(int(corner));
         const int x = m_tile.min.x - t.x, y = m_tile.min.y - t.y;
         // From the box's first pixel to the tile's.
         m_edges[0].become(t.c1, t.a1, t.b1), m_edges[0].value = m_edges[0].atPixel(x, y);

@@ -184,7 +184,7 @@ private:
         const auto& normals = m_in.normals.vertex;
         if (!fromDepth() || !m_triangle->isLinear()) return m_normals.become(normals, triangle.vertices);
         const bool perspective = m_in.transform.view.perspective;
-        const auto divided = [&](int corner) {
+        const auto divided = [&](std::size_t corner) {
             const Vec3<float> n = m_triangle->atCorner(normals, triangle.vertices, corner);
             return perspective ? m_triangle->w(corner) * n : n;
         };
