@@ -45,7 +45,9 @@ protected:
         std::vector<QRectF> taken;
         for (const QWidget* corner : {static_cast<QWidget*>(m_view->m_legend), static_cast<QWidget*>(m_view->m_cube)})
             if (corner->isVisible()) taken.emplace_back(corner->geometry());
-        paintOverlay(painter, m_view->m_drawing, m_view->viewFrame(), taken);
+        // Letters stand at what the picture shows, which may be a little late.
+        if (const auto& picture = m_view->m_vtk->shown())
+            paintOverlay(painter, *picture->drawing, picture->view, taken);
         m_view->paintHandles(painter);
         if (!m_view->m_probe || m_view->isPoint() || m_view->isMoving()) return;
         const SpaceMap& map = m_view->shown()->map;
@@ -73,12 +75,23 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
                 refresh();
             },
             Qt::QueuedConnection);
+        connect(m_vtk, &VtkWidget::drawn, this, [this] {
+            m_overlay->update();
+            emit drawn();
+        });
+        connect(m_vtk, &VtkWidget::busyChanged, this, [this](bool busy) { m_rendering = busy, showWorking(); });
     }
     m_overlay = new Overlay(this);
     m_legend = new ViewCorner(ViewCorner::Kind::Legend, this);
     m_cube = new ViewCorner(ViewCorner::Kind::Cube, this);
     m_legend->setObjectName("legend");
     m_cube->setObjectName("cube");
+    m_working = new QWidget(this);
+    m_working->setObjectName("working");
+    m_working->hide();
+    m_slow.setSingleShot(true);
+    m_slow.setInterval(100);
+    connect(&m_slow, &QTimer::timeout, m_working, &QWidget::show);
     m_sentence = new QLabel(this);
     m_sentence->setAlignment(Qt::AlignCenter);
     m_sentence->setWordWrap(true);
@@ -316,9 +329,24 @@ void SceneView::applyTheme() {
     palette.setColor(QPalette::Window, colors.view);
     setPalette(palette);
     if (m_vtk) m_vtk->setColors(colors);
+    m_working->setStyleSheet("background: " + colors.accent.name());
     m_sentence->setFont(Theme::current().text(13));
     placeCorners();
     refresh();
+}
+
+void SceneView::setBuilding(bool building) {
+    m_building = building;
+    showWorking();
+}
+
+// A bar on top, once it takes longer than a moment.
+void SceneView::showWorking() {
+    const bool works = m_rendering || m_building;
+    if (works == (m_slow.isActive() || m_working->isVisibleTo(this))) return;
+    if (works) return m_slow.start();
+    m_slow.stop();
+    m_working->hide();
 }
 
 void SceneView::updateOverlay() { m_overlay->update(); }
@@ -327,6 +355,7 @@ void SceneView::placeCorners() {
     const int margin = Theme::current().px(8);
     if (m_vtk) m_vtk->setGeometry(rect());
     m_overlay->setGeometry(rect());
+    m_working->setGeometry(0, 0, width(), 3);
     m_sentence->setGeometry(rect().adjusted(margin, margin, -margin, -margin));
     m_legend->setRoom(width() - 2 * margin);
     m_legend->resize(m_legend->sizeHint());

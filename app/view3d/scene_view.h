@@ -1,5 +1,6 @@
 #pragma once
 #include <QLabel>
+#include <QTimer>
 #include <QVariantAnimation>
 #include <QWidget>
 #include <map>
@@ -33,6 +34,7 @@ public:
     // Null shows the sentence of setEmptyText on a bare background. The camera stays, unless `newScene`.
     void setContent(std::shared_ptr<const ViewContent> content, bool newScene);
     void setEmptyText(const QString& sentence);
+    void setBuilding(bool building);  // newer content is on its way
     const std::shared_ptr<const ViewContent>& content() const { return m_content; }
     // As the space on show has it; null where no point is picked, or a light has no shadow buffer.
     const std::shared_ptr<const ViewContent>& shown() const;
@@ -70,10 +72,13 @@ public:
     void setOrthographic(bool orthographic);
     ViewFrame viewFrame() const;
     const Drawing& drawing() const { return m_drawing; }
+    // Whether the picture on show is of all that was set; it is made beside the window. Each new one is told with drawn().
+    bool isDrawn() const { return !m_vtk || m_vtk->isDrawn(); }
     // Why nothing is rendered here; empty where it works.
     QString problem() const { return m_problem; }
 
 signals:
+    void drawn();
     void optionsChanged();  // by the legend
     void orthographicChanged(bool orthographic);
     void clicked(const app::Hit& hit);  // on a polygon; in world space, whatever space is on show
@@ -102,6 +107,7 @@ private:
     void refresh();  // after a change of camera, content, options or theme
     void applyTheme();
     void placeCorners();
+    void showWorking();
     void frameIfUntouched();
     void showContent();
     bool isWorld() const { return m_space.space == ViewSpace::World; }
@@ -142,6 +148,9 @@ private:
     ViewCorner* m_legend;
     ViewCorner* m_cube;
     QLabel* m_sentence;
+    QWidget* m_working;
+    QTimer m_slow;
+    bool m_rendering = false, m_building = false;
     std::optional<SpaceMorph> m_morph;
     QVariantAnimation m_move;  // along m_morph
     QVariantAnimation m_flight;

@@ -1,68 +1,17 @@
 #include "app/view3d/vtk_widget.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkOpenGLFramebufferObject.h>
-#include <vtkSmartPointer.h>
-
-#include <QElapsedTimer>
-#include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
 #include <QPainter>
-#include <QTimer>
-#include <algorithm>
 #include <cmath>
-
-#include "app/view3d/vtk_turn.h"
-#include "app/view3d/world_scene.h"
+#include <future>
 
 namespace app {
 
 namespace {
 
-constexpr int kSamples = 4;                 // a pixel, where edges are smoothed
-constexpr double kSmoothMilliseconds = 40;  // that a moving view's frame may take with them
-constexpr int kRestMilliseconds = 180;      // without a new view: it rests
+constexpr int kRestMilliseconds = 180;  // without a new view: it rests
 
 }  // namespace
-
-struct VtkWidget::Impl {
-    QOffscreenSurface surface;
-    std::unique_ptr<QOpenGLContext> context;
-    vtkSmartPointer<vtkGenericOpenGLRenderWindow> window;
-    std::unique_ptr<WorldScene> scene;
-    bool failed = false;
-
-    std::shared_ptr<const ViewContent> content;
-    std::vector<InkedLine> ground;
-    ViewOptions options;
-    ThemeColors colors;
-    ViewFrame view;
-    Drawing drawing;
-    std::vector<quint32> pixels;    // as OpenGL gives them
-    QImage picture;                 // as it was rendered last
-    QTimer rest;                    // runs while the view moves
-    double smoothMilliseconds = 0;  // what the last smoothed frame took
-    bool isSmooth = false;          // the picture is
-    bool contentChanged = true, optionsChanged = true, colorsChanged = true, viewChanged = true;
-    bool changed() const { return contentChanged || optionsChanged || colorsChanged || viewChanged; }
-    bool wantsSmooth() const { return !rest.isActive() || smoothMilliseconds < kSmoothMilliseconds; }
-};
-
-QSurfaceFormat viewSurfaceFormat() {
-    QSurfaceFormat format;
-    format.setRenderableType(QSurfaceFormat::OpenGL);
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    format.setAlphaBufferSize(0);
-    // VTK smooths in its own framebuffer.
-    format.setSamples(0);
-    return format;
-}
 
 QString openGlProblem() {
     const QString problem = QStringLiteral("This machine gives no OpenGL 3.2. Buffers still work.");
@@ -77,135 +26,105 @@ QString openGlProblem() {
     return {};
 }
 
-VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent), m_impl(std::make_unique<Impl>()) {
+VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent), m_renderer(std::make_shared<std::unique_ptr<VtkRenderer>>()) {
     setAttribute(Qt::WA_OpaquePaintEvent);
-    m_impl->rest.setSingleShot(true);
-    m_impl->rest.setInterval(kRestMilliseconds);
-    connect(&m_impl->rest, &QTimer::timeout, this, [this] {
-        if (!m_impl->isSmooth) update();
+    m_surface.setFormat(viewSurfaceFormat());
+    m_next.drawing = std::make_shared<const Drawing>();
+    m_next.colors = std::make_shared<const ThemeColors>(Theme::current().colors());
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMilliseconds);
+    connect(&m_job, &BackgroundJob::busyChanged, this, &VtkWidget::busyChanged);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        if (!m_isSmooth || m_job.busy()) soon();
     });
 }
 
 VtkWidget::~VtkWidget() {
-    Impl& impl = *m_impl;
-    if (!impl.window) return;
-    const std::lock_guard turn(vtkTurn());
-    impl.context->makeCurrent(&impl.surface);
-    impl.window->ReleaseGraphicsResources(impl.window);
-    impl.scene.reset();
-    impl.window = nullptr;
-    impl.context->doneCurrent();
+    m_job.disconnect(this);  // who would be told is half gone
+    std::promise<void> gone;
+    m_job.ask(
+        [renderer = m_renderer, &gone](const BackgroundJob::Control&) {
+            renderer->reset();
+            gone.set_value();
+            return true;
+        },
+        [](bool) {});
+    gone.get_future().wait();
 }
 
-bool VtkWidget::open() {
-    Impl& impl = *m_impl;
-    if (impl.window || impl.failed) return !impl.failed;
-    impl.context = std::make_unique<QOpenGLContext>();
-    impl.context->setFormat(viewSurfaceFormat());
-    const bool created = impl.context->create();
-    impl.surface.setFormat(impl.context->format());
-    impl.surface.create();
-    if (!created || impl.context->isOpenGLES() || impl.context->format().version() < qMakePair(3, 2) ||
-        !impl.context->makeCurrent(&impl.surface)) {
-        impl.failed = true;
-        emit unusable();
-        return false;
-    }
-    auto window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
-    auto makeCurrent = vtkSmartPointer<vtkCallbackCommand>::New();
-    makeCurrent->SetClientData(&impl);
-    makeCurrent->SetCallback([](vtkObject*, unsigned long, void* client, void*) {
-        auto* self = static_cast<Impl*>(client);
-        self->context->makeCurrent(&self->surface);
-    });
-    auto isCurrent = vtkSmartPointer<vtkCallbackCommand>::New();
-    isCurrent->SetClientData(&impl);
-    isCurrent->SetCallback([](vtkObject*, unsigned long, void* client, void* answer) {
-        *static_cast<bool*>(answer) = QOpenGLContext::currentContext() == static_cast<Impl*>(client)->context.get();
-    });
-    window->AddObserver(vtkCommand::WindowMakeCurrentEvent, makeCurrent);
-    window->AddObserver(vtkCommand::WindowIsCurrentEvent, isCurrent);
-    window->SetMultiSamples(kSamples);
-    window->SetForceMaximumHardwareLineWidth(1);
-    window->SetReadyForRendering(true);
-    window->SetOwnContext(0);
-    window->OpenGLInitContext();
-    window->SetFrameBlitModeToNoBlit();
-    impl.window = window;
-    impl.scene = std::make_unique<WorldScene>(*window);
-    return true;
+void VtkWidget::soon() {
+    if (m_pending) return;
+    m_pending = true;
+    QMetaObject::invokeMethod(this, &VtkWidget::render, Qt::QueuedConnection);
 }
 
 void VtkWidget::render() {
-    Impl& impl = *m_impl;
+    m_pending = false;
     const double ratio = devicePixelRatioF();
-    const QSize size(int(std::lround(width() * ratio)), int(std::lround(height() * ratio)));
-    if (!impl.changed() && impl.picture.size() == size && (impl.isSmooth || !impl.wantsSmooth())) return;
-    const std::lock_guard turn(vtkTurn());
-    if (size.isEmpty() || !open() || !impl.context->makeCurrent(&impl.surface)) return;
-    if (std::exchange(impl.colorsChanged, false)) impl.scene->setColors(impl.colors);
-    if (std::exchange(impl.contentChanged, false)) impl.scene->setContent(impl.content, impl.ground);
-    if (std::exchange(impl.optionsChanged, false)) impl.scene->setOptions(impl.options);
-    if (std::exchange(impl.viewChanged, false)) impl.scene->setView(impl.view, impl.drawing, ratio);
-
-    impl.isSmooth = impl.wantsSmooth();
-    impl.window->SetMultiSamples(impl.isSmooth ? kSamples : 0);
-    impl.window->SetSize(size.width(), size.height());
-    QElapsedTimer timer;
-    timer.start();
-    impl.window->Render();
-    std::vector<quint32>& pixels = impl.pixels;
-    pixels.resize(std::size_t(size.width()) * std::size_t(size.height()));
-    QOpenGLExtraFunctions* gl = impl.context->extraFunctions();
-    impl.window->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
-    gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->glReadPixels(0, 0, size.width(), size.height(), GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels.data());
-    if (impl.isSmooth) impl.smoothMilliseconds = double(timer.nsecsElapsed()) * 1e-6;
-    if (impl.picture.size() != size) impl.picture = QImage(size, QImage::Format_RGB32);
-    impl.picture.setDevicePixelRatio(ratio);
-    // OpenGL's first row is the lowest, and its alpha the coverage of smoothed edges.
-    const auto row = std::size_t(size.width());
-    for (int y = 0; y < size.height(); ++y)
-        std::transform(pixels.begin() + std::ptrdiff_t(row) * (size.height() - 1 - y),
-                       pixels.begin() + std::ptrdiff_t(row) * (size.height() - y),
-                       reinterpret_cast<quint32*>(impl.picture.scanLine(y)),
-                       [](quint32 pixel) { return pixel | 0xff000000u; });
+    m_next.size = QSize(int(std::lround(width() * ratio)), int(std::lround(height() * ratio)));
+    m_next.pixelRatio = ratio;
+    m_next.moves = m_rest.isActive();
+    if (!isVisible() || m_next.size.isEmpty()) return;
+    if (!m_surface.isValid()) m_surface.create();
+    struct Rendered {
+        bool works = false;
+        VtkRenderer::Result result;
+    };
+    const auto snapshot = std::make_shared<const ViewSnapshot>(m_next);
+    m_job.ask(
+        [renderer = m_renderer, surface = &m_surface, snapshot](const BackgroundJob::Control&) {
+            if (!*renderer) *renderer = std::make_unique<VtkRenderer>(*surface);
+            Rendered rendered;
+            rendered.works = (*renderer)->works();
+            if (rendered.works) rendered.result = (*renderer)->render(*snapshot);
+            return rendered;
+        },
+        [this, snapshot](const Rendered& rendered) {
+            if (!rendered.works) emit unusable();
+            if (rendered.result.image.isNull()) return;
+            m_picture = rendered.result.image;
+            m_isSmooth = rendered.result.isSmooth;
+            m_shown = snapshot;
+            if (!m_isSmooth && !m_rest.isActive()) soon();
+            update();
+            emit drawn();
+        },
+        BackgroundJob::Running::Finish);
 }
 
 void VtkWidget::paintEvent(QPaintEvent*) {
-    render();
     QPainter painter(this);
-    if (m_impl->picture.isNull())
-        painter.fillRect(rect(), m_impl->colors.view);
-    else
-        painter.drawImage(0, 0, m_impl->picture);
+    if (m_picture.isNull())
+        painter.fillRect(rect(), m_next.colors->view);
+    else  // in the size of the view before, until the next one is there
+        painter.drawImage(rect(), m_picture);
 }
 
+void VtkWidget::resizeEvent(QResizeEvent*) { soon(); }
+
+void VtkWidget::showEvent(QShowEvent*) { soon(); }
+
 void VtkWidget::setContent(std::shared_ptr<const ViewContent> content, std::vector<InkedLine> ground) {
-    m_impl->content = std::move(content);
-    m_impl->ground = std::move(ground);
-    m_impl->contentChanged = true;
-    update();
+    m_next.content = std::move(content);
+    m_next.ground = std::make_shared<const std::vector<InkedLine>>(std::move(ground));
+    soon();
 }
 
 void VtkWidget::setOptions(const ViewOptions& options) {
-    m_impl->options = options;
-    m_impl->optionsChanged = m_impl->viewChanged = true;
-    update();
+    m_next.options = options;
+    soon();
 }
 
 void VtkWidget::setColors(const ThemeColors& colors) {
-    m_impl->colors = colors;
-    m_impl->colorsChanged = m_impl->viewChanged = true;
-    update();
+    m_next.colors = std::make_shared<const ThemeColors>(colors);
+    soon();
 }
 
 void VtkWidget::setView(const ViewFrame& view, Drawing drawing) {
-    m_impl->view = view;
-    m_impl->drawing = std::move(drawing);
-    m_impl->viewChanged = true;
-    m_impl->rest.start();
-    update();
+    m_next.view = view;
+    m_next.drawing = std::make_shared<const Drawing>(std::move(drawing));
+    m_rest.start();
+    soon();
 }
 
 }  // namespace app

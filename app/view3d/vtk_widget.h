@@ -1,30 +1,28 @@
 #pragma once
-#include <QSurfaceFormat>
+#include <QOffscreenSurface>
+#include <QTimer>
 #include <QWidget>
 #include <memory>
 
-#include "app/view3d/drawing.h"
-#include "app/view3d/view_content.h"
-#include "app/view3d/view_options.h"
+#include "app/core/background_job.h"
+#include "app/view3d/vtk_renderer.h"
 
 namespace app {
 
-// What VTK's renderer needs.
-QSurfaceFormat viewSurfaceFormat();
 // Why this machine cannot show 3D views, in a sentence; empty where it can.
 QString openGlProblem();
 
-// A widget that shows what VTK renders, in an OpenGL context of its own beside the screen: a window with a
-// QOpenGLWidget in it is put together by OpenGL as a whole, every time that a letter changes anywhere in it, which
-// costs more than the view does where the processor is the OpenGL. It knows nothing of the mouse and the keys; VTK's
-// own keys act on nothing, because there is no interactor.
+// A widget that shows what VTK renders, beside the screen and on a thread of its own: where the processor is the
+// OpenGL, or a mesh is large, the window neither waits for it nor is put together by it. The newest picture stays until
+// the next one is there. It knows nothing of the mouse and the keys; VTK's own keys act on nothing, because there is no
+// interactor.
 class VtkWidget : public QWidget {
     Q_OBJECT
 public:
     explicit VtkWidget(QWidget* parent = nullptr);
-    ~VtkWidget() override;
+    ~VtkWidget() override;  // waits for the picture that is being rendered
 
-    // What is shown from the next painting on.
+    // What the next picture shows.
     void setContent(std::shared_ptr<const ViewContent> content, std::vector<InkedLine> ground);
     void setOptions(const ViewOptions& options);
     void setColors(const ThemeColors& colors);
@@ -32,18 +30,34 @@ public:
     // they are again when the view rests.
     void setView(const ViewFrame& view, Drawing drawing);
 
+    // What the picture on show was made of; null before the first.
+    const std::shared_ptr<const ViewSnapshot>& shown() const { return m_shown; }
+    bool isDrawn() const { return !m_pending && !m_job.busy(); }  // it shows all that was set
+
 signals:
     // OpenGL came up, but not in a version that VTK can use. Nothing will be drawn.
     void unusable();
+    void drawn();                 // another picture is on show
+    void busyChanged(bool busy);  // it is being rendered
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
-    bool open();    // false: no OpenGL that VTK can use
-    void render();  // what has changed since the last time, into the picture
-    struct Impl;    // keeps VTK out of this header
-    std::unique_ptr<Impl> m_impl;
+    void soon();
+    void render();
+
+    ViewSnapshot m_next;
+    std::shared_ptr<const ViewSnapshot> m_shown;
+    QImage m_picture;
+    bool m_isSmooth = false;  // the picture is
+    bool m_pending = false;   // render() runs when control returns to the event loop
+    QTimer m_rest;            // runs while the view moves
+    QOffscreenSurface m_surface;
+    std::shared_ptr<std::unique_ptr<VtkRenderer>> m_renderer;  // only the thread of the job looks into it
+    BackgroundJob m_job;                                       // last: its thread uses the others
 };
 
 }  // namespace app

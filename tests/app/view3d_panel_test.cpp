@@ -46,6 +46,7 @@ protected:
     }
     QImage picture() {
         QTest::qWait(30);
+        EXPECT_TRUE(QTest::qWaitFor([this] { return view.isDrawn(); }, 20000));
         return panel.grab().toImage();
     }
     // Once frames and flights have come to their end: two in turn are alike. Null where that never comes.
@@ -353,12 +354,12 @@ TEST_F(View3dWindow, AfterADragItShowsTheSameAsAViewThatHasSeenNothingElse) {
         QTest::qWait(10);
     }
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }));
-    QTest::qWait(400);  // edges are smoothed again
     View3dPanel other(document);
     other.resize(panel.size());
     other.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&other));
     QTest::qWait(400);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.isDrawn() && other.view().isDrawn(); }, 20000));
     const QImage dragged = view.grab().toImage(), fresh = other.view().grab().toImage();
     ASSERT_EQ(dragged.size(), fresh.size());
     qint64 differ = 0;

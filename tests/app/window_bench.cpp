@@ -73,8 +73,10 @@ public:
     }
 
 protected:
+    // The picture of a 3D view comes from elsewhere: what it paints before that shows the frame before.
     bool eventFilter(QObject* watched, QEvent* event) override {
-        if (event->type() == QEvent::Paint) m_fresh.insert(watched);
+        const auto* view3d = qobject_cast<app::VtkWidget*>(watched);
+        if (event->type() == QEvent::Paint && (!view3d || view3d->isDrawn())) m_fresh.insert(watched);
         return false;
     }
 
@@ -110,14 +112,43 @@ std::vector<double> stepByStep(app::MainWindow& window, int steps) {
     return times;
 }
 
+// How many different frames each view has painted.
+class PaintedFrames : public QObject {
+public:
+    explicit PaintedFrames(app::MainWindow& window)
+        : m_document(window.document()),
+          m_canvas(window.views().findChild<app::BufferCanvas*>()),
+          m_view3d(window.views().findChild<app::VtkWidget*>()) {
+        for (QWidget* view : {static_cast<QWidget*>(m_canvas), static_cast<QWidget*>(m_view3d)})
+            view->installEventFilter(this);
+    }
+    int least() const { return m_view3d->isVisible() ? std::min(m_pictures, m_contents) : m_pictures; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::Paint) return false;
+        if (watched == m_canvas && m_frame != m_document.frame()) m_frame = m_document.frame(), ++m_pictures;
+        // It may show the frame before.
+        const auto& shown = m_view3d->shown();
+        if (watched == m_view3d && shown && m_content != shown->content) m_content = shown->content, ++m_contents;
+        return false;
+    }
+
+private:
+    const app::Document& m_document;
+    app::BufferCanvas* m_canvas;
+    app::VtkWidget* m_view3d;
+    pipeline::FramePtr m_frame;
+    std::shared_ptr<const app::ViewContent> m_content;
+    int m_pictures = 0, m_contents = 0;
+};
+
 // Turns the camera as a hand does that does not wait for pictures. How many frames a second all views have painted.
 double drag(app::MainWindow& window) {
     app::Document& document = window.document();
     const auto setting = draggedSetting(document.scene());
     const double begin = setting.get(document.scene());
-    const Painted painted(window);
-    pipeline::FramePtr last = document.frame();
-    int frames = 0;
+    const PaintedFrames painted(window);
     int moves = 0;
     QTimer mouse;
     QObject::connect(&mouse, &QTimer::timeout,
@@ -125,17 +156,9 @@ double drag(app::MainWindow& window) {
     mouse.start(kMouseMilliseconds);
     QElapsedTimer time;
     time.start();
-    runUntil(
-        [&] {
-            if (document.frame() != last && painted.all()) {
-                last = document.frame();
-                ++frames;
-            }
-            return false;
-        },
-        kDragMilliseconds);
+    runUntil([] { return false; }, kDragMilliseconds);
     mouse.stop();
-    const double perSecond = 1000.0 * frames / double(time.elapsed());
+    const double perSecond = 1000.0 * painted.least() / double(time.elapsed());
     document.change(setting, begin, app::Document::Change::Done);
     settle(window);
     return perSecond;

@@ -1,0 +1,81 @@
+// What a 3D view shows is drawn beside the window, which goes on meanwhile.
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+#include <mutex>
+
+#include "app/core/document.h"
+#include "app/view3d/view3d_panel.h"
+#include "app/view3d/vtk_turn.h"
+#include "tests/support/scenes.h"
+
+namespace {
+
+using app::Document;
+using app::SceneView;
+using app::View3dPanel;
+
+class View3dBeside : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!app::openGlProblem().isEmpty()) GTEST_SKIP() << "no OpenGL 3.2 here";
+        panel.resize(640, 480);
+        panel.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+        QSignalSpy ready(&document, &Document::frameReady);
+        document.setScene(test::pyramid());
+        ASSERT_TRUE(ready.wait());
+        ASSERT_TRUE(waitUntilDrawn());
+    }
+    bool waitUntilDrawn() {
+        QTest::qWait(30);
+        return QTest::qWaitFor([this] { return view.isDrawn(); }, 20000);
+    }
+    void turn() {
+        app::OrbitCamera camera = view.camera();
+        app::orbit(camera, 30, 0);
+        view.setCamera(camera);
+    }
+
+    Document document;
+    View3dPanel panel{document};
+    SceneView& view = panel.view();
+    const app::VtkWidget& vtk = *view.findChild<app::VtkWidget*>();
+};
+
+// Whoever has VTK's turn here keeps it from drawing, as a picture would that takes for ever.
+TEST_F(View3dBeside, TheWindowDoesNotWaitForAPicture) {
+    auto* working = view.findChild<QWidget*>("working");
+    const auto before = vtk.shown();
+    {
+        const std::lock_guard turnOfVtk(app::vtkTurn());
+        turn();
+        document.pick(glm::ivec2{268, 281});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return working->isVisible(); }, 5000)) << "it says that it is at work";
+        EXPECT_FALSE(view.isDrawn());
+        EXPECT_EQ(vtk.shown(), before) << "letters stay at what the picture shows";
+    }
+    ASSERT_TRUE(waitUntilDrawn());
+    EXPECT_FALSE(working->isVisible());
+    EXPECT_EQ(vtk.shown()->content, view.content());
+    EXPECT_EQ(vtk.shown()->view.camera, view.camera());
+}
+
+TEST_F(View3dBeside, OfManyChangesMeanwhileTheNewestAloneIsDrawn) {
+    int drawn = 0;
+    QObject::connect(&view, &SceneView::drawn, [&] { ++drawn; });
+    {
+        const std::lock_guard turnOfVtk(app::vtkTurn());
+        for (int i = 0; i < 10; ++i) {
+            turn();
+            QTest::qWait(5);
+        }
+        drawn = 0;
+    }
+    ASSERT_TRUE(waitUntilDrawn());
+    EXPECT_LE(drawn, 2) << "the one that had begun, and the newest";
+    EXPECT_EQ(vtk.shown()->view.camera, view.camera());
+}
+
+}  // namespace
