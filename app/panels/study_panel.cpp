@@ -122,7 +122,8 @@ QWidget* StudyPanel::makeRight() {
 void StudyPanel::setReport(StudyReport report) {
     // The same setting stays selected while its study grows.
     const bool sameStudy = report.axes == m_report.axes && report.scene == m_report.scene;
-    const auto number = m_selected && sameStudy ? std::optional(m_report.points[*m_selected].number) : std::nullopt;
+    std::optional<std::size_t> number;
+    if (m_selected && sameStudy) number = m_report.points[*m_selected].number;
     m_report = std::move(report);
     std::optional<std::size_t> again;
     for (std::size_t i = 0; i < m_report.points.size(); ++i)

@@ -136,7 +136,7 @@ void drawKey(PlotLayout& layout) {
     std::vector<std::string> entries;
     if (layout.anyPoint) entries.push_back("Pareto front");
     if (anyDominated) entries.push_back("dominated");
-    if (has(PlotRole::Equal)) entries.push_back("equal error \u00d7 time");
+    if (has(PlotRole::Equal)) entries.emplace_back("equal error \u00d7 time");
     const auto width = [&](const std::string& words) { return textWidth(words, size) + 3.4 * u; };
     double left = layout.drawing.width + 0.6 * u;
     for (const std::string& words : entries) left -= width(words);
