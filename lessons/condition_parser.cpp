@@ -231,8 +231,7 @@ private:
             std::vector<std::string> names{"length", "dot"};
             for (const Function& f : table)
                 if (f.takes == Takes::Number || f.takes == Takes::TwoNumbers) names.emplace_back(f.name);
-            fail(at, "no function " + inQuotes(name) + " of numbers; the nearest is " +
-                         inQuotes(pipeline::nearest(name, names)));
+            fail(at, "no function " + inQuotes(name) + " of numbers; " + pipeline::insteadOf(name, names));
             return {};
         }
         const std::size_t count = name == "dot" || (!ofVectors && found->takes == Takes::TwoNumbers) ? 2 : 1;

@@ -27,10 +27,10 @@ std::string_view trimmed(std::string_view text) {
 }
 
 template <class Range, class Name>
-std::string nearestOf(std::string_view text, const Range& range, Name nameOf) {
+std::string insteadOfAny(std::string_view text, const Range& range, Name nameOf) {
     std::vector<std::string> names;
     for (const auto& entry : range) names.emplace_back(nameOf(entry));
-    return pipeline::nearest(text, names);
+    return pipeline::insteadOf(text, names);
 }
 
 class Parser {
@@ -153,8 +153,8 @@ private:
         const auto table = functionTable();
         const auto found = std::ranges::find(table, name, &Function::name);
         if (found == table.end()) {
-            fail(start, "no function " + inQuotes(name) + "; the nearest is " +
-                            inQuotes(nearestOf(name, table, [](const Function& f) { return f.name; })));
+            fail(start, "no function " + inQuotes(name) + "; " +
+                            insteadOfAny(name, table, [](const Function& f) { return f.name; }));
             return node;
         }
         node.function = &*found;
@@ -237,8 +237,7 @@ private:
         for (std::size_t i = 0; i < pipeline::kVerdictCount; ++i) names.emplace_back(name(pipeline::Verdict(i)));
         const auto found = std::ranges::find(names, text);
         if (found == names.end())
-            return fail(
-                start, "no verdict " + inQuotes(text) + "; the nearest is " + inQuotes(pipeline::nearest(text, names)));
+            return fail(start, "no verdict " + inQuotes(text) + "; " + pipeline::insteadOf(text, names));
         code.number = double(found - names.begin());
         node.operands.push_back(code);
     }
@@ -254,9 +253,9 @@ private:
         const std::string_view name = takeUntil(",)", start);
         node.stage = pipeline::findStage(name);
         if (!node.stage)
-            fail(start, "no stage " + inQuotes(name) + "; the nearest is " +
-                            inQuotes(nearestOf(name, pipeline::kStages,
-                                               [](pipeline::StageId s) { return pipeline::stageInfo(s).name; })));
+            fail(start, "no stage " + inQuotes(name) + "; " +
+                            insteadOfAny(name, pipeline::kStages,
+                                         [](pipeline::StageId s) { return pipeline::stageInfo(s).name; }));
     }
     void field(Node& node) {
         require('.');
@@ -267,8 +266,8 @@ private:
         node.word = m_text.substr(start, m_at - start);
         const auto fields = fieldsOf(node.function->takes);
         if (std::ranges::find(fields, node.word) == fields.end())
-            fail(start, std::string(node.function->name) + " has no " + inQuotes(node.word) + "; the nearest is " +
-                            inQuotes(nearestOf(node.word, fields, [](std::string_view f) { return f; })));
+            fail(start, std::string(node.function->name) + " has no " + inQuotes(node.word) + "; " +
+                            insteadOfAny(node.word, fields, [](std::string_view f) { return f; }));
     }
 
     // A place that is written as a number is checked here; a computed one when it is evaluated.

@@ -97,8 +97,7 @@ private:
     }
     void failUnknown(const SourceLocation& where, std::string_view kind, std::string_view name,
                      std::vector<std::string> known) {
-        fail(where, "no " + std::string(kind) + ' ' + inQuotes(name) + "; the nearest is " +
-                        inQuotes(pipeline::nearest(name, known)));
+        fail(where, "no " + std::string(kind) + ' ' + inQuotes(name) + "; " + pipeline::insteadOf(name, known));
     }
 
     // The entries from here up to a line that is neither blank nor an entry, or begins one of
@@ -341,7 +340,7 @@ Result<pipeline::Scene> sceneFor(std::string_view name, const std::filesystem::p
     std::error_code ignored;
     if (file == name && std::filesystem::is_regular_file(folder / file, ignored))
         return pipeline::readScene(folder / file);
-    return Error{{}, "no scene " + inQuotes(name) + "; the nearest is " + inQuotes(pipeline::nearest(name, names)), {}};
+    return Error{{}, "no scene " + inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
 }
 
 }  // namespace

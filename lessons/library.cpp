@@ -45,10 +45,7 @@ Library allLessons() {
 pipeline::Result<Lesson> findLesson(std::string_view name) {
     const std::vector<std::string> names = lessonNames();
     if (std::ranges::find(names, name) != names.end()) return readLesson(lessonFolder() / name);
-    return pipeline::Error{{},
-                           "no lesson " + pipeline::inQuotes(name) + "; the nearest is " +
-                               pipeline::inQuotes(pipeline::nearest(name, names)),
-                           {}};
+    return pipeline::Error{{}, "no lesson " + pipeline::inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
 }
 
 }  // namespace lessons

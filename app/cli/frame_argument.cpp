@@ -34,9 +34,7 @@ pipeline::Result<StageId> stageNamed(const std::string& text) {
     std::vector<std::string> names;
     for (const StageId stage : pipeline::kStages) names.emplace_back(pipeline::stageInfo(stage).name);
     return pipeline::Error{
-        {},
-        fmt::format("no stage {}; the nearest is \"{}\"", pipeline::inQuotes(text), pipeline::nearest(text, names)),
-        {}};
+        {}, fmt::format("no stage {}; {}", pipeline::inQuotes(text), pipeline::insteadOf(text, names)), {}};
 }
 
 }  // namespace

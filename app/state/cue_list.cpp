@@ -95,8 +95,8 @@ Result<std::size_t> findCue(const CueList& list, std::string_view name) {
     return Error{{},
                  fmt::format("no cue {}", pipeline::inQuotes(name)),
                  names.empty() ? std::string("a list with cues")
-                               : fmt::format("a number from 1 to {}, or a name; the nearest is {}", names.size(),
-                                             pipeline::inQuotes(pipeline::nearest(std::string(name), names)))};
+                               : fmt::format("a number from 1 to {}, or a name; {}", names.size(),
+                                             pipeline::insteadOf(name, names))};
 }
 
 Result<CueName> parseCueName(std::string_view text) {

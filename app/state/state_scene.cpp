@@ -35,10 +35,10 @@ Result<Scene> readNamedScene(const std::string& name, const fs::path& folder, co
     if (fs::exists(file, ignored) || name.find_first_of("./") != name.npos) return pipeline::readScene(file, progress);
     std::vector<std::string> names;
     for (const BuiltInScene& scene : pipeline::builtInScenes()) names.push_back(scene.name);
-    return Error{{},
-                 fmt::format("no file and no built-in scene {}; the nearest is {}", pipeline::inQuotes(name),
-                             pipeline::inQuotes(pipeline::nearest(name, names))),
-                 {}};
+    return Error{
+        {},
+        fmt::format("no file and no built-in scene {}; {}", pipeline::inQuotes(name), pipeline::insteadOf(name, names)),
+        {}};
 }
 
 std::string sceneName(const fs::path& file, const fs::path& folder) {

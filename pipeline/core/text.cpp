@@ -62,4 +62,29 @@ std::string nearest(std::string_view text, std::span<const std::string> candidat
     return best == candidates.end() ? std::string() : *best;
 }
 
+namespace {
+
+bool holds(std::string_view whole, std::string_view part) {
+    constexpr std::size_t kLeast = 3;  // fewer letters stand in too many words
+    return part.size() >= kLeast && whole.find(part) != whole.npos;
+}
+
+}  // namespace
+
+std::string insteadOf(std::string_view text, std::span<const std::string> known) {
+    const std::string best = nearest(text, known);
+    if (best.empty()) return "there is none";
+    if (editDistance(text.substr(0, 100), best) <= (text.size() + 2) / 3 || holds(text, best))
+        return "the nearest is " + inQuotes(best);
+    const auto whole = std::ranges::find_if(known, [&](const std::string& name) { return holds(name, text); });
+    if (whole != known.end()) return "the nearest is " + inQuotes(*whole);
+    constexpr std::size_t kMost = 40;
+    std::string list = known.size() == 1 ? "there is " : "there are ";
+    for (std::size_t i = 0; i < std::min(known.size(), kMost); ++i) {
+        const bool isLast = i + 1 == known.size();
+        list += (i == 0 ? "" : isLast ? " and " : ", ") + inQuotes(known[i]);
+    }
+    return known.size() > kMost ? list + " and " + std::to_string(known.size() - kMost) + " more" : list;
+}
+
 }  // namespace pipeline

@@ -18,4 +18,8 @@ std::size_t editDistance(std::string_view a, std::string_view b);
 // The candidate with the smallest edit distance, the first of equals; empty when there is none.
 std::string nearest(std::string_view text, std::span<const std::string> candidates);
 
+// What a message says after a word that is none of the known ones: "the nearest is "camera"" where one differs in at most
+// a third of the word's letters, or holds it or is held; else "there are "camera", "lights" and "objects"", the first 40.
+std::string insteadOf(std::string_view text, std::span<const std::string> known);
+
 }  // namespace pipeline

@@ -146,8 +146,7 @@ void TomlValues::setting(const toml::node& node, const std::string& path, const 
 }
 
 void TomlValues::unknown(const toml::key& key, const std::string& path, std::span<const std::string> known) {
-    fail(key.source(),
-         fmt::format("no key {}; the nearest is {}", inQuotes(path), inQuotes(nearest(key.str(), known))));
+    fail(key.source(), fmt::format("no key {}; {}", inQuotes(path), insteadOf(key.str(), known)));
 }
 
 void TomlValues::refuse(const toml::node& node, const std::string& path, std::string expected) {

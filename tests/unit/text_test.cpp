@@ -43,5 +43,19 @@ TEST(Nearest, TakesTheFirstOfEquals) {
     EXPECT_EQ(nearest("x", {}), "");
 }
 
+// "camra" lacks one letter of six; "schema" shares three places with "camera" at best, and needs more than a third of its
+// six letters changed.
+TEST(InsteadOf, NamesWhatIsNearAndElseAllThatThereIs) {
+    const std::vector<std::string> names{"camera", "light", "material.0.n"};
+    EXPECT_EQ(insteadOf("camra", names), "the nearest is \"camera\"");
+    EXPECT_EQ(insteadOf("lights_of_the_scene", names), "the nearest is \"light\"") << "it holds it";
+    EXPECT_EQ(insteadOf("material", names), "the nearest is \"material.0.n\"") << "and is held";
+    EXPECT_EQ(insteadOf("schema", names), "there are \"camera\", \"light\" and \"material.0.n\"");
+    EXPECT_EQ(insteadOf("xyz", std::vector<std::string>{"depth"}), "there is \"depth\"");
+    EXPECT_EQ(insteadOf("x", {}), "there is none");
+    std::vector<std::string> many(50, "depth");
+    EXPECT_TRUE(insteadOf("xyz", many).ends_with(", \"depth\" and 10 more"));
+}
+
 }  // namespace
 }  // namespace pipeline
