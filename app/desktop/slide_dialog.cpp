@@ -130,6 +130,7 @@ QWidget* SlideDialog::makeFields() {
     pixels->addWidget(m_width);
     pixels->addWidget(new QLabel(QStringLiteral("×"), fields));
     pixels->addWidget(m_height);
+    pixels->addStretch(1);
     form->addRow(tr("Picture of"), m_what);
     form->addRow(tr("Size"), m_sizes);
     form->addRow(tr("Pixels"), pixels);

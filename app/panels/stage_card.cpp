@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/core/text.h"
+#include "app/panels/fitting_font.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -189,7 +190,7 @@ void StageCard::paintTitle(QPainter& painter, const QRect& line) const {
     left.setRight(line.right() - wordWidth - gap - markWidth - theme.px(6));
     write(painter, left, number, theme.text(size, 500), c.text3);
     left.setLeft(left.left() + theme.px(8));
-    write(painter, left, text(), theme.text(size, 600), c.text);
+    write(painter, left, text(), fittingFont(theme.text(size, 600), {text()}, left.width()), c.text);
 }
 
 void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {

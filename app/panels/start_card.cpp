@@ -36,12 +36,19 @@ void StartCard::setFoot(const QString& state, const QString& action, double prog
     update();
 }
 
+int StartCard::titleHeight(int width) const {
+    const Theme& theme = Theme::current();
+    const QRect room(0, 0, width, 1000);
+    return std::max(theme.px(20),
+                    QFontMetrics(theme.text(14, 600)).boundingRect(room, Qt::TextWordWrap, text()).height());
+}
+
 int StartCard::heightForWidth(int width) const {
     const Theme& theme = Theme::current();
     const QRect room(0, 0, width - theme.px(24) - 8, 1000);
     const int words = QFontMetrics(theme.text(12)).boundingRect(room, Qt::TextWordWrap, m_text).height();
-    const int title = theme.px(20), padding = theme.px(28);
-    return words + title + padding + (m_kind == Kind::Scene ? width * 3 / 4 : theme.px(34));
+    const int padding = theme.px(28);
+    return words + titleHeight(room.width()) + padding + (m_kind == Kind::Scene ? width * 3 / 4 : theme.px(34));
 }
 
 QSize StartCard::sizeHint() const { return {Theme::current().px(240), heightForWidth(Theme::current().px(240))}; }
@@ -71,10 +78,10 @@ void StartCard::paintEvent(QPaintEvent*) {
     }
     painter.setFont(theme.text(14, 600));
     painter.setPen(c.text);
-    const double titleHeight = theme.px(20);
-    painter.drawText(QRectF(words.left(), words.top(), words.width(), titleHeight), Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(text(), Qt::ElideRight, int(words.width())));
-    words.setTop(words.top() + titleHeight);
+    const double title = titleHeight(int(words.width()));
+    painter.drawText(QRectF(words.left(), words.top(), words.width(), title), Qt::AlignVCenter | Qt::TextWordWrap,
+                     text());
+    words.setTop(words.top() + title);
     painter.setFont(theme.text(12));
     painter.setPen(c.text2);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_text);

@@ -23,6 +23,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    int titleHeight(int width) const;
+
     Kind m_kind;
     QString m_text, m_state, m_action;
     double m_progress = 0;  // 0 to 1

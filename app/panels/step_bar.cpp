@@ -8,12 +8,23 @@
 #include <cmath>
 
 #include "app/core/text.h"
+#include "app/panels/fitting_font.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
 
 using pipeline::Moment;
 using pipeline::StageId;
+
+namespace {
+
+QStringList stageLabels() {
+    QStringList labels;
+    for (const StageId stage : pipeline::kStages) labels << toQString(stageInfo(stage).label);
+    return labels;
+}
+
+}  // namespace
 
 StepBar::StepBar(Stepper& stepper, QWidget* parent) : QWidget(parent), m_stepper(stepper) {
     setObjectName("stepBar");
@@ -98,7 +109,10 @@ void StepBar::paintPart(QPainter& painter, const StepTrack& track, StageId stage
     const Moment here = *m_stepper.moment();
     const bool current = (m_stepper.isInside() ? here.stage : m_stage) == stage;
 
-    painter.setFont(theme.text(12, current ? 600 : 400));
+    // All of one size: the longest name in bold fits, too.
+    QFont font = fittingFont(theme.text(12, 600), stageLabels(), int(part.width()));
+    font.setWeight(current ? QFont::DemiBold : QFont::Normal);
+    painter.setFont(font);
     painter.setPen(current ? c.text : runs ? c.text2 : c.text3);
     const QString name =
         painter.fontMetrics().elidedText(toQString(stageInfo(stage).label), Qt::ElideRight, int(part.width()));

@@ -90,6 +90,9 @@ void TablePage::showEvent(QShowEvent* event) {
     refresh();
 }
 
+QString TablePage::facts() const { return m_facts->text(); }
+void TablePage::setShowsFacts(bool shown) { m_facts->setVisible(shown); }
+
 // Only the page on show follows the frames.
 void TablePage::refresh() {
     const pipeline::FramePtr& frame = m_document.frame();
@@ -101,6 +104,7 @@ void TablePage::refresh() {
     for (const pipeline::TableFact& fact : m_model->table().facts)
         facts << QString("%1 = %2").arg(toQString(fact.heading()), toQString(pipeline::readableText({}, fact.value)));
     m_facts->setText(facts.join("   "));
+    emit factsChanged();
     m_remarks->setText(m_model->remarks());
     m_remarks->setVisible(!m_remarks->text().isEmpty());
     if (first) fitColumns();

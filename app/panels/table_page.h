@@ -20,6 +20,12 @@ public:
     QTableView& view() { return *m_view; }
     // Copies the chosen rows, with their headings.
     void copy(pipeline::TableFormat format);
+    // What holds for the whole table, "polygons = 5": above it, unless another place shows it.
+    QString facts() const;
+    void setShowsFacts(bool shown);
+
+signals:
+    void factsChanged();
 
 protected:
     void showEvent(QShowEvent* event) override;

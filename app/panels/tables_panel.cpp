@@ -1,7 +1,9 @@
 #include "app/panels/tables_panel.h"
 
 #include <QTabBar>
+#include <algorithm>
 
+#include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -18,9 +20,40 @@ TablesPanel::TablesPanel(Document& document, QWidget* parent) : QTabWidget(paren
     for (const auto& [table, title] : pages) addTab(new TablePage(document, table, this), title);
     tabBar()->setAccessibleName(tr("Tables"));
     setCurrentIndex(int(TableId::Polygons));
-    followTheme(this, [this] { tabBar()->setFont(Theme::current().text(13)); });
+    m_facts = new ElidedLabel(this);
+    m_facts->setProperty("tone", "2");
+    m_facts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setCornerWidget(m_facts);
+    for (int i = 0; i < count(); ++i)
+        connect(static_cast<TablePage*>(widget(i)), &TablePage::factsChanged, this, &TablesPanel::placeFacts);
+    connect(this, &QTabWidget::currentChanged, this, &TablesPanel::placeFacts);
+    followTheme(this, [this] {
+        tabBar()->setFont(Theme::current().text(13));
+        m_facts->setFont(Theme::current().mono(12));
+        m_facts->setContentsMargins(0, 0, Theme::current().px(12), Theme::current().px(6));
+        placeFacts();
+    });
+}
+
+void TablesPanel::resizeEvent(QResizeEvent* event) {
+    QTabWidget::resizeEvent(event);
+    placeFacts();
+}
+
+// A low panel has them beside the tabs: the rows need their line.
+void TablesPanel::placeFacts() {
+    const bool isLow = height() < Theme::current().px(230);
+    auto* page = static_cast<TablePage*>(currentWidget());
+    for (int i = 0; i < count(); ++i) static_cast<TablePage*>(widget(i))->setShowsFacts(!isLow);
+    m_facts->setText(isLow ? page->facts() : QString());
+    m_facts->setToolTip(m_facts->text());
+    m_facts->setVisible(isLow);
+    m_facts->setFixedWidth(std::max(0, width() - tabBar()->sizeHint().width() - Theme::current().px(16)));
 }
 
 QSize TablesPanel::sizeHint() const { return {Theme::current().px(600), Theme::current().px(240)}; }
+
+// The headings and some rows: a dock that gets less shows nothing worth a look.
+QSize TablesPanel::minimumSizeHint() const { return {QTabWidget::minimumSizeHint().width(), Theme::current().px(172)}; }
 
 }  // namespace app

@@ -5,6 +5,8 @@
 
 namespace app {
 
+class ElidedLabel;
+
 // Lecture 1's arrays: objects, polygons, vertices and lights of the frame on show.
 class TablesPanel : public QTabWidget {
     Q_OBJECT
@@ -12,6 +14,15 @@ public:
     explicit TablesPanel(Document& document, QWidget* parent = nullptr);
     TablePage& page(pipeline::TableId table) { return *static_cast<TablePage*>(widget(int(table))); }
     QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void placeFacts();
+
+    ElidedLabel* m_facts;
 };
 
 }  // namespace app

@@ -85,6 +85,7 @@ Timeline::Timeline(Document& document, const Transport& transport, QWidget* pare
         row->setSpacing(theme.px(6));
         m_by->setFont(theme.text(12));
         m_words->setFont(theme.mono(12));
+        for (QToolButton* button : m_buttons) button->setIconSize(QSize(1, 1) * theme.px(16));
         for (QComboBox* list : {m_speed, m_levelList}) list->setFont(theme.text(12));
         setCompact(m_compact);
     });

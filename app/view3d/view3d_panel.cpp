@@ -123,8 +123,8 @@ void View3dPanel::buildHeader() {
     flip(m_lights, &ViewOptions::lights);
     flip(m_eye, &ViewOptions::eye);
 
-    QToolButton* cameras = addMenuButton("cube", tr("Camera"), tr("Views from named directions"));
-    auto* menu = new QMenu(cameras);
+    m_cameras = addMenuButton("cube", tr("Camera"), tr("Views from named directions"));
+    auto* menu = new QMenu(m_cameras);
     const auto addView = [&](const QString& text, ViewPreset preset) {
         connect(menu->addAction(text), &QAction::triggered, m_view, [this, preset] { m_view->go(preset); });
     };
@@ -136,8 +136,8 @@ void View3dPanel::buildHeader() {
     addView(tr("From the eye\t0"), ViewPreset::Eye);
     addView(tr("Everything, the eye too\tA"), ViewPreset::Everything);
     connect(menu->addAction(tr("Zoom out of the eye\tZ")), &QAction::triggered, m_view, &SceneView::zoomOut);
-    cameras->setMenu(menu);
-    cameras->setPopupMode(QToolButton::InstantPopup);
+    m_cameras->setMenu(menu);
+    m_cameras->setPopupMode(QToolButton::InstantPopup);
 
     QToolButton* more = addMenuButton("sliders", tr("Arrows and aids"), tr("Arrows, bounds, frustum, constructions"));
     auto* settings = new ViewSettings(more);
@@ -183,12 +183,20 @@ void View3dPanel::applyTheme() {
     arrangeHeader();
 }
 
-// The remark goes before the buttons do.
+// What a narrow view can do without: the remark, then the buttons whose keys, or the cube in the corner, do the same.
 void View3dPanel::arrangeHeader() {
+    const auto widthOf = [this](const QToolButton* button) {
+        return button->sizeHint().width() + m_header->layout()->spacing();
+    };
     int buttons = 0;
     for (const auto* button : m_header->findChildren<QToolButton*>())
-        if (!button->isHidden()) buttons += button->sizeHint().width() + m_header->layout()->spacing();
-    m_remark->setVisible(m_remark->sizeHint().width() + buttons + Theme::current().px(16) <= width());
+        if (!button->isHidden() || button == m_cameras || button == m_orthographic) buttons += widthOf(button);
+    const int room = width() - Theme::current().px(16);
+    m_remark->setVisible(m_remark->sizeHint().width() + buttons <= room);
+    for (QToolButton* spare : {m_cameras, m_orthographic}) {
+        spare->setVisible(buttons <= room);
+        if (buttons > room) buttons -= widthOf(spare);
+    }
 }
 
 void View3dPanel::resizeEvent(QResizeEvent* event) {

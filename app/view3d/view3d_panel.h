@@ -74,7 +74,7 @@ private:
     QToolButton *m_space, *m_face;
     QLabel* m_remark;
     QMenu* m_menu;
-    QToolButton *m_orthographic, *m_normals, *m_vectors, *m_lights, *m_eye;
+    QToolButton *m_cameras, *m_orthographic, *m_normals, *m_vectors, *m_lights, *m_eye;
     NormalsShown m_lastNormals = NormalsShown::Polygons;  // what the toggle brings back
     struct Wanted {
         ViewOptions options;

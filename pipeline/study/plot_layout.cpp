@@ -171,7 +171,9 @@ void drawTitle(PlotLayout& layout) {
 // Where there is nothing to plot, why.
 void drawEmptiness(PlotLayout& layout) {
     const PlotBox& area = layout.area;
-    const std::string words = !layout.anyPoint   ? "No setting has both a time and this error."
+    const bool isMeasured = !layout.plot.series.empty() || !layout.plot.omissions.empty();
+    const std::string words = !isMeasured        ? "Nothing has been measured yet."
+                              : !layout.anyPoint ? "No setting has both a time and this error."
                               : !layout.anyError ? "Every error is exactly 0."
                                                  : "";
     if (!words.empty())

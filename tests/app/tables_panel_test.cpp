@@ -142,6 +142,20 @@ TEST_F(TablesPanelTest, CopiesTheChosenRows) {
     EXPECT_TRUE(QApplication::clipboard()->text().startsWith("| k | kind | Lx |"));
 }
 
+TEST_F(TablesPanelTest, ALowPanelHasItsFactsBesideTheTabs) {
+    auto* corner = static_cast<QLabel*>(panel.cornerWidget());
+    EXPECT_FALSE(corner->isVisible());
+    const int rows = polygons().view().viewport()->height();
+    panel.resize(900, 180);
+    QTest::qWait(20);
+    EXPECT_TRUE(corner->isVisible());
+    EXPECT_EQ(corner->text(), "polygons = 5");
+    EXPECT_GT(polygons().view().viewport()->height(), rows - 120) << "120 lower, and a line less above the rows";
+    panel.resize(900, 300);
+    QTest::qWait(20);
+    EXPECT_FALSE(corner->isVisible());
+}
+
 TEST_F(TablesPanelTest, AnEmptyColumnSaysWhy) {
     TablePage& vertices = show(TableId::Vertices);
     EXPECT_EQ(text(vertices, 0, "N x"), QString("–"));

@@ -160,6 +160,8 @@ TEST(Plot, SaysWhereThereIsNothingToShow) {
     EXPECT_TRUE(find(drawingOf(report), "Every error is exactly 0."));
 }
 
+TEST(Plot, SaysThatNothingHasBeenMeasured) { EXPECT_TRUE(find(layOut(Plot{}, {}), "Nothing has been measured yet.")); }
+
 TEST(Plot, OddStudiesLayOutTidily) {
     std::vector<StudyReport> reports(6, sphereStudy());
     reports[0].axes.clear();  // one setting
