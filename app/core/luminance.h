@@ -1,6 +1,8 @@
 #pragma once
 #include <cmath>
 
+#include "pipeline/buffers/any_buffer.h"
+
 namespace app {
 
 // Relative luminance of linear red, green and blue, in their unit: Rec. ITU-R BT.709-6 (2015), item 3.2.
@@ -11,5 +13,23 @@ inline double linearLight(int byte) {
     const double s = byte / 255.0;
     return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
+
+// The channel that is made of the others: what a view shows in their place, by its number in files.
+inline constexpr int kLuminanceChannel = 3;
+
+// Whether a buffer's channels are red, green and blue.
+bool hasLuminance(const pipeline::BufferInfo& info);
+// The luminance of each element, one number in place of three; the name stays. Of bytes it is that of the light they
+// stand for, 1 for white; else in the unit of the channels.
+pipeline::AnyBuffer luminanceOf(const pipeline::AnyBuffer& color);
+
+// The last one made is kept: while a buffer stays the same, so does its luminance.
+class KeptLuminance {
+public:
+    const pipeline::AnyBuffer& of(const pipeline::AnyBuffer& color);
+
+private:
+    pipeline::AnyBuffer m_color, m_made;
+};
 
 }  // namespace app

@@ -28,6 +28,7 @@ constexpr ViewKey kViewKeys[]{
     {"In a buffer", "Nearer, farther, fit", "+, −, F"},
     {"In a buffer", "Loupe", "Z"},
     {"In a buffer", "Red, green, blue alone; all", "R, G, B; C"},
+    {"In a buffer", "Luminance", "L"},
     {"In a buffer", "Fit the range once, always", "N, Shift+N"},
     {"In a buffer", "Histogram logarithmic or linear", "Shift+L"},
     {"In a buffer", "Show B, or the previous stage", "hold Shift, `"},
@@ -136,7 +137,7 @@ std::vector<KeyRow> KeySheet::rows() const {
         const QAction* action = m_actions[entry.id];
         const QString region = QString(entry.menu).section('/', 0, 0);
         if (entry.id == ActionId::Bookmark1)
-            rows.push_back({region, tr("Bookmark 1 to 10"), "Ctrl+1 … Ctrl+0"});
+            rows.push_back({region, tr("Bookmark 1 to 9"), "Ctrl+1 … Ctrl+9"});
         else if (!action->shortcut().isEmpty() && QString(entry.menu) != "Run/Bookmarks")
             rows.push_back({region, action->text(), keysText(*action)});
     }

@@ -108,7 +108,7 @@ std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const S
     m_frameB.reset();
     if (source.kind == Kind::File) {
         if (m_file && m_file->name == a.buffer.name) return m_file;
-        auto read = readPicture(source.file, a.buffer);
+        auto read = readPicture(source.file, a.source);
         if (!read) {
             m_why = toQString(format(read.errors()));
             return {};
@@ -151,6 +151,8 @@ ShownBuffer BufferCompare::show(const FramePtr& frame, ShownBuffer a) {
     m_found.reset();
     m_b.reset();
     m_why.clear();
+    const bool isLuminance = a.source.info != a.buffer.info;
+    if (isLuminance) a.buffer = m_luminanceA.of(a.source);
     m_a = a.buffer;
     m_channel = a.look.channel;
     if (!current()) {
@@ -160,6 +162,7 @@ ShownBuffer BufferCompare::show(const FramePtr& frame, ShownBuffer a) {
         return a;
     }
     m_b = findOther(frame, a);
+    if (isLuminance && m_b && hasLuminance(*m_b->info)) m_b = m_luminanceB.of(*m_b);
     m_nameA = "A  " + toQString(a.buffer.name.text());
     const OtherSource source = *current();
     m_nameB = "B  ";

@@ -6,6 +6,7 @@
 #include "app/core/derived_job.h"
 #include "app/core/difference_job.h"
 #include "app/core/document.h"
+#include "app/core/luminance.h"
 #include "app/core/other_frame.h"
 #include "app/core/other_source.h"
 #include "app/panels/compare_bar.h"
@@ -82,6 +83,7 @@ private:
 
     pipeline::FramePtr m_frameB;
     std::optional<pipeline::AnyBuffer> m_a, m_b, m_file;
+    KeptLuminance m_luminanceA, m_luminanceB;
     std::optional<pipeline::BufferDifference> m_found;
     int m_channel = -1;
     QString m_nameA, m_nameB;

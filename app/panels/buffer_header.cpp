@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "app/core/icons.h"
+#include "app/core/luminance.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/elided_label.h"
@@ -26,11 +27,21 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
         row->addWidget(m_channels[c]);
         connect(m_channels[c], &QToolButton::clicked, this, [this, c](bool on) { emit channelChosen(on ? c : -1); });
     }
+    m_luminance = new QToolButton(this);
+    m_luminance->setObjectName("luminance");
+    m_luminance->setText("L");
+    m_luminance->setCheckable(true);
+    m_luminance->setAccessibleName(tr("Luminance"));
+    m_luminance->setToolTip(
+        tr("Show the luminance (L), 0.2126 r + 0.7152 g + 0.0722 b of the light (Rec. 709); C shows the colours"));
+    row->addWidget(m_luminance);
+    connect(m_luminance, &QToolButton::clicked, this,
+            [this](bool on) { emit channelChosen(on ? kLuminanceChannel : -1); });
     m_fit = button("fit", tr("Fit"), tr("Show what is drawn; again for all of the picture (F)"));
     m_original = new QToolButton(this);
     m_original->setText("1:1");
     m_original->setAccessibleName(tr("One to one"));
-    m_original->setToolTip(tr("One screen pixel a pixel"));
+    m_original->setToolTip(tr("A pixel of the screen each (Ctrl+0)"));
     m_zoom = new QLabel(this);
     m_zoom->setAccessibleName(tr("Zoom"));
     m_loupe = button("loupe", tr("Loupe"), tr("Enlarge the pixels under the cursor (Z)"));
@@ -82,7 +93,7 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
         m_zoom->setMinimumWidth(m_zoom->fontMetrics().horizontalAdvance("0.33×"));
         m_zoom->setAlignment(Qt::AlignCenter);
         m_original->setFont(theme.text(12, 500));
-        for (QToolButton* channel : m_channels) {
+        for (QToolButton* channel : {m_channels[0], m_channels[1], m_channels[2], m_luminance}) {
             QFont italic = theme.formula(14);
             italic.setItalic(true);
             channel->setFont(italic);
@@ -114,6 +125,8 @@ void BufferHeader::show(const pipeline::BufferName& name, int channel) {
         m_channels[c]->setAccessibleName(tr("Channel %1 alone").arg(names[c]));
         m_channels[c]->setToolTip(tr("Show %1 alone (%2); C shows all").arg(names[c]).arg(QString("RGB")[c]));
     }
+    m_hasLuminance = hasLuminance(info);
+    m_luminance->setChecked(channel == kLuminanceChannel);
     arrange();
 }
 
@@ -132,6 +145,7 @@ void BufferHeader::setToggles(bool overlays, bool loupe) {
 void BufferHeader::arrange() {
     const int width = this->width(), unit = Theme::current().px(10);
     for (QToolButton* channel : m_channels) channel->setVisible(m_channelCount == 3 && width > 42 * unit);
+    m_luminance->setVisible(m_hasLuminance && width > 46 * unit);
     m_original->setVisible(width > 32 * unit);
     m_loupe->setVisible(width > 28 * unit);
 }

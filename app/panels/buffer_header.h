@@ -53,11 +53,12 @@ private:
 
     BufferChooser* m_chooser;
     ElidedLabel* m_caption;
-    QToolButton *m_channels[3], *m_fit, *m_original, *m_overlays, *m_loupe, *m_compare, *m_more;
+    QToolButton *m_channels[3], *m_luminance, *m_fit, *m_original, *m_overlays, *m_loupe, *m_compare, *m_more;
     QLabel* m_zoom;
     QMenu* m_menu;
     QAction *m_flip, *m_copyValue;
     int m_channelCount = 1;
+    bool m_hasLuminance = false;
 };
 
 }  // namespace app

@@ -6,6 +6,7 @@
 #include <QStackedLayout>
 #include <QStyle>
 
+#include "app/core/luminance.h"
 #include "app/core/number_format.h"
 #include "app/core/put_away.h"
 #include "app/core/shadow_texel.h"
@@ -124,7 +125,8 @@ int BufferView::channel() const {
 }
 
 void BufferView::setChannel(int channel) {
-    if (pipeline::bufferInfo(m_name.id).channels == 1) return;
+    const pipeline::BufferInfo& info = bufferInfo(m_name.id);
+    if (info.channels == 1 || (channel == kLuminanceChannel && !hasLuminance(info))) return;
     kept().channel = channel;
     kept().range.reset();  // that of another channel means nothing
     m_header->show(m_name, channel);

@@ -36,7 +36,7 @@ public:
 
     const pipeline::BufferName& buffer() const { return m_name; }
     void setBuffer(const pipeline::BufferName& name);
-    void setChannel(int channel);  // -1: all
+    void setChannel(int channel);  // -1: all; kLuminanceChannel
     int channel() const;
     void autofit(bool keep);  // keep: the range follows every frame
     void setRange(pipeline::PaletteRange range);

@@ -81,7 +81,7 @@ void BufferView::showMix(const pipeline::Frame& frame, ShownBuffer& shown) const
     const DerivedBuffer* mixed = m_document.derived().made(kMix);
     if (mixed && mixed->buffer.shape == shown.buffer.shape) {
         const QString notice = shown.notice;
-        shown = showBuffer(frame, mixed->buffer, {}, shown.look.channel, shown.look.range);
+        shown = showBuffer(frame, mixed->buffer, {}, channel(), shown.look.range);
         shown.notice = notice;
     }
     shown.notice = mixer.sentence() + (shown.notice.isEmpty() ? QString() : "<br>" + shown.notice);

@@ -21,7 +21,7 @@ void BufferView::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_G: return setChannel(1);
         case Qt::Key_B: return setChannel(2);
         case Qt::Key_C: return setChannel(-1);
-        case Qt::Key_L: return shift ? setLogCounts(!kept().logCounts) : QWidget::keyPressEvent(event);
+        case Qt::Key_L: return shift ? setLogCounts(!kept().logCounts) : setChannel(kLuminanceChannel);
         case Qt::Key_F: return m_canvas->toggleFit();
         case Qt::Key_Z: return setShowLoupe(!m_loupe->isVisibleTo(m_canvas));
         case Qt::Key_Shift: return m_compare->holdOther(true);

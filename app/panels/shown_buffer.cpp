@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/core/luminance.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_legend.h"
@@ -153,6 +154,8 @@ QStringList channelNames(const BufferInfo& info) {
 QString captionOf(const BufferInfo& info, int channel) {
     static const QStringList colors{"red", "green", "blue"};
     const bool isColor = info.palette == Palette::Color && info.id != BufferId::Barycentric;
+    if (channel == kLuminanceChannel)
+        return info.unit == "intensity" ? "luminance, before scaling" : "luminance, 1 is white";
     const QString alone = channel < 0 ? QString() : isColor ? colors[channel] : channelNames(info)[channel];
     if (info.element == Element::UInt8 && isColor) return channel < 0 ? "sRGB, row 0 on top" : alone + ", row 0 on top";
     if (info.unit == "intensity") return (channel < 0 ? QString("red, green, blue") : alone) + ", before scaling";
@@ -166,18 +169,24 @@ std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name
     const auto buffer = frame.buffer(name);
     if (!buffer) return {};
     const BufferInfo& info = *buffer->info;
-    if (channel >= info.channels || info.channels == 1) channel = -1;
+    const bool isLuminance = channel == kLuminanceChannel && hasLuminance(info);
+    if ((channel >= info.channels && !isLuminance) || info.channels == 1) channel = -1;
     const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
     return showBuffer(frame, *buffer, drawnElements(*buffer, polygons, channel), channel, range);
 }
 
 ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::vector<bool>& drawn, int channel,
                        std::optional<PaletteRange> range) {
+    if (channel == kLuminanceChannel && hasLuminance(*buffer.info)) {
+        ShownBuffer shown = showBuffer(frame, luminanceOf(buffer), drawn, -1, range);
+        shown.source = buffer;
+        return shown;
+    }
     const BufferInfo& info = *buffer.info;
     if (channel >= info.channels || info.channels == 1) channel = -1;
     const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
     ShownBuffer shown;
-    shown.buffer = buffer;
+    shown.buffer = shown.source = buffer;
     shown.numbers = channelStatistics(buffer, channel);
     const PaletteRange whole = fittingRange(buffer, channel, shown.numbers, frame.scene().settings.depthFormat);
     shown.look = {channel, range.value_or(whole)};

@@ -19,6 +19,7 @@ struct LegendEntry {
 // A buffer of a frame, made ready to be shown: everything a view needs that no widget decides.
 struct ShownBuffer {
     pipeline::AnyBuffer buffer;
+    pipeline::AnyBuffer source;  // the buffer that it is the luminance of, else the same
     BufferLook look;
     pipeline::BufferStatistics numbers;  // of the channel that is shown; none of bytes that are colours
     CanvasContent content;               // without the picked and hovered pixel
@@ -34,7 +35,8 @@ QString captionOf(const pipeline::BufferInfo& info, int channel);
 // The channels' own names: r g b, x y z, or the three weights.
 QStringList channelNames(const pipeline::BufferInfo& info);
 
-// range: the user's; nothing for one that shows all. Gives nothing where the frame has no such buffer.
+// channel: -1 all, kLuminanceChannel that of the colours. range: the user's; nothing for one that shows all. Gives
+// nothing where the frame has no such buffer.
 std::optional<ShownBuffer> showBuffer(const pipeline::Frame& frame, const pipeline::BufferName& name, int channel,
                                       std::optional<pipeline::PaletteRange> range);
 

@@ -223,7 +223,7 @@ private:
                                   "the name of a buffer; the nearest is \"" + pipeline::nearestBuffer(*words) + '"');
             }
         if (const auto* node = table.get("channel"))
-            if (const auto number = m_values.number(*node, path + "channel", -1, 2)) view.channel = int(*number);
+            if (const auto number = m_values.number(*node, path + "channel", -1, 3)) view.channel = int(*number);
         if (const auto* node = table.get("range")) {
             view.range = numbers<2>(table, "range", path);
             if (view.range && (*view.range)[0] == (*view.range)[1]) {

@@ -8,6 +8,7 @@
 #include <QTreeWidget>
 #include <cmath>
 
+#include "app/core/luminance.h"
 #include "app/core/picture_file.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
@@ -85,6 +86,23 @@ TEST_F(BufferCompareTest, AnotherPipelineDiffersByWhatTwoFramesDiffer) {
     EXPECT_GT(differing, 100u);
     EXPECT_EQ(compare.found()->differing, differing);
     EXPECT_TRUE(isDifference(*view.shown()->buffer.info));
+}
+
+// The difference of the luminances is found once: nothing asks for it again while the frames stay.
+TEST_F(BufferCompareTest, LuminanceIsComparedWithLuminance) {
+    compareWith(setting("shading", kPhong));
+    compare.setMode(CompareMode::Difference);
+    view.setChannel(app::kLuminanceChannel);
+    ASSERT_TRUE(found());
+    const auto a = app::luminanceOf(*test::frameOf(ball(pipeline::Shading::Gouraud))->buffer({BufferId::Color}));
+    const auto b = app::luminanceOf(*test::frameOf(ball(pipeline::Shading::Phong))->buffer({BufferId::Color}));
+    double largest = 0;
+    for (std::size_t i = 0; i < a.count(); ++i) largest = std::max(largest, std::abs(a.flat(i) - b.flat(i)));
+    ASSERT_GT(largest, 0);
+    EXPECT_EQ(std::abs(compare.found()->largest), largest);
+    QSignalSpy again(&compare, &app::BufferCompare::changed);
+    QTest::qWait(200);
+    EXPECT_EQ(again.count(), 0);
 }
 
 TEST_F(BufferCompareTest, TheWorstPixelIsPicked) {
