@@ -21,6 +21,8 @@
 #include "app/desktop/preferences_dialog.h"
 #include "app/desktop/step_actions.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/follow_theme.h"
@@ -88,6 +90,7 @@ void MainWindow::connectActions() {
     on(A::CloseView, [this] { m_views->closeView(m_views->active()); });
     on(A::EvenViews, [this] { m_views->makeEven(); });
     on(A::LinkViews, [this](bool linked) { m_views->setLinked(linked); });
+    on(A::OriginalSize, [this] { m_views->activeBuffer().canvas()->setZoom(1); });
     on(A::NextView, [this] { m_views->goToNext(1); });
     on(A::PreviousView, [this] { m_views->goToNext(-1); });
     on(A::Thumbnails, [this](bool shown) { m_views->setThumbnails(shown); });
@@ -147,9 +150,10 @@ void MainWindow::enableActions() {
     using A = ActionId;
     const bool scene = m_document.hasScene() && m_pages->currentWidget() == m_views;
     const QString noScene = tr("Open a scene first.");
-    for (const A id : {A::Close, A::CopyState, A::GoToPixel, A::TwoBufferViews, A::Thumbnails, A::LookLayout,
-                       A::ExplainLayout, A::CompareLayout, A::FourLayout, A::SpaceLayout, A::PictureLayout,
-                       A::KeepLayout, A::ResetLayout, A::RedChannel, A::GreenChannel, A::BlueChannel, A::Study})
+    for (const A id :
+         {A::Close, A::CopyState, A::GoToPixel, A::OriginalSize, A::TwoBufferViews, A::Thumbnails, A::LookLayout,
+          A::ExplainLayout, A::CompareLayout, A::FourLayout, A::SpaceLayout, A::PictureLayout, A::KeepLayout,
+          A::ResetLayout, A::RedChannel, A::GreenChannel, A::BlueChannel, A::Study})
         m_actions->setEnabled(id, scene, noScene);
     for (const A id : kStageActions) m_actions->setEnabled(id, scene, noScene);
     for (const A id : {A::Save, A::SaveAs}) m_actions->setEnabled(id, scene, noScene);

@@ -25,7 +25,7 @@ constexpr std::array kKeys{
     A::Undo,         A::Redo,        A::Transform, A::Cull,       A::Normals,        A::ShadowBuffer,
     A::ZBuffer,      A::Shading,     A::DarkTheme, A::LightTheme, A::ProjectorTheme, A::RedChannel,
     A::GreenChannel, A::BlueChannel, A::Bookmark1, A::Bookmark2,  A::Bookmark3,      A::Bookmark4,
-    A::Bookmark5,    A::Bookmark6,   A::Bookmark7, A::Bookmark8,  A::Bookmark9,      A::Bookmark10};
+    A::Bookmark5,    A::Bookmark6,   A::Bookmark7, A::Bookmark8,  A::Bookmark9,      A::OriginalSize};
 
 QString cueFilter() { return MainWindow::tr("Cue lists (*%1)").arg(kCueEnding); }
 

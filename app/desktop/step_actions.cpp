@@ -8,7 +8,7 @@ namespace {
 using A = ActionId;
 
 constexpr std::array kBookmarks{A::Bookmark1, A::Bookmark2, A::Bookmark3, A::Bookmark4, A::Bookmark5,
-                                A::Bookmark6, A::Bookmark7, A::Bookmark8, A::Bookmark9, A::Bookmark10};
+                                A::Bookmark6, A::Bookmark7, A::Bookmark8, A::Bookmark9};
 
 // What comes next for the picked pixel or the selection; nothing where that is neither.
 std::optional<pipeline::Moment> aim(const Document& document) {
@@ -62,7 +62,7 @@ void enableStepActions(Actions& actions, const Document& document, bool hasScene
     const bool first = stepper.isInside() && !stepper.canStep(-1);
     enable(A::Play, true, {});
     actions[A::Play]->setText(stepper.isPlaying() ? Document::tr("Pause") : Document::tr("Play"));
-    enable(A::StepOn, stepper.canStep(1), Document::tr("Already at the last step."));
+    enable(A::StepOn, stepper.canStep(1), Document::tr("Already at the last step; Home goes to the first."));
     enable(A::StepBack, stepper.canStep(-1), Document::tr("Already at the first step."));
     enable(A::FirstStep, !first, Document::tr("Already at the first step."));
     enable(A::LastStep, stepper.isInside(), Document::tr("The whole frame is on show."));
