@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/scene_opener.h"
 #include "app/core/text.h"
 #include "app/desktop/caption_line.h"
+#include "app/desktop/opening_bar.h"
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/follow_theme.h"
@@ -27,7 +29,8 @@ double CleanView::scaleFor(int height) {
     return std::min(std::ceil(scale * 20) / 20, Theme::kMostScale);  // in the theme's steps
 }
 
-CleanView::CleanView(Document& document, CueModel& cues) : m_document(document), m_cues(cues), m_pen(nullptr) {
+CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& opener)
+    : m_document(document), m_cues(cues), m_opener(opener), m_pen(nullptr) {
     setObjectName("cleanView");
     setWindowTitle(tr("Shadescope, presentation"));
     setAutoFillBackground(true);
@@ -37,6 +40,14 @@ CleanView::CleanView(Document& document, CueModel& cues) : m_document(document),
     column->addWidget(makeEquation());
     m_caption = new CaptionLine(this);
     column->addWidget(m_caption);
+    m_opening = new QFrame(this);
+    m_opening->setProperty("kind", "overlay");
+    auto* reading = new OpeningBar(opener, m_opening);
+    auto* frame = new QHBoxLayout(m_opening);
+    frame->addWidget(reading);
+    connect(reading, &OpeningBar::cancelAsked, this, &CleanView::cancelAsked);
+    connect(&opener, &SceneOpener::changed, this, &CleanView::placeOpening);
+    placeOpening();
     m_pen = new PenLayer(this);
     m_keyTime.setSingleShot(true);
     m_keyTime.setInterval(kKeyMs);
@@ -93,6 +104,14 @@ void CleanView::applyTheme() {
     m_swatch->setFixedSize(theme.px(64), theme.px(64));
     m_equationRow->layout()->setSpacing(theme.px(12));
     showEquation();
+}
+
+// Above the caption, at the right: the views stay as they are.
+void CleanView::placeOpening() {
+    m_opening->setVisible(m_opener.busy());
+    m_opening->adjustSize();
+    const int margin = Theme::current().px(19);
+    m_opening->move(width() - m_opening->width() - margin, m_caption->y() - m_opening->height() - margin / 2);
 }
 
 pipeline::Errors CleanView::lookAt(const WindowState& state) { return m_views->lookAt(state); }
@@ -153,6 +172,10 @@ bool CleanView::takeKey(int key) {
         case Qt::Key_2: m_views->setAlone(false); break;
         case Qt::Key_F4: emit swapAsked(); break;
         case Qt::Key_Escape:
+            if (m_opener.busy()) {
+                emit cancelAsked();
+                break;
+            }
             if (m_pen->cover() != Cover::None || m_pen->hasPen() || m_pen->hasSpotlight() || m_pen->hasLines()) {
                 m_pen->setCover(Cover::None);
                 m_pen->setPen(false);
@@ -212,6 +235,7 @@ bool CleanView::eventFilter(QObject* watched, QEvent* event) {
 
 void CleanView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    placeOpening();
     m_pen->setGeometry(rect());
     m_pen->raise();
 }

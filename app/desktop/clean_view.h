@@ -5,13 +5,16 @@
 #include "app/core/cue_model.h"
 #include "app/core/document.h"
 
+class QFrame;
 class QLabel;
 
 namespace app {
 
 class CaptionLine;
 class MathView;
+class OpeningBar;
 class PenLayer;
+class SceneOpener;
 class ViewArea;
 
 // What an audience sees: the views as the window has them, the equation of the picked pixel, and a line of words; nothing
@@ -20,7 +23,7 @@ class ViewArea;
 class CleanView : public QWidget {
     Q_OBJECT
 public:
-    CleanView(Document& document, CueModel& cues);
+    CleanView(Document& document, CueModel& cues, const SceneOpener& opener);
     ~CleanView() override;
 
     pipeline::Errors lookAt(const WindowState& state);  // the views of a state, as they stand in the window
@@ -35,7 +38,8 @@ public:
 
 signals:
     void left();
-    void swapAsked();  // F4
+    void swapAsked();    // F4
+    void cancelAsked();  // of the scene that is being read
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -49,6 +53,7 @@ private:
     void showKey(const QKeyEvent& key);
     void wakeCursor();
     void applyTheme();
+    void placeOpening();
 
     Document& m_document;
     CueModel& m_cues;
@@ -57,6 +62,8 @@ private:
     MathView* m_math;
     QLabel *m_swatch, *m_value;
     CaptionLine* m_caption;
+    const SceneOpener& m_opener;
+    QFrame* m_opening;  // over the views, while the next scene is being read
     PenLayer* m_pen;
     QTimer m_keyTime, m_cursorTime;
     bool m_cursorHidden = false;

@@ -33,7 +33,8 @@ QString cueFilter() { return MainWindow::tr("Cue lists (*%1)").arg(kCueEnding); 
 
 void MainWindow::connectCues() {
     m_cues = findChild<CuePanel*>();
-    m_presentation = new Presentation(m_document, m_cues->model(), *this);
+    m_presentation = new Presentation(m_document, m_cues->model(), *m_opener, *this);
+    connect(m_presentation, &Presentation::cancelAsked, this, &MainWindow::cancelOpening);
     connect(m_cues, &CuePanel::asked, this, [this](int cue) { goToCue(cue); });
     connect(m_cues, &CuePanel::keepAsked, this, &MainWindow::keepCue);
     connect(m_cues, &CuePanel::replaceAsked, this, [this] {

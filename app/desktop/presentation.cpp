@@ -13,8 +13,8 @@
 
 namespace app {
 
-Presentation::Presentation(Document& document, CueModel& cues, QWidget& window)
-    : QObject(&window), m_document(document), m_cues(cues), m_window(window) {
+Presentation::Presentation(Document& document, CueModel& cues, const SceneOpener& opener, QWidget& window)
+    : QObject(&window), m_document(document), m_cues(cues), m_opener(opener), m_window(window) {
     connect(&Theme::current(), &Theme::changed, this, [this] {
         if (isOn() && Theme::current().scale() < m_scale) magnify();
     });
@@ -42,9 +42,10 @@ Presentation::~Presentation() { end(); }
 void Presentation::begin(const WindowState& state, const QList<QAction*>& keys, bool withNotes) {
     if (isOn()) return;
     m_swapped = false;
-    m_clean = std::make_unique<CleanView>(m_document, m_cues);
+    m_clean = std::make_unique<CleanView>(m_document, m_cues, m_opener);
     m_clean->addActions(keys);
     connect(m_clean.get(), &CleanView::left, this, &Presentation::end, Qt::QueuedConnection);
+    connect(m_clean.get(), &CleanView::cancelAsked, this, &Presentation::cancelAsked);
     connect(m_clean.get(), &CleanView::swapAsked, this, [this] {
         m_swapped = !m_swapped;
         place();

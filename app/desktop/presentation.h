@@ -16,13 +16,14 @@ namespace app {
 
 class CleanView;
 class NotesWindow;
+class SceneOpener;
 
 // A talk: the clean view on one screen and, where there is another, the notes on it. Letters are as large as the
 // audience's screen needs them while it lasts.
 class Presentation : public QObject {
     Q_OBJECT
 public:
-    Presentation(Document& document, CueModel& cues, QWidget& window);
+    Presentation(Document& document, CueModel& cues, const SceneOpener& opener, QWidget& window);
     ~Presentation() override;
 
     bool isOn() const { return m_clean != nullptr; }
@@ -35,6 +36,7 @@ public:
 
 signals:
     void cueAsked(int cue);
+    void cancelAsked();  // of the scene that is being read
     void ended();
 
 protected:
@@ -47,6 +49,7 @@ private:
 
     Document& m_document;
     CueModel& m_cues;
+    const SceneOpener& m_opener;
     QWidget& m_window;
     std::unique_ptr<CleanView> m_clean;
     std::unique_ptr<NotesWindow> m_notes;

@@ -9,6 +9,7 @@
 #include "app/core/scene_opener.h"
 #include "app/core/session_file.h"
 #include "app/desktop/actions.h"
+#include "app/desktop/clean_view.h"
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/presentation.h"
 #include "app/panels/cue_panel.h"
@@ -88,6 +89,25 @@ TEST_F(WindowOpening, EscapeOrTheButtonCancelsAndNothingHasChanged) {
         EXPECT_EQ(pictureOnScreen(), before);
     }
     EXPECT_EQ(recentFiles().size(), 1u) << "only what was opened";
+}
+
+TEST_F(WindowOpening, WhilePresentingTheAudienceSeesHowFarAndEscapeCancelsThat) {
+    openPyramid();
+    window.present();
+    ASSERT_TRUE(window.presentation().isOn());
+    CleanView& clean = *window.presentation().cleanView();
+    auto* bar = clean.findChild<OpeningBar*>("openingBar");
+    ASSERT_TRUE(bar);
+    EXPECT_FALSE(bar->isVisible());
+    beSlow();
+    window.openFile(writeModel("ring.obj", 100000));
+    EXPECT_TRUE(bar->isVisible());
+    EXPECT_TRUE(clean.rect().contains(bar->geometry().translated(bar->parentWidget()->pos())));
+    clean.takeKey(Qt::Key_Escape);
+    EXPECT_FALSE(window.opener().busy());
+    EXPECT_FALSE(bar->isVisible());
+    EXPECT_TRUE(window.presentation().isOn()) << "the talk goes on";
+    window.presentation().end();
 }
 
 TEST_F(WindowOpening, AnotherFileReplacesTheOneThatIsBeingRead) {
