@@ -15,6 +15,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "app/core/file_watch.h"
 #include "app/core/icons.h"
 #include "app/core/scene_opener.h"
 #include "app/core/text.h"
@@ -202,6 +203,9 @@ void MainWindow::connectDocument() {
         showTitle();
     });
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
+    m_file = new FileWatch(m_document);
+    m_file->setParent(this);
+    connect(m_file, &FileWatch::changed, this, &MainWindow::takeFileChange);
     connect(&m_document, &Document::failed, this, [this](const pipeline::Errors& errors) {
         const QString file = errors.empty() ? QString() : QFileInfo(toQString(errors.front().where.file)).fileName();
         if (file.isEmpty()) return m_errors->report(tr("That cannot be done. Nothing has changed."), errors);
@@ -233,7 +237,8 @@ void MainWindow::showTitle() {
     const bool shown = m_document.hasScene() && m_pages->currentWidget() == m_views;
     const QString name = shown ? toQString(m_document.scene().name) : QString();
     const QString edited = shown && m_document.isEdited() ? tr(" · edited") : QString();
-    m_title->setText(name + edited);
+    const QString written = shown && m_file && m_file->hasChanged() ? tr(" · its file has changed (F5)") : QString();
+    m_title->setText(name + edited + written);
     setWindowTitle(name.isEmpty() ? QStringLiteral("Shadescope") : name + QStringLiteral(" – Shadescope"));
 }
 
@@ -289,7 +294,17 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
     }
+    if (event->type() == QEvent::KeyPress && watched == this) sayWhyNot(*static_cast<QKeyEvent*>(event));
     return QMainWindow::eventFilter(watched, event);
+}
+
+// A key that nothing has taken may be that of an action which cannot be done now.
+void MainWindow::sayWhyNot(const QKeyEvent& key) {
+    for (const ActionRow& row : actionTable()) {
+        const QAction* action = (*m_actions)[row.id];
+        if (!action->isEnabled() && action->shortcuts().contains(QKeySequence(key.keyCombination())))
+            emit m_document.said(action->property("whyNot").toString());
+    }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

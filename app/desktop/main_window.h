@@ -7,6 +7,7 @@
 
 class QLabel;
 class QMenu;
+class QKeyEvent;
 class QStackedWidget;
 class QToolBar;
 
@@ -17,6 +18,7 @@ class CheckPanel;
 class CuePanel;
 class CommandPalette;
 class ErrorList;
+class FileWatch;
 class KeySheet;
 class LessonPanel;
 class ManualWindow;
@@ -83,6 +85,8 @@ private:
     void makeTimeline();
     void connectDocument();
     void showTitle();
+    void takeFileChange();
+    void sayWhyNot(const QKeyEvent& key);
     void showLessons();
     void showScene();
     bool dropsHere(QObject* watched, QEvent& event);
@@ -140,6 +144,7 @@ private:
     SceneOpener* m_opener;
     std::optional<int> m_cueAsked;  // whose scene is being read
     Actions* m_actions;
+    FileWatch* m_file = nullptr;  // what other programs do to the scene's
     QLabel* m_title;
     StageStrip* m_strip;
     ErrorList* m_errors;

@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 
 #include "app/core/document_state.h"
+#include "app/core/file_watch.h"
 #include "app/core/recent_files.h"
 #include "app/core/scene_opener.h"
 #include "app/core/text.h"
@@ -85,8 +86,18 @@ void MainWindow::readAgain() {
             m_document.open(again);
             if (now) showPlace(m_document, *now), lookAt(*now);
         }
+        m_file->settle();
         emit m_document.said(tr("%1 has been read again.").arg(name));
     });
+}
+
+// Another program has written to the scene's file: an editor, most of all. Changes of one's own are not given up unasked.
+void MainWindow::takeFileChange() {
+    showTitle();
+    if (!m_file->hasChanged() || !showsScene()) return;
+    if (FileWatch::readsAgain() && !m_document.isChanged()) return readAgain();
+    emit m_document.said(tr("%1 has been changed by another program. F5 reads it again; views, step and pixel stay.")
+                             .arg(QFileInfo(m_document.kept().file).fileName()));
 }
 
 void MainWindow::showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes,

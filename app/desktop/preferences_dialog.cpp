@@ -12,6 +12,7 @@
 #include <QUrl>
 #include <cmath>
 
+#include "app/core/file_watch.h"
 #include "app/core/number_format.h"
 #include "app/core/numbers.h"
 #include "app/core/session_file.h"
@@ -55,7 +56,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     addLook(*form);
     addNumbers(*form);
-    addStart(*form);
+    addScenes(*form);
     addFiles(*form);
     auto* keys = new QPushButton(tr("Keys…"), this);
     keys->setObjectName("preferencesKeys");
@@ -134,13 +135,19 @@ void PreferencesDialog::addNumbers(QFormLayout& form) {
     form.addRow(tr("For example"), m_sample);
 }
 
-void PreferencesDialog::addStart(QFormLayout& form) {
-    form.addRow(makeHeading(tr("Start"), this));
-    auto* session = new QCheckBox(tr("Begin with what the window showed when it was closed"), this);
-    session->setObjectName("preferencesSession");
-    session->setChecked(SessionFile::isWanted());
-    connect(session, &QCheckBox::toggled, this, [](bool wanted) { SessionFile::setWanted(wanted); });
-    form.addRow(session);
+void PreferencesDialog::addScenes(QFormLayout& form) {
+    const auto add = [&](const char* objectName, const QString& text, bool wanted, void (*set)(bool)) {
+        auto* box = new QCheckBox(text, this);
+        box->setObjectName(objectName);
+        box->setChecked(wanted);
+        connect(box, &QCheckBox::toggled, this, set);
+        form.addRow(box);
+    };
+    form.addRow(makeHeading(tr("Scenes"), this));
+    add("preferencesSession", tr("Begin with what the window showed when it was closed"), SessionFile::isWanted(),
+        &SessionFile::setWanted);
+    add("preferencesReadAgain", tr("Read a scene again when another program changes its file"), FileWatch::readsAgain(),
+        &FileWatch::setReadsAgain);
 }
 
 void PreferencesDialog::addFiles(QFormLayout& form) {

@@ -22,7 +22,7 @@ signals:
 private:
     void addLook(QFormLayout& form);
     void addNumbers(QFormLayout& form);
-    void addStart(QFormLayout& form);
+    void addScenes(QFormLayout& form);
     void addFiles(QFormLayout& form);
     void takeNumbers();
     void showValues();

@@ -1,7 +1,9 @@
 // F5: a scene file that is being written beside the window.
 #include <QFile>
+#include <QLabel>
 #include <QTest>
 
+#include "app/core/file_watch.h"
 #include "app/core/stepper.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
@@ -61,6 +63,41 @@ TEST_F(WindowReload, TheFileIsReadAgainAndWhatIsLookedAtStays) {
     EXPECT_EQ(place(), before);
     EXPECT_EQ(document().scene().objects[0].mesh, mesh) << "it has not changed, and what was computed of it is reused";
     EXPECT_FALSE(document().isChanged());
+}
+
+TEST_F(WindowReload, AChangedFileIsToldAndReadByItselfWhereThatIsChosen) {
+    openOwn();
+    const auto title = [this] { return find<QLabel>("title")->text(); };
+    write("60.5");  // of another length: some file systems count time in seconds
+    EXPECT_TRUE(QTest::qWaitFor([&] { return title().contains("its file has changed (F5)"); }, 10000));
+    EXPECT_EQ(document().scene().ambient.intensity, 30) << "not unasked";
+    press("F5");
+    EXPECT_EQ(document().scene().ambient.intensity, 60.5);
+    EXPECT_FALSE(title().contains("changed"));
+
+    FileWatch::setReadsAgain(true);
+    lookClosely();
+    const std::string before = place();
+    write("70");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return document().scene().ambient.intensity == 70; }, 10000));
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(place(), before);
+
+    document().change(*findSetting(document().scene(), "ambient.intensity"), 40);
+    write("80.25");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return title().contains("changed"); }, 10000));
+    EXPECT_EQ(document().scene().ambient.intensity, 40) << "what was changed here is not given up";
+    document().undoStack()->setClean();
+}
+
+// What the program itself writes is no news.
+TEST_F(WindowReload, SavingIsNoChangeByAnother) {
+    openOwn();
+    document().change(*findSetting(document().scene(), "ambient.intensity"), 40);
+    ASSERT_TRUE(document().save(file));
+    ASSERT_TRUE(document().save(file));
+    QTest::qWait(1000);
+    EXPECT_FALSE(find<QLabel>("title")->text().contains("changed"));
 }
 
 TEST_F(WindowReload, ItIsOneStepOfUndoAndTheStepsBeforeStay) {

@@ -1,9 +1,11 @@
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
@@ -76,6 +78,15 @@ TEST_F(WindowSteps, SpacePlaysUnlessAButtonHasTheFocus) {
     EXPECT_FALSE(stepper().isPlaying());
 }
 
+TEST_F(WindowSteps, AKeyThatDoesNothingSaysWhy) {
+    openAndCount();
+    canvas()->setFocus();
+    QSignalSpy said(&document(), &Document::said);
+    press("F10");
+    ASSERT_EQ(said.count(), 1);
+    EXPECT_EQ(said.front().front().toString(), "Already at the last step; Home goes to the first.");
+}
+
 TEST_F(WindowSteps, BookmarksHaveKeys) {
     openAndCount();
     stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2"));
@@ -86,6 +97,9 @@ TEST_F(WindowSteps, BookmarksHaveKeys) {
     press("Ctrl+1");
     EXPECT_EQ(text(*stepper().place()), "z-buffer/polygon=2");
     EXPECT_FALSE(window.actions()[ActionId::Bookmark2]->isEnabled());
+    EXPECT_NE(canvas()->zoom(), 1);
+    press("Ctrl+0");
+    EXPECT_EQ(canvas()->zoom(), 1) << "1:1 is no bookmark";
 }
 
 TEST_F(WindowSteps, ADoubleClickOnACardEndsTheStageAndLaterOnesAreNotYet) {

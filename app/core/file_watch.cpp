@@ -1,0 +1,52 @@
+#include "app/core/file_watch.h"
+
+#include <QFileInfo>
+#include <QSettings>
+#include <utility>
+
+#include "app/core/own_file.h"
+
+namespace app {
+
+bool FileWatch::readsAgain() { return QSettings().value("files/readAgain", false).toBool(); }
+void FileWatch::setReadsAgain(bool reads) { QSettings().setValue("files/readAgain", reads); }
+
+FileWatch::FileWatch(Document& document) : m_document(document) {
+    constexpr int kRestMilliseconds = 300;
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMilliseconds);
+    connect(&document, &Document::sceneOpened, this, &FileWatch::settle);
+    connect(document.undoStack(), &QUndoStack::cleanChanged, this, &FileWatch::settle);
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, &m_rest, qOverload<>(&QTimer::start));
+    connect(&m_rest, &QTimer::timeout, this, &FileWatch::look);
+}
+
+FileWatch::Stamp FileWatch::stampOf(const QString& file) {
+    const QFileInfo info(file);
+    return info.isFile() ? Stamp{info.lastModified(), info.size()} : Stamp{};
+}
+
+// The scene is another, or its file is what this program has just read or written.
+void FileWatch::settle() {
+    const KeptScene& kept = m_document.kept();
+    if (kept.scene == m_kept.scene && kept.file == m_kept.file) return;
+    m_kept = kept;
+    if (!m_watcher.files().isEmpty()) m_watcher.removePaths(m_watcher.files());
+    if (!m_kept.file.isEmpty()) m_watcher.addPath(m_kept.file);
+    m_known = m_told = stampOf(m_kept.file);
+    if (std::exchange(m_changed, false)) emit changed();
+}
+
+void FileWatch::look() {
+    settle();
+    // An editor that writes a new file in place of the old one ends the watch.
+    if (!m_watcher.files().contains(m_kept.file)) m_watcher.addPath(m_kept.file);
+    const Stamp now = stampOf(m_kept.file);
+    if (now.size < 0 || now == m_told) return;
+    m_told = now;
+    if (!ownFile(m_document).isEmpty()) m_known = now;  // it holds what this program wrote there
+    m_changed = now != m_known;
+    emit changed();
+}
+
+}  // namespace app
