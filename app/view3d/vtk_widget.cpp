@@ -35,7 +35,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent), m_renderer(std::make_sh
     m_rest.setInterval(kRestMilliseconds);
     connect(&m_job, &BackgroundJob::busyChanged, this, &VtkWidget::busyChanged);
     connect(&m_rest, &QTimer::timeout, this, [this] {
-        if (!m_isSmooth || m_job.busy()) soon();
+        if (!m_isSmooth && !m_job.busy()) soon();
     });
 }
 

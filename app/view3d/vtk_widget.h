@@ -32,7 +32,8 @@ public:
 
     // What the picture on show was made of; null before the first.
     const std::shared_ptr<const ViewSnapshot>& shown() const { return m_shown; }
-    bool isDrawn() const { return !m_pending && !m_job.busy(); }  // it shows all that was set
+    bool isNewest() const { return !m_pending && !m_job.busy(); }                      // it shows all that was set
+    bool isDrawn() const { return isNewest() && (m_isSmooth || !m_rest.isActive()); }  // and so it stays
 
 signals:
     // OpenGL came up, but not in a version that VTK can use. Nothing will be drawn.

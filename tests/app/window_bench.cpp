@@ -76,7 +76,7 @@ protected:
     // The picture of a 3D view comes from elsewhere: what it paints before that shows the frame before.
     bool eventFilter(QObject* watched, QEvent* event) override {
         const auto* view3d = qobject_cast<app::VtkWidget*>(watched);
-        if (event->type() == QEvent::Paint && (!view3d || view3d->isDrawn())) m_fresh.insert(watched);
+        if (event->type() == QEvent::Paint && (!view3d || view3d->isNewest())) m_fresh.insert(watched);
         return false;
     }
 
