@@ -29,15 +29,6 @@ QString fittingLine(const QString& text, const QFont& font, int width) {
 
 }  // namespace
 
-QString fitting(QString text, const std::function<bool(const QString&)>& fits) {
-    while (!text.isEmpty() && !fits(text)) {
-        const auto sign =
-            std::find_if(text.crbegin(), text.crend(), [](QChar c) { return c == u';' || c == u':' || c == u','; });
-        text.truncate(std::max<qsizetype>(0, text.crend() - sign - 1));
-    }
-    return text;
-}
-
 QColor stateColor(StageState state) {
     const ThemeColors& c = Theme::current().colors();
     switch (state) {
@@ -130,7 +121,9 @@ void StageCard::paintEvent(QPaintEvent*) {
     paintNumbers(painter, QRect(box.left(), box.top(), box.width(), lineHeight));
     if (m_compact) return;
     QRect counts(box.left(), box.top() + lineHeight, box.width(), lineHeight);
-    write(painter, counts, fittingLine(m_status.counts, theme.text(12), counts.width()), theme.text(12), c.text2);
+    const QFontMetrics metrics(theme.text(12));
+    const auto fits = [&](const QString& part) { return metrics.horizontalAdvance(part) <= counts.width(); };
+    write(painter, counts, fittingCounts(m_status.counts, fits), theme.text(12), c.text2);
 }
 
 void StageCard::paintBox(QPainter& painter) const {

@@ -48,4 +48,9 @@ QColor stateColor(StageState state);
 // A text, or its beginning up to a sign where it can end; nothing where that does not fit either.
 QString fitting(QString text, const std::function<bool(const QString&)>& fits);
 
+// Counts with their numbers from 10 000 on in three digits: "498k of 1.00M polygons kept".
+QString withShortNumbers(QString text);
+// A card's counts: exact, or their beginning; where no part of them fits, in three digits, the tool tip having all.
+QString fittingCounts(const QString& counts, const std::function<bool(const QString&)>& fits);
+
 }  // namespace app

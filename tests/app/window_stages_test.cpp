@@ -74,6 +74,22 @@ TEST(StageCardWords, EndAtASignWhereTheyDoNotFit) {
     EXPECT_EQ(within(10), "");
 }
 
+TEST(StageCardWords, CountsThatDoNotFitAreGivenInThreeDigits) {
+    const QChar space(0x2009);
+    const auto grouped = [&](QString text) { return text.replace('_', space); };
+    EXPECT_EQ(withShortNumbers(grouped("2_686 of 9_999 won")), grouped("2_686 of 9_999 won"));
+    EXPECT_EQ(withShortNumbers(grouped("10_000, 99_949, 99_950, 999_499, 999_500, 12_345_678")),
+              "10.0k, 99.9k, 100k, 999k, 1.00M, 12.3M");
+    const QString counts = grouped("498_321 of 1_002_528 polygons kept");
+    const auto within = [&](qsizetype letters) {
+        return fittingCounts(counts, [letters](const QString& part) { return part.size() <= letters; });
+    };
+    EXPECT_EQ(within(34), counts);
+    EXPECT_EQ(within(33), "498k of 1.00M polygons kept");
+    EXPECT_EQ(within(26), "498k of 1.00M kept");
+    EXPECT_EQ(within(17), "");
+}
+
 // The pyramid is one convex object: no shadow buffer is needed, and the flat shading needs no
 // vertex normals. Everything else ran.
 TEST_F(WindowStages, CardsTellWhatRanAndWhatWasLeftOut) {
