@@ -80,7 +80,7 @@ void paintEdges(QPainter& painter, const CanvasContent& content, const Placement
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     const QRectF seen = QRectF(pixels).adjusted(-2, -2, 2, 2);
-    for (const QPolygonF& edge : content.edges) {
+    for (const QPolygonF& edge : content.edges.get()) {
         if (!edge.boundingRect().intersects(seen)) continue;
         QPolygonF polygon;
         for (const QPointF& p : edge) polygon << placement.toWidget(p);

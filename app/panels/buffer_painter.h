@@ -19,7 +19,7 @@ struct CanvasContent {
     bool hasGround = true;  // behind and around the picture; else nothing is painted there
     QImage image;           // null where shapes are shown
     std::optional<ShapePicture> shapes;
-    std::vector<QPolygonF> edges;          // outlines over the image
+    Outlines edges;                        // over the image
     std::vector<QImage> overlays;          // of the same size, over the image
     std::optional<ShapePicture> verdicts;  // the same of polygons, half transparent
     std::optional<pipeline::EdgeView> edgeView;

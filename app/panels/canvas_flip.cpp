@@ -25,7 +25,11 @@ CanvasContent upsideDown(const CanvasContent& content) {
     result.image = content.image.mirrored();
     if (result.shapes) turn(*result.shapes, height);
     if (result.verdicts) turn(*result.verdicts, height);
-    for (QPolygonF& edge : result.edges) turn(edge, height);
+    result.edges = Outlines([edges = content.edges, height] {
+        std::vector<QPolygonF> turned = edges.get();
+        for (QPolygonF& edge : turned) turn(edge, height);
+        return turned;
+    });
     for (QPolygonF& outline : result.marked) turn(outline, height);
     for (QImage& overlay : result.overlays) overlay = overlay.mirrored();
     result.edgeView.reset();

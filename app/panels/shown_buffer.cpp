@@ -101,7 +101,7 @@ QRectF drawnRectangle(const std::vector<bool>& drawn, QSize size) {
     for (int y = 0; y < size.height() && !drawn.empty(); ++y)
         for (int x = 0; x < size.width(); ++x)
             if (drawn[std::size_t(y) * std::size_t(size.width()) + std::size_t(x)]) found |= QRect(x, y, 1, 1);
-    return focusOn({QPolygonF(QRectF(found))}, size);
+    return focusOn(QRectF(found), size);
 }
 
 QString descriptionOf(const AnyBuffer& buffer, const QSize& size, const Findings& found) {
@@ -195,14 +195,14 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     if (standsOnShapes(info)) {
         content.size = {settings.width, settings.height};
         content.shapes = shapePicture(frame, buffer, shown.look);
-        content.focus = focusOn(outlinesOf(frame, true), content.size);
+        content.focus = focusOn(boundsOf(frame, true), content.size);
     } else {
         content.size = {int(buffer.columns()), int(buffer.rows())};
         content.image = bufferImage(buffer, shown.look, drawn);
         content.text = textOf(buffer, channel, polygons, polygons ? frame.buffer({BufferId::Overdraw}) : std::nullopt);
-        if (info.domain == Domain::Pixel) content.edges = outlinesOf(frame, false);
-        content.focus =
-            info.domain == Domain::Pixel ? focusOn(content.edges, content.size) : drawnRectangle(drawn, content.size);
+        if (info.domain == Domain::Pixel) content.edges = outlinesOf(frame);
+        content.focus = info.domain == Domain::Pixel ? focusOn(boundsOf(frame, false), content.size)
+                                                     : drawnRectangle(drawn, content.size);
     }
 
     const Findings found = look(buffer, drawn, channel);

@@ -60,7 +60,7 @@ QImage thumbnail(const pipeline::Frame& frame, const AnyBuffer& buffer, QSize si
     const QSize whole =
         onPicture ? QSize(settings.width, settings.height) : QSize(int(buffer.columns()), int(buffer.rows()));
     const QRectF all(QPointF(0, 0), QSizeF(whole));
-    QRectF focus = onPicture ? focusOn(outlinesOf(frame, true), whole) & all : all;
+    QRectF focus = onPicture ? focusOn(boundsOf(frame, true), whole) & all : all;
     if (focus.isEmpty()) focus = all;
     const QSize fitted = focus.size().scaled(size, Qt::KeepAspectRatio).toSize().expandedTo({1, 1});
     return standsOnShapes(info) ? shapesImage(frame, buffer, look, focus, fitted)

@@ -171,6 +171,6 @@ TEST_F(BufferMarksTest, TurnedOverThePictureKeepsItsNumbers) {
     EXPECT_EQ(document.pixel(), glm::ivec2(268, 282)) << "up on the screen is the next row";
     const app::CanvasContent twice = app::upsideDown(app::upsideDown(canvas.content()));
     EXPECT_EQ(twice.image, canvas.content().image);
-    EXPECT_EQ(twice.edges, canvas.content().edges);
+    EXPECT_EQ(twice.edges.get(), canvas.content().edges.get());
     EXPECT_EQ(twice.focus, canvas.content().focus);
 }

@@ -162,9 +162,19 @@ TEST_F(BufferViewTest, FittingShowsWhatIsDrawnAndThenTheWholePicture) {
     const QRectF seen(canvas().placement().toPicture({0, 0}),
                       canvas().placement().toPicture(QPointF(canvas().width(), canvas().height())));
     EXPECT_GE(canvas().zoom(), 2);  // the pyramid is about 84 pixels wide
-    for (const QPolygonF& edge : canvas().content().edges) EXPECT_TRUE(seen.contains(edge.boundingRect()));
+    for (const QPolygonF& edge : canvas().content().edges.get()) EXPECT_TRUE(seen.contains(edge.boundingRect()));
     canvas().toggleFit();
     EXPECT_LT(canvas().zoom(), 1.01);  // 640 pixels in 640
+}
+
+// A mesh of a million polygons would stop the window for as long as they take.
+TEST_F(BufferViewTest, OutlinesAreMadeOnlyWhereTheyAreSeen) {
+    canvas().grab();
+    EXPECT_FALSE(canvas().content().edges.areMade());
+    canvas().setZoom(12);  // from here on they are always there
+    canvas().grab();
+    EXPECT_TRUE(canvas().content().edges.areMade());
+    EXPECT_EQ(canvas().content().edges.get().size(), 3u) << "of the pyramid's five polygons two face away";
 }
 
 TEST_F(BufferViewTest, LargePixelsCarryTheirValues) {
