@@ -3,12 +3,27 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "pipeline/stages/outlines.h"
 #include "pipeline/stages/painter.h"
 
 namespace pipeline {
 namespace {
+
+// Whether a triangle may cover a pixel of the tile: not where all its corners stand clearly on one side of it. A corner
+// without a place on the screen has (0, 0, 0) there; snapping moves one by half a pixel at most.
+template <class Real>
+bool mayCover(const TransformOutput<Real>& in, std::span<const std::uint32_t, 3> v, Tile tile) {
+    glm::bvec4 beside(true);  // left, right, above, below
+    for (const std::uint32_t i : v) {
+        const Vec3<Real> p = in.screen[i];
+        if (p == Vec3<Real>(0)) return true;
+        beside.x = beside.x && p.x < Real(tile.min.x - 1), beside.y = beside.y && p.x > Real(tile.max.x + 1);
+        beside.z = beside.z && p.y < Real(tile.min.y - 1), beside.w = beside.w && p.y > Real(tile.max.y + 1);
+    }
+    return !glm::any(beside);
+}
 
 // The pieces of the scene's triangles for which keep(polygon) holds and that cover a pixel of the tile.
 template <class Real, class Keep>
@@ -17,8 +32,8 @@ TriangleBins<Real> piecesAt(const FrameData<Real>& data, Tile tile, Keep keep) {
     TriangleBins<Real> pieces;
     for (std::size_t t = 0; t < in.topology->triangles.size(); ++t) {
         const Triangle& triangle = in.topology->triangles[t];
-        if (!keep(triangle.polygon)) continue;
         const auto& v = triangle.vertices;
+        if (!mayCover(in, v, tile) || !keep(triangle.polygon)) continue;
         setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, std::uint32_t(t),
                             [&](const RasterTriangle<Real>& piece) {
                                 bool covers = false;
