@@ -190,7 +190,8 @@ void SceneView::setSpace(SpaceId space) {
     m_camera = m_touched ? kept->second : OrbitCamera();
     m_camera.orthographic = before.orthographic;
     showContent();
-    if (from && shown() && !isPoint() && wantsMotion(*this)) moveTo(*from, before);
+    const bool isLarge = m_content && m_content->mesh->faces.size() > kManyFaces;  // too many to move in time
+    if (from && shown() && !isPoint() && !isLarge && wantsMotion(*this)) moveTo(*from, before);
 }
 
 void SceneView::moveTo(const SpaceMap& from, const OrbitCamera& camera) {

@@ -20,6 +20,7 @@ public:
 
     ViewContent take() {
         m_mesh = *m_world.mesh;
+        m_mesh.tree.reset();
         m_mesh.faces.clear();
         m_mesh.edges.clear();
         for (const Face& face : m_world.mesh->faces) cut(face);
@@ -134,6 +135,7 @@ ViewContent moved(const ViewContent& world, const SpaceMap& map) {
     if (map.space == ViewSpace::World) return world;
     ViewContent content = world;
     ViewMesh mesh = *content.mesh;
+    mesh.tree.reset();
     // Corners made by the cut lie on the plane but for their rounding.
     const double near = world.eye.near - 1e-9 * std::abs(world.eye.near);
     const auto hasPlace = [&](Vec3d p) { return map.keepsLengths() || depthOf(world.eye, p) >= near; };
@@ -197,6 +199,7 @@ SpaceMorph::SpaceMorph(const ViewContent& world, const SpaceMap& mapFrom, const 
     m_end = m_content.mesh->positions;
     for (const Vec3d& p : begin.mesh->positions) m_begin.push_back(placedBefore(to, before(from, p)));
     ViewMesh mesh = *m_content.mesh;
+    mesh.tree.reset();
     mesh.polygonNormals.clear();
     mesh.vertexNormals.clear();
     mesh.objects.clear();

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "app/core/icons.h"
+#include "app/core/numbers.h"
 #include "app/core/pointed.h"
 #include "app/core/put_away.h"
 #include "app/core/text.h"
@@ -226,9 +227,21 @@ void View3dPanel::showOptions() {
     const ViewOptions& options = m_view->options();
     if (options.normals != NormalsShown::Off) m_lastNormals = options.normals;
     m_normals->setChecked(options.normals != NormalsShown::Off);
+    showNormalCount();
     m_vectors->setChecked(options.vectors);
     m_lights->setChecked(options.lights);
     m_eye->setChecked(options.eye);
+}
+
+// What is left out is said: of a dense mesh not every normal is shown.
+void View3dPanel::showNormalCount() {
+    const auto& content = m_view->content();
+    const ViewOptions& options = m_view->options();
+    const std::size_t all = content ? normalArrows(*content->mesh, options.normals).size() : 0;
+    const std::size_t every = options.everyOf(all);
+    QString tip = tr("Normals of the polygons or vertices");
+    if (all > 0 && every > 1) tip += tr(": 1 in %1 of %2 is shown").arg(count(qint64(every)), count(qint64(all)));
+    m_normals->setToolTip(tip);
 }
 
 bool View3dPanel::wantsFrusta() const {
@@ -264,8 +277,7 @@ void View3dPanel::takeFrame() {
         if (steps) shown = withProgress(shown, *steps, *moment);
         return std::make_shared<const ViewContent>(std::move(shown));
     };
-    constexpr std::size_t kMuch = 50000;  // triangles
-    if (frame->topology().triangles.size() <= kMuch) {
+    if (frame->topology().triangles.size() <= kManyFaces) {
         m_building.forget();
         return showContent(build());
     }
@@ -281,10 +293,12 @@ void View3dPanel::showContent(const std::shared_ptr<const ViewContent>& content)
         // As many normals as can be told apart; the slider shows more or fewer.
         constexpr std::size_t kReadable = 250;
         ViewOptions options = m_view->options();
-        options.everyNormal = int(std::clamp<std::size_t>(content->mesh->polygonNormals.size() / kReadable, 1, 1000));
+        options.everyNormal =
+            int(std::clamp<std::size_t>(content->mesh->polygonNormals.size() / kReadable, 1, kSparsestNormals));
         changeOptions(options);
     }
     m_view->setContent(content, newScene);
+    showNormalCount();
     showFace();
     showHandles();
     if (m_awaited && mapOf(*content, *m_awaited)) setSpace(*m_awaited);

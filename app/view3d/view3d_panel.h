@@ -51,6 +51,7 @@ private:
     QToolButton* addMenuButton(const QString& icon, const QString& name, const QString& tip);
     void applyTheme();
     void showOptions();
+    void showNormalCount();
     bool wantsFrusta() const;
     void addFrusta();
     void wantBuffers();

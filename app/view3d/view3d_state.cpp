@@ -43,7 +43,7 @@ using Code = pipeline::VectorCode;
 constexpr auto kOptions = std::to_array<OptionRow>({
     choice<&ViewOptions::normals, NormalsShown>("normals", 0, 2),
     length<&ViewOptions::normalLength>("normal_length"),
-    choice<&ViewOptions::everyNormal, int>("every_normal", 1, 1000),
+    choice<&ViewOptions::everyNormal, int>("every_normal", 1, kSparsestNormals),
     length<&ViewOptions::vectorLength>("vector_length"),
     flag<&ViewOptions::vectors>("vectors"),
     flag<&ViewOptions::lights>("lights"),

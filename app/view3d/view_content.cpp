@@ -65,6 +65,15 @@ void addMeshes(const Frame& frame, const ViewMesh* before, ViewMesh& mesh, Bound
     mesh.faces.reserve(topology.triangles.size());
     for (const pipeline::Triangle& t : topology.triangles)
         mesh.faces.push_back({{t.vertices[0], t.vertices[1], t.vertices[2]}, {}, std::int32_t(t.polygon)});
+    const bool isSame = before && before->topology == mesh.topology && before->positions == mesh.positions;
+    if (isSame && before->tree) {
+        mesh.tree = before->tree;
+    } else if (mesh.faces.size() > kManyFaces) {
+        mesh.tree = std::make_shared<const FaceTree>(std::uint32_t(mesh.faces.size()), [&](std::uint32_t face) {
+            const auto& v = mesh.faces[face].vertices;
+            return std::array{mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
+        });
+    }
 }
 
 // A polygon's normal stands at the mean of its vertices, where flat shading evaluates it.
@@ -275,23 +284,33 @@ pipeline::BufferSet contentBuffers(const pipeline::Scene& scene, bool vertexNorm
 // Möller and Trumbore, "Fast, minimum storage ray/triangle intersection", 1997; both sides.
 std::optional<Hit> firstHit(const ViewContent& content, const Ray& ray) {
     std::optional<Hit> first;
-    const std::vector<Vec3d>& positions = content.mesh->positions;
-    for (const Face& face : content.mesh->faces) {
-        const Vec3d a = positions[face.vertices[0]];
-        const Vec3d ab = positions[face.vertices[1]] - a, ac = positions[face.vertices[2]] - a;
+    std::uint32_t firstFace = 0;
+    const ViewMesh& mesh = *content.mesh;
+    // How far away the first one is. Of two at the same distance it is the one that comes first in the mesh.
+    const auto meet = [&](std::uint32_t index) {
+        const double nearest = first ? first->distance : std::numeric_limits<double>::infinity();
+        const Face& face = mesh.faces[index];
+        const Vec3d a = mesh.positions[face.vertices[0]];
+        const Vec3d ab = mesh.positions[face.vertices[1]] - a, ac = mesh.positions[face.vertices[2]] - a;
         const Vec3d p = glm::cross(ray.direction, ac);
         const double determinant = glm::dot(ab, p);
-        if (determinant == 0) continue;
+        if (determinant == 0) return nearest;
         const Vec3d s = (ray.origin - a) / determinant;
         const double u = glm::dot(s, p);
-        if (!(u >= 0 && u <= 1)) continue;
+        if (!(u >= 0 && u <= 1)) return nearest;
         const Vec3d q = glm::cross(s, ab);
         const double v = glm::dot(ray.direction, q);
-        if (!(v >= 0 && u + v <= 1)) continue;
+        if (!(v >= 0 && u + v <= 1)) return nearest;
         const double distance = glm::dot(ac, q);
-        if (distance > 0 && (!first || distance < first->distance))
-            first = Hit{ray.origin + distance * ray.direction, distance, face.polygon};
-    }
+        if (!(distance > 0) || distance > nearest || (distance == nearest && index > firstFace)) return nearest;
+        first = Hit{ray.origin + distance * ray.direction, distance, face.polygon};
+        firstFace = index;
+        return distance;
+    };
+    if (mesh.tree)
+        mesh.tree->along(ray, meet);
+    else
+        for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) meet(i);
     return first;
 }
 
@@ -329,6 +348,15 @@ std::optional<Vec3d> pointShownBy(const ViewContent& content, glm::ivec2 pixel) 
     const auto hit = firstHit(content, {start, glm::normalize(end - start)});
     if (!hit) return {};
     return hit->at;
+}
+
+std::span<const NormalArrow> normalArrows(const ViewMesh& mesh, NormalsShown shown) {
+    switch (shown) {
+        case NormalsShown::Polygons: return mesh.polygonNormals;
+        case NormalsShown::Vertices: return mesh.vertexNormals;
+        case NormalsShown::Off: break;
+    }
+    return {};
 }
 
 std::array<Vec3d, 4> pictureCorners(const pipeline::View& view, double distance) {

@@ -3,13 +3,16 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/core/selection.h"
+#include "app/view3d/face_tree.h"
 #include "app/view3d/light_frustum.h"
 #include "app/view3d/orbit_camera.h"
+#include "app/view3d/view_options.h"
 #include "app/view3d/view_picture.h"
 #include "app/view3d/view_space.h"
 #include "pipeline/inspect/bounds.h"
@@ -21,6 +24,9 @@
 namespace app {
 
 using pipeline::VectorCode;
+
+// Of so many triangles the content is made beside the window.
+constexpr std::size_t kManyFaces = 50000;
 
 // What a 3D view shows of a frame, as plain data: made by contentOf, drawn by WorldScene and
 // paintOverlay. All positions are in world space, or where inSpace made it, in that of `map`. Nothing here depends on a theme, on the
@@ -95,7 +101,12 @@ struct ViewMesh {
     std::vector<glm::vec3> polygonNormalColors, vertexNormalColors;
     std::vector<ObjectBounds> objects;  // per object, in world space; empty where the frame has no vertices
     Picture picture;                    // the frame buffer; empty before the first pixel is shaded
+    // Over the faces, where there are many; null: a ray looks at them one by one.
+    std::shared_ptr<const FaceTree> tree;
 };
+
+// The arrows of a mesh's normals; none where they are off or the frame has none.
+std::span<const NormalArrow> normalArrows(const ViewMesh& mesh, NormalsShown shown);
 
 struct ViewContent {
     std::shared_ptr<const ViewMesh> mesh;  // never null

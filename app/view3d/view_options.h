@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -15,11 +16,15 @@ enum class NormalColors { OfN, Direction };
 // What the handle of an object changes.
 enum class HandleTool { Move, Turn, Scale };
 
+constexpr int kSparsestNormals = 100000;
+// Arrows that are drawn at most: more cover what they stand on, and take longer to draw than all else.
+constexpr std::size_t kMostNormals = 10000;
+
 // What of a ViewContent is drawn, and how large. Lengths are in pixels of the design, which grow with the letters.
 struct ViewOptions {
     NormalsShown normals = NormalsShown::Polygons;
     double normalLength = 40;   // 4 to 400
-    int everyNormal = 1;        // every k-th, k from 1 to 1000
+    int everyNormal = 1;        // every k-th, k from 1 to kSparsestNormals
     double vectorLength = 130;  // 4 to 400
     bool vectors = true, lights = true, eye = true;
     FacesShown faces = FacesShown::Shaded;
@@ -34,6 +39,10 @@ struct ViewOptions {
     std::array<bool, 6> shown{true, true, true, true, true, true};  // by VectorCode
 
     bool shows(pipeline::VectorCode code) const { return vectors && shown[static_cast<std::size_t>(code)]; }
+    // Of so many arrows every k-th is drawn.
+    std::size_t everyOf(std::size_t arrows) const {
+        return std::max(std::size_t(everyNormal), (arrows + kMostNormals - 1) / kMostNormals);
+    }
     bool operator==(const ViewOptions&) const = default;
 };
 

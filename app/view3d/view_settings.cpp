@@ -19,10 +19,9 @@ constexpr double kShortest = 4, kFactor = 100;
 constexpr int kSteps = 200;
 int stepOf(double length) { return int(std::lround(kSteps * std::log(length / kShortest) / std::log(kFactor))); }
 double lengthOf(int step) { return std::round(kShortest * std::pow(kFactor, double(step) / kSteps)); }
-// Every 1st to every 1000th normal, in the same way.
-constexpr double kSparsest = 1000;
-int stepOfEvery(int every) { return int(std::lround(kSteps * std::log(every) / std::log(kSparsest))); }
-int everyOf(int step) { return int(std::lround(std::pow(kSparsest, double(step) / kSteps))); }
+// Every 1st to every 100000th normal, in the same way.
+int stepOfEvery(int every) { return int(std::lround(kSteps * std::log(every) / std::log(kSparsestNormals))); }
+int everyOf(int step) { return int(std::lround(std::pow(kSparsestNormals, double(step) / kSteps))); }
 
 }  // namespace
 
@@ -37,8 +36,8 @@ ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
     m_normals = addChoice(tr("Normals"), tr("Which normals stand on the objects"),
                           {tr("Off"), tr("Polygon normals"), tr("Vertex normals")});
     m_normalLength = addSlider(tr("Length"), tr("Length of a normal's arrow, 4 to 400 pixels"), 0, kSteps);
-    m_every =
-        addSlider(tr("Every k-th"), tr("Shows every k-th normal, so that a dense mesh stays readable"), 0, kSteps);
+    m_every = addSlider(tr("Every k-th"),
+                        tr("Shows every k-th normal, so that a dense mesh stays readable; 10 000 at most"), 0, kSteps);
     m_normalColors = addChoice(tr("Their colour"), tr("All as N, or each by its direction: (N + 1) / 2 as RGB"),
                                {tr("As N"), tr("By direction, RGB")});
     m_vectorLength =

@@ -197,7 +197,8 @@ vtkSmartPointer<vtkPolyData> solidData(const Solid& solid) {
     return data;
 }
 
-vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, int every, std::optional<Vec3d> except) {
+vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, std::size_t every,
+                                         std::optional<Vec3d> except) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     auto points = newPoints();
     auto directions = vtkSmartPointer<vtkDoubleArray>::New();
@@ -209,7 +210,7 @@ vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, in
     constexpr double kGolden = 0.6180339887498949;
     for (std::size_t i = 0; i < arrows.size(); ++i) {
         const double multiple = double(i) * kGolden;
-        if ((multiple - std::floor(multiple)) * every >= 1) continue;
+        if ((multiple - std::floor(multiple)) * double(every) >= 1) continue;
         // The two points are the same mean, computed in two precisions.
         if (except && glm::length(arrows[i].base - *except) <= 1e-5 * glm::length(*except)) continue;
         addPoint(*points, arrows[i].base);

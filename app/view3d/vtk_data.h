@@ -29,7 +29,8 @@ vtkSmartPointer<vtkPolyData> solidData(const Solid& solid);  // without colours
 // Points with a vector each ("direction"): one of `every` >= 1 arrows, spread evenly.
 // None where `except` stands: N of the picked point starts there.
 // Their colours are (N + 1) / 2.
-vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, int every, std::optional<Vec3d> except);
+vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, std::size_t every,
+                                         std::optional<Vec3d> except);
 // With texture coordinates; corners as pictureCorners gives them.
 vtkSmartPointer<vtkPolyData> pictureQuad(const std::array<Vec3d, 4>& corners);
 vtkSmartPointer<vtkImageData> pictureImage(const Picture& picture);

@@ -155,11 +155,10 @@ void WorldScene::setOptions(const ViewOptions& options) {
     m_options = options;
     if (otherFaces) colorMesh();
     placeFrusta();
-    std::span<const NormalArrow> arrows;
-    if (m_content && options.normals == NormalsShown::Polygons) arrows = m_content->mesh->polygonNormals;
-    if (m_content && options.normals == NormalsShown::Vertices) arrows = m_content->mesh->vertexNormals;
+    const std::span<const NormalArrow> arrows =
+        m_content ? normalArrows(*m_content->mesh, options.normals) : std::span<const NormalArrow>();
     const bool ownNormal = m_content && m_content->foot && options.shows(VectorCode::N);
-    const auto data = normalsData(arrows, options.everyNormal, ownNormal ? m_content->foot : std::nullopt);
+    const auto data = normalsData(arrows, options.everyOf(arrows.size()), ownNormal ? m_content->foot : std::nullopt);
     for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) {
         glyphs->mapper->SetInputData(data);
         glyphs->actor->SetVisibility(!arrows.empty());
