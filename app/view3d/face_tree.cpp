@@ -64,7 +64,7 @@ bool FaceTree::meets(const Node& node, const Ray& ray, double farthest) {
             if (low > 0 || high < 0) return false;
             continue;
         }
-        const auto [in, out] = std::minmax(low / d, high / d);
+        const auto [in, out] = std::minmax({low / d, high / d});  // values: the other form gives references
         first = std::max(first, in), last = std::min(last, out);
     }
     // Quotients are rounded too.
