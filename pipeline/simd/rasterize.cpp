@@ -126,7 +126,7 @@ public:
                 Floats most = all(-kFar);
                 for (int row = 0; row < kSide / kBlock; ++row) {
                     const float* from = blocks[0].of + blockAt(x * kSide / kBlock, y * kSide / kBlock + row);
-                    for (std::size_t i = 0; i < std::size_t(kSide * kBlock); i += hn::Lanes(F()))
+                    for (std::size_t i = 0; i < std::size_t(kSide) * kBlock; i += hn::Lanes(F()))
                         most = hn::Max(most, hn::Load(F(), from + i));
                 }
                 m_of[y][x] = hn::GetLane(hn::MaxOfLanes(F(), most));
