@@ -12,9 +12,7 @@ target_compile_options(project_options INTERFACE
   -Wall -Wextra -Wpedantic
   -Wshadow            # a local name that hides another
   -Wconversion        # a number that silently changes its type
-  $<$<BOOL:${SHADESCOPE_WERROR}>:-Werror>
-  # GCC 12 sees these in the moves of std::string where it inlines much, and there are none (GCC's bug 105329).
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-error=array-bounds -Wno-error=restrict -Wno-error=stringop-overflow>)
+  $<$<BOOL:${SHADESCOPE_WERROR}>:-Werror>)
 target_link_libraries(project_options INTERFACE fmt::fmt)
 
 set(SHADESCOPE_SANITIZE "" CACHE STRING "Sanitizers: address,undefined or thread")

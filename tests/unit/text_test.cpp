@@ -1,9 +1,11 @@
 #include "pipeline/core/text.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace pipeline {
@@ -26,7 +28,8 @@ TEST(ShortestText, WritesWholeNumbersAndPowersPlainly) {
 TEST(InQuotes, KeepsAMessageOnOneLineAndUtf8Whole) {
     EXPECT_EQ(inQuotes("a\nb\x1b[31m"), "\"a?b?[31m\"");
     // 59 letters, then a character of two bytes: it does not fit and goes as a whole.
-    EXPECT_EQ(inQuotes(std::string(59, 'x') + "ρ!"), '"' + std::string(59, 'x') + "…\"");
+    const std::string kept(59, 'x');
+    EXPECT_EQ(inQuotes(kept + "ρ!"), fmt::format("\"{}…\"", kept));
 }
 
 TEST(EditDistance, CountsChangesAdditionsAndRemovals) {
