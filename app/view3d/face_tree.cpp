@@ -55,20 +55,4 @@ void FaceTree::build(std::vector<Box>& boxes, std::uint32_t begin, std::uint32_t
     build(boxes, middle, end, air);
 }
 
-// A. Williams et al., "An efficient and robust ray-box intersection algorithm", 2005.
-bool FaceTree::meets(const Node& node, const Ray& ray, double farthest) {
-    double first = 0, last = farthest;
-    for (int i = 0; i < 3; ++i) {
-        const double low = node.min[i] - ray.origin[i], high = node.max[i] - ray.origin[i], d = ray.direction[i];
-        if (d == 0) {
-            if (low > 0 || high < 0) return false;
-            continue;
-        }
-        const auto [in, out] = std::minmax({low / d, high / d});  // values: the other form gives references
-        first = std::max(first, in), last = std::min(last, out);
-    }
-    // Quotients are rounded too.
-    return first <= last * (1 + 1e-12);
-}
-
 }  // namespace app

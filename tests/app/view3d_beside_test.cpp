@@ -1,36 +1,20 @@
 // What a 3D view shows is drawn beside the window, which goes on meanwhile.
-#include <gtest/gtest.h>
-
-#include <QSignalSpy>
-#include <QTest>
 #include <mutex>
 
-#include "app/core/document.h"
-#include "app/view3d/view3d_panel.h"
 #include "app/view3d/vtk_turn.h"
-#include "tests/support/scenes.h"
+#include "tests/app/shown_view3d.h"
 
 namespace {
 
-using app::Document;
 using app::SceneView;
-using app::View3dPanel;
 
-class View3dBeside : public testing::Test {
+class View3dBeside : public ShownView3d {
 protected:
     void SetUp() override {
-        if (!app::openGlProblem().isEmpty()) GTEST_SKIP() << "no OpenGL 3.2 here";
-        panel.resize(640, 480);
-        panel.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
-        QSignalSpy ready(&document, &Document::frameReady);
-        document.setScene(test::pyramid());
-        ASSERT_TRUE(ready.wait());
+        ShownView3d::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        openPyramid();
         ASSERT_TRUE(waitUntilDrawn());
-    }
-    bool waitUntilDrawn() {
-        QTest::qWait(30);
-        return QTest::qWaitFor([this] { return view.isDrawn(); }, 20000);
     }
     void turn() {
         app::OrbitCamera camera = view.camera();
@@ -38,9 +22,6 @@ protected:
         view.setCamera(camera);
     }
 
-    Document document;
-    View3dPanel panel{document};
-    SceneView& view = panel.view();
     const app::VtkWidget& vtk = *view.findChild<app::VtkWidget*>();
 };
 

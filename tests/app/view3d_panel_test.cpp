@@ -1,20 +1,14 @@
-#include <gtest/gtest.h>
-
 #include <QGuiApplication>
 #include <QImage>
 #include <QLabel>
-#include <QSignalSpy>
-#include <QTest>
 #include <QToolButton>
 #include <cmath>
 #include <utility>
 
-#include "app/core/document.h"
 #include "app/core/theme.h"
 #include "app/view3d/overlay.h"
-#include "app/view3d/view3d_panel.h"
 #include "app/view3d/view_corner.h"
-#include "tests/support/scenes.h"
+#include "tests/app/shown_view3d.h"
 
 // The real panel, shown, clicked and looked at. Needs a display with OpenGL; without one a single
 // test checks what the panel says instead.
@@ -29,24 +23,12 @@ using app::View3dPanel;
 
 constexpr glm::ivec2 kRightFace{268, 281};
 
-class View3dWindow : public testing::Test {
+class View3dWindow : public ShownView3d {
 protected:
-    void SetUp() override {
-        if (!app::openGlProblem().isEmpty()) GTEST_SKIP() << "no OpenGL 3.2 here";
-        panel.resize(640, 480);
-        panel.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
-    }
     void TearDown() override { Theme::current().set(ThemeId::Light); }
 
-    void openPyramid() {
-        QSignalSpy ready(&document, &Document::frameReady);
-        document.setScene(test::pyramid());
-        ASSERT_TRUE(ready.wait());
-    }
     QImage picture() {
-        QTest::qWait(30);
-        EXPECT_TRUE(QTest::qWaitFor([this] { return view.isDrawn(); }, 20000));
+        EXPECT_TRUE(waitUntilDrawn());
         return panel.grab().toImage();
     }
     // Once frames and flights have come to their end: two in turn are alike. Null where that never comes.
@@ -73,10 +55,6 @@ protected:
                 if (image.valid(x, y) && isNear(image.pixel(x, y), color)) ++count;
         return count;
     }
-
-    Document document;
-    View3dPanel panel{document};
-    SceneView& view = panel.view();
 };
 
 }  // namespace
