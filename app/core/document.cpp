@@ -8,6 +8,7 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
+#include "app/core/pixel_inspection.h"
 #include "app/core/scene_step.h"
 #include "app/core/stage_status.h"
 #include "app/core/text.h"
@@ -35,6 +36,7 @@ Document::Document(QObject* parent) : QObject(parent) {
         });
     m_mixer = std::make_unique<MixModel>(*this);
     m_derived = std::make_unique<DerivedBuffers>(*this);
+    m_inspection = std::make_unique<PixelInspection>(*this);
     constexpr int kRestMilliseconds = 200;
     m_moving.setSingleShot(true);
     m_moving.setInterval(kRestMilliseconds);
@@ -46,6 +48,7 @@ Document::Document(QObject* parent) : QObject(parent) {
 
 Document::~Document() {
     m_worker.reset();
+    m_inspection.reset();
     m_derived.reset();
     m_mixer.reset();
     m_undo.disconnect();  // clearing itself, it would tell observers that may be gone

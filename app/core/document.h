@@ -20,6 +20,7 @@ namespace app {
 
 class DerivedBuffers;
 class MixModel;
+class PixelInspection;
 class SceneStep;
 
 // A setting's value before the newest step of undo.
@@ -50,6 +51,8 @@ public:
     bool busy() const { return m_busy; }  // a frame is being computed
     pipeline::StageId stage() const { return m_stage; }
     std::optional<glm::ivec2> pixel() const { return m_pixel; }
+    // What the frame on show has there.
+    PixelInspection& inspection() { return *m_inspection; }
     // What is selected beside the pixel; picking a pixel forgets it.
     const std::optional<Selection>& selection() const { return m_selection; }
     std::optional<glm::ivec2> hovered() const { return m_hovered; }
@@ -179,6 +182,7 @@ private:
     std::unique_ptr<FrameWorker> m_worker;
     std::unique_ptr<MixModel> m_mixer;
     std::unique_ptr<DerivedBuffers> m_derived;
+    std::unique_ptr<PixelInspection> m_inspection;
 };
 
 }  // namespace app

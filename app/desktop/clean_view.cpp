@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/pixel_inspection.h"
 #include "app/core/scene_opener.h"
 #include "app/core/text.h"
 #include "app/desktop/caption_line.h"
@@ -15,7 +16,6 @@
 #include "app/desktop/view_area.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"
-#include "pipeline/inspect/pixel_report.h"
 
 namespace app {
 namespace {
@@ -57,8 +57,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     connect(&m_cursorTime, &QTimer::timeout, this, [this] {
         if (!std::exchange(m_cursorHidden, true)) QApplication::setOverrideCursor(Qt::BlankCursor);
     });
-    connect(&document, &Document::frameReady, this, &CleanView::showEquation);
-    connect(&document, &Document::pixelChanged, this, &CleanView::showEquation);
+    connect(&document.inspection(), &PixelInspection::changed, this, &CleanView::showEquation);
     connect(&document, &Document::channelChanged, this, &CleanView::showEquation);
     connect(&document, &Document::stageChanged, this, &CleanView::showCaption);
     connect(&document.stepper(), &Stepper::changed, this, &CleanView::showCaption);
@@ -118,22 +117,19 @@ pipeline::Errors CleanView::lookAt(const WindowState& state) { return m_views->l
 
 // The lines of the equation itself: symbols, numbers, result. A lecture has no room for where they come from.
 void CleanView::showEquation() {
-    const pipeline::FramePtr& frame = m_document.frame();
-    const auto pixel = m_document.pixel();
-    std::optional<pipeline::PixelReport> report;
-    if (frame && pixel && pixel->x < frame->scene().settings.width && pixel->y < frame->scene().settings.height)
-        report = inspectPixel(*frame, *pixel);
-    const bool shows = report && report->covered && frame->buffer({pipeline::BufferId::Color});
+    const auto& inspected = m_document.inspection().newest();
+    const bool shows = inspected && inspected->report.covered && inspected->frame->buffer({pipeline::BufferId::Color});
     m_equationRow->setVisible(shows);
     if (!shows) return;
+    const pipeline::PixelReport& report = inspected->report;
     std::vector<pipeline::EquationLine> lines;
-    for (pipeline::EquationLine& line : equation(*frame, *report, m_document.channel()))
+    for (pipeline::EquationLine& line : equation(*inspected->frame, report, m_document.channel()))
         if (lines.size() < 4 && (line.role == "symbols" || line.role == "numbers" || line.role == "result")) {
             line.remark.clear();
             lines.push_back(std::move(line));
         }
     m_math->setLines(std::move(lines), true);
-    const auto& c = report->color;
+    const auto& c = report.color;
     // A font set while the row is hidden does not outlive a style sheet that comes meanwhile.
     m_value->setFont(Theme::current().mono(13));
     m_value->setText(tr("frame buffer\n%1 %2 %3").arg(int(c.r)).arg(int(c.g)).arg(int(c.b)));

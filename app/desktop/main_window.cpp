@@ -17,6 +17,7 @@
 
 #include "app/core/file_watch.h"
 #include "app/core/icons.h"
+#include "app/core/pixel_inspection.h"
 #include "app/core/scene_opener.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
@@ -193,6 +194,7 @@ void MainWindow::connectDocument() {
     connect(&m_document, &Document::sceneChanged, this, &MainWindow::enableActions);
     connect(&m_document, &Document::frameReady, this, &MainWindow::enableActions);
     connect(&m_document, &Document::pixelChanged, this, &MainWindow::enableActions);
+    connect(&m_document.inspection(), &PixelInspection::changed, this, &MainWindow::enableActions);
     connect(&m_document, &Document::stageChanged, this, &MainWindow::enableActions);
     connect(&m_document, &Document::channelChanged, this, &MainWindow::enableActions);
     connect(&m_document, &Document::selectionChanged, this, &MainWindow::enableActions);

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/text.h"
+#include "app/core/working_bar.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/fragments_section.h"
@@ -26,8 +27,8 @@ InspectorPanel::InspectorPanel(Document& document, QWidget* parent) : QWidget(pa
         m_equation->forget();
         refresh();
     });
-    connect(&document, &Document::frameReady, this, &InspectorPanel::refresh);
-    connect(&document, &Document::pixelChanged, this, &InspectorPanel::refresh);
+    connect(&document.inspection(), &PixelInspection::changed, this, &InspectorPanel::refresh);
+    connect(&document.inspection(), &PixelInspection::busyChanged, m_working, &WorkingBar::setWorking);
     connect(&document, &Document::channelChanged, this, &InspectorPanel::refresh);
     connect(m_fragments, &FragmentsSection::polygonAsked, this, [this](std::uint32_t polygon) {
         m_document.select(Selection{Selection::Kind::Polygon, polygon});
@@ -97,6 +98,7 @@ void InspectorPanel::build() {
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setWidget(page);
     m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_working = new WorkingBar(this);
     auto* stack = new QStackedLayout(this);
     stack->addWidget(m_empty);
     stack->addWidget(m_scroll);
@@ -115,37 +117,30 @@ void InspectorPanel::styleHeader() {
 }
 
 void InspectorPanel::refresh() {
-    const pipeline::FramePtr& frame = m_document.frame();
-    const auto pixel = m_document.pixel();
+    m_shown = m_document.inspection().newest();
     auto* stack = static_cast<QStackedLayout*>(layout());
-    if (!frame || !pixel) {
-        m_report.reset();
-        stack->setCurrentWidget(m_empty);
-        return;
-    }
-    // The frame may lag behind a scene whose picture has just become larger.
-    const pipeline::Settings& settings = frame->scene().settings;
-    if (pixel->x >= settings.width || pixel->y >= settings.height) return;
-    m_report = inspectPixel(*frame, *pixel);
-    showHeader(*frame);
-    m_why->show(*frame, *m_report);
+    if (!m_shown) return stack->setCurrentWidget(m_empty);
+    const pipeline::Frame& frame = *m_shown->frame;
+    const pipeline::PixelReport& report = m_shown->report;
+    showHeader();
+    m_why->show(frame, report);
     m_whyFold->setSentence(m_why->sentence());
-    for (Section* section : {m_equationFold, m_termsFold}) section->setVisible(m_report->covered);
-    m_fragments->show(*m_report);
+    for (Section* section : {m_equationFold, m_termsFold}) section->setVisible(report.covered);
+    m_fragments->show(report);
     m_fragmentsFold->setSentence(m_fragments->sentence());
-    if (m_report->covered) {
-        m_equation->show(*frame, *m_report);
+    if (report.covered) {
+        m_equation->show(frame, report);
         m_equationFold->setSentence(m_equation->sentence());
-        m_terms->show(*m_report, m_document.channel());
+        m_terms->show(report, m_document.channel());
         m_termsFold->setSentence(
             tr("of I in %1").arg(QStringList{tr("red"), tr("green"), tr("blue")}[m_document.channel()]));
     }
     stack->setCurrentWidget(m_scroll);
 }
 
-void InspectorPanel::showHeader(const pipeline::Frame& frame) {
+void InspectorPanel::showHeader() {
     styleHeader();  // fonts set while it was hidden do not outlive its way into the window
-    const pipeline::PixelReport& r = *m_report;
+    const pipeline::PixelReport& r = m_shown->report;
     const QString place = QString("%1, %2").arg(r.pixel.x).arg(r.pixel.y);
     m_title->setText(tr("Pixel") +
                      QString(" <span style=\"font-family:'JetBrains Mono','DejaVu Sans Mono'\">%1</span>").arg(place));
@@ -154,7 +149,7 @@ void InspectorPanel::showHeader(const pipeline::Frame& frame) {
     m_swatch->setPixmap(swatch);
     m_value->setText(QString("%1 %2 %3").arg(int(r.color.r)).arg(int(r.color.g)).arg(int(r.color.b)));
     if (r.covered) {
-        const QString object = toQString(frame.scene().objects[std::size_t(r.object)].name);
+        const QString object = toQString(m_shown->frame->scene().objects[std::size_t(r.object)].name);
         m_place->setText(tr("Polygon %1 of %2, row 0 on top").arg(r.polygon).arg(object));
     } else {
         m_place->setText(m_document.stepper().isInside() ? tr("Nothing is drawn here yet.")

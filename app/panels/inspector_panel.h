@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/core/document.h"
-#include "pipeline/inspect/pixel_report.h"
+#include "app/core/pixel_inspection.h"
 
 class QLabel;
 class QScrollArea;
@@ -15,6 +15,7 @@ class FragmentsSection;
 class Section;
 class TermsSection;
 class WhySection;
+class WorkingBar;
 
 // Everything known about the picked pixel, following it live: what `inspect` prints.
 class InspectorPanel : public QWidget {
@@ -22,7 +23,8 @@ class InspectorPanel : public QWidget {
 public:
     explicit InspectorPanel(Document& document, QWidget* parent = nullptr);
 
-    const std::optional<pipeline::PixelReport>& report() const { return m_report; }
+    // Of the newest frame and the picked pixel, or of those before while that is on its way; null: no pixel.
+    const pipeline::PixelReport* report() const { return m_shown ? &m_shown->report : nullptr; }
     EquationSection& equation() { return *m_equation; }
 
 signals:
@@ -32,11 +34,12 @@ signals:
 private:
     void build();
     void refresh();
-    void showHeader(const pipeline::Frame& frame);
+    void showHeader();
     void styleHeader();
 
     Document& m_document;
-    std::optional<pipeline::PixelReport> m_report;
+    std::shared_ptr<const InspectedPixel> m_shown;
+    WorkingBar* m_working;
     QScrollArea* m_scroll;
     QLabel *m_empty, *m_swatch, *m_title, *m_place, *m_value, *m_unit;
     WhySection* m_why;

@@ -3,8 +3,10 @@
 #include <QPainter>
 #include <QStyle>
 
+#include "app/core/large_frame.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
+#include "app/core/working_bar.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view_corner.h"
@@ -79,19 +81,17 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
             m_overlay->update();
             emit drawn();
         });
-        connect(m_vtk, &VtkWidget::busyChanged, this, [this](bool busy) { m_rendering = busy, showWorking(); });
+        connect(m_vtk, &VtkWidget::busyChanged, this, [this](bool busy) {
+            m_rendering = busy;
+            m_working->setWorking(m_rendering || m_building);
+        });
     }
     m_overlay = new Overlay(this);
     m_legend = new ViewCorner(ViewCorner::Kind::Legend, this);
     m_cube = new ViewCorner(ViewCorner::Kind::Cube, this);
     m_legend->setObjectName("legend");
     m_cube->setObjectName("cube");
-    m_working = new QWidget(this);
-    m_working->setObjectName("working");
-    m_working->hide();
-    m_slow.setSingleShot(true);
-    m_slow.setInterval(100);
-    connect(&m_slow, &QTimer::timeout, m_working, &QWidget::show);
+    m_working = new WorkingBar(this);
     m_sentence = new QLabel(this);
     m_sentence->setAlignment(Qt::AlignCenter);
     m_sentence->setWordWrap(true);
@@ -190,7 +190,7 @@ void SceneView::setSpace(SpaceId space) {
     m_camera = m_touched ? kept->second : OrbitCamera();
     m_camera.orthographic = before.orthographic;
     showContent();
-    const bool isLarge = m_content && m_content->mesh->faces.size() > kManyFaces;  // too many to move in time
+    const bool isLarge = m_content && m_content->mesh->faces.size() > kManyTriangles;  // too many to move in time
     if (from && shown() && !isPoint() && !isLarge && wantsMotion(*this)) moveTo(*from, before);
 }
 
@@ -330,7 +330,6 @@ void SceneView::applyTheme() {
     palette.setColor(QPalette::Window, colors.view);
     setPalette(palette);
     if (m_vtk) m_vtk->setColors(colors);
-    m_working->setStyleSheet("background: " + colors.accent.name());
     m_sentence->setFont(Theme::current().text(13));
     placeCorners();
     refresh();
@@ -338,16 +337,7 @@ void SceneView::applyTheme() {
 
 void SceneView::setBuilding(bool building) {
     m_building = building;
-    showWorking();
-}
-
-// A bar on top, once it takes longer than a moment.
-void SceneView::showWorking() {
-    const bool works = m_rendering || m_building;
-    if (works == (m_slow.isActive() || m_working->isVisibleTo(this))) return;
-    if (works) return m_slow.start();
-    m_slow.stop();
-    m_working->hide();
+    m_working->setWorking(m_rendering || m_building);
 }
 
 void SceneView::updateOverlay() { m_overlay->update(); }
@@ -356,7 +346,6 @@ void SceneView::placeCorners() {
     const int margin = Theme::current().px(8);
     if (m_vtk) m_vtk->setGeometry(rect());
     m_overlay->setGeometry(rect());
-    m_working->setGeometry(0, 0, width(), 3);
     m_sentence->setGeometry(rect().adjusted(margin, margin, -margin, -margin));
     m_legend->setRoom(width() - 2 * margin);
     m_legend->resize(m_legend->sizeHint());

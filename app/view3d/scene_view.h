@@ -1,6 +1,5 @@
 #pragma once
 #include <QLabel>
-#include <QTimer>
 #include <QVariantAnimation>
 #include <QWidget>
 #include <map>
@@ -17,6 +16,7 @@
 namespace app {
 
 class ViewCorner;
+class WorkingBar;
 
 // A 3D view with its camera: what VTK renders, letters and legend over it, mouse and keys.
 // Left drag orbits, middle or Shift+left drag pans, the wheel zooms to the cursor; a click gives
@@ -107,7 +107,6 @@ private:
     void refresh();  // after a change of camera, content, options or theme
     void applyTheme();
     void placeCorners();
-    void showWorking();
     void frameIfUntouched();
     void showContent();
     bool isWorld() const { return m_space.space == ViewSpace::World; }
@@ -148,8 +147,7 @@ private:
     ViewCorner* m_legend;
     ViewCorner* m_cube;
     QLabel* m_sentence;
-    QWidget* m_working;
-    QTimer m_slow;
+    WorkingBar* m_working;
     bool m_rendering = false, m_building = false;
     std::optional<SpaceMorph> m_morph;
     QVariantAnimation m_move;  // along m_morph

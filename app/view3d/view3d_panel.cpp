@@ -8,14 +8,15 @@
 #include <algorithm>
 
 #include "app/core/icons.h"
+#include "app/core/large_frame.h"
 #include "app/core/numbers.h"
+#include "app/core/pixel_inspection.h"
 #include "app/core/pointed.h"
 #include "app/core/put_away.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/view3d/view_settings.h"
 #include "pipeline/plan/needs.h"
-#include "pipeline/scene/topology.h"
 
 namespace app {
 
@@ -56,7 +57,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     });
     connect(&document, &Document::sceneChanged, this, &View3dPanel::wantBuffers);
     connect(&document, &Document::frameReady, this, &View3dPanel::takeFrame);
-    connect(&document, &Document::pixelChanged, this, &View3dPanel::takePixel);
+    connect(&document.inspection(), &PixelInspection::changed, this, &View3dPanel::takePixel);
     connect(&document, &Document::selectionChanged, this, &View3dPanel::takeSelection);
     connect(&document, &Document::hoverChanged, this, &View3dPanel::takeHover);
     connect(&document, &Document::pointedChanged, this, [this] { m_view->pointAt(vectorsOf(m_document.pointed())); });
@@ -269,25 +270,31 @@ void View3dPanel::takeFrame() {
     // Vertices without a place would all stand at the origin.
     const bool placed = m_document.frame()->until() != pipeline::StageId::Transform;
     const pipeline::FramePtr frame = inside && !placed ? m_document.wholeFrame() : m_document.frame();
-    const auto build = [frame, before = m_view->content(), pixel = m_document.pixel(),
-                        selection = m_document.selection(), frusta = wantsFrusta(),
+    const Made made{frame, m_document.pixel(), m_document.selection()};
+    const auto& inspected = m_document.inspection().newest();
+    const bool isKnown = made.pixel && inspected && inspected->frame == frame && inspected->report.pixel == *made.pixel;
+    const auto build = [made, before = m_view->content(), known = isKnown ? inspected : nullptr, frusta = wantsFrusta(),
                         steps = inside ? stepper.steps() : nullptr, moment = stepper.moment()] {
-        ViewContent shown = withSelection(contentOf(*frame, pixel, before.get()), *frame, selection);
-        if (frusta) shown.frusta = lightFrusta(*frame);
+        const pipeline::Frame& of = *made.frame;
+        ViewContent shown = contentOf(of, known ? std::nullopt : made.pixel, before.get());
+        if (known) shown = withReport(shown, of, &known->report);
+        shown = withSelection(shown, of, made.selection);
+        if (frusta) shown.frusta = lightFrusta(of);
         if (steps) shown = withProgress(shown, *steps, *moment);
         return std::make_shared<const ViewContent>(std::move(shown));
     };
-    if (frame->topology().triangles.size() <= kManyFaces) {
+    if (!isLarge(*frame)) {
         m_building.forget();
-        return showContent(build());
+        return showContent(build(), made);
     }
     // While a slider moves what is under way may finish: it is better than none until the hand rests.
     m_building.ask([build](const BackgroundJob::Control&) { return build(); },
-                   [this](const std::shared_ptr<const ViewContent>& content) { showContent(content); },
+                   [this, made](const std::shared_ptr<const ViewContent>& content) { showContent(content, made); },
                    BackgroundJob::Running::Finish);
 }
 
-void View3dPanel::showContent(const std::shared_ptr<const ViewContent>& content) {
+void View3dPanel::showContent(const std::shared_ptr<const ViewContent>& content, const Made& made) {
+    m_made = made;
     const bool newScene = std::exchange(m_newScene, false);
     if (newScene) {
         // As many normals as can be told apart; the slider shows more or fewer.
@@ -303,23 +310,29 @@ void View3dPanel::showContent(const std::shared_ptr<const ViewContent>& content)
     showHandles();
     if (m_awaited && mapOf(*content, *m_awaited)) setSpace(*m_awaited);
     showWanted();
+    // Picked and selected meanwhile.
+    if (m_document.selection() != made.selection) takeSelection();
+    if (m_document.pixel() != made.pixel) takePixel();
 }
 
 void View3dPanel::takePixel() {
-    const auto& frame = m_document.frame();
-    if (!frame || !m_view->content() || misses()) return;
-    if (m_building.busy()) return takeFrame();  // the content on show is of another frame
-    m_view->setContent(std::make_shared<const ViewContent>(withPixel(*m_view->content(), *frame, m_document.pixel())),
+    if (!m_view->content() || misses() || m_building.busy()) return;  // what is built then takes it up
+    const auto& inspected = m_document.inspection().newest();
+    const pipeline::PixelReport* report = inspected ? &inspected->report : nullptr;
+    const auto pixel = report ? std::optional(report->pixel) : std::nullopt;
+    if (pixel == m_made.pixel) return;
+    if (inspected && inspected->frame != m_made.frame) return takeFrame();
+    m_made.pixel = pixel;
+    m_view->setContent(std::make_shared<const ViewContent>(withReport(*m_view->content(), *m_made.frame, report)),
                        false);
     showHandles();
 }
 
 void View3dPanel::takeSelection() {
-    const auto& frame = m_document.frame();
-    if (!frame || !m_view->content() || misses()) return;
-    if (m_building.busy()) return takeFrame();
+    if (!m_view->content() || misses() || m_building.busy()) return;
+    m_made.selection = m_document.selection();
     m_view->setContent(
-        std::make_shared<const ViewContent>(withSelection(*m_view->content(), *frame, m_document.selection())), false);
+        std::make_shared<const ViewContent>(withSelection(*m_view->content(), *m_made.frame, m_made.selection)), false);
     showHandles();
 }
 

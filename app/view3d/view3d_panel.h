@@ -58,7 +58,13 @@ private:
     void showWanted();
     bool misses();
     void takeFrame();
-    void showContent(const std::shared_ptr<const ViewContent>& content);
+    // What content is made of.
+    struct Made {
+        pipeline::FramePtr frame;
+        std::optional<glm::ivec2> pixel;
+        std::optional<Selection> selection;
+    };
+    void showContent(const std::shared_ptr<const ViewContent>& content, const Made& made);
     void takePixel();
     void takeSelection();
     void takeHover();
@@ -84,6 +90,7 @@ private:
         SpaceShown asked;
     };
     std::optional<Wanted> m_wanted;  // once the scene's first frame is there
+    Made m_made;                     // of the content on show
     BackgroundJob m_building;        // of the content, where there is much
     bool m_newScene = true;
     bool m_missed = false;                                // a frame, or what is picked in it, while it was put away

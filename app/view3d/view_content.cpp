@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "app/core/large_frame.h"
 #include "app/view3d/face_colors.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/scene/topology.h"
@@ -68,7 +69,7 @@ void addMeshes(const Frame& frame, const ViewMesh* before, ViewMesh& mesh, Bound
     const bool isSame = before && before->topology == mesh.topology && before->positions == mesh.positions;
     if (isSame && before->tree) {
         mesh.tree = before->tree;
-    } else if (mesh.faces.size() > kManyFaces) {
+    } else if (mesh.faces.size() > kManyTriangles) {
         mesh.tree = std::make_shared<const FaceTree>(std::uint32_t(mesh.faces.size()), [&](std::uint32_t face) {
             const auto& v = mesh.faces[face].vertices;
             return std::array{mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
@@ -188,11 +189,11 @@ void addLobes(const pipeline::Scene& scene, const pipeline::PixelReport& report,
         }
 }
 
-void addPixel(const Frame& frame, glm::ivec2 pixel, const pipeline::Topology& topology, ViewContent& content) {
-    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= content.eye.size.x || pixel.y >= content.eye.size.y) return;
-    if (frame.until() < pipeline::StageId::ZBuffer || content.mesh->positions.empty()) return;
-    const pipeline::PixelReport report = pipeline::inspectPixel(frame, pixel);
-    if (!report.covered || report.polygon < 0 || std::size_t(report.polygon) >= topology.polygonCount()) return;
+void addReport(const Frame& frame, const pipeline::PixelReport& report, ViewContent& content) {
+    const pipeline::Topology& topology = frame.topology();
+    if (content.mesh->positions.empty() || !report.covered || report.polygon < 0 ||
+        std::size_t(report.polygon) >= topology.polygonCount())
+        return;
     content.point = report.position;
     content.pickedPolygon = report.polygon;
     const auto corners = topology.corners(std::size_t(report.polygon));
@@ -234,11 +235,18 @@ ViewContent contentOf(const Frame& frame, std::optional<glm::ivec2> pixel, const
     content.eye = pipeline::makeView(frame.scene());
     addLights(frame.scene(), content);
     content.pictureDistance = pictureDistance(frame.scene(), content);
-    if (pixel) addPixel(frame, *pixel, topology, content);
-    return content;
+    return pixel ? withPixel(content, frame, pixel) : content;
 }
 
 ViewContent withPixel(const ViewContent& content, const Frame& frame, std::optional<glm::ivec2> pixel) {
+    const glm::ivec2 size = content.eye.size;
+    const bool isInside = pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < size.x && pixel->y < size.y;
+    if (!isInside || frame.until() < pipeline::StageId::ZBuffer) return withReport(content, frame, nullptr);
+    const pipeline::PixelReport report = pipeline::inspectPixel(frame, *pixel);
+    return withReport(content, frame, &report);
+}
+
+ViewContent withReport(const ViewContent& content, const Frame& frame, const pipeline::PixelReport* report) {
     ViewContent result = content;
     result.point.reset();
     result.foot.reset();
@@ -246,7 +254,7 @@ ViewContent withPixel(const ViewContent& content, const Frame& frame, std::optio
     result.pickedLoop.clear();
     result.vectors.clear();
     result.lobes.clear();
-    if (pixel) addPixel(frame, *pixel, frame.topology(), result);
+    if (report) addReport(frame, *report, result);
     return result;
 }
 

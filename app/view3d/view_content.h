@@ -25,9 +25,6 @@ namespace app {
 
 using pipeline::VectorCode;
 
-// Of so many triangles the content is made beside the window.
-constexpr std::size_t kManyFaces = 50000;
-
 // What a 3D view shows of a frame, as plain data: made by contentOf, drawn by WorldScene and
 // paintOverlay. All positions are in world space, or where inSpace made it, in that of `map`. Nothing here depends on a theme, on the
 // camera of the view or on the size of the window.
@@ -142,7 +139,8 @@ ViewContent withProgress(const ViewContent& content, const pipeline::Steps& step
 // `before`, of an earlier frame: where no vertex has moved since, what hangs on their places alone is taken from it.
 ViewContent contentOf(const pipeline::Frame& frame, std::optional<glm::ivec2> pixel,
                       const ViewContent* before = nullptr);
-// The same content with another picked pixel; `frame` is the one that it was made of.
+// The same content with another picked pixel, or with what is known about it; `frame` is the one that it was made of.
+ViewContent withReport(const ViewContent& content, const pipeline::Frame& frame, const pipeline::PixelReport* report);
 ViewContent withPixel(const ViewContent& content, const pipeline::Frame& frame, std::optional<glm::ivec2> pixel);
 // The same content with another thing marked.
 ViewContent withSelection(const ViewContent& content, const pipeline::Frame& frame,

@@ -35,7 +35,7 @@ struct InspectorPanelTest : testing::Test {
         panel.show();
         document.setScene(test::pyramid());
         document.pick(glm::ivec2(268, 281));
-        EXPECT_TRUE(QTest::qWaitFor([&] { return panel.report().has_value(); }, 10000));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return panel.report() != nullptr; }, 10000));
     }
     QString equation() { return panel.equation().math()->asText(); }
     bool shows(const QString& words) {

@@ -1,0 +1,47 @@
+#include "app/core/pixel_inspection.h"
+
+#include "app/core/document.h"
+#include "app/core/large_frame.h"
+
+namespace app {
+
+PixelInspection::PixelInspection(Document& document) : m_document(document) {
+    connect(&document, &Document::frameReady, this, &PixelInspection::ask);
+    connect(&document, &Document::pixelChanged, this, &PixelInspection::ask);
+    connect(&m_job, &BackgroundJob::busyChanged, this, &PixelInspection::busyChanged);
+}
+
+void PixelInspection::ask() {
+    const pipeline::FramePtr& frame = m_document.frame();
+    const auto pixel = m_document.pixel();
+    if (!frame || !pixel) {
+        m_job.forget();
+        m_askedFrame.reset();
+        return take(nullptr);
+    }
+    // The frame may lag behind a scene whose picture has just become larger.
+    const pipeline::Settings& settings = frame->scene().settings;
+    if (pixel->x >= settings.width || pixel->y >= settings.height) return;
+    if (frame == m_askedFrame && *pixel == m_askedPixel) return;
+    m_askedFrame = frame;
+    m_askedPixel = *pixel;
+    const auto inspect = [frame, pixel = *pixel] {
+        return std::make_shared<const InspectedPixel>(InspectedPixel{frame, inspectPixel(*frame, pixel)});
+    };
+    if (!isLarge(*frame)) {
+        m_job.forget();
+        return take(inspect());
+    }
+    // While the pixel follows the pointer what is under way may finish: it is better than none until the hand rests.
+    m_job.ask([inspect](const BackgroundJob::Control&) { return inspect(); },
+              [this](const std::shared_ptr<const InspectedPixel>& inspected) { take(inspected); },
+              BackgroundJob::Running::Finish);
+}
+
+void PixelInspection::take(std::shared_ptr<const InspectedPixel> inspected) {
+    if (!inspected && !m_newest) return;
+    m_newest = std::move(inspected);
+    emit changed();
+}
+
+}  // namespace app
