@@ -4,6 +4,7 @@
 #include <QStyle>
 
 #include "app/core/large_frame.h"
+#include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/core/working_bar.h"
@@ -79,6 +80,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
             Qt::QueuedConnection);
         connect(m_vtk, &VtkWidget::drawn, this, [this] {
             m_overlay->update();
+            showDetail();
             emit drawn();
         });
         connect(m_vtk, &VtkWidget::busyChanged, this, [this](bool busy) {
@@ -92,6 +94,11 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
     m_legend->setObjectName("legend");
     m_cube->setObjectName("cube");
     m_working = new WorkingBar(this);
+    m_coarse = new QLabel(this);
+    m_coarse->setObjectName("coarse");
+    m_coarse->setProperty("kind", "overlay");
+    m_coarse->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_coarse->hide();
     m_sentence = new QLabel(this);
     m_sentence->setAlignment(Qt::AlignCenter);
     m_sentence->setWordWrap(true);
@@ -338,6 +345,20 @@ void SceneView::applyTheme() {
 void SceneView::setBuilding(bool building) {
     m_building = building;
     m_working->setWorking(m_rendering || m_building);
+}
+
+// What a view that moves leaves out of a large mesh.
+void SceneView::showDetail() {
+    const bool isCoarse = m_vtk->isCoarse() && shown();
+    m_coarse->setVisible(isCoarse);
+    if (!isCoarse) return;
+    const ViewMesh& mesh = *m_vtk->shown()->content->mesh;
+    m_coarse->setFont(Theme::current().text(12));
+    m_coarse->setText(tr("%1 of %2 triangles until it rests")
+                          .arg(count(qint64(mesh.coarse->size())), count(qint64(mesh.faces.size()))));
+    m_coarse->adjustSize();
+    const int margin = Theme::current().px(8);
+    m_coarse->move(margin, margin);
 }
 
 void SceneView::updateOverlay() { m_overlay->update(); }

@@ -107,6 +107,7 @@ private:
     void refresh();  // after a change of camera, content, options or theme
     void applyTheme();
     void placeCorners();
+    void showDetail();
     void frameIfUntouched();
     void showContent();
     bool isWorld() const { return m_space.space == ViewSpace::World; }
@@ -146,6 +147,7 @@ private:
     Overlay* m_overlay;
     ViewCorner* m_legend;
     ViewCorner* m_cube;
+    QLabel* m_coarse;
     QLabel* m_sentence;
     WorkingBar* m_working;
     bool m_rendering = false, m_building = false;

@@ -21,6 +21,7 @@ public:
     ViewContent take() {
         m_mesh = *m_world.mesh;
         m_mesh.tree.reset();
+        m_mesh.coarse.reset();
         m_mesh.faces.clear();
         m_mesh.edges.clear();
         for (const Face& face : m_world.mesh->faces) cut(face);

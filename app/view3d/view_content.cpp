@@ -68,8 +68,12 @@ void addMeshes(const Frame& frame, const ViewMesh* before, ViewMesh& mesh, Bound
         mesh.faces.push_back({{t.vertices[0], t.vertices[1], t.vertices[2]}, {}, std::int32_t(t.polygon)});
     const bool isSame = before && before->topology == mesh.topology && before->positions == mesh.positions;
     if (isSame && before->tree) {
-        mesh.tree = before->tree;
+        mesh.tree = before->tree, mesh.coarse = before->coarse;
     } else if (mesh.faces.size() > kManyTriangles) {
+        constexpr int kCells = 96;  // some pixels each in a view of usual size
+        auto coarse = coarseMesh(mesh.positions, topology.triangles, kCells);
+        if (2 * coarse.size() < mesh.faces.size())
+            mesh.coarse = std::make_shared<const std::vector<CoarseFace>>(std::move(coarse));
         mesh.tree = std::make_shared<const FaceTree>(std::uint32_t(mesh.faces.size()), [&](std::uint32_t face) {
             const auto& v = mesh.faces[face].vertices;
             return std::array{mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/core/selection.h"
+#include "app/view3d/coarse_mesh.h"
 #include "app/view3d/face_tree.h"
 #include "app/view3d/light_frustum.h"
 #include "app/view3d/orbit_camera.h"
@@ -100,6 +101,8 @@ struct ViewMesh {
     Picture picture;                    // the frame buffer; empty before the first pixel is shaded
     // Over the faces, where there are many; null: a ray looks at them one by one.
     std::shared_ptr<const FaceTree> tree;
+    // Of many faces, for pictures of a view that moves; null where there are few, or they are large.
+    std::shared_ptr<const std::vector<CoarseFace>> coarse;
 };
 
 // The arrows of a mesh's normals; none where they are off or the frame has none.

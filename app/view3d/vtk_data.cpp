@@ -75,7 +75,7 @@ vtkIdType addPoint(vtkPoints& points, Vec3d p) { return points.InsertNextPoint(p
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, FacesShown shown, double strength,
+vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, Detail detail, FacesShown shown, double strength,
                                        const ThemeColors& colors) {
     const Color8 ground = toColor8(colors.view);
     const auto colorAt = [&](const Face& face, std::size_t corner) {
@@ -94,20 +94,26 @@ vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, FacesShown shown, d
     std::vector<Vec3d> points;
     std::vector<Color8> rgb;
     std::vector<vtkIdType> corners;
-    points.reserve(mesh.positions.size());
-    rgb.reserve(mesh.positions.size());
-    corners.reserve(3 * mesh.faces.size());
-    for (const Face& face : mesh.faces)
+    const std::size_t count = detail == Detail::Full ? mesh.faces.size() : mesh.coarse->size();
+    points.reserve(std::min(count, mesh.positions.size()));
+    rgb.reserve(std::min(count, mesh.positions.size()));
+    corners.reserve(3 * count);
+    const auto add = [&](const Face& face, const std::array<std::uint32_t, 3>& vertices) {
         for (std::size_t i = 0; i < 3; ++i) {
-            Placed& at = placed[face.vertices[i]];
+            Placed& at = placed[vertices[i]];
             const Color8 color = mixed(colorAt(face, i), ground, strength);
             if (at.point < 0 || at.color != color) {
                 at = {vtkIdType(points.size()), color};
-                points.push_back(mesh.positions[face.vertices[i]]);
+                points.push_back(mesh.positions[vertices[i]]);
                 rgb.push_back(color);
             }
             corners.push_back(at.point);
         }
+    };
+    if (detail == Detail::Full)
+        for (const Face& face : mesh.faces) add(face, face.vertices);
+    else
+        for (const CoarseFace& coarse : *mesh.coarse) add(mesh.faces[coarse.face], coarse.vertices);
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(pointsOf(points));
     data->SetPolys(cellsOf(corners, 3));

@@ -19,7 +19,8 @@ namespace app {
 
 // Three points a face, so that neighbours may differ in colour. `strength` as ViewContent::faceStrength.
 // By normals: those of the vertices where there are any, else of the polygons.
-vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, FacesShown shown, double strength,
+enum class Detail : unsigned char { Full, Coarse };  // Coarse: only where the mesh has it
+vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, Detail detail, FacesShown shown, double strength,
                                        const ThemeColors& colors);
 vtkSmartPointer<vtkPolyData> edgesData(const ViewMesh& mesh);
 vtkSmartPointer<vtkPolyData> loopData(const ViewMesh& mesh, std::span<const std::uint32_t> loop);

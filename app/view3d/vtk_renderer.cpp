@@ -19,8 +19,8 @@ namespace app {
 
 namespace {
 
-constexpr int kSamples = 4;                 // a pixel, where edges are smoothed
-constexpr double kSmoothMilliseconds = 40;  // that a moving view's picture may take with them
+constexpr int kSamples = 4;                // a pixel, where edges are smoothed
+constexpr double kWholeMilliseconds = 40;  // that a moving view's picture may take with them and with all faces
 
 }  // namespace
 
@@ -32,8 +32,9 @@ struct VtkRenderer::Impl {
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window;  // null where it does not work
     std::unique_ptr<WorldScene> scene;
     ViewSnapshot last;
-    std::vector<quint32> pixels;    // as OpenGL gives them
-    double smoothMilliseconds = 0;  // what the last smoothed picture took
+    std::vector<quint32> pixels;   // as OpenGL gives them
+    double wholeMilliseconds = 0;  // what the last whole picture took
+    std::stop_token stop;          // of the picture that is rendered
 };
 
 QSurfaceFormat viewSurfaceFormat() {
@@ -70,6 +71,14 @@ VtkRenderer::VtkRenderer(QSurface& surface) : m_impl(std::make_unique<Impl>(surf
     });
     window->AddObserver(vtkCommand::WindowMakeCurrentEvent, makeCurrent);
     window->AddObserver(vtkCommand::WindowIsCurrentEvent, isCurrent);
+    // VTK asks between what it draws, five times a second at most.
+    auto checkAbort = vtkSmartPointer<vtkCallbackCommand>::New();
+    checkAbort->SetClientData(&impl);
+    checkAbort->SetCallback([](vtkObject*, unsigned long, void* client, void*) {
+        auto* self = static_cast<Impl*>(client);
+        if (self->stop.stop_requested()) self->window->SetAbortRender(1);
+    });
+    window->AddObserver(vtkCommand::AbortCheckEvent, checkAbort);
     window->SetMultiSamples(kSamples);
     window->SetForceMaximumHardwareLineWidth(1);
     window->SetReadyForRendering(true);
@@ -106,26 +115,31 @@ void VtkRenderer::set(const ViewSnapshot& snapshot) {
     m_impl->last = snapshot;
 }
 
-VtkRenderer::Result VtkRenderer::render(const ViewSnapshot& snapshot) {
+VtkRenderer::Result VtkRenderer::render(const ViewSnapshot& snapshot, const std::stop_token& stop) {
     Impl& impl = *m_impl;
     const std::lock_guard turn(vtkTurn());
-    if (!impl.context.makeCurrent(&impl.surface)) return {};
+    if (stop.stop_requested() || !impl.context.makeCurrent(&impl.surface)) return {};
+    const bool isWhole = !snapshot.moves || impl.wholeMilliseconds < kWholeMilliseconds;
+    const bool isCoarse = !isWhole && snapshot.content && snapshot.content->mesh->coarse;
+    impl.scene->setCoarse(isCoarse);
     set(snapshot);
+    if (stop.stop_requested()) return {};
 
-    const bool isSmooth = !snapshot.moves || impl.smoothMilliseconds < kSmoothMilliseconds;
+    impl.stop = stop;
     const QSize size = snapshot.size;
-    impl.window->SetMultiSamples(isSmooth ? kSamples : 0);
+    impl.window->SetMultiSamples(isWhole ? kSamples : 0);
     impl.window->SetSize(size.width(), size.height());
     QElapsedTimer timer;
     timer.start();
     impl.window->Render();
+    if (stop.stop_requested()) return {};
     std::vector<quint32>& pixels = impl.pixels;
     pixels.resize(std::size_t(size.width()) * std::size_t(size.height()));
     QOpenGLExtraFunctions* gl = impl.context.extraFunctions();
     impl.window->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
     gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
     gl->glReadPixels(0, 0, size.width(), size.height(), GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels.data());
-    if (isSmooth) impl.smoothMilliseconds = double(timer.nsecsElapsed()) * 1e-6;
+    if (isWhole) impl.wholeMilliseconds = double(timer.nsecsElapsed()) * 1e-6;
     QImage image(size, QImage::Format_RGB32);
     image.setDevicePixelRatio(snapshot.pixelRatio);
     // OpenGL's first row is the lowest, and its alpha the coverage of smoothed edges.
@@ -135,7 +149,7 @@ VtkRenderer::Result VtkRenderer::render(const ViewSnapshot& snapshot) {
                        pixels.begin() + std::ptrdiff_t(row) * (size.height() - y),
                        reinterpret_cast<quint32*>(image.scanLine(y)),
                        [](quint32 pixel) { return pixel | 0xff000000u; });
-    return {std::move(image), isSmooth};
+    return {std::move(image), isWhole, isCoarse};
 }
 
 }  // namespace app

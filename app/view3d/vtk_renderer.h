@@ -2,6 +2,7 @@
 #include <QImage>
 #include <QSurfaceFormat>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include "app/view3d/drawing.h"
@@ -38,11 +39,13 @@ public:
 
     bool works() const;  // false: OpenGL came up, but not in a version that VTK can use
     struct Result {
-        QImage image;
-        bool isSmooth = false;  // its edges are
+        QImage image;           // null where it was given up
+        bool isWhole = false;   // its edges are smooth, and all faces are there
+        bool isCoarse = false;  // few of its many faces are
     };
-    // While pictures follow each other on a machine too slow for it, edges are not smoothed.
-    Result render(const ViewSnapshot& snapshot);
+    // While pictures follow each other on a machine too slow for it, edges are not smoothed, and of a mesh of many faces
+    // few are drawn.
+    Result render(const ViewSnapshot& snapshot, const std::stop_token& stop);
 
 private:
     void set(const ViewSnapshot& snapshot);

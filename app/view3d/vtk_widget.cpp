@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <cmath>
 #include <future>
+#include <utility>
 
 namespace app {
 
@@ -35,7 +36,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent), m_renderer(std::make_sh
     m_rest.setInterval(kRestMilliseconds);
     connect(&m_job, &BackgroundJob::busyChanged, this, &VtkWidget::busyChanged);
     connect(&m_rest, &QTimer::timeout, this, [this] {
-        if (!m_isSmooth && !m_job.busy()) soon();
+        if (!m_isWhole && !m_job.busy()) soon();
     });
 }
 
@@ -72,24 +73,26 @@ void VtkWidget::render() {
     };
     const auto snapshot = std::make_shared<const ViewSnapshot>(m_next);
     m_job.ask(
-        [renderer = m_renderer, surface = &m_surface, snapshot](const BackgroundJob::Control&) {
+        [renderer = m_renderer, surface = &m_surface, snapshot](const BackgroundJob::Control& control) {
             if (!*renderer) *renderer = std::make_unique<VtkRenderer>(*surface);
             Rendered rendered;
             rendered.works = (*renderer)->works();
-            if (rendered.works) rendered.result = (*renderer)->render(*snapshot);
+            if (rendered.works) rendered.result = (*renderer)->render(*snapshot, control.stop);
             return rendered;
         },
         [this, snapshot](const Rendered& rendered) {
             if (!rendered.works) emit unusable();
             if (rendered.result.image.isNull()) return;
             m_picture = rendered.result.image;
-            m_isSmooth = rendered.result.isSmooth;
+            m_isWhole = rendered.result.isWhole;
+            m_isCoarse = rendered.result.isCoarse;
             m_shown = snapshot;
-            if (!m_isSmooth && !m_rest.isActive()) soon();
+            if (!m_isWhole && !m_rest.isActive()) soon();
             update();
             emit drawn();
         },
-        BackgroundJob::Running::Finish);
+        std::exchange(m_rests, !snapshot->moves) && snapshot->moves ? BackgroundJob::Running::Stop
+                                                                    : BackgroundJob::Running::Finish);
 }
 
 void VtkWidget::paintEvent(QPaintEvent*) {

@@ -26,14 +26,15 @@ public:
     void setContent(std::shared_ptr<const ViewContent> content, std::vector<InkedLine> ground);
     void setOptions(const ViewOptions& options);
     void setColors(const ThemeColors& colors);
-    // While views follow each other quickly on a machine too slow for it, edges are not smoothed;
-    // they are again when the view rests.
+    // While views follow each other quickly on a machine too slow for it, edges are not smoothed, and of many faces few
+    // are drawn; all is again when the view rests. A whole picture that is not there when it moves again is given up.
     void setView(const ViewFrame& view, Drawing drawing);
 
     // What the picture on show was made of; null before the first.
     const std::shared_ptr<const ViewSnapshot>& shown() const { return m_shown; }
-    bool isNewest() const { return !m_pending && !m_job.busy(); }                      // it shows all that was set
-    bool isDrawn() const { return isNewest() && (m_isSmooth || !m_rest.isActive()); }  // and so it stays
+    bool isNewest() const { return !m_pending && !m_job.busy(); }                     // it shows all that was set
+    bool isDrawn() const { return isNewest() && (m_isWhole || !m_rest.isActive()); }  // and so it stays
+    bool isCoarse() const { return m_isCoarse; }  // the picture on show has few of its many faces
 
 signals:
     // OpenGL came up, but not in a version that VTK can use. Nothing will be drawn.
@@ -53,9 +54,10 @@ private:
     ViewSnapshot m_next;
     std::shared_ptr<const ViewSnapshot> m_shown;
     QImage m_picture;
-    bool m_isSmooth = false;  // the picture is
-    bool m_pending = false;   // render() runs when control returns to the event loop
-    QTimer m_rest;            // runs while the view moves
+    bool m_isWhole = false, m_isCoarse = false;  // the picture is
+    bool m_rests = false;                        // what was asked for last is of a view at rest
+    bool m_pending = false;                      // render() runs when control returns to the event loop
+    QTimer m_rest;                               // runs while the view moves
     QOffscreenSurface m_surface;
     std::shared_ptr<std::unique_ptr<VtkRenderer>> m_renderer;  // only the thread of the job looks into it
     BackgroundJob m_job;                                       // last: its thread uses the others

@@ -50,6 +50,7 @@ WorldScene::WorldScene(vtkOpenGLRenderWindow& window) {
 
     m_ground = addLayer(*m_world);
     m_faces = addLayer(*m_world);
+    m_coarseFaces = addLayer(*m_world);
     m_edges = addLayer(*m_world);
     m_pickedOuter = addLayer(*m_world);
     m_pickedInner = addLayer(*m_world);
@@ -186,10 +187,29 @@ void WorldScene::setColors(const ThemeColors& colors) {
 }
 
 void WorldScene::colorMesh() {
+    m_isFullOld = m_isCoarseOld = true;
+    makeFaces();
+}
+
+void WorldScene::makeFaces() {
     if (!m_colors.view.isValid()) return;
-    m_faces.mapper->SetInputData(m_content
-                                     ? facesData(*m_content->mesh, m_options.faces, m_content->faceStrength, m_colors)
-                                     : vtkSmartPointer<vtkPolyData>::New());
+    const bool isCoarse = m_isCoarse && hasCoarse();
+    m_faces.actor->SetVisibility(!isCoarse);
+    m_coarseFaces.actor->SetVisibility(isCoarse);
+    bool& isOld = isCoarse ? m_isCoarseOld : m_isFullOld;
+    if (!isOld) return;
+    isOld = false;
+    (isCoarse ? m_coarseFaces : m_faces)
+        .mapper->SetInputData(m_content ? facesData(*m_content->mesh, isCoarse ? Detail::Coarse : Detail::Full,
+                                                    m_options.faces, m_content->faceStrength, m_colors)
+                                        : vtkSmartPointer<vtkPolyData>::New());
+}
+
+void WorldScene::setCoarse(bool coarse) {
+    if (coarse == m_isCoarse) return;
+    m_isCoarse = coarse;
+    makeFaces();
+    showEdges();
 }
 
 void WorldScene::colorLines() {
@@ -230,10 +250,12 @@ void WorldScene::setView(const ViewFrame& view, const Drawing& drawing, double p
 void WorldScene::fadeEdges(const ViewFrame& view) {
     constexpr double kGone = 3, kFull = 14;  // mean length
     const double pixels = m_content ? m_content->mesh->meanEdge / view.unitsPerMarkPixel() : kFull;
-    const double strength = std::clamp((pixels - kGone) / (kFull - kGone), 0.0, 1.0);
-    m_edges.actor->GetProperty()->SetOpacity(strength);
-    m_edges.actor->SetVisibility(strength > 0);
+    m_edgeStrength = std::clamp((pixels - kGone) / (kFull - kGone), 0.0, 1.0);
+    m_edges.actor->GetProperty()->SetOpacity(m_edgeStrength);
+    showEdges();
 }
+
+void WorldScene::showEdges() { m_edges.actor->SetVisibility(m_edgeStrength > 0 && !(m_isCoarse && hasCoarse())); }
 
 void WorldScene::scaleNormals(const ViewFrame& view) {
     // Made in pixels; a glyph's own direction is x.

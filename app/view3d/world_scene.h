@@ -32,6 +32,8 @@ public:
     void setOptions(const ViewOptions& options);
     void setColors(const ThemeColors& colors);
     void setBackground(const QColor& color);  // until the next setColors
+    // While views follow each other: few of many faces, and none of their edges.
+    void setCoarse(bool coarse);
     // What changes with the camera. pixelRatio: device pixels per logical pixel of view.size.
     void setView(const ViewFrame& view, const Drawing& drawing, double pixelRatio);
     // The render window shows a part of the view alone: `middle` of the part, from the view's, and half of its size, in
@@ -58,14 +60,18 @@ private:
     Plane addPlane();
     Glyphs addGlyphs(vtkRenderer& renderer);
     void colorMesh();
+    void makeFaces();
+    bool hasCoarse() const { return m_content && m_content->mesh->coarse; }
     void colorLines();
     void placeFrusta();
     void placeCamera(const ViewFrame& view);
     void fadeEdges(const ViewFrame& view);
+    void showEdges();
     void scaleNormals(const ViewFrame& view);
 
     vtkSmartPointer<vtkRenderer> m_world, m_over;
-    Layer m_faces, m_edges, m_ground, m_pickedOuter, m_pickedInner, m_lines, m_solids, m_vectors, m_halos, m_shine;
+    Layer m_faces, m_coarseFaces, m_edges, m_ground, m_pickedOuter, m_pickedInner, m_lines, m_solids, m_vectors,
+        m_halos, m_shine;
     Plane m_picture;
     std::vector<Plane> m_frusta;  // the shadow buffers; as many as were ever needed
     Glyphs m_normals, m_normalHalos;
@@ -75,7 +81,10 @@ private:
     ViewOptions m_options;
     ThemeColors m_colors;
     double m_pixelRatio = 1;
-    double m_fovY = 30, m_halfHeight = 1;  // of the whole view: degrees; world units at the target
+    double m_edgeStrength = 1;
+    bool m_isCoarse = false;
+    bool m_isFullOld = true, m_isCoarseOld = true;  // they are made when they are shown
+    double m_fovY = 30, m_halfHeight = 1;           // of the whole view: degrees; world units at the target
 };
 
 }  // namespace app
