@@ -1,6 +1,7 @@
 // How long a single event holds the window's thread while a large model is opened, picked from, changed and turned.
 // Needs a display. window_stalls FILE: any scene or model. Of each act: the longest event by the clock, the processor's
-// time of the window's thread in it, and what it was; and how many took longer than 100 ms.
+// time of the window's thread in it, and what it was; how many took longer than 100 ms; and how many frames and pictures
+// of the 3D view came meanwhile.
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QTemporaryDir>
@@ -49,9 +50,12 @@ public:
         if (took > m_longest) m_longest = took, m_cpu = windowCpu() - before, m_what = what;
         return done;
     }
+    int frames = 0, pictures3d = 0;
     void report(const char* act) {
-        std::printf("%-44s %8.0f %8.0f %8d  %s\n", act, m_longest, m_cpu, m_frozen, m_what.constData());
+        std::printf("%-36s %8.0f %8.0f %8d %7d %4d  %s\n", act, m_longest, m_cpu, m_frozen, frames, pictures3d,
+                    m_what.constData());
         std::fflush(stdout);
+        frames = pictures3d = 0;
         m_longest = m_cpu = 0;
         m_frozen = 0;
         m_what.clear();
@@ -112,9 +116,12 @@ int main(int argc, char** argv) {
     window.setGeometry(0, 0, 1920, 1080);
     window.show();
     QTest::qWait(200);
-    std::printf("%-44s %8s %8s %8s  %s\n", "", "longest", "cpu ms", "> 100 ms", "the longest event's receiver");
+    std::printf("%-36s %8s %8s %8s %7s %4s  %s\n", "", "longest", "cpu ms", "> 100 ms", "frames", "3D",
+                "the longest event's receiver");
     application.report("start");
     app::Document& document = window.document();
+    QObject::connect(&document, &app::Document::frameReady, [&] { ++application.frames; });
+    QObject::connect(&window.views().view3d().view(), &app::SceneView::drawn, [&] { ++application.pictures3d; });
     const auto act = [&](const char* name, const std::function<void()>& does) {
         does();
         settle(window);
