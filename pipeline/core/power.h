@@ -21,6 +21,8 @@ inline constexpr std::array kExpTail{0.49999994F, 0.166665211F, 0.0416683890F, 0
 // log(2) in two parts; a whole number up to 127 times the first is exact. W. Cody and W. Waite, "Software Manual for the
 // Elementary Functions", 1980.
 inline constexpr float kLog2Head = 0x1.62e3p-1F, kLog2Rest = 0x1.2fefa4p-17F;
+// Added to a number below 2^22, it rounds it to a whole one, which is in the last bits of the sum.
+inline constexpr float kToWhole = 0x1.8p23F;
 // Powers below exp of this are 0: the next are no longer normal.
 inline constexpr float kSmallestExponent = -87;
 
@@ -50,10 +52,11 @@ Real logOneMinus(Real q) {
 // exp(y), y <= 0, within 1.2 units in the last place; 0 below kSmallestExponent.
 inline float expOfNegative(float y) {
     if (!(y >= kSmallestExponent)) return 0;
-    const auto n = static_cast<std::int32_t>(y * 1.44269504F - 0.5F);  // y / log(2), to the nearest
-    const float f = (y - float(n) * kLog2Head) - float(n) * kLog2Rest;
+    const float above = y * 1.44269504F + kToWhole;  // y / log(2), to the nearest, in the last bits
+    const float n = above - kToWhole;
+    const float f = (y - n * kLog2Head) - n * kLog2Rest;
     const float power = 1 + (f + f * f * polynomial(kExpTail, f));
-    return std::bit_cast<float>(std::bit_cast<std::int32_t>(power) + n * 0x800000);
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(power) + (std::bit_cast<std::uint32_t>(above) << 23));
 }
 template <class Real>
 Real expOfNegative(Real y) {

@@ -38,11 +38,11 @@ template <class A>
 HWY_INLINE Floats expOfNegative(Floats y) {
     const Mask normal = hn::Ge(y, all(kSmallestExponent));
     y = hn::IfThenElseZero(normal, y);
-    const Ints n = hn::ConvertTo(I(), hn::Sub(hn::Mul(y, all(1.44269504F)), all(0.5F)));
-    const Floats times = hn::ConvertTo(F(), n);
+    const Floats above = A::mulAdd(y, all(1.44269504F), all(kToWhole)), times = hn::Sub(above, all(kToWhole));
     const Floats f = A::negMulAdd(times, all(kLog2Rest), A::negMulAdd(times, all(kLog2Head), y));
     const Floats power = hn::Add(A::mulAdd(hn::Mul(f, f), polynomial<A>(kExpTail, f), f), all(1));
-    return hn::IfThenElseZero(normal, hn::BitCast(F(), hn::Add(hn::BitCast(I(), power), hn::ShiftLeft<23>(n))));
+    return hn::IfThenElseZero(
+        normal, hn::BitCast(F(), hn::Add(hn::BitCast(I(), power), hn::ShiftLeft<23>(hn::BitCast(I(), above)))));
 }
 
 // |a - b|²/2 = 1 - a·b, of unit vectors.

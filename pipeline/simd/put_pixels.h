@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstring>
 
+#include "pipeline/core/power.h"
 #include "pipeline/simd/arithmetic.h"
 #include "pipeline/simd/blocks.h"
 #include "pipeline/stages/shading.h"
@@ -45,9 +46,10 @@ HWY_INLINE void putPixels(Floats value, Mask mask, std::size_t at, glm::ivec2 or
 // The colors of a row of blocks: four rows of a tile's pixels.
 class ColorRows {
 public:
-    // Channels from 0 to 255, of the vector at `at` of the row of blocks.
+    // Channels in the lowest bytes, of the vector at `at` of the row of blocks.
     HWY_INLINE void put(Ints r, Ints g, Ints b, std::size_t at) {
-        const Ints colors = hn::Or(r, hn::Or(hn::ShiftLeft<8>(g), hn::ShiftLeft<16>(b)));
+        const Ints low = hn::Set(I(), 255);
+        const Ints colors = hn::Or(hn::And(r, low), hn::Or(hn::ShiftLeft<8>(hn::And(g, low)), hn::ShiftLeft<16>(b)));
 #if HWY_TARGET == HWY_SCALAR
         const std::int32_t color = hn::GetLane(colors);
         std::memcpy(place(at), &color, sizeof(Color8));
@@ -84,18 +86,19 @@ public:
     explicit ToBytes(double iMax) : m_iMax(iMax), m_factor(iMax > 0 ? float(255 / iMax) : 0) {
         m_estimates = m_factor > 0x1p-100F && m_factor < 0x1p100F;
     }
+    // In the lowest byte.
     template <class A>
     HWY_INLINE Ints of(Floats intensity) const {
         const Floats value = hn::Mul(intensity, all(m_factor));
-        const Floats raised = hn::Add(hn::IfThenElseZero(hn::Gt(value, all(0)), hn::Min(value, all(255))), all(0.5F));
-        const Ints whole = hn::ConvertTo(I(), raised);
+        const Floats clamped = hn::IfThenElseZero(hn::Gt(value, all(0)), hn::Min(value, all(255)));
+        const Floats above = hn::Add(clamped, all(kToWhole));
         if constexpr (A::kExact) {
-            // Two roundings of the share and one of the sum: 255 (2^-23) + 2^-17 < 2^-14.
-            const Floats above = hn::Sub(raised, hn::ConvertTo(F(), whole));
-            const Mask sure = hn::And(hn::Gt(above, all(0x1p-14F)), hn::Lt(above, all(1 - 0x1p-14F)));
-            if (HWY_UNLIKELY(!m_estimates || !hn::AllTrue(F(), sure))) return inDouble(intensity);
+            // Two roundings of the share: 255 (2^-23) < 2^-15.
+            const Floats rest = hn::Abs(hn::Sub(clamped, hn::Sub(above, all(kToWhole))));
+            const bool sure = hn::AllTrue(F(), hn::Lt(rest, all(0.5F - 0x1p-14F)));
+            if (HWY_UNLIKELY(!m_estimates || !sure)) return inDouble(intensity);
         }
-        return whole;
+        return hn::BitCast(I(), above);
     }
 
 private:
