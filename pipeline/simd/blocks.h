@@ -36,8 +36,8 @@ struct BlockPlace {
 
 // An affine function over the pixels of a tile, in 32 bits: exact wherever its value fits, for sums wrap round.
 struct TileFunction {
-    std::int32_t value = 0, column = 0, row = 0;  // at the tile's first pixel; more at the next column, at the next row
-    alignas(64) std::int32_t steps[kBlockPixels]{};  // what a block's pixels have more than its first
+    std::int32_t value, column, row;  // at the tile's first pixel; more at the next column, at the next row
+    alignas(64) std::int32_t steps[kBlockPixels];  // what a block's pixels have more than its first
 
     HWY_INLINE void become(std::int32_t first, std::int32_t right, std::int32_t down) {
         value = first, column = right, row = down;
@@ -53,6 +53,11 @@ struct TileFunction {
     HWY_INLINE Ints at(int x, int y, int first) const {
         return hn::Add(hn::Set(I(), atPixel(x, y)), hn::Load(I(), steps + first));
     }
+};
+
+// A quantity that is linear in the picture: at a pixel, and what a step to the right and one down add.
+struct Slope {
+    float value, column, row;
 };
 
 // The blocks [min, max) of a tile that a box of pixels touches.
@@ -137,7 +142,6 @@ struct EdgeRows {
 // everywhere.
 class MiddleEdges {
 public:
-    HWY_INLINE MiddleEdges() {}  // of no triangle
     // bits: of the grid that corners stand on.
     HWY_INLINE MiddleEdges(const RasterTriangle<float>& t, Tile tile, int bits)
         : m_bits(bits), m_unit(float(1 << bits)), m_inverse(std::ldexp(t.inverseArea2, 2 * (kSubPixelBits - bits))) {
@@ -171,6 +175,12 @@ public:
     }
     // l1 or l2 alone.
     HWY_INLINE Floats linear(int i, int x, int y, int first) const { return linear(m_edges[i].at(x, y, first), i); }
+    Slope slope(int i, glm::ivec2 first) const {
+        const TileFunction& edge = m_edges[i];
+        const float unit = m_unit * m_inverse;
+        return {float(edge.atPixel(first.x, first.y)) * unit + float(m_below[i]) * m_inverse, float(edge.column) * unit,
+                float(edge.row) * unit};
+    }
 
 private:
     // The edge function is rounded once: it is a sum of two numbers that have at most 24 bits each.
@@ -196,7 +206,6 @@ private:
 // Those of any other triangle, in double, from the tile's first pixel on.
 class LargeEdges {
 public:
-    LargeEdges() = default;  // of no triangle
     LargeEdges(const RasterTriangle<float>& t, Tile tile) : m_inverse(t.inverseArea2) {
         const auto& c = t.snapped.corners;
         const EdgeFunction edges[3]{{c[1], c[2]}, {c[2], c[0]}, {c[0], c[1]}};

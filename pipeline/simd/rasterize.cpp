@@ -155,15 +155,22 @@ private:
 // The weights of what is seen in a tile, as rows.
 void writeWeights(const View& view, const SeenBlocks& seen, std::size_t index, Buffer2D<Vec3<float>>& out) {
     const Tile tile = tileOf(seen.pieces.size, index);
-    SeenTriangle triangle(view, seen.pieces, tile);
+    const SeenIn in{view, seen.pieces, tile};
+    SeenTriangle triangle;
+    std::uint32_t record = kNoTriangle;
     for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F())) {
         HWY_ALIGN float of[3][16]{};
-        forEachTriangle(triangle, &seen.record.tile(index)->of[at], [&](Mask mask) HWY_ATTR {
-            const Floats3 b = triangle.weights(at);
+        const std::uint32_t* const records = &seen.record.tile(index)->of[at];
+        for (Mask left = seenIn(records); !hn::AllFalse(F(), left);) {
+            const std::uint32_t next = records[hn::FindKnownFirstTrue(F(), left)];
+            if (next != record) record = next, triangle.become(in, record);
+            const Mask mask = seesIn(records, record);
+            left = hn::AndNot(mask, left);
+            const Floats3 b = triangle.weights(in, at);
             hn::BlendedStore(b.x, mask, F(), of[0]);
             hn::BlendedStore(b.y, mask, F(), of[1]);
             hn::BlendedStore(b.z, mask, F(), of[2]);
-        });
+        }
         for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
             const glm::ivec2 pixel = tile.min + pixelOf(at + l);
             if (pixel.x < tile.max.x && pixel.y < tile.max.y) out.at(pixel) = {of[0][l], of[1][l], of[2][l]};

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <optional>
 
 #include "pipeline/simd/blocks.h"
 #include "pipeline/stages/z_buffer.h"
@@ -20,49 +22,86 @@ HWY_INLINE Mask seenIn(const std::uint32_t* records) {
     return hn::RebindMask(F(), hn::Ne(hn::Load(U(), records), hn::Set(U(), kNoTriangle)));
 }
 
+// And in which of them this triangle is.
+HWY_INLINE Mask seesIn(const std::uint32_t* records, std::uint32_t record) {
+    return hn::RebindMask(F(), hn::Eq(hn::Load(U(), records), hn::Set(U(), record)));
+}
+
 // The share of corners 1 and 2 in a pixel.
 struct Shares {
     Floats one, two;
 };
 
-// A triangle that is seen in a tile, for any vector of it. Neighbours mostly see the same one.
+// What the triangles that are seen in a tile are found in.
+struct SeenIn {
+    const View& view;
+    const TrianglePieces& pieces;
+    Tile tile;
+};
+
+// A triangle that is seen in a tile, for any vector of it.
 class SeenTriangle {
 public:
-    SeenTriangle(const View& view, const TrianglePieces& pieces, Tile tile)
-        : m_view(view), m_pieces(pieces), m_tile(tile) {}
-
-    HWY_INLINE void become(std::uint32_t record) {
-        if (record != m_record) change(record);
+    HWY_NOINLINE void become(const SeenIn& in, std::uint32_t record) {
+        const TrianglePiece& piece = in.pieces.pieceOf(record);
+        const std::uint32_t i = record & TrianglePieces::kIndex;
+        if (record & TrianglePiece::kOther) return becomeOther(in, piece.others[i]);
+        const SmallTriangle& t = piece.small[i];
+        m_small = &t, m_id = t.id;
+        m_w[0] = t.w0, m_w[1] = t.w1, m_w[2] = t.w2;
+        for (std::size_t corner = 0; corner < 3; ++corner) m_order[corner] = t.corner(int(corner));
+        const int x = in.tile.min.x - t.x, y = in.tile.min.y - t.y;
+        // From the box's first pixel to the tile's.
+        const auto edge = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+            Edge e{std::uint32_t(c), std::uint32_t(a), std::uint32_t(b)};
+            e.value = std::uint32_t(e.at(x, y));
+            return e;
+        };
+        m_edges[0] = edge(t.a1, t.b1, t.c1), m_edges[1] = edge(t.a2, t.b2, t.c2);
     }
     std::uint32_t id() const { return m_id; }  // index into Topology::triangles
     // Else it is so large that weights() is all that is known of it.
-    bool isLinear() const { return m_small || m_middle.fits(); }
+    bool isLinear() const { return m_small || m_other->middle; }
     float w(std::size_t corner) const { return m_w[corner]; }
     // A quantity of the triangle's own corners at one of the corners that are drawn, which clipping may have made.
     Vec3<float> atCorner(const std::vector<Vec3<float>>& values, const std::uint32_t (&v)[3],
                          std::size_t corner) const {
         if (m_order[corner] < 3) return values[v[m_order[corner]]];
-        const Vec3<float>& share = m_other->weights[corner];
+        const Vec3<float>& share = m_other->triangle->weights[corner];
         return share.x * values[v[0]] + share.y * values[v[1]] + share.z * values[v[2]];
     }
+    // Its first pixel in the tile.
+    glm::ivec2 firstPixel(Tile tile) const {
+        const glm::ivec2 first = m_small ? glm::ivec2(m_small->x, m_small->y) : m_other->triangle->snapped.pixels().min;
+        return glm::max(first - tile.min, 0);
+    }
 
-    // Linear in the picture, in the vector at `at` of the tile.
+    // The share of corner 1 or 2, linear in the picture, in the vector at `at` of the tile.
     HWY_INLINE Shares linear(std::size_t at) const {
         const BlockPlace place(at);
         if (!m_small)
-            return {m_middle.linear(1, place.x, place.y, place.first),
-                    m_middle.linear(2, place.x, place.y, place.first)};
-        const auto edge = [&](int i) HWY_ATTR {
-            const Ints e = m_edges[i].at(place.x, place.y, place.first);
+            return {m_other->middle->linear(1, place.x, place.y, place.first),
+                    m_other->middle->linear(2, place.x, place.y, place.first)};
+        const auto share = [&](const Edge& edge) HWY_ATTR {
+            const Ints inBlock = hn::Add(hn::Mul(hn::Set(I(), std::int32_t(edge.column)), columnOf(place.first)),
+                                         hn::Mul(hn::Set(I(), std::int32_t(edge.row)), rowOf(place.first)));
+            const Ints e = hn::Add(hn::Set(I(), edge.at(place.x, place.y)), inBlock);
             return hn::Mul(hn::ConvertTo(F(), e), all(m_small->inverseArea2));
         };
-        return {edge(0), edge(1)};
+        return {share(m_edges[0]), share(m_edges[1])};
+    }
+    Slope slope(int corner, glm::ivec2 first) const {
+        if (!m_small) return m_other->middle->slope(corner, first);
+        const Edge& edge = m_edges[corner - 1];
+        const float inverse = m_small->inverseArea2;
+        return {float(edge.at(first.x, first.y)) * inverse, float(std::int32_t(edge.column)) * inverse,
+                float(std::int32_t(edge.row)) * inverse};
     }
     // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not,
     // any numbers.
-    HWY_INLINE Floats3 weights(std::size_t at) const {
-        if (!isLinear()) return weightsOfHuge(at);
-        const Shares b = corrected(linear(at));
+    HWY_INLINE Floats3 weights(const SeenIn& in, std::size_t at) const {
+        if (!isLinear()) return weightsOfHuge(in, at);
+        const Shares b = corrected(in.view, linear(at));
         const Floats b0 = hn::Sub(hn::Sub(all(1), b.one), b.two);
         if (m_order[0] > 2) return ofCut(b);
         const auto of = [&](int own) HWY_ATTR {
@@ -76,56 +115,43 @@ public:
 
 private:
     // b1 and b2 of interpolate.
-    HWY_INLINE Shares corrected(Shares l) const {
-        if (!m_view.perspective) return l;
+    HWY_INLINE Shares corrected(const View& view, Shares l) const {
+        if (!view.perspective) return l;
         const Floats z = Distances(m_w[0], m_w[1], m_w[2]).z(l.one, l.two, true);
         return {hn::Mul(hn::Mul(l.one, all(m_w[1])), z), hn::Mul(hn::Mul(l.two, all(m_w[2])), z)};
     }
     // Of a piece that clipping left: its corners are not the triangle's own.
     Floats3 ofCut(Shares b) const {
-        const auto& w = m_other->weights;
+        const auto& w = m_other->triangle->weights;
         const auto weight = [&](int c) HWY_ATTR {
             return hn::Add(hn::Add(all(w[0][c]), hn::Mul(b.one, all(w[1][c] - w[0][c]))),
                            hn::Mul(b.two, all(w[2][c] - w[0][c])));
         };
         return {weight(0), weight(1), weight(2)};
     }
-    Floats3 weightsOfHuge(std::size_t at) const {
-        if (m_large.exact()) {
+    Floats3 weightsOfHuge(const SeenIn& in, std::size_t at) const {
+        if (m_other->large->exact()) {
             const BlockPlace place(at);
-            const EdgesAt edges = m_large.at(place.x, place.y, place.first);
-            return ofCut(corrected({edges.l1, edges.l2}));
+            const EdgesAt edges = m_other->large->at(place.x, place.y, place.first);
+            return ofCut(corrected(in.view, {edges.l1, edges.l2}));
         }
-        const auto& c = m_other->snapped.corners;
+        const auto& c = m_other->triangle->snapped.corners;
         const EdgeFunction edges[3]{{c[1], c[2]}, {c[2], c[0]}, {c[0], c[1]}};
         HWY_ALIGN float of[3][16];
         for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
-            const glm::ivec2 pixel = m_tile.min + pixelOf(at + l);
+            const glm::ivec2 pixel = in.tile.min + pixelOf(at + l);
             const std::array<std::int64_t, 3> e{edges[0].atPixel(pixel), edges[1].atPixel(pixel),
                                                 edges[2].atPixel(pixel)};
-            const Vec3<float> weights = interpolate(*m_other, e, m_view.perspective).barycentric;
+            const Vec3<float> weights = interpolate(*m_other->triangle, e, in.view.perspective).barycentric;
             for (int i = 0; i < 3; ++i) of[i][l] = weights[i];
         }
         return {hn::Load(F(), of[0]), hn::Load(F(), of[1]), hn::Load(F(), of[2])};
     }
-    HWY_NOINLINE void change(std::uint32_t record) {
-        m_record = record;
-        const TrianglePiece& piece = m_pieces.pieceOf(record);
-        const std::uint32_t i = record & TrianglePieces::kIndex;
-        if (record & TrianglePiece::kOther) return becomeOther(piece.others[i]);
-        const SmallTriangle& t = piece.small[i];
-        m_small = &t, m_id = t.id;
-        m_w[0] = t.w0, m_w[1] = t.w1, m_w[2] = t.w2;
-        for (std::size_t corner = 0; corner < 3; ++corner) m_order[corner] = t.corner(int(corner));
-        const int x = m_tile.min.x - t.x, y = m_tile.min.y - t.y;
-        // From the box's first pixel to the tile's.
-        m_edges[0].become(t.c1, t.a1, t.b1), m_edges[0].value = m_edges[0].atPixel(x, y);
-        m_edges[1].become(t.c2, t.a2, t.b2), m_edges[1].value = m_edges[1].atPixel(x, y);
-    }
-    void becomeOther(const RasterTriangle<float>& t) {
-        m_small = nullptr, m_other = &t, m_id = t.id;
-        m_middle = MiddleEdges(t, m_tile, m_view.subPixelBits);
-        if (!m_middle.fits()) m_large = LargeEdges(t, m_tile);
+    void becomeOther(const SeenIn& in, const RasterTriangle<float>& t) {
+        if (!m_other) m_other = std::make_unique<Other>();
+        m_small = nullptr, m_id = t.id, m_other->triangle = &t;
+        m_other->middle = MiddleEdges(t, in.tile, in.view.subPixelBits);
+        if (!m_other->middle->fits()) m_other->middle.reset(), m_other->large = LargeEdges(t, in.tile);
         for (std::size_t corner = 0; corner < 3; ++corner) {
             m_w[corner] = t.w[corner];
             m_order[corner] = kCut;
@@ -136,34 +162,27 @@ private:
         if (cut) std::ranges::fill(m_order, kCut);
     }
 
+    // An edge function, which fits wherever the triangle is; sums elsewhere wrap round.
+    struct Edge {
+        std::uint32_t value, column, row;  // at the tile's first pixel; more at the next column, at the next row
+        std::int32_t at(int x, int y) const {
+            return std::int32_t(value + column * std::uint32_t(x) + row * std::uint32_t(y));
+        }
+    };
     static constexpr int kCut = 3;
-    const View& m_view;
-    const TrianglePieces& m_pieces;
-    Tile m_tile;
-    std::uint32_t m_record = kNoTriangle, m_id = kNoTriangle;
-    float m_w[3]{};
-    std::array<int, 3> m_order{};  // which of the triangle's own corners each is, or kCut for all
-    const SmallTriangle* m_small = nullptr;
-    TileFunction m_edges[2];  // a small triangle's edge functions 1 and 2
-    const RasterTriangle<float>* m_other = nullptr;
-    MiddleEdges m_middle;
-    LargeEdges m_large;  // where m_middle does not fit
+    // What is known of one that is not small.
+    struct Other {
+        const RasterTriangle<float>* triangle;
+        std::optional<MiddleEdges> middle;
+        std::optional<LargeEdges> large;  // where `middle` does not fit
+    };
+    std::uint32_t m_id;
+    float m_w[3];
+    std::array<int, 3> m_order;      // which of the triangle's own corners each is, or kCut for all
+    const SmallTriangle* m_small;    // null where it is not one
+    Edge m_edges[2];                 // a small triangle's edge functions 1 and 2
+    std::unique_ptr<Other> m_other;  // kept for the next one
 };
-
-// Calls visit(mask) for each of the triangles seen in a vector; records: its pixels'. Before it, `triangle` has become
-// that one.
-template <class Visit>
-HWY_INLINE void forEachTriangle(SeenTriangle& triangle, const std::uint32_t* records, Visit visit) {
-    const auto here = hn::Load(U(), records);
-    Mask left = seenIn(records);
-    while (!hn::AllFalse(F(), left)) {
-        const std::uint32_t record = records[hn::FindKnownFirstTrue(F(), left)];
-        const Mask mine = hn::RebindMask(F(), hn::Eq(here, hn::Set(U(), record)));
-        triangle.become(record);
-        visit(mine);
-        left = hn::AndNot(mine, left);
-    }
-}
 
 }  // namespace pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

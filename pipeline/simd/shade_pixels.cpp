@@ -1,7 +1,6 @@
 #include "pipeline/simd/shade_pixels.h"
 
 #include <algorithm>
-#include <bit>
 #include <vector>
 
 #include "pipeline/simd/targets.h"
@@ -19,27 +18,40 @@ HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 namespace {
 
-// What a light makes of a material.
+// A light, and what it makes of a material.
+struct Shining {
+    bool atInfinity;
+    Vec3<float> source;  // the direction towards it, or where it stands
+    explicit Shining(const Light& light) : atInfinity(light.kind == LightKind::AtInfinity), source(light.position) {
+        if (atInfinity) source = normalized(source);
+    }
+};
 struct Reflected {
     Vec3<float> diffuse, specular;
 };
+// What a highlight is made of.
+enum class Highlight : std::uint8_t { None, Reflection, Halfway };
 // Of an object whose pixels are shaded.
 struct Look {
-    bool powers, halfway;  // whether there is a highlight, and of which form
+    Highlight highlight = Highlight::None;
     float exponent;
     BaseTerms<float> base;
     std::vector<Reflected> lights;
 
-    Look(const ShadingInputs& inputs, const Material& material)
-        : powers(material.specular != Vec3d(0) || inputs.illumination.detail.dull),
-          halfway(usesHalfway(inputs.illumination.model, material)),
-          exponent(float((halfway ? inputs.illumination.exponentFactor : 1.0) * material.exponent)),
-          base(baseTerms<float>(inputs, material)) {
+    Look(const ShadingInputs& inputs, const Material& material) : base(baseTerms<float>(inputs, material)) {
+        const bool halfway = usesHalfway(inputs.illumination.model, material);
+        if (material.specular != Vec3d(0) || inputs.illumination.detail.dull)
+            highlight = halfway ? Highlight::Halfway : Highlight::Reflection;
+        exponent = float((halfway ? inputs.illumination.exponentFactor : 1.0) * material.exponent);
         for (const Light& light : inputs.lights) {
             const Vec3<float> shining(light.intensity * light.color);
             lights.push_back({shining * Vec3<float>(material.diffuse), shining * Vec3<float>(material.specular)});
         }
     }
+};
+// What a light adds to pixels.
+struct Terms {
+    Floats3 diffuse, specular;
 };
 
 HWY_INLINE long long countOf(Mask mask) { return static_cast<long long>(hn::CountTrue(F(), mask)); }
@@ -51,17 +63,20 @@ HWY_INLINE Floats3 where(Mask mask, Floats3 v) {
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
 }
 
-// A row of blocks on its way to the picture.
+// The vectors of a row with pixels of one object, and which of their pixels.
+struct Group {
+    std::size_t object = 0, count = 0;
+    std::size_t at[kRowVectors];
+    Mask mask[kRowVectors];
+    void add(std::size_t i, Mask pixels) { at[count] = i, mask[count++] = pixels; }
+};
+
+// A row of blocks on its way to the picture: what one of the loops over it leaves for the next.
 struct ShadedRow {
     SurfaceRow surface;
-    Row3 N, V;                                    // unit
-    Row3 emission, ambient;                       // where they are kept
-    Row3 L, R, H;                                 // of a light, where they are kept
-    Row nDotL, rDotV, nDotH;                      // likewise
-    Row3 diffuse, specular;                       // of a light, without its shadow and then in it
-    Row shadow;                                   // S
-    Row3 intensity;                               // the sum
-    alignas(64) std::int32_t object[kRowPixels];  // that is seen
+    Row3 N, V;            // unit
+    Row nDotL, q, power;  // of a light; q: 1 - R·V or 1 - N·H
+    Row3 intensity;       // the sum
 };
 
 // The pixels of a tile.
@@ -74,6 +89,7 @@ public:
         for (std::size_t id = 0; id < kBufferCount; ++id)
             m_keeps = m_keeps || (id != index(BufferId::Intensity) && has(BufferId(id)));
         for (const Material& material : inputs.materials) m_looks.emplace_back(inputs, material);
+        for (const Light& light : inputs.lights) m_lights.emplace_back(light);
         for (std::size_t k = 0; k < inputs.lights.size(); ++k) m_shadows.emplace_back(inputs, in, k);
     }
 
@@ -81,7 +97,13 @@ public:
         for (int y = 0; y * kBlock < m_tile.max.y - m_tile.min.y; ++y) {
             m_first = std::size_t(y) * kRowPixels;
             m_surfaces.find(y, m_row.surface);
-            m_inputs.shading == Shading::Phong ? shadePhong() : shadeGathered();
+            findGroups();
+            for (const Group& group : m_groups) {
+                if (m_inputs.shading == Shading::Phong)
+                    m_keeps ? shadePhong<true>(group) : shadePhong<false>(group);
+                else
+                    m_keeps ? shadeGathered<true>(group) : shadeGathered<false>(group);
+            }
             write();
         }
         return m_counts;
@@ -89,235 +111,220 @@ public:
 
 private:
     bool has(BufferId id) const { return !m_out.vectors[index(id)].empty() || !m_out.scalars[index(id)].empty(); }
-    HWY_INLINE Mask seen(std::size_t i) const { return seenIn(m_row.surface.triangle + i); }
-    // Calls body(i, mask) for the vectors of the row in which something is seen.
-    template <class Body>
-    HWY_INLINE void forEachSeen(Body body) {
-        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F()))
-            if (const Mask mask = seen(i); !hn::AllFalse(F(), mask)) body(i, mask);
-    }
-    // The same for those of an object.
-    template <class Body>
-    HWY_INLINE void forEachOf(std::size_t object, Body body) {
-        if (m_looks.size() == 1) return forEachSeen(body);
-        const Ints wanted = hn::Set(I(), std::int32_t(object));
-        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
-            const auto mine = hn::Eq(hn::Load(I(), m_row.object + i), wanted);
-            const Mask both = hn::And(mask, asFloats(mine));
-            if (!hn::AllFalse(F(), both)) body(i, both);
-        });
-    }
-
-    void keep(BufferId id, const Row3& row, std::size_t k = 0) {
+    HWY_INLINE void keep(BufferId id, Floats3 value, Mask mask, std::size_t i, std::size_t k = 0) {
         auto& buffers = m_out.vectors[index(id)];
-        if (buffers.empty()) return;
-        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
-            const Floats3 v = load(row, i);
-            putPixels(v, mask, m_first + i, m_tile.min, buffers[k]);
-        });
+        if (!buffers.empty()) putPixels(value, mask, m_first + i, m_tile.min, buffers[k]);
     }
-    void keep(BufferId id, const Row& row, std::size_t k = 0) {
+    HWY_INLINE void keep(BufferId id, Floats value, Mask mask, std::size_t i, std::size_t k = 0) {
         auto& buffers = m_out.scalars[index(id)];
-        if (buffers.empty()) return;
-        forEachSeen([&](std::size_t i, Mask mask)
-                        HWY_ATTR { putPixels(load(row, i), mask, m_first + i, m_tile.min, buffers[k]); });
+        if (!buffers.empty()) putPixels(value, mask, m_first + i, m_tile.min, buffers[k]);
     }
 
-    void shadePhong() {
-        const std::vector<std::size_t> objects = findObjects();
-        orient();
-        for (const std::size_t object : objects) beginIntensity(object);
-        if (m_keeps) {
-            keep(BufferId::Position, m_row.surface.position), keep(BufferId::Normal, m_row.N);
-            keep(BufferId::ViewVector, m_row.V);
-            keep(BufferId::Emission, m_row.emission), keep(BufferId::Ambient, m_row.ambient);
-        }
-        for (std::size_t k = 0; k < m_inputs.lights.size(); ++k) {
-            if (!m_inputs.parts.lights[k]) continue;
-            if (m_keeps) clearVectors();
-            for (const std::size_t object : objects) m_keeps ? reflect<true>(k, object) : reflect<false>(k, object);
-            if (m_keeps) {
-                keep(BufferId::LightVector, m_row.L, k), keep(BufferId::NDotL, m_row.nDotL, k);
-                keep(BufferId::ReflectionVector, m_row.R, k), keep(BufferId::RDotV, m_row.rDotV, k);
-                keep(BufferId::HalfwayVector, m_row.H, k), keep(BufferId::NDotH, m_row.nDotH, k);
+    // What is seen in the row; object by object where that makes a difference.
+    void findGroups() {
+        m_groups.clear();
+        const bool alike = m_looks.size() == 1 || m_inputs.shading != Shading::Phong;
+        const auto* of = reinterpret_cast<const std::int32_t*>(m_in.transform.topology->polygonObject.data());
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+            Mask left = seenIn(m_row.surface.triangle + i);
+            if (hn::AllFalse(F(), left)) continue;
+            if (alike) {
+                groupOf(0).add(i, left);
+                continue;
             }
-            addLight(k);
+            HWY_ALIGN std::int32_t objects[16];
+            const Ints object = hn::GatherIndex(I(), of, hn::Load(I(), m_row.surface.polygon + i));
+            hn::Store(object, I(), objects);
+            while (!hn::AllFalse(F(), left)) {
+                const std::int32_t one = objects[hn::FindKnownFirstTrue(F(), left)];
+                const Mask mine = hn::And(left, asFloats(hn::Eq(object, hn::Set(I(), one))));
+                groupOf(std::size_t(one)).add(i, mine);
+                left = hn::AndNot(mine, left);
+            }
         }
     }
-
-    // Those seen in the row, and which of them in each pixel.
-    std::vector<std::size_t> findObjects() {
-        std::vector<std::size_t> found;
-        if (m_looks.size() == 1) return {0};
-        const auto* objects = reinterpret_cast<const std::int32_t*>(m_in.transform.topology->polygonObject.data());
-        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
-            hn::Store(hn::GatherIndex(I(), objects, hn::Load(I(), m_row.surface.polygon + i)), I(), m_row.object + i);
-            for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1) {
-                const auto object = std::size_t(m_row.object[i + std::size_t(std::countr_zero(bits))]);
-                if (std::ranges::find(found, object) == found.end()) found.push_back(object);
-            }
-        });
-        return found;
+    Group& groupOf(std::size_t object) {
+        for (Group& group : m_groups)
+            if (group.object == object) return group;
+        Group& added = m_groups.emplace_back();
+        added.object = object;
+        return added;
     }
 
-    void orient() {
-        const View& view = m_in.transform.view;
-        forEachSeen([&](std::size_t i, Mask mask)
-                        HWY_ATTR { store(A::unit(load(m_row.surface.normal, i), mask), m_row.N, i); });
-        const Floats3 eye = all(Vec3<float>(view.eye)), forward = all(Vec3<float>(view.forward));
-        const Floats3 none = all(Vec3<float>(0));
-        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
-            if (!m_inputs.parts.viewVector)
-                store(none, m_row.V, i);
-            else if (view.perspective)
-                store(A::unit(eye - load(m_row.surface.position, i), mask), m_row.V, i);
-            else
-                store({hn::Neg(forward.x), hn::Neg(forward.y), hn::Neg(forward.z)}, m_row.V, i);
-        });
-    }
-
-    void beginIntensity(std::size_t object) {
-        const BaseTerms<float>& base = m_looks[object].base;
-        fill(object, all(sumOf(base)), m_row.intensity);
-        if (has(BufferId::Emission)) fill(object, all(base.emission), m_row.emission);
-        if (has(BufferId::Ambient)) fill(object, all(base.ambient), m_row.ambient);
-    }
-    void fill(std::size_t object, Floats3 value, Row3& to) {
-        forEachOf(object, [&](std::size_t i, Mask mask) HWY_ATTR { store(choose(mask, value, load(to, i)), to, i); });
-    }
-    void clearVectors() {
-        for (Row3* row : {&m_row.L, &m_row.R, &m_row.H}) *row = {};
-        for (Row* row : {&m_row.nDotL, &m_row.rDotV, &m_row.nDotH}) *row = {};
-    }
-
-    // The terms of light k over the pixels of an object, as without shadows. keeps: also the vectors of it.
     template <bool kKeeps>
-    void reflect(std::size_t k, std::size_t object) {
-        const Light& light = m_inputs.lights[k];
-        const LightDetail detail = m_inputs.illumination.detail;
-        const Look& look = m_looks[object];
-        const bool atInfinity = light.kind == LightKind::AtInfinity;
-        const Vec3<float> place(light.position);
-        const Floats3 source = all(atInfinity ? normalized(place) : place);
-        const Reflected reflected = look.lights[k];
-        const bool mirrors = look.powers && !look.halfway, halves = look.powers && look.halfway;
-        const Floats exponent = all(look.exponent);
-        ShadingCounts counts;
-        forEachOf(object, [&](std::size_t i, Mask mask) HWY_ATTR {
+    void shadePhong(const Group& group) {
+        const Look& look = m_looks[group.object];
+        orient<kKeeps>(group, look);
+        for (std::size_t k = 0; k < m_lights.size(); ++k) {
+            if (!m_inputs.parts.lights[k]) continue;
+            switch (look.highlight) {
+                case Highlight::None: reflect<kKeeps, Highlight::None>(group, k); break;
+                case Highlight::Reflection: reflect<kKeeps, Highlight::Reflection>(group, k); break;
+                case Highlight::Halfway: reflect<kKeeps, Highlight::Halfway>(group, k); break;
+            }
+            const bool shines = look.highlight != Highlight::None;
+            if (shines) raise(group, look.exponent);
+            addLight<kKeeps>(group, k, [&](std::size_t n) HWY_ATTR {
+                const std::size_t i = group.at[n];
+                const Floats nDotL = load(m_row.nDotL, i), power = shines ? load(m_row.power, i) : all(0);
+                const Reflected& reflected = look.lights[k];
+                // Never -0: what is left out is +0.
+                return Terms{where(hn::Gt(nDotL, all(0)), scaled(all(reflected.diffuse), nDotL)),
+                             scaled(all(reflected.specular), power) + all(Vec3<float>(0))};
+            });
+        }
+    }
+
+    // Leaves N, V and what is there without any light.
+    template <bool kKeeps>
+    void orient(const Group& group, const Look& look) {
+        const View& view = m_in.transform.view;
+        const Floats3 eye = all(Vec3<float>(view.eye)), back = all(-Vec3<float>(view.forward));
+        const Floats3 none = all(Vec3<float>(0)), base = all(sumOf(look.base));
+        for (std::size_t n = 0; n < group.count; ++n) {
+            const std::size_t i = group.at[n];
+            const Floats3 N = A::unit(load(m_row.surface.normal, i), group.mask[n]);
+            Floats3 V = none;
+            if (m_inputs.parts.viewVector)
+                V = view.perspective ? A::unit(eye - load(m_row.surface.position, i), group.mask[n]) : back;
+            store(N, m_row.N, i), store(V, m_row.V, i);
+            store(choose(group.mask[n], base, load(m_row.intensity, i)), m_row.intensity, i);
+            if constexpr (kKeeps) {
+                keep(BufferId::Position, load(m_row.surface.position, i), group.mask[n], i);
+                keep(BufferId::Normal, N, group.mask[n], i), keep(BufferId::ViewVector, V, group.mask[n], i);
+                keep(BufferId::Emission, all(look.base.emission), group.mask[n], i);
+                keep(BufferId::Ambient, all(look.base.ambient), group.mask[n], i);
+            }
+        }
+    }
+
+    // Leaves N·L of light k, and of its highlight q, 1 where there is none.
+    template <bool kKeeps, Highlight kHighlight>
+    void reflect(const Group& group, std::size_t k) {
+        const LightDetail& detail = m_inputs.illumination.detail;
+        const bool atInfinity = m_lights[k].atInfinity;
+        const Floats3 source = all(m_lights[k].source);
+        for (std::size_t n = 0; n < group.count; ++n) {
+            const std::size_t i = group.at[n];
+            const Mask mask = group.mask[n];
             const Floats3 N = load(m_row.N, i), V = load(m_row.V, i);
             const Floats3 L = atInfinity ? source : A::unit(source - load(m_row.surface.position, i), mask);
             const Floats nDotL = A::dot(N, L);
             const Mask lit = hn::And(mask, hn::Gt(nDotL, all(0)));
-            counts.evaluations += countOf(mask);
-            if constexpr (kKeeps) putInto(mask, L, m_row.L, i), putInto(mask, nDotL, m_row.nDotL, i);
-            Floats power = all(0), q = power;
-            Mask towards = lit;
-            if (mirrors || (kKeeps && detail.reflection)) {
+            store(nDotL, m_row.nDotL, i);
+            if constexpr (kKeeps) keep(BufferId::LightVector, L, mask, i, k), keep(BufferId::NDotL, nDotL, mask, i, k);
+            if (kHighlight == Highlight::Reflection || (kKeeps && detail.reflection)) {
                 const Floats3 R = scaled(N, hn::Add(nDotL, nDotL)) - L;
                 const Floats rDotV = A::dot(R, V);
-                if constexpr (kKeeps) putInto(mask, R, m_row.R, i), putInto(mask, rDotV, m_row.rDotV, i);
-                if (mirrors) towards = hn::And(lit, hn::Gt(rDotV, all(0))), q = halfSquare<A>(R, V);
+                if constexpr (kKeeps)
+                    keep(BufferId::ReflectionVector, R, mask, i, k), keep(BufferId::RDotV, rDotV, mask, i, k);
+                if constexpr (kHighlight == Highlight::Reflection)
+                    storeHighlight(halfSquare<A>(R, V), hn::And(lit, hn::Gt(rDotV, all(0))), i);
             }
-            if (halves || (kKeeps && detail.halfway)) {
+            if (kHighlight == Highlight::Halfway || (kKeeps && detail.halfway)) {
                 const Floats3 H = A::unit(L + V, mask);
                 const Floats nDotH = A::dot(N, H);
-                if constexpr (kKeeps) putInto(mask, H, m_row.H, i), putInto(mask, nDotH, m_row.nDotH, i);
-                if (halves) towards = hn::And(lit, hn::Gt(nDotH, all(0))), q = halfSquare<A>(N, H);
+                if constexpr (kKeeps)
+                    keep(BufferId::HalfwayVector, H, mask, i, k), keep(BufferId::NDotH, nDotH, mask, i, k);
+                if constexpr (kHighlight == Highlight::Halfway)
+                    storeHighlight(halfSquare<A>(N, H), hn::And(lit, hn::Gt(nDotH, all(0))), i);
             }
-            if (look.powers) {
-                if (!hn::AllFalse(F(), towards)) power = powerOfCosines<A>(q, exponent, towards);
-                const Mask vanished = hn::And(towards, hn::Gt(hn::Mul(exponent, q), all(kVanishing<float>)));
-                const long long vanishing = detail.vanishing ? 0 : countOf(vanished);
-                counts.vanished += vanishing, counts.powers += countOf(towards) - vanishing;
-            }
-            // Never -0: what is left out is +0.
-            const Floats3 specular = scaled(all(reflected.specular), power) + all(Vec3<float>(0));
-            putInto(mask, where(lit, scaled(all(reflected.diffuse), nDotL)), m_row.diffuse, i);
-            putInto(mask, where(towards, specular), m_row.specular, i);
-        });
-        m_counts += counts;
+            m_counts.evaluations += countOf(mask);
+        }
     }
-    // Of pixels of one object among others'.
-    HWY_INLINE void putInto(Mask mask, Floats3 v, Row3& to, std::size_t i) const {
-        store(m_looks.size() == 1 ? v : choose(mask, v, load(to, i)), to, i);
-    }
-    HWY_INLINE void putInto(Mask mask, Floats v, Row& to, std::size_t i) const {
-        store(m_looks.size() == 1 ? v : hn::IfThenElse(mask, v, load(to, i)), to, i);
+    HWY_INLINE void storeHighlight(Floats q, Mask there, std::size_t i) {
+        store(hn::IfThenElse(there, q, all(kNoHighlight)), m_row.q, i);
     }
 
-    // The terms of light k in its shadow, added to the intensity.
-    void addLight(std::size_t k) {
-        const bool casts = m_shadows[k].casts || m_shadows[k].looksUp();
-        if (casts) findShadows(m_shadows[k]);
-        forEachSeen([&](std::size_t i, Mask) HWY_ATTR {
-            Floats3 diffuse = load(m_row.diffuse, i), specular = load(m_row.specular, i);
-            if (casts) {
-                const Floats S = load(m_row.shadow, i);
-                diffuse = scaled(diffuse, S), specular = scaled(specular, S);
-                if (m_keeps) store(diffuse, m_row.diffuse, i), store(specular, m_row.specular, i);
-            }
-            store(load(m_row.intensity, i) + diffuse + specular, m_row.intensity, i);
-        });
-        if (!m_keeps) return;
-        if (!casts) std::ranges::fill(m_row.shadow.of, 1.0F);
-        keep(BufferId::Shadow, m_row.shadow, k);
-        keep(BufferId::Diffuse, m_row.diffuse, k), keep(BufferId::Specular, m_row.specular, k);
+    // The powers of a highlight.
+    void raise(const Group& group, float exponent) {
+        const Floats power = all(exponent), most = all(kVanishing<float>);
+        long long powers = 0, vanished = 0;
+        for (std::size_t n = 0; n < group.count; ++n) {
+            const std::size_t i = group.at[n];
+            const Floats q = load(m_row.q, i);
+            const Mask there = hn::Lt(q, all(kNoHighlight));
+            store(powerOfCosines<A>(q, power, there), m_row.power, i);
+            powers += countOf(there), vanished += countOf(hn::And(there, hn::Gt(hn::Mul(power, q), most)));
+        }
+        if (m_inputs.illumination.detail.vanishing) vanished = 0;
+        m_counts.vanished += vanished, m_counts.powers += powers - vanished;
     }
-    void findShadows(const ShadowLight& light) {
-        const bool everywhere = m_inputs.parts.idleLookups || has(BufferId::Shadow);
-        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
-            const Mask idle = hn::And(isZero(load(m_row.diffuse, i)), isZero(load(m_row.specular, i)));
-            const Mask wanted = everywhere ? mask : hn::AndNot(idle, mask);
-            const Floats3 position = load(m_row.surface.position, i), normal = load(m_row.surface.facing, i);
-            store(light.template factors<A>(m_inputs.shadow, position, normal, wanted), m_row.shadow, i);
-            if (!light.looksUp()) return;
-            const long long lookups = countOf(wanted);
-            m_counts.lookups += lookups, m_counts.idleLookups += countOf(mask) - lookups;
-        });
+
+    // The terms of light k in its shadow, added to the intensity. terms(n): without it.
+    template <bool kKeeps, class TermsOf>
+    void addLight(const Group& group, std::size_t k, TermsOf terms) {
+        const ShadowLight& light = m_shadows[k];
+        const bool casts = light.casts || light.looksUp();
+        const bool everywhere = m_inputs.parts.idleLookups || (kKeeps && has(BufferId::Shadow));
+        for (std::size_t n = 0; n < group.count; ++n) {
+            const std::size_t i = group.at[n];
+            const Mask mask = group.mask[n];
+            Terms of = terms(n);
+            Floats S = all(1);
+            if (casts) {
+                const Mask idle = hn::And(isZero(of.diffuse), isZero(of.specular));
+                const Mask wanted = everywhere ? mask : hn::AndNot(idle, mask);
+                S = light.template factors<A>(m_inputs.shadow, load(m_row.surface.position, i),
+                                              load(m_row.surface.facing, i), wanted);
+                of = {scaled(of.diffuse, S), scaled(of.specular, S)};
+                if (light.looksUp()) {
+                    const long long lookups = countOf(wanted);
+                    m_counts.lookups += lookups, m_counts.idleLookups += countOf(mask) - lookups;
+                }
+            }
+            if constexpr (kKeeps) {
+                keep(BufferId::Shadow, S, mask, i, k);
+                keep(BufferId::Diffuse, of.diffuse, mask, i, k), keep(BufferId::Specular, of.specular, mask, i, k);
+            }
+            const Floats3 before = load(m_row.intensity, i);
+            store(choose(mask, before + of.diffuse + of.specular, before), m_row.intensity, i);
+        }
     }
 
     // Flat or Gouraud shading: what polygons or vertices have, and the shadows of the pixels.
-    void shadeGathered() {
+    template <bool kKeeps>
+    void shadeGathered(const Group& group) {
         const auto& elements = m_inputs.shading == Shading::Flat ? m_out.polygons : m_out.vertices;
-        forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
-            const Elements<A> at(m_inputs, m_in, m_row.surface, i, mask);
+        const auto elementsAt = [&](std::size_t n) HWY_ATTR {
+            return Elements<A>(m_inputs, m_in, m_row.surface, group.at[n], group.mask[n]);
+        };
+        for (std::size_t n = 0; n < group.count; ++n) {
+            const std::size_t i = group.at[n];
+            const Elements<A> at = elementsAt(n);
             const Floats3 emission = at.difference(elements.base, 0), ambient = at.difference(elements.base, 1);
             store(all(Vec3<float>(0)) + emission + ambient, m_row.intensity, i);
-            if (m_keeps) store(emission, m_row.emission, i), store(ambient, m_row.ambient, i);
-        });
-        if (m_keeps) {
-            keep(BufferId::Position, m_row.surface.position);
-            keep(BufferId::Emission, m_row.emission), keep(BufferId::Ambient, m_row.ambient);
+            if constexpr (kKeeps) {
+                keep(BufferId::Position, load(m_row.surface.position, i), group.mask[n], i);
+                keep(BufferId::Emission, emission, group.mask[n], i),
+                    keep(BufferId::Ambient, ambient, group.mask[n], i);
+            }
         }
-        const auto lights = std::int32_t(m_inputs.lights.size());
-        for (std::size_t k = 0; k < m_inputs.lights.size(); ++k) {
-            if (!m_inputs.parts.lights[k]) continue;
-            forEachSeen([&](std::size_t i, Mask mask) HWY_ATTR {
-                const Elements<A> at(m_inputs, m_in, m_row.surface, i, mask);
-                store(at.sum(elements.terms, lights, std::int32_t(k), 0), m_row.diffuse, i);
-                store(at.sum(elements.terms, lights, std::int32_t(k), 1), m_row.specular, i);
+        const auto lights = std::int32_t(m_lights.size());
+        for (std::int32_t k = 0; k < lights; ++k) {
+            if (!m_inputs.parts.lights[std::size_t(k)]) continue;
+            addLight<kKeeps>(group, std::size_t(k), [&](std::size_t n) HWY_ATTR {
+                const Elements<A> at = elementsAt(n);
+                return Terms{at.sum(elements.terms, lights, k, 0), at.sum(elements.terms, lights, k, 1)};
             });
-            addLight(k);
         }
     }
+
     // The row's intensity and color, 0 where nothing is seen.
     void write() {
         auto& intensities = m_out.vectors[index(BufferId::Intensity)];
         ColorRows colors;
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            const Mask mask = seen(i);
-            if (intensities.empty() && hn::AllFalse(F(), mask)) {
-                colors.put(hn::Zero(I()), hn::Zero(I()), hn::Zero(I()), i);
-                continue;
-            }
-            const Floats3 v = where(mask, load(m_row.intensity, i));
+            const Floats3 v = where(seenIn(m_row.surface.triangle + i), load(m_row.intensity, i));
             colors.put(m_bytes.template of<A>(v.x), m_bytes.template of<A>(v.y), m_bytes.template of<A>(v.z), i);
-            if (const Mask inTile = within(m_tile, m_first + i); !intensities.empty() && !hn::AllFalse(F(), inTile))
+            if (intensities.empty()) continue;
+            if (const Mask inTile = within(m_tile, m_first + i); !hn::AllFalse(F(), inTile))
                 putPixels(v, inTile, m_first + i, m_tile.min, intensities[0]);
         }
         colors.copyTo(m_tile, int(m_first / kRowPixels) * kBlock, m_out.color);
     }
 
+    static constexpr float kNoHighlight = 4;  // q is at most 2
     const ShadingInputs& m_inputs;
     const ShadingSources<float>& m_in;
     Tile m_tile;
@@ -326,8 +333,10 @@ private:
     ToBytes m_bytes;
     bool m_keeps = false;                // any buffer beside color and intensity
     std::vector<Look> m_looks;           // per object
+    std::vector<Shining> m_lights;       // per light
     std::vector<ShadowLight> m_shadows;  // per light
-    std::size_t m_first = 0;             // of the row, in the tile
+    std::vector<Group> m_groups;
+    std::size_t m_first = 0;  // of the row, in the tile
     ShadedRow m_row;
     ShadingCounts m_counts;
 };

@@ -7,6 +7,8 @@
 #endif
 
 #include <array>
+#include <cmath>
+
 #include <optional>
 
 #include "pipeline/simd/arithmetic.h"
@@ -21,6 +23,7 @@ namespace pipeline::HWY_NAMESPACE {
 // Numbers of the pixels of a row of blocks. What shading computes goes from row to row in short loops, which keep what
 // they work on in registers and find what others left in the nearest cache.
 constexpr std::size_t kRowPixels = std::size_t(kBlocksAcross) * kBlockPixels;
+constexpr std::size_t kRowVectors = kRowPixels / std::min<std::size_t>(16, HWY_LANES(float));
 struct Row {
     alignas(64) float of[kRowPixels];
 };
@@ -47,9 +50,9 @@ struct SurfaceRow {
     Row3 facing;    // the polygon's normal, where shadows are cast
 };
 
-// A quantity of a triangle's corners, to be interpolated.
+// A quantity of a triangle: at one place, and what it has more at the ends of two ways from there.
 struct Corners {
-    Vec3<float> origin{0}, toSecond{0}, toThird{0};
+    Vec3<float> origin, toSecond, toThird;
     void become(Vec3<float> first, Vec3<float> second, Vec3<float> third) {
         origin = first, toSecond = second - first, toThird = third - first;
     }
@@ -60,6 +63,18 @@ struct Corners {
     HWY_INLINE Floats3 at(Floats second, Floats third) const {
         return scaledPlus<A>(all(toThird), third, scaledPlus<A>(all(toSecond), second, all(origin)));
     }
+};
+
+// A triangle that is seen in a tile, ready for any vector of it.
+struct SeenSurface {
+    SeenTriangle triangle;
+    std::uint32_t id;  // index into Topology::triangles
+    std::int32_t polygon;
+    Corners normals, positions;
+    Vec3<float> facing;  // the polygon's normal
+    // Whether `normals` are those of pixels: at firstPixel, and what a step to the right and one down add.
+    bool isPlane;
+    Vec2<float> firstPixel;
 };
 
 // Finds what is seen in a tile, row of blocks after row of blocks. In fast arithmetic a normal is interpolated linearly
@@ -78,8 +93,9 @@ public:
             m_index = std::size_t(tile.min.y / kTileSize) * columns + std::size_t(tile.min.x / kTileSize);
             m_isDrawn = in.zBuffer.tileIsDrawn[m_index] != 0;
             m_records = seen->record.tile(m_index)->of;
-            m_triangle.emplace(in.transform.view, seen->pieces, tile);
+            m_seenIn.emplace(SeenIn{in.transform.view, seen->pieces, tile});
         }
+        m_names.fill(kNoTriangle);
         if (inputs.illumination.model == Model::OpenGl) return;
         for (const Light& light : inputs.lights) m_facing = m_facing || light.castsShadow;
     }
@@ -109,7 +125,7 @@ public:
     }
 
 private:
-    HWY_INLINE bool fromDepth() const { return !A::kExact && m_triangle; }
+    HWY_INLINE bool fromDepth() const { return !A::kExact && m_records; }
 
     // What the stage's own text has drawn, which keeps the weights, in the pixels of a vector.
     struct Drawn {
@@ -131,37 +147,40 @@ private:
         std::optional<Drawn> drawn;
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const std::size_t at = begin + i;
-            if (!m_triangle) drawn.emplace(m_in.zBuffer, m_tile, at);
-            const std::uint32_t* const names = m_triangle ? m_records + at : drawn->triangle;
-            const auto here = hn::Load(U(), names);
-            Mask left = seenIn(names);
+            if (!m_records) drawn.emplace(m_in.zBuffer, m_tile, at);
+            const std::uint32_t* const names = m_records ? m_records + at : drawn->triangle;
             auto triangle = hn::Set(U(), kNoTriangle);
             Ints polygon = hn::Zero(I());
             Floats3 normal = all(Vec3<float>(0)), position = normal, weights = normal, facing = normal;
-            while (!hn::AllFalse(F(), left)) {
+            for (Mask left = seenIn(names); !hn::AllFalse(F(), left);) {
                 const std::uint32_t name = names[hn::FindKnownFirstTrue(F(), left)];
-                const Mask mine = hn::RebindMask(F(), hn::Eq(here, hn::Set(U(), name)));
+                const Mask mine = seesIn(names, name);
                 left = hn::AndNot(mine, left);
-                if (name != m_name) become(name);
-                triangle = hn::IfThenElse(hn::RebindMask(U(), mine), hn::Set(U(), m_id), triangle);
-                polygon = hn::IfThenElse(hn::RebindMask(I(), mine), hn::Set(I(), m_polygon), polygon);
-                if constexpr (kFacing) facing = choose(mine, all(m_normal), facing);
+                const SeenSurface& seen = surfaceOf(name);
+                triangle = hn::IfThenElse(hn::RebindMask(U(), mine), hn::Set(U(), seen.id), triangle);
+                polygon = hn::IfThenElse(hn::RebindMask(I(), mine), hn::Set(I(), seen.polygon), polygon);
+                if constexpr (kFacing) facing = choose(mine, all(seen.facing), facing);
                 if constexpr (!A::kExact && kPerPixel && !kPositions) {
-                    if (m_triangle && m_triangle->isLinear()) {
-                        const Shares l = m_triangle->linear(at);
-                        normal = choose(mine, m_normals.template at<A>(l.one, l.two), normal);
+                    if (seen.isPlane) {
+                        const BlockPlace place(at);
+                        const auto across = [&](Ints lanes, int block, float first) HWY_ATTR {
+                            return hn::Add(hn::ConvertTo(F(), lanes), all(float(block) - first));
+                        };
+                        const Floats x = across(columnOf(place.first), place.x, seen.firstPixel.x);
+                        const Floats y = across(rowOf(place.first), place.y, seen.firstPixel.y);
+                        normal = choose(mine, seen.normals.template at<A>(x, y), normal);
                         continue;
                     }
                 }
-                const Floats3 b = m_triangle
-                                      ? m_triangle->weights(at)
+                const Floats3 b = m_records
+                                      ? seen.triangle.weights(*m_seenIn, at)
                                       : Floats3{hn::Load(F(), drawn->weights[0]), hn::Load(F(), drawn->weights[1]),
                                                 hn::Load(F(), drawn->weights[2])};
                 if constexpr (kPerPixel)
-                    normal = choose(mine, m_normals.template at<A>(b.y, b.z), normal);
+                    normal = choose(mine, seen.normals.template at<A>(b.y, b.z), normal);
                 else
                     weights = choose(mine, b, weights);
-                if constexpr (kPositions) position = choose(mine, m_positions.template at<A>(b.y, b.z), position);
+                if constexpr (kPositions) position = choose(mine, seen.positions.template at<A>(b.y, b.z), position);
             }
             hn::Store(triangle, U(), out.triangle + i), hn::Store(polygon, I(), out.polygon + i);
             if constexpr (kPerPixel)
@@ -172,23 +191,41 @@ private:
             if constexpr (kPositions) store(position, out.position, i);
         }
     }
-    // The name of a triangle: its record in the blocks, which one that clipping has cut has several of, or its index.
-    HWY_NOINLINE void become(std::uint32_t name) {
-        m_name = m_id = name;
-        if (m_triangle) m_triangle->become(name), m_id = m_triangle->id();
-        const Triangle& triangle = m_in.transform.topology->triangles[m_id];
-        m_polygon = std::int32_t(triangle.polygon);
-        if (m_positioned && !fromDepth()) m_positions.become(m_in.transform.world, triangle.vertices);
-        if (m_facing) m_normal = m_in.normals.polygon[triangle.polygon];
+    // By the name of a triangle: its record in the blocks, of which one that clipping has cut has several, or its index.
+    HWY_INLINE const SeenSurface& surfaceOf(std::uint32_t name) {
+        const std::size_t slot = name % kSlots;
+        if (m_names[slot] != name) m_names[slot] = name, become(m_surfaces[slot], name);
+        return m_surfaces[slot];
+    }
+    HWY_NOINLINE void become(SeenSurface& seen, std::uint32_t name) const {
+        seen.id = name, seen.isPlane = false;
+        if (m_records) seen.triangle.become(*m_seenIn, name), seen.id = seen.triangle.id();
+        const Triangle& triangle = m_in.transform.topology->triangles[seen.id];
+        seen.polygon = std::int32_t(triangle.polygon);
+        if (m_positioned && !fromDepth()) seen.positions.become(m_in.transform.world, triangle.vertices);
+        if (m_facing) seen.facing = m_in.normals.polygon[triangle.polygon];
         if (!m_perPixel) return;
-        const auto& normals = m_in.normals.vertex;
-        if (!fromDepth() || !m_triangle->isLinear()) return m_normals.become(normals, triangle.vertices);
+        if (fromDepth() && seen.triangle.isLinear()) becomePlane(seen, triangle);
+        if (!seen.isPlane) seen.normals.become(m_in.normals.vertex, triangle.vertices);
+    }
+    // What is linear in the picture is the normal over z_view, which has the normal's direction. Where the triangle is
+    // so thin that steps of a pixel are large against it, sums of them are not accurate.
+    void becomePlane(SeenSurface& seen, const Triangle& triangle) const {
+        constexpr float kSteepest = 64;
         const bool perspective = m_in.transform.view.perspective;
         const auto divided = [&](std::size_t corner) {
-            const Vec3<float> n = m_triangle->atCorner(normals, triangle.vertices, corner);
-            return perspective ? m_triangle->w(corner) * n : n;
+            const Vec3<float> n = seen.triangle.atCorner(m_in.normals.vertex, triangle.vertices, corner);
+            return perspective ? seen.triangle.w(corner) * n : n;
         };
-        m_normals.become(divided(0), divided(1), divided(2));
+        const glm::ivec2 first = seen.triangle.firstPixel(m_tile);
+        const Slope one = seen.triangle.slope(1, first), two = seen.triangle.slope(2, first);
+        for (const Slope& l : {one, two})
+            if (!(std::abs(l.value) + std::abs(l.column) + std::abs(l.row) < kSteepest)) return;
+        Corners n;
+        n.become(divided(0), divided(1), divided(2));
+        seen.isPlane = true, seen.firstPixel = first;
+        seen.normals = {n.origin + one.value * n.toSecond + two.value * n.toThird,
+                        one.column * n.toSecond + two.column * n.toThird, one.row * n.toSecond + two.row * n.toThird};
     }
     // World space, from z_view: worldPoint.
     void findPositions(int row, SurfaceRow& out) const {
@@ -218,12 +255,11 @@ private:
     bool m_perPixel, m_positioned, m_facing = false, m_isDrawn = true;
     std::size_t m_index = 0;                   // of the tile
     const std::uint32_t* m_records = nullptr;  // of the tile; null where the stage's own text drew
-    std::optional<SeenTriangle> m_triangle;
-    // Of the last triangle.
-    std::uint32_t m_name = kNoTriangle, m_id = kNoTriangle;
-    std::int32_t m_polygon = 0;
-    Corners m_normals, m_positions;
-    Vec3<float> m_normal{0};  // the polygon's
+    std::optional<SeenIn> m_seenIn;            // likewise
+    // Triangles as they were seen last. Neighbours mostly see the same few.
+    static constexpr std::size_t kSlots = 64;
+    std::array<std::uint32_t, kSlots> m_names;
+    std::unique_ptr<SeenSurface[]> m_surfaces = std::make_unique_for_overwrite<SeenSurface[]>(kSlots);
 };
 
 }  // namespace pipeline::HWY_NAMESPACE
