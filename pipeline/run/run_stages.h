@@ -57,9 +57,8 @@ std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& input
                                                       Threads& threads) {
     auto out = std::make_shared<NormalsOutput<Real>>(prepareNormals(inputs, in));
     findPolygonNormals(inputs, in, in.topology->polygonCount(), threads, *out);
-    if (inputs.vertexNormals)
-        for (std::size_t object = 0; object < in.topology->meshes.size(); ++object)
-            if (!threads.stopped()) vertexNormals(inputs, in, object, *out);
+    for (std::size_t object = 0; object < in.topology->meshes.size() && inputs.vertexNormals; ++object)
+        if (!threads.stopped()) findVertexNormals(inputs, in, object, threads, *out);
     out->weighted = {};
     return out;
 }

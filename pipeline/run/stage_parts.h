@@ -40,6 +40,21 @@ void findPolygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>
     });
 }
 
+// Of an object.
+template <class Real>
+void findVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
+                       Threads& threads, NormalsOutput<Real>& out) {
+    sumAroundVertices(inputs, in, object, out);
+    const std::size_t count = in.topology->firstVertex[object + 1] - in.topology->firstVertex[object];
+    threads.forRange(count, kVertexGrain, [&](std::size_t begin, std::size_t end) {
+        if constexpr (std::is_same_v<Real, float>)
+            unitVertexNormalsInVectors(inputs, in, object, begin, end, out);
+        else
+            unitVertexNormals(inputs, in, object, begin, end, out);
+    });
+    replaceVanishing(in, object, out);
+}
+
 // Pieces [first, last) of the triangles are set up.
 inline void setUpPieces(const SetUpInputs& inputs, std::size_t first, std::size_t last, TrianglePieces& out,
                         Threads& threads) {

@@ -60,48 +60,55 @@ Real cornerAngle(CornerAngleForm form, const TransformOutput<Real>& in, const To
 }  // namespace
 
 template <class Real>
-void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
-                   NormalsOutput<Real>& out) {
+void sumAroundVertices(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
+                       NormalsOutput<Real>& out) {
     const Topology& topology = *in.topology;
-    // The first normal around each vertex, for where the sum vanishes.
-    const std::size_t firstVertex = topology.firstVertex[object];
-    std::vector<Vec3<Real>> first(topology.firstVertex[object + 1] - firstVertex, Vec3<Real>(0));
-
     for (std::size_t polygon = topology.firstPolygon[object]; polygon < topology.firstPolygon[object + 1]; ++polygon) {
         const Topology::Corners corners = topology.corners(polygon);
-        const Vec3<Real> normal = out.polygon[polygon];
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            switch (inputs.weight) {
-                case NormalWeight::Given:
-                case NormalWeight::Mean: out.vertex[corners[i]] += normal; break;
-                case NormalWeight::Area: out.vertex[corners[i]] += out.weighted[polygon]; break;
-                case NormalWeight::Angle:
-                    out.vertex[corners[i]] += cornerAngle(inputs.angle, in, corners, i) * normal;
-                    break;
-            }
-            Vec3<Real>& standIn = first[corners[i] - firstVertex];
-            if (standIn == Vec3<Real>(0)) standIn = normal;
-        }
-    }
-    const std::vector<Vec3d>& given = topology.meshes[object]->normals;
-    const bool asGiven = inputs.weight == NormalWeight::Given && !given.empty();
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        Vec3<Real>& normal = out.vertex[firstVertex + i];
-        const Vec3<Real> own =
-            asGiven ? Vec3<Real>(normalized(in.normalMatrix[object] * given[i], inputs.unit)) : Vec3<Real>(0);
-        normal = own != Vec3<Real>(0) ? own : normalized(normal, inputs.unit);
-        if (normal == Vec3<Real>(0) && first[i] != Vec3<Real>(0)) {
-            normal = first[i];
-            ++out.vanishing;
-        }
+        const Vec3<Real> normal = inputs.weight == NormalWeight::Area ? out.weighted[polygon] : out.polygon[polygon];
+        const bool byAngle = inputs.weight == NormalWeight::Angle;
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            out.vertex[corners[i]] += byAngle ? cornerAngle(inputs.angle, in, corners, i) * normal : normal;
     }
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                           \
-    template NormalsOutput<Real> prepareNormals(const NormalsInputs&, const TransformOutput<Real>&);           \
-    template void polygonNormals(const NormalsInputs&, const TransformOutput<Real>&, std::size_t, std::size_t, \
-                                 NormalsOutput<Real>&);                                                        \
-    template void vertexNormals(const NormalsInputs&, const TransformOutput<Real>&, std::size_t, NormalsOutput<Real>&);
+template <class Real>
+void unitVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
+                       std::size_t begin, std::size_t end, NormalsOutput<Real>& out) {
+    const std::vector<Vec3d>& given = in.topology->meshes[object]->normals;
+    const bool asGiven = inputs.weight == NormalWeight::Given && !given.empty();
+    for (std::size_t i = begin; i < end; ++i) {
+        Vec3<Real>& normal = out.vertex[in.topology->firstVertex[object] + i];
+        const Vec3<Real> own =
+            asGiven ? Vec3<Real>(normalized(in.normalMatrix[object] * given[i], inputs.unit)) : Vec3<Real>(0);
+        normal = own != Vec3<Real>(0) ? own : normalized(normal, inputs.unit);
+    }
+}
+
+template <class Real>
+void replaceVanishing(const TransformOutput<Real>& in, std::size_t object, NormalsOutput<Real>& out) {
+    const Topology& topology = *in.topology;
+    const auto vanishes = [&](std::size_t vertex) { return out.vertex[vertex] == Vec3<Real>(0); };
+    std::size_t vertex = topology.firstVertex[object];
+    while (vertex < topology.firstVertex[object + 1] && !vanishes(vertex)) ++vertex;
+    if (vertex == topology.firstVertex[object + 1]) return;
+    for (std::size_t polygon = topology.firstPolygon[object]; polygon < topology.firstPolygon[object + 1]; ++polygon) {
+        const Topology::Corners corners = topology.corners(polygon);
+        const Vec3<Real> normal = out.polygon[polygon];
+        for (std::size_t i = 0; i < corners.size() && normal != Vec3<Real>(0); ++i)
+            if (vanishes(corners[i])) out.vertex[corners[i]] = normal, ++out.vanishing;
+    }
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                              \
+    template NormalsOutput<Real> prepareNormals(const NormalsInputs&, const TransformOutput<Real>&);              \
+    template void polygonNormals(const NormalsInputs&, const TransformOutput<Real>&, std::size_t, std::size_t,    \
+                                 NormalsOutput<Real>&);                                                           \
+    template void sumAroundVertices(const NormalsInputs&, const TransformOutput<Real>&, std::size_t,              \
+                                    NormalsOutput<Real>&);                                                        \
+    template void unitVertexNormals(const NormalsInputs&, const TransformOutput<Real>&, std::size_t, std::size_t, \
+                                    std::size_t, NormalsOutput<Real>&);                                           \
+    template void replaceVanishing(const TransformOutput<Real>&, std::size_t, NormalsOutput<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

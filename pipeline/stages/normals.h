@@ -37,11 +37,18 @@ template <class Real>
 void polygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
                     NormalsOutput<Real>& out);
 
-// All vertices of one object, from the polygons around each: the mean of the unit normals (lecture
-// 1), or weighted by area or by the angle at the vertex; normalised. Or as the mesh gives them; the
-// mean again where it gives none. A vertex of no polygon gets (0, 0, 0).
+// The vertices of one object, in three steps. First the sums over the polygons around each: of the unit normals
+// (lecture 1), or weighted by area or by the angle at the vertex.
 template <class Real>
-void vertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
-                   NormalsOutput<Real>& out);
+void sumAroundVertices(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
+                       NormalsOutput<Real>& out);
+// Then, of the object's vertices [begin, end), the sums normalised, or what the mesh gives where it gives one; pieces may
+// run at the same time.
+template <class Real>
+void unitVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
+                       std::size_t begin, std::size_t end, NormalsOutput<Real>& out);
+// And where a sum vanishes, the first normal around the vertex; (0, 0, 0) at a vertex of no polygon.
+template <class Real>
+void replaceVanishing(const TransformOutput<Real>& in, std::size_t object, NormalsOutput<Real>& out);
 
 }  // namespace pipeline

@@ -34,7 +34,7 @@ NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygo
     NormalsOutput<Real> out = prepareNormals(inputs, in);
     findPolygonNormals(inputs, in, polygons, threads, out);
     for (std::size_t object = 0; object + 1 < first.size() && first[object] < vertices; ++object)
-        vertexNormals(inputs, in, object, out);
+        findVertexNormals(inputs, in, object, threads, out);
     if (!out.vertex.empty()) std::fill(out.vertex.begin() + std::ptrdiff_t(vertices), out.vertex.end(), Vec3<Real>(0));
     return out;
 }

@@ -34,6 +34,16 @@ void expectTheSameBits(const Scene& scene) {
         EXPECT_EQ(culled.signedAreas, data.cull->signedAreas);
         EXPECT_EQ(culled.inside, data.cull->inside);
     }
+    NormalsOutput<float> normals = prepareNormals(data.keys.normals, in);
+    polygonNormals(data.keys.normals, in, 0, in.topology->polygonCount(), normals);
+    for (std::size_t object = 0; object < scene.objects.size() && data.keys.normals.vertexNormals; ++object) {
+        sumAroundVertices(data.keys.normals, in, object, normals);
+        unitVertexNormals(data.keys.normals, in, object, 0, scene.objects[object].mesh->positions.size(), normals);
+        replaceVanishing(in, object, normals);
+    }
+    EXPECT_EQ(normals.polygon, data.normals->polygon);
+    EXPECT_EQ(normals.vertex, data.normals->vertex);
+    EXPECT_EQ(normals.vanishing, data.normals->vanishing);
     const TriangleBins<float> bins = binTriangles<float>(*in.topology, in.view, in.viewSpace, data.verdicts());
     ZBufferOutput<float> out = prepareZBuffer<float>({{0, 0}, in.view.size}, DepthFormat::Linear);
     for (std::size_t tile = 0; tile < bins.bins.size(); ++tile)
@@ -117,6 +127,30 @@ TEST(Vectors, DrawShadowsOfWhatIsTurnedInsideOutToTheSameBits) {
         scene.objects[1].mesh = turned(*scene.objects[1].mesh);
         expectTheSameBits(scene);
     }
+}
+
+// A sum of area vectors grows with the square of the scale: at 2^-20 and at 2^18 its own square has to be scaled, in some
+// of the vertices. A sheet of two sides has sums that vanish: 20 polygons back to back at 12 vertices of their own.
+TEST(Vectors, FindNormalsOfAnySizeToTheSameBits) {
+    Scene scene = spheres();
+    scene.settings.shading = Shading::Phong;
+    scene.settings.normalWeight = NormalWeight::Area;
+    const Object sphere = scene.objects[0];
+    for (const double scale : {0x1p-20, 0x1p-14, 0x1p18, 0x1p60}) {
+        scene.objects.push_back(sphere);
+        scene.objects.back().transform.scale = Vec3d(scale);
+    }
+    Object sheet = sphere;
+    std::vector<Vec3d> positions;
+    std::vector<std::vector<std::uint32_t>> polygons;
+    for (std::uint32_t i = 0; i < 12; ++i) positions.emplace_back(i / 2, i % 2, 0);
+    for (std::uint32_t i = 0; i < 10; ++i) polygons.push_back({i, i + 1, i + 2}), polygons.push_back({i + 2, i + 1, i});
+    sheet.mesh = test::mesh(positions, polygons);
+    scene.objects.push_back(sheet);
+    expectTheSameBits(scene);
+    scene.objects = {sheet};
+    const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color}));
+    EXPECT_EQ(dataOf<float>(*frame)->normals->vanishing, 12U);
 }
 
 // Edge functions beyond what double holds: a triangle from one end of the guard band to the other.
