@@ -270,7 +270,7 @@ private:
                      fmt::format("{} is of one light, and this scene has {}", inQuotes(name), m_scene.lights.size()),
                      m_scene.lights.empty() ? std::string() : inQuotes(light));
             else
-                fail(at, "no buffer " + inQuotes(name) + "; the nearest is " + inQuotes(pipeline::nearestBuffer(name)));
+                fail(at, "no buffer " + inQuotes(name) + "; " + pipeline::insteadOfBuffer(name));
             return node;
         }
         const pipeline::BufferInfo& info = pipeline::bufferInfo(node.buffer->id);

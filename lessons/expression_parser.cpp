@@ -190,7 +190,7 @@ private:
         const std::string_view name = takeUntil(ends, start);
         node.buffer = pipeline::findBuffer(name);
         if (!node.buffer) {
-            fail(start, "no buffer " + inQuotes(name) + "; the nearest is " + inQuotes(pipeline::nearestBuffer(name)));
+            fail(start, "no buffer " + inQuotes(name) + "; " + pipeline::insteadOfBuffer(name));
         } else if (node.buffer->light >= int(m_scene.lights.size())) {
             fail(start, "no buffer " + inQuotes(name) + ": this scene has " + std::to_string(m_scene.lights.size()) +
                             (m_scene.lights.size() == 1 ? " light" : " lights"));

@@ -259,8 +259,7 @@ private:
     void buffer(const Line& name, PageState& state) {
         const auto buffer = pipeline::findBuffer(name.text);
         if (!buffer)
-            fail(name.where, "no buffer " + inQuotes(name.text) + "; the nearest is " +
-                                 inQuotes(pipeline::nearestBuffer(name.text)));
+            fail(name.where, "no buffer " + inQuotes(name.text) + "; " + pipeline::insteadOfBuffer(name.text));
         else if (buffer->light >= int(state.scene.lights.size()))
             fail(name.where, "no buffer " + inQuotes(name.text), "a light that the scene has");
         else

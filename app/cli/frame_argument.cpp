@@ -17,11 +17,9 @@ namespace {
 
 pipeline::Result<BufferName> bufferNamed(const pipeline::Scene& scene, const std::string& text) {
     const auto name = pipeline::findBuffer(text);
-    if (!name) {
-        const std::string nearest = pipeline::nearestBuffer(text);
+    if (!name)
         return pipeline::Error{
-            {}, fmt::format("no buffer {}; the nearest is \"{}\"", pipeline::inQuotes(text), nearest), {}};
-    }
+            {}, fmt::format("no buffer {}; {}", pipeline::inQuotes(text), pipeline::insteadOfBuffer(text)), {}};
     const std::size_t lights = scene.lights.size();
     if (name->light >= static_cast<int>(lights))
         return pipeline::Error{

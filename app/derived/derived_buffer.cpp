@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "pipeline/stages/view.h"
+
 namespace app {
 
 using pipeline::BufferId;
@@ -73,6 +77,35 @@ Result<DerivedBuffer> makeCondition(const BufferName& name, const DerivedRecipe&
         .buffer = bufferOf(*found), .meaning = fmt::format("1 where {} holds, else 0.", recipe.text), .mask = found};
 }
 
+// As OpenGL's projection matrices give it (glFrustum, glOrtho), written so that the two planes are exact. Beyond the far
+// plane it is above 1.
+double zNdc(const pipeline::View& view, double zView) {
+    if (std::isinf(zView)) return zView;  // nothing was drawn
+    const double range = view.far - view.near;
+    return view.perspective ? 1 - 2 * (view.near / zView) * ((view.far - zView) / range)
+                            : 2 * (zView - view.near) / range - 1;
+}
+
+Result<DerivedBuffer> makeZNdc(const Frame& frame) {
+    const BufferName name{BufferId::ZNdc}, from{BufferId::ZView};
+    const auto z = frame.buffer(from);
+    if (!z) return Error{{}, fmt::format("no {} in this frame: {}", from.text(), frame.whyAbsent(from)), {}};
+    const pipeline::View view = makeView(frame.scene());
+    pipeline::AnyBuffer buffer{name, &bufferInfo(name.id), z->shape, {}, {}};
+    std::visit(
+        [&]<class T>(std::span<const T> distances) {
+            const auto numbers = std::make_shared<std::vector<T>>();
+            for (const T distance : distances) numbers->push_back(T(zNdc(view, double(distance))));
+            buffer.data = std::span<const T>(*numbers);
+            buffer.owner = numbers;
+        },
+        z->data);
+    return DerivedBuffer{
+        .buffer = std::move(buffer),
+        .meaning = fmt::format("z in normalized device coordinates: -1 at z_view = {:.6g}, 1 at {:.6g}.", view.near,
+                               view.far)};
+}
+
 }  // namespace
 
 Result<BufferSet> buffersFor(const BufferName& name, const DerivedRecipe& recipe, const Scene& scene) {
@@ -93,6 +126,7 @@ Result<BufferSet> buffersFor(const BufferName& name, const DerivedRecipe& recipe
             if (!condition) return condition.errors();
             return condition->buffers;
         }
+        case BufferId::ZNdc: return pipeline::setOf({BufferId::ZView});
         default: break;
     }
     return noneBecause(name.text() + " is a buffer of the frame.");
@@ -103,6 +137,7 @@ Result<DerivedBuffer> derive(const BufferName& name, const DerivedRecipe& recipe
     switch (name.id) {
         case BufferId::Mix: return makeMix(recipe, frame, control);
         case BufferId::ShadowVerdict: return makeVerdicts(name, frame, control);
+        case BufferId::ZNdc: return makeZNdc(frame);
         default: return makeCondition(name, recipe, frame, control);
     }
 }

@@ -17,7 +17,9 @@ using pipeline::Palette;
 
 namespace {
 
-bool isDepth(BufferId id) { return id == BufferId::Depth || id == BufferId::ZView || id == BufferId::ShadowBuffer; }
+bool isDepth(BufferId id) {
+    return id == BufferId::Depth || id == BufferId::ZView || id == BufferId::ShadowBuffer || id == BufferId::ZNdc;
+}
 
 // Differences are told in three digits that matter, whatever they differ in.
 QString differenceText(double value) {

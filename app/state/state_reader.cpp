@@ -220,7 +220,7 @@ private:
                     view.buffer = *words;
                 else
                     m_values.fail(node->source(), path + "buffer is " + pipeline::inQuotes(*words),
-                                  "the name of a buffer; the nearest is \"" + pipeline::nearestBuffer(*words) + '"');
+                                  "the name of a buffer; " + pipeline::insteadOfBuffer(*words));
             }
         if (const auto* node = table.get("channel"))
             if (const auto number = m_values.number(*node, path + "channel", -1, 3)) view.channel = int(*number);

@@ -110,6 +110,8 @@ constexpr std::array<BufferInfo, kDerivedCount> kDerived{{
      P::Truth, 0},
     {B::Expression, "expression", S::Shading, D::Pixel, E::Real, 1, false, "", "",
      "The number that the expression gives.", P::Sequential, 0},
+    {B::ZNdc, "z_ndc", S::ZBuffer, D::Pixel, E::Real, 1, false, "", "clip",
+     "z in normalized device coordinates: -1 at the near plane, 1 at the far one.", P::Sequential, kInfinity},
 }};
 
 // findBuffer and bufferInfo index by BufferId.
@@ -174,10 +176,10 @@ std::optional<BufferName> findAnyBuffer(std::string_view text) {
     return name ? name : findDerived(text);
 }
 
-std::string nearestBuffer(std::string_view text) {
+std::string insteadOfBuffer(std::string_view text) {
     std::vector<std::string> names;
     for (const BufferName& name : allBuffers(1)) names.push_back(name.text());
-    return nearest(text, names);
+    return insteadOf(text, names);
 }
 
 std::vector<BufferName> allBuffers(std::size_t lights) { return namesOf(kTable, lights); }

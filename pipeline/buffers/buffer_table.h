@@ -53,10 +53,11 @@ enum class BufferId : std::uint8_t {
     ShadowVerdict,
     Condition,
     Expression,
+    ZNdc,
 };
 constexpr std::size_t index(BufferId id) { return static_cast<std::size_t>(id); }
 inline constexpr std::size_t kBufferCount = index(BufferId::Color) + 1;  // that frames hold
-inline constexpr std::size_t kDerivedCount = index(BufferId::Expression) + 1 - kBufferCount;
+inline constexpr std::size_t kDerivedCount = index(BufferId::ZNdc) + 1 - kBufferCount;
 constexpr bool isDerived(BufferId id) { return index(id) >= kBufferCount; }
 
 // What one row of a buffer stands for.
@@ -112,8 +113,8 @@ std::optional<BufferName> findBuffer(std::string_view text);
 std::optional<BufferName> findDerived(std::string_view text);
 // Of a frame or derived: what a view can show and an export can write.
 std::optional<BufferName> findAnyBuffer(std::string_view text);
-// The nearest existing name, for messages.
-std::string nearestBuffer(std::string_view text);
+// The nearest existing name, or all of them, for messages: as insteadOf() in pipeline/core/text.h.
+std::string insteadOfBuffer(std::string_view text);
 // Every buffer a scene with this many lights can have, in the order of the stages.
 std::vector<BufferName> allBuffers(std::size_t lights);
 std::vector<BufferName> allDerived(std::size_t lights);

@@ -49,7 +49,8 @@ std::vector<DepthTests> depthTests(const Frame& frame) {
 
 bool mayBeNegative(const BufferInfo& info) {
     return info.palette == Palette::Diverging || info.palette == Palette::Direction || isOfNames(info) ||
-           info.domain == Domain::Vertex || info.id == BufferId::Position || info.id == BufferId::Expression;
+           info.domain == Domain::Vertex || info.id == BufferId::Position || info.id == BufferId::Expression ||
+           info.id == BufferId::ZNdc;
 }
 
 StrangeNumbers strangeNumbers(const AnyBuffer& buffer, int channel, const std::vector<bool>& drawn) {

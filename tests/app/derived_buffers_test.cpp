@@ -8,6 +8,7 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "app/core/copied_value.h"
 #include "app/core/document_state.h"
@@ -20,6 +21,7 @@
 #include "app/panels/state_picture.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/settings_table.h"
+#include "pipeline/stages/view.h"
 #include "tests/support/files.h"
 #include "tests/support/scenes.h"
 
@@ -64,6 +66,36 @@ TEST_F(DerivedBuffersTest, VerdictsHaveNamesALegendAndAReadout) {
     // Without a light that casts a shadow there is none, and the view says so.
     document.change(*pipeline::findSetting(document.scene(), "light.0.shadow"), 0);
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.message() == "Light 0 casts no shadow."; }, 10000));
+}
+
+// The reference is the matrix that GLM makes as OpenGL's documents say: z and w of (0, 0, -z_view, 1).
+TEST_F(DerivedBuffersTest, ZInDeviceCoordinatesIsThatOfTheProjectionMatrix) {
+    constexpr BufferName kZNdc{BufferId::ZNdc};
+    for (const double projection : {0, 1}) {  // perspective, orthographic
+        document.change(*pipeline::findSetting(document.scene(), "camera.projection"), projection);
+        view.setBuffer(kZNdc);
+        ASSERT_TRUE(shows(kZNdc));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }, 10000));
+        QTest::qWait(100);
+        const pipeline::View eye = makeView(document.scene());
+        const glm::dmat4 matrix = eye.perspective ? glm::perspectiveRH_NO(1.0, 1.0, eye.near, eye.far)
+                                                  : glm::orthoRH_NO(-1.0, 1.0, -1.0, 1.0, eye.near, eye.far);
+        const pipeline::AnyBuffer zView = of({BufferId::ZView}), &found = view.shown()->buffer;
+        ASSERT_EQ(found.shape, zView.shape);
+        std::size_t drawn = 0;
+        for (std::size_t i = 0; i < zView.count(); ++i) {
+            if (std::isinf(zView.flat(i))) {
+                EXPECT_EQ(found.flat(i), INFINITY);
+                continue;
+            }
+            ++drawn;
+            const glm::dvec4 clip = matrix * glm::dvec4(0, 0, -zView.flat(i), 1);
+            EXPECT_NEAR(found.flat(i), clip.z / clip.w, 1e-6) << i;  // 2^-24 of float, and of the matrix's differences
+            EXPECT_LE(std::abs(found.flat(i)), 1.0000002);
+        }
+        EXPECT_GT(drawn, 1000u);
+    }
+    EXPECT_EQ(view.shown()->look.range.first, view.shown()->numbers.min) << "the nearest is lightest";
 }
 
 TEST_F(DerivedBuffersTest, RaysCanBeCancelledAndCastAgain) {

@@ -55,9 +55,10 @@ TEST(BufferTable, DerivedBuffersAreNamesApart) {
 }
 
 TEST(BufferTable, SuggestsTheNearestName) {
-    EXPECT_EQ(nearestBuffer("colour"), "color");
-    EXPECT_EQ(nearestBuffer("zview"), "z_view");
-    EXPECT_EQ(nearestBuffer("n_dot_l"), "n_dot_l.0");
+    EXPECT_EQ(insteadOfBuffer("colour"), "the nearest is \"color\"");
+    EXPECT_EQ(insteadOfBuffer("zview"), "the nearest is \"z_view\"");
+    EXPECT_EQ(insteadOfBuffer("n_dot_l"), "the nearest is \"n_dot_l.0\"");
+    EXPECT_TRUE(insteadOfBuffer("picture").starts_with("there are \"vertices.world\", "));
 }
 
 TEST(BufferTable, NeutralValuesAreThoseOfTheSpecification) {

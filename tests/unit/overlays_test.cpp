@@ -123,6 +123,7 @@ TEST(StrangeNumbers, DotProductsAndNormalsMayBeNegative) {
     EXPECT_TRUE(mayBeNegative(bufferInfo(BufferId::NDotL)));
     EXPECT_TRUE(mayBeNegative(bufferInfo(BufferId::Normal)));
     EXPECT_TRUE(mayBeNegative(bufferInfo(BufferId::PolygonId)));
+    EXPECT_TRUE(mayBeNegative(bufferInfo(BufferId::ZNdc)));
     EXPECT_FALSE(mayBeNegative(bufferInfo(BufferId::Intensity)));
     EXPECT_FALSE(mayBeNegative(bufferInfo(BufferId::ZView)));
 }
