@@ -1,6 +1,7 @@
 #include "app/core/numbers.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,6 +69,18 @@ QString milliseconds(double value) {
 }
 
 QString count(qint64 value) { return number(double(value), 0); }
+
+QString withGroups(const QString& text) {
+    static const QRegularExpression whole("(?<![\\d.])\\d{4,18}(?!\\d)");  // not the digits after a point
+    QString out;
+    qsizetype end = 0;
+    for (auto it = whole.globalMatch(text); it.hasNext();) {
+        const QRegularExpressionMatch digits = it.next();
+        out += text.mid(end, digits.capturedStart() - end) + count(digits.captured().toLongLong());
+        end = digits.capturedEnd();
+    }
+    return out + text.mid(end);
+}
 
 QString fullPrecision(double value) { return QString::number(value, 'g', QLocale::FloatingPointShortest); }
 

@@ -14,10 +14,11 @@ QString component(double value);
 QString vectorText(double x, double y, double z);  // "(0, 0.894, 0.447)"
 // As many decimals as tell neighbours of the format apart: 4 in float at 10³.
 QString depth(double value, bool isDouble = false);
-QString angle(double degrees);        // "39.2°"
-QString errorText(double value);      // two digits: "3.9e-6", "0"
-QString milliseconds(double value);   // three digits: "0.161 ms", "12.3 ms"
-QString count(qint64 value);          // "2 686"
-QString fullPrecision(double value);  // the shortest text that reads back as the same double; plain ASCII
+QString angle(double degrees);            // "39.2°"
+QString errorText(double value);          // two digits: "3.9e-6", "0"
+QString milliseconds(double value);       // three digits: "0.161 ms", "12.3 ms"
+QString count(qint64 value);              // "2 686"
+QString withGroups(const QString& text);  // "2686 fragments" as "2 686 fragments", every number in it
+QString fullPrecision(double value);      // the shortest text that reads back as the same double; plain ASCII
 
 }  // namespace app

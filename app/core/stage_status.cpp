@@ -24,16 +24,6 @@ StageState stateOf(Action action) {
     return StageState::LeftOut;
 }
 
-// "2686 fragments" as "2 686 fragments".
-QString withGroups(QString text) {
-    static const QRegularExpression large("\\d{4,}");
-    for (auto it = large.globalMatch(text); it.hasNext();) {
-        const QString digits = it.next().captured();
-        text.replace(digits, count(digits.toLongLong()));
-    }
-    return text;
-}
-
 // "1.5e-05 px" as "1.5e-5 px".
 QString withShortExponent(QString text) {
     static const QRegularExpression zeros("e([+-])0+(?=\\d)");

@@ -19,6 +19,14 @@ TEST(Numbers, GroupsOfThreeStandBeforeThePointOnly) {
     EXPECT_EQ(utf8(app::count(2686)), "2\u2009686");
 }
 
+// 1234 stands in 51234 and in 12345 too; the digits after a point are no whole number.
+TEST(Numbers, EveryNumberOfATextHasItsGroups) {
+    EXPECT_EQ(utf8(app::withGroups("1234 of 51234 polygons; 12345 of 1024², 1234567.12345 s")),
+              "1\u2009234 of 51\u2009234 polygons; 12\u2009345 of 1\u2009024², 1\u2009234\u2009567.12345 s");
+    EXPECT_EQ(utf8(app::withGroups("3 of 5 polygons kept")), "3 of 5 polygons kept");
+    EXPECT_EQ(utf8(app::withGroups("")), "");
+}
+
 TEST(Numbers, WhatIsNoNumberIsAWord) {
     EXPECT_EQ(utf8(app::number(NAN, 3)), "NaN");
     EXPECT_EQ(utf8(app::depth(INFINITY)), "+∞");
