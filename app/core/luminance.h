@@ -14,9 +14,6 @@ inline double linearLight(int byte) {
     return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
 
-// The channel that is made of the others: what a view shows in their place, by its number in files.
-inline constexpr int kLuminanceChannel = 3;
-
 // Whether a buffer's channels are red, green and blue.
 bool hasLuminance(const pipeline::BufferInfo& info);
 // The luminance of each element, one number in place of three; the name stays. Of bytes it is that of the light they

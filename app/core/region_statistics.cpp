@@ -51,11 +51,12 @@ RegionStatistics regionStatistics(const pipeline::AnyBuffer& buffer, const Regio
     return result;
 }
 
-QString regionText(const pipeline::AnyBuffer& buffer, const Region& region, int channel, const QStringList& names) {
+QString regionText(const pipeline::AnyBuffer& buffer, const Region& region, ShownChannel channel,
+                   const QStringList& names) {
     std::vector<RegionStatistics> columns;
     QStringList head{toQString(buffer.name.text())};
     for (int c = 0; c < buffer.channels(); ++c) {
-        if (channel >= 0 && c != channel) continue;
+        if (channel != ShownChannel::All && c != index(channel)) continue;
         columns.push_back(regionStatistics(buffer, region, c));
         head << (c < names.size() ? names[c] : QString());
     }

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include "app/state/shown_channel.h"
 #include "pipeline/buffers/any_buffer.h"
 
 namespace app {
@@ -31,7 +32,8 @@ struct RegionStatistics {
 RegionStatistics regionStatistics(const pipeline::AnyBuffer& buffer, const Region& region, int channel);
 
 // All of them, one line a number, one column a channel; tabs between the columns, as tables are pasted.
-// channel -1: every channel that the buffer has, by `names`.
-QString regionText(const pipeline::AnyBuffer& buffer, const Region& region, int channel, const QStringList& names);
+// All channels: every one that the buffer has, by `names`.
+QString regionText(const pipeline::AnyBuffer& buffer, const Region& region, ShownChannel channel,
+                   const QStringList& names);
 
 }  // namespace app

@@ -16,7 +16,7 @@ using Kind = OtherSource::Kind;
 
 namespace {
 
-std::vector<bool> drawnOf(const FramePtr& frame, const AnyBuffer& buffer, int channel) {
+std::vector<bool> drawnOf(const FramePtr& frame, const AnyBuffer& buffer, ShownChannel channel) {
     return drawnElements(buffer, frame ? frame->buffer({BufferId::PolygonId}) : std::nullopt, channel);
 }
 
@@ -172,7 +172,7 @@ ShownBuffer BufferCompare::show(const FramePtr& frame, ShownBuffer a) {
     std::optional<ShownBuffer> b;
     if (m_b) {
         const QString why = toQString(whyNotComparable(a.buffer, *m_b));
-        const int channel = a.look.channel, channelB = why.isEmpty() ? channel : -1;
+        const ShownChannel channel = a.look.channel, channelB = why.isEmpty() ? channel : ShownChannel::All;
         std::vector<bool> drawnA = drawnOf(frame, a.buffer, channel),
                           drawnB = drawnOf(m_frameB ? m_frameB : frame, *m_b, channelB);
         const bool sameColors =
@@ -183,7 +183,8 @@ ShownBuffer BufferCompare::show(const FramePtr& frame, ShownBuffer a) {
         if (drawnA.empty() != drawnB.empty())  // one has a background, the other has none
             drawnA = drawnB = drawnA.empty() ? drawnB : drawnA;
         if (why.isEmpty())
-            m_found = m_difference.answer({a.buffer, *m_b, channel, m_metric, std::move(drawnA), std::move(drawnB)});
+            m_found =
+                m_difference.answer({a.buffer, *m_b, index(channel), m_metric, std::move(drawnA), std::move(drawnB)});
         else
             m_why = source.kind == Kind::PreviousStage
                         ? tr("The two stages leave different things: look from one to the other.")
@@ -193,7 +194,7 @@ ShownBuffer BufferCompare::show(const FramePtr& frame, ShownBuffer a) {
     tell();
     if (showsDifference() && !m_holdsOther && !m_holdsPrevious) {
         const pipeline::MetricInfo& metric = pipeline::metricTable()[std::size_t(m_metric)];
-        ShownBuffer difference = showBuffer(*frame, m_found->values, m_found->drawn, -1, m_range);
+        ShownBuffer difference = showBuffer(*frame, m_found->values, m_found->drawn, ShownChannel::All, m_range);
         difference.notice.clear();
         difference.empty.clear();
         Wipe names;

@@ -85,7 +85,7 @@ private:
     std::optional<pipeline::AnyBuffer> m_a, m_b, m_file;
     KeptLuminance m_luminanceA, m_luminanceB;
     std::optional<pipeline::BufferDifference> m_found;
-    int m_channel = -1;
+    ShownChannel m_channel = ShownChannel::All;
     QString m_nameA, m_nameB;
     QString m_why;  // why there is no B, or no difference
 };

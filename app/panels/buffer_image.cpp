@@ -82,8 +82,8 @@ bool isVector(const BufferInfo& info) { return info.palette == Palette::Directio
 
 }  // namespace
 
-Palette shownPalette(const BufferInfo& info, int channel) {
-    if (info.channels == 1 || channel < 0) return info.palette;
+Palette shownPalette(const BufferInfo& info, ShownChannel channel) {
+    if (info.channels == 1 || channel == ShownChannel::All) return info.palette;
     if (info.palette == Palette::Direction) return Palette::Diverging;
     return info.element == Element::UInt8 ? Palette::Color : Palette::Sequential;
 }
@@ -92,21 +92,21 @@ bool standsOnShapes(const BufferInfo& info) {
     return info.domain == pipeline::Domain::Vertex || info.domain == pipeline::Domain::Polygon;
 }
 
-bool hasRange(const BufferInfo& info, int channel) {
+bool hasRange(const BufferInfo& info, ShownChannel channel) {
     const Palette palette = shownPalette(info, channel);
     return palette == Palette::Sequential || palette == Palette::Diverging ||
            (palette == Palette::Color && info.element == Element::Real);
 }
 
-BufferStatistics channelStatistics(const AnyBuffer& buffer, int channel) {
+BufferStatistics channelStatistics(const AnyBuffer& buffer, ShownChannel channel) {
     BufferStatistics found;
     if (buffer.info->element == Element::UInt8 && buffer.info->palette == Palette::Color) return found;
-    if (channel < 0 || buffer.channels() == 1) return statistics(buffer);
+    if (channel == ShownChannel::All || buffer.channels() == 1) return statistics(buffer);
     double min = INFINITY, max = -INFINITY;
     const auto channels = std::size_t(buffer.channels());
     std::visit(
         [&](const auto& numbers) {
-            for (std::size_t i = std::size_t(channel); i < numbers.size(); i += channels) {
+            for (std::size_t i = std::size_t(index(channel)); i < numbers.size(); i += channels) {
                 const double value = double(numbers[i]);
                 found.nan += std::isnan(value);
                 found.infinite += std::isinf(value);
@@ -125,9 +125,9 @@ BufferStatistics channelStatistics(const AnyBuffer& buffer, int channel) {
     return found;
 }
 
-PaletteRange fittingRange(const AnyBuffer& buffer, int channel, const BufferStatistics& found,
+PaletteRange fittingRange(const AnyBuffer& buffer, ShownChannel channel, const BufferStatistics& found,
                           pipeline::DepthFormat format) {
-    if (channel < 0 || buffer.channels() == 1) return pipeline::fittingRange(buffer, found, format);
+    if (channel == ShownChannel::All || buffer.channels() == 1) return pipeline::fittingRange(buffer, found, format);
     switch (shownPalette(*buffer.info, channel)) {
         case Palette::Diverging: {
             const double end = isVector(*buffer.info) ? 1 : std::max(std::abs(found.min), std::abs(found.max));
@@ -138,11 +138,12 @@ PaletteRange fittingRange(const AnyBuffer& buffer, int channel, const BufferStat
     }
 }
 
-bool isColorPicture(const BufferInfo& info, int channel) {
-    return info.palette == Palette::Color && info.stage == pipeline::StageId::Shading && channel < 0;
+bool isColorPicture(const BufferInfo& info, ShownChannel channel) {
+    return info.palette == Palette::Color && info.stage == pipeline::StageId::Shading && channel == ShownChannel::All;
 }
 
-std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<AnyBuffer>& polygonId, int channel) {
+std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<AnyBuffer>& polygonId,
+                                ShownChannel channel) {
     const BufferInfo& info = *buffer.info;
     if (isColorPicture(info, channel)) return {};
     if (info.domain == pipeline::Domain::Pixel && polygonId) {
@@ -164,10 +165,10 @@ QImage bufferImage(const AnyBuffer& buffer, const BufferLook& look, const std::v
     std::visit(
         [&](const auto& numbers) {
             const auto channels = std::size_t(buffer.channels());
-            if (channels == 3 && look.channel < 0)
+            if (channels == 3 && look.channel == ShownChannel::All)
                 fillColor(image, numbers, look.range, drawn);
             else
-                fillScalar(image, numbers, channels, std::size_t(std::max(0, look.channel)),
+                fillScalar(image, numbers, channels, std::size_t(firstOf(look.channel)),
                            shownPalette(*buffer.info, look.channel), look.range, drawn);
         },
         buffer.data);
@@ -179,8 +180,8 @@ std::vector<int> histogram(const AnyBuffer& buffer, const BufferLook& look, cons
     const auto channels = std::size_t(buffer.channels());
     const double length = look.range.last - look.range.first;
     if (length == 0) return counts;
-    const std::size_t begin = look.channel >= 0 ? std::size_t(look.channel) : 0;
-    const std::size_t end = look.channel >= 0 ? begin + 1 : channels;
+    const auto begin = std::size_t(firstOf(look.channel));
+    const std::size_t end = look.channel == ShownChannel::All ? channels : begin + 1;
     const auto outside = std::size_t(bins);  // a bin beyond the others
     counts.push_back(0);
     const auto binOf = [&](double value) {

@@ -4,37 +4,38 @@
 #include <optional>
 #include <vector>
 
+#include "app/state/shown_channel.h"
 #include "pipeline/buffers/palette.h"
 
 namespace app {
 
 // How a buffer is shown: never what it holds.
 struct BufferLook {
-    int channel = -1;  // of several: this one alone; -1 all of them as a colour
+    ShownChannel channel = ShownChannel::All;
     pipeline::PaletteRange range;
     bool operator==(const BufferLook&) const = default;
 };
 
 // The palette of a channel: one alone of a colour is grey, of a direction diverging, of an
 // intensity a scale.
-pipeline::Palette shownPalette(const pipeline::BufferInfo& info, int channel);
+pipeline::Palette shownPalette(const pipeline::BufferInfo& info, ShownChannel channel);
 // Stands on polygons or vertices, and has no pixels of its own.
 bool standsOnShapes(const pipeline::BufferInfo& info);
 // Values become colours by a range that can be chosen; 8-bit colours, directions and names do not.
-bool hasRange(const pipeline::BufferInfo& info, int channel);
+bool hasRange(const pipeline::BufferInfo& info, ShownChannel channel);
 
-// Numbers of one channel, or of all of them where channel is -1. Bytes that are colours are not looked at.
-pipeline::BufferStatistics channelStatistics(const pipeline::AnyBuffer& buffer, int channel);
+// Numbers of one channel, or of all of them. Bytes that are colours are not looked at.
+pipeline::BufferStatistics channelStatistics(const pipeline::AnyBuffer& buffer, ShownChannel channel);
 // The range that shows all of it; found: channelStatistics of the same.
-pipeline::PaletteRange fittingRange(const pipeline::AnyBuffer& buffer, int channel,
+pipeline::PaletteRange fittingRange(const pipeline::AnyBuffer& buffer, ShownChannel channel,
                                     const pipeline::BufferStatistics& found, pipeline::DepthFormat format);
 
 // A picture in colours has its black background; any other one is nothing where nothing was drawn.
-bool isColorPicture(const pipeline::BufferInfo& info, int channel);
+bool isColorPicture(const pipeline::BufferInfo& info, ShownChannel channel);
 // Which elements of a picture hold something. Empty: all of them.
 // polygonId: of the same frame, where there is one and the buffer stands on pixels.
 std::vector<bool> drawnElements(const pipeline::AnyBuffer& buffer, const std::optional<pipeline::AnyBuffer>& polygonId,
-                                int channel);
+                                ShownChannel channel);
 
 // One pixel per element; transparent where nothing was drawn.
 QImage bufferImage(const pipeline::AnyBuffer& buffer, const BufferLook& look, const std::vector<bool>& drawn);
@@ -47,7 +48,7 @@ std::vector<int> histogram(const pipeline::AnyBuffer& buffer, const BufferLook& 
 // (by leaving out decimals).
 QString valueText(const pipeline::AnyBuffer& buffer, double value, int characters = 0);
 // All channels of an element, or the one that is shown.
-QStringList elementText(const pipeline::AnyBuffer& buffer, std::size_t x, std::size_t y, int channel,
+QStringList elementText(const pipeline::AnyBuffer& buffer, std::size_t x, std::size_t y, ShownChannel channel,
                         int characters = 0);
 
 }  // namespace app

@@ -119,14 +119,14 @@ void BufferView::setBuffer(const BufferName& name) {
     if (isOther) emit bufferChanged(name);
 }
 
-int BufferView::channel() const {
+ShownChannel BufferView::channel() const {
     const auto found = m_kept.find(m_name.text());
-    return found == m_kept.end() ? -1 : found->second.channel;
+    return found == m_kept.end() ? ShownChannel::All : found->second.channel;
 }
 
-void BufferView::setChannel(int channel) {
+void BufferView::setChannel(ShownChannel channel) {
     const pipeline::BufferInfo& info = bufferInfo(m_name.id);
-    if (info.channels == 1 || (channel == kLuminanceChannel && !hasLuminance(info))) return;
+    if (info.channels == 1 || (channel == ShownChannel::Luminance && !hasLuminance(info))) return;
     kept().channel = channel;
     kept().range.reset();  // that of another channel means nothing
     m_header->show(m_name, channel);

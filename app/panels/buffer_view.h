@@ -36,8 +36,8 @@ public:
 
     const pipeline::BufferName& buffer() const { return m_name; }
     void setBuffer(const pipeline::BufferName& name);
-    void setChannel(int channel);  // -1: all; kLuminanceChannel
-    int channel() const;
+    void setChannel(ShownChannel channel);
+    ShownChannel channel() const;
     void autofit(bool keep);  // keep: the range follows every frame
     void setRange(pipeline::PaletteRange range);
     void setLogCounts(bool logarithmic);  // the axis of the histogram
@@ -72,7 +72,7 @@ protected:
 private:
     // How a buffer was last looked at, kept while another one is shown.
     struct Kept {
-        int channel = -1;
+        ShownChannel channel = ShownChannel::All;
         std::optional<pipeline::PaletteRange> range;  // nothing: fits every frame
         bool forced = false;                          // computed although the scene has no use for it
         bool logCounts = true;                        // the axis of the histogram

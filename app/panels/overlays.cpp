@@ -101,9 +101,9 @@ QString depthTest(const Frame& frame, QSize size, std::vector<QImage>& images) {
 }
 
 // NaN and infinities have colours of their own already: they get a frame of marks, negative ones a hatch.
-QString strange(const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn, int channel,
+QString strange(const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn, ShownChannel channel,
                 CanvasContent& content) {
-    auto found = pipeline::strangeNumbers(buffer, channel, drawn);
+    auto found = pipeline::strangeNumbers(buffer, index(channel), drawn);
     if (found.nan + found.infinite + found.negative == 0) return {};
     const auto width = std::size_t(content.size.width());
     content.overlays.push_back(imageOf(content.size, [&](std::size_t i) {

@@ -62,7 +62,7 @@ RegionPanel::RegionPanel(QWidget* parent) : QFrame(parent), m_table(new QLabel(t
     hide();
 }
 
-void RegionPanel::show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region, int channel) {
+void RegionPanel::show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region, ShownChannel channel) {
     setVisible(region.has_value());
     if (!region) return;
     m_text = regionText(buffer, *region, channel, channelNames(*buffer.info));

@@ -15,7 +15,7 @@ public:
     explicit RegionPanel(QWidget* parent);
 
     // Nothing hides it.
-    void show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region, int channel);
+    void show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region, ShownChannel channel);
     const QString& text() const { return m_text; }  // as it is copied
 
 signals:

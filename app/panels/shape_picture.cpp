@@ -18,12 +18,13 @@ QColor toColor(pipeline::Color8 c) { return {c.r, c.g, c.b}; }
 
 QColor colorOf(const AnyBuffer& buffer, std::size_t row, const BufferLook& look) {
     const Palette palette = shownPalette(*buffer.info, look.channel);
-    if (buffer.channels() == 3 && look.channel < 0) return toColor(elementColor(buffer, 0, row, look.range));
+    if (buffer.channels() == 3 && look.channel == ShownChannel::All)
+        return toColor(elementColor(buffer, 0, row, look.range));
     return toColor(
-        paletteColor(palette, buffer.value(0, row, std::max(0, look.channel)), look.range.first, look.range.last));
+        paletteColor(palette, buffer.value(0, row, firstOf(look.channel)), look.range.first, look.range.last));
 }
 
-QString rowText(const AnyBuffer& buffer, std::size_t row, int channel) {
+QString rowText(const AnyBuffer& buffer, std::size_t row, ShownChannel channel) {
     const QStringList values = elementText(buffer, 0, row, channel);
     return values.size() == 1 ? values[0] : '(' + values.join(", ") + ')';
 }

@@ -32,14 +32,14 @@ struct Findings {
     bool any() const { return drawn > 0; }
 };
 
-Findings look(const AnyBuffer& buffer, const std::vector<bool>& drawn, int channel) {
+Findings look(const AnyBuffer& buffer, const std::vector<bool>& drawn, ShownChannel channel) {
     Findings found;
     const auto channels = std::size_t(buffer.channels());
     if (isColorPicture(*buffer.info, channel) && buffer.info->element == Element::UInt8) {
         found.drawn = buffer.count() / channels;  // bytes are numbers, and nobody counts colours
         return found;
     }
-    const auto c = std::size_t(std::max(0, channel));
+    const auto c = std::size_t(firstOf(channel));
     std::vector<double> values;  // the distinct ones, sorted
     std::visit(
         [&](const auto& numbers) {
@@ -80,7 +80,7 @@ QString noticeOf(const Findings& found, bool countsDistinct) {
 }
 
 // Values in a pixel, then which polygon it shows and how many fragments came.
-std::function<QStringList(int, int)> textOf(const AnyBuffer& buffer, int channel,
+std::function<QStringList(int, int)> textOf(const AnyBuffer& buffer, ShownChannel channel,
                                             const std::optional<AnyBuffer>& polygons,
                                             const std::optional<AnyBuffer>& overdraw) {
     return [=](int x, int y) {
@@ -151,39 +151,40 @@ QStringList channelNames(const BufferInfo& info) {
     return {"x", "y", "z"};
 }
 
-QString captionOf(const BufferInfo& info, int channel) {
+QString captionOf(const BufferInfo& info, ShownChannel channel) {
     static const QStringList colors{"red", "green", "blue"};
     const bool isColor = info.palette == Palette::Color && info.id != BufferId::Barycentric;
-    if (channel == kLuminanceChannel)
+    if (channel == ShownChannel::Luminance)
         return info.unit == "intensity" ? "luminance, before scaling" : "luminance, 1 is white";
-    const QString alone = channel < 0 ? QString() : isColor ? colors[channel] : channelNames(info)[channel];
-    if (info.element == Element::UInt8 && isColor) return channel < 0 ? "sRGB, row 0 on top" : alone + ", row 0 on top";
-    if (info.unit == "intensity") return (channel < 0 ? QString("red, green, blue") : alone) + ", before scaling";
+    const bool isAll = channel == ShownChannel::All;
+    const QString alone = isAll ? QString() : (isColor ? colors : channelNames(info))[index(channel)];
+    if (info.element == Element::UInt8 && isColor) return isAll ? "sRGB, row 0 on top" : alone + ", row 0 on top";
+    if (info.unit == "intensity") return (isAll ? QString("red, green, blue") : alone) + ", before scaling";
     QString meaning = toQString(info.meaning);
     if (meaning.endsWith('.')) meaning.chop(1);
     return alone.isEmpty() ? meaning : alone + ", " + meaning;
 }
 
-std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name, int channel,
+std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name, ShownChannel channel,
                                       std::optional<PaletteRange> range) {
     const auto buffer = frame.buffer(name);
     if (!buffer) return {};
     const BufferInfo& info = *buffer->info;
-    const bool isLuminance = channel == kLuminanceChannel && hasLuminance(info);
-    if ((channel >= info.channels && !isLuminance) || info.channels == 1) channel = -1;
+    const bool isLuminance = channel == ShownChannel::Luminance && hasLuminance(info);
+    if ((index(channel) >= info.channels && !isLuminance) || info.channels == 1) channel = ShownChannel::All;
     const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
     return showBuffer(frame, *buffer, drawnElements(*buffer, polygons, channel), channel, range);
 }
 
-ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::vector<bool>& drawn, int channel,
-                       std::optional<PaletteRange> range) {
-    if (channel == kLuminanceChannel && hasLuminance(*buffer.info)) {
-        ShownBuffer shown = showBuffer(frame, luminanceOf(buffer), drawn, -1, range);
+ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::vector<bool>& drawn,
+                       ShownChannel channel, std::optional<PaletteRange> range) {
+    if (channel == ShownChannel::Luminance && hasLuminance(*buffer.info)) {
+        ShownBuffer shown = showBuffer(frame, luminanceOf(buffer), drawn, ShownChannel::All, range);
         shown.source = buffer;
         return shown;
     }
     const BufferInfo& info = *buffer.info;
-    if (channel >= info.channels || info.channels == 1) channel = -1;
+    if (index(channel) >= info.channels || info.channels == 1) channel = ShownChannel::All;
     const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
     ShownBuffer shown;
     shown.buffer = shown.source = buffer;
@@ -206,7 +207,7 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     }
 
     const Findings found = look(buffer, drawn, channel);
-    const bool isScalar = info.channels == 1 || channel >= 0;
+    const bool isScalar = info.channels == 1 || channel != ShownChannel::All;
     shown.notice = noticeOf(found, isScalar && info.element == Element::Real && !standsOnShapes(info));
     if (!drawn.empty() && !found.any()) shown.empty = whyNothing(frame);
     shown.description = descriptionOf(buffer, content.size, found);

@@ -31,18 +31,18 @@ struct ShownBuffer {
 };
 
 // What is shown, in words: "blue, before scaling".
-QString captionOf(const pipeline::BufferInfo& info, int channel);
+QString captionOf(const pipeline::BufferInfo& info, ShownChannel channel);
 // The channels' own names: r g b, x y z, or the three weights.
 QStringList channelNames(const pipeline::BufferInfo& info);
 
-// channel: -1 all, kLuminanceChannel that of the colours. range: the user's; nothing for one that shows all. Gives
+// range: the user's; nothing for one that shows all. Gives
 // nothing where the frame has no such buffer.
-std::optional<ShownBuffer> showBuffer(const pipeline::Frame& frame, const pipeline::BufferName& name, int channel,
-                                      std::optional<pipeline::PaletteRange> range);
+std::optional<ShownBuffer> showBuffer(const pipeline::Frame& frame, const pipeline::BufferName& name,
+                                      ShownChannel channel, std::optional<pipeline::PaletteRange> range);
 
 // A buffer that belongs to the picture of a frame without being one of its own: the other side of a
 // comparison, or their difference. drawn: which elements hold something; empty: all.
 ShownBuffer showBuffer(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn,
-                       int channel, std::optional<pipeline::PaletteRange> range);
+                       ShownChannel channel, std::optional<pipeline::PaletteRange> range);
 
 }  // namespace app

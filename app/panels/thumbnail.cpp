@@ -33,7 +33,8 @@ QImage sampledImage(const AnyBuffer& buffer, const BufferLook& look, const QRect
     const auto at = [](double place, std::size_t count) {
         return std::min(std::size_t(std::max(0.0, place)), count - 1);
     };
-    const bool isPicture = isColorPicture(info, -1), onPixels = info.domain == Domain::Pixel && polygonId;
+    const bool isPicture = isColorPicture(info, ShownChannel::All),
+               onPixels = info.domain == Domain::Pixel && polygonId;
     QImage image(sampled, QImage::Format_ARGB32_Premultiplied);
     for (int y = 0; y < sampled.height(); ++y) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
@@ -55,7 +56,8 @@ QImage thumbnail(const pipeline::Frame& frame, const AnyBuffer& buffer, QSize si
                  const std::optional<AnyBuffer>& polygonId) {
     const BufferInfo& info = *buffer.info;
     const pipeline::Settings& settings = frame.scene().settings;
-    const BufferLook look{-1, fittingRange(buffer, -1, channelStatistics(buffer, -1), settings.depthFormat)};
+    constexpr auto kAll = ShownChannel::All;
+    const BufferLook look{kAll, fittingRange(buffer, kAll, channelStatistics(buffer, kAll), settings.depthFormat)};
     const bool onPicture = info.domain != Domain::Texel;
     const QSize whole =
         onPicture ? QSize(settings.width, settings.height) : QSize(int(buffer.columns()), int(buffer.rows()));

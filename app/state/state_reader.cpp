@@ -223,7 +223,8 @@ private:
                                   "the name of a buffer; " + pipeline::insteadOfBuffer(*words));
             }
         if (const auto* node = table.get("channel"))
-            if (const auto number = m_values.number(*node, path + "channel", -1, 3)) view.channel = int(*number);
+            if (const auto i = m_values.choice(*node, path + "channel", kShownChannels))
+                view.channel = ShownChannel(*i);
         if (const auto* node = table.get("range")) {
             view.range = numbers<2>(table, "range", path);
             if (view.range && (*view.range)[0] == (*view.range)[1]) {

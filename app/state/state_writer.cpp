@@ -37,7 +37,8 @@ private:
 
 void write(Lines& out, const BufferShown& view) {
     out.line("buffer", tomlString(view.buffer));
-    if (view.channel >= 0) out.line("channel", fmt::format("{}", view.channel));
+    if (view.channel != ShownChannel::All)
+        out.line("channel", tomlString(kShownChannels[std::size_t(index(view.channel))]));
     if (view.range) out.line("range", list(*view.range));
     if (view.overlays != BufferShown().overlays) out.line("overlays", list(view.overlays));
     if (!view.logCounts) out.line("counts", tomlString("linear"));

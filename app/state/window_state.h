@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/state/shown_channel.h"
 #include "pipeline/core/real.h"
 #include "pipeline/core/result.h"
 #include "pipeline/plan/stage.h"
@@ -14,8 +15,8 @@ namespace app {
 
 // How one buffer is looked at.
 struct BufferShown {
-    std::string buffer = "color";                     // its name: "n_dot_l.0"
-    int channel = -1;                                 // -1: all
+    std::string buffer = "color";  // its name: "n_dot_l.0"
+    ShownChannel channel = ShownChannel::All;
     std::optional<std::array<double, 2>> range = {};  // of the palette; nothing: fits every frame
     std::vector<std::string> overlays{"strange"};     // their names
     bool logCounts = true;                            // the axis of the histogram

@@ -213,11 +213,11 @@ TEST_F(BufferViewTest, ALeftOutBufferTellsWhyAndIsComputedWhenAskedFor) {
 TEST_F(BufferViewTest, RangeAndChannelAreKeptPerBuffer) {
     view.setRange({600, 700});
     show({BufferId::Specular, 0});
-    view.setChannel(2);
+    view.setChannel(app::ShownChannel::Third);
     show({BufferId::ZView});
     EXPECT_EQ(view.shown()->look.range, (pipeline::PaletteRange{600, 700}));
     show({BufferId::Specular, 0});
-    EXPECT_EQ(view.channel(), 2);
+    EXPECT_EQ(view.channel(), app::ShownChannel::Third);
     // Blue of the specular term alone: 3 polygons are seen, with 3 values.
     EXPECT_TRUE(view.shown()->notice.contains("3 distinct values")) << view.shown()->notice.toStdString();
     show({BufferId::ZView});

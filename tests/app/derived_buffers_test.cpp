@@ -62,7 +62,8 @@ TEST_F(DerivedBuffersTest, VerdictsHaveNamesALegendAndAReadout) {
     ASSERT_FALSE(view.shown()->legend.empty());
     EXPECT_TRUE(view.shown()->legend[0].text.startsWith("lit, "));
     EXPECT_TRUE(std::ranges::any_of(view.shown()->legend, [](const auto& e) { return e.text.startsWith("acne, "); }));
-    EXPECT_EQ(app::elementText(view.shown()->buffer, 0, 0, -1), QStringList{"none"}) << "the background";
+    EXPECT_EQ(app::elementText(view.shown()->buffer, 0, 0, app::ShownChannel::All), QStringList{"none"})
+        << "the background";
     // Without a light that casts a shadow there is none, and the view says so.
     document.change(*pipeline::findSetting(document.scene(), "light.0.shadow"), 0);
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.message() == "Light 0 casts no shadow."; }, 10000));

@@ -178,7 +178,7 @@ TEST_F(WindowViews, EachViewIsItsOwnInAState) {
     ASSERT_EQ(state.spaces.size(), 2u);
     state.spaces[0].space = "eye", state.spaces[1].space = "clip";
     state.arrangement = "buffer | 3d | 3d";
-    state.views = {{"normal", 2}};
+    state.views = {{"normal", ShownChannel::Third}};
     EXPECT_TRUE(views().lookAt(state).empty());
     EXPECT_TRUE(waitForFrame());
     WindowState again;

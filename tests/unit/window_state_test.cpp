@@ -23,10 +23,10 @@ WindowState rich() {
     state.pixel = {268, 281};
     state.channel = 0;
     state.arrangement = "four";
-    BufferShown view{"n_dot_l.0", -1, std::array{1e300, -1.0 / 3}, {"edges", "verdict"}};
+    BufferShown view{"n_dot_l.0", ShownChannel::All, std::array{1e300, -1.0 / 3}, {"edges", "verdict"}};
     view.zoom = {12, {268.5, 1.0 / 7}, {801, 600}};
     view.logCounts = false, view.flipped = true, view.region = {3, 4, 99, 47};
-    state.views = {view, {"normal", 2}};
+    state.views = {view, {"normal", ShownChannel::Third}, {"color", ShownChannel::Luminance}};
     view.compared = {"setting shading=gouraud", "difference", 0.25, "RAE", std::array{-1e-3, 1.0 / 3}};
     state.views[0] = view, state.views[1].compared.emplace();
     state.pins = {{1, {268, 281}}, {9, {0, 0}}};
@@ -67,6 +67,8 @@ TEST(WindowState, WhatIsWrongIsToldWithItsPlace) {
     EXPECT_TRUE(errorsIn("[[view]]\nbuffer = \"dept\"\n").starts_with("s.toml:2:10: view.buffer is \"dept\""));
     EXPECT_TRUE(errorsIn("[[view]]\nbuffer = \"dept\"\n").find("the nearest is \"depth\"") != std::string::npos);
     EXPECT_TRUE(errorsIn("[[view]]\nrange = [2, 2]\n").starts_with("s.toml:2:9: view.range ends where it begins"));
+    EXPECT_EQ(errorsIn("[[view]]\nchannel = 2\n"),
+              "s.toml:2:11: view.channel is 2, expected \"first\", \"second\", \"third\" or \"luminance\"\n");
     EXPECT_TRUE(errorsIn("[[view]]\nzoom = 4\n").starts_with("s.toml:2:8: view.zoom stands without"));
     EXPECT_TRUE(errorsIn("[view3d]\ndistance = 4\ntarget = [0, 0, 0]\n").starts_with("s.toml:2:12: view3d.distance"));
     EXPECT_TRUE(errorsIn("pixel = [1]\n").starts_with("s.toml:1:9: pixel is an array of 1, expected an array of 2"));
