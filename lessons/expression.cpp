@@ -112,7 +112,7 @@ Result<Value> fragment(const Node& call, Operands operands, const Frame& frame) 
     if (!place) return place.errors();
     const pipeline::FragmentReport& found = report->fragments[*place];
     if (call.word == "polygon") return number(found.polygon);
-    if (call.word == "comparison") return words(found.text);
+    if (call.word == "comparison") return words(comparisonText(found).whole());
     if (call.word == "verdict") return words(name(found.verdict));
     return number(call.word == "depth" ? found.depth : found.stored);
 }

@@ -176,7 +176,7 @@ int runInspect(InspectOptions options) {
     const pipeline::PixelReport report = inspectPixel(*frame, *pixel);
     if (format != pipeline::kEquationFormats.begin()) {  // text is all that is known
         for (int channel = 0; channel < 3; ++channel)
-            fmt::print("{}", equationText(equation(*frame, report, channel),
+            fmt::print("{}", equationText(equation(frame->scene(), report, channel),
                                           pipeline::EquationFormat(format - pipeline::kEquationFormats.begin())));
         return kDone;
     }

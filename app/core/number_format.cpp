@@ -68,4 +68,16 @@ void NumberStyle::set(const NumberFormat& format) {
     emit changed();
 }
 
+std::optional<QString> chosenText(double value, int characters) {
+    return written(NumberStyle::current().format(), value, characters);
+}
+
+pipeline::NumberText chosenNumbers() {
+    return [](double value) -> std::optional<std::string> {
+        const auto text = chosenText(value);
+        if (!text) return {};
+        return text->toStdString();
+    };
+}
+
 }  // namespace app

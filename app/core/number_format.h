@@ -3,9 +3,11 @@
 #include <QString>
 #include <optional>
 
+#include "pipeline/inspect/formula.h"
+
 namespace app {
 
-// How real numbers are written in buffers and tables.
+// How real numbers are written in buffers, tables and the inspector.
 struct NumberFormat {
     enum class Form {
         AsStored,     // in the digits of what they are: a depth in those of its format, a dot product in four
@@ -40,5 +42,9 @@ private:
     NumberStyle() = default;
     NumberFormat m_format;
 };
+
+// written() in the format in force.
+std::optional<QString> chosenText(double value, int characters = 0);
+pipeline::NumberText chosenNumbers();
 
 }  // namespace app

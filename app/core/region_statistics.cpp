@@ -15,7 +15,7 @@ constexpr std::size_t kMostDistinct = 500'000;  // numbers that are sorted for i
 
 QString shortest(std::optional<double> value) {
     if (!value) return QStringLiteral("–");
-    return written(NumberStyle::current().format(), *value).value_or(QString::number(*value, 'g', 6));
+    return chosenText(*value).value_or(QString::number(*value, 'g', 6));
 }
 
 }  // namespace

@@ -35,8 +35,7 @@ QString shownText(const TableColumn& column, const Cell& cell) {
     const auto* single = std::get_if<float>(&cell);
     const auto* real = std::get_if<double>(&cell);
     if (single || real)
-        if (const auto chosen = written(NumberStyle::current().format(), single ? double(*single) : *real))
-            return *chosen;
+        if (const auto chosen = chosenText(single ? double(*single) : *real)) return *chosen;
     return toQString(readableText(column, cell));
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/number_format.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/scene_opener.h"
 #include "app/core/text.h"
@@ -59,6 +60,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     });
     connect(&document.inspection(), &PixelInspection::changed, this, &CleanView::showEquation);
     connect(&document, &Document::channelChanged, this, &CleanView::showEquation);
+    connect(&NumberStyle::current(), &NumberStyle::changed, this, &CleanView::showEquation);
     connect(&document, &Document::stageChanged, this, &CleanView::showCaption);
     connect(&document.stepper(), &Stepper::changed, this, &CleanView::showCaption);
     connect(&cues, &CueModel::changed, this, [this] {
@@ -123,7 +125,8 @@ void CleanView::showEquation() {
     if (!shows) return;
     const pipeline::PixelReport& report = inspected->report;
     std::vector<pipeline::EquationLine> lines;
-    for (pipeline::EquationLine& line : equation(*inspected->frame, report, m_document.channel()))
+    const pipeline::Scene& scene = inspected->frame->scene();
+    for (pipeline::EquationLine& line : equation(scene, report, m_document.channel(), chosenNumbers()))
         if (lines.size() < 4 && (line.role == "symbols" || line.role == "numbers" || line.role == "result")) {
             line.remark.clear();
             lines.push_back(std::move(line));

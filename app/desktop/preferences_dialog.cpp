@@ -110,13 +110,13 @@ void PreferencesDialog::addLook(QFormLayout& form) {
 }
 
 void PreferencesDialog::addNumbers(QFormLayout& form) {
-    form.addRow(makeHeading(tr("Numbers in buffers and tables"), this));
+    form.addRow(makeHeading(tr("Numbers in buffers, tables and the inspector"), this));
     m_form = new Segmented({tr("As stored"), tr("Fixed"), tr("Scientific"), tr("Hexadecimal")}, this);
     m_form->setObjectName("preferencesForm");
     m_form->setAccessibleName(tr("How numbers are written"));
     m_form->setToolTip(
-        tr("As stored: in the digits of what a number is. Hexadecimal: every bit of it, 0x1.8p-1 = "
-           "1.5 / 2."));
+        tr("As stored: in the digits of what a number is; in the equation, those of the lecture. Hexadecimal: every "
+           "bit of it, 0x1.8p-1 = 1.5 / 2."));
     connect(m_form, &Segmented::chosen, this, &PreferencesDialog::takeNumbers);
     m_digits = makeSpin(0, NumberFormat::kMostDigits, "preferencesDigits", tr("Digits after the point"), this);
     // The least value is read as "never".

@@ -46,7 +46,7 @@ QString valueText(const AnyBuffer& buffer, double value, int characters) {
     QString text;
     if (info.palette == Palette::ShadowVerdict) return verdictText(value);
     if (info.element == Element::Real)
-        if (const auto chosen = written(NumberStyle::current().format(), value, characters)) return *chosen;
+        if (const auto chosen = chosenText(value, characters)) return *chosen;
     if (isDifference(info)) return differenceText(value);
     if (info.element != Element::Real)
         text = number(value, 0);

@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/core/number_format.h"
 #include "app/core/pointed.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
@@ -104,6 +105,8 @@ EquationSection::EquationSection(Document& document, QWidget* parent)
         if (m_document.hasScene() && pipeline::findSetting(m_document.scene(), refers.toStdString()))
             emit settingAsked(refers);
     });
+    // Digits written otherwise are no change: before the panel shows all of it anew.
+    connect(&NumberStyle::current(), &NumberStyle::changed, this, [this] { layLines(false); });
     m_model->setProperty("tone", "2");
     followTheme(this, [this] {
         m_model->setFont(Theme::current().text(12));
@@ -113,15 +116,20 @@ EquationSection::EquationSection(Document& document, QWidget* parent)
 }
 
 void EquationSection::forget() {
-    m_pixel.reset();
-    m_plain.clear();
     m_now = m_before = {};
-    m_was.clear();
-    m_kept.clear();
+    m_was.reset();
+    m_kept.reset();
 }
 
+std::vector<EquationLine> EquationSection::Result::lines() const {
+    if (!scene) return {};
+    return equation(*scene, report, channel, chosenNumbers());
+}
+
+QString EquationSection::Result::text() const { return resultText(lines()); }
+
 QString EquationSection::sentence() const {
-    const QString text = resultText(m_plain);
+    const QString text = m_now.text();
     return text.isEmpty() ? tr("nothing was drawn here") : text;
 }
 
@@ -131,37 +139,36 @@ void EquationSection::show(const pipeline::Frame& frame, const pipeline::PixelRe
     static const QStringList names{tr("red"), tr("green"), tr("blue")};
     m_model->setText(QStringLiteral("%1, %2").arg(modelName(frame.scene().settings.model), names[channel]));
 
-    m_plain = equation(frame, report, channel);
-    const bool isSamePlace = m_pixel == report.pixel && m_channel == channel;
-    m_pixel = report.pixel;
-    m_channel = channel;
-    const Result now{frame.sharedScene(), resultText(m_plain)};
+    const Result now{frame.sharedScene(), report, channel};
+    const bool isSamePlace = m_now.scene && m_now.report.pixel == report.pixel && m_now.channel == channel;
     if (!isSamePlace) {
         m_before = {};
-        m_was.clear();
+        m_was.reset();
     } else if (now.scene != m_now.scene) {
         // While a slider is dragged all its values are one step of undo: what was is what was before it.
         if (!m_before.scene || m_document.sceneBefore() != m_before.scene) m_before = m_now;
-        const bool isNews = !m_before.text.isEmpty() && m_before.text != now.text;
-        m_was = isNews ? m_before.text + settingsText(*m_before.scene, *now.scene) : QString();
+        const QString before = m_before.text();
+        m_was.reset();
+        if (!before.isEmpty() && before != now.text())
+            m_was = Past{m_before, settingsText(*m_before.scene, *now.scene)};
     }
     m_now = now;
     layLines(isSamePlace);
 }
 
 void EquationSection::setKept(bool kept) {
-    if (kept && m_was.isEmpty()) kept = false;
-    m_kept = kept ? m_was : QString();
+    m_kept = kept ? m_was : std::nullopt;
     layLines(false);
 }
 
 void EquationSection::layLines(bool showChange) {
-    std::vector<EquationLine> lines = m_plain;
+    std::vector<EquationLine> lines = m_now.lines();
     moveRemarkDown(lines);
     if (const EquationLine* result = resultOf(lines)) {
         auto after = lines.begin() + (result - lines.data()) + 1;
-        if (!m_was.isEmpty() && m_was != m_kept) after = lines.insert(after, words("was", tr("was %1").arg(m_was))) + 1;
-        if (!m_kept.isEmpty()) lines.insert(after, words("was", tr("kept %1").arg(m_kept)));
+        const QString was = m_was ? m_was->text() : QString(), kept = m_kept ? m_kept->text() : QString();
+        if (!was.isEmpty() && was != kept) after = lines.insert(after, words("was", tr("was %1").arg(was))) + 1;
+        if (!kept.isEmpty()) lines.insert(after, words("was", tr("kept %1").arg(kept)));
     }
     m_math->setLines(std::move(lines), showChange);
     m_keep->setVisible(canKeep());

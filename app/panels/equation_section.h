@@ -25,8 +25,8 @@ public:
     QWidget* switcher() { return m_switcher; }  // r g b, with the model's name: for the section's title
     MathView* math() { return m_math; }
     // What the result was stays in sight, whatever changes, until it is dropped.
-    bool canKeep() const { return !m_was.isEmpty() || !m_kept.isEmpty(); }
-    bool keeps() const { return !m_kept.isEmpty(); }
+    bool canKeep() const { return m_was || m_kept; }
+    bool keeps() const { return m_kept.has_value(); }
     void setKept(bool kept);
 
 signals:
@@ -37,10 +37,18 @@ signals:
 private:
     void layLines(bool showChange);
 
-    // A result, and the scene that gave it.
+    // What an equation's result comes from; as numbers, so that it can be written anew in another format.
     struct Result {
         std::shared_ptr<const pipeline::Scene> scene;
-        QString text;  // "45.000 + 69.714 + 0.025 = 114.739"
+        pipeline::PixelReport report;
+        int channel = 0;
+        std::vector<pipeline::EquationLine> lines() const;  // in the format in force; none where nothing was drawn
+        QString text() const;                               // "45.000 + 69.714 + 0.025 = 114.739"
+    };
+    struct Past {
+        Result result;
+        QString with;  // ", with n = 4"
+        QString text() const { return result.text() + with; }
     };
 
     Document& m_document;
@@ -49,11 +57,8 @@ private:
     QLabel* m_model;
     QToolButton* m_keep;
     Segmented* m_channels;
-    std::optional<glm::ivec2> m_pixel;  // of what is shown
-    int m_channel = -1;
-    std::vector<pipeline::EquationLine> m_plain;  // what is shown, without notes of ours
-    Result m_now, m_before;                       // before the newest step of undo, a whole drag being one
-    QString m_was, m_kept;                        // "45.000 + 69.714 = 114.714, with n = 4"; may be empty
+    Result m_now, m_before;  // before the newest step of undo, a whole drag being one
+    std::optional<Past> m_was, m_kept;
 };
 
 }  // namespace app

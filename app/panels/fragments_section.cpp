@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "app/core/number_format.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/buffers/palette.h"
@@ -14,16 +15,6 @@ using pipeline::FragmentReport;
 using pipeline::FragmentVerdict;
 
 namespace {
-
-// "671.4539 < +∞" in its three parts.
-struct Comparison {
-    QString fresh, relation, stored;
-};
-Comparison comparisonOf(const FragmentReport& fragment) {
-    const QStringList parts = toQString(fragment.text).split(' ', Qt::SkipEmptyParts);
-    if (parts.size() != 3) return {toQString(fragment.text), {}, {}};
-    return {parts[0], parts[1], parts[2]};
-}
 
 QColor culledColor(char letter) {
     // The stops stand in the order kept, back-facing, degenerate, outside, clipped, wholly transparent.
@@ -85,7 +76,9 @@ void FragmentsSection::show(const pipeline::PixelReport& report) {
     m_current = std::clamp(m_current, 0, std::max(0, int(m_fragments.size() + m_culled.size()) - 1));
     QStringList lines;
     for (const FragmentReport& f : m_fragments)
-        lines << tr("polygon %1, %2, %3").arg(f.polygon).arg(toQString(f.text), toQString(name(f.verdict)));
+        lines << tr("polygon %1, %2, %3")
+                     .arg(f.polygon)
+                     .arg(toQString(comparisonText(f, chosenNumbers()).whole()), toQString(name(f.verdict)));
     for (const CulledReport& culled : m_culled)
         lines << tr("polygon %1, %2").arg(culled.polygon).arg(toQString(culled.reason));
     setAccessibleDescription(lines.join("; "));
@@ -113,11 +106,11 @@ FragmentsSection::Widths FragmentsSection::widths() const {
     Widths w{0, 0, 0, 0, true};
     int verdict = 0;
     for (const FragmentReport& f : m_fragments) {
-        const Comparison c = comparisonOf(f);
+        const pipeline::ComparisonText c = comparisonText(f, chosenNumbers());
         w.polygon = std::max(w.polygon, words.horizontalAdvance(tr("polygon %1").arg(f.polygon)));
-        w.fresh = std::max(w.fresh, digits.horizontalAdvance(c.fresh));
-        w.relation = std::max(w.relation, digits.horizontalAdvance(c.relation));
-        w.stored = std::max(w.stored, digits.horizontalAdvance(c.stored));
+        w.fresh = std::max(w.fresh, digits.horizontalAdvance(toQString(c.depth)));
+        w.relation = std::max(w.relation, digits.horizontalAdvance(toQString(c.relation)));
+        w.stored = std::max(w.stored, digits.horizontalAdvance(toQString(c.stored)));
         verdict = std::max(verdict, words.horizontalAdvance(toQString(name(f.verdict))));
     }
     const int gap = theme.px(8);
@@ -166,7 +159,7 @@ void FragmentsSection::paintEvent(QPaintEvent*) {
     paintRows(painter);
     int y = 0;
     for (const FragmentReport& f : m_fragments) {
-        const Comparison comparison = comparisonOf(f);
+        const pipeline::ComparisonText comparison = comparisonText(f, chosenNumbers());
         const bool stays = f.verdict == FragmentVerdict::WonStays;
         int x = 0;
         const auto write = [&](const QFont& font, int width, Qt::Alignment alignment, const QString& text) {
@@ -176,9 +169,9 @@ void FragmentsSection::paintEvent(QPaintEvent*) {
             x += width + gap;
         };
         write(words, w.polygon, Qt::AlignLeft, tr("polygon %1").arg(f.polygon));
-        write(digits, w.fresh, Qt::AlignRight, comparison.fresh);
-        write(digits, w.relation, Qt::AlignHCenter, comparison.relation);
-        write(digits, w.stored, Qt::AlignRight, comparison.stored);
+        write(digits, w.fresh, Qt::AlignRight, toQString(comparison.depth));
+        write(digits, w.relation, Qt::AlignHCenter, toQString(comparison.relation));
+        write(digits, w.stored, Qt::AlignRight, toQString(comparison.stored));
         if (!w.fitsVerdict) {
             y += line;
             x = 0;

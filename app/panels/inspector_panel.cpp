@@ -7,6 +7,7 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
+#include "app/core/number_format.h"
 #include "app/core/text.h"
 #include "app/core/working_bar.h"
 #include "app/panels/equation_section.h"
@@ -30,6 +31,7 @@ InspectorPanel::InspectorPanel(Document& document, QWidget* parent) : QWidget(pa
     connect(&document.inspection(), &PixelInspection::changed, this, &InspectorPanel::refresh);
     connect(&document.inspection(), &PixelInspection::busyChanged, m_working, &WorkingBar::setWorking);
     connect(&document, &Document::channelChanged, this, &InspectorPanel::refresh);
+    connect(&NumberStyle::current(), &NumberStyle::changed, this, &InspectorPanel::refresh);
     connect(m_fragments, &FragmentsSection::polygonAsked, this, [this](std::uint32_t polygon) {
         m_document.select(Selection{Selection::Kind::Polygon, polygon});
     });

@@ -38,6 +38,7 @@ struct Line {
 };
 
 bool isNumber(const Formula& part) {
+    if (part.kind == Kind::Script) return isNumber(part.parts[0]);  // with its power of ten
     if (part.kind != Kind::Text || part.text.empty()) return false;
     const QString text = toQString(part.text);
     return text[0].isDigit() || (text.size() > 1 && text[0] == QChar(0x2212) && text[1].isDigit());

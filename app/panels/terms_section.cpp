@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/core/mix_model.h"
+#include "app/core/number_format.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
@@ -32,6 +33,8 @@ double valueOf(const TermStrip& strip, const pipeline::PixelReport& report, int 
     }
     return 0;
 }
+
+QString termText(double value) { return chosenText(value).value_or(intensity(value)); }
 
 }  // namespace
 
@@ -163,7 +166,7 @@ QString TermsSection::sentence() const {
     QStringList parts;
     for (std::size_t i = 0; i < std::min(mix.size(), m_values.size()); ++i)
         if (mix[i].kind != TermKind::Emission || m_values[i] != 0)
-            parts << toQString(mix[i].name()) + ' ' + intensity(m_values[i]);
+            parts << toQString(mix[i].name()) + ' ' + termText(m_values[i]);
     return parts.join(", ");
 }
 
@@ -187,7 +190,7 @@ void TermsSection::showMix() {
         strip.mute->setChecked(mix[i].muted);
         strip.bar->show(whole > 0 ? value / whole : 0, mix[i].gain, weight == 0);
         strip.gain->setText(mix[i].gain == 1 ? QString() : QStringLiteral("×%1").arg(mix[i].gain));
-        strip.value->setText(intensity(value));
+        strip.value->setText(termText(value));
         strip.name->setEnabled(weight != 0);
         strip.value->setEnabled(weight != 0);
     }
@@ -197,13 +200,13 @@ void TermsSection::showMix() {
     const auto mono = [](const QString& text) {
         return QStringLiteral("<span style=\"font-family:'JetBrains Mono','DejaVu Sans Mono'\">%1</span>").arg(text);
     };
-    QString text = tr("Sum %1 &nbsp; residual ").arg(mono(intensity(sum()))) +
+    QString text = tr("Sum %1 &nbsp; residual ").arg(mono(termText(sum()))) +
                    QStringLiteral("<span style=\"color:%1\">%2</span>")
                        .arg((isZero ? c.run : c.failed).name(), mono(isZero ? "0" : errorText(residual())));
     if (!mixer.isPlain()) {
         const int shown = pipeline::frameBufferValue(pipeline::Vec3d(mixed()), m_iMax).r;
-        text += tr("<br>Mixed %1, in the frame buffer %2").arg(mono(intensity(mixed())), mono(QString::number(shown)));
-        if (mixed() > m_iMax) text += tr(" (above I<sub>max</sub> = %1: clamped)").arg(mono(intensity(m_iMax)));
+        text += tr("<br>Mixed %1, in the frame buffer %2").arg(mono(termText(mixed())), mono(QString::number(shown)));
+        if (mixed() > m_iMax) text += tr(" (above I<sub>max</sub> = %1: clamped)").arg(mono(termText(m_iMax)));
     }
     m_sum->setText(text);
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/core/icons.h"
+#include "app/core/number_format.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
@@ -99,9 +100,9 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
         tr("centre %1").arg(digits(QString("(%1, %2)").arg(r.pixel.x + 0.5).arg(r.pixel.y + 0.5))));
     QString fragments = tr("%1 came, %2 won").arg(count(pipeline::came)).arg(count(pipeline::won));
     if (r.covered)
-        fragments +=
-            tr(" at z %1")
-                .arg(digits(app::depth(r.zView, frame.scene().settings.precision != pipeline::Precision::Float)));
+        fragments += tr(" at z %1")
+                         .arg(digits(chosenText(r.zView).value_or(
+                             app::depth(r.zView, frame.scene().settings.precision != pipeline::Precision::Float))));
     m_rows[1].value->setText(fragments);
     for (std::size_t i = 2; i < m_rows.size(); ++i)
         for (QWidget* part : {static_cast<QWidget*>(m_rows[i].label), static_cast<QWidget*>(m_rows[i].value),
@@ -110,9 +111,8 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
     m_sentence = fragments;
     if (!r.covered) return;
 
-    const QString weights =
-        QString("λ %1 %2 %3")
-            .arg(dotProduct(r.barycentric.x), dotProduct(r.barycentric.y), dotProduct(r.barycentric.z));
+    const auto weight = [&r](int i) { return chosenText(r.barycentric[i]).value_or(dotProduct(r.barycentric[i])); };
+    const QString weights = QString("λ %1 %2 %3").arg(weight(0), weight(1), weight(2));
     m_rows[2].value->setText(digits(weights));
     const auto place = frame.placeOf(r.polygon);
     const pipeline::Object& object = frame.scene().objects[place.object];

@@ -137,7 +137,7 @@ Json toJson(const Frame& frame, const PixelReport& report) {
                              {"depth", fragment.depth},
                              {"stored", fragment.stored},
                              {"verdict", name(fragment.verdict)},
-                             {"text", fragment.text},
+                             {"text", comparisonText(fragment).whole()},
                              {"shadows", fragment.shadows}});
     for (const CulledReport& polygon : report.culled)
         culled.push_back(
@@ -165,9 +165,9 @@ Json toJson(const Frame& frame, const PixelReport& report) {
                      {"i_max", report.iMax},
                      {"evaluations", evaluations},
                      {"equation",
-                      {{"r", toJson(equation(frame, report, 0))},
-                       {"g", toJson(equation(frame, report, 1))},
-                       {"b", toJson(equation(frame, report, 2))}}}});
+                      {{"r", toJson(equation(frame.scene(), report, 0))},
+                       {"g", toJson(equation(frame.scene(), report, 1))},
+                       {"b", toJson(equation(frame.scene(), report, 2))}}}});
     }
     Json layers = Json::array();
     for (const LayerReport& layer : report.layers)

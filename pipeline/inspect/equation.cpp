@@ -16,6 +16,7 @@ struct Writer {
     const Scene& scene;
     const PixelReport& report;
     int c;
+    const NumberText& chosen;
     std::vector<EquationLine> lines;
 
     const Material& material() const {
@@ -35,6 +36,18 @@ struct Writer {
         return light.intensity * light.gl.specular[c];
     }
     std::string materialKey(std::string_view name) const { return fmt::format("material.{}.{}", report.object, name); }
+    // What was computed, as chosen, else with so many decimals.
+    Formula number(double value, int decimals, std::string refers = {}) const {
+        const auto own = chosen ? chosen(value) : std::nullopt;
+        return own ? numeral(*own, std::move(refers)) : text(fixed(value, decimals), std::move(refers));
+    }
+    // The lecture writes exact 0, 1 and −1 without decimals.
+    Formula wholeOr(double value, int decimals, std::string refers = {}) const {
+        return number(value, value == 0 || value == 1 || value == -1 ? 0 : decimals, std::move(refers));
+    }
+    Formula components(Vec3d v) const {
+        return row({text("("), wholeOr(v.x, 3), text(","), wholeOr(v.y, 3), text(","), wholeOr(v.z, 3), text(")")});
+    }
     // L, R, N·L carry the light's index only where there are several.
     Formula indexed(VectorCode code, std::string_view buffer, int light) const {
         Formula v = vector(code, fmt::format("{}.{}", buffer, light));
@@ -112,21 +125,20 @@ void Writer::numbers(const Evaluation& e) {
     parts.push_back(text(ka + "·" + shortest(ambientIntensity())));
     for (const LightReport& light : e.lights) {
         const auto k = std::size_t(light.light);
-        // 0 and 1 as they are; a share of texels or samples with as many digits as the dot products.
-        const bool whole = light.shadow == 0 || light.shadow == 1;
-        Formula shadow = text(whole ? shortest(light.shadow) : fixed(light.shadow, 4), fmt::format("shadow.{}", k));
+        // A share of texels or samples has as many digits as the dot products.
+        Formula shadow = wholeOr(light.shadow, 4, fmt::format("shadow.{}", k));
         if (light.shadow == 0) shadow = struck(shadow);
         parts.push_back(text("+"));
         if (gl) {
             const double own = scene.lights[k].intensity * scene.lights[k].gl.ambient[c];
             parts.insert(parts.end(),
-                         {text(fixed(light.fading, 4)), text("["), text(ka + "·" + shortest(own)), text("+"),
+                         {number(light.fading, 4), text("["), text(ka + "·" + shortest(own)), text("+"),
                           std::move(shadow), text("("), text(shortest(lightIntensity(k)) + "·" + kd + "·")});
         } else {
             parts.insert(parts.end(),
                          {std::move(shadow), text("·" + shortest(lightIntensity(k))), text("["), text(kd + "·")});
         }
-        Formula cosine = text(fixed(light.nDotL, 4), fmt::format("n_dot_l.{}", k));
+        Formula cosine = number(light.nDotL, 4, fmt::format("n_dot_l.{}", k));
         if (light.nDotL > 0)
             parts.push_back(cosine);
         else
@@ -134,7 +146,7 @@ void Writer::numbers(const Evaluation& e) {
         parts.push_back(text("+"));
         parts.push_back(text(gl ? shortest(specularIntensity(k)) + "·" + ks + "·" : ks + "·"));
         const double lobe = halfway() ? light.nDotH : light.rDotV;
-        Formula mirror = text(fixed(lobe, 4), fmt::format("{}.{}", halfway() ? "n_dot_h" : "r_dot_v", k));
+        Formula mirror = number(lobe, 4, fmt::format("{}.{}", halfway() ? "n_dot_h" : "r_dot_v", k));
         if (light.nDotL > 0 && (lobe > 0 || (gl && exponent() == 0)))
             parts.push_back(power(std::move(mirror), text(shortest(exponent()), materialKey("n"))));
         else
@@ -148,23 +160,17 @@ void Writer::numbers(const Evaluation& e) {
 // = 45.000 + 69.714 + 0.025 = 114.739
 void Writer::result(const Evaluation& e) {
     std::vector<Formula> parts{text("=")};
-    if (model() == Model::OpenGl) parts.insert(parts.end(), {text(fixed(e.emission[c], 3), "emission"), text("+")});
-    parts.push_back(text(fixed(e.ambient[c], 3), "ambient"));
+    if (model() == Model::OpenGl) parts.insert(parts.end(), {number(e.emission[c], 3, "emission"), text("+")});
+    parts.push_back(number(e.ambient[c], 3, "ambient"));
     for (const LightReport& light : e.lights) {
-        parts.insert(parts.end(),
-                     {text("+"), text(fixed(light.diffuse[c], 3), fmt::format("diffuse.{}", light.light))});
-        parts.insert(parts.end(),
-                     {text("+"), text(fixed(light.specular[c], 3), fmt::format("specular.{}", light.light))});
+        parts.insert(parts.end(), {text("+"), number(light.diffuse[c], 3, fmt::format("diffuse.{}", light.light))});
+        parts.insert(parts.end(), {text("+"), number(light.specular[c], 3, fmt::format("specular.{}", light.light))});
     }
-    parts.insert(parts.end(), {text("="), text(fixed(e.intensity[c], 3), "intensity")});
+    parts.insert(parts.end(), {text("="), number(e.intensity[c], 3, "intensity")});
     add("result", std::move(parts), e.clamped ? "clamped to [0, 1] before it is interpolated" : "");
 }
 
-std::string components(Vec3d v) {
-    const auto one = [](double x) { return x == 0 || x == 1 || x == -1 ? shortest(x) : fixed(x, 3); };
-    return fmt::format("({}, {}, {})", one(v.x), one(v.y), one(v.z));
-}
-
+// An angle is read, not stored: it has its one decimal in every form.
 std::string degrees(double cosine) {
     return fixed(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi, 1) + "°";
 }
@@ -173,8 +179,8 @@ void Writer::rows(const Evaluation& e) {
     for (const LightReport& light : e.lights) {
         const int k = light.light;
         add("row",
-            {N(), text("·"), L(k), text("="), text(components(e.N)), text("·"), text(components(light.L)), text("="),
-             text(fixed(light.nDotL, 4))},
+            {N(), text("·"), L(k), text("="), components(e.N), text("·"), components(light.L), text("="),
+             number(light.nDotL, 4)},
             degrees(light.nDotL));
         if (!hasSpecular() || !(light.nDotL > 0)) {
             if (!light.note.empty()) add("note", {text(light.note)});
@@ -183,19 +189,18 @@ void Writer::rows(const Evaluation& e) {
         if (halfway()) {
             add("row", {H(k), text("="),
                         fraction(row({L(k), text("+"), V()}), row({text("|"), L(k), text("+"), V(), text("|")})),
-                        text("="), text(components(light.H))});
+                        text("="), components(light.H)});
             add("row",
-                {N(), text("·"), H(k), text("="), text(components(e.N)), text("·"), text(components(light.H)),
-                 text("="), text(fixed(light.nDotH, 4))},
+                {N(), text("·"), H(k), text("="), components(e.N), text("·"), components(light.H), text("="),
+                 number(light.nDotH, 4)},
                 degrees(light.nDotH));
             if (!light.note.empty()) add("note", {text(light.note)});
             continue;
         }
+        add("row", {R(k), text("="), text("2"), dot(N(), L(k)), N(), text("−"), L(k), text("="), components(light.R)});
         add("row",
-            {R(k), text("="), text("2"), dot(N(), L(k)), N(), text("−"), L(k), text("="), text(components(light.R))});
-        add("row",
-            {R(k), text("·"), V(), text("="), text(components(light.R)), text("·"), text(components(e.V)), text("="),
-             text(fixed(light.rDotV, 4))},
+            {R(k), text("·"), V(), text("="), components(light.R), text("·"), components(e.V), text("="),
+             number(light.rDotV, 4)},
             degrees(light.rDotV));
         if (!light.note.empty()) add("note", {text(light.note)});
     }
@@ -209,17 +214,17 @@ void Writer::layers() {
         {composed(), text("="), sub("t", "layers", "transmittance"), intensity(), text("+"),
          sub("C", "layers", "translucent")},
         fmt::format("{} translucent {} over the surface", count, count == 1 ? "layer" : "layers"));
-    add("result", {text("="), text(fixed(report.transmittance, 4) + "·" + fixed(report.intensity[c], 3)), text("+"),
-                   text(fixed(report.translucent[c], 3), "translucent"), text("="),
-                   text(fixed(report.composed[c], 3), "intensity")});
+    add("result",
+        {text("="), number(report.transmittance, 4), text("·"), number(report.intensity[c], 3), text("+"),
+         number(report.translucent[c], 3, "translucent"), text("="), number(report.composed[c], 3, "intensity")});
 }
 
 // A = mean of 16 samples = 48.1
 void Writer::samples() {
     if (!report.antialiased) return;
-    add("samples", {shown(), text("="), text(fixed((*report.antialiased)[c], 3), "antialiased")},
+    add("samples", {shown(), text("="), number((*report.antialiased)[c], 3, "antialiased")},
         fmt::format("mean of {} samples over the pixel; at its centre {}", report.samples * report.samples,
-                    fixed(report.composed[c], 3)));
+                    toText(number(report.composed[c], 3))));
 }
 
 void Writer::frameBuffer() {
@@ -239,7 +244,7 @@ void Writer::frameBuffer() {
     const std::string remark = share > 1 ? "above I_max: clamped to 1" : share < 0 ? "below 0: clamped to 0" : "";
     add("frame buffer",
         {std::move(name), text("="), rounded(shown(), sub("I", "max")), text("="),
-         rounded(text(fixed(scaled, 3)), text(shortest(report.iMax))), text("="), value},
+         rounded(number(scaled, 3), text(shortest(report.iMax))), text("="), value},
         remark);
 }
 
@@ -253,10 +258,10 @@ void Writer::weighted() {
             for (auto* parts : {&symbols, &numbers, &result}) parts->push_back(text("+"));
         symbols.push_back(sub("λ", std::to_string(i), perspective ? "barycentric" : ""));
         symbols.push_back(script(symbol("I"), text(std::to_string(e.vertex)), row({}), "vertices.intensity"));
-        numbers.push_back(text(fixed(e.weight, 4) + "·" + fixed(e.intensity[c], 3)));
-        result.push_back(text(fixed(e.weight * e.intensity[c], 3)));
+        numbers.insert(numbers.end(), {number(e.weight, 4), text("·"), number(e.intensity[c], 3)});
+        result.push_back(number(e.weight * e.intensity[c], 3));
     }
-    result.insert(result.end(), {text("="), text(fixed(report.intensity[c], 3), "intensity")});
+    result.insert(result.end(), {text("="), number(report.intensity[c], 3, "intensity")});
     add("symbols", std::move(symbols),
         "Gouraud: evaluated at the vertices, then interpolated" +
             (perspective ? std::string() : ", " + report.interpolation));
@@ -266,16 +271,17 @@ void Writer::weighted() {
 
 }  // namespace
 
-std::vector<EquationLine> equation(const Frame& frame, const PixelReport& report, int channel) {
+std::vector<EquationLine> equation(const Scene& scene, const PixelReport& report, int channel,
+                                   const NumberText& chosen) {
     if (report.evaluations.empty()) return {};
-    Writer writer{frame.scene(), report, channel, {}};
-    const bool single = frame.scene().settings.shading != Shading::Gouraud;
+    Writer writer{scene, report, channel, chosen, {}};
+    const bool single = scene.settings.shading != Shading::Gouraud;
     if (!single) {
         writer.weighted();
         writer.frameBuffer();
     }
     for (const Evaluation& e : report.evaluations) {
-        const bool flat = frame.scene().settings.shading == Shading::Flat;
+        const bool flat = scene.settings.shading == Shading::Flat;
         writer.symbols(!single ? e.where
                        : flat  ? "Flat: evaluated once, " + e.where
                                : "Phong shading: evaluated " + e.where);

@@ -64,10 +64,16 @@ std::size_t endOfWords(std::string_view text, std::size_t from) {
     return end;
 }
 
-// Upright: operators and numbers as they are, words in \text.
+// Upright: operators and numbers as they are, words in \text, hexadecimal numbers in \texttt.
 std::string latexText(std::string_view text) {
     std::string latex;
     for (std::size_t i = 0; i < text.size();) {
+        if (text.substr(i).starts_with("0x")) {
+            const std::size_t end = std::min(text.find_first_not_of("0123456789abcdefxp.+-", i), text.size());
+            latex.append("\\texttt{").append(text.substr(i, end - i)) += '}';
+            i = end;
+            continue;
+        }
         if (isLetter(text[i])) {
             const std::size_t end = endOfWords(text, i);
             const bool function = end < text.size() && text[end] == '(';
@@ -155,8 +161,18 @@ std::string toLatex(const Formula& formula) {
 }
 
 std::string latexWords(std::string_view text) {
+    constexpr std::string_view kPower = "·10^";  // 1.5·10^−6
     std::string latex;
     for (std::size_t i = 0; i < text.size();) {
+        if (text.substr(i).starts_with(kPower)) {
+            i += kPower.size();
+            const bool negative = text.substr(i).starts_with("−");
+            if (negative) i += std::string_view("−").size();
+            const std::size_t end = std::min(text.find_first_not_of("0123456789", i), text.size());
+            latex.append("$\\cdot 10^{").append(negative ? "-" : "").append(text.substr(i, end - i)) += "}$";
+            i = end;
+            continue;
+        }
         const auto found =
             std::ranges::find_if(kLatex, [&](const auto& entry) { return text.substr(i).starts_with(entry.first); });
         if (found == kLatex.end()) {

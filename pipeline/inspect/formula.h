@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +27,9 @@ struct Formula {
     std::string refers;  // the buffer or setting that this part stands for: "n_dot_l.0", "material.0.n"
     std::vector<Formula> parts;
 };
+
+// How a person wants what was computed written, "1.5e-6", "0x1.8p-1"; nothing: in the digits that the lecture gives it.
+using NumberText = std::function<std::optional<std::string>(double)>;
 
 // Parts of a row stand apart by a space except at ( ) · / | , and °; what is struck stands between ~.
 std::string toText(const Formula& formula);

@@ -40,7 +40,10 @@ inline Formula script(Formula base, Formula sub, Formula super, std::string refe
 inline Formula sub(std::string letter, std::string index, std::string refers = {}) {
     return script(symbol(std::move(letter)), text(std::move(index)), row({}), std::move(refers));
 }
-inline Formula power(Formula base, Formula exponent) { return script(std::move(base), row({}), std::move(exponent)); }
+inline Formula power(Formula base, Formula exponent) {
+    if (base.kind == Formula::Kind::Script) base = row({text("("), std::move(base), text(")")});
+    return script(std::move(base), row({}), std::move(exponent));
+}
 inline Formula fraction(Formula top, Formula bottom) {
     Formula f = row({std::move(top), std::move(bottom)});
     f.kind = Formula::Kind::Fraction;
@@ -60,5 +63,13 @@ inline std::string withMinus(std::string number) {
 }
 inline std::string fixed(double value, int decimals) { return withMinus(fmt::format("{:.{}f}", value, decimals)); }
 inline std::string shortest(double value) { return withMinus(fmt::format("{}", value)); }
+
+// A number's text; "1.5e-6" with its power of ten set high: 1.5·10^−6. 0x1.8p-1 stays as it is.
+inline Formula numeral(std::string number, std::string refers = {}) {
+    const std::size_t e = number.find('e');
+    if (e == std::string::npos || number.find('x') != std::string::npos)
+        return text(std::move(number), std::move(refers));
+    return script(text(number.substr(0, e) + "·10"), row({}), text(withMinus(number.substr(e + 1))), std::move(refers));
+}
 
 }  // namespace pipeline

@@ -24,11 +24,25 @@ std::string_view name(FragmentVerdict verdict) {
     return {};
 }
 
-std::string depthText(double depth) {
+std::string depthText(double depth, int digits) {
     if (!std::isfinite(depth)) return "+∞";
-    // Seven significant digits, always as many decimals: a column of depths stays aligned.
+    // Always as many decimals: a column of depths stays aligned.
     const int magnitude = depth == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(depth))));
-    return fmt::format("{:.{}f}", depth, std::clamp(6 - magnitude, 0, 17));
+    return fmt::format("{:.{}f}", depth, std::clamp(digits - 1 - magnitude, 0, 17));
+}
+
+ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& chosen) {
+    const auto text = [&chosen](double depth, int digits) {
+        const auto own = chosen ? chosen(depth) : std::nullopt;
+        return own ? *own : depthText(depth, digits);
+    };
+    constexpr int kMostDigits = 17;  // what tells any two doubles apart
+    if (fragment.relation.empty()) return {text(fragment.depth, 7), {}, {}};
+    for (int digits = 7;; ++digits) {
+        ComparisonText both{text(fragment.depth, digits), std::string(fragment.relation),
+                            text(fragment.stored, digits)};
+        if (both.depth != both.stored || fragment.depth == fragment.stored || digits == kMostDigits) return both;
+    }
 }
 
 namespace {
@@ -194,21 +208,22 @@ void reportFragments(const FrameData<Real>& data, PixelReport& report) {
         const FragmentRecord& f = record[i];
         const int polygon = int(data.transform->topology->triangles[f.triangle].polygon);
         if (i >= arrived) {
-            report.fragments.push_back({polygon, f.depth, f.stored, FragmentVerdict::NotYet, depthText(f.depth)});
+            report.fragments.push_back({polygon, f.depth, f.stored, FragmentVerdict::NotYet, {}});
             continue;
         }
         if (data.keys.zBuffer.visibility != Visibility::ZBuffer) {
-            report.fragments.push_back({polygon, f.depth, f.stored,
+            report.fragments.push_back({polygon,
+                                        f.depth,
+                                        f.stored,
                                         i == lastWon ? FragmentVerdict::PaintedLast : FragmentVerdict::PaintedOver,
-                                        depthText(f.depth)});
+                                        {}});
             continue;
         }
         const FragmentVerdict verdict = !f.won         ? FragmentVerdict::NotNearer
                                         : i == lastWon ? FragmentVerdict::WonStays
                                                        : FragmentVerdict::Overwritten;
         const std::string_view sign = f.won ? (reversed ? ">" : "<") : (reversed ? "≤" : "≥");
-        report.fragments.push_back({polygon, f.depth, f.stored, verdict,
-                                    fmt::format("{} {} {}", depthText(f.depth), sign, depthText(f.stored))});
+        report.fragments.push_back({polygon, f.depth, f.stored, verdict, sign});
     }
     for (std::size_t i = 0; i < record.size(); ++i)
         if (record[i].won && i < arrived)

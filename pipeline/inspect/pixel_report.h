@@ -28,7 +28,7 @@ struct FragmentReport {
     int polygon;
     double depth, stored;  // compared: the new one, and what the z-buffer held before (+inf: nothing)
     FragmentVerdict verdict;
-    std::string text;  // "671.4539 < +∞", "759.8211 ≥ 688.8116"; where no depths are compared "671.4539"
+    std::string_view relation;  // that holds between the two: "<", "≥"; empty where they are not compared
     // What happens then to one that won, a line each: "light 0: z' 120.3 ≤ Z'[12][44] 120.3 + 0.02: lit".
     std::vector<std::string> shadows{};
 };
@@ -105,20 +105,29 @@ struct PixelReport {
     std::vector<CulledReport> culled;
 };
 
-// A depth in as many digits as tell neighbours in float apart; "+∞" where nothing is stored.
-std::string depthText(double depth);
+// In as many significant digits as tell neighbours in float apart; "+∞" where nothing is stored.
+std::string depthText(double depth, int digits = 7);
+
+// "671.4539", "<", "+∞". Where both depths are the same in seven digits but differ, as in double, they have more.
+struct ComparisonText {
+    std::string depth, relation, stored;  // the last two are empty where none are compared
+    std::string whole() const { return relation.empty() ? depth : depth + ' ' + relation + ' ' + stored; }
+};
+ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& chosen = {});
 
 // pixel must lie in the picture.
 PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel);
 
 // The illumination equation of a pixel for channel 0, 1 or 2 (r, g, b): in symbols, with its
-// numbers, its result, the frame buffer value, and the rows of dot products and vectors below.
+// numbers, its result, the frame buffer value, and the rows of dot products and vectors below. What the scene says, k, I
+// and n, stands there as it was typed; what was computed as `chosen` says.
 struct EquationLine {
     std::string role;  // "symbols", "numbers", "result", "frame buffer", "row"
     Formula formula;
     std::string remark;  // "39.2°", "Flat: evaluated once, at the mean of the vertices"
 };
-std::vector<EquationLine> equation(const Frame& frame, const PixelReport& report, int channel);
+std::vector<EquationLine> equation(const Scene& scene, const PixelReport& report, int channel,
+                                   const NumberText& chosen = {});
 
 // What `inspect` prints.
 std::string toText(const Frame& frame, const PixelReport& report);

@@ -38,7 +38,7 @@ void addWhy(std::string& out, const Frame& frame, const PixelReport& r) {
 void addEquations(std::string& out, const Frame& frame, const PixelReport& r) {
     for (int c = 0; c < 3; ++c) {
         out += fmt::format("\n{}\n", c == 0 ? "red" : c == 1 ? "green" : "blue");
-        for (const EquationLine& line : equation(frame, r, c)) {
+        for (const EquationLine& line : equation(frame.scene(), r, c)) {
             // Vectors and dot products are the same for every channel.
             if (c > 0 && (line.role == "row" || line.role == "note")) continue;
             const bool continues = line.role == "numbers" || line.role == "result";
@@ -73,8 +73,8 @@ void addFragments(std::string& out, const PixelReport& r) {
     out += fmt::format("\nfragments: {} came\n", r.fragments.size());
     for (std::size_t i = 0; i < r.fragments.size(); ++i) {
         const FragmentReport& fragment = r.fragments[i];
-        out +=
-            fmt::format("  {}  polygon {}  {}  {}\n", i + 1, fragment.polygon, fragment.text, name(fragment.verdict));
+        out += fmt::format("  {}  polygon {}  {}  {}\n", i + 1, fragment.polygon, comparisonText(fragment).whole(),
+                           name(fragment.verdict));
         for (const std::string& shadow : fragment.shadows) out += fmt::format("       {}\n", shadow);
     }
     for (const CulledReport& culled : r.culled)

@@ -11,6 +11,7 @@
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
+#include "app/core/number_format.h"
 #include "app/core/pointed.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/fragments_section.h"
@@ -166,6 +167,25 @@ TEST_F(InspectorPanelTest, ASymbolOfASettingAsksForItsControl) {
     emit panel.equation().math()->activated("material.0.n");
     ASSERT_EQ(asked.size(), 1);
     EXPECT_EQ(asked[0][0].toString(), "material.0.n");
+}
+
+// As chosen in the preferences: equation, what it was before, terms, fragments, and what is copied.
+TEST_F(InspectorPanelTest, NumbersAreWrittenAsChosen) {
+    using Form = app::NumberFormat::Form;
+    document.change(*pipeline::findSetting(document.scene(), "material.0.n"), 4.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return equation().contains("was 45.000 + 69.714 + 0.025 = 114.739"); }, 10000));
+    app::NumberStyle::current().set({Form::Scientific, 2, {}});
+    EXPECT_TRUE(equation().contains("= 4.50·10^1 + 6.97·10^1 + 9.98·10^−1 = 1.16·10^2")) << equation().toStdString();
+    EXPECT_TRUE(equation().contains("was 4.50·10^1 + 6.97·10^1 + 2.49·10^−2 = 1.15·10^2, with n = 8"))
+        << equation().toStdString();
+    EXPECT_TRUE(panel.equation().math()->asLatex().contains("6.97\\cdot 10^{1}"));
+    EXPECT_TRUE(shows("6.97e1")) << "a term";
+    const auto* fragments = panel.findChild<app::FragmentsSection*>();
+    EXPECT_TRUE(fragments->accessibleDescription().contains("e2 < +∞")) << "a depth of some hundred units";
+    app::NumberStyle::current().set({Form::Fixed, 1, {}});
+    EXPECT_TRUE(equation().contains("= 45.0 + 69.7 + 1.0 = 115.7")) << equation().toStdString();
+    app::NumberStyle::current().set({});
+    EXPECT_TRUE(equation().contains("= 45.000 + 69.714 + 0.998 = 115.712"));
 }
 
 // Polygon 2 is seen there; polygon 4, the base, came and lost.

@@ -1,6 +1,8 @@
 // What `inspect` and the inspector say about a pixel.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 #include "pipeline/inspect/equation_text.h"
@@ -12,7 +14,7 @@ namespace {
 
 std::string lines(const Frame& frame, glm::ivec2 pixel, int channel) {
     std::string text = "\n";
-    for (const EquationLine& line : equation(frame, inspectPixel(frame, pixel), channel))
+    for (const EquationLine& line : equation(frame.scene(), inspectPixel(frame, pixel), channel))
         text += toText(line.formula) + (line.remark.empty() ? "" : " | " + line.remark) + "\n";
     return text;
 }
@@ -33,7 +35,7 @@ R·V = (−0.577, 0.808, 0.115)·(0.386, 0.678, 0.626) = 0.3974 | 66.6°
 // As a page sets it: aligned at the first equals sign, words in \text, one line break between lines.
 TEST(Equation, AsLatexAndMarkdown) {
     const FramePtr frame = test::frameOf(test::pyramid());
-    const auto lines = equation(*frame, inspectPixel(*frame, {268, 281}), 2);
+    const auto lines = equation(frame->scene(), inspectPixel(*frame, {268, 281}), 2);
     const std::string latex = equationText(lines, EquationFormat::Latex);
     EXPECT_TRUE(latex.starts_with("% \\usepackage{amsmath, cancel}\n\\begin{align*}\nI_{\\text{b}} &= ")) << latex;
     EXPECT_TRUE(latex.ends_with("\n\\end{align*}\n"));
@@ -45,6 +47,38 @@ TEST(Equation, AsLatexAndMarkdown) {
     EXPECT_TRUE(markdown.starts_with("$$\n\\begin{aligned}\n"));
     EXPECT_TRUE(markdown.ends_with("\n\\end{aligned}\n$$\n"));
     EXPECT_EQ(equationText({}, EquationFormat::Latex), "");
+}
+
+// What was computed is written as a person has chosen, typeset and copied alike; k, I and n are the scene's.
+TEST(Equation, IsWrittenAsChosenButForWhatTheSceneSays) {
+    const FramePtr frame = test::frameOf(test::pyramid());
+    const auto inForm = [&](const NumberText& chosen) {
+        return equation(frame->scene(), inspectPixel(*frame, {268, 281}), 2, chosen);
+    };
+    const auto scientific = inForm([](double value) -> std::optional<std::string> {
+        const int power = value == 0 ? 0 : int(std::floor(std::log10(std::abs(value))));
+        return fmt::format("{:.2f}e{}", value / std::pow(10, power), power);
+    });
+    EXPECT_EQ(toText(scientific[1].formula), "= 0.9·50 + 1.00·10^0·100 [ 0.9·7.75·10^−1 + 0.4·(3.97·10^−1)^8 ]");
+    EXPECT_EQ(toText(scientific[2].formula), "= 4.50·10^1 + 6.97·10^1 + 2.49·10^−2 = 1.15·10^2");
+    EXPECT_EQ(toLatex(scientific[2].formula),
+              "= 4.50\\cdot 10^{1} + 6.97\\cdot 10^{1} + 2.49\\cdot 10^{-2} = "
+              "1.15\\cdot 10^{2}");
+    EXPECT_NE(toLatex(scientific[1].formula).find("{( 3.97\\cdot 10^{-1} )}^{8}"), std::string::npos);
+    // 45 = 0x1.68p+5
+    const auto bits = inForm([](double value) -> std::optional<std::string> { return fmt::format("{:a}", value); });
+    EXPECT_TRUE(toText(bits[2].formula).starts_with("= 0x1.68p+5 + ")) << toText(bits[2].formula);
+    EXPECT_TRUE(toLatex(bits[2].formula).starts_with("= \\texttt{0x1.68p+5} + ")) << toLatex(bits[2].formula);
+    EXPECT_EQ(latexWords("was 4.50·10^1, 2.49·10^−2"), "was 4.50$\\cdot 10^{1}$, 2.49$\\cdot 10^{-2}$");
+}
+
+TEST(Equation, DepthsThatDifferNeverReadAlike) {
+    using V = FragmentVerdict;
+    EXPECT_EQ(comparisonText({0, 1.00000001, 1.00000002, V::WonStays, "<"}).whole(), "1.00000001 < 1.00000002");
+    EXPECT_EQ(comparisonText({0, 1, 1, V::NotNearer, "≥"}).whole(), "1.000000 ≥ 1.000000");
+    EXPECT_EQ(comparisonText({0, 671.4539, 700, V::PaintedLast, {}}).whole(), "671.4539");
+    const NumberText chosen = [](double value) { return std::optional(fmt::format("{:.1f}", value)); };
+    EXPECT_EQ(comparisonText({0, 1.01, 1.02, V::WonStays, "<"}, chosen).whole(), "1.0 < 1.0") << "as asked for";
 }
 
 TEST(Equation, WordsForLatexKeepWhatPlainTextHas) {
@@ -117,7 +151,7 @@ TEST(PixelReport, OfTheBackgroundIsEmpty) {
     const PixelReport report = inspectPixel(*frame, {0, 0});
     EXPECT_FALSE(report.covered);
     EXPECT_TRUE(report.fragments.empty());
-    EXPECT_TRUE(equation(*frame, report, 0).empty());
+    EXPECT_TRUE(equation(frame->scene(), report, 0).empty());
     EXPECT_NE(toText(*frame, report).find("background"), std::string::npos);
 }
 
@@ -184,7 +218,7 @@ TEST(PixelReport, OfEveryModelSumsUp) {
             ASSERT_TRUE(report.covered);
             for (int c = 0; c < 3; ++c)
                 EXPECT_NEAR(report.evaluations[0].intensity[c], report.intensity[c], 1e-14) << int(model);
-            const std::string symbols = toText(equation(*frame, report, 0)[0].formula);
+            const std::string symbols = toText(equation(frame->scene(), report, 0)[0].formula);
             EXPECT_EQ(symbols.find("H") != std::string::npos, model != Model::Phong) << symbols;
             EXPECT_EQ(symbols.find("k_e") != std::string::npos, model == Model::OpenGl) << symbols;
         }

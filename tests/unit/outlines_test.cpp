@@ -146,7 +146,7 @@ TEST(Outlines, AReportAgreesWithTheFrame) {
             if (!r.covered) continue;
             ASSERT_EQ(r.fragments.back().polygon, r.polygon);
             ASSERT_EQ(r.color, Color8(255));
-            ASSERT_TRUE(r.evaluations.empty() && equation(*frame, r, 0).empty());
+            ASSERT_TRUE(r.evaluations.empty() && equation(frame->scene(), r, 0).empty());
             ASSERT_NE(toText(*frame, r).find("outline"), std::string::npos);
         }
     }

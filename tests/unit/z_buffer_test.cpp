@@ -193,11 +193,11 @@ TEST(ZBuffer, AReplayRecordsEveryFragmentWithTheNumbersCompared) {
     const FramePtr frame = test::frameOf(facing({{37.5, 50}, {5, 10}, {37.5, 60}}));
     const PixelReport report = inspectPixel(*frame, {4, 4});
     ASSERT_EQ(report.fragments.size(), 3u);
-    EXPECT_EQ(report.fragments[0].text, "50.00000 < +∞");
+    EXPECT_EQ(comparisonText(report.fragments[0]).whole(), "50.00000 < +∞");
     EXPECT_EQ(report.fragments[0].verdict, FragmentVerdict::Overwritten);
-    EXPECT_EQ(report.fragments[1].text, "10.00000 < 50.00000");
+    EXPECT_EQ(comparisonText(report.fragments[1]).whole(), "10.00000 < 50.00000");
     EXPECT_EQ(report.fragments[1].verdict, FragmentVerdict::WonStays);
-    EXPECT_EQ(report.fragments[2].text, "60.00000 ≥ 10.00000");
+    EXPECT_EQ(comparisonText(report.fragments[2]).whole(), "60.00000 ≥ 10.00000");
     EXPECT_EQ(report.fragments[2].verdict, FragmentVerdict::NotNearer);
 }
 
