@@ -122,6 +122,12 @@ QRectF legendEntry(VectorCode code, const QRectF& legend) {
     return {};
 }
 
+QRectF legendAt(glm::dvec2 size) {
+    constexpr double kMargin = 12;
+    const QSizeF legend = legendSize(size.x - 2 * kMargin);
+    return {QPointF(kMargin, size.y - kMargin - legend.height()), legend};
+}
+
 void paintLegend(QPainter& painter, const QRectF& legend, const ViewOptions& options) {
     const ThemeColors& colors = Theme::current().colors();
     painter.save();

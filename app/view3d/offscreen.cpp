@@ -99,7 +99,7 @@ public:
     }
 
     QImage render(ViewPreset preset) {
-        const ViewFrame view{presetCamera(preset, *m_content, m_options, m_size, false), m_size,
+        const ViewFrame view{presetCamera(preset, *m_content, m_options, m_size, false, takenFoot()), m_size,
                              Theme::current().scale()};
         return paint(view, drawWorld(*m_content, m_options, view), true);
     }
@@ -125,26 +125,22 @@ public:
         turn.unlock();
         QPainter painter(&image);
         painter.scale(m_pixelRatio, m_pixelRatio);
-        paintOverlay(painter, drawing, view);
-        constexpr double kMargin = 12;
-        if (m_content->point && m_content->map.keepsLengths()) paintLegend(painter, legendAt(kMargin), m_options);
+        const bool hasLegend = m_content->point && m_content->map.keepsLengths();
+        paintOverlay(painter, drawing, view, hasLegend ? std::vector{legendAt(m_size)} : std::vector<QRectF>{});
+        if (hasLegend) paintLegend(painter, legendAt(m_size), m_options);
         return image;
     }
 
     // "At the point"; from then on the window shows `point` in place of the world.
     QImage renderPoint(std::shared_ptr<const ViewContent> point) {
         m_scene.setContent(point, {});
-        const ViewFrame view{pointCamera(ViewPreset::Iso, *point, {}, m_size, false), m_size, Theme::current().scale()};
+        const ViewFrame view{pointCamera(ViewPreset::Iso, *point, {}, m_size, false, takenFoot()), m_size,
+                             Theme::current().scale()};
         return paint(view, drawPoint(*point, m_options, view), false);
     }
 
 private:
-    // In the lower left corner.
-    QRectF legendAt(double margin) const {
-        const QSizeF size = legendSize(m_size.x - 2 * margin);
-        return {QPointF(margin, m_size.y - margin - size.height()), size};
-    }
-
+    double takenFoot() const { return m_content->point ? m_size.y - legendAt(m_size).top() : 0; }
     // What is opaque looks the same on black and on white; a channel of the ground itself differs by 255.
     QImage renderTransparent() {
         m_scene.setBackground(Qt::black);
@@ -169,11 +165,14 @@ private:
         QImage image = m_window->render();
         QPainter painter(&image);
         painter.scale(m_pixelRatio, m_pixelRatio);
-        paintOverlay(painter, drawing, view);
         constexpr double kMargin = 12, kCube = 72;
-        if (m_content->point) paintLegend(painter, legendAt(kMargin), m_options);
-        if (withCube)
-            paintCube(painter, {m_size.x - kMargin - kCube, m_size.y - kMargin - kCube, kCube, kCube}, view.camera);
+        const QRectF cube(m_size.x - kMargin - kCube, m_size.y - kMargin - kCube, kCube, kCube);
+        std::vector<QRectF> taken;
+        if (m_content->point) taken.push_back(legendAt(m_size));
+        if (withCube) taken.push_back(cube);
+        paintOverlay(painter, drawing, view, taken);
+        if (m_content->point) paintLegend(painter, legendAt(m_size), m_options);
+        if (withCube) paintCube(painter, cube, view.camera);
         return image;
     }
 

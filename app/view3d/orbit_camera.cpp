@@ -82,30 +82,32 @@ void lookAlong(OrbitCamera& camera, Vec3d forward) {
     camera.up = glm::cross(camera.right, camera.forward);
 }
 
-void frame(OrbitCamera& camera, std::span<const Vec3d> points, glm::dvec2 size, double margin) {
+void frame(OrbitCamera& camera, std::span<const Vec3d> points, glm::dvec2 size, double margin, double foot) {
     if (points.empty()) return;
     const double aspect = size.x / size.y;
     const double free = 2 * margin * std::min(1.0, aspect);  // of the height
-    const double tanY = tanHalf(camera) * (1 - free);
+    const double tanTop = tanHalf(camera) * (1 - free);
+    const double tanFoot = tanHalf(camera) * (1 - std::max(free, 2 * std::min(foot / size.y, 0.45)));
     const double tanX = tanHalf(camera) * (aspect - free);
 
     // In perspective each point p asks depth(p) + d >= |x(p) − cx| / tanX: the tightest frame is found
     // side by side, from the slopes of the four planes through the camera (no search needed).
-    double left = -std::numeric_limits<double>::infinity(), rightSide = left, top = left, foot = left;
+    double left = -std::numeric_limits<double>::infinity(), rightSide = left, top = left, bottom = left;
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest, reach = 0;
     for (const Vec3d& p : points) {
         const double x = glm::dot(p, camera.right), y = glm::dot(p, camera.up);
         const double z = camera.orthographic ? 0 : glm::dot(p, camera.forward);
         left = std::max(left, -x / tanX - z);
         rightSide = std::max(rightSide, x / tanX - z);
-        foot = std::max(foot, -y / tanY - z);
-        top = std::max(top, y / tanY - z);
+        bottom = std::max(bottom, -y - tanFoot * z);
+        top = std::max(top, y - tanTop * z);
         nearest = std::min(nearest, glm::dot(p, camera.forward));
         farthest = std::max(farthest, glm::dot(p, camera.forward));
         reach = std::max(reach, glm::length(p));
     }
-    const double x = (rightSide - left) / 2 * tanX, y = (top - foot) / 2 * tanY;
-    const double back = std::max((left + rightSide) / 2, (top + foot) / 2);  // −z of the camera
+    const double x = (rightSide - left) / 2 * tanX;
+    const double back = std::max((left + rightSide) / 2, (top + bottom) / (tanTop + tanFoot));  // −z of the camera
+    const double y = (top - bottom + (tanFoot - tanTop) * back) / 2;
     const double middle = (nearest + farthest) / 2;
     double distance = camera.orthographic ? back : middle + back;
     // What rounding leaves of a scene without extent is not an extent.

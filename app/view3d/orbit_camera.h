@@ -51,8 +51,9 @@ void zoomAt(OrbitCamera& camera, double factor, glm::dvec2 cursor, glm::dvec2 si
 // Looks along `forward`, upright, at the target it has.
 void lookAlong(OrbitCamera& camera, Vec3d forward);
 // Moves target and distance so that all points lie inside the view, with `margin` of its shorter
-// side left free on every side (0 to 0.45). A single point is framed as if it had the size 1.
-void frame(OrbitCamera& camera, std::span<const Vec3d> points, glm::dvec2 size, double margin = 0.12);
+// side left free on every side (0 to 0.45), and `foot` pixels at least below, where something else lies on the view. A
+// single point is framed as if it had the size 1.
+void frame(OrbitCamera& camera, std::span<const Vec3d> points, glm::dvec2 size, double margin = 0.12, double foot = 0);
 
 // The camera that sees what the scene's own camera sees: the picture fits into the view.
 OrbitCamera fromEye(const pipeline::View& view, Vec3d target, glm::dvec2 size);

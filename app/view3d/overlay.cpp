@@ -7,6 +7,7 @@
 #include <QThread>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/core/text.h"
 
@@ -175,6 +176,49 @@ double overlap(const QRectF& a, const QRectF& b) {
     return both.isEmpty() ? 0 : both.width() * both.height();
 }
 
+bool isInside(glm::dvec2 p, glm::dvec2 view) { return p.x >= 0 && p.y >= 0 && p.x <= view.x && p.y <= view.y; }
+
+// Where a vector leads out of the view: its letter stands beside the shaft there. Nothing where the tip is seen, or where
+// it begins outside as well.
+std::optional<glm::dvec2> exitOf(const Label& letter, const ViewFrame& view) {
+    const Projected foot = project(view.camera, view.size, letter.foot);
+    Projected tip = project(view.camera, view.size, letter.at);
+    if (!foot.inFront || !isInside(foot.at, view.size) || (tip.inFront && isInside(tip.at, view.size))) return {};
+    // The part of it that is before the observer.
+    if (!tip.inFront)
+        tip = project(view.camera, view.size,
+                      glm::mix(letter.foot, letter.at, 0.99 * foot.depth / (foot.depth - tip.depth)));
+    double t = 1;
+    const glm::dvec2 d = tip.at - foot.at;
+    for (int i = 0; i < 2; ++i)
+        if (d[i] != 0) t = std::min(t, ((d[i] > 0 ? view.size[i] : 0) - foot.at[i]) / d[i]);
+    const glm::dvec2 along = unit(d, {0, -1}),
+                     across = along.y > 0 ? glm::dvec2(along.y, -along.x) : glm::dvec2(-along.y, along.x);
+    return foot.at + t * d + kBeyondTip * view.scale * (across - along);
+}
+
+// A letter on what lies over the view would not be seen: off it by the shortest way that stays inside.
+void leave(PlacedLabel& letter, const std::vector<QRectF>& taken, glm::dvec2 view) {
+    const QSizeF size = boxOf(letter).size();
+    const glm::dvec2 half = glm::dvec2(size.width(), size.height()) / 2.0;
+    for (const QRectF& other : taken) {
+        if (overlap(boxOf(letter), other) == 0) continue;
+        const glm::dvec2 own = letter.at;
+        double least = 1e300;
+        for (const glm::dvec2 tried : {glm::dvec2(own.x, other.top() - half.y - 2),
+                                       {own.x, other.bottom() + half.y + 2},
+                                       {other.left() - half.x - 2, own.y},
+                                       {other.right() + half.x + 2, own.y}}) {
+            const double way = glm::length(tried - own);
+            if (way >= least ||
+                glm::any(glm::greaterThan(glm::abs(tried - inside(tried, size, view)), glm::dvec2(0.5))))
+                continue;
+            least = way;
+            letter.at = tried;
+        }
+    }
+}
+
 // What belongs to a plane, a length or an equation, gives way to letters by lines, up or down.
 void movePlanes(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>& tips, const ViewFrame& view) {
     const double r = 6 * view.scale;
@@ -268,6 +312,11 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
             result.push_back(placed);
             continue;
         }
+        if (const auto exit = label.kind == Label::Kind::Letter ? exitOf(label, view) : std::nullopt) {
+            placed.at = placed.mark = inside(*exit, sizeOf(label), view.size);
+            result.push_back(placed);
+            continue;
+        }
         if (!p.inFront) continue;
         const glm::dvec2 foot = project(view.camera, view.size, label.foot).at;
         placed.mark = p.at;
@@ -282,9 +331,9 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         // An axis that ends outside has its name there.
         const bool isAway = placed.label.kind == Label::Kind::Axis || placed.label.kind == Label::Kind::Note;
         const bool isTip = placed.label.kind == Label::Kind::Letter;
-        const QRectF near = QRectF(0, 0, view.size.x, view.size.y);
-        if (!isAway && !(isTip && !near.contains(toPoint(placed.mark))))
-            placed.at = inside(placed.at, sizeOf(placed.label), view.size);
+        if (isAway || (isTip && !isInside(placed.mark, view.size))) continue;
+        placed.at = inside(placed.at, sizeOf(placed.label), view.size);
+        if (isTip) leave(placed, taken, view.size);
     }
     movePlanes(result, tips, view);
     placeCaptions(result, tips, view, taken);

@@ -19,8 +19,8 @@ struct PlacedLabel {
 
 // Letters stand beyond the tips, at least 21 pixels from each other and 17 from every tip where
 // there is room; captions beside their marks, or at the border: above, below or at a side of them, where they cover
-// no letter, no mark and none of each other, and nothing that is `taken`. All of them inside the view. `scale` is the
-// font scale.
+// no letter, no mark and none of each other. A vector that leads out of the view has its letter where it leaves it. All
+// of them inside the view, and beside what is `taken`. `scale` is the font scale.
 std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view,
                                      const std::vector<QRectF>& taken = {});
 // The space that a label takes.
@@ -40,6 +40,8 @@ void paintVectorSample(QPainter& painter, const QRectF& box, VectorCode code, bo
 // of an entry.
 QSizeF legendSize(double room);
 QRectF legendEntry(VectorCode code, const QRectF& legend);
+// In the lower left corner of a picture.
+QRectF legendAt(glm::dvec2 size);
 void paintLegend(QPainter& painter, const QRectF& legend, const ViewOptions& options);
 
 // The cube that turns with the camera. Its visible faces, and which of them a point is on.

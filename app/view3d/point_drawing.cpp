@@ -276,7 +276,7 @@ Drawing drawPoint(const ViewContent& content, const ViewOptions& options, const 
 }
 
 OrbitCamera pointCamera(ViewPreset preset, const ViewContent& content, const ViewOptions& options, glm::dvec2 size,
-                        bool orthographic) {
+                        bool orthographic, double foot) {
     OrbitCamera camera;
     camera.orthographic = orthographic;
     const VectorArrow* V = find(content, VectorCode::V);
@@ -293,7 +293,7 @@ OrbitCamera pointCamera(ViewPreset preset, const ViewContent& content, const Vie
     for (int i = 0; i < kAround; ++i) points.push_back(onSphere(90, 2 * kPi * i / kAround));
     const VectorArrow *L = find(content, VectorCode::L), *N = find(content, VectorCode::N);
     if (L && N && options.reflection) points.push_back(1.06 * 2 * glm::dot(N->direction, L->direction) * N->direction);
-    frame(camera, points, size, 0.09);
+    frame(camera, points, size, 0.09, foot);
     return camera;
 }
 

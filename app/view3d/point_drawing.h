@@ -21,6 +21,6 @@ Drawing drawPoint(const ViewContent& content, const ViewOptions& options, const 
 // Iso and Everything are turned so that L and V stand farthest apart on the screen; Eye looks
 // along V, Top along N, Front and Side across it.
 OrbitCamera pointCamera(ViewPreset preset, const ViewContent& content, const ViewOptions& options, glm::dvec2 size,
-                        bool orthographic);
+                        bool orthographic, double foot = 0);
 
 }  // namespace app

@@ -45,7 +45,7 @@ protected:
     void paintEvent(QPaintEvent*) override {
         if (!m_view->shown() || !m_view->m_problem.isEmpty()) return;
         QPainter painter(this);
-        std::vector<QRectF> taken;
+        std::vector<QRectF> taken = m_view->handlePlaces();
         for (const QWidget* corner : {static_cast<QWidget*>(m_view->m_legend), static_cast<QWidget*>(m_view->m_cube)})
             if (corner->isVisible()) taken.emplace_back(corner->geometry());
         // Letters stand at what the picture shows, which may be a little late.
@@ -121,7 +121,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
         if (face == CubeFace::Middle) return go(ViewPreset::Iso);
         OrbitCamera camera = cameraOf(ViewPreset::Front);
         lookAlong(camera, directionOf(face));
-        frame(camera, sceneExtent(*shown(), m_options), viewFrame().size);
+        frame(camera, sceneExtent(*shown(), m_options), viewFrame().size, 0.11, takenFoot());
         m_touched = true;
         flyTo(camera, kFlightMilliseconds);
     });
@@ -255,9 +255,16 @@ void SceneView::setCamera(const OrbitCamera& camera) {
     if (turned) emit orthographicChanged(camera.orthographic);
 }
 
+// A low view has its room for the scene; the letters stand at their vectors.
+bool SceneView::showsLegend() const {
+    return m_problem.isEmpty() && shown() && shown()->map.keepsLengths() && 5 * m_legend->height() <= height();
+}
+
+double SceneView::takenFoot() const { return showsLegend() ? height() - m_legend->y() : 0; }
+
 OrbitCamera SceneView::cameraOf(ViewPreset preset) const {
     const auto camera = isPoint() ? pointCamera : presetCamera;
-    return camera(preset, *shown(), m_options, viewFrame().size, m_camera.orthographic);
+    return camera(preset, *shown(), m_options, viewFrame().size, m_camera.orthographic, takenFoot());
 }
 
 void SceneView::go(ViewPreset preset) {
@@ -316,8 +323,7 @@ void SceneView::refresh() {
     if (m_vtk) m_vtk->setView(viewFrame(), m_drawing);
     m_sentence->setText(sentence());
     m_sentence->setVisible(!works);
-    // A low view has its room for the scene; the letters stand at their vectors.
-    m_legend->setVisible(works && shown()->map.keepsLengths() && 5 * m_legend->height() <= height());
+    m_legend->setVisible(showsLegend());
     m_cube->setVisible(works && !isPoint());
     m_legend->setOptions(m_options);
     m_cube->setCamera(m_camera, m_space.space);
@@ -339,6 +345,7 @@ void SceneView::applyTheme() {
     if (m_vtk) m_vtk->setColors(colors);
     m_sentence->setFont(Theme::current().text(13));
     placeCorners();
+    frameIfUntouched();  // the legend takes another part of the view
     refresh();
 }
 

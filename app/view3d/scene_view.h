@@ -108,6 +108,8 @@ private:
     void applyTheme();
     void placeCorners();
     void showDetail();
+    bool showsLegend() const;
+    double takenFoot() const;  // of the height, by the legend
     void frameIfUntouched();
     void showContent();
     bool isWorld() const { return m_space.space == ViewSpace::World; }
@@ -127,6 +129,7 @@ private:
     void findHandle(QPointF position);
     bool showsHandles() const { return m_options.handles && !isPoint() && shown() && !isMoving(); }
     void paintHandles(QPainter& painter) const;
+    std::vector<QRectF> handlePlaces() const;
     void updateOverlay();
 
     SpaceId m_space;

@@ -10,7 +10,7 @@ namespace app {
 namespace {
 
 constexpr double kHotReach = 64;  // pixels of the design around a handle within which its arms stay
-constexpr double kBelowArms = 48;
+constexpr double kBelowArms = 48, kHandleRadius = 12;
 
 glm::dvec2 toVector(QPointF p) { return {p.x(), p.y()}; }
 
@@ -101,6 +101,19 @@ bool SceneView::dragKey(int key, Qt::KeyboardModifiers modifiers) {
     m_arm = letGo ? std::nullopt : std::optional(arm);
     dragTo(m_last, modifiers);
     return true;
+}
+
+// Where no word can be read.
+std::vector<QRectF> SceneView::handlePlaces() const {
+    std::vector<QRectF> places;
+    if (!showsHandles()) return places;
+    const HandleView view = handlesOnScreen();
+    const double r = kHandleRadius * view.view.scale;  // its border included
+    for (const Handle& handle : m_handles) {
+        const glm::dvec2 at = placeOf(view, handle.at).at;
+        places.push_back({at.x - r, at.y - r, 2 * r, 2 * r});
+    }
+    return places;
 }
 
 void SceneView::paintHandles(QPainter& painter) const {

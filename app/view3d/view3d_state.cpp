@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/core/text.h"
+#include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view3d_panel.h"
 
@@ -108,8 +109,9 @@ pipeline::Result<SpacePicture> SceneView::picture(QSize size, bool transparent) 
                         .hasGround = isWorld()};
     const glm::dvec2 logical = glm::dvec2(shot.size) / shot.pixelRatio;
     const auto framed = isPoint() ? pointCamera : presetCamera;
+    const double foot = shown()->map.keepsLengths() && shown()->point ? logical.y - legendAt(logical).top() : 0;
     const OrbitCamera camera =
-        m_touched ? m_camera : framed(ViewPreset::Iso, *shown(), m_options, logical, m_camera.orthographic);
+        m_touched ? m_camera : framed(ViewPreset::Iso, *shown(), m_options, logical, m_camera.orthographic, foot);
     return SpacePicture{shown(), m_options, camera, shot};
 }
 

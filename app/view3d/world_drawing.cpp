@@ -350,7 +350,7 @@ std::vector<Vec3d> everythingExtent(const ViewContent& content, const ViewOption
 }
 
 OrbitCamera presetCamera(ViewPreset preset, const ViewContent& content, const ViewOptions& options, glm::dvec2 size,
-                         bool orthographic) {
+                         bool orthographic, double foot) {
     const Vec3d centre = content.bounds.centre();
     if (preset == ViewPreset::Eye) {
         OrbitCamera camera = fromEye(content.eye, centre, size);
@@ -372,7 +372,7 @@ OrbitCamera presetCamera(ViewPreset preset, const ViewContent& content, const Vi
             std::vector<Vec3d> points = everythingExtent(content, options);
             const auto corners = frustumCorners(eye);
             points.insert(points.end(), corners.begin(), corners.end());
-            frame(camera, points, size, 0.11);
+            frame(camera, points, size, 0.11, foot);
             return camera;
         }
         default: {
@@ -389,7 +389,7 @@ OrbitCamera presetCamera(ViewPreset preset, const ViewContent& content, const Vi
     }
     // In its own space the eye belongs to what is shown.
     const bool eyeToo = preset == ViewPreset::Everything || content.map.space == ViewSpace::Eye;
-    frame(camera, eyeToo ? everythingExtent(content, options) : sceneExtent(content, options), size, 0.11);
+    frame(camera, eyeToo ? everythingExtent(content, options) : sceneExtent(content, options), size, 0.11, foot);
     return camera;
 }
 

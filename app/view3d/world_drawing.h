@@ -25,9 +25,9 @@ std::vector<Vec3d> sceneExtent(const ViewContent& content, const ViewOptions& op
 std::vector<Vec3d> everythingExtent(const ViewContent& content, const ViewOptions& options);
 
 // The named views. Outside stands behind the scene's own eye and shows its frustum whole. Iso looks from beside the scene's own eye, so that the vectors towards it are
-// seen from the side and the faces that it sees are seen.
+// seen from the side and the faces that it sees are seen. Of the view's height `foot` pixels are taken by something else.
 enum class ViewPreset { Front, Side, Top, Iso, Eye, Everything, Outside };
 OrbitCamera presetCamera(ViewPreset preset, const ViewContent& content, const ViewOptions& options, glm::dvec2 size,
-                         bool orthographic);
+                         bool orthographic, double foot = 0);
 
 }  // namespace app

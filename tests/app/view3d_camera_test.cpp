@@ -70,6 +70,30 @@ TEST_P(EitherProjection, AFramedBoxFillsTheViewUpToItsMargin) {
     }
 }
 
+// Of 600 rows 180 are taken at the foot: the box ends there, and no later than 60 below the top.
+TEST_P(EitherProjection, AFramedBoxStandsAboveWhatLiesAtTheFoot) {
+    OrbitCamera camera = slanted(GetParam());
+    const auto corners = boxCorners();
+    app::frame(camera, corners, kSize, 0.1, 180);
+    double top = 1e9, bottom = 0, side = 1e9;
+    for (const Vec3d& corner : corners) {
+        const auto p = app::project(camera, kSize, corner);
+        top = std::min(top, p.at.y), bottom = std::max(bottom, p.at.y);
+        side = std::min({side, p.at.x, kSize.x - p.at.x});
+    }
+    EXPECT_LE(bottom, 420 + 1e-6);
+    EXPECT_GE(top, 60 - 1e-6);
+    EXPECT_GE(side, 60 - 1e-6);
+    EXPECT_TRUE(std::abs(side - 60) < 1e-6 || (std::abs(top - 60) < 1e-6 && std::abs(bottom - 420) < 1e-6))
+        << "no smaller than it must be";
+
+    OrbitCamera other = slanted(GetParam());
+    app::frame(other, corners, kSize, 0.1);
+    camera = slanted(GetParam());
+    app::frame(camera, corners, kSize, 0.1, 60);
+    EXPECT_EQ(camera, other) << "the margin is free already";
+}
+
 TEST(View3dCamera, ASinglePointIsFramedWithoutDividingByItsSize) {
     OrbitCamera camera;
     const Vec3d point{1e6, -2e6, 3e6};

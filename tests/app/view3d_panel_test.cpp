@@ -151,6 +151,20 @@ TEST_F(View3dWindow, KeysGoToNamedViewsAndNothingElseListens) {
     EXPECT_EQ(settledPicture(), before);
 }
 
+// Letters that grow make the legend higher: two rows of 64 pixels at twice their size.
+TEST_F(View3dWindow, TheSceneStandsAboveTheLegend) {
+    panel.resize(620, 800);
+    openPyramid();
+    const auto* legend = view.findChild<app::ViewCorner*>("legend");
+    for (const double scale : {1.0, 2.0}) {
+        Theme::current().setScale(scale);
+        ASSERT_TRUE(legend->isVisible());
+        for (const app::Vec3d& corner : view.shown()->bounds.corners())
+            EXPECT_LE(project(view.camera(), view.viewFrame().size, corner).at.y, legend->y()) << scale;
+    }
+    Theme::current().setScale(1);
+}
+
 TEST_F(View3dWindow, TheLegendHidesAVector) {
     openPyramid();
     document.pick(kRightFace);
