@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "pipeline/core/real.h"
+#include "pipeline/core/triangle_tree.h"
 #include "pipeline/stages/view.h"
 
 namespace app {
@@ -35,9 +36,7 @@ struct Projected {
 };
 Projected project(const OrbitCamera& camera, glm::dvec2 size, Vec3d point);
 
-struct Ray {
-    Vec3d origin, direction;  // direction has unit length
-};
+using Ray = pipeline::rays::Ray<double>;  // its direction has unit length
 Ray rayThrough(const OrbitCamera& camera, glm::dvec2 size, glm::dvec2 pixel);
 
 // Turns about the world's z axis and about the camera's right, both through the target; degrees.

@@ -22,6 +22,11 @@ Vec3d row3(const AnyBuffer& buffer, std::size_t row) {
     return {buffer.flat(3 * row), buffer.flat(3 * row + 1), buffer.flat(3 * row + 2)};
 }
 
+pipeline::rays::Corners<double> cornersOf(const ViewMesh& mesh, std::uint32_t face) {
+    const auto& v = mesh.faces[face].vertices;
+    return {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
+}
+
 bool finite(Vec3d v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 void addEdges(const pipeline::Topology& topology, ViewMesh& mesh) {
@@ -74,10 +79,9 @@ void addMeshes(const Frame& frame, const ViewMesh* before, ViewMesh& mesh, Bound
         auto coarse = coarseMesh(mesh.positions, topology.triangles, kCells);
         if (2 * coarse.size() < mesh.faces.size())
             mesh.coarse = std::make_shared<const std::vector<CoarseFace>>(std::move(coarse));
-        mesh.tree = std::make_shared<const FaceTree>(std::uint32_t(mesh.faces.size()), [&](std::uint32_t face) {
-            const auto& v = mesh.faces[face].vertices;
-            return std::array{mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
-        });
+        constexpr std::uint32_t kLeaf = 8;  // faces: rays are few here
+        mesh.tree = std::make_shared<const FaceTree>(pipeline::rays::makeTree<double>(
+            std::uint32_t(mesh.faces.size()), [&](std::uint32_t face) { return cornersOf(mesh, face); }, kLeaf));
     }
 }
 
@@ -293,37 +297,30 @@ pipeline::BufferSet contentBuffers(const pipeline::Scene& scene, bool vertexNorm
     return set;
 }
 
-// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection", 1997; both sides.
 std::optional<Hit> firstHit(const ViewContent& content, const Ray& ray) {
-    std::optional<Hit> first;
-    std::uint32_t firstFace = 0;
     const ViewMesh& mesh = *content.mesh;
-    // How far away the first one is. Of two at the same distance it is the one that comes first in the mesh.
-    const auto meet = [&](std::uint32_t index) {
-        const double nearest = first ? first->distance : std::numeric_limits<double>::infinity();
-        const Face& face = mesh.faces[index];
-        const Vec3d a = mesh.positions[face.vertices[0]];
-        const Vec3d ab = mesh.positions[face.vertices[1]] - a, ac = mesh.positions[face.vertices[2]] - a;
-        const Vec3d p = glm::cross(ray.direction, ac);
-        const double determinant = glm::dot(ab, p);
-        if (determinant == 0) return nearest;
-        const Vec3d s = (ray.origin - a) / determinant;
-        const double u = glm::dot(s, p);
-        if (!(u >= 0 && u <= 1)) return nearest;
-        const Vec3d q = glm::cross(s, ab);
-        const double v = glm::dot(ray.direction, q);
-        if (!(v >= 0 && u + v <= 1)) return nearest;
-        const double distance = glm::dot(ac, q);
-        if (!(distance > 0) || distance > nearest || (distance == nearest && index > firstFace)) return nearest;
-        first = Hit{ray.origin + distance * ray.direction, distance, face.polygon};
-        firstFace = index;
-        return distance;
+    const pipeline::rays::TriangleRay<double> line(ray);
+    double nearest = std::numeric_limits<double>::infinity();
+    std::optional<std::uint32_t> first;
+    // Of two at the same distance it is the one that comes first in the mesh.
+    const auto meet = [&](std::uint32_t face) {
+        double t;
+        Vec3d weights;
+        if (!line.meets(cornersOf(mesh, face), t, weights) || !(t > 0) || t > nearest) return;
+        if (t == nearest && first && face > *first) return;
+        nearest = t;
+        first = face;
     };
     if (mesh.tree)
-        mesh.tree->along(ray, meet);
+        forEachNear(*mesh.tree, line, 0.0, nearest, [&](std::uint32_t place, double& end) {
+            meet(mesh.tree->order[place]);
+            end = nearest;
+            return false;
+        });
     else
         for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) meet(i);
-    return first;
+    if (!first) return {};
+    return Hit{ray.at(nearest), nearest, mesh.faces[*first].polygon};
 }
 
 Shown pixelShowing(const Frame& frame, const ViewContent& content, const Hit& hit) {

@@ -10,7 +10,6 @@
 
 #include "app/core/selection.h"
 #include "app/view3d/coarse_mesh.h"
-#include "app/view3d/face_tree.h"
 #include "app/view3d/light_frustum.h"
 #include "app/view3d/orbit_camera.h"
 #include "app/view3d/view_options.h"
@@ -25,6 +24,7 @@
 namespace app {
 
 using pipeline::VectorCode;
+using FaceTree = pipeline::rays::TriangleTree<double>;
 
 // What a 3D view shows of a frame, as plain data: made by contentOf, drawn by WorldScene and
 // paintOverlay. All positions are in world space, or where inSpace made it, in that of `map`. Nothing here depends on a theme, on the

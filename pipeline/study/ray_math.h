@@ -47,11 +47,4 @@ SinCos<Real> sinCos(double degrees) {
     return {std::sin(radians), std::cos(radians)};
 }
 
-// The places origin + t direction, t >= 0 unless said; the direction has any length.
-template <class Real>
-struct Ray {
-    Vec3<Real> origin{0}, direction{0};
-    Vec3<Real> at(Real t) const { return origin + t * direction; }
-};
-
 }  // namespace pipeline::rays

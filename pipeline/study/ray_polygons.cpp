@@ -132,7 +132,7 @@ Mixture<Real> alongScanline(const RayCamera<Real>& camera, const std::vector<Vec
 template <class Real>
 Mixture<Real> mixtureAt(const Mesh& mesh, const RayScene<Real>& rays, Interpolation interpolation,
                         const SurfacePoint<Real>& at) {
-    const RayTriangle<Real>& triangle = rays.tree.triangles[at.triangle];
+    const RayTriangle<Real>& triangle = rays.triangles[at.triangle];
     Mixture<Real> mixture;
     if (interpolation == Interpolation::Scanline)
         mixture = alongScanline(rays.camera, rays.objects[triangle.object].positions, mesh.polygon(triangle.polygon),
@@ -185,7 +185,7 @@ ShadedPoint<Real> shadePolygon(const Scene& scene, const RayScene<Real>& rays, c
                                const PolygonShading<Real>& polygons, const SurfacePoint<Real>& at,
                                std::span<const Real> shadow) {
     const std::size_t o = std::size_t(at.object);
-    const RayTriangle<Real>& triangle = rays.tree.triangles[at.triangle];
+    const RayTriangle<Real>& triangle = rays.triangles[at.triangle];
     const bool turned = at.back && lighting.twoSided;
     const Mixture<Real> mixture = mixtureAt(*scene.objects[o].mesh, rays, polygons.interpolation, at);
     const auto mean = [&](auto value) {

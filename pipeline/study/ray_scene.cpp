@@ -105,10 +105,10 @@ Ray<Real> inObject(const RayObject<Real>& object, const Ray<Real>& ray) {
 // A triangle can block a ray that leaves the point, for all that its object and polygon say.
 template <class Real>
 bool mayBlock(const RayScene<Real>& scene, const SurfacePoint<Real>& from, std::uint32_t i) {
-    const RayTriangle<Real>& triangle = scene.tree.triangles[i];
+    const RayTriangle<Real>& triangle = scene.triangles[i];
     if (int(triangle.object) != from.object) return true;
     if (scene.objects[triangle.object].isConvex) return false;
-    return from.triangle == ~0u || triangle.polygon != scene.tree.triangles[from.triangle].polygon;
+    return from.triangle == ~0u || triangle.polygon != scene.triangles[from.triangle].polygon;
 }
 
 template <class Real>
@@ -123,6 +123,19 @@ bool shapeBlocks(const RayScene<Real>& scene, const SurfacePoint<Real>& from, st
     const Crossings<Real> met = crossings(object.kind, local);
     return std::any_of(met.at.begin(), met.at.begin() + met.count,
                        [&](const Crossing<Real>& crossing) { return crossing.t >= begin && crossing.t <= end; });
+}
+
+// Calls visit(triangle's index, t, weights, end) for triangles that are met with begin <= t <= end; visit may bring `end`
+// nearer. Stops when visit gives true, which is then the result.
+template <class Real, class Visit>
+bool forEachMet(const RayScene<Real>& scene, const Ray<Real>& ray, Real begin, Real end, Visit visit) {
+    const TriangleRay<Real> line(ray);
+    return forEachNear(scene.tree, line, begin, end, [&](std::uint32_t i, Real& nearest) {
+        Real t;
+        Vec3<Real> weights;
+        return line.meets(scene.triangles[i].corners, t, weights) && t >= begin && t <= nearest &&
+               visit(i, t, weights, nearest);
+    });
 }
 
 }  // namespace
@@ -190,7 +203,7 @@ RayScene<Real> makeRayScene(const Scene& scene, RaySurfaces surfaces) {
     RayScene<Real> out;
     out.camera = makeCamera<Real>(scene);
     out.cullsBack = scene.settings.cull == CullMode::Back;
-    std::vector<RayTriangle<Real>> triangles;
+    std::vector<RayTriangle<Real>> triangles;  // in the order of the scene
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         RayObject<Real>& placed = out.objects.emplace_back();
@@ -198,7 +211,8 @@ RayScene<Real> makeRayScene(const Scene& scene, RaySurfaces surfaces) {
         place(object, surfaces == RaySurfaces::Polygons, placed);
         if (placed.isThere && !placed.isShape) addTriangles(*object.mesh, i, placed, triangles);
     }
-    out.tree = makeTree(std::move(triangles));
+    out.tree = makeTree<Real>(std::uint32_t(triangles.size()), [&](std::uint32_t i) { return triangles[i].corners; });
+    for (const std::uint32_t i : std::exchange(out.tree.order, {})) out.triangles.push_back(triangles[i]);
     return out;
 }
 
@@ -206,8 +220,8 @@ template <class Real>
 SurfacePoint<Real> firstSeen(const RayScene<Real>& scene, const Ray<Real>& ray) {
     const RayCamera<Real>& camera = scene.camera;
     SurfacePoint<Real> seen;
-    forEachMet(scene.tree, ray, camera.near, camera.far, [&](std::uint32_t i, Real t, Vec3<Real> weights, Real& end) {
-        const RayTriangle<Real>& triangle = scene.tree.triangles[i];
+    forEachMet(scene, ray, camera.near, camera.far, [&](std::uint32_t i, Real t, Vec3<Real> weights, Real& end) {
+        const RayTriangle<Real>& triangle = scene.triangles[i];
         const Vec3<Real> normal = scene.objects[triangle.object].polygonNormals[triangle.polygon];
         const Real facing = glm::dot(normal, ray.direction);
         if (normal == Vec3<Real>(0) || (scene.cullsBack && !(facing < 0))) return false;
@@ -267,7 +281,7 @@ Blockers blockersBefore(const RayScene<Real>& scene, const SurfacePoint<Real>& f
                 waiting.push_back(node.first + 1);
             }
             for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                const auto& c = scene.tree.triangles[i].corners;
+                const auto& c = scene.triangles[i].corners;
                 const Vec3<Real> low = glm::min(glm::min(c[0], c[1]), c[2]),
                                  high = glm::max(glm::max(c[0], c[1]), c[2]);
                 if (reaches((low + high) / Real(2), (high - low) / Real(2)) && mayBlock(scene, from, i))
@@ -291,9 +305,8 @@ bool isBlocked(const RayScene<Real>& scene, const SurfacePoint<Real>& from, cons
     // One by one up to as many triangles as the tree would look at.
     constexpr std::size_t kFew = 24;
     if (!among || among->triangles.size() > kFew) {
-        const bool byTriangle = forEachMet(scene.tree, ray, begin, end, [&](std::uint32_t i, Real, Vec3<Real>, Real&) {
-            return mayBlock(scene, from, i);
-        });
+        const bool byTriangle = forEachMet(
+            scene, ray, begin, end, [&](std::uint32_t i, Real, Vec3<Real>, Real&) { return mayBlock(scene, from, i); });
         if (byTriangle) return true;
         for (std::size_t i = 0; i < scene.objects.size(); ++i)
             if (shapeBlocks(scene, from, i, ray, begin, end)) return true;
@@ -303,7 +316,7 @@ bool isBlocked(const RayScene<Real>& scene, const SurfacePoint<Real>& from, cons
     for (const std::uint32_t i : among->triangles) {
         Real t;
         Vec3<Real> weights;
-        if (line.meets(scene.tree.triangles[i], t, weights) && t >= begin && t <= end) return true;
+        if (line.meets(scene.triangles[i].corners, t, weights) && t >= begin && t <= end) return true;
     }
     return std::ranges::any_of(among->shapes,
                                [&](std::uint32_t i) { return shapeBlocks(scene, from, i, ray, begin, end); });

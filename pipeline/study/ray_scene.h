@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
+#include "pipeline/core/triangle_tree.h"
 #include "pipeline/scene/scene.h"
 #include "pipeline/study/ray_solids.h"
-#include "pipeline/study/ray_tree.h"
 
 namespace pipeline {
 
@@ -40,7 +40,7 @@ struct SurfacePoint {
     Real t = kInfinity<Real>;
     Vec3<Real> position{0}, normal{0};  // world space; the normal is unit, outward, of the surface or the polygon
     bool back = false;                  // seen from behind
-    std::uint32_t triangle = ~0u;       // index into RayScene::tree.triangles; ~0u on a shape's own surface
+    std::uint32_t triangle = ~0u;       // index into RayScene::triangles; ~0u on a shape's own surface
     Vec3<Real> weights{0};              // of its corners, linear in space
     Real rounding = 0;                  // bound on the error of the position, world units
 };
@@ -59,10 +59,18 @@ struct RayObject {
 };
 
 template <class Real>
+struct RayTriangle {
+    Corners<Real> corners{};                              // world space
+    std::uint32_t object = 0, polygon = 0, triangle = 0;  // polygon and triangle within the object's mesh
+};
+
+template <class Real>
 struct RayScene {
     RayCamera<Real> camera;
     std::vector<RayObject<Real>> objects;
-    TriangleTree<Real> tree;  // of the objects that are met by their polygons
+    std::vector<RayTriangle<Real>>
+        triangles;  // of the objects that are met by their polygons; as they stand in the tree
+    TriangleTree<Real> tree;
     bool cullsBack = true;
 };
 template <class Real>
@@ -79,7 +87,7 @@ SurfacePoint<Real> firstSeen(const RayScene<Real>& scene, const Ray<Real>& ray);
 // What may stand between a surface point and an area: of all triangles and shapes those whose box reaches into the
 // pyramid of the point and the area's corners, and above the surface there.
 struct Blockers {
-    std::vector<std::uint32_t> triangles;  // indices into RayScene::tree.triangles
+    std::vector<std::uint32_t> triangles;  // indices into RayScene::triangles
     std::vector<std::uint32_t> shapes;     // indices into RayScene::objects
     bool empty() const { return triangles.empty() && shapes.empty(); }
 };

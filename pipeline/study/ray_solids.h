@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "pipeline/core/triangle_tree.h"
 #include "pipeline/scene/shape.h"
 #include "pipeline/study/ray_math.h"
 

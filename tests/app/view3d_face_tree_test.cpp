@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <set>
 
 #include "app/view3d/view_content.h"
 
@@ -34,9 +33,11 @@ TEST(View3dFaceTree, FindsTheFirstFaceThatLookingAtAllFinds) {
     std::mt19937 random(7);
     const ViewContent all = soup(random);
     auto mesh = std::make_shared<app::ViewMesh>(*all.mesh);
-    mesh->tree = std::make_shared<const FaceTree>(std::uint32_t(mesh->faces.size()), [&](std::uint32_t i) {
-        return std::array{mesh->positions[3 * i], mesh->positions[3 * i + 1], mesh->positions[3 * i + 2]};
-    });
+    mesh->tree = std::make_shared<const FaceTree>(
+        pipeline::rays::makeTree<double>(std::uint32_t(mesh->faces.size()), [&](std::uint32_t i) {
+            return pipeline::rays::Corners<double>{mesh->positions[3 * i], mesh->positions[3 * i + 1],
+                                                   mesh->positions[3 * i + 2]};
+        }));
     ViewContent few = all;
     few.mesh = mesh;
     std::uniform_real_distribution<double> place(-2, 2);
@@ -53,22 +54,6 @@ TEST(View3dFaceTree, FindsTheFirstFaceThatLookingAtAllFinds) {
         EXPECT_EQ(found->distance, expected->distance);
     }
     EXPECT_GT(hits, 200);
-}
-
-// By number, not by time: of a flat grid of 40 000 faces a ray across it looks at those around it.
-TEST(View3dFaceTree, LooksAtFewFaces) {
-    constexpr std::uint32_t kSide = 200;
-    const FaceTree tree(kSide * kSide, [](std::uint32_t i) {
-        const Vec3d corner(i % kSide, i / kSide, 0);
-        return std::array{corner, corner + Vec3d(1, 0, 0), corner + Vec3d(0, 1, 0)};
-    });
-    std::set<std::uint32_t> seen;
-    tree.along({{100.3, 50.3, 10}, {0, 0, -1}}, [&](std::uint32_t face) {
-        seen.insert(face);
-        return 1e9;
-    });
-    EXPECT_TRUE(seen.contains(50 * kSide + 100));
-    EXPECT_LE(seen.size(), 8u) << "the faces of one box";
 }
 
 // 10 000 at most, whatever was asked for.
