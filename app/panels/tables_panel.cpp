@@ -21,16 +21,15 @@ TablesPanel::TablesPanel(Document& document, QWidget* parent) : QTabWidget(paren
     tabBar()->setAccessibleName(tr("Tables"));
     setCurrentIndex(int(TableId::Polygons));
     m_facts = new ElidedLabel(this);
+    m_facts->setObjectName("factsBesideTabs");
     m_facts->setProperty("tone", "2");
     m_facts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    setCornerWidget(m_facts);
     for (int i = 0; i < count(); ++i)
         connect(static_cast<TablePage*>(widget(i)), &TablePage::factsChanged, this, &TablesPanel::placeFacts);
     connect(this, &QTabWidget::currentChanged, this, &TablesPanel::placeFacts);
     followTheme(this, [this] {
         tabBar()->setFont(Theme::current().text(13));
         m_facts->setFont(Theme::current().mono(12));
-        m_facts->setContentsMargins(0, 0, Theme::current().px(12), Theme::current().px(6));
         placeFacts();
     });
 }
@@ -48,7 +47,10 @@ void TablesPanel::placeFacts() {
     m_facts->setText(isLow ? page->facts() : QString());
     m_facts->setToolTip(m_facts->text());
     m_facts->setVisible(isLow);
-    m_facts->setFixedWidth(std::max(0, width() - tabBar()->sizeHint().width() - Theme::current().px(16)));
+    const QRect tabs = tabBar()->geometry();
+    const int left = tabs.left() + tabBar()->sizeHint().width() + Theme::current().px(16);
+    m_facts->setGeometry(left, tabs.top(), std::max(0, width() - left - Theme::current().px(12)), tabs.height());
+    m_facts->raise();
 }
 
 QSize TablesPanel::sizeHint() const { return {Theme::current().px(600), Theme::current().px(240)}; }

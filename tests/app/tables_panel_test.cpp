@@ -143,17 +143,19 @@ TEST_F(TablesPanelTest, CopiesTheChosenRows) {
 }
 
 TEST_F(TablesPanelTest, ALowPanelHasItsFactsBesideTheTabs) {
-    auto* corner = static_cast<QLabel*>(panel.cornerWidget());
-    EXPECT_FALSE(corner->isVisible());
+    const auto* facts = panel.findChild<QLabel*>("factsBesideTabs");
+    EXPECT_FALSE(facts->isVisible());
     const int rows = polygons().view().viewport()->height();
     panel.resize(900, 180);
     QTest::qWait(20);
-    EXPECT_TRUE(corner->isVisible());
-    EXPECT_EQ(corner->text(), "polygons = 5");
+    EXPECT_TRUE(facts->isVisible());
+    EXPECT_EQ(facts->text(), "polygons = 5");
+    EXPECT_LT(facts->geometry().right(), panel.width());
+    EXPECT_EQ(facts->geometry().center().y(), panel.tabBar()->geometry().center().y());
     EXPECT_GT(polygons().view().viewport()->height(), rows - 120) << "120 lower, and a line less above the rows";
     panel.resize(900, 300);
     QTest::qWait(20);
-    EXPECT_FALSE(corner->isVisible());
+    EXPECT_FALSE(facts->isVisible());
 }
 
 TEST_F(TablesPanelTest, AnEmptyColumnSaysWhy) {
