@@ -12,6 +12,8 @@
 #include "pipeline/simd/elements.h"
 #include "pipeline/simd/power.h"
 #include "pipeline/simd/put_pixels.h"
+#include "pipeline/simd/shadows.h"
+#include "pipeline/simd/surfaces.h"
 #include "pipeline/stages/shading_terms.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -98,6 +100,8 @@ public:
             m_first = std::size_t(y) * kRowPixels;
             m_surfaces.find(y, m_row.surface);
             findGroups();
+            for (const ShadowLight& light : m_shadows)
+                if (light.isFetched() && m_inputs.parts.position) fetchTexels(light);
             for (const Group& group : m_groups) {
                 if (m_inputs.shading == Shading::Phong)
                     m_keeps ? shadePhong<true>(group) : shadePhong<false>(group);
@@ -142,6 +146,11 @@ private:
                 left = hn::AndNot(mine, left);
             }
         }
+    }
+    void fetchTexels(const ShadowLight& light) const {
+        for (const Group& group : m_groups)
+            for (std::size_t n = 0; n < group.count; ++n)
+                light.template fetchTexels<A>(load(m_row.surface.position, group.at[n]), group.mask[n]);
     }
     Group& groupOf(std::size_t object) {
         for (Group& group : m_groups)
@@ -255,7 +264,7 @@ private:
     template <bool kKeeps, class TermsOf>
     void addLight(const Group& group, std::size_t k, TermsOf terms) {
         const ShadowLight& light = m_shadows[k];
-        const bool casts = light.casts || light.looksUp();
+        const bool casts = light.casts() || light.looksUp();
         const bool everywhere = m_inputs.parts.idleLookups || (kKeeps && has(BufferId::Shadow));
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
@@ -265,8 +274,7 @@ private:
             if (casts) {
                 const Mask idle = hn::And(isZero(of.diffuse), isZero(of.specular));
                 const Mask wanted = everywhere ? mask : hn::AndNot(idle, mask);
-                S = light.template factors<A>(m_inputs.shadow, load(m_row.surface.position, i),
-                                              load(m_row.surface.facing, i), wanted);
+                S = light.template factors<A>(load(m_row.surface.position, i), load(m_row.surface.facing, i), wanted);
                 of = {scaled(of.diffuse, S), scaled(of.specular, S)};
                 if (light.looksUp()) {
                     const long long lookups = countOf(wanted);

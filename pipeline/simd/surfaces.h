@@ -14,7 +14,6 @@
 #include "pipeline/simd/arithmetic.h"
 #include "pipeline/simd/seen.h"
 #include "pipeline/simd/seen_blocks.h"
-#include "pipeline/simd/shadows.h"
 #include "pipeline/stages/shading.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -117,11 +116,6 @@ public:
         else
             m_facing ? findRow<false, false, true>(begin, out) : findRow<false, false, false>(begin, out);
         if (m_positioned && fromDepth()) findPositions(row, out);
-        if (!m_positioned || !m_facing) return;
-        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            const Mask seen = seenIn(out.triangle + i);
-            if (!hn::AllFalse(F(), seen)) fetchTexels<A>(m_inputs, m_in, load(out.position, i), seen);
-        }
     }
 
 private:
