@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -69,9 +71,28 @@ inline LateBuffer2D<float> rowsLater(const std::shared_ptr<const BlockBuffer2D<f
         [blocks] { return rowsOf(*blocks, std::vector<std::uint8_t>(blocks->tileCount(), 1), 0.0F); });
 }
 
+// The face of a light that sees nothing: all such faces share one. Of a point light most do, and of an area light there
+// are hundreds.
+class EmptyFace {
+public:
+    std::shared_ptr<const BlockBuffer2D<float>> ofSize(glm::ivec2 size) {
+        std::call_once(m_made, [&] {
+            auto blocks = std::make_shared<BlockBuffer2D<float>>(size);
+            for (std::size_t tile = 0; tile < blocks->tileCount(); ++tile)
+                blocks->fill(tile, std::numeric_limits<float>::infinity());
+            m_blocks = blocks;
+        });
+        return m_blocks;
+    }
+
+private:
+    std::once_flag m_made;
+    std::shared_ptr<const BlockBuffer2D<float>> m_blocks;
+};
+
 // What a face of a light sees; drawn: per polygon, whether it takes part; empty: all do.
 inline void drawShadowFace(const TransformOutput<float>& in, std::span<const std::uint8_t> drawn,
-                           LightView<float>& light, std::size_t number, Threads& threads) {
+                           LightView<float>& light, std::size_t number, EmptyFace& empty, Threads& threads) {
     const View& face = light.faces[number];
     std::vector<Vec3<float>> positions(in.world.size());
     SnappedVertices snapped;
@@ -83,12 +104,15 @@ inline void drawShadowFace(const TransformOutput<float>& in, std::span<const std
     });
     const SetUpInputs setUp{*in.topology, face, positions, snapped, {}, {}, drawn};
     TrianglePieces pieces = prepareSetUp(setUp);
-    const auto blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
+    std::shared_ptr<BlockBuffer2D<float>> blocks;
     // Nobody asks for these triangles afterwards: of a large mesh only some of them stand in memory at a time.
     constexpr std::size_t kAtOnce = 8;
     for (std::size_t first = 0; first < pieces.pieces.size() && !threads.stopped(); first += kAtOnce) {
         const std::size_t last = std::min(first + kAtOnce, pieces.pieces.size());
         setUpPieces(setUp, first, last, pieces, threads);
+        const bool isOnly = last - first == pieces.pieces.size();
+        if (isOnly && std::ranges::all_of(pieces.pieces, [](const auto& piece) { return piece.lists.empty(); })) break;
+        if (!blocks) blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
         threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
             for (std::size_t tile = begin; tile < end; ++tile) {
                 if (first == 0) blocks->fill(tile, std::numeric_limits<float>::infinity());
@@ -97,12 +121,12 @@ inline void drawShadowFace(const TransformOutput<float>& in, std::span<const std
         });
         for (std::size_t piece = first; piece < last; ++piece) pieces.pieces[piece] = {};
     }
-    light.blocks[number] = blocks;
-    light.depth[number] = rowsLater(blocks);
+    light.blocks[number] = blocks ? blocks : empty.ofSize(face.size);
+    light.depth[number] = rowsLater(light.blocks[number]);
 }
 template <class Real>
 void drawShadowFace(const TransformOutput<Real>& in, std::span<const std::uint8_t> drawn, LightView<Real>& light,
-                    std::size_t number, Threads& threads) {
+                    std::size_t number, EmptyFace&, Threads& threads) {
     const View& face = light.faces[number];
     const TriangleBins<Real> bins = binForLight(in, face, drawn);
     threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
@@ -114,10 +138,11 @@ void drawShadowFace(const TransformOutput<Real>& in, std::span<const std::uint8_
 template <class Real>
 void drawShadows(const TransformOutput<Real>& in, std::span<const std::uint8_t> drawn,
                  std::vector<LightView<Real>>& samples, Threads& threads) {
+    EmptyFace empty;
     threads.forRange(samples.size(), kSampleGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             for (std::size_t face = 0; face < samples[i].faces.size() && !threads.stopped(); ++face)
-                drawShadowFace(in, drawn, samples[i], face, threads);
+                drawShadowFace(in, drawn, samples[i], face, empty, threads);
     });
 }
 

@@ -87,9 +87,15 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
     static_assert(sizeof(Triangle) == 16);
     hn::LoadInterleaved4(whole, reinterpret_cast<const std::int32_t*>(triangles), v[0], v[1], v[2], polygon);
     const auto* planes = reinterpret_cast<const std::int32_t*>(from.planes.data());
-    const Ints beside = hn::Or(hn::Or(hn::GatherIndex(whole, planes, v[0]), hn::GatherIndex(whole, planes, v[1])),
-                               hn::GatherIndex(whole, planes, v[2]));
-    const auto cut = hn::Ne(hn::And(beside, hn::Set(whole, std::int32_t(SnappedVertices::kCut))), hn::Zero(whole));
+    const Ints p[]{hn::GatherIndex(whole, planes, v[0]), hn::GatherIndex(whole, planes, v[1]),
+                   hn::GatherIndex(whole, planes, v[2])};
+    const Ints beside = hn::Or(hn::Or(p[0], p[1]), p[2]), outside = hn::And(hn::And(p[0], p[1]), p[2]);
+    const auto has = [&](Ints bits, std::uint32_t mask) HWY_ATTR {
+        return hn::Ne(hn::And(bits, hn::Set(whole, std::int32_t(mask))), hn::Zero(whole));
+    };
+    // What is beyond one plane with all of its corners, clipping would leave nothing of.
+    if (!in.clipAll) live &= ~bitsOf(asFloats(has(outside, SnappedVertices::kOutside)));
+    const auto cut = has(beside, SnappedVertices::kCut);
     Ints x[3], y[3];
     for (int i = 0; i < 3; ++i) {
         x[i] = hn::GatherIndex(whole, from.x.data(), v[i]);

@@ -14,6 +14,7 @@ struct SnappedVertices {
 
     // Bit k: outside plane k (clip.h) of the picture; bit kNotInside + k: not inside it.
     static constexpr unsigned kNotInside = 8;
+    static constexpr std::uint32_t kOutside = 0x3f;  // the bits of all six planes
     // Not inside near, far or guard band: its polygons go through the clipper.
     static constexpr std::uint32_t kCut = 1u << 16;
 
