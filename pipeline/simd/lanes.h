@@ -39,6 +39,10 @@ HWY_INLINE std::uint32_t bitsOf(Mask mask) {
     hn::StoreMaskBits(F(), mask, reinterpret_cast<std::uint8_t*>(&bits));
     return std::uint32_t(bits);
 }
+// And back.
+HWY_INLINE Mask maskOf(std::uint64_t bits) {
+    return hn::LoadMaskBits(F(), reinterpret_cast<const std::uint8_t*>(&bits));
+}
 
 // The 3-vectors at `index` of an array of them.
 HWY_INLINE Floats3 gather(const std::vector<Vec3<float>>& values, Ints index) {

@@ -65,12 +65,14 @@ HWY_INLINE Floats3 where(Mask mask, Floats3 v) {
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
 }
 
-// The vectors of a row with pixels of one object, and which of their pixels.
+// The vectors of a row with pixels of one object, and which of their pixels: as bits, for GCC aligns no memory that a
+// container asks for to vectors wider than those it compiles for by default.
 struct Group {
     std::size_t object = 0, count = 0;
     std::size_t at[kRowVectors];
-    Mask mask[kRowVectors];
-    void add(std::size_t i, Mask pixels) { at[count] = i, mask[count++] = pixels; }
+    std::uint32_t bits[kRowVectors];
+    void add(std::size_t i, Mask pixels) { at[count] = i, bits[count++] = bitsOf(pixels); }
+    HWY_INLINE Mask mask(std::size_t n) const { return maskOf(bits[n]); }
 };
 
 // A row of blocks on its way to the picture: what one of the loops over it leaves for the next.
@@ -150,7 +152,7 @@ private:
     void fetchTexels(const ShadowLight& light) const {
         for (const Group& group : m_groups)
             for (std::size_t n = 0; n < group.count; ++n)
-                light.template fetchTexels<A>(load(m_row.surface.position, group.at[n]), group.mask[n]);
+                light.template fetchTexels<A>(load(m_row.surface.position, group.at[n]), group.mask(n));
     }
     Group& groupOf(std::size_t object) {
         for (Group& group : m_groups)
@@ -192,22 +194,23 @@ private:
         const Floats3 none = all(Vec3<float>(0)), base = all(sumOf(look.base));
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
-            const Floats3 N = A::unit(load(m_row.surface.normal, i), group.mask[n]);
+            const Mask mask = group.mask(n);
+            const Floats3 N = A::unit(load(m_row.surface.normal, i), mask);
             Floats3 V = none;
             if (m_inputs.parts.viewVector)
-                V = view.perspective ? A::unit(eye - load(m_row.surface.position, i), group.mask[n]) : back;
+                V = view.perspective ? A::unit(eye - load(m_row.surface.position, i), mask) : back;
             store(N, m_row.N, i), store(V, m_row.V, i);
-            store(choose(group.mask[n], base, load(m_row.intensity, i)), m_row.intensity, i);
+            store(choose(mask, base, load(m_row.intensity, i)), m_row.intensity, i);
             if constexpr (kKeeps) {
-                keep(BufferId::Position, load(m_row.surface.position, i), group.mask[n], i);
-                keep(BufferId::Normal, N, group.mask[n], i), keep(BufferId::ViewVector, V, group.mask[n], i);
-                keep(BufferId::Emission, all(look.base.emission), group.mask[n], i);
-                keep(BufferId::Ambient, all(look.base.ambient), group.mask[n], i);
+                keep(BufferId::Position, load(m_row.surface.position, i), mask, i);
+                keep(BufferId::Normal, N, mask, i), keep(BufferId::ViewVector, V, mask, i);
+                keep(BufferId::Emission, all(look.base.emission), mask, i);
+                keep(BufferId::Ambient, all(look.base.ambient), mask, i);
             }
         }
     }
 
-    // Leaves N·L of light k, and of its highlight q, 1 where there is none.
+    // Leaves N·L of light k, and of its highlight q, kNoHighlight where there is none.
     template <bool kKeeps, Highlight kHighlight>
     void reflect(const Group& group, std::size_t k) {
         const LightDetail& detail = m_inputs.illumination.detail;
@@ -215,7 +218,7 @@ private:
         const Floats3 source = all(m_lights[k].source);
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
-            const Mask mask = group.mask[n];
+            const Mask mask = group.mask(n);
             const Floats3 N = load(m_row.N, i), V = load(m_row.V, i);
             const Floats3 L = atInfinity ? source : A::unit(source - load(m_row.surface.position, i), mask);
             const Floats nDotL = A::dot(N, L);
@@ -268,7 +271,7 @@ private:
         const bool everywhere = m_inputs.parts.idleLookups || (kKeeps && has(BufferId::Shadow));
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
-            const Mask mask = group.mask[n];
+            const Mask mask = group.mask(n);
             Terms of = terms(n);
             Floats S = all(1);
             if (casts) {
@@ -295,17 +298,17 @@ private:
     void shadeGathered(const Group& group) {
         const auto& elements = m_inputs.shading == Shading::Flat ? m_out.polygons : m_out.vertices;
         const auto elementsAt = [&](std::size_t n) HWY_ATTR {
-            return Elements<A>(m_inputs, m_in, m_row.surface, group.at[n], group.mask[n]);
+            return Elements<A>(m_inputs, m_in, m_row.surface, group.at[n], group.mask(n));
         };
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
+            const Mask mask = group.mask(n);
             const Elements<A> at = elementsAt(n);
             const Floats3 emission = at.difference(elements.base, 0), ambient = at.difference(elements.base, 1);
             store(all(Vec3<float>(0)) + emission + ambient, m_row.intensity, i);
             if constexpr (kKeeps) {
-                keep(BufferId::Position, load(m_row.surface.position, i), group.mask[n], i);
-                keep(BufferId::Emission, emission, group.mask[n], i),
-                    keep(BufferId::Ambient, ambient, group.mask[n], i);
+                keep(BufferId::Position, load(m_row.surface.position, i), mask, i);
+                keep(BufferId::Emission, emission, mask, i), keep(BufferId::Ambient, ambient, mask, i);
             }
         }
         const auto lights = std::int32_t(m_lights.size());
