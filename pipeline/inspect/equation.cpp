@@ -42,8 +42,8 @@ struct Writer {
         return own ? numeral(*own, std::move(refers)) : text(fixed(value, decimals), std::move(refers));
     }
     // The lecture writes exact 0, 1 and −1 without decimals.
-    Formula wholeOr(double value, int decimals, std::string refers = {}) const {
-        return number(value, value == 0 || value == 1 || value == -1 ? 0 : decimals, std::move(refers));
+    Formula wholeOr(double value, int decimals) const {
+        return number(value, value == 0 || value == 1 || value == -1 ? 0 : decimals);
     }
     Formula components(Vec3d v) const {
         return row({text("("), wholeOr(v.x, 3), text(","), wholeOr(v.y, 3), text(","), wholeOr(v.z, 3), text(")")});
@@ -125,8 +125,10 @@ void Writer::numbers(const Evaluation& e) {
     parts.push_back(text(ka + "·" + shortest(ambientIntensity())));
     for (const LightReport& light : e.lights) {
         const auto k = std::size_t(light.light);
-        // A share of texels or samples has as many digits as the dot products.
-        Formula shadow = wholeOr(light.shadow, 4, fmt::format("shadow.{}", k));
+        // Lit or not is no measure; a share of texels or samples is, with as many digits as the dot products.
+        const bool isShare = light.shadow != 0 && light.shadow != 1;
+        const std::string factor = fmt::format("shadow.{}", k);
+        Formula shadow = isShare ? number(light.shadow, 4, factor) : text(shortest(light.shadow), factor);
         if (light.shadow == 0) shadow = struck(shadow);
         parts.push_back(text("+"));
         if (gl) {

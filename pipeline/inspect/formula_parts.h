@@ -41,7 +41,9 @@ inline Formula sub(std::string letter, std::string index, std::string refers = {
     return script(symbol(std::move(letter)), text(std::move(index)), row({}), std::move(refers));
 }
 inline Formula power(Formula base, Formula exponent) {
-    if (base.kind == Formula::Kind::Script) base = row({text("("), std::move(base), text(")")});
+    // A number that ends in a power of its own: 1.5·10^−6, 0x1.8p-1.
+    if (base.kind == Formula::Kind::Script || base.text.find('p') != std::string::npos)
+        base = row({text("("), std::move(base), text(")")});
     return script(std::move(base), row({}), std::move(exponent));
 }
 inline Formula fraction(Formula top, Formula bottom) {
