@@ -20,6 +20,10 @@ BufferCanvas::BufferCanvas(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
     followTheme(this, [this] { updateAll(); });
+    for (CanvasBase* base : {&m_base, &m_otherBase}) {
+        connect(base, &CanvasBase::painted, this, qOverload<>(&BufferCanvas::update));
+        connect(base, &CanvasBase::busyChanged, this, &BufferCanvas::paintingChanged);
+    }
 }
 
 QSize BufferCanvas::sizeHint() const { return m_content.size.isEmpty() ? QSize(320, 240) : m_content.size; }
@@ -116,7 +120,7 @@ void BufferCanvas::place(Placement placement) {
     const bool isNewZoom = placement.zoom != m_placement.zoom;
     m_placement = placement;
     if (isNewZoom) emit zoomChanged(zoom());
-    updateAll();
+    update();
 }
 
 void BufferCanvas::setZoom(double zoom, QPointF anchor) {
@@ -174,7 +178,7 @@ void BufferCanvas::setEdgeView(std::optional<pipeline::EdgeView> view) {
 void BufferCanvas::setShowEdges(bool show) {
     if (show == m_showEdges) return;
     m_showEdges = show;
-    updateAll();
+    update();
 }
 
 std::optional<QPoint> BufferCanvas::pixelAt(QPointF widget) const {
@@ -186,7 +190,7 @@ std::optional<QPoint> BufferCanvas::pixelAt(QPointF widget) const {
 
 void BufferCanvas::setOther(std::optional<CanvasContent> other, const Wipe& wipe) {
     m_other = std::move(other);
-    m_otherBase = {};
+    m_otherBase.change();
     setWipe(wipe);
 }
 
@@ -197,21 +201,15 @@ void BufferCanvas::setWipe(const Wipe& wipe) {
 }
 
 void BufferCanvas::updateAll() {
-    m_base = m_otherBase = {};
+    m_base.change();
+    m_otherBase.change();
     update();
 }
 
-// The pointer moves far more often than the picture changes, and a picture of many polygons takes time.
-void BufferCanvas::drawBase(QPainter& painter, QPixmap& base, const CanvasContent& content, QRect part) {
+void BufferCanvas::drawBase(QPainter& painter, CanvasBase& base, const CanvasContent& content, QRect part) {
     if (part.isEmpty()) return;
-    if (base.isNull()) {
-        base = QPixmap(size() * devicePixelRatio());
-        base.setDevicePixelRatio(devicePixelRatio());
-        QPainter basePainter(&base);
-        paintCanvas(basePainter, painted(content), m_placement, rect(), m_showEdges);
-    }
     painter.setClipRect(part);
-    painter.drawPixmap(0, 0, base);
+    base.draw(painter, content, {m_placement, size(), devicePixelRatio(), m_showEdges, m_flipped});
     painter.setClipping(false);
 }
 
@@ -220,11 +218,12 @@ void BufferCanvas::paintEvent(QPaintEvent*) {
     const int border = m_other ? m_wipe.border(width()) : width();
     drawBase(painter, m_base, m_content, {0, 0, border, height()});
     if (m_other) drawBase(painter, m_otherBase, *m_other, {border, 0, width() - border, height()});
+    static const auto kNoShapes = std::make_shared<const ShapePicture>();
     CanvasContent marks;  // without the images
     marks.size = m_content.size;
     marks.picked = m_content.picked, marks.hovered = m_content.hovered;
     marks.marked = m_content.marked, marks.pinned = m_content.pinned, marks.region = m_content.region;
-    if (m_content.shapes) marks.shapes.emplace();
+    if (m_content.shapes) marks.shapes = kNoShapes;
     paintMarks(painter, painted(marks), m_placement, rect());
     if (m_flipped && !m_content.size.isEmpty()) paintOrigin(painter, m_placement, m_content.size);
     paintWipe(painter, m_wipe, rect());
@@ -233,7 +232,6 @@ void BufferCanvas::paintEvent(QPaintEvent*) {
 void BufferCanvas::resizeEvent(QResizeEvent*) {
     if (m_fits) placeFocus();
     if (m_part) placePart();
-    updateAll();
 }
 
 }  // namespace app

@@ -1,8 +1,7 @@
 #pragma once
-#include <QPixmap>
 #include <QWidget>
 
-#include "app/panels/buffer_painter.h"
+#include "app/panels/canvas_base.h"
 #include "app/panels/wipe.h"
 #include "app/state/window_state.h"
 
@@ -69,6 +68,7 @@ public:
 
     std::optional<QPoint> pixelAt(QPointF widget) const;
     Placement placement() const { return m_placement; }
+    bool isPainting() const { return m_base.busy() || m_otherBase.busy(); }  // what is seen is of before
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {120, 90}; }
 
@@ -82,6 +82,7 @@ signals:
     void moved();              // by the user: zoomed, dragged, or fit
     void resized();            // the picture has another size, and nobody has asked for a part of it
     void wiped(double share);  // by its handle
+    void paintingChanged();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -95,7 +96,7 @@ protected:
 
 private:
     void updateAll();  // the marks and what is below them
-    void drawBase(QPainter& painter, QPixmap& base, const CanvasContent& content, QRect part);
+    void drawBase(QPainter& painter, CanvasBase& base, const CanvasContent& content, QRect part);
     void place(Placement placement);
     void placeFocus();
     void placePart();
@@ -107,7 +108,7 @@ private:
     CanvasContent m_content;
     std::optional<CanvasContent> m_other;
     Wipe m_wipe;
-    QPixmap m_base, m_otherBase;  // as painted without the marks; null when it has to be painted anew
+    CanvasBase m_base, m_otherBase;
     Placement m_placement;
     QRectF m_focus;                           // what fits
     std::optional<BufferShown::Zoom> m_part;  // as it was asked for

@@ -76,12 +76,13 @@ void paintTexts(QPainter& painter, const CanvasContent& content, const Placement
         }
 }
 
-void paintEdges(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {
+void paintEdges(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels,
+                const std::stop_token& stop) {
+    if (!content.edges) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    const QRectF seen = QRectF(pixels).adjusted(-2, -2, 2, 2);
-    for (const QPolygonF& edge : content.edges.get()) {
-        if (!edge.boundingRect().intersects(seen)) continue;
+    for (const QPolygonF& edge : content.edges(QRectF(pixels).adjusted(-2, -2, 2, 2))) {
+        if (stop.stop_requested()) break;
         QPolygonF polygon;
         for (const QPointF& p : edge) polygon << placement.toWidget(p);
         painter.setPen(QPen(QColor(0, 0, 0, 170), 2.6));
@@ -175,7 +176,7 @@ void paintChecker(QPainter& painter, QRect rect) {
 }
 
 void paintCanvas(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible,
-                 bool showEdges) {
+                 bool showEdges, const std::stop_token& stop) {
     const ThemeColors& c = Theme::current().colors();
     if (content.hasGround) painter.fillRect(visible, c.bg);
     if (content.size.isEmpty()) return;
@@ -186,20 +187,20 @@ void paintCanvas(QPainter& painter, const CanvasContent& content, const Placemen
         paintImage(painter, content, placement, pixels);
         if (content.verdicts) {
             painter.setOpacity(0.6);
-            paintShapes(painter, *content.verdicts, placement.origin, placement.zoom, visible);
+            paintShapes(painter, *content.verdicts, placement.origin, placement.zoom, visible, stop);
             painter.setOpacity(1);
         }
         if (placement.zoom >= kGridZoom) paintGrid(painter, placement, pixels);
         if (placement.zoom >= kGridZoom && placement.zoom < kTextZoom && content.strange)
             paintStrange(painter, content, placement, pixels);
-        if (showEdges || placement.zoom >= kEdgeZoom) paintEdges(painter, content, placement, pixels);
+        if (showEdges || placement.zoom >= kEdgeZoom) paintEdges(painter, content, placement, pixels, stop);
         if (placement.zoom >= kEdgeZoom && placement.zoom < kTextZoom && !content.edgeView)
             paintCentres(painter, placement, pixels);
         const double textZoom = content.edgeView ? kWeightsZoom : kTextZoom;
         if (placement.zoom >= textZoom && content.text) paintTexts(painter, content, placement, pixels);
         if (content.edgeView) paintEdgeView(painter, *content.edgeView, placement, pixels);
     }
-    if (content.shapes) paintShapes(painter, *content.shapes, placement.origin, placement.zoom, visible);
+    if (content.shapes) paintShapes(painter, *content.shapes, placement.origin, placement.zoom, visible, stop);
 }
 
 void paintMarks(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible) {
@@ -220,7 +221,6 @@ void paintMarks(QPainter& painter, const CanvasContent& content, const Placement
         });
     for (const auto& [number, pixel] : content.pinned) paintPinned(painter, number, pixel, placement);
     if (content.hovered && content.hovered != content.picked) {
-        painter.setBrush(Qt::NoBrush);
         const QRectF frame(placement.toWidget(*content.hovered), QSizeF(placement.zoom, placement.zoom));
         paintDouble(painter, 1, 2.5, [&] { painter.drawRect(frame); });
     }

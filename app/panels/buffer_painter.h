@@ -3,7 +3,9 @@
 #include <QPainter>
 #include <QPolygonF>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -14,14 +16,15 @@ namespace app {
 
 // What a canvas shows, ready to paint. Positions are in picture pixels.
 struct CanvasContent {
-    QSize size;             // of the picture; empty: nothing to show
-    QRectF focus;           // what is worth looking at, for fitting; empty: all of it
-    bool hasGround = true;  // behind and around the picture; else nothing is painted there
-    QImage image;           // null where shapes are shown
-    std::optional<ShapePicture> shapes;
-    Outlines edges;                        // over the image
-    std::vector<QImage> overlays;          // of the same size, over the image
-    std::optional<ShapePicture> verdicts;  // the same of polygons, half transparent
+    QSize size;                     // of the picture; empty: nothing to show
+    QRectF focus;                   // what is worth looking at, for fitting; empty: all of it
+    bool isOfManyPolygons = false;  // they take their time
+    bool hasGround = true;          // behind and around the picture; else nothing is painted there
+    QImage image;                   // null where shapes are shown
+    std::shared_ptr<const ShapePicture> shapes;
+    OutlinesIn edges;                              // over the image; may be empty
+    std::vector<QImage> overlays;                  // of the same size, over the image
+    std::shared_ptr<const ShapePicture> verdicts;  // the same of polygons, half transparent
     std::optional<pipeline::EdgeView> edgeView;
     std::function<QString(int, int)> strange;   // a mark on a number that should not be there; may be empty
     std::function<QStringList(int, int)> text;  // lines written into a pixel that is large enough
@@ -37,14 +40,15 @@ struct Placement {
     double zoom = 1;
     QPointF toPicture(QPointF widget) const { return (widget - origin) / zoom; }
     QPointF toWidget(QPointF picture) const { return origin + picture * zoom; }
+    bool operator==(const Placement&) const = default;
 };
 
 inline constexpr double kGridZoom = 10, kEdgeZoom = 12, kTextZoom = 56;
 
 // `visible` is the part of the widget to fill. Without the marks of the pointer, which move by
-// themselves.
+// themselves. What is not there when it is stopped is left out.
 void paintCanvas(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible,
-                 bool showEdges);
+                 bool showEdges, const std::stop_token& stop = {});
 // The picked, the hovered and the pinned pixels, the region.
 void paintMarks(QPainter& painter, const CanvasContent& content, const Placement& placement, QRect visible);
 // "0, 0" at the lower left corner, for a picture that is turned over.

@@ -5,12 +5,14 @@
 #include <QPushButton>
 #include <QStackedLayout>
 #include <QStyle>
+#include <utility>
 
 #include "app/core/luminance.h"
 #include "app/core/number_format.h"
 #include "app/core/put_away.h"
 #include "app/core/shadow_texel.h"
 #include "app/core/text.h"
+#include "app/core/working_bar.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
@@ -84,6 +86,8 @@ void BufferView::observe() {
     connect(&m_document, &Document::sceneOpened, this, [this] {
         m_kept.clear();
         m_shown.reset();
+        m_frame.reset();
+        m_showing.forget();
         m_canvas->setContent({});
         if (m_name.light >= int(m_document.scene().lights.size())) m_name = {pipeline::BufferId::Color};
         setBuffer(m_name);
@@ -92,11 +96,13 @@ void BufferView::observe() {
     connect(&m_document, &Document::pixelChanged, this, &BufferView::showPixels);
     connect(&m_document, &Document::hoverChanged, this, &BufferView::showPixels);
     connect(&m_document, &Document::selectionChanged, this, &BufferView::markSelection);
-    connect(&m_document, &Document::busyChanged, this, [this](bool busy) {
-        if (busy) return m_slow.start();
-        m_slow.stop();
-        m_working->hide();
-    });
+    const auto tellWorking = [this] {
+        m_working->setWorking(m_document.busy() || m_showing.busy() || m_canvas->isPainting());
+    };
+    connect(&m_document, &Document::busyChanged, this, tellWorking);
+    connect(&m_showing, &ShowJob::busyChanged, this, tellWorking);
+    connect(m_canvas, &BufferCanvas::paintingChanged, this, tellWorking);
+    connect(&m_showing, &ShowJob::ready, this, &BufferView::refresh);
     // The frame that a view stands in shows which view the keys go to.
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         QWidget* frame = parentWidget();
@@ -148,17 +154,23 @@ bool BufferView::standsOnPicture() const { return bufferInfo(m_name.id).domain !
 
 void BufferView::refresh() {
     m_missed = isPutAway(*this);
-    if (m_missed) return;
+    if (m_missed) {
+        m_frame.reset();
+        return m_showing.forget();
+    }
     if (!m_document.hasScene())
         return showMessage(tr("No scene yet. Open a file, or begin with the pyramid."), Offer::Nothing);
     const pipeline::FramePtr& frame = m_document.frame();
     if (!frame) return;  // the first one is on its way
-    const bool isOwn = !pipeline::isDerived(m_name.id);
-    auto shown = isOwn ? showBuffer(*frame, m_name, kept().channel, kept().range) : showDerived(*frame);
-    if (!shown) return isOwn ? tellAbsent(*frame) : void();
-    showMix(*frame, *shown);
-    layOver(*frame, *shown);
-    m_shown = m_compare->show(frame, std::move(*shown));
+    const auto asked = request(frame);
+    if (!asked) return;
+    const auto answer = m_showing.answer(*asked);
+    if (!answer || answer->request.buffer.name != m_name) return;  // the first one is on its way
+    // All that stands in the view is of one frame, which may lag behind.
+    m_frame = answer->request.frame;
+    ShownBuffer shown = answer->shown;
+    shown.notice = withNotices(shown.notice);
+    m_shown = m_compare->show(m_frame, std::move(shown));
     m_stack->setCurrentWidget(m_canvas);
     m_canvas->setContent(m_shown->content);
     m_header->setZoom(m_canvas->zoom());
@@ -171,6 +183,7 @@ void BufferView::refresh() {
     showPixels();
     showPins();
     showRegion();
+    if (!m_showing.busy() && std::exchange(m_fitsOnce, false)) setRange(m_shown->look.range);
 }
 
 void BufferView::tellAbsent(const pipeline::Frame& frame) {
@@ -182,15 +195,15 @@ void BufferView::tellAbsent(const pipeline::Frame& frame) {
 }
 
 void BufferView::markSelection() {
-    const auto& frame = m_document.frame();
-    const bool marks = frame && m_document.selection() && standsOnPicture();
-    m_canvas->setMarked(marks ? outlinesOf(*frame, *m_document.selection()) : std::vector<QPolygonF>());
+    const bool marks = m_frame && m_document.selection() && standsOnPicture();
+    m_canvas->setMarked(marks ? outlinesOf(*m_frame, *m_document.selection()) : std::vector<QPolygonF>());
 }
 
 QString BufferView::message() const { return m_stack->currentWidget() == m_page ? m_message->text() : QString(); }
 
 void BufferView::showMessage(const QString& text, Offer offer) {
     m_shown.reset();
+    m_showing.forget();
     m_message->setText(text);
     m_offer = offer;
     m_compute->setText(offer == Offer::Cancel           ? tr("Cancel")
@@ -218,8 +231,8 @@ void BufferView::showPixels() {
 }
 
 std::optional<QPoint> BufferView::texelOf(std::optional<glm::ivec2> pixel) const {
-    if (!pixel || !m_document.frame()) return {};
-    return toPoint(shadowTexel(*m_document.frame(), std::size_t(m_name.light), *pixel));
+    if (!pixel || !m_frame) return {};
+    return toPoint(shadowTexel(*m_frame, std::size_t(m_name.light), *pixel));
 }
 
 QString BufferView::readout(QPoint pixel) const {
@@ -230,17 +243,8 @@ QString BufferView::readout(QPoint pixel) const {
                elementText(m_shown->buffer, std::size_t(pixel.x()), std::size_t(pixel.y()), m_shown->look.channel)
                    .join(' ') +
                m_compare->readout(pixel);
-    std::vector<ProjectedPolygon> polygons;
-    for (const Shape& shape : m_shown->content.shapes->shapes) polygons.push_back(shape.outline);
-    const int polygon = nearestPolygonAt(polygons, QPointF(pixel) + QPointF(0.5, 0.5));
+    const int polygon = nearestPolygonAt(*m_shown->content.shapes, QPointF(pixel) + QPointF(0.5, 0.5));
     return polygon < 0 ? place : place + QString(" → polygon %1").arg(polygon);
-}
-
-void BufferView::nudge(QPoint by) {
-    if (!standsOnPicture() || !m_document.hasScene()) return;
-    const auto from = m_document.pixel().value_or(
-        glm::ivec2(m_document.scene().settings.width, m_document.scene().settings.height) / 2);
-    m_document.pick(from + glm::ivec2(by.x(), by.y()));
 }
 
 }  // namespace app

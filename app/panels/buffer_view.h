@@ -1,13 +1,11 @@
 #pragma once
-#include <QTimer>
 #include <QWidget>
 #include <map>
 #include <string>
 
 #include "app/core/document.h"
 #include "app/core/region_statistics.h"
-#include "app/panels/overlays.h"
-#include "app/panels/shown_buffer.h"
+#include "app/panels/show_job.h"
 #include "app/state/window_state.h"
 
 class QLabel;
@@ -26,6 +24,7 @@ class RangeFoot;
 class RegionPanel;
 class ShadowOverlay;
 class StageDifferences;
+class WorkingBar;
 
 // Any buffer of the document's frame, by name. The old picture stays while a new one is computed;
 // a buffer that is not there is told with its reason.
@@ -94,9 +93,12 @@ private:
     void observeCopies();
     void observeDerived();
     void wantDerived();
-    std::optional<ShownBuffer> showDerived(const pipeline::Frame& frame);
-    void showMix(const pipeline::Frame& frame, ShownBuffer& shown) const;
-    void layOver(const pipeline::Frame& frame, ShownBuffer& shown) const;
+    // Nothing where there is no such buffer: then it is told why.
+    std::optional<ShowRequest> request(const pipeline::FramePtr& frame);
+    void tellWhyNotDerived();
+    void layOver(ShowRequest& request) const;
+    bool isMixed() const;
+    QString withNotices(const QString& notice) const;  // of the mix, and of the shadows laid over
     void nudge(QPoint by);
     void compareBy(CompareMode mode);
     bool standsOnPicture() const;
@@ -114,7 +116,10 @@ private:
     Document& m_document;
     pipeline::BufferName m_name{pipeline::BufferId::Color};
     std::map<std::string, Kept> m_kept;
+    ShowJob m_showing;
+    pipeline::FramePtr m_frame;  // that m_shown is of
     std::optional<ShownBuffer> m_shown;
+    bool m_fitsOnce = false;             // the range is to stay as the next picture fits it
     bool m_missed = false;               // a refresh, while it was put away
     std::optional<QPoint> m_localHover;  // of a picture that is not the document's
 
@@ -136,8 +141,7 @@ private:
     RegionPanel* m_region;
     std::optional<Region> m_regionShown;
     QLabel* m_pins;
-    QWidget* m_working;
-    QTimer m_slow;
+    WorkingBar* m_working;
 };
 
 }  // namespace app

@@ -38,7 +38,7 @@ void BufferView::observeDerived() {
 void BufferView::wantDerived() {
     std::vector<BufferName> wanted;
     if (!isPutAway(*this) && pipeline::isDerived(m_name.id)) wanted.push_back(m_name);
-    if (!isPutAway(*this) && m_name.id == BufferId::Color && !m_document.mixer().isPlain()) wanted.push_back(kMix);
+    if (!isPutAway(*this) && isMixed()) wanted.push_back(kMix);
     m_document.derived().want(this, std::move(wanted));
 }
 
@@ -52,39 +52,48 @@ void BufferView::takeOffer() {
     job->wasCancelled() ? job->retry() : job->cancel();
 }
 
-std::optional<ShownBuffer> BufferView::showDerived(const pipeline::Frame& frame) {
-    const DerivedBuffers& derived = m_document.derived();
-    const DerivedBuffer* made = derived.made(m_name);
-    const DerivedJob* job = derived.find(m_name);
-    if (!made) {
-        const bool canCancel = m_name.id == BufferId::ShadowVerdict && job && job->busy();
-        const bool canCompute = job && job->wasCancelled();
-        const bool isTextMissing = hasText(m_name) && derived.text().trimmed().isEmpty();
-        showMessage(isTextMissing ? tr("Type a condition or an expression below.") : derived.whyNot(m_name),
-                    canCancel    ? Offer::Cancel
-                    : canCompute ? Offer::Compute
-                                 : Offer::Nothing);
+std::optional<ShowRequest> BufferView::request(const pipeline::FramePtr& frame) {
+    const bool isOwn = !pipeline::isDerived(m_name.id);
+    const DerivedBuffer* derived = isOwn ? nullptr : m_document.derived().made(m_name);
+    auto buffer = isOwn ? frame->buffer(m_name) : derived ? std::optional(derived->buffer) : std::nullopt;
+    if (!buffer) {
+        isOwn ? tellAbsent(*frame) : tellWhyNotDerived();
         return {};
     }
-    const auto polygons = frame.buffer({BufferId::PolygonId});
-    ShownBuffer shown = showBuffer(frame, made->buffer, drawnElements(made->buffer, polygons, kept().channel),
-                                   kept().channel, kept().range);
-    if (made->verdicts) shown.content.overlays.push_back(verdictPicture(*made->verdicts, 0));
-    if (m_name == kMix) shown.notice = m_document.mixer().sentence();
-    return shown;
+    ShowRequest request{.frame = frame, .buffer = *std::move(buffer)};
+    request.channel = kept().channel;
+    request.range = kept().range;
+    request.overlays = m_overlays;
+    if (derived) request.hatches = derived->verdicts;
+    if (isMixed()) {  // the picture that the terms make as they are mixed stands where the frame buffer would
+        const DerivedBuffer* mix = m_document.derived().made(kMix);
+        if (mix && mix->buffer.shape == request.buffer.shape) request.mix = mix->buffer;
+    }
+    layOver(request);
+    return request;
 }
 
-// The picture that the terms make as they are mixed stands where the frame buffer would.
-void BufferView::showMix(const pipeline::Frame& frame, ShownBuffer& shown) const {
-    const MixModel& mixer = m_document.mixer();
-    if (m_name.id != BufferId::Color || mixer.isPlain()) return;
-    const DerivedBuffer* mixed = m_document.derived().made(kMix);
-    if (mixed && mixed->buffer.shape == shown.buffer.shape) {
-        const QString notice = shown.notice;
-        shown = showBuffer(frame, mixed->buffer, {}, channel(), shown.look.range);
-        shown.notice = notice;
-    }
-    shown.notice = mixer.sentence() + (shown.notice.isEmpty() ? QString() : "<br>" + shown.notice);
+bool BufferView::isMixed() const { return m_name.id == BufferId::Color && !m_document.mixer().isPlain(); }
+
+QString BufferView::withNotices(const QString& notice) const {
+    QStringList lines;
+    if (whyNoOverlays(bufferInfo(m_name.id)).isEmpty()) lines << m_shadows->notice();
+    if (isMixed() || m_name == kMix) lines << m_document.mixer().sentence();
+    lines << notice;
+    lines.removeAll(QString());
+    return lines.join("<br>");
+}
+
+void BufferView::tellWhyNotDerived() {
+    const DerivedBuffers& derived = m_document.derived();
+    const DerivedJob* job = derived.find(m_name);
+    const bool canCancel = m_name.id == BufferId::ShadowVerdict && job && job->busy();
+    const bool canCompute = job && job->wasCancelled();
+    const bool isTextMissing = hasText(m_name) && derived.text().trimmed().isEmpty();
+    showMessage(isTextMissing ? tr("Type a condition or an expression below.") : derived.whyNot(m_name),
+                canCancel    ? Offer::Cancel
+                : canCompute ? Offer::Compute
+                             : Offer::Nothing);
 }
 
 }  // namespace app

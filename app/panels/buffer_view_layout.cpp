@@ -4,6 +4,7 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
+#include "app/core/working_bar.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_header.h"
@@ -46,11 +47,7 @@ void BufferView::build() {
     m_pins = overlay(m_canvas);
     m_title = overlay(m_canvas);
     m_region = new RegionPanel(m_canvas);
-    m_working = new QWidget(m_canvas);
-    m_working->hide();
-    m_slow.setSingleShot(true);
-    m_slow.setInterval(100);
-    connect(&m_slow, &QTimer::timeout, m_working, &QWidget::show);
+    m_working = new WorkingBar(m_canvas);
 
     m_page = new QWidget(middle);
     m_message = new QLabel(m_page);
@@ -80,7 +77,6 @@ void BufferView::build() {
         m_notice->setTextFormat(Qt::RichText);
         m_message->setFont(theme.text(13));
         m_compute->setFont(theme.text(13, 500));
-        m_working->setStyleSheet("background: " + theme.colors().accent.name());
         placeOverlays();
     });
 }
@@ -126,7 +122,6 @@ void BufferView::placeOverlays() {
     const bool onTop = isTight || isLow != m_canvas->isFlipped();
     m_region->move(m_canvas->width() - m_region->width() - kMargin,
                    onTop ? kMargin : m_canvas->height() - m_region->height() - kMargin);
-    m_working->setGeometry(0, 0, m_canvas->width(), 3);
     m_loupe->follow();
 }
 

@@ -90,4 +90,11 @@ void BufferView::showPins() {
     placeOverlays();
 }
 
+void BufferView::nudge(QPoint by) {
+    if (!standsOnPicture() || !m_document.hasScene()) return;
+    const auto from = m_document.pixel().value_or(
+        glm::ivec2(m_document.scene().settings.width, m_document.scene().settings.height) / 2);
+    m_document.pick(from + glm::ivec2(by.x(), by.y()));
+}
+
 }  // namespace app

@@ -50,26 +50,17 @@ void BufferView::setShowLoupe(bool show) {
     placeOverlays();
 }
 
-void BufferView::layOver(const pipeline::Frame& frame, ShownBuffer& shown) const {
-    addOverlays(frame, m_overlays, shown);
-    if (m_shadows->light() && whyNoOverlays(*shown.buffer.info).isEmpty()) {
-        const QImage image = m_shadows->image();
-        if (image.size() == shown.content.size) shown.content.overlays.push_back(image);
-        const QString notice = m_shadows->notice();
-        if (!notice.isEmpty()) shown.notice = shown.notice.isEmpty() ? notice : notice + "<br>" + shown.notice;
-    }
-    const lessons::ConditionMask* mask = m_condition->mask();
-    const bool fits =
-        mask && m_name.id != pipeline::BufferId::Condition && QSize(mask->size.x, mask->size.y) == shown.content.size;
-    if (fits && whyNoOverlays(*shown.buffer.info).isEmpty()) shown.content.overlays.push_back(veilOf(*mask));
+void BufferView::layOver(ShowRequest& request) const {
+    if (!whyNoOverlays(*request.buffer.info).isEmpty()) return;
+    if (m_shadows->light()) request.shadows = m_shadows->verdicts();
+    if (m_name.id != pipeline::BufferId::Condition) request.veil = m_condition->mask();
 }
 
 void BufferView::showEdgeFunctions() {
-    const pipeline::FramePtr& frame = m_document.frame();
     const std::optional<glm::ivec2> pixel = m_document.pixel();
-    const bool shows =
-        m_overlays[index(OverlayId::EdgeFunctions)] && frame && pixel && whyNoOverlays(bufferInfo(m_name.id)).isEmpty();
-    m_canvas->setEdgeView(shows ? edgeViewAt(*frame, *pixel) : std::nullopt);
+    const bool shows = m_overlays[index(OverlayId::EdgeFunctions)] && m_frame && pixel &&
+                       whyNoOverlays(bufferInfo(m_name.id)).isEmpty();
+    m_canvas->setEdgeView(shows ? edgeViewAt(*m_frame, *pixel) : std::nullopt);
 }
 
 }  // namespace app

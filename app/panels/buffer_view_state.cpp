@@ -24,8 +24,8 @@ void BufferView::setRange(pipeline::PaletteRange range) {
 
 void BufferView::autofit(bool keep) {
     keptRange().reset();
+    m_fitsOnce = !keep;
     refresh();
-    if (!keep && m_shown) setRange(m_shown->look.range);
 }
 
 void BufferView::setLogCounts(bool logarithmic) {

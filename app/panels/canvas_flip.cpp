@@ -8,12 +8,15 @@ void turn(QPolygonF& polygon, int height) {
     for (QPointF& p : polygon) p = upsideDown(p, height);
 }
 
-void turn(ShapePicture& picture, int height) {
-    for (Shape& shape : picture.shapes) {
+std::shared_ptr<const ShapePicture> turned(const std::shared_ptr<const ShapePicture>& picture, int height) {
+    if (!picture) return nullptr;
+    auto result = std::make_shared<ShapePicture>(*picture);
+    for (Shape& shape : result->shapes) {
         turn(shape.outline.corners, height);
         shape.outline.centre = upsideDown(shape.outline.centre, height);
     }
-    for (ShapePoint& point : picture.points) point.at = upsideDown(point.at, height);
+    for (ShapePoint& point : result->points) point.at = upsideDown(point.at, height);
+    return result;
 }
 
 }  // namespace
@@ -23,13 +26,15 @@ CanvasContent upsideDown(const CanvasContent& content) {
     const int height = content.size.height();
     if (!content.focus.isEmpty()) result.focus.moveTop(height - content.focus.bottom());
     result.image = content.image.mirrored();
-    if (result.shapes) turn(*result.shapes, height);
-    if (result.verdicts) turn(*result.verdicts, height);
-    result.edges = Outlines([edges = content.edges, height] {
-        std::vector<QPolygonF> turned = edges.get();
-        for (QPolygonF& edge : turned) turn(edge, height);
-        return turned;
-    });
+    result.shapes = turned(content.shapes, height);
+    result.verdicts = turned(content.verdicts, height);
+    if (content.edges)
+        result.edges = [edges = content.edges, height](QRectF part) {
+            part.moveTop(height - part.bottom());
+            std::vector<QPolygonF> found = edges(part);
+            for (QPolygonF& edge : found) turn(edge, height);
+            return found;
+        };
     for (QPolygonF& outline : result.marked) turn(outline, height);
     for (QImage& overlay : result.overlays) overlay = overlay.mirrored();
     result.edgeView.reset();

@@ -131,9 +131,9 @@ void ConditionBar::close() {
 void ConditionBar::setText(const QString& text) { m_text->setText(text); }
 QString ConditionBar::said() const { return m_said->text(); }
 
-const lessons::ConditionMask* ConditionBar::mask() const {
+std::shared_ptr<const lessons::ConditionMask> ConditionBar::mask() const {
     const DerivedBuffer* made = m_condition && !isHidden() ? m_document.derived().made(kMask) : nullptr;
-    return made ? made->mask.get() : nullptr;
+    return made ? made->mask : nullptr;
 }
 
 bool ConditionBar::busy() const {
@@ -147,7 +147,7 @@ void ConditionBar::say(const QString& text, bool isWrong) {
     if (style != m_said->styleSheet()) m_said->setStyleSheet(style);
     m_said->setText(text);
     setAccessibleDescription(text);
-    const lessons::ConditionMask* found = mask();
+    const auto found = mask();
     const QString why = found && found->count > 0 ? QString() : tr("It holds for no pixel.");
     for (QToolButton* made : {m_previous, m_next}) made->setEnabled(why.isEmpty());
 }
@@ -176,7 +176,7 @@ void ConditionBar::read() {
 
 void ConditionBar::tell() {
     const DerivedBuffers& derived = m_document.derived();
-    if (const lessons::ConditionMask* found = mask()) {
+    if (const auto found = mask()) {
         const double share = found->drawn > 0 ? 100.0 * double(found->count) / double(found->drawn) : 0;
         say(tr("Holds for %1 of %2 drawn pixels, %3 %")
                 .arg(count(qint64(found->count)), count(qint64(found->drawn)), number(share, 1)),
@@ -191,7 +191,7 @@ void ConditionBar::tell() {
 }
 
 void ConditionBar::goTo(bool next) {
-    const lessons::ConditionMask* found = mask();
+    const auto found = mask();
     if (!found) return;
     if (const auto pixel = lessons::nextHolding(*found, m_document.pixel(), next)) m_document.pick(*pixel);
 }

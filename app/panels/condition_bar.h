@@ -25,7 +25,7 @@ public:
     void close();
     void setText(const QString& text);
     // Of the document's frame; null while it is closed, without a condition, or where it is wrong.
-    const lessons::ConditionMask* mask() const;
+    std::shared_ptr<const lessons::ConditionMask> mask() const;
     QString said() const;  // the count, or what is wrong
     void goTo(bool next);  // the pixel after or before the picked one
     // To the next step that makes it hold at a pixel, from where the stepper stands, else from the frame's beginning.

@@ -176,7 +176,8 @@ void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown) {
         if (isOn(OverlayId::PolygonSize)) legend << polygonSizes(frame, content.size, content.overlays);
         if (isOn(OverlayId::DepthTest)) legend << depthTest(frame, content.size, content.overlays);
         const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
-        if (isOn(OverlayId::Verdict) && verdicts) content.verdicts = shapePicture(frame, *verdicts, {});
+        if (isOn(OverlayId::Verdict) && verdicts)
+            content.verdicts = std::make_shared<const ShapePicture>(shapePicture(frame, *verdicts, {}));
     }
     legend.removeAll(QString());
     shown.notice = legend.join("<br>");

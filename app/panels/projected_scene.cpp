@@ -1,7 +1,6 @@
 #include "app/panels/projected_scene.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 
@@ -70,20 +69,45 @@ ProjectedVertices projectVertices(const Source& source) {
     return projected;
 }
 
-// visit(number, its corners, the vertices) for each polygon all of whose corners stand in front of the eye.
+// visit(number, its corners) for each polygon all of whose corners stand in front of the eye.
 template <class Visit>
-void forEachInFront(const Source& source, Visit visit) {
-    const ProjectedVertices vertices = projectVertices(source);
+void forEachInFront(const pipeline::Topology& topology, const ProjectedVertices& vertices, Visit visit) {
     if (vertices.places.empty()) return;
-    for (std::size_t p = 0; p < source.topology->polygonCount(); ++p)
-        if (const auto corners = source.topology->corners(p); vertices.inFront(corners)) visit(p, corners, vertices);
+    for (std::size_t p = 0; p < topology.polygonCount(); ++p)
+        if (const auto corners = topology.corners(p); vertices.inFront(corners)) visit(p, corners);
+}
+
+// A polygon and the box around it, which may be a line or a point.
+struct Boxed {
+    std::size_t polygon;
+    double left = INFINITY, top = INFINITY, right = -INFINITY, bottom = -INFINITY;
+    bool reaches(const QRectF& part) const {
+        return right >= part.left() && left <= part.right() && bottom >= part.top() && top <= part.bottom();
+    }
+};
+Boxed boxed(std::size_t polygon, const pipeline::Topology::Corners& corners, const ProjectedVertices& vertices) {
+    Boxed box{polygon};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const QPointF& at = vertices.places[corners[i]];
+        box.left = std::min(box.left, at.x()), box.right = std::max(box.right, at.x());
+        box.top = std::min(box.top, at.y()), box.bottom = std::max(box.bottom, at.y());
+    }
+    return box;
+}
+
+QPolygonF outlineOf(const pipeline::Topology::Corners& corners, const ProjectedVertices& vertices) {
+    QPolygonF outline;
+    outline.reserve(int(corners.size()));
+    for (std::size_t i = 0; i < corners.size(); ++i) outline << vertices.places[corners[i]];
+    return outline;
 }
 
 }  // namespace
 
 std::vector<ProjectedPolygon> projectPolygons(const pipeline::Frame& frame) {
     std::vector<ProjectedPolygon> polygons;
-    forEachInFront(sourceOf(frame), [&](std::size_t p, const auto& corners, const ProjectedVertices& vertices) {
+    const ProjectedVertices vertices = projectVertices(sourceOf(frame));
+    forEachInFront(frame.topology(), vertices, [&](std::size_t p, const auto& corners) {
         ProjectedPolygon& polygon = polygons.emplace_back();
         polygon.polygon = int(p);
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -100,44 +124,35 @@ std::vector<ProjectedPolygon> projectPolygons(const pipeline::Frame& frame) {
     return polygons;
 }
 
-struct Outlines::Made {
-    Make make;
-    std::once_flag once;
-    std::vector<QPolygonF> outlines;
-    std::atomic<bool> isThere = false;
-};
-
-Outlines::Outlines(Make make) : m_made(std::make_shared<Made>()) { m_made->make = std::move(make); }
-
-bool Outlines::areMade() const { return m_made && m_made->isThere; }
-
-const std::vector<QPolygonF>& Outlines::get() const {
-    static const std::vector<QPolygonF> kNone;
-    if (!m_made) return kNone;
-    std::call_once(m_made->once, [this] {
-        m_made->outlines = m_made->make();
-        m_made->make = {};  // and what it holds
-        m_made->isThere = true;
-    });
-    return m_made->outlines;
-}
-
-Outlines outlinesOf(const pipeline::Frame& frame) {
-    return Outlines([source = sourceOf(frame)] {
-        std::vector<QPolygonF> outlines;
-        forEachInFront(source, [&](std::size_t p, const auto& corners, const ProjectedVertices& vertices) {
-            if (!vertices.goesOn(p)) return;
-            QPolygonF& outline = outlines.emplace_back();
-            outline.reserve(int(corners.size()));
-            for (std::size_t i = 0; i < corners.size(); ++i) outline << vertices.places[corners[i]];
+OutlinesIn outlinesIn(const pipeline::Frame& frame) {
+    struct Places {
+        Source source;
+        std::once_flag once;
+        ProjectedVertices vertices;
+        std::vector<Boxed> polygons;
+    };
+    const auto places = std::make_shared<Places>();
+    places->source = sourceOf(frame);
+    return [places](const QRectF& part) {
+        const pipeline::Topology& topology = *places->source.topology;
+        const ProjectedVertices& vertices = places->vertices;
+        std::call_once(places->once, [&] {
+            places->vertices = projectVertices(places->source);
+            forEachInFront(topology, vertices, [&](std::size_t p, const auto& corners) {
+                if (vertices.goesOn(p)) places->polygons.push_back(boxed(p, corners, vertices));
+            });
         });
+        std::vector<QPolygonF> outlines;
+        for (const Boxed& polygon : places->polygons)
+            if (polygon.reaches(part)) outlines.push_back(outlineOf(topology.corners(polygon.polygon), vertices));
         return outlines;
-    });
+    };
 }
 
 QRectF boundsOf(const pipeline::Frame& frame, bool all) {
     double left = INFINITY, top = INFINITY, right = -INFINITY, bottom = -INFINITY;
-    forEachInFront(sourceOf(frame), [&](std::size_t p, const auto& corners, const ProjectedVertices& vertices) {
+    const ProjectedVertices vertices = projectVertices(sourceOf(frame));
+    forEachInFront(frame.topology(), vertices, [&](std::size_t p, const auto& corners) {
         if (!all && !vertices.goesOn(p)) return;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const QPointF at = vertices.places[corners[i]];
@@ -155,29 +170,26 @@ QRectF focusOn(QRectF around, QSize picture) {
 }
 
 std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const Selection& selection) {
-    if (selection.kind == Selection::Kind::Light || !isIn(frame.scene(), selection)) return {};
-    QRectF around;
-    for (const ProjectedPolygon& polygon : projectPolygons(frame)) {
-        const auto number = std::size_t(polygon.polygon);
-        if (selection.kind == Selection::Kind::Polygon && number == selection.index) return {polygon.corners};
-        if (selection.kind == Selection::Kind::Object && polygon.goesOn &&
-            frame.placeOf(polygon.polygon).object == selection.index)
-            around |= polygon.corners.boundingRect();
-        if (selection.kind == Selection::Kind::Vertex)
-            if (const auto v = std::ranges::find(polygon.vertices, int(selection.index)); v != polygon.vertices.end())
-                return {QPolygonF{polygon.corners[v - polygon.vertices.begin()]}};
+    using Kind = Selection::Kind;
+    if (selection.kind == Kind::Light || !isIn(frame.scene(), selection)) return {};
+    const ProjectedVertices vertices = projectVertices(sourceOf(frame));
+    const pipeline::Topology& topology = frame.topology();
+    if (vertices.places.empty()) return {};
+    if (selection.kind == Kind::Polygon) {
+        const auto corners = topology.corners(selection.index);
+        return vertices.inFront(corners) ? std::vector{outlineOf(corners, vertices)} : std::vector<QPolygonF>();
     }
+    QRectF around;
+    bool isVertexSeen = false;
+    forEachInFront(topology, vertices, [&](std::size_t p, const auto& corners) {
+        if (selection.kind == Kind::Object && topology.polygonObject[p] == selection.index && vertices.goesOn(p))
+            around |= outlineOf(corners, vertices).boundingRect();
+        for (std::size_t i = 0; selection.kind == Kind::Vertex && i < corners.size(); ++i)
+            isVertexSeen = isVertexSeen || corners[i] == selection.index;
+    });
+    if (isVertexSeen) return {QPolygonF{vertices.places[selection.index]}};
     if (around.isEmpty()) return {};
     return {QPolygonF{around.topLeft(), around.topRight(), around.bottomRight(), around.bottomLeft()}};
-}
-
-int nearestPolygonAt(const std::vector<ProjectedPolygon>& polygons, QPointF at) {
-    const ProjectedPolygon* nearest = nullptr;
-    for (const ProjectedPolygon& polygon : polygons)
-        if (polygon.corners.containsPoint(at, Qt::OddEvenFill) &&
-            (!nearest || std::pair(!polygon.goesOn, polygon.distance) < std::pair(!nearest->goesOn, nearest->distance)))
-            nearest = &polygon;
-    return nearest ? nearest->polygon : -1;
 }
 
 }  // namespace app

@@ -62,14 +62,9 @@ void ShadowOverlay::fillMenu(QMenu& menu, const QString& whyNot) {
     }
 }
 
-const pipeline::ShadowVerdicts* ShadowOverlay::verdicts() const {
+std::shared_ptr<const pipeline::ShadowVerdicts> ShadowOverlay::verdicts() const {
     const DerivedBuffer* made = m_light ? m_document.derived().made(name()) : nullptr;
-    return made ? made->verdicts.get() : nullptr;
-}
-
-QImage ShadowOverlay::image() const {
-    const pipeline::ShadowVerdicts* found = verdicts();
-    return found ? verdictPicture(*found, kVerdictAlpha) : QImage();
+    return made ? made->verdicts : nullptr;
 }
 
 QString ShadowOverlay::notice() const {

@@ -19,8 +19,7 @@ public:
     std::optional<std::size_t> light() const { return m_light; }
     void setLight(std::optional<std::size_t> light);    // nothing: no overlay
     void fillMenu(QMenu& menu, const QString& whyNot);  // whyNot: of this buffer; empty where it can have one
-    const pipeline::ShadowVerdicts* verdicts() const;   // null while there are none
-    QImage image() const;                               // null while there is none
+    std::shared_ptr<const pipeline::ShadowVerdicts> verdicts() const;  // null while there are none
     QString notice() const;  // what its colours stand for, how far it is, why it is not there; rich text
     void cancel();           // the rays
 

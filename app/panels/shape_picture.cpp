@@ -130,7 +130,22 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer,
     return picture;
 }
 
-void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom, QRectF window) {
+int nearestPolygonAt(const ShapePicture& picture, QPointF at) {
+    const ProjectedPolygon* nearest = nullptr;
+    const auto isBefore = [](const ProjectedPolygon& a, const ProjectedPolygon& b) {
+        return std::pair(!a.goesOn, a.distance) < std::pair(!b.goesOn, b.distance);
+    };
+    for (const Shape& shape : picture.shapes) {
+        const ProjectedPolygon& polygon = shape.outline;
+        if (nearest && !isBefore(polygon, *nearest)) continue;
+        if (polygon.corners.boundingRect().contains(at) && polygon.corners.containsPoint(at, Qt::OddEvenFill))
+            nearest = &polygon;
+    }
+    return nearest ? nearest->polygon : -1;
+}
+
+void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom, QRectF window,
+                 const std::stop_token& stop) {
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
     painter.save();
@@ -151,6 +166,7 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
     const auto isTiny = [](const QRectF& box) { return std::max(box.width(), box.height()) < kTiny; };
     const QRectF near = window.adjusted(-kTiny, -kTiny, kTiny, kTiny);
     for (const Shape& shape : picture.shapes) {
+        if (stop.stop_requested()) break;
         const QRectF box = boxOf(shape);
         if (!isNear(box, near)) continue;
         painter.setRenderHint(QPainter::Antialiasing, !isTiny(box));
@@ -169,6 +185,7 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
     painter.setRenderHint(QPainter::Antialiasing);
     for (const Shape& shape : picture.shapes) {
         const QRectF box = boxOf(shape);
+        if (stop.stop_requested()) break;
         if (isTiny(box) || !isNear(box, near)) continue;
         QPen pen(shape.outline.goesOn ? c.text : c.text3, shape.outline.goesOn ? 1.5 : 1.2);
         if (!shape.outline.goesOn) pen.setDashPattern({4, 3});

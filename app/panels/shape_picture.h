@@ -2,6 +2,7 @@
 #include <QColor>
 #include <QPainter>
 #include <QString>
+#include <stop_token>
 #include <vector>
 
 #include "app/panels/buffer_image.h"
@@ -36,8 +37,12 @@ Qt::BrushStyle hatchOfVerdict(char letter);
 ShapePicture shapePicture(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const BufferLook& look,
                           bool isSmall = false);
 
+// The one whose outline is drawn over the others at a point (pixels), or -1.
+int nearestPolygonAt(const ShapePicture& picture, QPointF at);
+
 // Under `zoom` (screen pixels per picture pixel) with the picture's corner at `origin`. What is
 // written stays within `window`.
-void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom, QRectF window);
+void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom, QRectF window,
+                 const std::stop_token& stop = {});
 
 }  // namespace app

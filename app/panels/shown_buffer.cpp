@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/core/large_frame.h"
 #include "app/core/luminance.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
@@ -193,15 +194,16 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     shown.look = {channel, range.value_or(whole)};
     const pipeline::Settings& settings = frame.scene().settings;
     CanvasContent& content = shown.content;
+    content.isOfManyPolygons = isLarge(frame);
     if (standsOnShapes(info)) {
         content.size = {settings.width, settings.height};
-        content.shapes = shapePicture(frame, buffer, shown.look);
+        content.shapes = std::make_shared<const ShapePicture>(shapePicture(frame, buffer, shown.look));
         content.focus = focusOn(boundsOf(frame, true), content.size);
     } else {
         content.size = {int(buffer.columns()), int(buffer.rows())};
         content.image = bufferImage(buffer, shown.look, drawn);
         content.text = textOf(buffer, channel, polygons, polygons ? frame.buffer({BufferId::Overdraw}) : std::nullopt);
-        if (info.domain == Domain::Pixel) content.edges = outlinesOf(frame);
+        if (info.domain == Domain::Pixel) content.edges = outlinesIn(frame);
         content.focus = info.domain == Domain::Pixel ? focusOn(boundsOf(frame, false), content.size)
                                                      : drawnRectangle(drawn, content.size);
     }

@@ -8,7 +8,7 @@
 
 #include "app/core/document.h"
 #include "app/core/large_frame.h"
-#include "tests/support/scenes.h"
+#include "tests/app/large_scene.h"
 
 namespace {
 
@@ -16,13 +16,6 @@ using app::Document;
 using app::PixelInspection;
 
 constexpr glm::ivec2 kOnPyramid{268, 281};  // on polygon 2
-
-// 63,600 triangles, more than are looked at in one go.
-pipeline::Scene manyPolygons() {
-    pipeline::Scene scene = test::pyramid();
-    scene.objects[0].mesh = test::sphere(150, 160, 200);
-    return scene;
-}
 
 struct PixelInspectionTest : testing::Test {
     Document document;
@@ -52,7 +45,7 @@ TEST_F(PixelInspectionTest, ASmallSceneIsInspectedAtOnceAndOnce) {
 }
 
 TEST_F(PixelInspectionTest, OfManyPolygonsItComesFromElsewhereAndIsTheSame) {
-    open(manyPolygons());
+    open(test::manyPolygons());
     ASSERT_TRUE(app::isLarge(*document.frame()));
     document.pick(kOnPyramid);
     EXPECT_TRUE(inspection.busy());
@@ -67,7 +60,7 @@ TEST_F(PixelInspectionTest, OfManyPolygonsItComesFromElsewhereAndIsTheSame) {
 
 // Of what the pointer passes over in one go, the first, which has begun, and the last.
 TEST_F(PixelInspectionTest, OfManyPixelsInARowTheNewestComesLast) {
-    open(manyPolygons());
+    open(test::manyPolygons());
     QSignalSpy changed(&inspection, &PixelInspection::changed);
     for (int x = 0; x < 50; ++x) document.pick(kOnPyramid + glm::ivec2(x, 0));
     ASSERT_TRUE(finished());
@@ -76,7 +69,7 @@ TEST_F(PixelInspectionTest, OfManyPixelsInARowTheNewestComesLast) {
 }
 
 TEST_F(PixelInspectionTest, AnotherSceneHasNoPixelOfTheOneBefore) {
-    open(manyPolygons());
+    open(test::manyPolygons());
     document.pick(kOnPyramid);
     document.setScene(test::pyramid());
     EXPECT_FALSE(inspection.busy());

@@ -1,0 +1,51 @@
+#pragma once
+#include <QPixmap>
+#include <optional>
+
+#include "app/core/background_job.h"
+#include "app/panels/buffer_painter.h"
+
+namespace app {
+
+// A canvas's picture without its marks. The pointer moves far more often than the picture changes: it is painted when it
+// has changed, and beside the window where it shows many polygons. Until that is done what was painted last stays, moved
+// to where the picture stands now.
+class CanvasBase : public QObject {
+    Q_OBJECT
+public:
+    explicit CanvasBase(QObject* parent = nullptr);
+
+    // How it is painted.
+    struct Look {
+        Placement placement;
+        QSize size;        // of the canvas
+        double ratio = 1;  // device pixels a logical one
+        bool showsEdges = false, isFlipped = false;
+        bool operator==(const Look&) const = default;
+    };
+    void change() { ++m_version; }  // the content, or the theme
+    void draw(QPainter& painter, const CanvasContent& content, const Look& look);
+    bool busy() const { return m_job.busy(); }
+
+signals:
+    void painted();  // draw() shows something else
+    void busyChanged(bool busy);
+
+private:
+    struct Painted {
+        long version = 0;
+        Look look;
+        QSize picture;  // its pixels
+        QPixmap pixmap;
+    };
+    void ask(const CanvasContent& content, const Look& look);
+    void drawMoved(QPainter& painter, const CanvasContent& content, const Look& look) const;
+
+    long m_version = 0;
+    std::optional<Painted> m_painted;
+    long m_askedVersion = -1;
+    std::optional<Look> m_asked;  // what is being painted
+    BackgroundJob m_job;
+};
+
+}  // namespace app

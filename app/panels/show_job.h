@@ -1,0 +1,59 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "app/core/background_job.h"
+#include "app/core/number_format.h"
+#include "app/panels/overlays.h"
+#include "app/panels/shown_buffer.h"
+#include "lessons/condition.h"
+#include "pipeline/study/shadow_verdict.h"
+
+namespace app {
+
+// What a view is to show of a frame, as values.
+struct ShowRequest {
+    pipeline::FramePtr frame;
+    pipeline::AnyBuffer buffer;              // of the frame, or derived from it
+    std::optional<pipeline::AnyBuffer> mix{};  // in its place, with its range
+    ShownChannel channel = ShownChannel::All;
+    std::optional<pipeline::PaletteRange> range{};  // nothing: one that shows all
+    OverlaySet overlays{};
+    std::shared_ptr<const pipeline::ShadowVerdicts> hatches{};  // of a buffer that is a map of them
+    std::shared_ptr<const pipeline::ShadowVerdicts> shadows{};  // laid over it
+    std::shared_ptr<const lessons::ConditionMask> veil{};       // likewise
+    NumberFormat numbers = NumberStyle::current().format();
+};
+bool operator==(const ShowRequest& a, const ShowRequest& b);
+
+// On any thread.
+ShownBuffer show(const ShowRequest& request);
+
+struct ShowAnswer {
+    ShowRequest request;
+    ShownBuffer shown;
+};
+
+// Makes what a view shows, beside the window where there is much to look at. The last answer is kept: asking the same again
+// costs nothing.
+class ShowJob : public QObject {
+    Q_OBJECT
+public:
+    explicit ShowJob(QObject* parent = nullptr);
+
+    // At once where there is little. Else ready() follows, and until then the newest answer, or null.
+    std::shared_ptr<const ShowAnswer> answer(const ShowRequest& request);
+    bool busy() const { return m_job.busy(); }
+    void forget();
+
+signals:
+    void ready();
+    void busyChanged(bool busy);
+
+private:
+    std::optional<ShowRequest> m_asked;  // the newest
+    std::shared_ptr<const ShowAnswer> m_answer;
+    BackgroundJob m_job;
+};
+
+}  // namespace app

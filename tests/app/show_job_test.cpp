@@ -1,0 +1,133 @@
+// What a view shows of many polygons is made and painted beside the window.
+#include "app/panels/show_job.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "app/core/large_frame.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/canvas_base.h"
+#include "tests/app/large_scene.h"
+
+namespace {
+
+using app::BufferView;
+using app::CanvasBase;
+using app::Document;
+using app::ShowJob;
+using app::ShowRequest;
+using pipeline::BufferId;
+
+constexpr pipeline::BufferName kDepth{BufferId::ZView};
+
+pipeline::FramePtr frameOf(const pipeline::Scene& scene) {
+    return test::frameOf(scene, pipeline::setOf({BufferId::ZView, BufferId::PolygonId, BufferId::PolygonsVerdict}));
+}
+
+ShowRequest depthOf(const pipeline::FramePtr& frame) { return {.frame = frame, .buffer = *frame->buffer(kDepth)}; }
+
+bool finished(const ShowJob& job) {
+    return QTest::qWaitFor([&] { return !job.busy(); }, 20000);
+}
+
+}  // namespace
+
+TEST(ShowJob, LittleIsMadeAtOnce) {
+    ShowJob job;
+    const auto frame = frameOf(test::pyramid());
+    const auto answer = job.answer(depthOf(frame));
+    ASSERT_TRUE(answer);
+    EXPECT_FALSE(job.busy());
+    EXPECT_EQ(job.answer(depthOf(frame)), answer) << "asking the same again costs nothing";
+}
+
+// Until the new answer is there it is the whole old one: never a histogram of one frame beside the picture of another.
+TEST(ShowJob, OfManyPolygonsTheOldAnswerStaysWholeUntilTheNewOneIsThere) {
+    ShowJob job;
+    pipeline::Scene scene = test::manyPolygons();
+    const auto first = frameOf(scene);
+    ASSERT_TRUE(app::isLarge(*first));
+    EXPECT_FALSE(job.answer(depthOf(first))) << "the window does not wait for it";
+    ASSERT_TRUE(finished(job));
+    const auto before = job.answer(depthOf(first));
+    ASSERT_TRUE(before);
+    scene.camera.theta += 20;
+    const auto second = frameOf(scene);
+    EXPECT_EQ(job.answer(depthOf(second)), before);
+    ASSERT_TRUE(finished(job));
+    const auto after = job.answer(depthOf(second));
+    EXPECT_EQ(after->request.frame, second);
+    const app::ShownBuffer expected = app::show(depthOf(second));
+    EXPECT_EQ(after->shown.content.image, expected.content.image);
+    EXPECT_EQ(after->shown.scale.histogram, expected.scale.histogram);
+}
+
+TEST(ShowJob, AViewShowsOneFrameInAllThatItSays) {
+    Document document;
+    BufferView view(document);
+    view.resize(640, 560);
+    view.show();
+    view.setBuffer(kDepth);
+    document.setScene(test::manyPolygons());
+    const auto shows = [&](const pipeline::FramePtr& frame) {
+        return frame && view.shown() && view.shown()->buffer.owner == frame->buffer(kDepth)->owner;
+    };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && shows(document.frame()); }, 20000));
+    // At each moment of a drag.
+    for (int i = 1; i <= 20; ++i) {
+        document.change(*findSetting(document.scene(), "camera.theta"), 45 + i, Document::Change::Live);
+        QTest::qWait(5);
+        const app::ShownBuffer& shown = *view.shown();
+        EXPECT_EQ(view.canvas()->content().image, shown.content.image);
+        const auto drawn = app::drawnElements(shown.buffer, {}, shown.look.channel);
+        const auto counted = app::histogram(shown.buffer, {shown.look.channel, {shown.scale.low, shown.scale.high}},
+                                            drawn, int(shown.scale.histogram.size()));
+        EXPECT_EQ(counted, shown.scale.histogram);
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && shows(document.frame()); }, 20000));
+}
+
+TEST(ShowJob, FittingOnceKeepsTheRangeOfTheNextPicture) {
+    Document document;
+    BufferView view(document);
+    view.resize(640, 560);
+    view.show();
+    view.setBuffer(kDepth);
+    document.setScene(test::manyPolygons());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
+    const auto whole = view.shown()->look.range;
+    view.setRange({600, 700});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown()->look.range == pipeline::PaletteRange{600, 700}; }, 10000));
+    view.autofit(false);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return view.state().range.has_value() && view.shown()->look.range == whole; }, 10000));
+    EXPECT_EQ((*view.state().range)[0], double(whole.first));
+}
+
+// The same pixels, wherever they are painted; until then what was painted last, moved to where it belongs now.
+TEST(CanvasBase, PaintsManyPolygonsBesideTheWindow) {
+    const auto frame = frameOf(test::manyPolygons());
+    const app::ShownBuffer verdicts =
+        app::show({.frame = frame, .buffer = *frame->buffer({BufferId::PolygonsVerdict})});
+    ASSERT_TRUE(verdicts.content.isOfManyPolygons);
+    app::CanvasContent atOnce = verdicts.content;
+    atOnce.isOfManyPolygons = false;
+    CanvasBase base, expectedBase;
+    const auto drawn = [](CanvasBase& by, const app::CanvasContent& content, QPointF origin) {
+        QImage image(320, 240, QImage::Format_RGB32);
+        QPainter painter(&image);
+        by.draw(painter, content, {{origin, 1}, image.size(), 1});
+        return image;
+    };
+    const QImage expected = drawn(expectedBase, atOnce, {-150, -120});
+    EXPECT_NE(drawn(base, verdicts.content, {-150, -120}), expected) << "nothing is there yet";
+    EXPECT_TRUE(base.busy());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !base.busy(); }, 20000));
+    EXPECT_EQ(drawn(base, verdicts.content, {-150, -120}), expected);
+    EXPECT_FALSE(base.busy()) << "it is painted once";
+    const QImage moved = drawn(base, verdicts.content, {-140, -120});
+    EXPECT_TRUE(base.busy());
+    EXPECT_EQ(moved.copy(10, 0, 310, 240), expected.copy(0, 0, 310, 240));
+}
