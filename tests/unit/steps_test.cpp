@@ -195,6 +195,23 @@ TEST(Steps, InsideTheZBufferTheLedgerOfAPixelTellsWhatIsToCome) {
     EXPECT_EQ(whole.fragments[0].verdict, FragmentVerdict::Overwritten);
 }
 
+// Polygon 2, which the pixel shows, comes after polygon 0.
+TEST(Steps, InsideShadingTheEquationOfAPixelSaysThatItWaits) {
+    const Steps steps = uncutPyramid();
+    const auto said = [&](std::int64_t done) {
+        const FramePtr frame = steps.frameAt({StageId::Shading, done});
+        std::string text;
+        for (const EquationLine& line : equation(frame->scene(), inspectPixel(*frame, {258, 270}), 2))
+            text += line.role + ": " + toText(line.formula) + '\n';
+        return text;
+    };
+    const std::string before = said(1), after = said(steps.total(StageId::Shading));
+    EXPECT_NE(before.find("note: This pixel is not shaded yet."), std::string::npos) << before;
+    EXPECT_EQ(before.find("frame buffer: "), std::string::npos);
+    EXPECT_NE(after.find("frame buffer: "), std::string::npos) << after;
+    EXPECT_EQ(after.find("not shaded yet"), std::string::npos);
+}
+
 TEST(Steps, SayInWordsWhereTheyAre) {
     const Steps steps = uncutPyramid();
     const Moment moment = steps.momentOf(*parsePlace("z-buffer/polygon=2/row=270/x=258"));
