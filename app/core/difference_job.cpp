@@ -1,14 +1,10 @@
 #include "app/core/difference_job.h"
 
+#include "app/core/buffer_place.h"
+#include "app/core/large_frame.h"
+
 namespace app {
 namespace {
-
-// Numbers that are compared within a few milliseconds: a picture of 640 × 480 in three channels, and some more.
-constexpr std::size_t kAtOnce = std::size_t{1} << 20;
-
-const void* placeOf(const pipeline::AnyBuffer& buffer) {
-    return std::visit([](const auto& numbers) { return static_cast<const void*>(numbers.data()); }, buffer.data);
-}
 
 // Buffers are immutable, and those that were asked about are kept: one place holds one content.
 bool isSame(const DifferenceJob::Question& a, const DifferenceJob::Question& b) {
@@ -40,7 +36,7 @@ std::optional<pipeline::BufferDifference> DifferenceJob::answer(const Question& 
     if (!m_asked || !looksAlike(*m_asked, question)) m_answer.reset();
     m_asked = question;
     m_cancelled = false;
-    if (question.a.count() <= kAtOnce) {
+    if (question.a.count() <= kManyNumbers) {
         m_job.forget();
         return m_answer = compare(question);
     }

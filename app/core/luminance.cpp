@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "app/core/buffer_place.h"
+
 namespace app {
 
 using pipeline::AnyBuffer;
@@ -14,10 +16,6 @@ struct Made {
     BufferInfo info;
     std::vector<double> numbers;
 };
-
-const void* placeOf(const AnyBuffer& buffer) {
-    return std::visit([](const auto& numbers) { return static_cast<const void*>(numbers.data()); }, buffer.data);
-}
 
 }  // namespace
 

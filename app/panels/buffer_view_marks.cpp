@@ -17,6 +17,7 @@ void BufferView::observeMarks() {
         setRegion(Region{{a.x(), a.y()}, {b.x(), b.y()}});
     });
     connect(m_region, &RegionPanel::closed, this, [this] { setRegion({}); });
+    connect(m_region, &RegionPanel::resized, this, &BufferView::placeOverlays);
     connect(&m_document, &Document::sceneOpened, this, [this] { setRegion({}); });
     connect(m_header, &BufferHeader::flipChosen, this, &BufferView::setFlipped);
     connect(m_header, &BufferHeader::measureChosen, this, &BufferView::measure);

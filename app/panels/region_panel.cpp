@@ -7,7 +7,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/core/buffer_place.h"
 #include "app/core/icons.h"
+#include "app/core/large_frame.h"
+#include "app/core/working_bar.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/shown_buffer.h"
 
@@ -59,16 +62,41 @@ RegionPanel::RegionPanel(QWidget* parent) : QFrame(parent), m_table(new QLabel(t
         m_table->setFont(Theme::current().mono(12));
         adjustSize();
     });
+    auto* working = new WorkingBar(this);
+    connect(&m_job, &BackgroundJob::busyChanged, working, &WorkingBar::setWorking);
     hide();
 }
 
 void RegionPanel::show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region, ShownChannel channel) {
     setVisible(region.has_value());
-    if (!region) return;
-    m_text = regionText(buffer, *region, channel, channelNames(*buffer.info));
+    if (!region) {
+        m_job.forget();
+        m_asked.reset();
+        return;
+    }
+    const NumberFormat& numbers = NumberStyle::current().format();
+    const bool isSame = m_asked && m_asked->buffer.name == buffer.name && placeOf(m_asked->buffer) == placeOf(buffer) &&
+                        m_asked->region == *region && m_asked->channel == channel && m_asked->numbers == numbers;
+    if (isSame) return;
+    m_asked = Question{buffer, *region, channel, numbers};
+    const auto text = [buffer, region = *region, channel] {
+        return regionText(buffer, region, channel, channelNames(*buffer.info));
+    };
+    const glm::ivec2 extent = region->last() - region->first() + 1;
+    if (std::size_t(extent.x) * std::size_t(extent.y) * std::size_t(buffer.channels()) <= kManyNumbers) {
+        m_job.forget();
+        return take(text());
+    }
+    m_job.ask([text](const BackgroundJob::Control&) { return text(); }, [this](const QString& made) { take(made); },
+              BackgroundJob::Running::Finish);
+}
+
+void RegionPanel::take(const QString& text) {
+    m_text = text;
     m_table->setText(asTable(m_text));
     setAccessibleDescription(m_text);
     adjustSize();
+    emit resized();
 }
 
 }  // namespace app

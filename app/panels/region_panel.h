@@ -2,6 +2,8 @@
 #include <QFrame>
 #include <optional>
 
+#include "app/core/background_job.h"
+#include "app/core/number_format.h"
 #include "app/core/region_statistics.h"
 
 class QLabel;
@@ -14,16 +16,27 @@ class RegionPanel : public QFrame {
 public:
     explicit RegionPanel(QWidget* parent);
 
-    // Nothing hides it.
+    // Nothing hides it. The statistics of a large region come a little later, and a bar says so.
     void show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region, ShownChannel channel);
     const QString& text() const { return m_text; }  // as it is copied
 
 signals:
     void closed();
+    void resized();
 
 private:
+    struct Question {
+        pipeline::AnyBuffer buffer;
+        Region region;
+        ShownChannel channel = ShownChannel::All;
+        NumberFormat numbers;
+    };
+    void take(const QString& text);
+
     QLabel* m_table;
     QString m_text;
+    std::optional<Question> m_asked;
+    BackgroundJob m_job;
 };
 
 }  // namespace app

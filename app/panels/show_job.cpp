@@ -1,5 +1,6 @@
 #include "app/panels/show_job.h"
 
+#include "app/core/buffer_place.h"
 #include "app/core/large_frame.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/shadow_overlay.h"
@@ -10,16 +11,8 @@ using pipeline::AnyBuffer;
 
 namespace {
 
-// Numbers that are looked at within a few milliseconds: a picture of 640 × 480 in three channels, and some more.
-constexpr std::size_t kAtOnce = std::size_t{1} << 20;
+bool isLittle(const ShowRequest& request) { return request.buffer.count() <= kManyNumbers && !isLarge(*request.frame); }
 
-bool isLittle(const ShowRequest& request) { return request.buffer.count() <= kAtOnce && !isLarge(*request.frame); }
-
-const void* placeOf(const AnyBuffer& buffer) {
-    return std::visit([](const auto& numbers) { return static_cast<const void*>(numbers.data()); }, buffer.data);
-}
-
-// Buffers are immutable, and those that were asked about are kept: one place holds one content.
 bool isSame(const AnyBuffer& a, const AnyBuffer& b) { return a.name == b.name && placeOf(a) == placeOf(b); }
 
 }  // namespace

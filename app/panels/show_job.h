@@ -14,7 +14,7 @@ namespace app {
 // What a view is to show of a frame, as values.
 struct ShowRequest {
     pipeline::FramePtr frame;
-    pipeline::AnyBuffer buffer;              // of the frame, or derived from it
+    pipeline::AnyBuffer buffer;                // of the frame, or derived from it
     std::optional<pipeline::AnyBuffer> mix{};  // in its place, with its range
     ShownChannel channel = ShownChannel::All;
     std::optional<pipeline::PaletteRange> range{};  // nothing: one that shows all

@@ -148,6 +148,20 @@ TEST_F(BufferMarksTest, ADraggedRegionTellsItsStatistics) {
     EXPECT_FALSE(canvas.content().region);
 }
 
+// 1200 × 1000 pixels, more than are looked at in one go: what stands there stays until the new numbers come.
+TEST_F(BufferMarksTest, TheStatisticsOfALargeRegionComeLater) {
+    pipeline::Scene scene = document.scene();
+    scene.settings.width = 1200, scene.settings.height = 1000;
+    document.replace(scene, "size");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown() && view.shown()->buffer.columns() == 1200; }, 10000));
+    const auto* panel = view.findChild<app::RegionPanel*>();
+    view.setRegion(app::Region{{0, 0}, {1199, 999}});
+    EXPECT_TRUE(panel->text().isEmpty());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel->text().contains("1200 × 1000 from 0, 0"); }, 10000));
+    EXPECT_EQ(panel->text(),
+              app::regionText(view.shown()->buffer, app::Region{{0, 0}, {1199, 999}}, view.shown()->look.channel, {}));
+}
+
 TEST_F(BufferMarksTest, WithoutAMouseItMeasuresBetweenTwoPins) {
     PinnedPixels& pins = PinnedPixels::of(document);
     pins.toggle({265, 290});
