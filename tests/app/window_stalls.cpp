@@ -13,9 +13,11 @@
 
 #include "app/core/scene_opener.h"
 #include "app/desktop/main_window.h"
+#include "app/desktop/panel_dock.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/window_main.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/view3d/scene_view.h"
 #include "app/view3d/view3d_panel.h"
@@ -158,6 +160,28 @@ int main(int argc, char** argv) {
     for (const char* name : {"depth", "z_view", "overdraw", "polygon_id", "normal", "n_dot_l.0", "polygons.verdict"})
         if (const auto buffer = pipeline::findBuffer(name))
             act(qPrintable(QString("the view shows %1").arg(name)), [&] { window.views().showBuffer(*buffer); });
+    window.views().showBuffer({pipeline::BufferId::Color});
+    app::BufferView& view = window.views().first();
+    act("it is compared with the stage before", [&] {
+        view.compare().compareWith(app::OtherSource{.kind = app::OtherSource::Kind::PreviousStage});
+        view.compare().setMode(app::CompareMode::Wipe);
+    });
+    act("... and the camera's angle dragged", [&] { changeLive(document, "camera.fov"); });
+    view.compare().compareWith({});
+    act("the whole picture is a region", [&] { view.setRegion(app::Region{{0, 0}, {1919, 1079}}); });
+    act("... and the camera's angle dragged", [&] { changeLive(document, "camera.fov"); });
+    view.setRegion({});
+    act("all panels are open", [&] {
+        for (auto* dock : window.findChildren<app::PanelDock*>()) dock->show(), dock->raise();
+    });
+    act("... and the camera's angle dragged", [&] { changeLive(document, "camera.fov"); });
+    act("polygons are stepped", [&] {
+        document.setStage(pipeline::StageId::ZBuffer);
+        for (int i = 0; i < 20; ++i) {
+            document.stepper().step(i < 10 ? 1 : -1);
+            QTest::qWait(100);
+        }
+    });
     document.undoStack()->setClean();
     return 0;
 }
