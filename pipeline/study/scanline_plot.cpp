@@ -63,9 +63,12 @@ bool hasIntensity(const ScanlineSection& section) {
 void placeAxes(Layout& l, const PlotSize& size) {
     const ScanlineSection& section = l.section();
     l.drawing.width = size.width, l.drawing.height = size.height;
-    const double top = 1.8 * l.u, bottom = size.height - 2.2 * l.u, gap = 2.4 * l.u;
+    // A low plot keeps its height for the curves; what is written needs no less than this.
+    const bool isLow = size.height < 16 * l.u;
+    const double top = (isLow ? 1.5 : 1.8) * l.u, bottom = size.height - (isLow ? 1.7 : 2.2) * l.u,
+                 gap = (isLow ? 1.9 : 2.4) * l.u;
     const bool both = hasIntensity(section);
-    const double middle = both ? top + 0.55 * (bottom - top) : bottom;
+    const double middle = both ? top + (isLow ? 0.5 : 0.55) * (bottom - top) : bottom;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const ScanlineRun& run : section.runs)
         for (const ScanlineRun::Sample& sample : run.samples)
