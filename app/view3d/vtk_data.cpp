@@ -148,7 +148,8 @@ vtkSmartPointer<vtkPolyData> loopData(const ViewMesh& mesh, std::span<const std:
     return data;
 }
 
-vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const ThemeColors& colors) {
+vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const ThemeColors& colors,
+                                       const QColor& background) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     auto points = newPoints();
     auto rgb = newColors();
@@ -157,8 +158,8 @@ vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const T
         const vtkIdType ids[2]{addPoint(*points, line.a), addPoint(*points, line.b)};
         cells->InsertNextCell(2, ids);
         const QColor ink = colorOf(line.ink, colors);
-        addColor(*rgb, mixed(ink, colors.view, double(line.strengthA)));
-        addColor(*rgb, mixed(ink, colors.view, double(line.strengthB)));
+        addColor(*rgb, mixed(ink, background, double(line.strengthA)));
+        addColor(*rgb, mixed(ink, background, double(line.strengthB)));
     }
     data->SetPoints(points);
     data->SetLines(cells);

@@ -24,7 +24,9 @@ vtkSmartPointer<vtkPolyData> facesData(const ViewMesh& mesh, Detail detail, Face
                                        const ThemeColors& colors);
 vtkSmartPointer<vtkPolyData> edgesData(const ViewMesh& mesh);
 vtkSmartPointer<vtkPolyData> loopData(const ViewMesh& mesh, std::span<const std::uint32_t> loop);
-vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const ThemeColors& colors);
+// What of a line's strength is missing, is the background's.
+vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const ThemeColors& colors,
+                                       const QColor& background);
 vtkSmartPointer<vtkPolyData> solidsData(std::span<const InkedSolid> solids, const ThemeColors& colors);
 vtkSmartPointer<vtkPolyData> solidData(const Solid& solid);  // without colours
 // Points with a vector each ("direction"): one of `every` >= 1 arrows, spread evenly.

@@ -171,12 +171,15 @@ void WorldScene::setOptions(const ViewOptions& options) {
 }
 
 void WorldScene::setBackground(const QColor& color) {
+    m_background = color;
     m_world->SetBackground(color.redF(), color.greenF(), color.blueF());
+    m_ground.mapper->SetInputData(linesData(m_groundLines, m_colors, m_background));
+    m_lines.mapper->SetInputData(linesData(m_drawnLines, m_colors, m_background));
 }
 
 void WorldScene::setColors(const ThemeColors& colors) {
     m_colors = colors;
-    m_world->SetBackground(colors.view.redF(), colors.view.greenF(), colors.view.blueF());
+    setBackground(colors.view);
     setColor(*m_pickedOuter.actor, Qt::black);
     setColor(*m_pickedInner.actor, Qt::white);
     setColor(*m_normals.actor, colors.N);
@@ -214,7 +217,7 @@ void WorldScene::setCoarse(bool coarse) {
 
 void WorldScene::colorLines() {
     if (!m_colors.view.isValid()) return;
-    m_ground.mapper->SetInputData(linesData(m_groundLines, m_colors));
+    m_ground.mapper->SetInputData(linesData(m_groundLines, m_colors, m_background));
     const bool picked = m_content && !m_content->outlinedLoop().empty();
     setColor(*m_edges.actor, mixed(m_colors.text2, m_colors.view, picked ? kRestStrength : 1));
 }
@@ -231,7 +234,8 @@ void WorldScene::setView(const ViewFrame& view, const Drawing& drawing, double p
     width(m_pickedOuter, kPickedOuter);
     width(m_pickedInner, kPickedInner);
 
-    m_lines.mapper->SetInputData(linesData(drawing.lines, m_colors));
+    m_drawnLines = drawing.lines;
+    m_lines.mapper->SetInputData(linesData(m_drawnLines, m_colors, m_background));
     m_solids.mapper->SetInputData(solidsData(drawing.solids, m_colors));
     const auto vectors = solidsData(drawing.vectors, m_colors);
     m_vectors.mapper->SetInputData(vectors);

@@ -31,7 +31,7 @@ public:
     void setContent(std::shared_ptr<const ViewContent> content, const std::vector<InkedLine>& ground);
     void setOptions(const ViewOptions& options);
     void setColors(const ThemeColors& colors);
-    void setBackground(const QColor& color);  // until the next setColors
+    void setBackground(const QColor& color);  // until the next setColors; lines fade into it
     // While views follow each other: few of many faces, and none of their edges.
     void setCoarse(bool coarse);
     // What changes with the camera. pixelRatio: device pixels per logical pixel of view.size.
@@ -77,9 +77,10 @@ private:
     Glyphs m_normals, m_normalHalos;
 
     std::shared_ptr<const ViewContent> m_content;
-    std::vector<InkedLine> m_groundLines;
+    std::vector<InkedLine> m_groundLines, m_drawnLines;
     ViewOptions m_options;
     ThemeColors m_colors;
+    QColor m_background;
     double m_pixelRatio = 1;
     double m_edgeStrength = 1;
     bool m_isCoarse = false;

@@ -142,6 +142,32 @@ TEST(View3dPicture, RenderedInTilesItIsThePictureInOnePiece) {
         }
 }
 
+// The ground's lines become thinner with their distance. On a transparent picture that is alpha alone: premultiplied, a
+// channel is alpha / 255 times the ink's, where lines that fade into the theme's background would end in its colour.
+TEST_P(EveryTheme, OnATransparentPictureTheGroundFadesIntoNothing) {
+    const auto content = std::make_shared<const ViewContent>(pyramidContent());
+    app::SpacePicture picture{content, {}, app::presetCamera(ViewPreset::Iso, *content, {}, kSize, false), {}};
+    picture.shot = {.size = kSize, .transparent = true, .hasGround = true};
+    const auto with = app::renderView(picture);
+    picture.shot.hasGround = false;
+    const auto without = app::renderView(picture);
+    ASSERT_TRUE(with && without);
+    const QRgb ink = Theme::current().colors().line.rgb();
+    const auto* pixels = reinterpret_cast<const QRgb*>(with->constBits());
+    const auto* bare = reinterpret_cast<const QRgb*>(without->constBits());
+    int faint = 0, strong = 0;
+    for (int i = 0; i < kSize.x * kSize.y; ++i) {
+        const int alpha = qAlpha(pixels[i]);
+        if (alpha == 0 || qAlpha(bare[i]) != 0) continue;
+        (alpha < 64 ? faint : strong) += 1;
+        const QRgb expected = qRgb(qRed(ink) * alpha / 255, qGreen(ink) * alpha / 255, qBlue(ink) * alpha / 255);
+        // Either picture's samples are averaged and rounded on their own.
+        ASSERT_LE(difference(pixels[i], expected), 4) << "pixel " << i << ", alpha " << alpha;
+    }
+    EXPECT_GT(faint, 100);
+    EXPECT_GT(strong, 100);
+}
+
 TEST(View3dPicture, ItCanBeGivenUpAfterEachTile) {
     const auto content = std::make_shared<const ViewContent>(pyramidContent());
     app::SpacePicture picture{content, {}, app::presetCamera(ViewPreset::Iso, *content, {}, kSize, false), {}};
