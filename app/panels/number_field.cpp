@@ -54,6 +54,18 @@ void NumberField::showWrong(const QString& why) {
     if (sheet != styleSheet()) setStyleSheet(sheet);
 }
 
+// What has been taken is a step of the scene's undo, and none of the text's.
+bool NumberField::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+        const auto* key = static_cast<const QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return false;
+        }
+    }
+    return QLineEdit::event(event);
+}
+
 void NumberField::keyPressEvent(QKeyEvent* event) {
     const bool up = event->key() == Qt::Key_Up, down = event->key() == Qt::Key_Down;
     if (event->key() == Qt::Key_Escape && isModified()) {

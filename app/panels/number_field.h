@@ -22,6 +22,7 @@ signals:
     void dragged(double value);  // while it is; entered() then ends the drag
 
 protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;

@@ -120,6 +120,28 @@ TEST_F(WindowSettings, WrongNumberIsRefusedWhereItStands) {
     EXPECT_EQ(field->text(), "8");
 }
 
+// A field's own Ctrl+Z would have nothing to undo there, and keep the key from the window.
+TEST_F(WindowSettings, WhatWasEnteredInAFieldIsUndoneWhileItHasTheFocus) {
+    openPyramid();
+    auto* field = window.findChild<NumberField*>("material.0.n");
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "20");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_EQ(value("material.0.n"), 20);
+    QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(value("material.0.n"), 8);
+    EXPECT_EQ(field->text(), "8");
+    QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(value("material.0.n"), 20);
+    // What is being typed is the field's.
+    field->selectAll();
+    QTest::keyClicks(field, "30");
+    QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(value("material.0.n"), 20);
+    EXPECT_NE(field->text(), "30");
+}
+
 TEST_F(WindowSettings, PutBackUndoesTheLastChange) {
     openPyramid();
     auto* field = window.findChild<NumberField*>("material.0.n");
