@@ -1,5 +1,7 @@
 #include "pipeline/study/ray_scene.h"
 
+#include <utility>
+
 #include "pipeline/scene/opacity.h"
 
 namespace pipeline::rays {
