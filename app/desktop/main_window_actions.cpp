@@ -14,6 +14,7 @@
 #include "app/desktop/command_palette.h"
 #include "app/desktop/explain_actions.h"
 #include "app/desktop/key_sheet.h"
+#include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/manual_window.h"
 #include "app/desktop/panel_dock.h"
@@ -251,6 +252,9 @@ std::vector<PaletteEntry> MainWindow::commands() {
         all.push_back({dock->windowTitle(), tr("Panel"), keysText(*action),
                        action->isEnabled() ? QString() : tr("Open a scene first."), [action] { action->trigger(); }});
     }
+    const QString noLayout = (*m_actions)[ActionId::KeepLayout]->property("whyNot").toString();
+    for (const QString& name : keptLayouts())
+        all.push_back({name, tr("View › Layout"), QString(), noLayout, [this, name] { applyKeptLayout(name); }});
     if (m_document.frame()) {
         const std::size_t lights = m_document.scene().lights.size();
         for (const auto& names : {pipeline::allBuffers(lights), pipeline::allDerived(lights)})

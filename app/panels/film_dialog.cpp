@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include "app/core/export_plan.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/job_foot.h"
@@ -135,9 +136,8 @@ void FilmDialog::start() {
     m_job = new FilmJob(std::make_shared<const pipeline::Scene>(m_document.scene()), order(), this);
     connect(m_job, &FilmJob::progressed, this, [this](double share) { m_foot->setProgress(share); });
     connect(m_job, &FilmJob::finished, this, [this](const pipeline::FilmSummary& summary) {
-        finish(summary.cancelled
-                   ? tr("Cancelled. Nothing was written.")
-                   : tr("%1 pictures, %2 MB.").arg(summary.pictures).arg(double(summary.bytes) / 1e6, 0, 'f', 1),
+        finish(summary.cancelled ? tr("Cancelled. Nothing was written.")
+                                 : tr("%1 pictures, %2.").arg(summary.pictures).arg(sizeText(summary.bytes)),
                !summary.cancelled);
     });
     connect(m_job, &FilmJob::failed, this,

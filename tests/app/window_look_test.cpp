@@ -134,6 +134,18 @@ TEST_F(WindowLook, AKeptLayoutIsThereByItsName) {
     EXPECT_TRUE(keptLayouts().isEmpty());
 }
 
+TEST_F(WindowLook, AKeptLayoutIsFoundAmongTheCommands) {
+    openPyramid();
+    press("Ctrl+Shift+1");
+    keepLayout("Seminar", {{}, "four", false});
+    press("Ctrl+Shift+P");
+    auto* field = find<QLineEdit>("commandField");
+    QTest::keyClicks(field, "seminar");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(window.views().arrangement(), "four");
+    dropLayout("Seminar");
+}
+
 TEST_F(WindowLook, LargerTextIsLargerAndComesBack) {
     openPyramid();
     const double before = Theme::current().scale();

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "app/core/document_state.h"
+#include "app/core/export_plan.h"
 #include "app/desktop/slide_dialog.h"
 #include "app/desktop/slide_picture.h"
 #include "app/desktop/view_area.h"
@@ -167,6 +168,7 @@ TEST_F(WindowSlide, AFilmIsWrittenWithProgressAndCanBeCancelled) {
     QFile gif(folder.filePath("film.gif"));
     ASSERT_TRUE(gif.open(QIODevice::ReadOnly));
     EXPECT_EQ(gif.read(6), "GIF89a");
+    EXPECT_EQ(dialog.message(), "4 pictures, " + sizeText(std::uint64_t(gif.size())) + ".");
 
     target->setText(folder.filePath("pictures"));
     dialog.findChild<QComboBox*>("filmLevel")->setCurrentText("pixel");
