@@ -125,7 +125,8 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
         links << QString("<a href=\"vertex:%1\">%2</a>").arg(vertex).arg(digits(QString::number(vertex)));
     m_rows[4].value->setText(links.join(", "));
     QString source = toQString(object.name);
-    if (place.polygon < object.mesh->polygonPlaces.size()) {
+    // A scene out of a picture or a session has places in its text, but no file that one could look into.
+    if (!object.mesh->file.empty() && place.polygon < object.mesh->polygonPlaces.size()) {
         const pipeline::TextPosition at = object.mesh->polygonPlaces[place.polygon];
         m_file = sourceFile(frame.scene().file, object.mesh->file), m_line = at.line, m_column = at.column;
         const QString line = digits(QString("%1:%2:%3").arg(toQString(object.mesh->file)).arg(at.line).arg(at.column));

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QTextBlock>
 #include <QToolButton>
+#include <algorithm>
 
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
@@ -55,6 +56,20 @@ TEST_F(InspectorPanelTest, ShowsTheEquationOfThePickedPixelWithItsNumbers) {
     EXPECT_TRUE(equation().contains("= 167"));
     EXPECT_TRUE(shows("37 93 167"));
     EXPECT_TRUE(shows("Polygon 2"));
+}
+
+// As it is in a scene that a picture or a session carries.
+TEST_F(InspectorPanelTest, NamesNoFileWhereTheMeshComesFromNone) {
+    pipeline::Scene scene = test::pyramid();
+    auto mesh = std::make_shared<pipeline::Mesh>(*scene.objects[0].mesh);
+    mesh->file.clear();
+    mesh->polygonPlaces.assign(5, {22, 3});
+    scene.objects[0].mesh = mesh;
+    document.setScene(scene);
+    document.pick(glm::ivec2(268, 281));
+    const auto rows = panel.findChild<app::WhySection*>()->findChildren<QLabel*>();
+    const auto names = [](const QLabel* label) { return label->isVisible() && label->text() == "pyramid"; };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::any_of(rows.begin(), rows.end(), names); }, 10000));
 }
 
 // Red: k_r = 0.2, so 0.2·50 + 0.2·77.46 + 0.025 = 25.517.
