@@ -1,7 +1,7 @@
 #include "pipeline/steps/steps.h"
 
 #include <algorithm>
-#include <numeric>
+#include <ranges>
 
 #include "pipeline/scene/topology.h"
 #include "pipeline/steps/step_source.h"
@@ -212,7 +212,12 @@ Moment Steps::momentOf(const Place& place) const {
     // A painter comes to polygons and objects in no order: the last time that it is at this one.
     const bool ordered = found->kind != ElementKind::Piece || place.kind == ElementKind::Piece;
     std::size_t after = found->count;
-    while (after > 0 && (ordered ? numberOf(after - 1) > place.number : numberOf(after - 1) != place.number)) --after;
+    if (ordered) {
+        const auto elements = std::views::iota(std::size_t{0}, found->count);
+        after = std::size_t(std::ranges::upper_bound(elements, place.number, {}, numberOf) - elements.begin());
+    } else {
+        while (after > 0 && numberOf(after - 1) != place.number) --after;
+    }
     if (after == 0) return {stage, found->first};
     const std::size_t element = after - 1;
     if (object || !place.row || found->rows.empty() || numberOf(element) != place.number)
