@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "app/core/buffer_place.h"
-
 namespace app {
 
 using pipeline::AnyBuffer;
@@ -48,14 +46,6 @@ AnyBuffer luminanceOf(const AnyBuffer& color) {
     std::vector<std::size_t> shape = color.shape;
     shape.pop_back();
     return {color.name, &made->info, std::move(shape), std::span<const double>(made->numbers), made};
-}
-
-const AnyBuffer& KeptLuminance::of(const AnyBuffer& color) {
-    if (!m_color.owner || placeOf(m_color) != placeOf(color)) {
-        m_color = color;  // kept, so that no other one takes its place
-        m_made = luminanceOf(color);
-    }
-    return m_made;
 }
 
 }  // namespace app

@@ -20,13 +20,4 @@ bool hasLuminance(const pipeline::BufferInfo& info);
 // stand for, 1 for white; else in the unit of the channels.
 pipeline::AnyBuffer luminanceOf(const pipeline::AnyBuffer& color);
 
-// The last one made is kept: while a buffer stays the same, so does its luminance.
-class KeptLuminance {
-public:
-    const pipeline::AnyBuffer& of(const pipeline::AnyBuffer& color);
-
-private:
-    pipeline::AnyBuffer m_color, m_made;
-};
-
 }  // namespace app

@@ -14,14 +14,6 @@ using pipeline::Domain;
 using pipeline::FramePtr;
 using Kind = OtherSource::Kind;
 
-namespace {
-
-std::vector<bool> drawnOf(const FramePtr& frame, const AnyBuffer& buffer, ShownChannel channel) {
-    return drawnElements(buffer, frame ? frame->buffer({BufferId::PolygonId}) : std::nullopt, channel);
-}
-
-}  // namespace
-
 BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* window)
     : QObject(window), m_document(document), m_canvas(canvas), m_bar(new CompareBar(window)) {
     m_bar->hide();
@@ -41,6 +33,8 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
     });
     connect(&m_difference, &DifferenceJob::ready, this, &BufferCompare::changed);
     connect(&m_difference, &DifferenceJob::progressed, this, &BufferCompare::tell);
+    connect(&m_showing, &ShowJob::ready, this, &BufferCompare::changed);
+    connect(&m_showing, &ShowJob::busyChanged, this, &BufferCompare::busyChanged);
     connect(m_bar, &CompareBar::offerTaken, this,
             [this] { m_difference.wasCancelled() ? m_difference.retry() : m_difference.cancel(); });
     connect(m_bar, &CompareBar::modeChosen, this, [this](CompareMode mode) {
@@ -98,17 +92,16 @@ std::optional<OtherSource> BufferCompare::current() const {
     return m_holdsPrevious ? OtherSource{.kind = Kind::PreviousStage} : m_source;
 }
 
-std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const ShownBuffer& a) {
+std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const AnyBuffer& a) {
     const OtherSource source = *current();
-    const auto name = otherBuffer(source, a.buffer.name, frame->scene());
+    const auto name = otherBuffer(source, a.name, frame->scene());
     const bool isOwn = source.kind == Kind::Buffer || source.kind == Kind::PreviousStage;
     const bool isDerived = name && pipeline::isDerived(name->id);
     m_document.want(this, isOwn && name && !isDerived ? pipeline::setOf({name->id}) : pipeline::BufferSet());
     m_document.derived().want(this, isOwn && isDerived ? std::vector{*name} : std::vector<BufferName>());
-    m_frameB.reset();
     if (source.kind == Kind::File) {
-        if (m_file && m_file->name == a.buffer.name) return m_file;
-        auto read = readPicture(source.file, a.source);
+        if (m_file && m_file->name == a.name) return m_file;
+        auto read = readPicture(source.file, a);
         if (!read) {
             m_why = toQString(format(read.errors()));
             return {};
@@ -147,67 +140,84 @@ std::optional<AnyBuffer> BufferCompare::findDerived(const BufferName& name, bool
     return {};
 }
 
-ShownBuffer BufferCompare::show(const FramePtr& frame, ShownBuffer a) {
-    m_found.reset();
-    m_b.reset();
+void BufferCompare::addOther(ShowRequest& request) {
     m_why.clear();
-    const bool isLuminance = a.source.info != a.buffer.info;
-    if (isLuminance) a.buffer = m_luminanceA.of(a.source);
-    m_a = a.buffer;
-    m_channel = a.look.channel;
-    if (!current()) {
+    m_frameB.reset();
+    const auto source = current();
+    if (!source) {
         m_document.want(this, {});
         m_document.derived().want(this, {});
+        return;
+    }
+    const AnyBuffer a = request.mix.value_or(request.buffer);
+    if (m_a && m_a->name != a.name) m_found.reset();  // it is of what was on show before
+    if (auto b = findOther(request.frame, a))
+        request.other = {*source, m_frameB ? m_frameB : request.frame, *std::move(b)};
+}
+
+ShownBuffer BufferCompare::show(const ShowAnswer& answer) {
+    const ShownBuffer& a = answer.shown;
+    m_found.reset();
+    m_b.reset();
+    m_a = a.buffer;
+    m_channel = a.look.channel;
+    const auto source = current();
+    if (!source) {
+        forgetDifference();
         m_canvas->setOther({}, {});
         return a;
     }
-    m_b = findOther(frame, a);
-    if (isLuminance && m_b && hasLuminance(*m_b->info)) m_b = m_luminanceB.of(*m_b);
+    const bool hasCome = answer.other && answer.request.other->source == *source;
+    if (m_why.isEmpty() && !hasCome) m_why = tr("B is being computed.");
+    const ShownOther* other = m_why.isEmpty() ? &*answer.other : nullptr;
     m_nameA = "A  " + toQString(a.buffer.name.text());
-    const OtherSource source = *current();
     m_nameB = "B  ";
-    if (m_b && source.kind != Kind::Buffer) m_nameB += toQString(m_b->name.text()) + ", ";
-    m_nameB += nameOf(source);
-
-    std::optional<ShownBuffer> b;
-    if (m_b) {
-        const QString why = toQString(whyNotComparable(a.buffer, *m_b));
-        const ShownChannel channel = a.look.channel, channelB = why.isEmpty() ? channel : ShownChannel::All;
-        std::vector<bool> drawnA = drawnOf(frame, a.buffer, channel),
-                          drawnB = drawnOf(m_frameB ? m_frameB : frame, *m_b, channelB);
-        const bool sameColors =
-            why.isEmpty() && shownPalette(*a.buffer.info, channel) == shownPalette(*m_b->info, channel);
-        if (why.isEmpty() || source.kind == Kind::PreviousStage)
-            b = showBuffer(m_frameB ? *m_frameB : *frame, *m_b, drawnB, channelB,
-                           sameColors ? std::optional(a.look.range) : std::nullopt);
-        if (drawnA.empty() != drawnB.empty())  // one has a background, the other has none
-            drawnA = drawnB = drawnA.empty() ? drawnB : drawnA;
-        if (why.isEmpty())
-            m_found =
-                m_difference.answer({a.buffer, *m_b, index(channel), m_metric, std::move(drawnA), std::move(drawnB)});
+    if (other && source->kind != Kind::Buffer) m_nameB += toQString(other->buffer.name.text()) + ", ";
+    m_nameB += nameOf(*source);
+    if (other) {
+        m_b = other->buffer;
+        if (other->whyNotComparable.empty())
+            m_found = m_difference.answer({a.buffer, *m_b, index(m_channel), m_metric, other->drawnA, other->drawnB});
         else
-            m_why = source.kind == Kind::PreviousStage
+            m_why = source->kind == Kind::PreviousStage
                         ? tr("The two stages leave different things: look from one to the other.")
-                        : why;
+                        : toQString(other->whyNotComparable);
     }
     m_bar->setMetric(m_metric);
     tell();
-    if (showsDifference() && !m_holdsOther && !m_holdsPrevious) {
+    if (const auto difference = shownDifference(answer.request.frame)) {
         const pipeline::MetricInfo& metric = pipeline::metricTable()[std::size_t(m_metric)];
-        ShownBuffer difference = showBuffer(*frame, m_found->values, m_found->drawn, ShownChannel::All, m_range);
-        difference.notice.clear();
-        difference.empty.clear();
+        ShownBuffer shown = difference->shown;
+        shown.notice.clear();
+        shown.empty.clear();
         Wipe names;
         names.nameA =
             QString("%1 = %2,  %3,  %4").arg(toQString(metric.name), toQString(metric.formula), m_nameA, m_nameB);
         m_canvas->setOther({}, names);
-        return difference;
+        return shown;
     }
-    if (b && b->content.size == a.content.size)
-        m_canvas->setOther(std::move(b->content), wipe());
+    if (other && other->shown && other->shown->content.size == a.content.size)
+        m_canvas->setOther(other->shown->content, wipe());
     else
         m_canvas->setOther({}, wipe());
     return a;
+}
+
+std::shared_ptr<const ShowAnswer> BufferCompare::shownDifference(const FramePtr& frame) {
+    if (!showsDifference() || m_holdsOther || m_holdsPrevious) {
+        forgetDifference();
+        return {};
+    }
+    if (!m_difference.busy()) m_foundFrame = frame;
+    ShowRequest request{.frame = m_foundFrame, .buffer = m_found->values};
+    request.range = m_range;
+    request.drawn = std::make_shared<const std::vector<bool>>(m_found->drawn);
+    return m_showing.answer(request);
+}
+
+void BufferCompare::forgetDifference() {
+    m_showing.forget();
+    m_foundFrame.reset();
 }
 
 Wipe BufferCompare::wipe() const {

@@ -6,11 +6,10 @@
 #include "app/core/derived_job.h"
 #include "app/core/difference_job.h"
 #include "app/core/document.h"
-#include "app/core/luminance.h"
 #include "app/core/other_frame.h"
 #include "app/core/other_source.h"
 #include "app/panels/compare_bar.h"
-#include "app/panels/shown_buffer.h"
+#include "app/panels/show_job.h"
 #include "app/panels/wipe.h"
 #include "app/state/window_state.h"
 
@@ -48,8 +47,11 @@ public:
 
     bool showsDifference() const { return m_mode == CompareMode::Difference && m_found.has_value(); }
     std::optional<pipeline::PaletteRange>& range() { return m_range; }  // the user's, of the difference
+    // Lays B beside what a view asks for, where there is one.
+    void addOther(ShowRequest& request);
     // What the view shows in place of A: A itself, or the difference. Tells the canvas about B.
-    ShownBuffer show(const pipeline::FramePtr& frame, ShownBuffer a);
+    ShownBuffer show(const ShowAnswer& answer);
+    bool busy() const { return m_showing.busy(); }  // the picture of a difference is being made
     // What stands behind A's value at a pixel: B's, or nothing.
     QString readout(QPoint pixel) const;
     const std::optional<pipeline::BufferDifference>& found() const { return m_found; }
@@ -57,11 +59,15 @@ public:
 
 signals:
     void changed();  // the view is to be shown anew
+    void busyChanged(bool busy);
     void stagesChosen();
 
 private:
     std::optional<OtherSource> current() const;  // what is held wins
-    std::optional<pipeline::AnyBuffer> findOther(const pipeline::FramePtr& frame, const ShownBuffer& a);
+    std::optional<pipeline::AnyBuffer> findOther(const pipeline::FramePtr& frame, const pipeline::AnyBuffer& a);
+    // Null where none is to be seen, or none has come yet.
+    std::shared_ptr<const ShowAnswer> shownDifference(const pipeline::FramePtr& frame);
+    void forgetDifference();
     std::optional<pipeline::AnyBuffer> findDerived(const pipeline::BufferName& name, bool isOwn);
     Wipe wipe() const;
     void tell();
@@ -73,6 +79,7 @@ private:
     OtherFrame m_other;
     DerivedJob m_derived;  // B, of another frame
     DifferenceJob m_difference;
+    ShowJob m_showing;  // the difference
     QTimer m_blink;
     std::optional<OtherSource> m_source;
     CompareMode m_mode = CompareMode::A;
@@ -83,8 +90,8 @@ private:
 
     pipeline::FramePtr m_frameB;
     std::optional<pipeline::AnyBuffer> m_a, m_b, m_file;
-    KeptLuminance m_luminanceA, m_luminanceB;
     std::optional<pipeline::BufferDifference> m_found;
+    pipeline::FramePtr m_foundFrame;  // that m_found is of, which may lag behind
     ShownChannel m_channel = ShownChannel::All;
     QString m_nameA, m_nameB;
     QString m_why;  // why there is no B, or no difference

@@ -97,10 +97,11 @@ void BufferView::observe() {
     connect(&m_document, &Document::hoverChanged, this, &BufferView::showPixels);
     connect(&m_document, &Document::selectionChanged, this, &BufferView::markSelection);
     const auto tellWorking = [this] {
-        m_working->setWorking(m_document.busy() || m_showing.busy() || m_canvas->isPainting());
+        m_working->setWorking(m_document.busy() || m_showing.busy() || m_compare->busy() || m_canvas->isPainting());
     };
     connect(&m_document, &Document::busyChanged, this, tellWorking);
     connect(&m_showing, &ShowJob::busyChanged, this, tellWorking);
+    connect(m_compare, &BufferCompare::busyChanged, this, tellWorking);
     connect(m_canvas, &BufferCanvas::paintingChanged, this, tellWorking);
     connect(&m_showing, &ShowJob::ready, this, &BufferView::refresh);
     // The frame that a view stands in shows which view the keys go to.
@@ -168,9 +169,8 @@ void BufferView::refresh() {
     if (!answer || answer->request.buffer.name != m_name) return;  // the first one is on its way
     // All that stands in the view is of one frame, which may lag behind.
     m_frame = answer->request.frame;
-    ShownBuffer shown = answer->shown;
-    shown.notice = withNotices(shown.notice);
-    m_shown = m_compare->show(m_frame, std::move(shown));
+    m_shown = m_compare->show(*answer);
+    if (!isDifference(*m_shown->buffer.info)) m_shown->notice = withNotices(m_shown->notice);
     m_stack->setCurrentWidget(m_canvas);
     m_canvas->setContent(m_shown->content);
     m_header->setZoom(m_canvas->zoom());
@@ -183,15 +183,7 @@ void BufferView::refresh() {
     showPixels();
     showPins();
     showRegion();
-    if (!m_showing.busy() && std::exchange(m_fitsOnce, false)) setRange(m_shown->look.range);
-}
-
-void BufferView::tellAbsent(const pipeline::Frame& frame) {
-    const QString why = toQString(frame.whyAbsent(m_name));
-    if (m_name.light >= int(frame.scene().lights.size()) || frame.until() < bufferInfo(m_name.id).stage)
-        return showMessage(why, Offer::Nothing);
-    const bool comes = kept().forced || whyUseless(frame.scene(), m_name.id).empty();
-    if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(why), Offer::Compute);
+    if (!m_showing.busy() && !m_compare->busy() && std::exchange(m_fitsOnce, false)) setRange(m_shown->look.range);
 }
 
 void BufferView::markSelection() {

@@ -4,6 +4,8 @@
 #include "app/core/derived_buffers.h"
 #include "app/core/mix_model.h"
 #include "app/core/put_away.h"
+#include "app/core/text.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/shadow_overlay.h"
@@ -70,7 +72,16 @@ std::optional<ShowRequest> BufferView::request(const pipeline::FramePtr& frame) 
         if (mix && mix->buffer.shape == request.buffer.shape) request.mix = mix->buffer;
     }
     layOver(request);
+    m_compare->addOther(request);
     return request;
+}
+
+void BufferView::tellAbsent(const pipeline::Frame& frame) {
+    const QString why = toQString(frame.whyAbsent(m_name));
+    if (m_name.light >= int(frame.scene().lights.size()) || frame.until() < bufferInfo(m_name.id).stage)
+        return showMessage(why, Offer::Nothing);
+    const bool comes = kept().forced || whyUseless(frame.scene(), m_name.id).empty();
+    if (!comes) showMessage(tr("This buffer was left out:\n%1").arg(why), Offer::Compute);
 }
 
 bool BufferView::isMixed() const { return m_name.id == BufferId::Color && !m_document.mixer().isPlain(); }

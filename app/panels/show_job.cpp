@@ -2,8 +2,10 @@
 
 #include "app/core/buffer_place.h"
 #include "app/core/large_frame.h"
+#include "app/core/luminance.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/shadow_overlay.h"
+#include "pipeline/inspect/compare.h"
 
 namespace app {
 
@@ -11,22 +13,60 @@ using pipeline::AnyBuffer;
 
 namespace {
 
-bool isLittle(const ShowRequest& request) { return request.buffer.count() <= kManyNumbers && !isLarge(*request.frame); }
+bool isLittle(const AnyBuffer& buffer, const pipeline::Frame& frame) {
+    return buffer.count() <= kManyNumbers && !isLarge(frame);
+}
+bool isLittle(const ShowRequest& request) {
+    const auto& other = request.other;
+    return isLittle(request.buffer, *request.frame) && (!other || isLittle(other->buffer, *other->frame));
+}
 
 bool isSame(const AnyBuffer& a, const AnyBuffer& b) { return a.name == b.name && placeOf(a) == placeOf(b); }
+bool isSame(const OtherRequest& a, const OtherRequest& b) {
+    return a.source == b.source && a.frame == b.frame && isSame(a.buffer, b.buffer);
+}
+template <class T>
+bool isSame(const std::optional<T>& a, const std::optional<T>& b) {
+    return a && b ? isSame(*a, *b) : a.has_value() == b.has_value();
+}
+
+// Beside A.
+ShownOther showOther(const ShowRequest& request, const ShownBuffer& a) {
+    const OtherRequest& b = *request.other;
+    const bool isLuminance = a.source.info != a.buffer.info && hasLuminance(*b.buffer.info);
+    ShownOther other{isLuminance ? luminanceOf(b.buffer) : b.buffer, {}, {}, {}, {}};
+    other.whyNotComparable = whyNotComparable(a.buffer, other.buffer);
+    const bool isComparable = other.whyNotComparable.empty();
+    const ShownChannel channel = a.look.channel, channelB = isComparable ? channel : ShownChannel::All;
+    const auto drawnOf = [](const pipeline::Frame& frame, const AnyBuffer& buffer, ShownChannel shown) {
+        return drawnElements(buffer, frame.buffer({pipeline::BufferId::PolygonId}), shown);
+    };
+    other.drawnA = drawnOf(*request.frame, a.buffer, channel);
+    other.drawnB = drawnOf(*b.frame, other.buffer, channelB);
+    const bool sameColors =
+        isComparable && shownPalette(*a.buffer.info, channel) == shownPalette(*other.buffer.info, channel);
+    if (isComparable || b.source.kind == OtherSource::Kind::PreviousStage)
+        other.shown = showBuffer(*b.frame, other.buffer, other.drawnB, channelB,
+                                 sameColors ? std::optional(a.look.range) : std::nullopt);
+    if (other.drawnA.empty() != other.drawnB.empty())  // one has a background, the other has none
+        other.drawnA = other.drawnB = other.drawnA.empty() ? other.drawnB : other.drawnA;
+    return other;
+}
 
 }  // namespace
 
+// Of a difference, what is drawn comes with its numbers.
 bool operator==(const ShowRequest& a, const ShowRequest& b) {
-    const bool sameMix = a.mix && b.mix ? isSame(*a.mix, *b.mix) : a.mix.has_value() == b.mix.has_value();
-    return a.frame == b.frame && isSame(a.buffer, b.buffer) && sameMix && a.channel == b.channel &&
+    return a.frame == b.frame && isSame(a.buffer, b.buffer) && isSame(a.mix, b.mix) && a.channel == b.channel &&
            a.range == b.range && a.overlays == b.overlays && a.hatches == b.hatches && a.shadows == b.shadows &&
-           a.veil == b.veil && a.numbers == b.numbers;
+           a.veil == b.veil && isSame(a.other, b.other) && a.numbers == b.numbers;
 }
 
 ShownBuffer show(const ShowRequest& request) {
     const pipeline::Frame& frame = *request.frame;
-    const auto drawn = drawnElements(request.buffer, frame.buffer({pipeline::BufferId::PolygonId}), request.channel);
+    const auto drawn =
+        request.drawn ? *request.drawn
+                      : drawnElements(request.buffer, frame.buffer({pipeline::BufferId::PolygonId}), request.channel);
     ShownBuffer shown = showBuffer(frame, request.buffer, drawn, request.channel, request.range);
     if (request.mix) {
         const QString notice = shown.notice;
@@ -52,7 +92,11 @@ ShowJob::ShowJob(QObject* parent) : QObject(parent) {
 std::shared_ptr<const ShowAnswer> ShowJob::answer(const ShowRequest& request) {
     if (m_asked && *m_asked == request) return m_answer;
     m_asked = request;
-    const auto make = [request] { return std::make_shared<const ShowAnswer>(ShowAnswer{request, show(request)}); };
+    const auto make = [request] {
+        ShowAnswer made{request, show(request), {}};
+        if (request.other) made.other = showOther(request, made.shown);
+        return std::make_shared<const ShowAnswer>(std::move(made));
+    };
     if (isLittle(request)) {
         m_job.forget();
         return m_answer = make();

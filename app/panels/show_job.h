@@ -4,12 +4,20 @@
 
 #include "app/core/background_job.h"
 #include "app/core/number_format.h"
+#include "app/core/other_source.h"
 #include "app/panels/overlays.h"
 #include "app/panels/shown_buffer.h"
 #include "lessons/condition.h"
 #include "pipeline/study/shadow_verdict.h"
 
 namespace app {
+
+// B, which a view compares what it shows with.
+struct OtherRequest {
+    OtherSource source;
+    pipeline::FramePtr frame;  // where it is of none, as a file, that of what is shown
+    pipeline::AnyBuffer buffer;
+};
 
 // What a view is to show of a frame, as values.
 struct ShowRequest {
@@ -22,6 +30,8 @@ struct ShowRequest {
     std::shared_ptr<const pipeline::ShadowVerdicts> hatches{};  // of a buffer that is a map of them
     std::shared_ptr<const pipeline::ShadowVerdicts> shadows{};  // laid over it
     std::shared_ptr<const lessons::ConditionMask> veil{};       // likewise
+    std::shared_ptr<const std::vector<bool>> drawn{};  // of a difference: which elements hold something; empty: all
+    std::optional<OtherRequest> other{};
     NumberFormat numbers = NumberStyle::current().format();
 };
 bool operator==(const ShowRequest& a, const ShowRequest& b);
@@ -29,9 +39,17 @@ bool operator==(const ShowRequest& a, const ShowRequest& b);
 // On any thread.
 ShownBuffer show(const ShowRequest& request);
 
+struct ShownOther {
+    pipeline::AnyBuffer buffer;        // or its luminance, beside a luminance
+    std::string whyNotComparable;      // empty where it is
+    std::optional<ShownBuffer> shown;  // where one may look from one to the other
+    std::vector<bool> drawnA, drawnB;  // as a comparison takes them
+};
+
 struct ShowAnswer {
     ShowRequest request;
     ShownBuffer shown;
+    std::optional<ShownOther> other;
 };
 
 // Makes what a view shows, beside the window where there is much to look at. The last answer is kept: asking the same again

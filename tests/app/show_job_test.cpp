@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <QTest>
+#include <algorithm>
 
 #include "app/core/large_frame.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/canvas_base.h"
 #include "tests/app/large_scene.h"
@@ -16,6 +18,7 @@ namespace {
 using app::BufferView;
 using app::CanvasBase;
 using app::Document;
+using app::OtherSource;
 using app::ShowJob;
 using app::ShowRequest;
 using pipeline::BufferId;
@@ -87,6 +90,66 @@ TEST(ShowJob, AViewShowsOneFrameInAllThatItSays) {
         EXPECT_EQ(counted, shown.scale.histogram);
     }
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && shows(document.frame()); }, 20000));
+}
+
+// Another buffer of the same frame: whatever frame A is of while a slider moves, B is of the same.
+TEST(ShowJob, AAndBOfAComparisonAreOfOneFrame) {
+    constexpr pipeline::BufferName kOther{BufferId::Overdraw};
+    Document document;
+    BufferView view(document);
+    view.resize(640, 560);
+    view.show();
+    view.setBuffer(kDepth);
+    std::vector<pipeline::FramePtr> frames;
+    QObject::connect(&document, &Document::frameReady, [&] { frames.push_back(document.frame()); });
+    document.setScene(test::manyPolygons());
+    view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = kOther});
+    view.compare().setMode(app::CompareMode::B);
+    const auto comparing = [&] { return !document.busy() && view.compare().found().has_value(); };
+    ASSERT_TRUE(QTest::qWaitFor(comparing, 20000));
+    int seen = 0;
+    for (int i = 1; i <= 20; ++i) {
+        document.change(*findSetting(document.scene(), "camera.theta"), 45 + i, Document::Change::Live);
+        QTest::qWait(20);
+        const auto ofA = [&](const pipeline::FramePtr& frame) {
+            return frame->buffer(kDepth)->owner == view.shown()->buffer.owner;
+        };
+        const auto frame = std::ranges::find_if(frames, ofA);
+        ASSERT_NE(frame, frames.end());
+        ASSERT_EQ(view.canvas()->wipe().share, 0) << "B fills the view";
+        const auto b = app::showBuffer(**frame, kOther, app::ShownChannel::All, {});
+        EXPECT_EQ(view.canvas()->seen().image, b->content.image) << i;
+        seen += *frame != frames.front();
+    }
+    EXPECT_GT(seen, 0);
+    // What was found about this B is not told of the next.
+    view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {BufferId::Depth}});
+    EXPECT_FALSE(view.compare().found());
+    ASSERT_TRUE(QTest::qWaitFor(comparing, 20000));
+    const auto depth = *document.frame()->buffer({BufferId::Depth});
+    EXPECT_EQ(view.compare().found()->values.count(), depth.count());
+}
+
+TEST(ShowJob, TheDifferenceOfALargeFrameIsShownWithItsFittingRange) {
+    Document document;
+    BufferView view(document);
+    view.resize(640, 560);
+    view.show();
+    view.setBuffer(kDepth);
+    document.setScene(test::manyPolygons());
+    view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {BufferId::Depth}});
+    view.compare().setMode(app::CompareMode::Difference);
+    const auto showsDifference = [&] { return view.shown() && isDifference(*view.shown()->buffer.info); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return showsDifference() && !view.compare().busy(); }, 20000));
+    EXPECT_EQ(view.shown()->numbers.max, view.compare().found()->largest) << "z_view - depth is nowhere negative";
+    const auto whole = view.shown()->look.range;
+    view.setRange({1, 2});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown()->look.range == pipeline::PaletteRange{1, 2}; }, 10000));
+    view.autofit(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.compare().range() && view.shown()->look.range == whole; }, 10000));
+    EXPECT_EQ(*view.compare().range(), whole);
+    view.compare().setMode(app::CompareMode::A);
+    EXPECT_FALSE(showsDifference());
 }
 
 TEST(ShowJob, FittingOnceKeepsTheRangeOfTheNextPicture) {
