@@ -35,8 +35,16 @@ struct BlockPlace {
 };
 
 // An affine function over the pixels of a tile, in 32 bits: exact wherever its value fits, for sums wrap round.
-struct TileFunction {
+struct PixelFunction {
     std::int32_t value, column, row;  // at the tile's first pixel; more at the next column, at the next row
+
+    std::int32_t atPixel(int x, int y) const {
+        using Wraps = std::uint32_t;
+        return std::int32_t(Wraps(value) + Wraps(column) * Wraps(x) + Wraps(row) * Wraps(y));
+    }
+};
+// The same for those who ask for it in many blocks.
+struct TileFunction : PixelFunction {
     alignas(64) std::int32_t steps[kBlockPixels];  // what a block's pixels have more than its first
 
     HWY_INLINE void become(std::int32_t first, std::int32_t right, std::int32_t down) {
@@ -44,10 +52,6 @@ struct TileFunction {
         const Ints toRight = hn::Set(I(), column), toDown = hn::Set(I(), row);
         for (int i = 0; i < kBlockPixels; i += int(hn::Lanes(F())))
             hn::Store(hn::Add(hn::Mul(toRight, columnOf(i)), hn::Mul(toDown, rowOf(i))), I(), steps + i);
-    }
-    std::int32_t atPixel(int x, int y) const {
-        using Wraps = std::uint32_t;
-        return std::int32_t(Wraps(value) + Wraps(column) * Wraps(x) + Wraps(row) * Wraps(y));
     }
     // x, y: the block's first pixel, relative to the tile's; first: the vector's first pixel in it.
     HWY_INLINE Ints at(int x, int y, int first) const {

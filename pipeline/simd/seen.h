@@ -53,8 +53,8 @@ public:
         const int x = in.tile.min.x - t.x, y = in.tile.min.y - t.y;
         // From the box's first pixel to the tile's.
         const auto edge = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-            Edge e{std::uint32_t(c), std::uint32_t(a), std::uint32_t(b)};
-            e.value = std::uint32_t(e.at(x, y));
+            PixelFunction e{c, a, b};
+            e.value = e.atPixel(x, y);
             return e;
         };
         m_edges[0] = edge(t.a1, t.b1, t.c1), m_edges[1] = edge(t.a2, t.b2, t.c2);
@@ -76,26 +76,26 @@ public:
         return glm::max(first - tile.min, 0);
     }
 
-    // The share of corner 1 or 2, linear in the picture, in the vector at `at` of the tile.
+    // The shares of corners 1 and 2, linear in the picture, in the vector at `at` of the tile.
     HWY_INLINE Shares linear(std::size_t at) const {
         const BlockPlace place(at);
         if (!m_small)
             return {m_other->middle->linear(1, place.x, place.y, place.first),
                     m_other->middle->linear(2, place.x, place.y, place.first)};
-        const auto share = [&](const Edge& edge) HWY_ATTR {
-            const Ints inBlock = hn::Add(hn::Mul(hn::Set(I(), std::int32_t(edge.column)), columnOf(place.first)),
-                                         hn::Mul(hn::Set(I(), std::int32_t(edge.row)), rowOf(place.first)));
-            const Ints e = hn::Add(hn::Set(I(), edge.at(place.x, place.y)), inBlock);
+        const auto share = [&](const PixelFunction& edge) HWY_ATTR {
+            const Ints inBlock = hn::Add(hn::Mul(hn::Set(I(), edge.column), columnOf(place.first)),
+                                         hn::Mul(hn::Set(I(), edge.row), rowOf(place.first)));
+            const Ints e = hn::Add(hn::Set(I(), edge.atPixel(place.x, place.y)), inBlock);
             return hn::Mul(hn::ConvertTo(F(), e), all(m_small->inverseArea2));
         };
         return {share(m_edges[0]), share(m_edges[1])};
     }
     Slope slope(int corner, glm::ivec2 first) const {
         if (!m_small) return m_other->middle->slope(corner, first);
-        const Edge& edge = m_edges[corner - 1];
+        const PixelFunction& edge = m_edges[corner - 1];
         const float inverse = m_small->inverseArea2;
-        return {float(edge.at(first.x, first.y)) * inverse, float(std::int32_t(edge.column)) * inverse,
-                float(std::int32_t(edge.row)) * inverse};
+        return {float(edge.atPixel(first.x, first.y)) * inverse, float(edge.column) * inverse,
+                float(edge.row) * inverse};
     }
     // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not,
     // any numbers.
@@ -162,13 +162,6 @@ private:
         if (cut) std::ranges::fill(m_order, kCut);
     }
 
-    // An edge function, which fits wherever the triangle is; sums elsewhere wrap round.
-    struct Edge {
-        std::uint32_t value, column, row;  // at the tile's first pixel; more at the next column, at the next row
-        std::int32_t at(int x, int y) const {
-            return std::int32_t(value + column * std::uint32_t(x) + row * std::uint32_t(y));
-        }
-    };
     static constexpr int kCut = 3;
     // What is known of one that is not small.
     struct Other {
@@ -180,7 +173,7 @@ private:
     float m_w[3];
     std::array<int, 3> m_order;      // which of the triangle's own corners each is, or kCut for all
     const SmallTriangle* m_small;    // null where it is not one
-    Edge m_edges[2];                 // a small triangle's edge functions 1 and 2
+    PixelFunction m_edges[2];        // a small triangle's edge functions 1 and 2
     std::unique_ptr<Other> m_other;  // kept for the next one
 };
 
