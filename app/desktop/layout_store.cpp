@@ -58,6 +58,17 @@ bool restoreLayout(QMainWindow& window) {
 
 void forgetLayout(const QMainWindow& window) { QSettings().remove(layoutKey(window)); }
 
+void saveWindowPlace(const QWidget& window) { QSettings().setValue("window", window.saveGeometry()); }
+
+bool restoreWindowPlace(QWidget& window) { return window.restoreGeometry(QSettings().value("window").toByteArray()); }
+
+void takeFirstWindowPlace(QWidget& window) {
+    const QRect screen = window.screen()->availableGeometry();
+    QRect place({}, QSize(1680, 1000).boundedTo(screen.size()));
+    place.moveCenter(screen.center());
+    window.setGeometry(place);
+}
+
 QStringList keptLayouts() {
     QSettings settings;
     settings.beginGroup("layouts");

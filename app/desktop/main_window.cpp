@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
-#include <QScreen>
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -69,7 +68,7 @@ MainWindow::MainWindow() : m_opener(new SceneOpener(this)), m_actions(new Action
         if (!m_presents) fitWidth(true);
     });
     qApp->installEventFilter(this);
-    resize(QSize(1680, 1000).boundedTo(screen()->availableSize()));
+    if (!restoreWindowPlace(*this)) takeFirstWindowPlace(*this);
     showStartPage();
 }
 
@@ -314,6 +313,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!mayLeaveScene()) return event->ignore();
     if (m_session) m_session->end(!m_document.isChanged());
     if (m_width == Width::Wide) saveLayout(*this);
+    saveWindowPlace(*this);
     saveTheme();
     QMainWindow::closeEvent(event);
 }

@@ -162,7 +162,10 @@ void MainWindow::connectLayouts() {
     on(A::SpaceLayout, [this] { applyLayout("space", false); });
     on(A::PictureLayout, [this] { applyLayout("buffer", m_views->hasThumbnails()); });
     on(A::KeepLayout, [this] { keepThisLayout(); });
-    on(A::ResetLayout, [this] { resetLayout(); });
+    on(A::ResetLayout, [this] {
+        if (!isMaximized()) takeFirstWindowPlace(*this);
+        resetLayout();
+    });
     connect(m_views, &ViewArea::changed, this, &MainWindow::enableViewActions);
     QMenu* menu = actions.menu("View/Layout");
     auto* drop = new QMenu(tr("Drop"), menu);

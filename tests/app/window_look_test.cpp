@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QTest>
 #include <map>
 
@@ -77,6 +78,39 @@ TEST_F(WindowLook, ResetBringsClosedPanelsBack) {
         EXPECT_EQ(dock->isVisible(), dock->objectName() != "tables" && dock->objectName() != "scanline")
             << "tables are shown when asked for";
     EXPECT_GT(inspector->width(), 300);
+}
+
+TEST_F(WindowLook, TheNextStartHasTheWindowWhereItWasLeft) {
+    window.setGeometry(40, 60, 1300, 800);
+    window.close();
+    MainWindow next;
+    EXPECT_EQ(next.geometry(), QRect(40, 60, 1300, 800));
+    EXPECT_FALSE(next.isMaximized());
+    next.setWindowState(Qt::WindowMaximized);
+    next.close();
+    const MainWindow last;
+    EXPECT_TRUE(last.isMaximized());
+    EXPECT_EQ(last.normalGeometry(), QRect(40, 60, 1300, 800)) << "its size when it is no longer";
+}
+
+TEST_F(WindowLook, AWindowFromAScreenThatIsGoneComesBackOnOneThatIsThere) {
+    const QRect screen = window.screen()->availableGeometry();
+    window.setGeometry(QRect(screen.bottomRight() + QPoint(900, 700), QSize(1300, 800)));
+    window.close();
+    const MainWindow next;
+    EXPECT_TRUE(screen.contains(next.geometry())) << next.x() << ", " << next.y();
+    EXPECT_EQ(next.size(), QSize(1300, 800));
+}
+
+TEST_F(WindowLook, ResetBringsTheWindowsFirstPlaceBackAndNamedLayoutsLeaveIt) {
+    openPyramid();
+    window.setGeometry(40, 60, 1300, 800);
+    press("Ctrl+Shift+3");
+    EXPECT_EQ(window.geometry(), QRect(40, 60, 1300, 800));
+    window.actions()[ActionId::ResetLayout]->trigger();
+    const QRect screen = window.screen()->availableGeometry();
+    EXPECT_EQ(window.size(), QSize(1680, 1000).boundedTo(screen.size()));
+    EXPECT_TRUE(screen.contains(window.geometry()));
 }
 
 TEST_F(WindowLook, NamedLayoutsPutViewsInTheirPlaces) {
