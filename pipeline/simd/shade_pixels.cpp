@@ -10,47 +10,16 @@
 #include <hwy/highway.h>
 //
 #include "pipeline/simd/elements.h"
+#include "pipeline/simd/look.h"
 #include "pipeline/simd/power.h"
 #include "pipeline/simd/put_pixels.h"
 #include "pipeline/simd/shadows.h"
 #include "pipeline/simd/surfaces.h"
-#include "pipeline/stages/shading_terms.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 namespace {
 
-// A light, and what it makes of a material.
-struct Shining {
-    bool atInfinity;
-    Vec3<float> source;  // the direction towards it, or where it stands
-    explicit Shining(const Light& light) : atInfinity(light.kind == LightKind::AtInfinity), source(light.position) {
-        if (atInfinity) source = normalized(source);
-    }
-};
-struct Reflected {
-    Vec3<float> diffuse, specular;
-};
-// What a highlight is made of.
-enum class Highlight : std::uint8_t { None, Reflection, Halfway };
-// Of an object whose pixels are shaded.
-struct Look {
-    Highlight highlight = Highlight::None;
-    float exponent;
-    BaseTerms<float> base;
-    std::vector<Reflected> lights;
-
-    Look(const ShadingInputs& inputs, const Material& material) : base(baseTerms<float>(inputs, material)) {
-        const bool halfway = usesHalfway(inputs.illumination.model, material);
-        if (material.specular != Vec3d(0) || inputs.illumination.detail.dull)
-            highlight = halfway ? Highlight::Halfway : Highlight::Reflection;
-        exponent = float((halfway ? inputs.illumination.exponentFactor : 1.0) * material.exponent);
-        for (const Light& light : inputs.lights) {
-            const Vec3<float> shining(light.intensity * light.color);
-            lights.push_back({shining * Vec3<float>(material.diffuse), shining * Vec3<float>(material.specular)});
-        }
-    }
-};
 // What a light adds to pixels.
 struct Terms {
     Floats3 diffuse, specular;
@@ -65,22 +34,14 @@ HWY_INLINE Floats3 where(Mask mask, Floats3 v) {
     return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
 }
 
-// The vectors of a row with pixels of one object, and which of their pixels: as bits, for GCC aligns no memory that a
-// container asks for to vectors wider than those it compiles for by default.
-struct Group {
-    std::size_t object = 0, count = 0;
-    std::size_t at[kRowVectors];
-    std::uint32_t bits[kRowVectors];
-    void add(std::size_t i, Mask pixels) { at[count] = i, bits[count++] = bitsOf(pixels); }
-    HWY_INLINE Mask mask(std::size_t n) const { return maskOf(bits[n]); }
-};
-
 // A row of blocks on its way to the picture: what one of the loops over it leaves for the next.
 struct ShadedRow {
     SurfaceRow surface;
-    Row3 N, V;            // unit
-    Row nDotL, q, power;  // of a light; q: 1 - R·V or 1 - N·H
-    Row3 intensity;       // the sum
+    Row3 N, V;               // unit
+    Row nDotL, q, power;     // of a light; q: 1 - R·V or 1 - N·H
+    Row3 diffuse, specular;  // of a light whose shadow is looked for
+    Row S;
+    Row3 intensity;  // the sum
 };
 
 // The pixels of a tile.
@@ -169,11 +130,11 @@ private:
         for (std::size_t k = 0; k < m_lights.size(); ++k) {
             if (!m_inputs.parts.lights[k]) continue;
             switch (look.highlight) {
-                case Highlight::None: reflect<kKeeps, Highlight::None>(group, k); break;
-                case Highlight::Reflection: reflect<kKeeps, Highlight::Reflection>(group, k); break;
-                case Highlight::Halfway: reflect<kKeeps, Highlight::Halfway>(group, k); break;
+                case SpecularForm::None: reflect<kKeeps, SpecularForm::None>(group, k); break;
+                case SpecularForm::Reflection: reflect<kKeeps, SpecularForm::Reflection>(group, k); break;
+                case SpecularForm::Halfway: reflect<kKeeps, SpecularForm::Halfway>(group, k); break;
             }
-            const bool shines = look.highlight != Highlight::None;
+            const bool shines = look.highlight != SpecularForm::None;
             if (shines) raise(group, look.exponent);
             addLight<kKeeps>(group, k, [&](std::size_t n) HWY_ATTR {
                 const std::size_t i = group.at[n];
@@ -211,7 +172,7 @@ private:
     }
 
     // Leaves N·L of light k, and of its highlight q, kNoHighlight where there is none.
-    template <bool kKeeps, Highlight kHighlight>
+    template <bool kKeeps, SpecularForm kForm>
     void reflect(const Group& group, std::size_t k) {
         const LightDetail& detail = m_inputs.illumination.detail;
         const bool atInfinity = m_lights[k].atInfinity;
@@ -225,20 +186,20 @@ private:
             const Mask lit = hn::And(mask, hn::Gt(nDotL, all(0)));
             store(nDotL, m_row.nDotL, i);
             if constexpr (kKeeps) keep(BufferId::LightVector, L, mask, i, k), keep(BufferId::NDotL, nDotL, mask, i, k);
-            if (kHighlight == Highlight::Reflection || (kKeeps && detail.reflection)) {
+            if (kForm == SpecularForm::Reflection || (kKeeps && detail.reflection)) {
                 const Floats3 R = scaled(N, hn::Add(nDotL, nDotL)) - L;
                 const Floats rDotV = A::dot(R, V);
                 if constexpr (kKeeps)
                     keep(BufferId::ReflectionVector, R, mask, i, k), keep(BufferId::RDotV, rDotV, mask, i, k);
-                if constexpr (kHighlight == Highlight::Reflection)
+                if constexpr (kForm == SpecularForm::Reflection)
                     storeHighlight(halfSquare<A>(R, V), hn::And(lit, hn::Gt(rDotV, all(0))), i);
             }
-            if (kHighlight == Highlight::Halfway || (kKeeps && detail.halfway)) {
+            if (kForm == SpecularForm::Halfway || (kKeeps && detail.halfway)) {
                 const Floats3 H = A::unit(L + V, mask);
                 const Floats nDotH = A::dot(N, H);
                 if constexpr (kKeeps)
                     keep(BufferId::HalfwayVector, H, mask, i, k), keep(BufferId::NDotH, nDotH, mask, i, k);
-                if constexpr (kHighlight == Highlight::Halfway)
+                if constexpr (kForm == SpecularForm::Halfway)
                     storeHighlight(halfSquare<A>(N, H), hn::And(lit, hn::Gt(nDotH, all(0))), i);
             }
             m_counts.evaluations += countOf(mask);
@@ -266,30 +227,45 @@ private:
     // The terms of light k in its shadow, added to the intensity. terms(n): without it.
     template <bool kKeeps, class TermsOf>
     void addLight(const Group& group, std::size_t k, TermsOf terms) {
-        const ShadowLight& light = m_shadows[k];
-        const bool casts = light.casts() || light.looksUp();
-        const bool everywhere = m_inputs.parts.idleLookups || (kKeeps && has(BufferId::Shadow));
+        const bool isDimmed = m_shadows[k].casts() || m_shadows[k].looksUp();
+        if (isDimmed) dim<kKeeps>(group, k, terms);
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);
-            Terms of = terms(n);
-            Floats S = all(1);
-            if (casts) {
-                const Mask idle = hn::And(isZero(of.diffuse), isZero(of.specular));
-                const Mask wanted = everywhere ? mask : hn::AndNot(idle, mask);
-                S = light.template factors<A>(load(m_row.surface.position, i), load(m_row.surface.facing, i), wanted);
-                of = {scaled(of.diffuse, S), scaled(of.specular, S)};
-                if (light.looksUp()) {
-                    const long long lookups = countOf(wanted);
-                    m_counts.lookups += lookups, m_counts.idleLookups += countOf(mask) - lookups;
-                }
-            }
+            const Terms of = isDimmed ? Terms{load(m_row.diffuse, i), load(m_row.specular, i)} : terms(n);
             if constexpr (kKeeps) {
-                keep(BufferId::Shadow, S, mask, i, k);
+                keep(BufferId::Shadow, isDimmed ? load(m_row.S, i) : all(1), mask, i, k);
                 keep(BufferId::Diffuse, of.diffuse, mask, i, k), keep(BufferId::Specular, of.specular, mask, i, k);
             }
             const Floats3 before = load(m_row.intensity, i);
             store(choose(mask, before + of.diffuse + of.specular, before), m_row.intensity, i);
+        }
+    }
+    // Leaves S of light k and its terms in its shadow.
+    template <bool kKeeps, class TermsOf>
+    void dim(const Group& group, std::size_t k, TermsOf terms) {
+        const ShadowLight& light = m_shadows[k];
+        const bool everywhere = m_inputs.parts.idleLookups || (kKeeps && has(BufferId::Shadow));
+        Group wanted;
+        long long lookups = 0, idle = 0;
+        for (std::size_t n = 0; n < group.count; ++n) {
+            const std::size_t i = group.at[n];
+            const Mask mask = group.mask(n);
+            const Terms of = terms(n);
+            store(of.diffuse, m_row.diffuse, i), store(of.specular, m_row.specular, i), store(all(1), m_row.S, i);
+            const Mask none = hn::And(isZero(of.diffuse), isZero(of.specular));
+            const Mask asks = everywhere ? mask : hn::AndNot(none, mask);
+            lookups += countOf(asks), idle += countOf(hn::AndNot(asks, mask));
+            if (!hn::AllFalse(F(), asks)) wanted.add(i, asks);
+        }
+        if (light.looksUp()) m_counts.lookups += lookups, m_counts.idleLookups += idle;
+        if (!light.casts()) return;
+        light.template factors<A>(m_row.surface, wanted, m_row.S);
+        for (std::size_t n = 0; n < wanted.count; ++n) {
+            const std::size_t i = wanted.at[n];
+            const Floats S = load(m_row.S, i);
+            store(scaled(load(m_row.diffuse, i), S), m_row.diffuse, i);
+            store(scaled(load(m_row.specular, i), S), m_row.specular, i);
         }
     }
 

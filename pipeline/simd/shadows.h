@@ -9,10 +9,10 @@
 #include <hwy/cache_control.h>
 
 #include <bit>
+#include <limits>
 
 #include "pipeline/scene/area_light.h"
-#include "pipeline/simd/arithmetic.h"
-#include "pipeline/stages/shading.h"
+#include "pipeline/simd/surfaces.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
@@ -20,7 +20,7 @@ namespace pipeline::HWY_NAMESPACE {
 // A face of a light, in float, and what was drawn there.
 struct LightFace {
     Vec3<float> eye, right, up, forward;
-    Vec2<float> scale, centre, width;  // texels a unit; the buffer's middle, texels; units a texel
+    Vec2<float> step, centre, width;  // columns and rows a unit; the buffer's middle, texels; units a texel
     bool perspective;
     float rounding;  // of LightView
     const BlockBuffer2D<float>* depth;
@@ -32,19 +32,29 @@ struct LightFace {
           right(view.right),
           up(view.up),
           forward(view.forward),
-          scale(view.scale),
+          step(view.scale.x, -view.scale.y),
           centre(view.centre),
           width(1.0 / view.scale),
           perspective(view.perspective),
           rounding(rounds),
-          depth(&blocks) {}
+          depth(&blocks) {
+        // The faces of a cube look along the axes of the world, and points are seen along these: right and up run along
+        // the other two, in their order, forwards or backwards.
+        if (!perspective) return;
+        if (right.x + right.y + right.z < 0) step.x = -step.x;
+        if (up.x + up.y + up.z < 0) step.y = -step.y;
+    }
     float last() const { return float(depth->size.x - 1); }  // column or row
 };
 
-// Where a texel stands in the blocks of a buffer.
-HWY_INLINE Ints texelPlace(const BlockBuffer2D<float>& depth, Ints column, Ints row) {
+// Where a texel stands in the blocks of a buffer. Its column and row: whole numbers, of a texel that there is.
+HWY_INLINE Ints texelPlace(const BlockBuffer2D<float>& depth, Floats x, Floats y) {
     static_assert(kTileSize == 64 && kBlock == 4);
     const I whole;
+    const auto of = [&](Floats v) HWY_ATTR {
+        return hn::Sub(hn::BitCast(whole, hn::Add(v, all(kToWhole))), hn::BitCast(whole, all(kToWhole)));
+    };
+    const Ints column = of(x), row = of(y);
     const Ints tile =
         hn::Add(hn::Mul(hn::ShiftRight<6>(row), hn::Set(whole, depth.tiles.x)), hn::ShiftRight<6>(column));
     const auto bits = [&](Ints v, int mask) HWY_ATTR { return hn::And(v, hn::Set(whole, mask)); };
@@ -52,73 +62,63 @@ HWY_INLINE Ints texelPlace(const BlockBuffer2D<float>& depth, Ints column, Ints 
     return hn::Add(hn::Add(hn::ShiftLeft<12>(tile), block), hn::Add(hn::ShiftLeft<2>(bits(row, 3)), bits(column, 3)));
 }
 
-// The texel that a coordinate lies in: texelAt, as a number.
-HWY_INLINE Floats texelAt(Floats x) {
-    const Floats limit = all(0x1p30F);
-    const Mask inRange = hn::And(hn::Gt(x, hn::Neg(limit)), hn::Lt(x, limit));
-    return hn::IfThenElse(inRange, hn::Floor(x), hn::Neg(limit));
-}
-
-// What of a face's bias is the same for all lights of these axes: the normal along them, and delta of shadowTest.
-struct FaceNormal {
+// Points as a face of a light sees them: across its buffer and along its view, world units; the normal n of their
+// polygons along the same axes, and n·p.
+struct SeenByLight {
+    Floats x, y, z;
     Floats3 n;
-    Floats delta;
+    Floats nDotP;
 };
-template <class A>
-HWY_INLINE FaceNormal faceNormal(const LightFace& face, const ShadowSettings& settings, Floats3 normal) {
-    const Floats3 n{A::dot(all(face.right), normal), A::dot(all(face.up), normal), A::dot(all(face.forward), normal)};
-    const float texels = float(settings.filter) + 0.5F + 1.0F / 128;
-    return {n,
-            hn::Mul(all(texels), A::mulAdd(hn::Abs(n.x), all(face.width.x), hn::Mul(hn::Abs(n.y), all(face.width.y))))};
-}
 
-// How many of the texels that filtering looks at see the points lit, on this face of the light: litTexels. adjoin: it is
-// one of several.
+// How many of the texels that filtering looks at see points lit, on this face of the light: litTexels.
 template <class A>
-HWY_INLINE Floats litOnFace(const LightFace& face, bool adjoin, const ShadowSettings& settings, Floats3 position,
-                            const FaceNormal& facing, Mask wanted) {
-    const BlockBuffer2D<float>& depth = *face.depth;
+HWY_INLINE Floats litOnFace(const LightFace& face, const ShadowSettings& settings, const SeenByLight& p, Mask wanted) {
     const Floats zero = all(0), one = all(1), last = all(face.last());
-    const Floats3 world = position - all(face.eye);
-    const Floats3 p{A::dot(all(face.right), world), A::dot(all(face.up), world), A::dot(all(face.forward), world)};
-    const Floats scaleX = all(face.scale.x), centreX = all(face.centre.x), scaleY = all(face.scale.y),
-                 centreY = all(face.centre.y);
+    const Floats centreX = all(face.centre.x), centreY = all(face.centre.y);
+    const Floats stepX = all(face.step.x), stepY = all(face.step.y);
+    // The faces of a cube adjoin: what lies beyond the last texel counts as that.
+    const auto nearest = [&](Floats x) HWY_ATTR { return hn::Min(hn::IfThenElseZero(hn::Gt(x, zero), x), last); };
     Floats x, y;
     if (face.perspective) {
-        x = texelAt(hn::Add(centreX, hn::Div(hn::Mul(scaleX, p.x), p.z)));
-        y = texelAt(hn::Sub(centreY, hn::Div(hn::Mul(scaleY, p.y), p.z)));
-        x = hn::Min(hn::Max(x, zero), last), y = hn::Min(hn::Max(y, zero), last);
+        x = nearest(hn::Floor(hn::Add(centreX, hn::Div(hn::Mul(stepX, p.x), p.z))));
+        y = nearest(hn::Floor(hn::Add(centreY, hn::Div(hn::Mul(stepY, p.y), p.z))));
     } else {
-        x = hn::Floor(A::mulAdd(scaleX, p.x, centreX));
-        y = hn::Floor(A::negMulAdd(scaleY, p.y, centreY));
+        x = hn::Floor(A::mulAdd(stepX, p.x, centreX));
+        y = hn::Floor(A::mulAdd(stepY, p.y, centreY));
     }
-
     Floats bias = all(float(settings.biasValue));
     if (settings.bias != ShadowBias::Constant) {
+        const float texels = float(settings.filter) + 0.5F + 1.0F / 128;
+        const Floats delta = hn::Mul(
+            all(texels), A::mulAdd(hn::Abs(p.n.x), all(face.width.x), hn::Mul(hn::Abs(p.n.y), all(face.width.y))));
         Floats slope;
         if (face.perspective) {
-            const Floats relative = hn::Div(hn::Mul(p.z, facing.delta), hn::Abs(A::dot(facing.n, p)));
+            const Floats relative = hn::Div(hn::Mul(p.z, delta), hn::Abs(p.nDotP));
             slope =
                 hn::IfThenElse(hn::IsFinite(relative), hn::Mul(p.z, hn::Div(relative, hn::Add(one, relative))), p.z);
         } else {
-            slope = hn::Div(facing.delta, hn::Abs(facing.n.z));
+            slope = hn::Div(delta, hn::Abs(p.n.z));
         }
         bias = settings.bias == ShadowBias::Slope ? hn::Mul(bias, slope) : hn::Add(slope, all(face.rounding));
     }
 
+    const auto isLit = [&](Floats u, Floats v) HWY_ATTR {
+        Mask inside = wanted;
+        if (!face.perspective) {
+            inside = hn::And(hn::And(hn::Ge(u, zero), hn::Le(u, last)),
+                             hn::And(hn::And(hn::Ge(v, zero), hn::Le(v, last)), wanted));
+            u = hn::IfThenElseZero(inside, u), v = hn::IfThenElseZero(inside, v);
+        }
+        const Floats stored = hn::GatherIndex(F(), face.depth->blocks[0].of, texelPlace(*face.depth, u, v));
+        return hn::IfThenZeroElse(hn::And(inside, hn::Gt(p.z, hn::Add(stored, bias))), one);
+    };
     const int r = settings.filter;
+    if (r == 0) return isLit(x, y);
     Floats lit = zero;
     for (int dy = -r; dy <= r; ++dy) {
         for (int dx = -r; dx <= r; ++dx) {
-            Floats u = hn::Add(x, all(float(dx))), v = hn::Add(y, all(float(dy)));
-            if (adjoin) u = hn::Min(hn::Max(u, zero), last), v = hn::Min(hn::Max(v, zero), last);
-            const Mask inside = hn::And(hn::And(hn::Ge(u, zero), hn::Le(u, last)),
-                                        hn::And(hn::And(hn::Ge(v, zero), hn::Le(v, last)), wanted));
-            const Ints column = hn::ConvertTo(I(), hn::IfThenElseZero(inside, u));
-            const Ints row = hn::ConvertTo(I(), hn::IfThenElseZero(inside, v));
-            const Floats stored = hn::GatherIndex(F(), depth.blocks[0].of, texelPlace(depth, column, row));
-            const Mask shadowed = hn::And(inside, hn::Gt(p.z, hn::Add(stored, bias)));
-            lit = hn::Add(lit, hn::IfThenZeroElse(shadowed, one));
+            const Floats u = hn::Add(x, all(float(dx))), v = hn::Add(y, all(float(dy)));
+            lit = hn::Add(lit, face.perspective ? isLit(nearest(u), nearest(v)) : isLit(u, v));
         }
     }
     return lit;
@@ -142,30 +142,46 @@ public:
             const Vec3<float> place(samplePlace(light, grid, sides, i));
             m_places.push_back(m_atInfinity ? normalized(place) : place);
         }
+        const auto columns = std::size_t(grid.columns), count = m_places.size();
+        if (count > 4) m_corners = {m_places[0], m_places[columns - 1], m_places[count - columns], m_places[count - 1]};
     }
     bool casts() const { return m_casts; }
     bool looksUp() const { return !m_faces.empty(); }
 
-    // S where it is wanted, else 1: shadowAt, of points of polygons with these normals.
+    // S of the pixels of a row that are wanted: shadowAt. Else 1.
     template <class A>
-    HWY_INLINE Floats factors(Floats3 position, Floats3 normal, Mask wanted) const {
-        if (!m_casts || hn::AllFalse(F(), wanted)) return all(1);
+    HWY_NOINLINE void factors(const SurfaceRow& row, const Group& wanted, Row& S) const {
         const int texels = filteredTexels(m_settings);
-        const bool isCube = m_faces.size() > m_places.size();
-        FaceNormals normals;
-        Floats lit = all(0);
-        for (std::size_t i = 0; i < m_places.size(); ++i) {
-            const Mask faces = hn::And(wanted, isFaced<A>(m_places[i], position, normal, wanted));
-            if (hn::AllFalse(F(), faces)) continue;
-            Floats seen = all(float(texels));
-            if (isCube)
-                seen = litOnCube<A>(i, position, normal, normals, faces);
-            else if (looksUp())
-                seen = litOnFace<A>(m_faces[i], false, m_settings, position,
-                                    faceNormal<A>(m_faces[i], m_settings, normal), faces);
-            lit = hn::Add(lit, hn::IfThenElseZero(faces, seen));
+        Group faced = wanted;
+        bool facesAll[kRowVectors];
+        for (std::size_t n = 0; n < wanted.count; ++n) {
+            store(all(0), S, wanted.at[n]);
+            facesAll[n] =
+                isFacedByAll<A>(load(row.position, wanted.at[n]), load(row.facing, wanted.at[n]), wanted.mask(n));
         }
-        return hn::IfThenElse(wanted, hn::Div(lit, all(float(int(m_places.size()) * texels))), all(1));
+        std::size_t face = 0;  // of a cube, on which points fell last: those of all places have the same axes
+        for (std::size_t i = 0; i < m_places.size(); ++i) {
+            for (std::size_t n = 0; n < wanted.count; ++n) {
+                if (facesAll[n]) {
+                    faced.bits[n] = wanted.bits[n];
+                    continue;
+                }
+                const Mask mask = wanted.mask(n);
+                faced.bits[n] = bitsOf(hn::And(mask, isFaced<A>(m_places[i], load(row.position, wanted.at[n]),
+                                                                load(row.facing, wanted.at[n]), mask)));
+            }
+            if (m_faces.size() > m_places.size())
+                addCube<A>(&m_faces[6 * i], face, row, faced, S);
+            else if (looksUp())
+                addFace<A>(m_faces[i], row, faced, S);
+            else
+                for (std::size_t n = 0; n < faced.count; ++n) addLit(all(float(texels)), faced.mask(n), faced.at[n], S);
+        }
+        const Floats most = all(float(int(m_places.size()) * texels));
+        for (std::size_t n = 0; n < wanted.count; ++n) {
+            const std::size_t i = wanted.at[n];
+            store(hn::IfThenElse(wanted.mask(n), hn::Div(load(S, i), most), all(1)), S, i);
+        }
     }
 
     // A buffer is larger than the caches next to the processor, and neighbours in the picture may be far apart in it:
@@ -175,24 +191,17 @@ public:
         const LightFace& face = m_faces[0];
         const Floats3 p = position - all(face.eye);
         const Floats zero = all(0), last = all(face.last());
-        const Floats x = A::mulAdd(all(face.scale.x), A::dot(all(face.right), p), all(face.centre.x));
-        const Floats y = A::negMulAdd(all(face.scale.y), A::dot(all(face.up), p), all(face.centre.y));
-        const Ints column = hn::ConvertTo(I(), hn::Min(hn::Max(x, zero), last));
-        const Ints row = hn::ConvertTo(I(), hn::Min(hn::Max(y, zero), last));
+        const Floats x = A::mulAdd(all(face.step.x), A::dot(all(face.right), p), all(face.centre.x));
+        const Floats y = A::mulAdd(all(face.step.y), A::dot(all(face.up), p), all(face.centre.y));
+        const auto inside = [&](Floats v) HWY_ATTR { return hn::Floor(hn::Min(hn::Max(v, zero), last)); };
         HWY_ALIGN std::int32_t texels[16];
-        hn::Store(texelPlace(*face.depth, column, row), I(), texels);
+        hn::Store(texelPlace(*face.depth, inside(x), inside(y)), I(), texels);
         for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1)
             hwy::Prefetch(&face.depth->blocks[0].of[std::size_t(texels[std::countr_zero(bits)])]);
     }
     bool isFetched() const { return m_atInfinity && m_casts && looksUp(); }
 
 private:
-    // Those of a cube's faces that points have fallen on; the cubes of all places have the same axes.
-    struct FaceNormals {
-        bool known[6]{};
-        FaceNormal of[6];
-    };
-
     // Where polygons with these normals face a place: n·L > 0, L normalised as the stage's own text does it.
     template <class A>
     HWY_INLINE Mask isFaced(Vec3<float> from, Floats3 position, Floats3 normal, Mask wanted) const {
@@ -211,37 +220,88 @@ private:
         return hn::Gt(A::dot(normal, A::unit(L, wanted)), all(0));
     }
 
-    // litOnFace, on the face around place i that each point falls on: neighbours mostly fall on one.
+    // Whether all of these polygons face all places, for they face those at the corners of their rectangle, and so
+    // clearly that no rounding matters.
     template <class A>
-    HWY_INLINE Floats litOnCube(std::size_t i, Floats3 position, Floats3 normal, FaceNormals& normals,
-                                Mask wanted) const {
-        const Floats3 p = position - all(m_faces[6 * i].eye);
-        const Floats x = hn::Abs(p.x), y = hn::Abs(p.y), z = hn::Abs(p.z);
-        const Mask alongX = hn::And(hn::Ge(x, y), hn::Ge(x, z)), alongY = hn::AndNot(alongX, hn::Ge(y, z));
-        const Mask along[]{alongX, alongY, hn::Not(hn::Or(alongX, alongY))};
-        const Floats component[]{p.x, p.y, p.z};
-        Floats lit = all(0);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Mask backwards = hn::Lt(component[axis], all(0));
-            for (std::size_t sign = 0; sign < 2; ++sign) {
-                const Mask side = sign == 0 ? hn::Not(backwards) : backwards;
-                const Mask here = hn::And(wanted, hn::And(along[axis], side));
-                if (hn::AllFalse(F(), here)) continue;
-                const std::size_t number = 2 * axis + sign;
-                const LightFace& face = m_faces[6 * i + number];
-                if (!normals.known[number])
-                    normals.known[number] = true, normals.of[number] = faceNormal<A>(face, m_settings, normal);
-                lit =
-                    hn::IfThenElse(here, litOnFace<A>(face, true, m_settings, position, normals.of[number], here), lit);
-            }
+    HWY_INLINE bool isFacedByAll(Floats3 position, Floats3 normal, Mask wanted) const {
+        if (m_corners.empty()) return false;
+        Floats least = all(std::numeric_limits<float>::infinity()), most = all(0);
+        for (const Vec3<float> place : m_corners) {
+            const Floats3 L = all(place) - position;
+            least = hn::Min(least, A::dot(normal, L));
+            most = hn::Max(most, hn::Add(hn::Add(hn::Abs(L.x), hn::Abs(L.y)), hn::Abs(L.z)));
         }
-        return lit;
+        const Mask sure =
+            hn::And(hn::Gt(least, hn::Mul(most, all(0x1p-16F))),
+                    hn::And(hn::Lt(most, all(kLargestUnscaled)), hn::Gt(least, all(1 / kLargestUnscaled))));
+        return hn::AllTrue(F(), hn::Or(sure, hn::Not(wanted)));
+    }
+
+    HWY_INLINE static void addLit(Floats lit, Mask mask, std::size_t i, Row& to) {
+        store(hn::Add(load(to, i), hn::IfThenElseZero(mask, lit)), to, i);
+    }
+    template <class A>
+    HWY_INLINE void addFace(const LightFace& face, const SurfaceRow& row, const Group& faced, Row& lit) const {
+        const auto along = [&](Floats3 v) HWY_ATTR {
+            return Floats3{A::dot(all(face.right), v), A::dot(all(face.up), v), A::dot(all(face.forward), v)};
+        };
+        for (std::size_t n = 0; n < faced.count; ++n) {
+            const std::size_t i = faced.at[n];
+            const Mask mask = faced.mask(n);
+            if (hn::AllFalse(F(), mask)) continue;
+            const Floats3 p = along(load(row.position, i) - all(face.eye)), normal = along(load(row.facing, i));
+            addLit(litOnFace<A>(face, m_settings, {p.x, p.y, p.z, normal, all(0)}, mask), mask, i, lit);
+        }
+    }
+    // Each point on the face of a cube that it falls on. first: the number of the face to try first.
+    template <class A>
+    HWY_INLINE void addCube(const LightFace* faces, std::size_t& first, const SurfaceRow& row, Group& faced,
+                            Row& lit) const {
+        for (std::size_t tries = 0, begin = first; tries < 6; ++tries) {
+            first = (begin + tries) % 6;
+            const LightFace& face = faces[first];
+            const bool backwards = first % 2 != 0;
+            const bool done = first < 2   ? addCubeFace<A, 0>(face, backwards, row, faced, lit)
+                              : first < 4 ? addCubeFace<A, 1>(face, backwards, row, faced, lit)
+                                          : addCubeFace<A, 2>(face, backwards, row, faced, lit);
+            if (done) return;
+        }
+    }
+    // Those that fall on the face along axis kAxis, and takes them out of `left`; whether none are left.
+    template <class A, int kAxis>
+    HWY_NOINLINE bool addCubeFace(const LightFace& face, bool backwards, const SurfaceRow& row, Group& left,
+                                  Row& lit) const {
+        std::uint32_t rest = 0;
+        const Floats flipped = all(backwards ? -1.0F : 1.0F);
+        for (std::size_t n = 0; n < left.count; ++n) {
+            const std::size_t i = left.at[n];
+            const Floats3 world = load(row.position, i) - all(face.eye);
+            const Floats x = hn::Abs(world.x), y = hn::Abs(world.y), z = hn::Abs(world.z);
+            const Mask most = kAxis == 0   ? hn::Ge(x, hn::Max(y, z))
+                              : kAxis == 1 ? hn::And(hn::Gt(y, x), hn::Ge(y, z))
+                                           : hn::Gt(z, hn::Max(x, y));
+            const Floats along = kAxis == 0 ? world.x : kAxis == 1 ? world.y : world.z;
+            const Mask ahead = backwards ? hn::Lt(along, all(0)) : hn::Ge(along, all(0));
+            const Mask here = hn::And(left.mask(n), hn::And(most, ahead));
+            const std::uint32_t bits = bitsOf(here);
+            rest |= left.bits[n] &= ~bits;
+            if (bits == 0) continue;
+            const Floats3 N = load(row.facing, i);
+            const auto turned = [](Floats3 v) HWY_ATTR {
+                return kAxis == 0 ? Floats3{v.y, v.z, v.x} : kAxis == 1 ? Floats3{v.x, v.z, v.y} : v;
+            };
+            const Floats3 p = turned(world), normal = turned(N);
+            const SeenByLight seen{p.x, p.y, hn::Mul(p.z, flipped), normal, A::dot(normal, p)};
+            addLit(litOnFace<A>(face, m_settings, seen, here), here, i, lit);
+        }
+        return rest == 0;
     }
 
     const ShadowSettings& m_settings;
     bool m_casts, m_atInfinity;
-    std::vector<LightFace> m_faces;     // place after place, six of a point light; none without a shadow buffer
-    std::vector<Vec3<float>> m_places;  // of its samples; at infinity the direction towards it
+    std::vector<LightFace> m_faces;      // place after place, six of a point light; none without a shadow buffer
+    std::vector<Vec3<float>> m_places;   // of its samples; at infinity the direction towards it
+    std::vector<Vec3<float>> m_corners;  // of the rectangle of places, where these are more
 };
 
 }  // namespace pipeline::HWY_NAMESPACE

@@ -39,6 +39,16 @@ HWY_INLINE Floats3 choose(Mask mask, Floats3 yes, Floats3 no) {
     return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
+// Vectors of a row, and which of their pixels: as bits, for GCC aligns no memory that a container asks for to vectors
+// wider than those it compiles for by default.
+struct Group {
+    std::size_t object = 0, count = 0;  // object: that all of the pixels are of, where that makes a difference
+    std::size_t at[kRowVectors];
+    std::uint32_t bits[kRowVectors];
+    void add(std::size_t i, Mask pixels) { at[count] = i, bits[count++] = bitsOf(pixels); }
+    HWY_INLINE Mask mask(std::size_t n) const { return maskOf(bits[n]); }
+};
+
 // What is seen in a row of blocks. Numbers of pixels in which nothing is seen are any, but for `triangle`.
 struct SurfaceRow {
     alignas(64) std::uint32_t triangle[kRowPixels];  // kNoTriangle where nothing is

@@ -236,10 +236,25 @@ TEST(Vectors, ShadeToTheSameBits) {
         }
 }
 
+// Lights beside, between and around the objects: points fall on every face of their cubes, and in one vector on several;
+// a polygon faces all places of an area light, some of them or none.
+TEST(Vectors, LookUpLightsAmidTheObjectsToTheSameBits) {
+    Scene scene = spheres();
+    Light& light = scene.lights[0];
+    for (const Vec3d place : {Vec3d(0, 0, 0), Vec3d(60, -40, 30), Vec3d(-150, 90, -20)})
+        for (const ShadowBias bias : {ShadowBias::Automatic, ShadowBias::Constant, ShadowBias::Slope})
+            for (const int samples : {1, 3}) {
+                light.kind = LightKind::Area, light.position = place, light.area = {{1, 2, -1}, 120, 90, samples};
+                scene.settings.shadowBias = bias, scene.settings.shadowBiasValue = 0.7;
+                scene.settings.shadowFilter = bias == ShadowBias::Constant ? 1 : 0;
+                EXPECT_TRUE(expectTheSameShading(scene, setOf({BufferId::Color, BufferId::Shadow})));
+            }
+}
+
 // Whatever the processor has: the kernels of each instruction set, of a single number too.
 TEST(Vectors, HaveTheSameBitsInEveryWidth) {
     Scene phong = spheres(), gouraud = spheres(), area = spheres();
-    area.lights[0].kind = LightKind::Area, area.lights[0].area = {{-1, -1, -1}, 80, 80, 2};
+    area.lights[0].kind = LightKind::Area, area.lights[0].area = {{-1, -1, -1}, 80, 80, 3};
     phong.objects[1].material.highlight = Highlight::Phong, phong.settings.model = Model::BlinnPhong;
     gouraud.settings.shading = Shading::Gouraud;
     std::set<int> widths;
