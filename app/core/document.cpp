@@ -7,6 +7,7 @@
 #include <QSaveFile>
 
 #include "app/core/derived_buffers.h"
+#include "app/core/freed_aside.h"
 #include "app/core/mix_model.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/scene_step.h"
@@ -28,7 +29,8 @@ Document::Document(QObject* parent) : QObject(parent) {
     m_worker = std::make_unique<FrameWorker>(
         [this](FramePtr frame, long ticket) {
             QMetaObject::invokeMethod(
-                this, [this, frame = std::move(frame), ticket] { takeFrame(frame, ticket); }, Qt::QueuedConnection);
+                this, [this, frame = freedAside(std::move(frame)), ticket] { takeFrame(frame, ticket); },
+                Qt::QueuedConnection);
         },
         [this](FramePtr frame, const FrameCheck& check) {
             QMetaObject::invokeMethod(

@@ -2,6 +2,8 @@
 
 #include <QMetaObject>
 
+#include "app/core/freed_aside.h"
+
 namespace app {
 
 OtherFrame::OtherFrame(QObject* parent) : QObject(parent) {}
@@ -15,7 +17,7 @@ void OtherFrame::request(const std::shared_ptr<const pipeline::Scene>& scene, pi
         const auto deliver = [this](pipeline::FramePtr frame, long ticket) {
             QMetaObject::invokeMethod(
                 this,
-                [this, frame = std::move(frame), ticket] {
+                [this, frame = freedAside(std::move(frame)), ticket] {
                     if (ticket < m_oldestValid) return;
                     m_frame = frame;
                     m_taken = ticket;

@@ -195,15 +195,18 @@ void BufferCanvas::setOther(std::optional<CanvasContent> other, const Wipe& wipe
 }
 
 void BufferCanvas::setWipe(const Wipe& wipe) {
+    const bool wasOther = &seen() != &m_content;
     m_wipe = wipe;
     if (!m_other) m_wipe.share = 1, m_wipe.hasHandle = false;
     update();
+    if (wasOther || &seen() != &m_content) emit seenChanged();
 }
 
 void BufferCanvas::updateAll() {
     m_base.change();
     m_otherBase.change();
     update();
+    emit seenChanged();
 }
 
 void BufferCanvas::drawBase(QPainter& painter, CanvasBase& base, const CanvasContent& content, QRect part) {

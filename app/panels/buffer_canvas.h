@@ -82,6 +82,7 @@ signals:
     void moved();              // by the user: zoomed, dragged, or fit
     void resized();            // the picture has another size, and nobody has asked for a part of it
     void wiped(double share);  // by its handle
+    void seenChanged();        // seen() is another picture
     void paintingChanged();
 
 protected:

@@ -15,6 +15,7 @@ std::shared_ptr<const ShapePicture> turned(const std::shared_ptr<const ShapePict
         turn(shape.outline.corners, height);
         shape.outline.centre = upsideDown(shape.outline.centre, height);
     }
+    for (QRectF& box : result->boxes) box.moveTop(height - box.bottom());
     for (ShapePoint& point : result->points) point.at = upsideDown(point.at, height);
     return result;
 }

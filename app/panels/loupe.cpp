@@ -17,6 +17,11 @@ Loupe::Loupe(BufferCanvas* canvas) : QWidget(canvas), m_canvas(canvas) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     resize(kPixels * kZoom + 2, kPixels * kZoom + 2);
     hide();
+    connect(m_canvas, &BufferCanvas::seenChanged, this, [this] {
+        m_base.change();
+        update();
+    });
+    connect(&m_base, &CanvasBase::painted, this, qOverload<>(&Loupe::update));
 }
 
 void Loupe::follow() {
@@ -31,17 +36,17 @@ void Loupe::follow() {
 }
 
 void Loupe::paintEvent(QPaintEvent*) {
-    const CanvasContent content = m_canvas->painted(m_canvas->content());
+    const CanvasContent& content = m_canvas->content();
     const std::optional<QPoint> centre = content.hovered ? content.hovered : content.picked;
     QPainter painter(this);
     const QRect inner = rect().adjusted(1, 1, -1, -1);
     if (centre) {
-        const QPointF middle = QPointF(*centre) + QPointF(0.5, 0.5);
+        const QPointF middle = m_canvas->toShown(QPointF(*centre) + QPointF(0.5, 0.5));
         const Placement placement{QPointF(inner.center()) + QPointF(0.5, 0.5) - middle * kZoom, kZoom};
         painter.setClipRect(inner);
-        paintCanvas(painter, m_canvas->painted(m_canvas->seen()), placement, inner, true);
+        m_base.draw(painter, m_canvas->seen(), {placement, size(), devicePixelRatio(), true, m_canvas->isFlipped()});
         painter.setClipping(false);
-        const QRectF frame(placement.toWidget(*centre), QSizeF(kZoom, kZoom));
+        const QRectF frame(placement.toWidget(middle - QPointF(0.5, 0.5)), QSizeF(kZoom, kZoom));
         painter.setPen(QPen(Qt::black, 4));
         painter.drawRect(frame);
         painter.setPen(QPen(Qt::white, 2));

@@ -1,6 +1,8 @@
 #pragma once
 #include <QWidget>
 
+#include "app/panels/canvas_base.h"
+
 namespace app {
 
 class BufferCanvas;
@@ -18,6 +20,7 @@ protected:
 
 private:
     BufferCanvas* m_canvas;
+    CanvasBase m_base;
     bool m_onLeft = false;
 };
 

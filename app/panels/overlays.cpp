@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/core/freed_aside.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "pipeline/inspect/overlay_values.h"
@@ -177,7 +178,7 @@ void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown) {
         if (isOn(OverlayId::DepthTest)) legend << depthTest(frame, content.size, content.overlays);
         const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
         if (isOn(OverlayId::Verdict) && verdicts)
-            content.verdicts = std::make_shared<const ShapePicture>(shapePicture(frame, *verdicts, {}));
+            content.verdicts = freedAside(std::make_shared<const ShapePicture>(shapePicture(frame, *verdicts, {})));
     }
     legend.removeAll(QString());
     shown.notice = legend.join("<br>");

@@ -81,20 +81,17 @@ void forEachInFront(const pipeline::Topology& topology, const ProjectedVertices&
 struct Boxed {
     std::size_t polygon;
     double left = INFINITY, top = INFINITY, right = -INFINITY, bottom = -INFINITY;
+    void add(const pipeline::Topology::Corners& corners, const ProjectedVertices& vertices) {
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const QPointF& at = vertices.places[corners[i]];
+            left = std::min(left, at.x()), right = std::max(right, at.x());
+            top = std::min(top, at.y()), bottom = std::max(bottom, at.y());
+        }
+    }
     bool reaches(const QRectF& part) const {
         return right >= part.left() && left <= part.right() && bottom >= part.top() && top <= part.bottom();
     }
 };
-Boxed boxed(std::size_t polygon, const pipeline::Topology::Corners& corners, const ProjectedVertices& vertices) {
-    Boxed box{polygon};
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const QPointF& at = vertices.places[corners[i]];
-        box.left = std::min(box.left, at.x()), box.right = std::max(box.right, at.x());
-        box.top = std::min(box.top, at.y()), box.bottom = std::max(box.bottom, at.y());
-    }
-    return box;
-}
-
 QPolygonF outlineOf(const pipeline::Topology::Corners& corners, const ProjectedVertices& vertices) {
     QPolygonF outline;
     outline.reserve(int(corners.size()));
@@ -139,7 +136,7 @@ OutlinesIn outlinesIn(const pipeline::Frame& frame) {
         std::call_once(places->once, [&] {
             places->vertices = projectVertices(places->source);
             forEachInFront(topology, vertices, [&](std::size_t p, const auto& corners) {
-                if (vertices.goesOn(p)) places->polygons.push_back(boxed(p, corners, vertices));
+                if (vertices.goesOn(p)) places->polygons.emplace_back(p).add(corners, vertices);
             });
         });
         std::vector<QPolygonF> outlines;
@@ -150,17 +147,13 @@ OutlinesIn outlinesIn(const pipeline::Frame& frame) {
 }
 
 QRectF boundsOf(const pipeline::Frame& frame, bool all) {
-    double left = INFINITY, top = INFINITY, right = -INFINITY, bottom = -INFINITY;
+    Boxed around{0};
     const ProjectedVertices vertices = projectVertices(sourceOf(frame));
     forEachInFront(frame.topology(), vertices, [&](std::size_t p, const auto& corners) {
-        if (!all && !vertices.goesOn(p)) return;
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const QPointF at = vertices.places[corners[i]];
-            left = std::min(left, at.x()), right = std::max(right, at.x());
-            top = std::min(top, at.y()), bottom = std::max(bottom, at.y());
-        }
+        if (all || vertices.goesOn(p)) around.add(corners, vertices);
     });
-    return left <= right ? QRectF(QPointF(left, top), QPointF(right, bottom)) : QRectF();
+    return around.left <= around.right ? QRectF(QPointF(around.left, around.top), QPointF(around.right, around.bottom))
+                                       : QRectF();
 }
 
 QRectF focusOn(QRectF around, QSize picture) {
@@ -179,17 +172,20 @@ std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const Selection&
         const auto corners = topology.corners(selection.index);
         return vertices.inFront(corners) ? std::vector{outlineOf(corners, vertices)} : std::vector<QPolygonF>();
     }
-    QRectF around;
+    Boxed around{0};
     bool isVertexSeen = false;
     forEachInFront(topology, vertices, [&](std::size_t p, const auto& corners) {
         if (selection.kind == Kind::Object && topology.polygonObject[p] == selection.index && vertices.goesOn(p))
-            around |= outlineOf(corners, vertices).boundingRect();
+            around.add(corners, vertices);
         for (std::size_t i = 0; selection.kind == Kind::Vertex && i < corners.size(); ++i)
             isVertexSeen = isVertexSeen || corners[i] == selection.index;
     });
     if (isVertexSeen) return {QPolygonF{vertices.places[selection.index]}};
-    if (around.isEmpty()) return {};
-    return {QPolygonF{around.topLeft(), around.topRight(), around.bottomRight(), around.bottomLeft()}};
+    if (!(around.left < around.right && around.top < around.bottom)) return {};
+    return {QPolygonF{{around.left, around.top},
+                      {around.right, around.top},
+                      {around.right, around.bottom},
+                      {around.left, around.bottom}}};
 }
 
 }  // namespace app

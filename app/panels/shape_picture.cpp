@@ -97,6 +97,8 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer,
     picture.isSmall = isSmall;
     const Domain domain = buffer.info->domain;
     std::vector<ProjectedPolygon> polygons = projectPolygons(frame);
+    picture.shapes.reserve(polygons.size());
+    picture.boxes.reserve(polygons.size());
     std::stable_sort(polygons.begin(), polygons.end(), [](const auto& a, const auto& b) {
         return std::pair(a.goesOn, -a.distance) < std::pair(b.goesOn, -b.distance);
     });
@@ -114,6 +116,7 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer,
                 shape.value = rowText(buffer, row, look.channel);
             }
         }
+        picture.boxes.push_back(shape.outline.corners.boundingRect());
         picture.shapes.push_back(std::move(shape));
     }
     if (domain != Domain::Vertex) return picture;
@@ -135,11 +138,11 @@ int nearestPolygonAt(const ShapePicture& picture, QPointF at) {
     const auto isBefore = [](const ProjectedPolygon& a, const ProjectedPolygon& b) {
         return std::pair(!a.goesOn, a.distance) < std::pair(!b.goesOn, b.distance);
     };
-    for (const Shape& shape : picture.shapes) {
-        const ProjectedPolygon& polygon = shape.outline;
+    for (std::size_t i = 0; i < picture.shapes.size(); ++i) {
+        if (!picture.boxes[i].contains(at)) continue;
+        const ProjectedPolygon& polygon = picture.shapes[i].outline;
         if (nearest && !isBefore(polygon, *nearest)) continue;
-        if (polygon.corners.boundingRect().contains(at) && polygon.corners.containsPoint(at, Qt::OddEvenFill))
-            nearest = &polygon;
+        if (polygon.corners.containsPoint(at, Qt::OddEvenFill)) nearest = &polygon;
     }
     return nearest ? nearest->polygon : -1;
 }
@@ -156,8 +159,8 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
         for (const QPointF& p : polygon) result << place(p);
         return result;
     };
-    const auto boxOf = [&](const Shape& shape) {
-        const QRectF box = shape.outline.corners.boundingRect();
+    const auto boxOf = [&](std::size_t i) {
+        const QRectF& box = picture.boxes[i];
         return QRectF(place(box.topLeft()), box.size() * zoom);
     };
     // Outlines of polygons that are hardly wider than they are would cover all that lies between them; and such
@@ -165,10 +168,11 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
     constexpr double kTiny = 3;
     const auto isTiny = [](const QRectF& box) { return std::max(box.width(), box.height()) < kTiny; };
     const QRectF near = window.adjusted(-kTiny, -kTiny, kTiny, kTiny);
-    for (const Shape& shape : picture.shapes) {
+    for (std::size_t i = 0; i < picture.shapes.size(); ++i) {
         if (stop.stop_requested()) break;
-        const QRectF box = boxOf(shape);
+        const QRectF box = boxOf(i);
         if (!isNear(box, near)) continue;
+        const Shape& shape = picture.shapes[i];
         painter.setRenderHint(QPainter::Antialiasing, !isTiny(box));
         const QPolygonF corners = placed(shape.outline.corners);
         // What culling drops stays visible through what covers it.
@@ -183,10 +187,11 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
         }
     }
     painter.setRenderHint(QPainter::Antialiasing);
-    for (const Shape& shape : picture.shapes) {
-        const QRectF box = boxOf(shape);
+    for (std::size_t i = 0; i < picture.shapes.size(); ++i) {
         if (stop.stop_requested()) break;
+        const QRectF box = boxOf(i);
         if (isTiny(box) || !isNear(box, near)) continue;
+        const Shape& shape = picture.shapes[i];
         QPen pen(shape.outline.goesOn ? c.text : c.text3, shape.outline.goesOn ? 1.5 : 1.2);
         if (!shape.outline.goesOn) pen.setDashPattern({4, 3});
         painter.setPen(pen);

@@ -27,6 +27,8 @@ struct ShapePoint {
 };
 struct ShapePicture {
     std::vector<Shape> shapes;  // in the order of drawing: farthest first, culled ones before kept ones
+    std::vector<QRectF>
+        boxes;  // around each of them, close together: all are gone through at every move of the pointer
     std::vector<ShapePoint> points;
     bool isSmall = false;  // a thumbnail: no words, small points
 };

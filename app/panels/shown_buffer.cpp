@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/core/freed_aside.h"
 #include "app/core/large_frame.h"
 #include "app/core/luminance.h"
 #include "app/core/numbers.h"
@@ -197,7 +198,7 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     content.isOfManyPolygons = isLarge(frame);
     if (standsOnShapes(info)) {
         content.size = {settings.width, settings.height};
-        content.shapes = std::make_shared<const ShapePicture>(shapePicture(frame, buffer, shown.look));
+        content.shapes = freedAside(std::make_shared<const ShapePicture>(shapePicture(frame, buffer, shown.look)));
         content.focus = focusOn(boundsOf(frame, true), content.size);
     } else {
         content.size = {int(buffer.columns()), int(buffer.rows())};

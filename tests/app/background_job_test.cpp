@@ -4,7 +4,10 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <QThreadPool>
 #include <atomic>
+
+#include "app/core/freed_aside.h"
 
 namespace app {
 namespace {
@@ -132,6 +135,27 @@ TEST(BackgroundJob, WaitedForInVainItComesLater) {
     EXPECT_EQ(result, 0);
     gate.open = true;
     EXPECT_TRUE(QTest::qWaitFor([&] { return result == 7; }, 10000));
+}
+
+// The window and a worker hold it; whichever lets go last, the window's thread does not free it.
+TEST(FreedAside, IsFreedOnAnotherThreadThanTheWindows) {
+    struct Large {
+        std::thread::id* freedOn;
+        ~Large() { *freedOn = std::this_thread::get_id(); }
+    };
+    std::thread::id freedOn{};
+    std::shared_ptr<const Large> own(new Large{&freedOn});
+    const Large* at = own.get();
+    auto shown = freedAside(std::move(own));
+    EXPECT_EQ(shown.get(), at) << "it is the same thing";
+    auto other = shown;
+    shown.reset();
+    EXPECT_EQ(freedOn, std::thread::id()) << "it is still held";
+    other.reset();
+    QThreadPool::globalInstance()->waitForDone();
+    EXPECT_NE(freedOn, std::thread::id());
+    EXPECT_NE(freedOn, std::this_thread::get_id());
+    EXPECT_FALSE(freedAside(std::shared_ptr<const Large>()));
 }
 
 }  // namespace app

@@ -12,6 +12,7 @@
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/canvas_flip.h"
+#include "app/panels/loupe.h"
 #include "app/panels/region_panel.h"
 #include "tests/support/scenes.h"
 
@@ -188,4 +189,31 @@ TEST_F(BufferMarksTest, TurnedOverThePictureKeepsItsNumbers) {
     const QRectF part(200, 250, 80, 60);
     EXPECT_EQ(twice.edges(part), canvas.content().edges(part));
     EXPECT_EQ(twice.focus, canvas.content().focus);
+}
+
+TEST_F(BufferMarksTest, TheLoupeEnlargesThePickedPixelAlsoTurnedOver) {
+    view.setShowLoupe(true);
+    document.pick(kOnPolygon2);
+    auto* loupe = view.canvas()->findChild<app::Loupe*>();
+    // Between the dot in the pixel's centre and the frame around it, which is 12 wide.
+    const auto inside = [&] { return loupe->grab().toImage().pixelColor(loupe->rect().center() + QPoint(3, 0)); };
+    const QColor expected = view.canvas()->content().image.pixelColor(kOnPolygon2.x, kOnPolygon2.y);
+    EXPECT_EQ(inside(), expected);
+    view.setFlipped(true);
+    EXPECT_EQ(inside(), expected);
+    view.setBuffer({BufferId::Color});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown()->buffer.name == view.buffer(); }, 10000));
+    EXPECT_NE(inside(), expected) << "another picture";
+    EXPECT_EQ(inside(), view.canvas()->content().image.pixelColor(kOnPolygon2.x, kOnPolygon2.y));
+}
+
+TEST_F(BufferMarksTest, ThePolygonUnderThePointerIsTheSameTurnedOver) {
+    view.setBuffer({BufferId::PolygonsVerdict});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shown()->content.shapes != nullptr; }, 10000));
+    const app::CanvasContent& content = view.shown()->content;
+    const QPointF at(kOnPolygon2.x + 0.5, kOnPolygon2.y + 0.5);
+    EXPECT_EQ(nearestPolygonAt(*content.shapes, at), 2);
+    const app::CanvasContent turned = app::upsideDown(content);
+    EXPECT_EQ(nearestPolygonAt(*turned.shapes, app::upsideDown(at, content.size.height())), 2);
+    EXPECT_EQ(nearestPolygonAt(*content.shapes, {1, 1}), -1);
 }

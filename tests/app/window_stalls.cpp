@@ -155,18 +155,34 @@ int main(int argc, char** argv) {
     using Kind = app::Selection::Kind;
     act("a polygon is selected", [&] { document.select(app::Selection{Kind::Polygon, 1000}); });
     act("an object is selected", [&] { document.select(app::Selection{Kind::Object, 0}); });
+    act("... and the camera's angle dragged", [&] { changeLive(document, "camera.fov"); });
     act("a vertex is selected", [&] { document.select(app::Selection{Kind::Vertex, 1000}); });
     act("nothing is selected", [&] { document.select({}); });
     for (const char* name : {"depth", "z_view", "overdraw", "polygon_id", "normal", "n_dot_l.0", "polygons.verdict"})
         if (const auto buffer = pipeline::findBuffer(name))
             act(qPrintable(QString("the view shows %1").arg(name)), [&] { window.views().showBuffer(*buffer); });
-    window.views().showBuffer({pipeline::BufferId::Color});
+    act("the pointer moves over its polygons", [&] { drag(canvas, Qt::NoButton, {}); });
+    act("... under the loupe", [&] {
+        window.views().first().setShowLoupe(true);
+        drag(canvas, Qt::NoButton, {});
+    });
+    act("the loupe is over the frame buffer", [&] {
+        window.views().showBuffer({pipeline::BufferId::Color});
+        drag(canvas, Qt::NoButton, {});
+    });
+    window.views().first().setShowLoupe(false);
     app::BufferView& view = window.views().first();
     act("it is compared with the stage before", [&] {
         view.compare().compareWith(app::OtherSource{.kind = app::OtherSource::Kind::PreviousStage});
         view.compare().setMode(app::CompareMode::Wipe);
     });
     act("... and the camera's angle dragged", [&] { changeLive(document, "camera.fov"); });
+    act("... over a buffer of polygons", [&] {
+        window.views().showBuffer({pipeline::BufferId::PolygonsVerdict});
+        QTest::qWait(2000);
+        changeLive(document, "camera.fov");
+    });
+    act("... which is left", [&] { window.views().showBuffer({pipeline::BufferId::Color}); });
     view.compare().compareWith({});
     act("the whole picture is a region", [&] { view.setRegion(app::Region{{0, 0}, {1919, 1079}}); });
     act("... and the camera's angle dragged", [&] { changeLive(document, "camera.fov"); });
