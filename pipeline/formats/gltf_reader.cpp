@@ -249,6 +249,15 @@ private:
 }  // namespace
 
 Result<LoadedModel> readGltf(const SourceText& source, const FileLoader& load) {
+    if (source.tail) {
+        const Result<std::string> text = wholeText(source);
+        if (!text) {
+            Error error = text.errors().front();
+            error.where.file = source.name;
+            return error;
+        }
+        return readGltf({*text, source.name, source.progress}, load);
+    }
     Result<GltfFile> parsed = parseGltf(source);
     if (!parsed) return parsed.errors();
     GltfFile file = std::move(parsed).value();

@@ -18,16 +18,48 @@ LineScanner::LineScanner(std::string_view text, std::string file, Errors& errors
     if (text.starts_with(kByteOrderMark)) m_next = kByteOrderMark.size();
 }
 
+LineScanner::LineScanner(ByteWindow& window, std::string file, Errors& errors, ReadProgress progress)
+    : LineScanner(window.view(), std::move(file), errors, {}) {
+    m_window = &window;
+    m_before = window.begin();
+    m_meter = ReadMeter(window.size(), m_file, std::move(progress));
+}
+
+// What comes before the next line is not asked for any more.
+bool LineScanner::readOn() {
+    if (!m_window || !m_window->readOn(m_before + std::min(m_next, m_text.size()))) return false;
+    m_next -= m_window->begin() - m_before;
+    m_before = m_window->begin(), m_text = m_window->view();
+    m_newline = 0;
+    return true;
+}
+
 bool LineScanner::nextLine() {
-    if (m_errors.size() >= kMaxErrors || !m_meter.goesOn(std::min(m_next, m_text.size()), m_errors)) return false;
+    if (m_errors.size() >= kMaxErrors) return false;
+    if (!m_meter.goesOn(m_before + std::min(m_next, m_text.size()), m_errors)) return false;
+    do {
+        // A text whose lines all end with CR is searched for LF once.
+        if (m_newline < m_next || m_newline == 0) m_newline = std::min(m_text.find('\n', m_next), m_text.size());
+        const std::string_view line = m_text.substr(std::min(m_next, m_text.size()), m_newline - m_next);
+        m_lineEnd = m_next + std::min(line.find('\r'), line.size());
+        // A line that ends with the piece may go on in the next one; so may CR LF.
+    } while (m_lineEnd + 1 >= m_text.size() && readOn());
     if (m_next >= m_text.size()) return false;
     m_lineBegin = m_begin = m_end = m_next;
     m_line = m_nextLine++;
-    // A text whose lines all end with CR is searched for LF once.
-    if (m_newline < m_next || m_line == 1) m_newline = std::min(m_text.find('\n', m_next), m_text.size());
-    m_lineEnd = m_next + std::min(m_text.substr(m_next, m_newline - m_next).find('\r'), m_newline - m_next);
+    if (m_lineEnd - m_lineBegin >= kMaxFileBytes) {
+        fail("found a line of more than " + groupedDigits(kMaxFileBytes) + " bytes");
+        return false;
+    }
     m_next = m_lineEnd + (m_text.substr(m_lineEnd, 2) == "\r\n" ? 2 : 1);
     return true;
+}
+
+// Where a continued line goes on in a piece of the file that is not read yet, it ends for the one who looks ahead.
+std::string_view LineScanner::peek() const {
+    LineScanner ahead(*this);
+    ahead.m_window = nullptr;
+    return ahead.next();
 }
 
 std::string_view LineScanner::next() {

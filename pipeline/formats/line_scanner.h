@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "pipeline/core/result.h"
+#include "pipeline/formats/byte_window.h"
 #include "pipeline/formats/read_progress.h"
 #include "pipeline/scene/mesh.h"
 
@@ -16,27 +17,37 @@ class LineScanner {
 public:
     // Errors are appended to `errors` until there are kMaxErrors. `text` must outlive the scanner.
     LineScanner(std::string_view text, std::string file, Errors& errors, ReadProgress progress = {});
+    // Of a file's text from the window's beginning on. It reads on there, so that what next and rest gave is gone once
+    // nextLine is called, or next at the end of a line that is continued.
+    LineScanner(ByteWindow& window, std::string file, Errors& errors, ReadProgress progress = {});
 
     // Goes to the next line; false at the end of the text, when there are enough errors, or when reading was given up.
     bool nextLine();
     // The next word of this line; empty at its end.
     std::string_view next();
+    // The same without going there.
+    std::string_view peek() const;
     // The rest of this line without white space at its ends: names may hold spaces.
     std::string_view rest();
 
     // Of the word read last.
     TextPosition place() const;
     int line() const { return m_line; }
-    // Bytes before what follows the word read last, and before the next line.
-    std::size_t at() const { return m_end; }
-    std::size_t nextLineAt() const { return m_next; }
+    // Bytes of the text before what follows the word read last, and before the next line.
+    std::size_t at() const { return m_before + m_end; }
+    std::size_t nextLineAt() const { return m_before + m_next; }
 
     // Reports the word read last, or the end of the line: found "x4", expected what.
     void refuse(std::string expected);
     void fail(std::string found, std::string expected = {});
 
 private:
-    std::string_view m_text;
+    LineScanner(const LineScanner&) = default;
+    bool readOn();
+
+    ByteWindow* m_window = nullptr;  // null: all of the text is here
+    std::string_view m_text;         // places count from its beginning
+    std::size_t m_before = 0;        // bytes before it
     std::string m_file;
     Errors& m_errors;
     ReadMeter m_meter;

@@ -34,10 +34,6 @@ bool isModel(std::string_view extension) { return findModelFormat(extension) != 
 Result<LoadedModel> readModel(const SourceText& source, std::string_view extension, const FileLoader& load) {
     const ModelFormat* format = findModelFormat(extension);
     if (!format) return Error{{source.name, 0, 0}, "found no model", {}};
-    if (source.text.size() > kMaxFileBytes)
-        return Error{{source.name, 0, 0},
-                     "the file is larger than " + groupedDigits(kMaxFileBytes) + " bytes",
-                     "a smaller file"};
     try {
         Result<LoadedModel> model = format->read(source, load);
         if (model && model->objects.empty())

@@ -22,12 +22,12 @@ std::optional<double> coefficient(LineScanner& scanner, std::string_view what) {
 // One number stands for all three. "spectral" and "xyz" say a colour in a way that few programs
 // write; it is left as it was.
 void readColor(LineScanner& scanner, std::string_view what, Vec3d& color) {
-    const std::string_view word = LineScanner(scanner).next();
+    const std::string_view word = scanner.peek();
     if (word == "spectral" || word == "xyz") return;
     const std::optional<double> red = coefficient(scanner, what);
     if (!red) return;
     color = Vec3d(*red);
-    if (LineScanner(scanner).next().empty()) return;
+    if (scanner.peek().empty()) return;
     const std::optional<double> green = coefficient(scanner, what), blue = coefficient(scanner, what);
     if (green && blue) color = Vec3d(*red, *green, *blue);
 }
@@ -35,7 +35,7 @@ void readColor(LineScanner& scanner, std::string_view what, Vec3d& color) {
 // d is the opacity, Tr what it lacks to 1. Writers disagree on Tr: where a file gives both, d counts.
 // "-halo" makes a surface clearer where it is seen from the front, which few programs write; it is left as it was.
 void readOpacity(LineScanner& scanner, std::string_view what, double& alpha, bool& given) {
-    if (LineScanner(scanner).next() == "-halo") return;
+    if (scanner.peek() == "-halo") return;
     const std::optional<double> value = coefficient(scanner, what);
     if (!value || (what == "Tr" && given)) return;
     alpha = what == "d" ? *value : 1 - *value;
@@ -45,7 +45,8 @@ void readOpacity(LineScanner& scanner, std::string_view what, double& alpha, boo
 }  // namespace
 
 void readMtl(const SourceText& source, std::vector<NamedMaterial>& materials, Errors& errors) {
-    LineScanner scanner(source.text, source.name, errors, source.progress);
+    ByteWindow window(source);
+    LineScanner scanner(window, source.name, errors, source.progress);
     NamedMaterial* current = nullptr;
     bool ambientGiven = false, opacityGiven = false;
     while (scanner.nextLine()) {

@@ -22,13 +22,18 @@ struct Corner {
     std::uint32_t position, normal;
 };
 
+struct Faces {
+    std::vector<Corner> corners;
+    std::vector<std::uint32_t> firstCorner{0};
+    std::vector<TextPosition> places;
+    void shrink() { places.shrink_to_fit(), firstCorner.shrink_to_fit(), corners.shrink_to_fit(); }
+};
+
 // Faces of one `o` with one material.
 struct Group {
     std::size_t object = 0;  // counts the `o` lines
     std::string name, material;
-    std::vector<Corner> corners;
-    std::vector<std::uint32_t> firstCorner{0};
-    std::vector<TextPosition> places;
+    Faces faces;
 };
 
 struct ObjFile {
@@ -58,7 +63,8 @@ public:
         : m_source(source),
           m_load(load),
           m_errors(errors),
-          m_scanner(source.text, source.name, errors, source.progress) {
+          m_window(source),
+          m_scanner(m_window, source.name, errors, source.progress) {
         m_objectName = stemOf(source.name);
     }
 
@@ -118,31 +124,31 @@ private:
 
     void readFace() {
         const TextPosition place = m_scanner.place();
-        Group& group = currentGroup();
-        const std::size_t first = group.corners.size();
+        Faces& faces = currentGroup().faces;
+        const std::size_t first = faces.corners.size();
         std::size_t written = 0;
         for (std::string_view word = m_scanner.next(); !word.empty(); word = m_scanner.next(), ++written) {
             const std::optional<Corner> corner = readCorner(word);
             if (!corner) {
-                group.corners.resize(first);
+                faces.corners.resize(first);
                 return;
             }
-            group.corners.push_back(*corner);
+            faces.corners.push_back(*corner);
         }
         if (written < 3) {
             m_scanner.refuse("at least three corners in a face");
-            group.corners.resize(first);
+            faces.corners.resize(first);
             return;
         }
-        group.firstCorner.push_back(static_cast<std::uint32_t>(group.corners.size()));
-        group.places.push_back(place);
+        faces.firstCorner.push_back(static_cast<std::uint32_t>(faces.corners.size()));
+        faces.places.push_back(place);
     }
 
     Group& currentGroup() {
         if (m_group == kNone) {
             const auto [found, isNew] =
                 m_groupOf.try_emplace({m_object, m_material}, static_cast<std::uint32_t>(m_file.groups.size()));
-            if (isNew) m_file.groups.push_back({m_object, m_objectName, m_material, {}, {0}, {}});
+            if (isNew) m_file.groups.push_back({m_object, m_objectName, m_material, {}});
             m_group = found->second;
         }
         return m_file.groups[m_group];
@@ -182,7 +188,7 @@ private:
         const Result<NamedFile> file = m_load(name);
         if (!file) return file.errors();
         const std::size_t known = m_file.materials.size();
-        readMtl({file->text, file->path, m_source.progress}, m_file.materials, m_errors);
+        readMtl({file->text, file->path, m_source.progress, file->tail}, m_file.materials, m_errors);
         for (std::size_t i = known; i < m_file.materials.size(); ++i)
             m_file.materialOf.try_emplace(m_file.materials[i].name, i);
         return {};
@@ -191,6 +197,7 @@ private:
     const SourceText& m_source;
     const FileLoader& m_load;
     Errors& m_errors;
+    ByteWindow m_window;
     LineScanner m_scanner;
     ObjFile m_file;
     std::string m_objectName, m_material;
@@ -205,19 +212,24 @@ class MeshMaker {
 public:
     explicit MeshMaker(const ObjFile& file) : m_file(file), m_first(file.positions.size(), kNone) {}
 
-    Mesh meshOf(const Group& group) {
-        const bool hasNormals = std::ranges::find(group.corners, kNone, &Corner::normal) == group.corners.end();
+    Mesh meshOf(const Faces& faces) {
+        const bool hasNormals = std::ranges::find(faces.corners, kNone, &Corner::normal) == faces.corners.end();
         m_mesh = {}, m_cornerOf.clear(), m_others.clear();
+        m_mesh.corners.reserve(faces.corners.size()), m_mesh.firstCorner.reserve(faces.firstCorner.size());
+        m_mesh.polygonPlaces.reserve(faces.places.size());
+        const std::size_t most = std::min(m_file.positions.size(), faces.corners.size());
+        m_mesh.positions.reserve(most), m_cornerOf.reserve(most);
         std::vector<std::uint32_t> polygon;
-        for (std::size_t i = 0; i + 1 < group.firstCorner.size(); ++i) {
+        for (std::size_t i = 0; i + 1 < faces.firstCorner.size(); ++i) {
             polygon.clear();
-            for (std::size_t k = group.firstCorner[i]; k < group.firstCorner[i + 1]; ++k) {
-                const Corner& corner = group.corners[k];
+            for (std::size_t k = faces.firstCorner[i]; k < faces.firstCorner[i + 1]; ++k) {
+                const Corner& corner = faces.corners[k];
                 polygon.push_back(vertex({corner.position, hasNormals ? corner.normal : kNone}));
             }
-            addPolygon(m_mesh, polygon, group.places[i]);
+            addPolygon(m_mesh, polygon, faces.places[i]);
         }
         for (const Corner& corner : m_cornerOf) m_first[corner.position] = kNone;
+        m_mesh.positions.shrink_to_fit();
         return std::move(m_mesh);
     }
 
@@ -245,6 +257,20 @@ private:
     Mesh m_mesh;
 };
 
+// Of each group. What the file's lists hold of it is gone then: at most twice the meshes are in memory at any time.
+std::vector<Mesh> meshesOf(ObjFile& file) {
+    file.positions.shrink_to_fit(), file.normals.shrink_to_fit();
+    for (Group& group : file.groups) group.faces.shrink();
+    std::vector<Mesh> meshes;
+    MeshMaker maker(file);
+    for (Group& group : file.groups) {
+        meshes.push_back(maker.meshOf(group.faces));
+        group.faces = Faces();
+    }
+    file.positions = std::vector<Vec3d>(), file.normals = std::vector<Vec3d>();
+    return meshes;
+}
+
 }  // namespace
 
 Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
@@ -253,17 +279,16 @@ Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
     if (!errors.empty()) return errors;
     std::map<std::size_t, int> groupsOf;
     for (const Group& group : file.groups) ++groupsOf[group.object];
+    std::vector<Mesh> meshes = meshesOf(file);
     LoadedModel model;
-    MeshMaker maker(file);
-    for (Group& group : file.groups) {
-        Mesh mesh = maker.meshOf(group);
-        group.corners = {}, group.firstCorner = {}, group.places = {};  // room for what is derived
-        if (mesh.polygonCount() == 0) continue;
-        mesh.file = fileNameOf(source.name);
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const Group& group = file.groups[i];
+        if (meshes[i].polygonCount() == 0) continue;
+        meshes[i].file = fileNameOf(source.name);
         Object& object = model.objects.emplace_back();
         object.name = group.name;
         if (groupsOf[group.object] > 1) object.name += ", " + shownName(group.material, "no material");
-        object.mesh = makeMesh(std::move(mesh));
+        object.mesh = makeMesh(std::move(meshes[i]));
         const auto material = file.materialOf.find(group.material);
         if (material != file.materialOf.end()) object.material = file.materials[material->second].material;
     }

@@ -55,8 +55,7 @@ PlyType readType(LineScanner& scanner, bool whole) {
 
 void readProperty(LineScanner& scanner, PlyElement& element) {
     PlyProperty property;
-    LineScanner ahead(scanner);
-    property.isList = ahead.next() == "list";
+    property.isList = scanner.peek() == "list";
     if (property.isList) {
         scanner.next();
         property.countType = readType(scanner, true);

@@ -17,14 +17,14 @@ namespace {
 // The numbers after the header, whatever form they are written in.
 class PlyBody {
 public:
-    PlyBody(const SourceText& source, PlyForm form, LineScanner& scanner, Errors& errors)
-        : m_source(source),
+    PlyBody(const SourceText& source, ByteWindow& bytes, PlyForm form, LineScanner& scanner, Errors& errors)
+        : m_name(source.name),
+          m_bytes(bytes),
           m_form(form),
           m_scanner(scanner),
           m_errors(errors),
-          m_meter(source.text.size(), source.name, source.progress) {
-        m_at = std::min(scanner.nextLineAt(), source.text.size());
-    }
+          m_meter(bytes.size(), source.name, source.progress),
+          m_at(std::min(scanner.nextLineAt(), bytes.size())) {}
 
     // In text form the scanner tells.
     bool goesOn() { return isText() || m_meter.goesOn(m_at, m_errors); }
@@ -33,7 +33,7 @@ public:
 
     // Whether the rest of the file has room for so many rows of at least so many words and bytes.
     bool hasRoom(std::size_t rows, std::size_t words, std::size_t bytes) const {
-        const std::size_t left = m_source.text.size() - std::min(m_at, m_source.text.size());
+        const std::size_t left = m_bytes.size() - std::min(m_at, m_bytes.size());
         // A word and what parts it from the next take two bytes.
         return isText() ? rows <= (left + 1) / (2 * words) : rows <= left / bytes;
     }
@@ -41,8 +41,8 @@ public:
     // Nothing where the file ends or a word is no number; that is reported.
     std::optional<double> next(PlyType type, std::string_view what) {
         if (isText()) return nextWord(what);
-        if (!hasBytes(m_source.text, m_at, byteCount(type))) {
-            fail(fmt::format("the file ends after {} bytes", groupedDigits(m_source.text.size())), std::string(what));
+        if (!m_bytes.has(m_at, byteCount(type))) {
+            fail(fmt::format("the file ends after {} bytes", groupedDigits(m_bytes.size())), std::string(what));
             return {};
         }
         m_valueAt = m_at;
@@ -56,8 +56,7 @@ public:
         fail(fmt::format("found {} at byte {}", shortestText(m_value), groupedDigits(m_valueAt)), std::move(expected));
     }
     void fail(std::string found, std::string expected) {
-        if (m_errors.size() < kMaxErrors)
-            m_errors.push_back({{m_source.name, 0, 0}, std::move(found), std::move(expected)});
+        if (m_errors.size() < kMaxErrors) m_errors.push_back({{m_name, 0, 0}, std::move(found), std::move(expected)});
     }
     // The line suffices: a row is one, and counting columns would take quadratic time where it is not.
     TextPosition place() const { return isText() ? TextPosition{m_scanner.line(), 1} : TextPosition{}; }
@@ -78,26 +77,28 @@ private:
     }
 
     double read(PlyType type) const {
+        const std::string_view bytes = m_bytes.view().substr(m_valueAt - m_bytes.begin());
         const std::endian order = m_form == PlyForm::BigEndian ? std::endian::big : std::endian::little;
         switch (type) {
-            case PlyType::Int8: return numberAt<std::int8_t>(m_source.text, m_valueAt);
-            case PlyType::Uint8: return numberAt<std::uint8_t>(m_source.text, m_valueAt);
-            case PlyType::Int16: return numberAt<std::int16_t>(m_source.text, m_valueAt, order);
-            case PlyType::Uint16: return numberAt<std::uint16_t>(m_source.text, m_valueAt, order);
-            case PlyType::Int32: return numberAt<std::int32_t>(m_source.text, m_valueAt, order);
-            case PlyType::Uint32: return numberAt<std::uint32_t>(m_source.text, m_valueAt, order);
-            case PlyType::Float: return numberAt<float>(m_source.text, m_valueAt, order);
-            case PlyType::Double: return numberAt<double>(m_source.text, m_valueAt, order);
+            case PlyType::Int8: return numberAt<std::int8_t>(bytes, 0);
+            case PlyType::Uint8: return numberAt<std::uint8_t>(bytes, 0);
+            case PlyType::Int16: return numberAt<std::int16_t>(bytes, 0, order);
+            case PlyType::Uint16: return numberAt<std::uint16_t>(bytes, 0, order);
+            case PlyType::Int32: return numberAt<std::int32_t>(bytes, 0, order);
+            case PlyType::Uint32: return numberAt<std::uint32_t>(bytes, 0, order);
+            case PlyType::Float: return numberAt<float>(bytes, 0, order);
+            case PlyType::Double: return numberAt<double>(bytes, 0, order);
         }
         return 0;
     }
 
-    const SourceText& m_source;
+    const std::string& m_name;
+    ByteWindow& m_bytes;
     PlyForm m_form;
     LineScanner& m_scanner;
     Errors& m_errors;
     ReadMeter m_meter;
-    std::size_t m_at = 0;  // the next byte
+    std::size_t m_at;  // the next byte
     std::size_t m_valueAt = 0;
     double m_value = 0;
 };
@@ -198,12 +199,13 @@ void readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, 
 
 Result<LoadedModel> readPly(const SourceText& source, const FileLoader&) {
     Errors errors;
-    LineScanner scanner(source.text, source.name, errors, source.progress);
+    ByteWindow bytes(source);
+    LineScanner scanner(bytes, source.name, errors, source.progress);
     const PlyHeader header = readPlyHeader(scanner);
     if (!errors.empty()) return errors;
     Mesh mesh;
-    PlyBody body(source, header.form, scanner, errors);
-    readElements(body, header, source.text.size(), mesh);
+    PlyBody body(source, bytes, header.form, scanner, errors);
+    readElements(body, header, bytes.size(), mesh);
     if (!errors.empty()) return errors;
     LoadedModel model;
     if (mesh.polygonCount() == 0) return model;

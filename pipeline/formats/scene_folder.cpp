@@ -4,6 +4,7 @@
 #include <fstream>
 #include <memory>
 
+#include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/text_scanner.h"
 
 namespace pipeline {
@@ -13,28 +14,54 @@ namespace fs = std::filesystem;
 
 Error noPlace(std::string found, std::string expected = {}) { return {{}, std::move(found), std::move(expected)}; }
 
-// Reads up to `count` bytes. The size that the file system reports is a guess: a file may grow, and some have none.
-Result<std::string> readBytes(const fs::path& file, std::size_t count) {
+Error tooLarge(std::size_t limit) {
+    return noPlace("the file is larger than " + groupedDigits(limit) + " bytes", "a smaller file");
+}
+
+struct OpenFile {
+    std::ifstream stream;
+    std::size_t size = 0;  // what the file system reports, a guess: a file may grow, and some have none
+};
+Result<OpenFile> open(const fs::path& file) {
     std::error_code ignored;  // a file that cannot be looked at is not a regular one
     const fs::file_status status = fs::status(file, ignored);
     if (status.type() == fs::file_type::not_found) return noPlace("no such file");
     if (fs::is_directory(status)) return noPlace("this is a folder", "a file");
     if (!fs::is_regular_file(status)) return noPlace("this is not a regular file", "a file");
 
-    std::ifstream stream(file, std::ios::binary);
-    std::string text;
+    OpenFile opened{std::ifstream(file, std::ios::binary)};
+    if (!opened.stream.is_open()) return noPlace("the file cannot be read");
     const std::uintmax_t size = fs::file_size(file, ignored);
-    if (!ignored) text.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, count)) + 1);
-    while (stream && text.size() < count) {
+    if (!ignored) opened.size = static_cast<std::size_t>(size);
+    return opened;
+}
+
+// Appends up to `count` bytes.
+void append(std::ifstream& stream, std::size_t count, std::string& text) {
+    const std::size_t end = text.size() + count;
+    while (stream && text.size() < end) {
         const std::size_t before = text.size();
         const std::size_t step =
-            std::min(count - before, std::max({before, text.capacity() - before, std::size_t{64 * 1024}}));
+            std::min(end - before, std::max({before, text.capacity() - before, std::size_t{64 * 1024}}));
         text.resize(before + step);
         stream.read(text.data() + before, static_cast<std::streamsize>(step));
         text.resize(before + static_cast<std::size_t>(stream.gcount()));
     }
-    if (stream.bad() || !stream.is_open()) return noPlace("the file cannot be read");
+}
+
+// Its first bytes, at most `count`; the stream stands after them.
+Result<std::string> readFrom(OpenFile& file, std::size_t count) {
+    std::string text;
+    text.reserve(std::min(file.size, count) + 1);
+    append(file.stream, count, text);
+    if (file.stream.bad()) return noPlace("the file cannot be read");
     return text;
+}
+Result<std::string> readBytes(const fs::path& file, std::size_t count) {
+    Result<OpenFile> opened = open(file);
+    if (!opened) return opened.errors();
+    OpenFile from = std::move(opened).value();
+    return readFrom(from, count);
 }
 
 // Whether all components of `folder` begin `path`; "/a/bc" is not below "/a/b".
@@ -59,12 +86,36 @@ Result<fs::path> resolve(const fs::path& folder, std::string_view name) {
 
 Result<std::string> readFile(const fs::path& file, std::size_t limit) {
     Result<std::string> text = readBytes(file, limit + 1);
-    if (text && text->size() > limit)
-        return noPlace("the file is larger than " + groupedDigits(limit) + " bytes", "a smaller file");
+    if (text && text->size() > limit) return tooLarge(limit);
+    return text;
+}
+
+Result<std::string> wholeText(const SourceText& source) {
+    std::string text(source.text);
+    if (source.tail) source.tail->read(text, kMaxFileBytes + 1 - text.size());
+    if (text.size() > kMaxFileBytes) return tooLarge(kMaxFileBytes);
     return text;
 }
 
 Result<std::string> readStart(const fs::path& file, std::size_t count) { return readBytes(file, count); }
+
+Result<NamedFile> openFile(const fs::path& file) {
+    Result<OpenFile> opened = open(file);
+    if (!opened) return opened.errors();
+    OpenFile from = std::move(opened).value();
+    Result<std::string> start = readFrom(from, kFileStart);
+    if (!start) return start.errors();
+    NamedFile out{std::move(start).value(), file.string()};
+    if (out.text.size() == kFileStart)
+        out.tail = std::make_shared<FileTail>(std::move(from.stream), std::max(from.size, kFileStart) - kFileStart);
+    return out;
+}
+
+bool FileTail::read(std::string& to, std::size_t count) {
+    const std::size_t before = to.size();
+    append(m_stream, count, to);
+    return to.size() == before + count;
+}
 
 FileLoader filesBeside(const fs::path& scene) {
     const fs::path shown = scene.parent_path();
@@ -72,14 +123,22 @@ FileLoader filesBeside(const fs::path& scene) {
     return [shown, folder, left = kMaxSceneBytes](std::string_view name) mutable -> Result<NamedFile> {
         const Result<fs::path> path = resolve(folder, name);
         if (!path) return path.errors();
-        Result<std::string> text = readFile(*path, std::min(left, kMaxFileBytes));
-        if (!text) {
-            Error error = text.errors().front();
+        const auto named = [&](Error error) {
             error.found = quotedInput(name) + ": " + error.found;
             return error;
+        };
+        const std::string path_ = (shown / name).string();
+        if (isModel(path->extension().string())) {
+            Result<NamedFile> model = openFile(*path);
+            if (!model) return named(model.errors().front());
+            NamedFile opened = std::move(model).value();
+            opened.path = path_;
+            return opened;
         }
+        Result<std::string> text = readFile(*path, std::min(left, kMaxFileBytes));
+        if (!text) return named(text.errors().front());
         left -= text->size();
-        return NamedFile{std::move(text).value(), (shown / name).string()};
+        return NamedFile{std::move(text).value(), path_};
     };
 }
 

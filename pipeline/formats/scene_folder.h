@@ -1,7 +1,9 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -10,14 +12,30 @@
 
 namespace pipeline {
 
-inline constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;  // one file
-inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 30;   // all files that a scene names
+inline constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;  // one file that is in memory as a whole
+inline constexpr std::size_t kFileStart = 64 * 1024;                  // what tells a format, and a model begins with
+inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 30;   // all of these that a scene names
 
-// A text in memory, with the name that it has in messages.
+// What follows the beginning of a file, read piece by piece.
+class FileTail {
+public:
+    // size: how many bytes there should be; the file may have grown or shrunk meanwhile.
+    FileTail(std::ifstream stream, std::size_t size) : m_stream(std::move(stream)), m_size(size) {}
+    std::size_t size() const { return m_size; }
+    // Appends up to `count` bytes; false where these are the last.
+    bool read(std::string& to, std::size_t count);
+
+private:
+    std::ifstream m_stream;
+    std::size_t m_size;
+};
+
+// A text in memory, with the name that it has in messages. Of a model `text` may be the beginning, and `tail` the rest.
 struct SourceText {
     std::string_view text;
     std::string name;
     ReadProgress progress = {};
+    std::shared_ptr<FileTail> tail = nullptr;
 };
 
 // A file that a scene names, or why there is none; the error's place is left to the caller,
@@ -25,6 +43,7 @@ struct SourceText {
 struct NamedFile {
     std::string text;
     std::string path;
+    std::shared_ptr<FileTail> tail = nullptr;  // of a model, as in SourceText
 };
 using FileLoader = std::function<Result<NamedFile>(std::string_view name)>;
 
@@ -32,8 +51,13 @@ using FileLoader = std::function<Result<NamedFile>(std::string_view name)>;
 Result<std::string> readFile(const std::filesystem::path& file, std::size_t limit = kMaxFileBytes);
 // Its first bytes, at most `count`, under the same rules.
 Result<std::string> readStart(const std::filesystem::path& file, std::size_t count);
+// Its first bytes, and the rest where it is larger: for what is read piece by piece, of any size.
+Result<NamedFile> openFile(const std::filesystem::path& file);
 
-// Loads files of the folder that `scene` stands in, or of folders below it. A name that leads
+// The whole text of a source, of at most kMaxFileBytes.
+Result<std::string> wholeText(const SourceText& source);
+
+// Loads files of the folder that `scene` stands in, or of folders below it; models as openFile does. A name that leads
 // out of the folder, be it by "..", by an absolute path or by a symbolic link, is refused.
 FileLoader filesBeside(const std::filesystem::path& scene);
 

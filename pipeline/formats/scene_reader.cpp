@@ -10,8 +10,6 @@
 namespace pipeline {
 namespace {
 
-constexpr std::size_t kStart = 64 * 1024;  // bytes that tell the format
-
 Errors inFile(Errors errors, const std::string& file) {
     for (Error& error : errors)
         if (error.where.file.empty()) error.where.file = file;
@@ -28,13 +26,17 @@ Error refused(SourceLocation where, std::string found) { return {std::move(where
 
 Result<Scene> readUnchecked(const std::filesystem::path& file, const ReadProgress& progress) {
     const std::string name = file.string();
-    Result<std::string> text = readStart(file, kStart);
-    if (!text) return text.errors();
-    const Format* format = findFormat(*text, file.extension().string());
+    const Result<NamedFile> opened = openFile(file);
+    if (!opened) return opened.errors();
+    const std::string& start = opened->text;
+    const Format* format = findFormat(start, file.extension().string());
     if (!format) return refused({name, 0, 0}, "found no scene");
-    if (!isModel(format->extension) && !format->looksLike(*text) && beginsWithEndlessWord(*text))
+    if (isModel(file.extension().string()))
+        return format->read({start, name, progress, opened->tail}, filesBeside(file));
+    if (!format->looksLike(start) && beginsWithEndlessWord(start))
         return refused({name, 1, 1}, "found a word of more than " + groupedDigits(kMaxWord) + " bytes");
-    if (text->size() == kStart) text = readFile(file);
+    if (!opened->tail) return format->read({start, name, progress}, filesBeside(file));
+    const Result<std::string> text = readFile(file);
     if (!text) return text.errors();
     return format->read({*text, name, progress}, filesBeside(file));
 }

@@ -54,12 +54,12 @@ void addObject(WeldedMesh& welded, const SourceText& source, std::string name, s
 }
 
 Result<LoadedModel> readBinary(const SourceText& source) {
-    const std::string_view bytes = source.text;
+    ByteWindow bytes(source);
     if (bytes.size() < kFirstFacet)
         return Error{{source.name, 0, 0},
                      fmt::format("the file ends after {} bytes", bytes.size()),
                      "an STL file: \"solid\", or 84 bytes before the first facet"};
-    const std::size_t count = numberAt<std::uint32_t>(bytes, kHeader);
+    const std::size_t count = numberAt<std::uint32_t>(source.text, kHeader);
     if (count > (bytes.size() - kFirstFacet) / kFacet)
         return Error{{source.name, 0, 0},
                      fmt::format("{} facets announced, the file ends after {} bytes", groupedDigits(count),
@@ -69,14 +69,17 @@ Result<LoadedModel> readBinary(const SourceText& source) {
     WeldedMesh welded;
     ReadMeter meter(bytes.size(), source.name, source.progress);
     for (std::size_t i = 0; i < count && errors.size() < kMaxErrors; ++i) {
+        const std::size_t facet = kFirstFacet + i * kFacet;
         if (!meter.goesOn(i * kFacet, errors)) break;
+        if (!bytes.has(facet, kFacet))
+            return Error{{source.name, 0, 0}, fmt::format("the file ends after {} bytes", groupedDigits(bytes.size()))};
         std::array<std::uint32_t, 3> corners{};
         for (std::size_t k = 0; k < 3; ++k) {
             std::array<double, 3> p{};
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 // The facet's normal comes first, 12 bytes.
-                const std::size_t at = kFirstFacet + i * kFacet + 12 + k * 12 + axis * 4;
-                p[axis] = numberAt<float>(bytes, at);
+                const std::size_t at = facet + 12 + k * 12 + axis * 4;
+                p[axis] = numberAt<float>(bytes.view(), at - bytes.begin());
                 if (isCoordinate(p[axis])) continue;
                 errors.push_back({{source.name, 0, 0},
                                   fmt::format("facet {}, corner {}: {} is {} at byte {}", i, k, "xyz"[axis],
@@ -112,7 +115,8 @@ std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedMesh& welded
 
 Result<LoadedModel> readText(const SourceText& source) {
     Errors errors;
-    LineScanner scanner(source.text, source.name, errors, source.progress);
+    ByteWindow window(source);
+    LineScanner scanner(window, source.name, errors, source.progress);
     LoadedModel model;
     std::string name = stemOf(source.name);
     WeldedMesh welded;
@@ -149,10 +153,12 @@ Result<LoadedModel> readText(const SourceText& source) {
 }
 
 // Some programs begin a binary file with "solid" as well; its size gives it away.
-bool isBinary(std::string_view bytes) {
-    const bool hasSize = bytes.size() >= kFirstFacet &&
-                         (bytes.size() - kFirstFacet) / kFacet == numberAt<std::uint32_t>(bytes, kHeader) &&
-                         (bytes.size() - kFirstFacet) % kFacet == 0;
+bool isBinary(const SourceText& source) {
+    const std::string_view bytes = source.text;
+    const std::size_t size = ByteWindow(source).size();
+    const bool hasSize = size >= kFirstFacet &&
+                         (size - kFirstFacet) / kFacet == numberAt<std::uint32_t>(bytes, kHeader) &&
+                         (size - kFirstFacet) % kFacet == 0;
     Errors none;
     LineScanner scanner(bytes, {}, none);
     std::string_view word;
@@ -163,7 +169,7 @@ bool isBinary(std::string_view bytes) {
 }  // namespace
 
 Result<LoadedModel> readStl(const SourceText& source, const FileLoader&) {
-    return isBinary(source.text) ? readBinary(source) : readText(source);
+    return isBinary(source) ? readBinary(source) : readText(source);
 }
 
 }  // namespace pipeline

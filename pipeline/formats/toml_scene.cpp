@@ -182,7 +182,8 @@ private:
         const FileLoader beside = [&, folder = fs::path(*file).parent_path()](std::string_view name) {
             return m_load((folder / name).string());
         };
-        const Result<LoadedModel> model = readModel({loaded->text, loaded->path, m_source.progress}, extension, beside);
+        const Result<LoadedModel> model =
+            readModel({loaded->text, loaded->path, m_source.progress, loaded->tail}, extension, beside);
         if (!model) return m_values.add(model.errors());
         std::ranges::copy(model->objects, std::back_inserter(m_scene.objects));
         std::ranges::copy(model->remarks, std::back_inserter(m_scene.remarks));

@@ -306,6 +306,8 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
     std::size_t work = kEarWork + kEarWorkPerCorner * mesh.corners.size();
     mesh.facts = {};
     mesh.triangles.clear();
+    mesh.triangles.reserve(mesh.corners.size() - 2 * mesh.polygonCount());  // a polygon of n corners has n - 2
+    mesh.firstTriangle.reserve(mesh.polygonCount() + 1);
     mesh.firstTriangle.assign(1, 0);
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
         gather(mesh, i, polygon);

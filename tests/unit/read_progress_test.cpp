@@ -4,86 +4,28 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include <fmt/format.h>
 
 #include "pipeline/formats/scene_reader.h"
 #include "tests/support/files.h"
 #include "tests/support/gltf_files.h"
+#include "tests/support/model_files.h"
 
 namespace pipeline {
 namespace {
 
 constexpr int kTriangles = 3000;
 
-template <class T>
-std::string bytesOf(T value) {
-    std::string bytes(sizeof(T), '\0');
-    std::memcpy(bytes.data(), &value, sizeof(T));
-    return bytes;
-}
-
-// So many triangles beside each other, written once for each: three corners of their own.
-std::string corner(int i, int k) { return fmt::format("{} {} 0", i + (k == 1), k == 2 ? 1 : 0); }
-
-std::string objText() {
-    std::string text;
-    for (int i = 0; i < kTriangles; ++i) {
-        for (int k = 0; k < 3; ++k) text += "v " + corner(i, k) + "\n";
-        text += "f -3 -2 -1\n";
-    }
-    return text;
-}
-
-std::string plyText(const char* form) {
-    return fmt::format(
-        "ply\nformat {} 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
-        "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-        form, 3 * kTriangles, kTriangles);
-}
-
-std::string plyAscii() {
-    std::string text = plyText("ascii");
-    for (int i = 0; i < 3 * kTriangles; ++i) text += corner(i / 3, i % 3) + "\n";
-    for (int i = 0; i < kTriangles; ++i) text += fmt::format("3 {} {} {}\n", 3 * i, 3 * i + 1, 3 * i + 2);
-    return text;
-}
-
-std::string plyBinary() {
-    std::string text = plyText("binary_little_endian");
-    for (int i = 0; i < 3 * kTriangles; ++i)
-        text += bytesOf(float(i / 3 + (i % 3 == 1))) + bytesOf(float(i % 3 == 2)) + bytesOf(0.0f);
-    for (int i = 0; i < kTriangles; ++i) {
-        text += '\3';
-        for (int k = 0; k < 3; ++k) text += bytesOf(std::int32_t(3 * i + k));
-    }
-    return text;
-}
-
-std::string stlAscii() {
-    std::string text = "solid s\n";
-    for (int i = 0; i < kTriangles; ++i) {
-        text += "facet normal 0 0 1\nouter loop\n";
-        for (int k = 0; k < 3; ++k) text += "vertex " + corner(i, k) + "\n";
-        text += "endloop\nendfacet\n";
-    }
-    return text + "endsolid s\n";
-}
-
-std::string stlBinary() {
-    std::string text = std::string(80, ' ') + bytesOf(std::uint32_t(kTriangles));
-    for (int i = 0; i < kTriangles; ++i) {
-        text += std::string(12, '\0');
-        for (int k = 0; k < 3; ++k) text += bytesOf(float(i + (k == 1))) + bytesOf(float(k == 2)) + bytesOf(0.0f);
-        text += std::string(2, '\0');
-    }
-    return text;
-}
+std::string objText() { return test::objText(kTriangles); }
+std::string plyAscii() { return test::plyText(kTriangles); }
+std::string plyBinary() { return test::plyBytes(kTriangles); }
+std::string stlAscii() { return test::stlText(kTriangles); }
+std::string stlBinary() { return test::stlBytes(kTriangles); }
 
 std::string description() {
     std::string text = fmt::format("{} {}\n", 3 * kTriangles, kTriangles);
-    for (int i = 0; i < 3 * kTriangles; ++i) text += corner(i / 3, i % 3) + "\n";
+    for (int i = 0; i < 3 * kTriangles; ++i) text += test::cornerText(i / 3, i % 3) + "\n";
     for (int i = 0; i < kTriangles; ++i) text += fmt::format("3 {} {} {}\n", 3 * i, 3 * i + 1, 3 * i + 2);
     return text + "1 1 1 0.5 10\n";
 }

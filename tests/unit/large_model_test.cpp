@@ -1,0 +1,126 @@
+// Models that are read piece by piece, for a file need not fit into memory. A piece is 64 KiB first and then 1 MiB, so
+// that those here, of some MiB, take several.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "pipeline/formats/model_reader.h"
+#include "pipeline/formats/scene_reader.h"
+#include "tests/support/files.h"
+#include "tests/support/gltf_files.h"
+#include "tests/support/model_files.h"
+
+namespace pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+const FileLoader kNoFiles = [](std::string_view) -> Result<NamedFile> { return Error{{}, "no files", {}}; };
+
+void expectTheSameModel(const std::vector<Object>& one, const std::vector<Object>& other) {
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        const Mesh &a = *one[i].mesh, &b = *other[i].mesh;
+        EXPECT_TRUE(a.positions == b.positions);
+        EXPECT_TRUE(a.corners == b.corners);
+        EXPECT_TRUE(a.firstCorner == b.firstCorner);
+        EXPECT_TRUE(a.polygonPlaces == b.polygonPlaces);
+    }
+}
+
+class LargeModel : public testing::Test {
+protected:
+    // The same from a file as from a text that is in memory as a whole.
+    void expectTheSameFromAFile(const std::string& text, const std::string& name) {
+        test::writeText(folder / name, text);
+        const Result<Scene> scene = readScene(folder / name);
+        ASSERT_TRUE(scene) << format(scene.errors());
+        const Result<LoadedModel> model = readModel({text, name}, fs::path(name).extension().string(), kNoFiles);
+        ASSERT_TRUE(model);
+        EXPECT_GT(model->objects[0].mesh->polygonCount(), 1u);
+        expectTheSameModel(scene->objects, model->objects);
+    }
+    test::TemporaryFolder folder;
+};
+
+TEST_F(LargeModel, IsTheSameReadInPieces) {
+    constexpr int kTriangles = 40'000;
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        expectTheSameFromAFile(test::objText(kTriangles, end), "m.obj");
+        expectTheSameFromAFile(test::plyText(kTriangles, end), "m.ply");
+        expectTheSameFromAFile(test::stlText(kTriangles, end), "m.stl");
+    }
+    expectTheSameFromAFile(test::plyBytes(kTriangles), "m.ply");
+    expectTheSameFromAFile(test::stlBytes(kTriangles), "m.stl");
+}
+
+// Every place of a line's end at the end of a piece: 64 KiB and what follows are multiples of 4, so that of lines of 4
+// bytes after a comment of 0 to 3 more each one is met.
+TEST_F(LargeModel, LosesNoLineBetweenPieces) {
+    std::string lines;
+    for (int i = 0; i < 700'000; ++i) lines += "#\\\r\n";
+    for (int more = 0; more < 4; ++more) {
+        const std::string text =
+            std::string(std::size_t(more) + 1, '#') + "\n" + lines + "\nv 0 0 0\nv 1 0 0\nv 0 1 x\n";
+        test::writeText(folder / "m.obj", text);
+        const Result<Scene> scene = readScene(folder / "m.obj");
+        ASSERT_FALSE(scene);
+        // 700 000 lines after the first, an empty one, and the third vertex.
+        EXPECT_EQ(scene.errors().front().where.line, 700'005);
+        EXPECT_EQ(scene.errors().front().where.column, 7);
+    }
+}
+
+TEST_F(LargeModel, OfAnySizeIsRead) {
+    std::ofstream file(folder / "m.obj", std::ios::binary);
+    const std::string comment = "# " + std::string(65'000, 'c') + "\n";
+    for (std::size_t bytes = 0; bytes <= kMaxFileBytes; bytes += comment.size()) file << comment;
+    file << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    file.close();
+    ASSERT_GT(fs::file_size(folder / "m.obj"), kMaxFileBytes);
+    const Result<Scene> scene = readScene(folder / "m.obj");
+    ASSERT_TRUE(scene) << format(scene.errors());
+    EXPECT_EQ(scene->objects[0].mesh->polygonCount(), 1u);
+    test::writeText(folder / "s.toml", "[[object]]\nmodel = \"m.obj\"\n");
+    EXPECT_TRUE(readScene(folder / "s.toml")) << "a scene may name it";
+}
+
+TEST_F(LargeModel, WithAnEndlessLineIsRefused) {
+    test::writeText(folder / "m.obj", "v 0 0 0\n");
+    fs::resize_file(folder / "m.obj", std::uintmax_t(kMaxFileBytes) + 1000);  // zeros, none of them on the disk
+    const Result<Scene> scene = readScene(folder / "m.obj");
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.errors().front().found, "found a line of more than 268 435 456 bytes");
+    EXPECT_EQ(scene.errors().front().where.line, 2);
+}
+
+TEST_F(LargeModel, AsGltfHasALimit) {
+    test::writeText(folder / "m.gltf", "{}");
+    fs::resize_file(folder / "m.gltf", std::uintmax_t(kMaxFileBytes) + 1);
+    const Result<Scene> scene = readScene(folder / "m.gltf");
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.errors().front().found, "the file is larger than 268 435 456 bytes");
+}
+
+// A file that is written anew while it is read.
+TEST_F(LargeModel, ThatEndsEarlierThanTheFileSystemSaidIsRefused) {
+    const auto readShort = [&](const std::string& bytes, const std::string& extension) {
+        const std::size_t start = 1000;
+        test::writeText(folder / "rest", bytes.substr(start, bytes.size() - start - 500));
+        const auto tail =
+            std::make_shared<FileTail>(std::ifstream(folder / "rest", std::ios::binary), bytes.size() - start);
+        return readModel({std::string_view(bytes).substr(0, start), "m", {}, tail}, extension, kNoFiles);
+    };
+    const Result<LoadedModel> model = readShort(test::stlBytes(60'000), ".stl");
+    ASSERT_FALSE(model);
+    EXPECT_EQ(model.errors().front().found, "the file ends after 2 999 584 bytes");  // 84 + 60 000 × 50 - 500
+    EXPECT_FALSE(readShort(test::plyBytes(60'000), ".ply"));
+    EXPECT_FALSE(readShort(test::plyText(60'000), ".ply"));
+    EXPECT_FALSE(readShort(test::stlText(60'000), ".stl"));
+}
+
+}  // namespace
+}  // namespace pipeline
