@@ -5,19 +5,17 @@
 namespace pipeline {
 
 bool ByteWindow::readOn(std::size_t from) {
-    constexpr std::size_t kPiece = std::size_t{1} << 20;
     const std::size_t left = m_view.size() - (from - m_begin);
     if (!m_tail || left >= kMaxFileBytes) return false;
-    if (m_buffer.empty())
-        m_buffer = m_view.substr(from - m_begin);
-    else
-        m_buffer.erase(0, from - m_begin);
-    m_begin = from;
+    std::string next;
     // As much again as there is, so that a long line is copied a few times only.
-    const bool more = m_tail->read(m_buffer, std::min(std::max(kPiece, left), kMaxFileBytes - left));
-    m_view = m_buffer;
-    if (!more) m_tail = nullptr, m_size = m_begin + m_view.size();
-    return m_view.size() > left;
+    const bool more = m_tail->read(next, std::min(std::max(m_tail->piece(), left), kMaxFileBytes - left));
+    if (!more) m_tail = nullptr, m_size = m_begin + m_view.size() + next.size();
+    if (next.empty()) return false;
+    next.insert(0, m_view.substr(from - m_begin));
+    m_buffer = std::move(next);
+    m_begin = from, m_view = m_buffer;
+    return true;
 }
 
 bool ByteWindow::fetch(std::size_t at, std::size_t count) {

@@ -23,11 +23,13 @@ public:
     std::string_view view() const { return m_view; }
     // Bytes of the file before the piece.
     std::size_t begin() const { return m_begin; }
+    // Whether the file ends with the piece.
+    bool atEnd() const { return m_tail == nullptr; }
     // Of the file: what the file system said of it, or, where it ended elsewhere, what there was.
     std::size_t size() const { return m_size; }
 
     // Forgets all before byte `from` of the file, which is in the piece or its end, and reads on. False where nothing
-    // follows, and where the piece would be larger than kMaxFileBytes.
+    // follows, and where the piece would be larger than kMaxFileBytes: then it stays what it is.
     bool readOn(std::size_t from);
     // Whether `count` bytes from `at` on are there, at most kMaxFileBytes; then all of them are in the piece. What is
     // before `at` may be forgotten. at: in the piece or after it.

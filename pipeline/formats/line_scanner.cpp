@@ -25,10 +25,11 @@ LineScanner::LineScanner(ByteWindow& window, std::string file, Errors& errors, R
     m_meter = ReadMeter(window.size(), m_file, std::move(progress));
 }
 
-// What comes before the next line is not asked for any more.
+// This line stays, for an error may name a place in it still.
 bool LineScanner::readOn() {
-    if (!m_window || !m_window->readOn(m_before + std::min(m_next, m_text.size()))) return false;
-    m_next -= m_window->begin() - m_before;
+    const std::size_t gone = m_lineBegin;
+    if (!m_window || !m_window->readOn(m_before + gone)) return false;
+    for (std::size_t* place : {&m_next, &m_begin, &m_end, &m_lineEnd, &m_lineBegin}) *place -= gone;
     m_before = m_window->begin(), m_text = m_window->view();
     m_newline = 0;
     return true;
@@ -37,17 +38,18 @@ bool LineScanner::readOn() {
 bool LineScanner::nextLine() {
     if (m_errors.size() >= kMaxErrors) return false;
     if (!m_meter.goesOn(m_before + std::min(m_next, m_text.size()), m_errors)) return false;
+    std::size_t end = 0;
     do {
         // A text whose lines all end with CR is searched for LF once.
         if (m_newline < m_next || m_newline == 0) m_newline = std::min(m_text.find('\n', m_next), m_text.size());
         const std::string_view line = m_text.substr(std::min(m_next, m_text.size()), m_newline - m_next);
-        m_lineEnd = m_next + std::min(line.find('\r'), line.size());
+        end = m_next + std::min(line.find('\r'), line.size());
         // A line that ends with the piece may go on in the next one; so may CR LF.
-    } while (m_lineEnd + 1 >= m_text.size() && readOn());
+    } while (end + 1 >= m_text.size() && readOn());
     if (m_next >= m_text.size()) return false;
-    m_lineBegin = m_begin = m_end = m_next;
+    m_lineBegin = m_begin = m_end = m_next, m_lineEnd = end;
     m_line = m_nextLine++;
-    if (m_lineEnd - m_lineBegin >= kMaxFileBytes) {
+    if (end == m_text.size() && m_window && !m_window->atEnd()) {
         fail("found a line of more than " + groupedDigits(kMaxFileBytes) + " bytes");
         return false;
     }
@@ -55,7 +57,6 @@ bool LineScanner::nextLine() {
     return true;
 }
 
-// Where a continued line goes on in a piece of the file that is not read yet, it ends for the one who looks ahead.
 std::string_view LineScanner::peek() const {
     LineScanner ahead(*this);
     ahead.m_window = nullptr;

@@ -25,7 +25,7 @@ public:
     bool nextLine();
     // The next word of this line; empty at its end.
     std::string_view next();
-    // The same without going there.
+    // The same without going there. A continued line ends where the piece of a window does.
     std::string_view peek() const;
     // The rest of this line without white space at its ends: names may hold spaces.
     std::string_view rest();

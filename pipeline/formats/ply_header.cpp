@@ -44,8 +44,8 @@ constexpr RoleName kRoles[] = {
 
 constexpr std::size_t kMostProperties = 1000;
 
-PlyType readType(LineScanner& scanner, bool whole) {
-    const std::string_view word = scanner.next();
+// The word was read last.
+PlyType typeOf(std::string_view word, bool whole, LineScanner& scanner) {
     const auto* const row = std::ranges::find(kTypes, word, &TypeName::name);
     const bool fits = row != std::end(kTypes) && (!whole || row->type < PlyType::Float);
     if (fits) return row->type;
@@ -55,12 +55,13 @@ PlyType readType(LineScanner& scanner, bool whole) {
 
 void readProperty(LineScanner& scanner, PlyElement& element) {
     PlyProperty property;
-    property.isList = scanner.peek() == "list";
+    std::string_view word = scanner.next();
+    property.isList = word == "list";
     if (property.isList) {
-        scanner.next();
-        property.countType = readType(scanner, true);
+        property.countType = typeOf(scanner.next(), true, scanner);
+        word = scanner.next();
     }
-    property.type = readType(scanner, false);
+    property.type = typeOf(word, false, scanner);
     const std::string_view name = scanner.next();
     if (name.empty()) scanner.refuse("the property's name");
     const auto* const role = std::ranges::find_if(kRoles, [&](const RoleName& row) {

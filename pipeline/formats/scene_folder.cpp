@@ -37,7 +37,7 @@ Result<OpenFile> open(const fs::path& file) {
 }
 
 // Appends up to `count` bytes.
-void append(std::ifstream& stream, std::size_t count, std::string& text) {
+void append(std::istream& stream, std::size_t count, std::string& text) {
     const std::size_t end = text.size() + count;
     while (stream && text.size() < end) {
         const std::size_t before = text.size();
@@ -107,13 +107,14 @@ Result<NamedFile> openFile(const fs::path& file) {
     if (!start) return start.errors();
     NamedFile out{std::move(start).value(), file.string()};
     if (out.text.size() == kFileStart)
-        out.tail = std::make_shared<FileTail>(std::move(from.stream), std::max(from.size, kFileStart) - kFileStart);
+        out.tail = std::make_shared<FileTail>(std::make_unique<std::ifstream>(std::move(from.stream)),
+                                              std::max(from.size, kFileStart) - kFileStart);
     return out;
 }
 
 bool FileTail::read(std::string& to, std::size_t count) {
     const std::size_t before = to.size();
-    append(m_stream, count, to);
+    append(*m_stream, count, to);
     return to.size() == before + count;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <functional>
+#include <istream>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,15 +19,19 @@ inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 30;   // all of 
 // What follows the beginning of a file, read piece by piece.
 class FileTail {
 public:
+    static constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes
+
     // size: how many bytes there should be; the file may have grown or shrunk meanwhile.
-    FileTail(std::ifstream stream, std::size_t size) : m_stream(std::move(stream)), m_size(size) {}
+    FileTail(std::unique_ptr<std::istream> stream, std::size_t size, std::size_t piece = kPiece)
+        : m_stream(std::move(stream)), m_size(size), m_piece(piece) {}
     std::size_t size() const { return m_size; }
+    std::size_t piece() const { return m_piece; }
     // Appends up to `count` bytes; false where these are the last.
     bool read(std::string& to, std::size_t count);
 
 private:
-    std::ifstream m_stream;
-    std::size_t m_size;
+    std::unique_ptr<std::istream> m_stream;
+    std::size_t m_size, m_piece;
 };
 
 // A text in memory, with the name that it has in messages. Of a model `text` may be the beginning, and `tail` the rest.

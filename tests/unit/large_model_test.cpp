@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -105,14 +106,44 @@ TEST_F(LargeModel, AsGltfHasALimit) {
     EXPECT_EQ(scene.errors().front().found, "the file is larger than 268 435 456 bytes");
 }
 
+// A text whose first bytes are in memory, and the rest comes in pieces.
+SourceText inPieces(std::string_view text, std::size_t start, std::size_t piece, std::size_t missing = 0) {
+    const std::size_t size = text.size() - start;
+    auto rest = std::make_unique<std::istringstream>(std::string(text.substr(start, size - missing)));
+    return {text.substr(0, start), "m", {}, std::make_shared<FileTail>(std::move(rest), size, piece)};
+}
+
+// Pieces of a few bytes: everything is cut somewhere, the text's end falls together with a piece's, and errors name
+// what was read before it.
+TEST_F(LargeModel, IsTheSameHoweverItIsCut) {
+    const std::pair<std::string, std::string> texts[]{
+        {".obj", test::objText(20, "\r\n")},
+        {".obj", test::objText(20) + "f 1 \\\n2 3 # and \\\r\nv 1 2"},
+        {".obj", test::objText(20, "\r") + "f 1 2 3"},
+        {".ply", test::plyText(20, "\r\n")},
+        {".ply", test::plyText(20).substr(0, 700)},
+        {".ply", test::plyBytes(20)},
+        {".stl", test::stlText(20)},
+        {".stl", test::stlText(20).substr(0, 2000)},
+        {".stl", test::stlBytes(40)},
+    };
+    for (const auto& [extension, text] : texts)
+        for (const std::size_t start : {600, 601, 602, 603})  // what tells an STL file's form is in the beginning
+            for (const std::size_t piece : {1, 2, 5, 64}) {
+                const Result<LoadedModel> whole = readModel({text, "m"}, extension, kNoFiles);
+                const Result<LoadedModel> cut = readModel(inPieces(text, start, piece), extension, kNoFiles);
+                ASSERT_EQ(bool(whole), bool(cut)) << extension << start << piece;
+                if (whole)
+                    expectTheSameModel(whole->objects, cut->objects);
+                else
+                    EXPECT_EQ(format(whole.errors()), format(cut.errors()));
+            }
+}
+
 // A file that is written anew while it is read.
 TEST_F(LargeModel, ThatEndsEarlierThanTheFileSystemSaidIsRefused) {
-    const auto readShort = [&](const std::string& bytes, const std::string& extension) {
-        const std::size_t start = 1000;
-        test::writeText(folder / "rest", bytes.substr(start, bytes.size() - start - 500));
-        const auto tail =
-            std::make_shared<FileTail>(std::ifstream(folder / "rest", std::ios::binary), bytes.size() - start);
-        return readModel({std::string_view(bytes).substr(0, start), "m", {}, tail}, extension, kNoFiles);
+    const auto readShort = [](const std::string& bytes, const std::string& extension) {
+        return readModel(inPieces(bytes, 1000, 1 << 16, 500), extension, kNoFiles);
     };
     const Result<LoadedModel> model = readShort(test::stlBytes(60'000), ".stl");
     ASSERT_FALSE(model);
