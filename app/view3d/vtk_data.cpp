@@ -253,9 +253,8 @@ vtkSmartPointer<vtkImageData> pictureImage(const Picture& picture) {
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
     const auto width = static_cast<std::size_t>(picture.size.x), height = static_cast<std::size_t>(picture.size.y);
     auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
-    for (std::size_t y = height; y-- > 0;)  // the texture's first row is the lowest
-        for (std::size_t x = 0; x < width; ++x)
-            for (int c = 0; c < 3; ++c) *out++ = picture.pixels[y * width + x][c];
+    for (std::size_t y = height; y-- > 0; out += 3 * width)  // the texture's first row is the lowest
+        std::memcpy(out, &picture.pixels[y * width], 3 * width);
     return image;
 }
 

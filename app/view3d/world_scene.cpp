@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/view3d/space_drawing.h"
 #include "app/view3d/vtk_data.h"
@@ -127,11 +128,7 @@ void WorldScene::setContent(std::shared_ptr<const ViewContent> content, const st
     m_pickedInner.mapper->SetInputData(loopData(mesh, loop));
     if (!sameMesh) {
         if (!sameEdges) m_edges.mapper->SetInputData(edgesData(mesh));
-        if (!mesh.picture.pixels.empty()) {
-            m_picture.layer.mapper->SetInputData(
-                pictureQuad(pictureCorners(m_content->eye, m_content->pictureDistance)));
-            m_picture.texture->SetInputData(pictureImage(mesh.picture));
-        }
+        m_isPictureOld = true;
         colorMesh();
     }
     setOptions(m_options);
@@ -159,15 +156,24 @@ void WorldScene::setOptions(const ViewOptions& options) {
     const std::span<const NormalArrow> arrows =
         m_content ? normalArrows(*m_content->mesh, options.normals) : std::span<const NormalArrow>();
     const bool ownNormal = m_content && m_content->foot && options.shows(VectorCode::N);
-    const auto data = normalsData(arrows, options.everyOf(arrows.size()), ownNormal ? m_content->foot : std::nullopt);
-    for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) {
-        glyphs->mapper->SetInputData(data);
-        glyphs->actor->SetVisibility(!arrows.empty());
-    }
+    placeNormals(arrows, options.everyOf(arrows.size()), ownNormal ? m_content->foot : std::nullopt);
+    for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) glyphs->actor->SetVisibility(!arrows.empty());
     m_normals.mapper->SetScalarVisibility(options.normalColors == NormalColors::Direction);
     // A rim lifts single arrows off their faces; around hundreds it is clutter, and slow.
     constexpr vtkIdType kMostRims = 150;
-    if (data->GetNumberOfPoints() > kMostRims) m_normalHalos.actor->VisibilityOff();
+    if (m_placedNormals.data->GetNumberOfPoints() > kMostRims) m_normalHalos.actor->VisibilityOff();
+}
+
+// VTK makes glyphs anew for every input that it is given; a camera that is dragged leaves normals where they are.
+void WorldScene::placeNormals(std::span<const NormalArrow> arrows, std::size_t every, std::optional<Vec3d> except) {
+    const auto isSame = [](const NormalArrow& a, const NormalArrow& b) {
+        return a.base == b.base && a.direction == b.direction && a.color == b.color;
+    };
+    PlacedNormals& last = m_placedNormals;
+    if (last.data && last.every == every && last.except == except && std::ranges::equal(last.arrows, arrows, isSame))
+        return;
+    last = {{arrows.begin(), arrows.end()}, every, except, normalsData(arrows, every, except)};
+    for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) glyphs->mapper->SetInputData(last.data);
 }
 
 void WorldScene::setBackground(const QColor& color) {
@@ -245,9 +251,19 @@ void WorldScene::setView(const ViewFrame& view, const Drawing& drawing, double p
         for (const InkedSolid& inked : *solids) append(halos, inflated(inked.solid, kHalo * inked.unit));
     m_halos.mapper->SetInputData(solidData(halos));
     scaleNormals(view);
-    m_picture.layer.actor->SetVisibility(m_content && m_options.eye && !m_content->mesh->picture.pixels.empty() &&
-                                         showsWholeEye(*m_content, view));
+    showPicture(view);
+    // Nothing to draw in it: its pass would only clear it.
+    m_over->SetDraw(!drawing.vectors.empty());
     placeCamera(view);
+}
+
+void WorldScene::showPicture(const ViewFrame& view) {
+    const bool isShown =
+        m_content && m_options.eye && !m_content->mesh->picture.pixels.empty() && showsWholeEye(*m_content, view);
+    m_picture.layer.actor->SetVisibility(isShown);
+    if (!isShown || !std::exchange(m_isPictureOld, false)) return;
+    m_picture.layer.mapper->SetInputData(pictureQuad(pictureCorners(m_content->eye, m_content->pictureDistance)));
+    m_picture.texture->SetInputData(pictureImage(m_content->mesh->picture));
 }
 
 // Edges closer together than they are wide would cover the faces that they bound.
@@ -262,13 +278,15 @@ void WorldScene::fadeEdges(const ViewFrame& view) {
 void WorldScene::showEdges() { m_edges.actor->SetVisibility(m_edgeStrength > 0 && !(m_isCoarse && hasCoarse())); }
 
 void WorldScene::scaleNormals(const ViewFrame& view) {
-    // Made in pixels; a glyph's own direction is x.
-    constexpr double kRadius = 1.1;
-    const Solid glyph =
-        placed(smallArrow(m_options.normalLength, kRadius), {.along = {1, 0, 0}, .towardsEye = {0, 0, 1}});
     const double scale = view.unitsPerMarkPixel();
-    m_normals.mapper->SetSourceData(solidData(glyph));
-    m_normalHalos.mapper->SetSourceData(solidData(inflated(glyph, kHalo)));
+    if (std::exchange(m_glyphLength, m_options.normalLength) != m_options.normalLength) {
+        // Made in pixels; a glyph's own direction is x.
+        constexpr double kRadius = 1.1;
+        const Solid glyph =
+            placed(smallArrow(m_options.normalLength, kRadius), {.along = {1, 0, 0}, .towardsEye = {0, 0, 1}});
+        m_normals.mapper->SetSourceData(solidData(glyph));
+        m_normalHalos.mapper->SetSourceData(solidData(inflated(glyph, kHalo)));
+    }
     for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) glyphs->mapper->SetScaleFactor(scale);
 }
 

@@ -2,6 +2,8 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "app/view3d/drawing.h"
@@ -11,6 +13,7 @@
 class vtkActor;
 class vtkGlyph3DMapper;
 class vtkOpenGLRenderWindow;
+class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
 class vtkTexture;
@@ -67,6 +70,8 @@ private:
     void placeCamera(const ViewFrame& view);
     void fadeEdges(const ViewFrame& view);
     void showEdges();
+    void showPicture(const ViewFrame& view);
+    void placeNormals(std::span<const NormalArrow> arrows, std::size_t every, std::optional<Vec3d> except);
     void scaleNormals(const ViewFrame& view);
 
     vtkSmartPointer<vtkRenderer> m_world, m_over;
@@ -75,6 +80,12 @@ private:
     Plane m_picture;
     std::vector<Plane> m_frusta;  // the shadow buffers; as many as were ever needed
     Glyphs m_normals, m_normalHalos;
+    struct PlacedNormals {
+        std::vector<NormalArrow> arrows;
+        std::size_t every = 1;
+        std::optional<Vec3d> except;
+        vtkSmartPointer<vtkPolyData> data;
+    } m_placedNormals;
 
     std::shared_ptr<const ViewContent> m_content;
     std::vector<InkedLine> m_groundLines, m_drawnLines;
@@ -84,8 +95,9 @@ private:
     double m_pixelRatio = 1;
     double m_edgeStrength = 1;
     bool m_isCoarse = false;
-    bool m_isFullOld = true, m_isCoarseOld = true;  // they are made when they are shown
-    double m_fovY = 30, m_halfHeight = 1;           // of the whole view: degrees; world units at the target
+    bool m_isFullOld = true, m_isCoarseOld = true, m_isPictureOld = true;  // they are made when they are shown
+    double m_glyphLength = -1;                                             // of the normals' arrows
+    double m_fovY = 30, m_halfHeight = 1;  // of the whole view: degrees; world units at the target
 };
 
 }  // namespace app
