@@ -78,20 +78,19 @@ void paintText(QPainter& painter, glm::dvec2 at, const QString& text, const QFon
                                     QString::number(ratio),
                                     QString::number(halo)}
                             .join('\n');
-    const QSizeF box = QFontMetricsF(font).tightBoundingRect(text).size() + QSizeF(2 * halo, 2 * halo);
-    const QSize size(int(std::ceil(box.width() * ratio)), int(std::ceil(box.height() * ratio)));
     QPixmap picture;
     if (!QPixmapCache::find(key, &picture)) {
-        picture = QPixmap(size);
+        const QSizeF box = QFontMetricsF(font).tightBoundingRect(text).size() + QSizeF(2 * halo, 2 * halo);
+        picture = QPixmap(int(std::ceil(box.width() * ratio)), int(std::ceil(box.height() * ratio)));
         picture.setDevicePixelRatio(ratio);
         picture.fill(Qt::transparent);
         QPainter words(&picture);
-        words.translate(QPointF(size.width(), size.height()) / (2 * ratio));
+        words.translate(QPointF(picture.width(), picture.height()) / (2 * ratio));
         paintHaloedText(words, text, font, ink, halo);
         QPixmapCache::insert(key, picture);
     }
     // On whole pixels of the screen, so that letters stay sharp.
-    const QPointF corner = toPoint(at) - QPointF(size.width(), size.height()) / (2 * ratio);
+    const QPointF corner = toPoint(at) - QPointF(picture.width(), picture.height()) / (2 * ratio);
     painter.drawPixmap(QPointF(std::round(corner.x() * ratio), std::round(corner.y() * ratio)) / ratio, picture);
 }
 
@@ -199,7 +198,7 @@ std::optional<glm::dvec2> exitOf(const Label& letter, const ViewFrame& view) {
 
 // A letter on what lies over the view would not be seen: off it by the shortest way that stays inside.
 void leave(PlacedLabel& letter, const std::vector<QRectF>& taken, glm::dvec2 view) {
-    const QSizeF size = boxOf(letter).size();
+    const QSizeF size = letter.size;
     const glm::dvec2 half = glm::dvec2(size.width(), size.height()) / 2.0;
     for (const QRectF& other : taken) {
         if (overlap(boxOf(letter), other) == 0) continue;
@@ -230,7 +229,7 @@ void movePlanes(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>&
     for (PlacedLabel& plane : labels) {
         if (plane.label.kind != Label::Kind::Plane) continue;
         const glm::dvec2 own = plane.at;
-        const QSizeF size = sizeOf(plane.label);
+        const QSizeF size = plane.size;
         double least = 1e300;
         for (const int lines : {0, -1, 1, -2, 2, -3, 3}) {
             PlacedLabel tried = plane;
@@ -256,7 +255,7 @@ void placeCaptions(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec
         taken.push_back(placed.label.kind == Label::Kind::Caption ? around(placed.mark, mark) : boxOf(placed));
     for (PlacedLabel& caption : labels) {
         if (caption.label.kind != Label::Kind::Caption) continue;
-        const QSizeF size = sizeOf(caption.label);
+        const QSizeF size = caption.size;
         double least = 1e300;
         for (const glm::dvec2& wanted : captionPlaces(caption, size, view)) {
             PlacedLabel tried = caption;
@@ -297,23 +296,24 @@ void paintMarker(QPainter& painter, const Drawing::Marker& marker, const ViewFra
 }  // namespace
 
 QRectF boxOf(const PlacedLabel& placed) {
-    const QSizeF size = sizeOf(placed.label);
-    return {toPoint(placed.at) - QPointF(size.width(), size.height()) / 2, size};
+    return {toPoint(placed.at) - QPointF(placed.size.width(), placed.size.height()) / 2, placed.size};
 }
 
 std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, const std::vector<QRectF>& taken) {
     std::vector<PlacedLabel> result;
     std::vector<glm::dvec2> tips;
     for (const Label& label : drawing.labels) {
-        PlacedLabel placed{label, {}, {}, false};
+        PlacedLabel placed{label, {}, {}, false, {}};
         const Projected p = project(view.camera, view.size, label.at);
         if (label.kind == Label::Kind::Caption) {
             markCaption(placed, view);
+            placed.size = sizeOf(placed.label);
             result.push_back(placed);
             continue;
         }
+        placed.size = sizeOf(label);
         if (const auto exit = label.kind == Label::Kind::Letter ? exitOf(label, view) : std::nullopt) {
-            placed.at = placed.mark = inside(*exit, sizeOf(label), view.size);
+            placed.at = placed.mark = inside(*exit, placed.size, view.size);
             result.push_back(placed);
             continue;
         }
@@ -322,7 +322,7 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         placed.mark = p.at;
         placed.at =
             label.kind == Label::Kind::Note ? p.at : p.at + kBeyondTip * view.scale * unit(p.at - foot, {0, -1});
-        if (label.kind == Label::Kind::Plane) placed.at.x += (p.at.x < foot.x ? -0.5 : 0.5) * sizeOf(label).width();
+        if (label.kind == Label::Kind::Plane) placed.at.x += (p.at.x < foot.x ? -0.5 : 0.5) * placed.size.width();
         if (label.kind == Label::Kind::Letter) tips.push_back(p.at);
         result.push_back(placed);
     }
@@ -332,7 +332,7 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         const bool isAway = placed.label.kind == Label::Kind::Axis || placed.label.kind == Label::Kind::Note;
         const bool isTip = placed.label.kind == Label::Kind::Letter;
         if (isAway || (isTip && !isInside(placed.mark, view.size))) continue;
-        placed.at = inside(placed.at, sizeOf(placed.label), view.size);
+        placed.at = inside(placed.at, placed.size, view.size);
         if (isTip) leave(placed, taken, view.size);
     }
     movePlanes(result, tips, view);

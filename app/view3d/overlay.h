@@ -15,6 +15,7 @@ struct PlacedLabel {
     glm::dvec2 at;    // middle of the text
     glm::dvec2 mark;  // of a caption: where its mark is, or stands in for it at the border
     bool atBorder = false;
+    QSizeF size;  // of the text
 };
 
 // Letters stand beyond the tips, at least 21 pixels from each other and 17 from every tip where
