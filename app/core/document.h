@@ -48,7 +48,8 @@ public:
     const pipeline::FramePtr& wholeFrame() const { return m_whole; }
     Stepper& stepper() { return m_stepper; }
     const Stepper& stepper() const { return m_stepper; }
-    bool busy() const { return m_busy; }  // a frame is being computed
+    bool busy() const { return m_busy; }                   // a frame is being computed
+    bool isMoving() const { return m_moving.isActive(); }  // under a slider or a handle
     pipeline::StageId stage() const { return m_stage; }
     std::optional<glm::ivec2> pixel() const { return m_pixel; }
     // What the frame on show has there.

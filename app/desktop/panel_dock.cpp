@@ -49,6 +49,8 @@ void PanelDock::addButton(QAction* action, const QString& icon) {
     button->setAccessibleName(action->text());
     connect(action, &QAction::changed, button, [button, icon] { button->setIcon(app::icon(icon)); });
     m_heading->addWidget(button);
+    // It shows no words: those of undo, which change with every value of a drag, must not lay the window out anew.
+    followTheme(button, [button] { button->setFixedSize(button->sizeHint()); });
 }
 
 void PanelDock::setSubtitle(const QString& text) { m_subtitle->setText(text); }

@@ -156,9 +156,9 @@ void BufferCanvas::setContent(CanvasContent content) {
 }
 
 void BufferCanvas::setPicked(std::optional<QPoint> pixel) {
-    const bool isNew = pixel != m_content.picked;
+    if (pixel == m_content.picked) return;
     m_content.picked = pixel;
-    if (pixel && isNew && !m_fits) {
+    if (pixel && !m_fits) {
         const QPointF at = m_placement.toWidget(toShown(QPointF(*pixel) + QPointF(0.5, 0.5)));
         const double margin = std::min(0.5 * m_placement.zoom + 8, 0.4 * std::min(width(), height()));
         const QRectF inner = QRectF(rect()).adjusted(margin, margin, -margin, -margin);

@@ -11,16 +11,19 @@ void BufferCanvas::setHovered(std::optional<QPoint> pixel) {
 }
 
 void BufferCanvas::setMarked(std::vector<QPolygonF> outlines) {
+    if (outlines == m_content.marked) return;
     m_content.marked = std::move(outlines);
     update();
 }
 
 void BufferCanvas::setPinned(std::vector<std::pair<int, QPoint>> pinned) {
+    if (pinned == m_content.pinned) return;
     m_content.pinned = std::move(pinned);
     update();
 }
 
 void BufferCanvas::setRegion(std::optional<QRect> region) {
+    if (region == m_content.region) return;
     m_content.region = region;
     update();
 }

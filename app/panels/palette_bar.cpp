@@ -123,15 +123,16 @@ void PaletteBar::paintEvent(QPaintEvent*) {
     if (!m_scale.histogram.empty()) {
         const double step = area.width() / double(m_scale.histogram.size()), room = area.top() - 3;
         paintAxis(painter, area.left(), area.top() - 1, room);
+        const int fullest = most();
         for (std::size_t i = 0; i < m_scale.histogram.size(); ++i) {
-            const double h = room * barHeight(m_scale.histogram[i], most(), m_scale.logarithmic);
+            const double h = room * barHeight(m_scale.histogram[i], fullest, m_scale.logarithmic);
             painter.fillRect(QRectF(area.left() + step * double(i), area.top() - 1 - h, std::max(1.0, step - 0.5), h),
                              c.text3);
         }
     }
     for (int x = 0; x < int(area.width()); ++x) {
-        const pipeline::Color8 color =
-            paletteColor(m_scale.palette, valueAt(area.left() + x), m_scale.range.first, m_scale.range.last);
+        const double value = m_scale.low + x / area.width() * (m_scale.high - m_scale.low);
+        const pipeline::Color8 color = paletteColor(m_scale.palette, value, m_scale.range.first, m_scale.range.last);
         painter.fillRect(QRectF(area.left() + x, area.top(), 1, area.height()), QColor(color.r, color.g, color.b));
     }
     painter.setRenderHint(QPainter::Antialiasing);

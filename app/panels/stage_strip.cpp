@@ -34,8 +34,16 @@ StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m
         m_slow.stop();
         m_frame->setBusy(false);
     });
+    // Nobody reads thirty times in a second.
+    constexpr int kReadableMilliseconds = 150;
+    m_next.setSingleShot(true);
+    m_next.setInterval(kReadableMilliseconds);
+    connect(&m_next, &QTimer::timeout, this, &StageStrip::showFrame);
     connect(&document, &Document::sceneOpened, this, &StageStrip::showFrame);
-    connect(&document, &Document::frameReady, this, &StageStrip::showFrame);
+    connect(&document, &Document::frameReady, this, [this] {
+        if (!m_document.isMoving()) return showFrame();
+        if (!m_next.isActive()) m_next.start();
+    });
     connect(&document, &Document::errorsReady, this, &StageStrip::showFrame);
     connect(&document.stepper(), &Stepper::changed, this, &StageStrip::showFrame);
     connect(&document, &Document::stageChanged, this, &StageStrip::showStage);
@@ -56,6 +64,7 @@ void StageStrip::showStage() {
 }
 
 void StageStrip::showFrame() {
+    m_next.stop();
     const Stepper& stepper = m_document.stepper();
     const pipeline::Frame* whole = m_document.wholeFrame().get();
     if (stepper.isInside() && stepper.steps()) {

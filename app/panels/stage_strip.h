@@ -29,6 +29,7 @@ private:
     std::array<StageCard*, pipeline::kStageCount> m_cards;
     FrameCard* m_frame;
     QTimer m_slow;  // work that takes longer than this shows
+    QTimer m_next;  // while the scene moves
 };
 
 // Number, time and size of the frame.

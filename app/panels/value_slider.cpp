@@ -20,11 +20,13 @@ ValueSlider::ValueSlider(double low, double high, double step, QWidget* parent)
 QSize ValueSlider::sizeHint() const { return {Theme::current().px(48), Theme::current().px(24)}; }
 
 void ValueSlider::setValue(double value) {
+    if (value == m_value) return;
     m_value = value;
     update();
 }
 
 void ValueSlider::setMark(std::optional<double> before) {
+    if (before == m_mark) return;
     m_mark = before;
     update();
 }
@@ -59,6 +61,7 @@ void ValueSlider::stepBy(double steps) {
 }
 
 void ValueSlider::setRinged(bool ringed) {
+    if (ringed == m_ringed) return;
     m_ringed = ringed;
     update();
 }
@@ -95,6 +98,7 @@ void ValueSlider::paintEvent(QPaintEvent*) {
 void ValueSlider::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     m_dragged = true;
+    update();
     setValue(valueAt(event->position().x()));
     emit moved(m_value);
 }

@@ -327,7 +327,7 @@ void SceneView::refresh() {
     m_cube->setVisible(works && !isPoint());
     m_legend->setOptions(m_options);
     m_cube->setCamera(m_camera, m_space.space);
-    m_overlay->update();
+    updateWithPicture();
 }
 
 QString SceneView::sentence() const {
@@ -367,8 +367,6 @@ void SceneView::showDetail() {
     const int margin = Theme::current().px(8);
     m_coarse->move(margin, margin);
 }
-
-void SceneView::updateOverlay() { m_overlay->update(); }
 
 void SceneView::placeCorners() {
     const int margin = Theme::current().px(8);

@@ -131,6 +131,7 @@ private:
     void paintHandles(QPainter& painter) const;
     std::vector<QRectF> handlePlaces() const;
     void updateOverlay();
+    void updateWithPicture();
 
     SpaceId m_space;
     std::shared_ptr<const ViewContent> m_content;  // of the world
@@ -147,7 +148,7 @@ private:
     QString m_problem;
 
     VtkWidget* m_vtk = nullptr;  // null where there is no OpenGL
-    Overlay* m_overlay;
+    QWidget* m_overlay;
     ViewCorner* m_legend;
     ViewCorner* m_cube;
     QLabel* m_coarse;

@@ -16,10 +16,17 @@ glm::dvec2 toVector(QPointF p) { return {p.x(), p.y()}; }
 
 }  // namespace
 
+void SceneView::updateOverlay() { m_overlay->update(); }
+
+// What belongs to a picture that is on its way is painted once, with it.
+void SceneView::updateWithPicture() {
+    if (!m_vtk || m_vtk->isNewest()) updateOverlay();
+}
+
 void SceneView::setHandles(std::vector<Handle> handles) {
     if (handles.size() != m_handles.size()) m_hot.reset();
     m_handles = std::move(handles);
-    updateOverlay();
+    updateWithPicture();
 }
 
 void SceneView::setNumbers(const QString& text) {
