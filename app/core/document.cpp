@@ -43,6 +43,8 @@ Document::Document(QObject* parent) : QObject(parent) {
     m_moving.setSingleShot(true);
     m_moving.setInterval(kRestMilliseconds);
     connect(&m_moving, &QTimer::timeout, this, &Document::requestFrameSoon);
+    m_held.setSingleShot(true);
+    connect(&m_held, &QTimer::timeout, this, &Document::requestFrame);
     connect(&m_stepper, &Stepper::stageReached, this, &Document::showStage);
     connect(&m_stepper, &Stepper::shown, this, &Document::showFrame);
     connect(&m_stepper, &Stepper::left, this, [this] { showFrame(m_whole); });
@@ -191,6 +193,9 @@ void Document::setLive(bool live) {
         m_moving.start();
     else
         m_moving.stop();
+    if (live) return;
+    m_paced = false;
+    if (m_requestPending) m_held.start(0);
 }
 
 void Document::replace(Scene scene, const QString& text) { replace(std::move(scene), text, {}); }
@@ -280,10 +285,31 @@ void Document::point(const QString& refers) {
 void Document::want(const QObject* who, BufferSet buffers, When when) {
     const auto [entry, isNew] = m_wanted.try_emplace(who);
     if (isNew) {
-        connect(who, &QObject::destroyed, this, [this, who] { m_wanted.erase(who); });
+        connect(who, &QObject::destroyed, this, [this, who] {
+            m_wanted.erase(who);
+            hold(who, false);
+        });
     }
     entry->second = {buffers, when};
     requestFrameSoon();
+}
+
+void Document::hold(const QObject* who, bool holds) {
+    if (holds && m_wanted.contains(who))
+        m_holding.insert(who);
+    else
+        m_holding.erase(who);
+    m_paced = m_paced || (holds && m_live);
+    if (m_holding.empty() && m_held.isActive()) m_held.start(0);
+}
+
+bool Document::waits() {
+    constexpr qint64 kLongest = 33;  // milliseconds
+    if (!m_live || !m_paced) return false;
+    if (m_ticket > m_taken) return true;
+    if (m_holding.empty() || m_sinceRequest.hasExpired(kLongest)) return false;
+    m_held.start(int(kLongest - m_sinceRequest.elapsed()));
+    return true;
 }
 
 BufferSet Document::wanted() const {
@@ -304,6 +330,8 @@ void Document::requestFrameSoon() {
 }
 
 void Document::requestFrame() {
+    if (waits()) return;
+    m_held.stop();
     m_requestPending = false;
     const BufferSet all = wanted();
     // What the newest request covers needs no other frame; buffers that nobody shows any more stay.
@@ -314,6 +342,7 @@ void Document::requestFrame() {
     }
     m_requested = all;
     m_requestedScene = m_scene;
+    m_sinceRequest.start();
     m_ticket = m_worker->request(m_scene, {.wanted = all, .stop = {}},
                                  m_live ? FrameWorker::Running::Finish : FrameWorker::Running::Stop);
 }
@@ -329,6 +358,7 @@ void Document::takeFrame(FramePtr frame, long ticket) {
     m_stepper.setWhole(m_whole);
     if (!m_stepper.isInside()) showFrame(m_whole);  // else its state comes from the stepper
     if (isNews) emit said(frameSentence(*m_whole));
+    if (m_paced && m_requestPending) m_held.start(0);  // after what the views do now
 }
 
 void Document::takeCheck(const FramePtr& frame, const FrameCheck& check) {

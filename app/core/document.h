@@ -1,4 +1,5 @@
 #pragma once
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -7,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "app/core/frame_worker.h"
 #include "app/core/opened_scene.h"
@@ -116,6 +118,9 @@ public:
     // AtRest: not while a slider or a handle moves.
     enum class When { Always, AtRest };
     void want(const QObject* who, pipeline::BufferSet buffers, When when = When::Always);
+    // `who`, which wants buffers, has not begun to draw the newest frame. While the scene moves the next one waits for it,
+    // so that the processors have no frames to make that nobody sees; at 30 a second it waits no longer.
+    void hold(const QObject* who, bool holds);
 
 signals:
     void sceneOpened();   // another scene
@@ -140,6 +145,7 @@ private:
     void setSceneValue(std::shared_ptr<const pipeline::Scene> scene);
     void requestFrameSoon();
     void requestFrame();
+    bool waits();  // for the views, or the frame before
     void takeFrame(pipeline::FramePtr frame, long ticket);
     void takeCheck(const pipeline::FramePtr& frame, const FrameCheck& check);
     void forgetCheck();
@@ -163,6 +169,10 @@ private:
     };
     std::map<const QObject*, Want> m_wanted;
     QTimer m_moving;  // runs from a live change until some time after the last one
+    std::set<const QObject*> m_holding;
+    bool m_paced = false;          // one of those was behind in this drag: frames are asked for one by one
+    QTimer m_held;                 // a request that waits
+    QElapsedTimer m_sinceRequest;  // the newest one
     QUndoStack m_undo;
 
     // Frames: what was asked for last, and what came.

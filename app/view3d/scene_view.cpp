@@ -83,6 +83,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
             showDetail();
             emit drawn();
         });
+        connect(m_vtk, &VtkWidget::behindChanged, this, &SceneView::behindChanged);
         connect(m_vtk, &VtkWidget::busyChanged, this, [this](bool busy) {
             m_rendering = busy;
             m_working->setWorking(m_rendering || m_building);

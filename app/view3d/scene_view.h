@@ -79,7 +79,8 @@ public:
 
 signals:
     void drawn();
-    void optionsChanged();  // by the legend
+    void behindChanged(bool behind);  // what is shown waits for the picture before it
+    void optionsChanged();            // by the legend
     void orthographicChanged(bool orthographic);
     void clicked(const app::Hit& hit);  // on a polygon; in world space, whatever space is on show
     void hovered(const std::optional<app::Hit>& hit);

@@ -72,6 +72,7 @@ void VtkWidget::render() {
         VtkRenderer::Result result;
     };
     const auto snapshot = std::make_shared<const ViewSnapshot>(m_next);
+    setBehind(m_job.busy());
     m_job.ask(
         [renderer = m_renderer, surface = &m_surface, snapshot](const BackgroundJob::Control& control) {
             if (!*renderer) *renderer = std::make_unique<VtkRenderer>(*surface);
@@ -81,6 +82,7 @@ void VtkWidget::render() {
             return rendered;
         },
         [this, snapshot](const Rendered& rendered) {
+            setBehind(false);
             if (!rendered.works) emit unusable();
             if (rendered.result.image.isNull()) return;
             m_picture = rendered.result.image;
@@ -93,6 +95,12 @@ void VtkWidget::render() {
         },
         std::exchange(m_rests, !snapshot->moves) && snapshot->moves ? BackgroundJob::Running::Stop
                                                                     : BackgroundJob::Running::Finish);
+}
+
+void VtkWidget::setBehind(bool behind) {
+    if (behind == m_behind) return;
+    m_behind = behind;
+    emit behindChanged(behind);
 }
 
 void VtkWidget::paintEvent(QPaintEvent*) {

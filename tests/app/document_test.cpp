@@ -131,6 +131,43 @@ TEST_F(DocumentTest, WhatIsWantedAtRestComesAfterTheDragAndNotDuringIt) {
     EXPECT_EQ(document.frame()->sharedScene()->camera, document.scene().camera);
 }
 
+// Somebody that is behind for good holds no frame longer than 33 ms, and the last one of a drag not at all.
+TEST_F(DocumentTest, AViewThatIsBehindHoldsFramesOfADragForAMoment) {
+    const QObject view;
+    document.want(&view, {});
+    ASSERT_TRUE(waitForFrame());
+    QSignalSpy frames(&document, &Document::frameReady);
+    QElapsedTimer time;
+    time.start();
+    document.change(setting("camera.theta"), 46, Document::Change::Live);
+    document.hold(&view, true);
+    for (int i = 1; i <= 60; ++i) {
+        document.change(setting("camera.theta"), 46 + 0.1 * i, Document::Change::Live);
+        QTest::qWait(5);
+    }
+    EXPECT_GE(frames.count(), 3);
+    EXPECT_LE(frames.count(), time.elapsed() / 33 + 2);
+    const auto before = frames.count();
+    document.change(setting("camera.theta"), 60, Document::Change::Done);
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_LE(frames.count(), before + 2);
+    EXPECT_EQ(document.frame()->sharedScene()->camera, document.scene().camera);
+}
+
+TEST_F(DocumentTest, AViewThatHasCaughtUpLetsTheNextFrameBeginAtOnce) {
+    const QObject view;
+    document.want(&view, {});
+    ASSERT_TRUE(waitForFrame());
+    QSignalSpy frames(&document, &Document::frameReady);
+    document.change(setting("camera.theta"), 46, Document::Change::Live);
+    document.hold(&view, true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return frames.count() == 1; }));
+    document.change(setting("camera.theta"), 47, Document::Change::Live);
+    document.hold(&view, false);
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(document.frame()->sharedScene()->camera, document.scene().camera);
+}
+
 TEST_F(DocumentTest, PickedPixelStaysInThePicture) {
     document.pick(glm::ivec2(10000, -3));
     EXPECT_EQ(document.pixel(), glm::ivec2(639, 0));
