@@ -104,7 +104,9 @@ void BufferView::placeOverlays() {
     if (m_readout->sizeHint().width() > m_canvas->width() - 2 * kMargin)  // A, B and their difference
         m_readout->setText(m_readout->text().replace("   ", "\n"));
     m_readout->adjustSize();
-    m_readout->move(kMargin, m_canvas->height() - m_readout->height() - kMargin);
+    // Over "0, 0", where the canvas marks it.
+    const int origin = m_canvas->isFlipped() ? QFontMetrics(theme.mono(12)).height() + 4 : 0;
+    m_readout->move(kMargin, m_canvas->height() - m_readout->height() - kMargin - origin);
     m_title->adjustSize();
     m_title->move(kMargin, kMargin);
     m_notice->adjustSize();

@@ -44,6 +44,7 @@ BufferShown BufferView::state() const {
         const glm::ivec2 first = m_regionShown->first(), last = m_regionShown->last();
         state.region = {first.x, first.y, last.x, last.y};
     }
+    state.overlays.clear();  // also of those that are on where nothing else is said
     for (const OverlayInfo& overlay : overlayTable())
         if (m_overlays[index(overlay.id)]) state.overlays.emplace_back(overlay.key);
     if (const auto light = m_shadows->light())

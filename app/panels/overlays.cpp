@@ -7,6 +7,7 @@
 #include "app/core/freed_aside.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
+#include "app/panels/buffer_legend.h"
 #include "pipeline/inspect/overlay_values.h"
 
 namespace app {
@@ -24,9 +25,10 @@ constexpr int kAlpha = 205;  // of 255: what is below still shows
 
 QRgb onTop(pipeline::Color8 c) { return qPremultiply(qRgba(c.r, c.g, c.b, kAlpha)); }
 
-QString swatch(pipeline::Color8 c, const QString& text) {
-    return QString("<span style='color:%1'>■</span> %2").arg(QColor(c.r, c.g, c.b).name(), text);
+QString swatch(const QColor& color, const QString& text) {
+    return QString("<span style='color:%1'>■</span> %2").arg(color.name(), text);
 }
+QString swatch(pipeline::Color8 c, const QString& text) { return swatch(QColor(c.r, c.g, c.b), text); }
 
 // One colour a pixel; colorOf(i) gives 0 where there is none.
 template <class ColorOf>
@@ -177,8 +179,12 @@ void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown) {
         if (isOn(OverlayId::PolygonSize)) legend << polygonSizes(frame, content.size, content.overlays);
         if (isOn(OverlayId::DepthTest)) legend << depthTest(frame, content.size, content.overlays);
         const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
-        if (isOn(OverlayId::Verdict) && verdicts)
+        if (isOn(OverlayId::Verdict) && verdicts) {
             content.verdicts = freedAside(std::make_shared<const ShapePicture>(shapePicture(frame, *verdicts, {})));
+            QStringList names;
+            for (const LegendEntry& entry : legendOf(frame, *verdicts, {})) names << swatch(entry.color, entry.text);
+            legend << names.join(' ');
+        }
     }
     legend.removeAll(QString());
     shown.notice = legend.join("<br>");

@@ -121,9 +121,19 @@ QString descriptionOf(const AnyBuffer& buffer, const QSize& size, const Findings
     return text;
 }
 
+// A picture in colours has a ground where nothing was drawn; where that is everywhere it is no answer.
+bool isGroundAlone(const Frame& frame, const AnyBuffer& buffer, const std::optional<AnyBuffer>& polygons) {
+    if (buffer.info->id != BufferId::Color || frame.scene().settings.visibility == pipeline::Visibility::None)
+        return false;
+    if (!polygons) return false;
+    const auto ids = std::get<std::span<const std::int32_t>>(polygons->data);
+    return std::all_of(ids.begin(), ids.end(), [](std::int32_t id) { return id < 0; });
+}
+
 QString whyNothing(const Frame& frame) {
     const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
     if (!verdicts) return "Nothing was drawn.";
+    if (verdicts->count() == 0) return "Nothing was drawn: the scene has no polygons.";
     std::size_t away = 0;
     for (std::size_t i = 0; i < verdicts->count(); ++i)
         away += verdicts->flat(i) == double(pipeline::Verdict::BackFacing);
@@ -212,7 +222,7 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     const Findings found = look(buffer, drawn, channel);
     const bool isScalar = info.channels == 1 || channel != ShownChannel::All;
     shown.notice = noticeOf(found, isScalar && info.element == Element::Real && !standsOnShapes(info));
-    if (!drawn.empty() && !found.any()) shown.empty = whyNothing(frame);
+    if ((!drawn.empty() && !found.any()) || isGroundAlone(frame, buffer, polygons)) shown.empty = whyNothing(frame);
     shown.description = descriptionOf(buffer, content.size, found);
     const Palette palette = shownPalette(info, channel);
     if (hasRange(info, channel)) shown.scale = scaleOf(buffer, shown.look, whole, drawn);

@@ -217,3 +217,33 @@ TEST_F(BufferMarksTest, ThePolygonUnderThePointerIsTheSameTurnedOver) {
     EXPECT_EQ(nearestPolygonAt(*turned.shapes, app::upsideDown(at, content.size.height())), 2);
     EXPECT_EQ(nearestPolygonAt(*content.shapes, {1, 1}), -1);
 }
+
+// The one that marks NaN is on from the start, and stays off once it is off.
+TEST_F(BufferMarksTest, AnOverlayThatWasSwitchedOffStaysOff) {
+    EXPECT_EQ(view.state().overlays, std::vector<std::string>{"strange"});
+    view.setOverlay(app::OverlayId::Strange, false);
+    view.setOverlay(app::OverlayId::Verdict, true);
+    const auto state = view.state();
+    ASSERT_EQ(state.overlays.size(), 1u);
+    view.setOverlay(app::OverlayId::Strange, true);
+    EXPECT_TRUE(view.lookAt(state).empty());
+    EXPECT_EQ(view.state(), state);
+}
+
+TEST_F(BufferMarksTest, NothingDrawnIsSaidOverAColouredGroundToo) {
+    const auto says = [this](const char* words) {
+        return QTest::qWaitFor([&] { return !document.busy() && view.shown() && view.shown()->empty == words; }, 10000);
+    };
+    auto scene = test::pyramid();
+    // A flat triangle in the plane z = 0 that is clockwise from above, where the eye is.
+    scene.objects[0].mesh = test::mesh({{0, 0, 0}, {0, 100, 0}, {100, 0, 0}}, {{0, 1, 2}});
+    document.setScene(scene);
+    EXPECT_TRUE(says("Nothing was drawn: all 1 polygons face away."));
+    view.setBuffer({BufferId::Color});
+    EXPECT_TRUE(says("Nothing was drawn: all 1 polygons face away."));
+    scene.objects.clear();
+    document.setScene(scene);
+    EXPECT_TRUE(says("Nothing was drawn: the scene has no polygons."));
+    document.setScene(test::pyramid());
+    EXPECT_TRUE(says(""));
+}
