@@ -1,6 +1,7 @@
 #include "app/desktop/clean_view.h"
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -22,6 +23,7 @@ namespace app {
 namespace {
 
 constexpr int kKeyMs = 1200, kCursorMs = 2000;
+constexpr int kFailedMs = 4000;
 
 }  // namespace
 
@@ -51,7 +53,6 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     placeOpening();
     m_pen = new PenLayer(this);
     m_keyTime.setSingleShot(true);
-    m_keyTime.setInterval(kKeyMs);
     connect(&m_keyTime, &QTimer::timeout, this, [this] { m_caption->setKey({}); });
     m_cursorTime.setSingleShot(true);
     m_cursorTime.setInterval(kCursorMs);
@@ -63,6 +64,13 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &CleanView::showEquation);
     connect(&document, &Document::stageChanged, this, &CleanView::showCaption);
     connect(&document.stepper(), &Stepper::changed, this, &CleanView::showCaption);
+    // The list of errors stands in the window behind.
+    connect(&document, &Document::failed, this, [this](const pipeline::Errors& errors) {
+        if (errors.empty()) return;
+        const QString file = QFileInfo(toQString(errors.front().where.file)).fileName();
+        m_caption->setKey(file.isEmpty() ? toQString(errors.front().found) : tr("%1 could not be read").arg(file));
+        m_keyTime.start(kFailedMs);
+    });
     connect(&cues, &CueModel::changed, this, [this] {
         m_pen->clearLines();
         showCaption();
@@ -201,7 +209,7 @@ void CleanView::showKey(const QKeyEvent& key) {
         default: break;
     }
     m_caption->setKey(QKeySequence(key.keyCombination()).toString(QKeySequence::NativeText));
-    m_keyTime.start();
+    m_keyTime.start(kKeyMs);
 }
 
 void CleanView::wakeCursor() {

@@ -30,7 +30,7 @@ public:
     ViewArea& views() { return *m_views; }
     PenLayer& pen() { return *m_pen; }
     QString caption() const;
-    QString shownKey() const;  // the last key pressed, for 1.2 s
+    QString shownKey() const;  // the last key pressed, for 1.2 s; what could not be read, for 4 s
     // The key does something here, or was an ordinary one.
     bool takeKey(int key);
     // The size of the letters that keeps all of them readable: 22 px in 1080 lines at least.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QAccessible>
 #include <QClipboard>
 #include <QDesktopServices>
 #include <QFileInfo>
@@ -41,7 +42,7 @@ ErrorList::ErrorList(QWidget* parent)
     m_sentence->setWordWrap(true);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_lines->setReadOnly(true);
-    m_lines->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_lines->setLineWrapMode(QPlainTextEdit::WidgetWidth);
     m_lines->setAccessibleName(tr("Errors"));
     followTheme(this, [this, mark, column, top] {
         const Theme& theme = Theme::current();
@@ -64,16 +65,24 @@ void ErrorList::report(const QString& sentence, const pipeline::Errors& errors) 
     m_lines->setPlainText(toQString(format(errors)).trimmed());
     m_file = errors.empty() ? QString() : toQString(errors.front().where.file);
     m_showFile->setVisible(QFileInfo(m_file).isFile());
-    fit();
     setVisible(true);
+    fit();
+    setAccessibleName(sentence);
+    QAccessibleEvent alert(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
 }
 
 QString ErrorList::text() const { return m_sentence->text() + QLatin1Char('\n') + m_lines->toPlainText(); }
 
 // As high as its lines, up to eight of them; the rest scrolls.
 void ErrorList::fit() {
-    const int lines = std::clamp(m_lines->blockCount(), 1, 8);
+    const int lines = std::clamp(int(m_lines->document()->size().height()), 1, 8);  // a plain text's is in lines
     m_lines->setFixedHeight(lines * QFontMetrics(m_lines->font()).lineSpacing() + Theme::current().px(24));
+}
+
+void ErrorList::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fit();
 }
 
 void ErrorList::keyPressEvent(QKeyEvent* event) {

@@ -18,6 +18,7 @@ public:
         const toml::array* polygons = rows("polygons");
         if (!vertices || !polygons) return {};
         readVectors(*vertices, "vertices", m_mesh.positions);
+        const bool hasVertices = !m_wrong;
         if (m_object.contains("normals")) {
             const toml::array* normals = rows("normals");
             if (!normals) return {};
@@ -26,7 +27,7 @@ public:
                 fail(*normals, fmt::format("{} normals for {} vertices", normals->size(), vertices->size()),
                      "one a vertex");
         }
-        readPolygons(*polygons);
+        if (hasVertices) readPolygons(*polygons);  // of which those that could not be read are no news
         if (m_wrong) return {};
         return std::move(m_mesh);
     }

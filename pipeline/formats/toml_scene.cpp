@@ -114,6 +114,7 @@ private:
             if (object.shape) object.mesh = shapeMesh(*object.shape);
             if (const toml::node* node = table.get("name"))
                 object.name = m_values.text(*node, path + ".name").value_or("");
+            if (object.name.empty()) object.name = fmt::format("object {}", i);
             if (const toml::node* node = table.get("turns")) readTurns(*node, path + ".turns", object.transform);
             if (const toml::node* node = table.get("material")) readMaterial(*node, path + ".material", i);
             if (const toml::node* node = table.get("back_material")) {

@@ -180,6 +180,8 @@ TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
     settle();
     EXPECT_EQ(model().current(), 1);
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.shownKey().isEmpty(); }, 5000));
+    emit document().failed({pipeline::Error{{"gone.toml", 0, 0}, "no such file", {}}});
+    EXPECT_EQ(view.shownKey(), "gone.toml could not be read") << "the window's list of errors is behind";
     QTest::keyClick(&view, Qt::Key_B);
     EXPECT_EQ(view.grab().toImage().pixelColor(view.width() / 2, view.height() / 2), QColor(Qt::black));
     QTest::keyClick(&view, Qt::Key_W);

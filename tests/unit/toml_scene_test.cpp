@@ -90,6 +90,15 @@ mesh = "t.des"
     EXPECT_EQ(scene->objects[1].material.diffuse, Vec3d(0.2, 0.5, 0.9));
 }
 
+// Tables, reports and the outline tell objects by their names.
+TEST(TomlScene, AnObjectWithoutANameHasItsNumber) {
+    const auto scene =
+        read("[[object]]\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\npolygons = [[0, 1, 2]]\n" + kSphere);
+    ASSERT_TRUE(scene) << format(scene.errors());
+    EXPECT_EQ(scene->objects[0].name, "object 0");
+    EXPECT_EQ(scene->objects[1].name, "sphere");
+}
+
 TEST(TomlScene, GivesPlaceAndExpectationOfWhatIsWrong) {
     EXPECT_EQ(errorsIn("shadin = 3\n" + kSphere), "s.toml:1:1: no key \"shadin\"; the nearest is \"shading\"\n");
     EXPECT_EQ(errorsIn("[camera]\n  fov = 200\n" + kSphere),
@@ -101,6 +110,9 @@ TEST(TomlScene, GivesPlaceAndExpectationOfWhatIsWrong) {
     EXPECT_EQ(errorsIn("[camera]\nfov = nan\n" + kSphere),
               "s.toml:2:7: camera.fov is not finite, expected a number from 0.01 to 179.99\n");
     EXPECT_EQ(errorsIn("[[object]]\nmesh = \"no.des\"\n"), "s.toml:2:8: no such file\n");
+    EXPECT_EQ(errorsIn("[[object]]\nvertices = [[0, 0, nan], [1, 0, 0], [0, 1, 0]]\npolygons = [[0, 1, 2]]\n"),
+              "s.toml:2:20: object.0.vertices is not finite, expected a number from -1e9 to 1e9\n")
+        << "and no more about polygons whose vertices are not known";
     EXPECT_EQ(errorsIn("[[object]]\nshape = \"plane\"\nturns = [[20, 0, 0, 0]]\n"),
               "s.toml:3:10: the axis of a turn is (0, 0, 0), expected a direction\n");
     EXPECT_EQ(errorsIn("[[object]]\nname = \"a\"\n"),
