@@ -61,6 +61,7 @@ void enableStepActions(Actions& actions, const Document& document, bool hasScene
     };
     const bool first = stepper.isInside() && !stepper.canStep(-1);
     enable(A::Play, true, {});
+    actions[A::Play]->setChecked(stepper.isPlaying());  // it ends by itself too
     actions[A::Play]->setText(stepper.isPlaying() ? Document::tr("Pause") : Document::tr("Play"));
     enable(A::StepOn, stepper.canStep(1), Document::tr("Already at the last step; Home goes to the first."));
     enable(A::StepBack, stepper.canStep(-1), Document::tr("Already at the first step."));
@@ -70,6 +71,7 @@ void enableStepActions(Actions& actions, const Document& document, bool hasScene
         document.pixel() || (document.selection() && document.selection()->kind != Selection::Kind::Light);
     enable(A::RunToSelection, selected, Document::tr("Pick a pixel, or select a polygon, an object or a vertex."));
     enable(A::Bookmark, stepper.isInside(), Document::tr("The whole frame is on show; step inside it first."));
+    actions[A::Bookmark]->setChecked(stepper.bookmarkHere() >= 0);
     actions[A::Bookmark]->setText(stepper.bookmarkHere() >= 0 ? Document::tr("Take the bookmark away")
                                                               : Document::tr("Bookmark"));
     for (std::size_t i = 0; i < kBookmarks.size(); ++i)

@@ -78,6 +78,20 @@ TEST_F(WindowSteps, SpacePlaysUnlessAButtonHasTheFocus) {
     EXPECT_FALSE(stepper().isPlaying());
 }
 
+TEST_F(WindowSteps, PlayIsNoLongerPressedWhenItHasComeToTheEnd) {
+    openAndCount();
+    const QAction* play = window.actions()[ActionId::Play];
+    find<StepBar>("stepBar")->setFocus();
+    press("Home");
+    stepper().setLevel(Stepper::Level::Stage);
+    stepper().setSpeed(16);
+    press("Space");
+    ASSERT_TRUE(stepper().isPlaying());
+    EXPECT_TRUE(play->isChecked());
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !stepper().isPlaying(); }, 20000));
+    EXPECT_FALSE(play->isChecked());
+}
+
 TEST_F(WindowSteps, AKeyThatDoesNothingSaysWhy) {
     openAndCount();
     canvas()->setFocus();
