@@ -113,7 +113,11 @@ Evaluation evaluate(const ShadingInputs& inputs, const Surface<Real>& at, const 
     return e;
 }
 
-std::string placeText(Vec3d p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
+// With a true minus sign, as in the equation that it stands under.
+std::string coordinateText(double value) { return fmt::format("{}{:.6g}", value < 0 ? "−" : "", std::abs(value)); }
+std::string placeText(Vec3d p) {
+    return fmt::format("({}, {}, {})", coordinateText(p.x), coordinateText(p.y), coordinateText(p.z));
+}
 
 template <class Real>
 void reportWeights(const VertexWeights<Real>& weights, Interpolation asked, PixelReport& report) {

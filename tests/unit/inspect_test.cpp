@@ -32,6 +32,23 @@ R·V = (−0.577, 0.808, 0.115)·(0.386, 0.678, 0.626) = 0.3974 | 66.6°
 )");
 }
 
+// 400 to the left of where the lecture has it: x = 335 − 400, written with the minus sign of the lines above.
+TEST(Equation, SaysWhereWithATrueMinusSign) {
+    Scene scene = test::pyramid();
+    scene.objects[0].transform.translation.x -= 400;
+    const FramePtr frame = test::frameOf(scene);
+    const AnyBuffer ids = *frame->buffer({BufferId::PolygonId});
+    for (std::size_t i = 0; i < ids.count(); ++i) {
+        if (ids.flat(i) != 2) continue;
+        const glm::ivec2 pixel(int(i % ids.columns()), int(i / ids.columns()));
+        const std::string text =
+            equationText(equation(frame->scene(), inspectPixel(*frame, pixel), 2), EquationFormat::Text);
+        EXPECT_NE(text.find("the mean of the vertices (−65, 125, 50)"), std::string::npos) << text;
+        return;
+    }
+    FAIL() << "polygon 2 is not seen";
+}
+
 // As a page sets it: aligned at the first equals sign, words in \text, one line break between lines.
 TEST(Equation, AsLatexAndMarkdown) {
     const FramePtr frame = test::frameOf(test::pyramid());
