@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/core/spoken.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -18,6 +19,7 @@ constexpr std::array kZooms{0.1, 0.125, 0.2,  0.25, 1.0 / 3, 0.5, 2.0 / 3, 1.0, 
 BufferCanvas::BufferCanvas(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
+    speakAs(*this, QAccessible::Graphic);
     setCursor(Qt::CrossCursor);
     followTheme(this, [this] { updateAll(); });
     for (CanvasBase* base : {&m_base, &m_otherBase}) {

@@ -133,6 +133,7 @@ void BufferHeader::show(const pipeline::BufferName& name, ShownChannel channel) 
 
 void BufferHeader::setZoom(double zoom) {
     m_zoom->setText(zoom > 0 ? number(zoom, zoom >= 2 || zoom == 1 ? 0 : 2) + "×" : QString());
+    m_zoom->setAccessibleName(tr("Zoom %1").arg(m_zoom->text()));
 }
 
 void BufferHeader::setFlipped(bool flipped) { m_flip->setChecked(flipped); }

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/plot_painter.h"
@@ -10,6 +11,7 @@ namespace app {
 
 CheckPlot::CheckPlot(QWidget* parent) : QWidget(parent) {
     setObjectName("checkPlot");
+    speakAs(*this, QAccessible::Chart);
     setAccessibleName(tr("Errors of both forms over the range"));
     followTheme(this, [this] {
         updateGeometry();

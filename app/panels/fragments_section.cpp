@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/core/number_format.h"
+#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/buffers/palette.h"
@@ -58,6 +59,7 @@ void paintMark(QPainter& painter, FragmentVerdict verdict, QPointF centre) {
 }  // namespace
 
 FragmentsSection::FragmentsSection(QWidget* parent) : QWidget(parent) {
+    speakAs(*this, QAccessible::List);
     setAccessibleName(tr("Fragments"));
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);

@@ -15,6 +15,7 @@ using pipeline::kMostGain;
 GainBar::GainBar(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::SizeHorCursor);
+    speak(*this);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setToolTip(tr("What the term adds. Drag for its gain, from 0 to 4; a double click makes it 1."));
 }
@@ -26,8 +27,11 @@ void GainBar::show(double share, double gain, bool isOff) {
     m_gain = gain;
     m_off = isOff;
     setAccessibleDescription(tr("gain %1").arg(gain));
+    sayValue(*this);
     update();
 }
+
+SpokenSlider::Scale GainBar::spoken() const { return {m_gain, 0, kMostGain, 0.1}; }
 
 void GainBar::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();

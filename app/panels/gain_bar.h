@@ -1,11 +1,13 @@
 #pragma once
 #include <QWidget>
 
+#include "app/core/spoken.h"
+
 namespace app {
 
 // A term as a part of the sum that it belongs to, and its gain: the bar is what it adds, the mark its gain on a scale
 // from 0 to 4. Any press or drag sets the gain, a double click makes it 1; keys: arrows a tenth, Home 0, End 4, 1.
-class GainBar : public QWidget {
+class GainBar : public QWidget, public SpokenSlider {
     Q_OBJECT
 public:
     explicit GainBar(QWidget* parent = nullptr);
@@ -13,6 +15,8 @@ public:
     // share: of the sum, with the gain; 0 to 1. isOff: muted, or another strip is solo.
     void show(double share, double gain, bool isOff);
     double gain() const { return m_gain; }
+    Scale spoken() const override;
+    void slideTo(double gain) override { emit moved(gain); }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {40, sizeHint().height()}; }
 

@@ -59,6 +59,7 @@ void InspectorPanel::build() {
     auto* page = new QWidget(this);
     page->setProperty("kind", "page");
     m_swatch = new QLabel(page);
+    m_swatch->setAccessibleName(tr("Colour of the pixel"));
     m_title = new QLabel(page);
     m_title->setTextFormat(Qt::RichText);
     m_title->setTextInteractionFlags(Qt::TextSelectableByMouse);

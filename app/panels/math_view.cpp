@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/export/json.h"
@@ -28,6 +29,7 @@ QString written(const std::vector<EquationLine>& lines, pipeline::EquationFormat
 MathView::MathView(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
+    speakAs(*this, QAccessible::Equation);
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
@@ -147,7 +149,10 @@ void MathView::mouseMoveEvent(QMouseEvent* event) { point(partAt(event->position
 
 void MathView::leaveEvent(QEvent*) { point(-1); }
 
-void MathView::focusOutEvent(QFocusEvent*) { point(-1); }
+void MathView::focusOutEvent(QFocusEvent* event) {
+    point(-1);
+    QWidget::focusOutEvent(event);  // which takes the ring away
+}
 
 void MathView::mouseReleaseEvent(QMouseEvent* event) {
     const int part = partAt(event->position() - QPointF(1, 0));

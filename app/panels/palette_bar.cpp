@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/core/numbers.h"
+#include "app/core/spoken.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -23,7 +24,7 @@ double barHeight(int count, int most, bool logarithmic) {
 
 PaletteBar::PaletteBar(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("Range of the palette"));
+    speakAs(*this, QAccessible::Chart);
     setToolTip(
         tr("Drag a handle to choose what the palette's ends stand for, between them to move both; "
            "double-click to type. ← → move the first end, Shift+← → the last"));
@@ -39,6 +40,7 @@ QSize PaletteBar::minimumSizeHint() const { return {Theme::current().px(60), The
 
 void PaletteBar::setScale(Scale scale) {
     m_scale = std::move(scale);
+    setAccessibleName(tr("Range of the palette: %1 to %2").arg(m_scale.range.first).arg(m_scale.range.last));
     update();
 }
 

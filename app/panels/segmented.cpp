@@ -27,6 +27,7 @@ Segmented::Segmented(const QStringList& choices, QWidget* parent) : QWidget(pare
     for (int i = 0; i < choices.size(); ++i) {
         auto* button = new QPushButton(choices[i], this);
         button->setCheckable(true);
+        button->setAutoExclusive(true);  // makes it a radio button to a screen reader; the group decides
         button->setProperty("kind", "segment");
         button->setAccessibleName(choices[i]);
         row->addWidget(button, 1);
@@ -41,6 +42,9 @@ Segmented::Segmented(const QStringList& choices, QWidget* parent) : QWidget(pare
 
 void Segmented::setCurrent(int choice) {
     if (QAbstractButton* button = m_group.button(choice)) button->setChecked(true);
+    // One stop of Tab, at the choice; from there the arrows choose.
+    for (QAbstractButton* button : m_group.buttons())
+        button->setFocusPolicy(button->isChecked() ? Qt::StrongFocus : Qt::ClickFocus);
 }
 
 }  // namespace app

@@ -7,6 +7,7 @@
 #include <QToolTip>
 #include <cmath>
 
+#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/fitting_font.h"
 #include "app/panels/follow_theme.h"
@@ -29,6 +30,7 @@ QStringList stageLabels() {
 StepBar::StepBar(Stepper& stepper, QWidget* parent) : QWidget(parent), m_stepper(stepper) {
     setObjectName("stepBar");
     setFocusPolicy(Qt::StrongFocus);
+    speakAs(*this, QAccessible::Graphic);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Steps of the frame"));
     connect(&stepper, &Stepper::changed, this, [this] {

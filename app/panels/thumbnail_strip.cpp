@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/core/derived_buffers.h"
+#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_painter.h"
 #include "app/panels/follow_theme.h"
@@ -18,6 +19,7 @@ using pipeline::BufferName;
 
 ThumbnailStrip::ThumbnailStrip(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setFocusPolicy(Qt::StrongFocus);
+    speakAs(*this, QAccessible::List);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Thumbnails of the buffers"));
     // While a slider moves the views come first; frames follow each other more quickly than this.
@@ -61,6 +63,7 @@ void ThumbnailStrip::setCurrent(const BufferName& name) {
             m_marked = i;
             reveal(i);
         }
+    describe();
     update();
 }
 
@@ -134,7 +137,10 @@ void ThumbnailStrip::paintItem(QPainter& painter, const Item& item, const QRect&
     }
 }
 
-void ThumbnailStrip::resizeEvent(QResizeEvent*) { scrollTo(m_offset); }
+void ThumbnailStrip::resizeEvent(QResizeEvent*) {
+    scrollTo(m_offset);
+    reveal(m_marked);  // which was scrolled to for another width
+}
 
 void ThumbnailStrip::showEvent(QShowEvent*) { scrollTo(m_offset); }
 
@@ -159,6 +165,7 @@ void ThumbnailStrip::keyPressEvent(QKeyEvent* event) {
     if (step != 0) {
         m_marked = std::clamp(m_marked + step, 0, int(m_items.size()) - 1);
         reveal(m_marked);
+        describe();
         update();
     } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         setCurrent(m_items[std::size_t(m_marked)].name);

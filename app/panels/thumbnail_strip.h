@@ -53,6 +53,7 @@ private:
     void refresh();
     void take(const std::vector<Picture>& pictures);
     void want();
+    void describe();
     void scrollTo(int offset);
     void reveal(int item);
     int itemWidth() const;

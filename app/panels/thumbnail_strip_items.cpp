@@ -125,11 +125,21 @@ void ThumbnailStrip::take(const std::vector<Picture>& pictures) {
             if (!drawn.image.isNull() || !item.why.isEmpty()) item.picture = drawn.image;
             if (!item.picture.isNull()) item.why.clear();
         }
-    QStringList absent;
-    for (const Item& item : m_items)
-        if (item.isInSight && !item.why.isEmpty()) absent << toQString(item.name.text()) + ": " + item.why;
-    setAccessibleDescription(absent.join(' '));
+    describe();
     update();
+}
+
+// The one that the arrows have come to, then what is left out of those in sight.
+void ThumbnailStrip::describe() {
+    QStringList texts;
+    if (m_marked >= 0 && m_marked < int(m_items.size())) {
+        const Item& item = m_items[std::size_t(m_marked)];
+        const QString name = toQString(item.name.text());
+        texts << (item.name == m_current ? tr("%1, on show.") : tr("%1, Enter shows it.")).arg(name);
+    }
+    for (const Item& item : m_items)
+        if (item.isInSight && !item.why.isEmpty()) texts << toQString(item.name.text()) + ": " + item.why;
+    setAccessibleDescription(texts.join(' '));
 }
 
 }  // namespace app

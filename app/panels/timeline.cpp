@@ -55,7 +55,8 @@ Timeline::Timeline(Document& document, const Transport& transport, QWidget* pare
     m_by->setProperty("tone", 2);
     m_levels->setObjectName("stepLevel");
     m_levelList->setObjectName("stepLevelList");
-    m_levelList->setAccessibleName(tr("What a step is"));
+    for (QWidget* levels : {static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_levelList)})
+        levels->setAccessibleName(tr("What a step is"));
     for (const QString& level : levelNames()) m_levelList->addItem(tr("by %1").arg(level));
     m_levels->setToolTip(tr("What a step is. A stage without such parts takes its own next larger ones."));
     m_levelList->setToolTip(m_levels->toolTip());

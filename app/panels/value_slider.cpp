@@ -14,6 +14,7 @@ ValueSlider::ValueSlider(double low, double high, double step, QWidget* parent)
     : QWidget(parent), m_low(low), m_high(high), m_step(step), m_value(low) {
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    speak(*this);
     followTheme(this, [this] { updateGeometry(), update(); });
 }
 
@@ -22,7 +23,17 @@ QSize ValueSlider::sizeHint() const { return {Theme::current().px(48), Theme::cu
 void ValueSlider::setValue(double value) {
     if (value == m_value) return;
     m_value = value;
+    sayValue(*this);
     update();
+}
+
+SpokenSlider::Scale ValueSlider::spoken() const {
+    return {m_value, m_low, m_high, std::max(m_step, (m_high - m_low) / 100)};
+}
+
+void ValueSlider::slideTo(double value) {
+    setValue(snapped(value));
+    emit released(m_value);
 }
 
 void ValueSlider::setMark(std::optional<double> before) {
@@ -53,11 +64,8 @@ double ValueSlider::snapped(double value) const {
 }
 
 void ValueSlider::stepBy(double steps) {
-    const double step = std::max(m_step, (m_high - m_low) / 100);
-    const double value = snapped(std::clamp(m_value, m_low, m_high) + steps * step);
-    if (value == m_value) return;
-    setValue(value);
-    emit released(value);
+    const double value = snapped(std::clamp(m_value, m_low, m_high) + steps * spoken().step);
+    if (value != m_value) slideTo(value);
 }
 
 void ValueSlider::setRinged(bool ringed) {

@@ -3,12 +3,14 @@
 
 #include <QWidget>
 
+#include "app/core/spoken.h"
+
 namespace app {
 
 // A slider over real numbers: a thin track, filled up to the value, with a mark where the value
 // was before. Any press on the track takes the knob there. What lies outside [low, high] stands
 // at the end. Keys: arrows a hundredth of the range, Page Up and Down a tenth, Home and End.
-class ValueSlider : public QWidget {
+class ValueSlider : public QWidget, public SpokenSlider {
     Q_OBJECT
 public:
     // step: values are multiples of it from low on; 0 for none.
@@ -18,6 +20,8 @@ public:
     void setMark(std::optional<double> before);  // the former value, or none
     void setRinged(bool ringed);                 // another view points at what it sets
     bool isDragged() const { return m_dragged; }
+    Scale spoken() const override;
+    void slideTo(double value) override;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

@@ -5,6 +5,7 @@
 
 #include "app/core/large_frame.h"
 #include "app/core/numbers.h"
+#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/core/working_bar.h"
@@ -63,6 +64,7 @@ private:
 };
 
 SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem()) {
+    speakAs(*this, QAccessible::Graphic);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAutoFillBackground(true);

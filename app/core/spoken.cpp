@@ -1,0 +1,63 @@
+#include "app/core/spoken.h"
+
+#include <algorithm>
+
+#include <QAccessibleWidget>
+
+namespace app {
+namespace {
+
+constexpr const char* kRole = "spokenRole";
+
+class Painted : public QAccessibleWidget {
+public:
+    explicit Painted(QWidget* widget) : QAccessibleWidget(widget, QAccessible::Role(widget->property(kRole).toInt())) {}
+};
+
+class Slider : public QAccessibleWidget, public QAccessibleValueInterface {
+public:
+    Slider(QWidget* widget, SpokenSlider& slider) : QAccessibleWidget(widget, QAccessible::Slider), m_slider(slider) {}
+
+    void* interface_cast(QAccessible::InterfaceType type) override {
+        if (type == QAccessible::ValueInterface) return static_cast<QAccessibleValueInterface*>(this);
+        return QAccessibleWidget::interface_cast(type);
+    }
+    QString text(QAccessible::Text kind) const override {
+        return kind == QAccessible::Value ? QString::number(m_slider.spoken().value) : QAccessibleWidget::text(kind);
+    }
+    QVariant currentValue() const override { return m_slider.spoken().value; }
+    QVariant minimumValue() const override { return m_slider.spoken().low; }
+    QVariant maximumValue() const override { return m_slider.spoken().high; }
+    QVariant minimumStepSize() const override { return m_slider.spoken().step; }
+    void setCurrentValue(const QVariant& value) override {
+        const auto scale = m_slider.spoken();
+        m_slider.slideTo(std::clamp(value.toDouble(), scale.low, scale.high));
+    }
+
+private:
+    SpokenSlider& m_slider;
+};
+
+QAccessibleInterface* make(const QString&, QObject* object) {
+    auto* widget = qobject_cast<QWidget*>(object);
+    if (!widget || !widget->property(kRole).isValid()) return nullptr;
+    if (auto* slider = dynamic_cast<SpokenSlider*>(widget)) return new Slider(widget, *slider);
+    return new Painted(widget);
+}
+
+}  // namespace
+
+void speakAs(QWidget& widget, QAccessible::Role role) {
+    QAccessible::installFactory(make);  // Qt keeps each factory once
+    widget.setProperty(kRole, role);
+}
+
+void SpokenSlider::speak(QWidget& slider) { speakAs(slider, QAccessible::Slider); }
+
+void SpokenSlider::sayValue(QWidget& slider) {
+    if (!QAccessible::isActive()) return;
+    QAccessibleValueChangeEvent event(&slider, dynamic_cast<SpokenSlider&>(slider).spoken().value);
+    QAccessible::updateAccessibility(&event);
+}
+
+}  // namespace app
