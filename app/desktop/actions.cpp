@@ -163,7 +163,8 @@ void Actions::addMenus(QMenuBar& bar) {
         const QString top = path.left(slash);
         QMenu*& menu = m_menus[top];
         if (!menu) {
-            menu = bar.addMenu(tr(qPrintable(top)));
+            // By its first letter with Alt; "Alt+R" is the equation in red.
+            menu = bar.addMenu(top == "Run" ? tr("R&un") : '&' + tr(qPrintable(top)));
             menu->setToolTipsVisible(true);
         }
         QMenu* place = menu;

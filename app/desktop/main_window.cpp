@@ -26,6 +26,7 @@
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/panel_table.h"
 #include "app/desktop/pixel_field.h"
+#include "app/desktop/popover.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/session.h"
 #include "app/desktop/status_line.h"
@@ -39,6 +40,7 @@
 #include "app/panels/settings_panel.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
+#include "app/panels/tab_order.h"
 #include "app/panels/timeline.h"
 
 namespace app {
@@ -297,6 +299,14 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     }
     if (event->type() == QEvent::KeyPress && watched == this) sayWhyNot(*static_cast<QKeyEvent*>(event));
     return QMainWindow::eventFilter(watched, event);
+}
+
+// As the window is read, whatever was made first. In an overlay Tab goes round, for Esc leaves it.
+bool MainWindow::focusNextPrevChild(bool next) {
+    const QWidget* scope = this;
+    for (QWidget* above = focusWidget(); above; above = above->parentWidget())
+        if (qobject_cast<Popover*>(above)) scope = above;
+    return focusNext(*scope, next) || QMainWindow::focusNextPrevChild(next);
 }
 
 // A key that nothing has taken may be that of an action which cannot be done now.

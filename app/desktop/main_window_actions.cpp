@@ -120,7 +120,10 @@ void MainWindow::connectActions() {
         on(kThemeActions[i], [i] { Theme::current().set(ThemeId(i)); });
     for (std::size_t i = 0; i < kChannelActions.size(); ++i)
         on(kChannelActions[i], [this, i] { m_document.setChannel(int(i)); });
-    connect(m_pixelField, &PixelField::entered, this, [this](glm::ivec2 pixel) { m_document.pick(pixel); });
+    connect(m_pixelField, &PixelField::entered, this, [this](glm::ivec2 pixel) {
+        m_document.pick(pixel);
+        m_views->focusBuffer();  // whose arrows move it on
+    });
 
     QMenu* file = actions.menu("File");
     m_recent = new QMenu(tr("Open recent"), file);

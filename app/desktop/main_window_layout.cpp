@@ -54,6 +54,7 @@ void MainWindow::showScene() {
     if (m_width == Width::Wide) restoreLayout(*this);
     showTitle();
     enableActions();
+    m_views->focusBuffer();
 }
 
 MainWindow::Width MainWindow::widthClass() const {

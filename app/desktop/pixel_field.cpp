@@ -40,6 +40,8 @@ PixelField::PixelField(QWidget* window) : Popover(window), m_field(new QLineEdit
         if (const auto pixel = parsePixel(m_field->text(), m_size)) {
             close();
             emit entered(*pixel);
+        } else {
+            m_hint->setText(tr("There is no such pixel. ") + range());
         }
     });
 }
@@ -48,8 +50,12 @@ void PixelField::open(glm::ivec2 size, std::optional<glm::ivec2> now) {
     m_size = size;
     m_field->setText(now ? QStringLiteral("%1, %2").arg(now->x).arg(now->y) : QString());
     m_field->selectAll();
-    m_hint->setText(tr("x, y from 0, 0 to %1, %2; Enter goes there.").arg(size.x - 1).arg(size.y - 1));
+    m_hint->setText(range());
     Popover::open(m_field);
+}
+
+QString PixelField::range() const {
+    return tr("x, y from 0, 0 to %1, %2; Enter goes there.").arg(m_size.x - 1).arg(m_size.y - 1);
 }
 
 }  // namespace app

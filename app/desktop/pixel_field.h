@@ -25,6 +25,8 @@ signals:
     void entered(glm::ivec2 pixel);
 
 private:
+    QString range() const;
+
     glm::ivec2 m_size{0};
     QLineEdit* m_field;
     QLabel* m_hint;

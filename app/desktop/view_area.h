@@ -50,6 +50,7 @@ public:
     // The view that the keys go to, or went to last.
     ViewLeaf active() const;
     void goTo(ViewLeaf leaf);
+    void focusBuffer();       // the keys go to the active buffer view, else to the first
     void goToNext(int step);  // 1 the next one, −1 the one before
     // A new view beside it, or below it, with a buffer that explains the stage.
     void splitView(ViewLeaf leaf, ViewTree::Kind direction);

@@ -24,16 +24,6 @@ namespace app {
 
 using Kind = ViewTree::Kind;
 
-namespace {
-
-// Where there is no picture its header takes the keys.
-QWidget& focusOf(BufferView& view) {
-    if (view.message().isEmpty()) return *view.canvas();
-    return *view.findChild<BufferHeader*>()->chooser();
-}
-
-}  // namespace
-
 ViewSize ViewArea::room() const { return {m_middle->width(), m_middle->height()}; }
 int ViewArea::gap() const { return Theme::current().px(8); }
 
@@ -241,12 +231,14 @@ void ViewArea::takeFocus(const QWidget* now) {
 void ViewArea::goTo(ViewLeaf leaf) {
     if (!contains(m_shown, leaf)) return;
     if (leaf.kind == ViewLeaf::Kind::Buffer)
-        focusOf(*m_buffers.at(leaf.number)).setFocus(Qt::ShortcutFocusReason);
+        m_buffers.at(leaf.number)->takeKeys();
     else
         m_spaces.at(leaf.number)->setFocus(Qt::ShortcutFocusReason);
     m_active = leaf;
     emit changed();
 }
+
+void ViewArea::focusBuffer() { activeBuffer().takeKeys(); }
 
 void ViewArea::goToNext(int step) {
     const QWidget* frame = frameOf(active());

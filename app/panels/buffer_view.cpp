@@ -121,6 +121,7 @@ void BufferView::setBuffer(const BufferName& name) {
     m_header->show(name, kept().channel);
     m_title->setText(toQString(name.text()));
     setAccessibleName(tr("Buffer view: %1").arg(toQString(name.text())));
+    m_canvas->setAccessibleName(toQString(name.text()));
     want();
     refresh();
     if (isOther) emit bufferChanged(name);
@@ -172,6 +173,7 @@ void BufferView::refresh() {
     m_shown = m_compare->show(*answer);
     if (!isDifference(*m_shown->buffer.info)) m_shown->notice = withNotices(m_shown->notice);
     m_stack->setCurrentWidget(m_canvas);
+    if (std::exchange(m_keysWait, false) && m_header->chooser()->hasFocus()) takeKeys();
     m_canvas->setContent(m_shown->content);
     m_header->setZoom(m_canvas->zoom());
     m_foot->show(*m_shown, !keptRange(), kept().logCounts);
@@ -219,6 +221,11 @@ void BufferView::showPixels() {
         m_canvas->content().hovered ? m_canvas->content().hovered : m_canvas->content().picked;
     m_readout->setText(at && m_shown ? readout(*at) : QString());
     m_readout->setVisible(!m_readout->text().isEmpty());
+    // The canvas has the focus: what is picked is told first, and again with every nudge.
+    if (m_shown)
+        m_canvas->setAccessibleDescription(m_readout->text().isEmpty()
+                                               ? m_shown->description
+                                               : m_readout->text() + QStringLiteral(". ") + m_shown->description);
     placeOverlays();
 }
 

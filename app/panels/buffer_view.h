@@ -56,6 +56,7 @@ public:
     QString whyNoValue() const;  // why copyValue() has nothing to copy; empty where it has
     void copyValue();            // of the picked pixel, to the clipboard, and says so
     void copyPicture();
+    void takeKeys();          // the picture has the focus, or its header until there is one
     QString message() const;  // what stands in place of the picture; empty when there is one
 
 signals:
@@ -139,6 +140,7 @@ private:
     Loupe* m_loupe;
     RangeFoot* m_foot;
     RegionPanel* m_region;
+    bool m_keysWait = false;  // for the picture
     std::optional<Region> m_regionShown;
     QLabel* m_pins;
     WorkingBar* m_working;

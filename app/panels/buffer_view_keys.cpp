@@ -11,6 +11,14 @@
 
 namespace app {
 
+void BufferView::takeKeys() {
+    m_keysWait = !message().isEmpty();
+    if (m_keysWait)
+        m_header->chooser()->setFocus(Qt::ShortcutFocusReason);
+    else
+        m_canvas->setFocus(Qt::ShortcutFocusReason);
+}
+
 void BufferView::keyPressEvent(QKeyEvent* event) {
     if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return QWidget::keyPressEvent(event);
     const bool shift = event->modifiers() & Qt::ShiftModifier;

@@ -1,5 +1,6 @@
 #include "app/panels/condition_bar.h"
 
+#include <QApplication>
 #include <QGridLayout>
 #include <QImage>
 #include <QKeyEvent>
@@ -124,6 +125,7 @@ void ConditionBar::reveal() {
 }
 
 void ConditionBar::close() {
+    if (isAncestorOf(QApplication::focusWidget())) emit left();
     hide();
     read();
 }

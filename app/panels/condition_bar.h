@@ -34,6 +34,7 @@ public:
     bool busy() const;
 
 signals:
+    void left();     // closes, and had the focus
     void changed();  // the mask, or that there is none
 
 protected:

@@ -71,6 +71,7 @@ QWidget* ExportDialog::makeTarget() {
     auto* form = new QFormLayout;
     m_folder = new QLineEdit(right);
     m_folder->setObjectName("exportFolder");
+    m_folder->setAccessibleName(tr("Folder"));
     const QString base = QFileInfo(toQString(m_document.scene().name)).completeBaseName();
     m_folder->setText(QDir::home().filePath(base + "-buffers"));
     auto* choose = new QPushButton(tr("Choose"), right);
@@ -88,18 +89,19 @@ QWidget* ExportDialog::makeTarget() {
     form->addRow(tr("Formats"), m_formats);
 
     auto* size = new QHBoxLayout;
-    const auto makeSide = [&](int value, const char* name) {
+    const auto makeSide = [&](int value, const char* name, const QString& words) {
         auto* field = new QLineEdit(QString::number(value), right);
         field->setObjectName(name);
+        field->setAccessibleName(words);
         field->setAlignment(Qt::AlignRight);
         field->setValidator(new QIntValidator(1, 16384, field));
         connect(field, &QLineEdit::textChanged, this, &ExportDialog::showSummary);
         size->addWidget(field);
         return field;
     };
-    m_width = makeSide(m_document.scene().settings.width, "exportWidth");
+    m_width = makeSide(m_document.scene().settings.width, "exportWidth", tr("Width in pixels"));
     size->addWidget(new QLabel(QStringLiteral("×"), right));
-    m_height = makeSide(m_document.scene().settings.height, "exportHeight");
+    m_height = makeSide(m_document.scene().settings.height, "exportHeight", tr("Height in pixels"));
     size->addWidget(new QLabel(tr("pixels"), right), 1);
     form->addRow(tr("Size"), size);
     connect(m_folder, &QLineEdit::textChanged, this, &ExportDialog::showSummary);

@@ -3,6 +3,7 @@
 
 #include "app/core/document.h"
 #include "app/core/export_plan.h"
+#include "app/panels/tab_order.h"
 
 class QLabel;
 class QLineEdit;
@@ -24,6 +25,9 @@ public:
     // What pictures carry beside the scene, as TOML.
     void setState(std::string state) { m_state = std::move(state); }
     pipeline::ExportRequest request() const;
+
+protected:
+    bool focusNextPrevChild(bool next) override { return focusNext(*this, next) || QDialog::focusNextPrevChild(next); }
 
 private:
     QWidget* makeTarget();

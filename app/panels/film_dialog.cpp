@@ -46,6 +46,7 @@ FilmDialog::FilmDialog(Document& document, const pipeline::BufferName& buffer, Q
         column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
         resize(onScreen(*this, theme.px(620), theme.px(380)));
     });
+    m_buffer->setFocus();
     showOrder();
 }
 
@@ -76,6 +77,7 @@ QWidget* FilmDialog::makeFields(const pipeline::BufferName& buffer) {
     connect(m_captions, &QCheckBox::toggled, this, &FilmDialog::showOrder);
     m_target = new QLineEdit(fields);
     m_target->setObjectName("filmTarget");
+    m_target->setAccessibleName(tr("File, or folder for PNG files"));
     const QString base = QFileInfo(toQString(m_document.scene().name)).completeBaseName();
     m_target->setText(QDir::home().filePath(base + "-film.gif"));
     connect(m_target, &QLineEdit::textChanged, this, &FilmDialog::showOrder);

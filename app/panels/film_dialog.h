@@ -3,6 +3,7 @@
 
 #include "app/core/document.h"
 #include "app/core/film_job.h"
+#include "app/panels/tab_order.h"
 
 class QCheckBox;
 class QComboBox;
@@ -23,6 +24,9 @@ public:
 
     FilmOrder order() const;
     QString message() const;
+
+protected:
+    bool focusNextPrevChild(bool next) override { return focusNext(*this, next) || QDialog::focusNextPrevChild(next); }
 
 private:
     QWidget* makeFields(const pipeline::BufferName& buffer);

@@ -58,6 +58,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
     m_changed->setObjectName("lastChange");
     m_changed->setWordWrap(true);
     m_changed->setProperty("tone", 2);

@@ -130,6 +130,7 @@ QWidget* StartPage::makeRight() {
     auto* scroll = new QScrollArea(this);
     scroll->setObjectName("startRight");
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* page = new QWidget;

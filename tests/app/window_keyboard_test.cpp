@@ -1,0 +1,181 @@
+#include <QAccessible>
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QScreen>
+#include <QScrollArea>
+#include <QSet>
+#include <QTest>
+
+#include "app/core/theme.h"
+#include "app/desktop/actions.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/export_dialog.h"
+#include "app/panels/film_dialog.h"
+#include "app/panels/math_view.h"
+#include "app/panels/start_page.h"
+#include "app/panels/step_bar.h"
+#include "app/panels/tab_order.h"
+#include "app/view3d/scene_view.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+using WindowKeyboard = WindowTest;
+
+// Two columns under a bar: the bar, then the left column to its foot, then the right one.
+TEST(TabOrder, ReadsColumnsUnderABar) {
+    QWidget window;
+    window.resize(300, 300);
+    const auto place = [](QWidget* parent, int x, int y) {
+        auto* field = new QLineEdit(parent);
+        field->setGeometry(x, y, 80, 20);
+        return field;
+    };
+    auto* right = new QWidget(&window);
+    right->setGeometry(150, 50, 150, 250);
+    auto* left = new QWidget(&window);
+    left->setGeometry(0, 50, 140, 250);
+    QWidget* rightTop = place(right, 0, 10);
+    QWidget* leftFoot = place(left, 0, 200);
+    QWidget* leftTop = place(left, 0, 0);
+    QWidget* barEnd = place(&window, 100, 4);
+    QWidget* bar = place(&window, 0, 0);
+    place(&window, -400, 60);  // behind another's tab
+    place(left, 0, 100)->setEnabled(false);
+    window.show();
+    EXPECT_EQ(tabOrder(window), (QList<QWidget*>{bar, barEnd, leftTop, leftFoot, rightTop}));
+    EXPECT_EQ(nextInTabOrder(window, rightTop, true), bar);
+    EXPECT_EQ(nextInTabOrder(window, bar, false), rightTop);
+    EXPECT_EQ(nextInTabOrder(window, &window, true), nullptr);
+}
+
+TEST_F(WindowKeyboard, TabGoesThroughTheWholeWindowAndBack) {
+    openPyramid();
+    document().pick(glm::ivec2(280, 257));
+    ASSERT_TRUE(waitForFrame());
+    QTest::qWait(300);  // what the pixel shows comes and goes
+    const QList<QWidget*> order = tabOrder(window);
+    const qsizetype all = order.size();
+    ASSERT_GT(all, 40);
+    canvas()->setFocus();
+    QList<QWidget*> seen;
+    do {
+        press("Tab");
+        QWidget* now = QApplication::focusWidget();
+        ASSERT_NE(now, nullptr);
+        if (!seen.isEmpty() && seen.back() == now && qobject_cast<QLabel*>(now)) continue;  // from link to link
+        seen += now;
+        const bool isSeen = !now->visibleRegion().isEmpty() || qobject_cast<SceneView*>(now);  // OpenGL's is above it
+        EXPECT_TRUE(isSeen) << now->accessibleName().toStdString() << " cannot be seen";
+        const QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(now);
+        EXPECT_FALSE(spoken->text(QAccessible::Name).isEmpty())
+            << now->metaObject()->className() << ' ' << now->objectName().toStdString() << " has no name";
+        EXPECT_NE(spoken->role(), QAccessible::Client) << now->metaObject()->className() << " has no role";
+    } while (seen.back() != canvas() && seen.size() <= all);
+    EXPECT_EQ(seen.back(), canvas()) << "it comes round";
+    EXPECT_EQ(QSet<QWidget*>(seen.begin(), seen.end()), QSet<QWidget*>(order.begin(), order.end())) << "each, and once";
+    EXPECT_EQ(seen.size(), all);
+    EXPECT_LT(seen.indexOf(window.findChild<StepBar*>()), seen.indexOf(window.findChild<QWidget*>("runCommand")))
+        << "from the foot to the top";
+    press("Shift+Tab");
+    EXPECT_EQ(QApplication::focusWidget(), seen[all - 2]);
+}
+
+TEST_F(WindowKeyboard, TabScrollsToWhatItComesTo) {
+    auto* page = window.findChild<StartPage*>();
+    ASSERT_TRUE(page->isVisible());
+    for (qsizetype i = tabOrder(window).size(); i > 0; --i) {
+        press("Tab");
+        QWidget* now = QApplication::focusWidget();
+        EXPECT_FALSE(now->visibleRegion().isEmpty()) << now->accessibleName().toStdString();
+        EXPECT_FALSE(qobject_cast<QScrollArea*>(now));
+    }
+}
+
+TEST_F(WindowKeyboard, DialogsBeginAtTheirFirstFieldAndEveryFieldHasAName) {
+    openPyramid();
+    FilmDialog film(document(), {pipeline::BufferId::Color});
+    ExportDialog buffers(document());
+    for (QDialog* dialog : {static_cast<QDialog*>(&film), static_cast<QDialog*>(&buffers)}) {
+        dialog->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog));
+        QApplication::setActiveWindow(dialog);
+        const QList<QWidget*> order = tabOrder(*dialog);
+        for (QWidget* widget : order) {
+            EXPECT_EQ(QApplication::focusWidget(), widget) << dialog->objectName().toStdString();
+            EXPECT_FALSE(QAccessible::queryAccessibleInterface(widget)->text(QAccessible::Name).isEmpty())
+                << widget->objectName().toStdString();
+            press("Tab");
+        }
+        EXPECT_EQ(QApplication::focusWidget(), order.front());
+        dialog->hide();
+    }
+}
+
+TEST_F(WindowKeyboard, TheKeysGoToThePictureOfAnOpenedScene) {
+    openPyramid();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return canvas()->hasFocus(); }));
+}
+
+TEST_F(WindowKeyboard, ArrowsMoveThePixelThatWasGoneTo) {
+    openPyramid();
+    find<QWidget>("runCommand")->setFocus();
+    press("Ctrl+G");
+    auto* field = find<QLineEdit>("pixelText");
+    field->setText("640, 0");
+    press("Return");
+    EXPECT_TRUE(field->isVisible()) << "there is no such column";
+    field->setText("280, 257");
+    press("Return");
+    press("Right");
+    EXPECT_EQ(document().pixel(), glm::ivec2(281, 257));
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_TRUE(canvas()->accessibleDescription().startsWith("x 281 y 257 → "))
+        << canvas()->accessibleDescription().toStdString();
+}
+
+TEST_F(WindowKeyboard, EscLeavesAConditionForThePicture) {
+    openPyramid();
+    canvas()->setFocus();
+    press("/");
+    ASSERT_FALSE(canvas()->hasFocus());
+    press("Escape");
+    EXPECT_TRUE(canvas()->hasFocus());
+}
+
+TEST_F(WindowKeyboard, EveryMenuHasALetterThatNoCommandHas) {
+    QSet<QString> keys;
+    for (const ActionRow& row : actionTable())
+        for (const QKeySequence& key : window.actions()[row.id]->shortcuts()) keys += key.toString();
+    QSet<QString> letters;
+    for (const QAction* menu : window.findChild<QMenuBar*>()->actions()) {
+        const QString key = QKeySequence::mnemonic(menu->text()).toString();
+        EXPECT_TRUE(key.startsWith("Alt+")) << menu->text().toStdString();
+        EXPECT_FALSE(keys.contains(key)) << key.toStdString();
+        EXPECT_FALSE(letters.contains(key)) << key.toStdString();
+        letters += key;
+    }
+}
+
+TEST_F(WindowKeyboard, TheEquationsRingGoesWithTheFocus) {
+    openPyramid();
+    document().pick(glm::ivec2(280, 257));
+    ASSERT_TRUE(waitForFrame());
+    auto* equation = window.findChild<MathView*>();
+    ASSERT_NE(equation, nullptr);
+    const auto rim = [&] {
+        QTest::qWait(100);
+        const QPoint at = equation->mapToGlobal(QPoint(equation->width() / 2, 1));
+        return equation->screen()->grabWindow(0).toImage().pixelColor(at);
+    };
+    equation->setFocus();
+    EXPECT_EQ(rim(), Theme::current().colors().focus);
+    canvas()->setFocus();
+    EXPECT_NE(rim(), Theme::current().colors().focus);
+}
+
+}  // namespace
+}  // namespace app
