@@ -12,6 +12,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/export/export_frame.h"
 #include "pipeline/export/exporter.h"
+#include "pipeline/export/size_text.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"
 
@@ -210,7 +211,7 @@ int runExport(ExportOptions options, const CliHost& host) {
     }
     if (summary->cancelled) return cancelled();
     tellLeftOut(*frame, request);
-    fmt::print(stderr, "{} files, {:.1f} MB, in {}\n", summary->files.size(), double(summary->bytes) / 1e6,
+    fmt::print(stderr, "{} files, {}, in {}\n", summary->files.size(), pipeline::sizeText(summary->bytes),
                options.folder);
     return kDone;
 }

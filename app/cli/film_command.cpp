@@ -9,6 +9,7 @@
 #include "app/cli/scene_argument.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/film.h"
+#include "pipeline/export/size_text.h"
 #include "pipeline/run/runner.h"
 
 namespace app {
@@ -88,7 +89,7 @@ int runFilm(const FilmOptions& options) {
         return kCouldNotWrite;
     }
     if (summary->cancelled) return cancelled();
-    fmt::print(stderr, "{} pictures, {:.1f} MB, in {}\n", summary->pictures, double(summary->bytes) / 1e6,
+    fmt::print(stderr, "{} pictures, {}, in {}\n", summary->pictures, pipeline::sizeText(summary->bytes),
                options.target);
     return kDone;
 }

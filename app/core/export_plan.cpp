@@ -4,6 +4,7 @@
 
 #include "app/core/text.h"
 #include "pipeline/export/exporter.h"
+#include "pipeline/export/size_text.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -43,11 +44,7 @@ std::vector<ExportRow> exportRows(const pipeline::Frame& frame, const DerivedRec
     return rows;
 }
 
-QString sizeText(std::uint64_t bytes) {
-    if (bytes < 1000) return QStringLiteral("%1 B").arg(bytes);
-    if (bytes < 100'000) return QStringLiteral("%1 kB").arg(double(bytes) / 1e3, 0, 'f', 1);
-    return QStringLiteral("%1 MB").arg(double(bytes) / 1e6, 0, 'f', 1);
-}
+QString sizeText(std::uint64_t bytes) { return toQString(pipeline::sizeText(bytes)); }
 
 QString shellWord(const QString& word) {
     static const QRegularExpression plain("^[A-Za-z0-9_./:=,+@%-]+$");

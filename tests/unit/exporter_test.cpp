@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "pipeline/export/file_hash.h"
+#include "pipeline/export/size_text.h"
 #include "tests/support/files.h"
 
 namespace pipeline {
@@ -183,6 +184,14 @@ TEST(Sha256, AgreesWithTheStandard) {
     EXPECT_EQ(sha256(folder / "abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     EXPECT_FALSE(sha256(folder / "missing"));
     EXPECT_FALSE(sha256(folder.path()));
+}
+
+TEST(Exporter, ASmallSizeIsNotWrittenAsZero) {
+    EXPECT_EQ(sizeText(999), "999 B");
+    EXPECT_EQ(sizeText(2540), "2.5 kB");
+    EXPECT_EQ(sizeText(99'949), "99.9 kB");
+    EXPECT_EQ(sizeText(100'000), "0.1 MB");
+    EXPECT_EQ(sizeText(48'900'000), "48.9 MB");
 }
 
 }  // namespace
