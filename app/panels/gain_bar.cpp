@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/core/theme.h"
 #include "pipeline/inspect/term_mix.h"
@@ -24,10 +25,10 @@ QSize GainBar::sizeHint() const { return {Theme::current().px(120), Theme::curre
 
 void GainBar::show(double share, double gain, bool isOff) {
     m_share = share;
-    m_gain = gain;
+    const bool isOther = std::exchange(m_gain, gain) != gain;
     m_off = isOff;
     setAccessibleDescription(tr("gain %1").arg(gain));
-    sayValue(*this);
+    if (isOther) sayValue(*this);
     update();
 }
 

@@ -78,6 +78,7 @@ StudyDetails::StudyDetails(QWidget* parent) : QWidget(parent) {
     m_errors = new QTableWidget(this);
     m_errors->setObjectName("studyErrors");
     m_errors->setAccessibleName(m_errorTitle->text());
+    m_errors->setTabKeyNavigation(false);
     m_errors->setEditTriggers(QTableWidget::NoEditTriggers);
     m_errors->setSelectionMode(QTableWidget::NoSelection);
     m_errors->setShowGrid(false);

@@ -26,6 +26,7 @@ using pipeline::StudyReport;
 
 StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     setObjectName("studyPanel");
+    setWindowTitle(tr("Error against run time"));
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(makeLeft());
     splitter->addWidget(makeMiddle());
@@ -84,6 +85,7 @@ QWidget* StudyPanel::makeLeft() {
     connect(open, &QPushButton::clicked, this, &StudyPanel::openFile);
     connect(m_export, &QPushButton::clicked, this, &StudyPanel::exportFiles);
     auto* area = new QScrollArea(this);
+    area->setFocusPolicy(Qt::NoFocus);
     area->setWidget(content);
     area->setWidgetResizable(true);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

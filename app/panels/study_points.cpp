@@ -26,6 +26,7 @@ QTableWidgetItem* cell(const std::string& text, bool number) {
 StudyPoints::StudyPoints(QWidget* parent) : QTableWidget(parent) {
     setObjectName("studyPoints");
     setAccessibleName(tr("Points of the study"));
+    setTabKeyNavigation(false);
     setSelectionBehavior(SelectRows);
     setSelectionMode(SingleSelection);
     setEditTriggers(NoEditTriggers);

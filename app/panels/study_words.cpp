@@ -36,6 +36,7 @@ StudyWords::StudyWords(QWidget* parent) : QWidget(parent) {
     m_orderTitle = label(tr("Observed order"), 1);
     m_meaning = label({}, 2);
     m_orders = new QTableWidget(0, 3, this);
+    m_orders->setTabKeyNavigation(false);
     m_orders->setObjectName("studyOrders");
     m_orders->setAccessibleName(m_orderTitle->text());
     m_orders->setHorizontalHeaderLabels({tr("Method"), tr("last two levels"), tr("all levels")});

@@ -62,6 +62,7 @@ void TablePage::build() {
     m_remarks->setProperty("tone", "3");
     m_remarks->setWordWrap(true);
     m_view = new QTableView(this);
+    m_view->setTabKeyNavigation(false);  // else nothing leads out of it
     m_view->setModel(m_model);
     m_view->setItemDelegate(new AiryCells(m_view));
     m_view->setAccessibleName(tr("Table of %1").arg(toQString(name(m_table))));

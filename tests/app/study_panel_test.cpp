@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -66,6 +68,18 @@ struct StudyPanelTest : testing::Test {
 };
 
 }  // namespace
+
+// A window of its own, which the keyboard goes through and out of its tables again.
+TEST_F(StudyPanelTest, HasATitleAndKeepsNoFocusInATable) {
+    EXPECT_EQ(panel.windowTitle(), "Error against run time");
+    const auto tables = panel.findChildren<QTableWidget*>();
+    ASSERT_EQ(tables.size(), 3);
+    for (QTableWidget* table : tables) {
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_Tab);
+        EXPECT_NE(QApplication::focusWidget(), table) << table->accessibleName().toStdString();
+    }
+}
 
 TEST_F(StudyPanelTest, AClickOnAPointSelectsItEverywhere) {
     click(9);  // phong, 16: the sixth by time
