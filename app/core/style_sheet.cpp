@@ -115,6 +115,8 @@ QStatusBar::item { border: 0; }
 
 QPushButton:focus, QToolButton:focus, QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus, QTabBar::tab:focus,
 QPlainTextEdit:focus, QTextBrowser:focus { border: 2px solid @focus; }
+QPushButton[kind="segment"]:checked:focus, QToolButton[kind="segment"]:checked:focus { border-color: @text; }
+QTabBar::tab:focus { padding: 4u 6u 6u 6u; }
 QSlider:focus { border: 2px solid @focus; border-radius: 4u; }
 QCheckBox:focus, QRadioButton:focus { border: 2px solid @focus; border-radius: 4u; }
 )";

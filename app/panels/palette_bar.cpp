@@ -40,7 +40,8 @@ QSize PaletteBar::minimumSizeHint() const { return {Theme::current().px(60), The
 
 void PaletteBar::setScale(Scale scale) {
     m_scale = std::move(scale);
-    setAccessibleName(tr("Range of the palette: %1 to %2").arg(m_scale.range.first).arg(m_scale.range.last));
+    const auto [least, most] = std::minmax(m_scale.range.first, m_scale.range.last);
+    setAccessibleName(tr("Range of the palette: %1 to %2").arg(least).arg(most));
     update();
 }
 

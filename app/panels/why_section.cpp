@@ -60,6 +60,7 @@ WhySection::Row& WhySection::addRow(const QString& label, StageId stage, BufferI
     row.value->setWordWrap(true);
     row.value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse |
                                        Qt::LinksAccessibleByKeyboard);
+    row.value->setFocusPolicy(Qt::ClickFocus);  // words alone are no stop of Tab
     connect(row.value, &QLabel::linkActivated, this, &WhySection::follow);
     row.go->setIcon(icon("chevron-right"));
     const QString stageName = toQString(pipeline::stageInfo(stage).label);
@@ -133,6 +134,8 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
         source += ", " + (QFileInfo(m_file).isFile() ? QString("<a href=\"file\">%1</a>").arg(line) : line);
     }
     m_rows[5].value->setText(source);
+    for (const std::size_t i : {4, 5})
+        m_rows[i].value->setFocusPolicy(m_rows[i].value->text().contains("href") ? Qt::StrongFocus : Qt::ClickFocus);
     m_sentence = tr("%1 fragments, polygon %2, vertices %3").arg(r.fragments.size()).arg(r.polygon).arg(vertices);
     if (r.fragments.size() == 1) m_sentence.replace("fragments", "fragment");
 }

@@ -19,6 +19,10 @@ TEST(PaletteBarTest, CountsStandOnTheirAxis) {
     scale.histogram = {1204, 0, 7, 30};
     bar.setScale(scale);
     EXPECT_EQ(bar.axisText(), QString("1\u2009204")) << "the fullest bin";
+    EXPECT_EQ(bar.accessibleName(), "Range of the palette: 0 to 10");
+    scale.range = {10, 0};  // with what is more in light
+    bar.setScale(scale);
+    EXPECT_EQ(bar.accessibleName(), "Range of the palette: 0 to 10");
     EXPECT_EQ(bar.binText({230, 5}), "7.5 to 10.0: 30");
     EXPECT_TRUE(bar.binText({230, 40}).isEmpty()) << "there is the palette";
     bar.resize(60, 44);
