@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
@@ -34,10 +36,7 @@ public:
     void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
         const glm::ivec2 first = low / kTileSize, last = (high - 1) / kTileSize;
         for (int y = first.y; y <= last.y; ++y)
-            for (int x = first.x; x <= last.x; ++x) {
-                m_tiles.push_back(std::uint32_t(y * m_all.tiles.x + x));
-                m_indices.push_back(index);
-            }
+            for (int x = first.x; x <= last.x; ++x) m_found.push_back({std::uint32_t(y * m_all.tiles.x + x), index});
     }
     void addOther(const RasterTriangle<float>& triangle) {
         const Tile box = triangle.snapped.pixels();
@@ -48,17 +47,20 @@ public:
     }
     void finish() {
         m_out.firstOfTile.assign(m_all.tileCount() + 1, 0);
-        for (const std::uint32_t tile : m_tiles) ++m_out.firstOfTile[tile + 1];
+        for (const Found& found : m_found) ++m_out.firstOfTile[found.tile + 1];
         for (std::size_t i = 1; i < m_out.firstOfTile.size(); ++i) m_out.firstOfTile[i] += m_out.firstOfTile[i - 1];
-        m_out.lists.resize(m_tiles.size());
+        m_out.lists.resize(m_found.size());
         std::vector<std::uint32_t> next(m_out.firstOfTile.begin(), m_out.firstOfTile.end() - 1);
-        for (std::size_t i = 0; i < m_tiles.size(); ++i) m_out.lists[next[m_tiles[i]]++] = m_indices[i];
+        for (const Found& found : m_found) m_out.lists[next[found.tile]++] = found.index;
     }
 
 private:
     const TrianglePieces& m_all;
     TrianglePiece& m_out;
-    std::vector<std::uint32_t> m_tiles, m_indices;
+    struct Found {
+        std::uint32_t tile, index;
+    };
+    std::vector<Found> m_found;
 };
 
 }  // namespace
@@ -69,18 +71,44 @@ HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 namespace {
 
-// What is set up of as many triangles as a vector holds.
+// As many triangles as a vector holds, set up: the records in quarters, of 4 words each but the last, which has 2. And
+// their boxes of pixels.
 struct Fields {
-    HWY_ALIGN std::int32_t a1[16], b1[16], c1[16], a2[16], b2[16], c2[16], area[16], owns[16], order[16];
+    HWY_ALIGN std::int32_t quarters[4][16 * 4];
     HWY_ALIGN std::int32_t lowX[16], lowY[16], highX[16], highY[16];
-    HWY_ALIGN float w0[16], w1[16], w2[16];
+
+    HWY_INLINE void storeQuarter(int i, Ints one, Ints two, Ints three, Ints four) {
+        hn::StoreInterleaved4(one, two, three, four, I(), quarters[i]);
+    }
+    HWY_INLINE void copyTo(SmallTriangle& out, std::size_t lane) const {
+        static_assert(std::endian::native == std::endian::little && sizeof(SmallTriangle) == 56);
+        static_assert(offsetof(SmallTriangle, b2) == 16 && offsetof(SmallTriangle, w1) == 32);
+        static_assert(offsetof(SmallTriangle, x) == 48 && offsetof(SmallTriangle, width) == 52);
+        auto* const to = reinterpret_cast<std::int32_t*>(&out);
+        for (int i = 0; i < 4; ++i) std::memcpy(to + 4 * i, quarters[i] + 4 * lane, i < 3 ? 16 : 8);
+    }
 };
+
+// 1 / area, rounded once from double.
+HWY_INLINE Floats inverseOf(Ints area) {
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(F(), float(1 / double(hn::GetLane(area))));
+#else
+    const hn::Half<I> half;
+    const hn::Rebind<double, hn::Half<F>> d;
+    const auto inverse = [&](auto some) HWY_ATTR {
+        return hn::DemoteTo(hn::Half<F>(), hn::Div(hn::Set(d, 1), hn::PromoteTo(d, some)));
+    };
+    return hn::Combine(F(), inverse(hn::UpperHalf(half, area)), inverse(hn::LowerHalf(half, area)));
+#endif
+}
 
 HWY_INLINE Ints pick(Mask mask, Ints yes, Ints no) { return hn::IfThenElse(hn::RebindMask(I(), mask), yes, no); }
 
-// The triangles in `live`, set up; gives those that are small, and in `others` those that are set up one by one.
-HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* triangles, std::uint32_t live, Fields& out,
-                                     std::uint32_t& others) {
+// The triangles in `live`, set up; gives those that are small, and in `others` those that are set up one by one. first:
+// the index of the first in Topology::triangles.
+HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* triangles, std::size_t firstId,
+                                     std::uint32_t live, Fields& out, std::uint32_t& others) {
     const I whole;
     const SnappedVertices& from = in.vertices;
     Ints v[3], polygon;
@@ -154,24 +182,50 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
 
     const Ints atX = hn::Add(hn::ShiftLeftSame(minX, bits), half), atY = hn::Add(hn::ShiftLeftSame(minY, bits), half);
     Ints owns = hn::Zero(whole);
-    const auto edge = [&](int from_, int to, int bit, std::int32_t* a, std::int32_t* b, std::int32_t* c) HWY_ATTR {
+    struct Edge {
+        Ints a, b, c;
+    };
+    const auto edge = [&](int from_, int to, int bit) HWY_ATTR {
         const Ints dx = hn::Sub(x[to], x[from_]), dy = hn::Sub(y[to], y[from_]);
         const auto own =
             hn::Or(hn::Lt(dy, hn::Zero(whole)), hn::And(hn::Eq(dy, hn::Zero(whole)), hn::Gt(dx, hn::Zero(whole))));
         owns = hn::Or(owns, hn::IfThenElseZero(own, hn::Set(whole, bit)));
-        if (!a) return;
-        hn::Store(hn::ShiftLeftSame(hn::Neg(dy), bits), whole, a);
-        hn::Store(hn::ShiftLeftSame(dx, bits), whole, b);
-        hn::Store(hn::Sub(hn::Mul(dx, hn::Sub(atY, y[from_])), hn::Mul(dy, hn::Sub(atX, x[from_]))), whole, c);
+        return Edge{hn::ShiftLeftSame(hn::Neg(dy), bits), hn::ShiftLeftSame(dx, bits),
+                    hn::Sub(hn::Mul(dx, hn::Sub(atY, y[from_])), hn::Mul(dy, hn::Sub(atX, x[from_])))};
     };
-    edge(1, 2, 1, nullptr, nullptr, nullptr);
-    edge(2, 0, 2, out.a1, out.b1, out.c1);
-    edge(0, 1, 4, out.a2, out.b2, out.c2);
-    hn::Store(hn::Abs(area), whole, out.area), hn::Store(owns, whole, out.owns), hn::Store(order, whole, out.order);
+    edge(1, 2, 1);  // that of corner 0 follows from the others; only whether it owns its samples is kept
+    const Edge edge1 = edge(2, 0, 2), edge2 = edge(0, 1, 4);
+    const Ints size = hn::Abs(area);
+    const auto bitsIn = [](Floats value) HWY_ATTR { return hn::BitCast(I(), value); };
+    const Ints corner = hn::Or(minX, hn::ShiftLeft<16>(minY));
+    const Ints box = hn::Or(hn::Sub(maxX, minX), hn::ShiftLeft<8>(hn::Sub(maxY, minY)));
+    const Ints marks = hn::Or(hn::ShiftLeft<16>(owns), hn::ShiftLeft<24>(order));
+    out.storeQuarter(0, edge1.a, edge1.b, edge1.c, edge2.a);
+    out.storeQuarter(1, edge2.b, edge2.c, size, bitsIn(w[0]));
+    out.storeQuarter(2, bitsIn(w[1]), bitsIn(w[2]), bitsIn(inverseOf(size)), hn::Iota(whole, std::int32_t(firstId)));
+    out.storeQuarter(3, corner, hn::Or(box, marks), marks, marks);
     hn::Store(minX, whole, out.lowX), hn::Store(minY, whole, out.lowY);
     hn::Store(maxX, whole, out.highX), hn::Store(maxY, whole, out.highY);
-    hn::Store(w[0], F(), out.w0), hn::Store(w[1], F(), out.w1), hn::Store(w[2], F(), out.w2);
     return drawn;
+}
+
+// Bit i: whether triangle i goes on, which is counted.
+HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, const Triangle* triangles, std::size_t count,
+                                TrianglePiece& out) {
+    if (in.verdicts.empty() && in.drawn.empty() && in.inside.empty()) {
+        out.clipped += static_cast<long long>(count);
+        return (1u << count) - 1;
+    }
+    std::uint32_t live = 0;
+    for (std::size_t l = 0; l < count; ++l) {
+        const std::uint32_t polygon = triangles[l].polygon;
+        const bool goes =
+            (in.verdicts.empty() || goesOn(in.verdicts[polygon])) && (in.drawn.empty() || in.drawn[polygon]);
+        live |= std::uint32_t(goes) << l;
+        if (!goes) continue;
+        ++(!in.inside.empty() && in.inside[polygon] ? out.unclipped : out.clipped);
+    }
+    return live;
 }
 
 }  // namespace
@@ -185,21 +239,13 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
     Fields fields{};
     for (std::size_t base = begin; base < end; base += lanes) {
         const std::size_t count = std::min(lanes, end - base);
-        std::uint32_t live = 0;
-        for (std::size_t l = 0; l < count; ++l) {
-            const std::uint32_t polygon = triangles[base + l].polygon;
-            const bool goes =
-                (in.verdicts.empty() || goesOn(in.verdicts[polygon])) && (in.drawn.empty() || in.drawn[polygon]);
-            live |= std::uint32_t(goes) << l;
-            if (!goes) continue;
-            ++(!in.inside.empty() && in.inside[polygon] ? out.unclipped : out.clipped);
-        }
+        const std::uint32_t live = liveOf(in, &triangles[base], count, out);
         if (live == 0) continue;
         Triangle rest[16]{};
         const Triangle* from = &triangles[base];
         if (count < lanes) from = rest, std::copy_n(&triangles[base], count, rest);
         std::uint32_t others = 0;
-        const std::uint32_t small = setUpVector(in, from, live, fields, others);
+        const std::uint32_t small = setUpVector(in, from, base, live, fields, others);
         for (std::uint32_t left = small | others; left != 0; left &= left - 1) {
             const auto l = std::size_t(std::countr_zero(left));
             const auto id = std::uint32_t(base + l);
@@ -214,13 +260,8 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
                 continue;
             }
             const auto index = std::uint32_t(out.small.size());
-            const glm::ivec2 low{fields.lowX[l], fields.lowY[l]}, high{fields.highX[l], fields.highY[l]};
-            out.small.push_back({fields.a1[l], fields.b1[l], fields.c1[l], fields.a2[l], fields.b2[l], fields.c2[l],
-                                 fields.area[l], fields.w0[l], fields.w1[l], fields.w2[l],
-                                 float(1 / double(fields.area[l])), id, std::int16_t(low.x), std::int16_t(low.y),
-                                 std::uint8_t(high.x - low.x), std::uint8_t(high.y - low.y),
-                                 std::uint8_t(fields.owns[l]), std::uint8_t(fields.order[l])});
-            binner.add(index, low, high);
+            fields.copyTo(out.small.emplace_back(), l);
+            binner.add(index, {fields.lowX[l], fields.lowY[l]}, {fields.highX[l], fields.highY[l]});
         }
     }
     binner.finish();

@@ -34,7 +34,7 @@ static_assert(sizeof(SmallTriangle) == 56);
 // Those of a range of polygons. What is too large for 32 bits, or had to be clipped, stands in `others`.
 struct TrianglePiece {
     static constexpr std::uint32_t kOther = 1u << 31;  // an index into `others`
-    std::vector<SmallTriangle> small;
+    std::vector<SmallTriangle, LeavesRaw<SmallTriangle>> small;
     std::vector<RasterTriangle<float>> others;
     std::vector<std::uint32_t> firstOfTile;  // per tile, and one past the last: where its list begins
     std::vector<std::uint32_t> lists;        // indices, tile after tile, in the order of the polygons
