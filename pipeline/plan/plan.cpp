@@ -41,6 +41,11 @@ std::string difference(const TransformInputs& a, const TransformInputs& b) {
     return a == b ? "" : "The camera changed.";
 }
 
+// What a light looks at, wherever the camera stands.
+bool isSameWorld(const TransformInputs& a, const TransformInputs& b) {
+    return a.topology == b.topology && a.transforms == b.transforms && a.transparent == b.transparent;
+}
+
 std::string difference(const CullInputs& a, const CullInputs& b) { return a == b ? "" : "The setting cull changed."; }
 
 std::string difference(const NormalsInputs& a, const NormalsInputs& b) {
@@ -163,7 +168,11 @@ Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs,
     step(Transform, always, changed(&StageKeys::transform), {});
     step(Cull, needs.cull, changed(&StageKeys::cull), {Transform});
     step(Normals, always, changed(&StageKeys::normals), {Transform});
-    step(StageId::ShadowBuffer, needs.shadowBuffers, changed(&StageKeys::shadowBuffer), {Transform});
+    const std::string casters = changed(&StageKeys::shadowBuffer);
+    if (past.keys && isSameWorld(past.keys->transform, keys.transform))
+        step(StageId::ShadowBuffer, needs.shadowBuffers, casters, {});
+    else
+        step(StageId::ShadowBuffer, needs.shadowBuffers, casters, {Transform});
     step(ZBuffer, always, changed(&StageKeys::zBuffer), {Transform, Cull});
     std::string shading = changed(&StageKeys::shading);
     if (shading.empty() && past.keys && !shadingCovers(past.wanted, needs.buffers))

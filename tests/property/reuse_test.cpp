@@ -78,11 +78,15 @@ TEST(ReusePlan, ALightReRunsItsShadowBufferAndShading) {
 
 TEST(ReusePlan, TheCameraKeepsTheDepthsOfLights) {
     Scene scene = test::pyramid();
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].transform.translation = {0, 100, 0};  // overlaps the first as the light sees it
     const FramePtr first = test::frameOf(scene, {});
     scene.camera.theta = 50;
     const FramePtr second = test::frameOf(scene, {}, 0, first);
+    EXPECT_EQ(actions(*second), "RRR=RR");
     EXPECT_EQ(second->plan()[index(StageId::Transform)].why, "The camera changed.");
-    EXPECT_EQ(second->plan()[index(StageId::Shading)].action, Action::Run);
+    scene.objects[1].transform.translation = {0, 90, 0};  // what the light sees is another
+    EXPECT_EQ(actions(*test::frameOf(scene, {}, 0, second)), "RRRRRR");
 }
 
 }  // namespace
