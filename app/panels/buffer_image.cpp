@@ -33,50 +33,17 @@ void fillDrawn(QImage& image, const std::vector<bool>& drawn, ColorOf colorOf) {
     }
 }
 
-// The colours of a scale at many places. Between two places of one colour all others have it too, for a scale goes from
-// stop to stop straight; elsewhere the colour is computed. A picture of 640 × 480 depths takes a third of the time.
-class ScaleColors {
-public:
-    explicit ScaleColors(Palette palette) : m_palette(palette), m_colors(kCells + 1) {
-        for (std::size_t i = 0; i <= kCells; ++i)
-            m_colors[i] = rgb(paletteColor(palette, double(i) / double(kCells), 0, 1));
-    }
-    QRgb at(double value, PaletteRange range) const {
-        const double t = (value - range.first) / (range.last - range.first);
-        if (t >= 0 && t < 1) {
-            const auto cell = std::size_t(t * double(kCells));
-            if (m_colors[cell] == m_colors[cell + 1]) return m_colors[cell];
-        }
-        return rgb(paletteColor(m_palette, value, range.first, range.last));
-    }
-
-private:
-    static constexpr std::size_t kCells = 1 << 16;
-    Palette m_palette;
-    std::vector<QRgb> m_colors;
-};
-
-// Null: not on a scale.
-const ScaleColors* scaleColors(Palette palette) {
-    static const ScaleColors sequential(Palette::Sequential), diverging(Palette::Diverging);
-    return palette == Palette::Sequential ? &sequential : palette == Palette::Diverging ? &diverging : nullptr;
-}
-
 // Colours of one channel. Neighbours are often equal, above all in flat shading.
 template <class T>
 void fillScalar(QImage& image, std::span<const T> numbers, std::size_t channels, std::size_t channel, Palette palette,
                 PaletteRange range, const std::vector<bool>& drawn) {
     T lastValue{};
-    const ScaleColors* scale = scaleColors(palette);
-    const auto colorAt = [&](double value) {
-        return scale ? scale->at(value, range) : rgb(paletteColor(palette, value, range.first, range.last));
-    };
-    QRgb lastColor = colorAt(0);
+    QRgb lastColor = rgb(paletteColor(palette, 0, range.first, range.last));
     fillDrawn(image, drawn, [&](std::size_t i) {
         const T value = numbers[i * channels + channel];
         if (value != lastValue) {  // NaN too: it differs from itself
             lastValue = value;
-            lastColor = colorAt(double(value));
+            lastColor = rgb(paletteColor(palette, double(value), range.first, range.last));
         }
         return lastColor;
     });
@@ -94,6 +61,15 @@ void fillColor(QImage& image, std::span<const std::uint8_t> numbers, PaletteRang
     });
 }
 
+// A number's share of a colour, rounded as paletteColor() rounds it, without its call for each of a million numbers.
+std::uint8_t shareOf(double value, PaletteRange range, int channel) {
+    const double t = (value - range.first) / (range.last - range.first);
+    if (!(t >= 0 && t <= 1)) return paletteColor(Palette::Color, value, range.first, range.last)[channel];
+    const double share = 255 * t;
+    const int below = int(share);
+    return std::uint8_t(below + (share - below >= 0.5));
+}
+
 template <class T>
 void fillColor(QImage& image, std::span<const T> numbers, PaletteRange range, const std::vector<bool>& drawn) {
     T last[3]{};
@@ -103,8 +79,7 @@ void fillColor(QImage& image, std::span<const T> numbers, PaletteRange range, co
         if (lastColor == 0 || v[0] != last[0] || v[1] != last[1] || v[2] != last[2]) {
             std::copy_n(v, 3, last);
             Color8 color;
-            for (int c = 0; c < 3; ++c)
-                color[c] = paletteColor(Palette::Color, double(v[c]), range.first, range.last)[c];
+            for (int c = 0; c < 3; ++c) color[c] = shareOf(double(v[c]), range, c);
             lastColor = rgb(color);
         }
         return lastColor;

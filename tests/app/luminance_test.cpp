@@ -6,6 +6,7 @@
 
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
+#include "pipeline/buffers/palette.h"
 #include "tests/support/scenes.h"
 
 // The luminance of colours: the numbers, and a real view on lecture 1's pyramid that shows them.
@@ -53,6 +54,22 @@ TEST_F(LuminanceTest, LuminanceIsOneNumberInPlaceOfThree) {
     show({BufferId::Normal});
     QTest::keyClick(view.canvas(), Qt::Key_L);
     EXPECT_EQ(view.channel(), ShownChannel::All) << "a direction has no luminance";
+}
+
+TEST_F(LuminanceTest, EveryPixelOfLightHasTheColourThatAnExportGivesIt) {
+    show({BufferId::Intensity});
+    const auto light = buffer();
+    const auto range = view.shown()->look.range;
+    int shaded = 0;
+    for (std::size_t y = 0; y < 480; ++y)
+        for (std::size_t x = 0; x < 640; ++x) {
+            const QRgb shown = view.canvas()->content().image.pixel(int(x), int(y));
+            if (qAlpha(shown) == 0) continue;
+            const auto expected = elementColor(light, x, y, range);
+            ASSERT_EQ(shown, qRgb(expected.r, expected.g, expected.b)) << x << ", " << y;
+            shaded += light.value(x, y, 0) > 0;
+        }
+    EXPECT_GT(shaded, 1000);
 }
 
 // IEC 61966-2-1: the byte 188 is (188/255 + 0.055)/1.055 to the power of 2.4 = 0.5029 of white.
