@@ -42,7 +42,7 @@ void append(std::istream& stream, std::size_t count, std::string& text) {
     while (stream && text.size() < end) {
         const std::size_t before = text.size();
         const std::size_t step =
-            std::min(end - before, std::max({before, text.capacity() - before, std::size_t{64 * 1024}}));
+            std::min(end - before, std::max({before, text.capacity() - before, std::size_t{64} << 10}));
         text.resize(before + step);
         stream.read(text.data() + before, static_cast<std::streamsize>(step));
         text.resize(before + static_cast<std::size_t>(stream.gcount()));

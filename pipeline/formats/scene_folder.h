@@ -13,7 +13,7 @@
 namespace pipeline {
 
 inline constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;  // one file that is in memory as a whole
-inline constexpr std::size_t kFileStart = 64 * 1024;                  // what tells a format, and a model begins with
+inline constexpr std::size_t kFileStart = std::size_t{64} << 10;      // what tells a format, and a model begins with
 inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 30;   // all of these that a scene names
 
 // What follows the beginning of a file, read piece by piece.
