@@ -354,6 +354,7 @@ void Document::takeFrame(FramePtr frame, long ticket) {
     m_whole = std::move(frame);
     m_taken = ticket;
     forgetCheck();
+    if (m_paced && m_requestPending && m_holding.empty()) requestFrame();  // computed while the views take this one up
     if (ticket == m_ticket && !m_requestPending) setBusy(false);
     m_stepper.setWhole(m_whole);
     if (!m_stepper.isInside()) showFrame(m_whole);  // else its state comes from the stepper
