@@ -105,6 +105,13 @@ CommandPalette::CommandPalette(QWidget* window)
     });
     connect(m_field, &QLineEdit::textChanged, this, &CommandPalette::filter);
     connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::run);
+    // The list never has the focus: the field tells where the arrows have come to.
+    connect(m_list, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* now) {
+        QStringList words;
+        if (now) words << now->text() << now->data(kPlaceRole).toString() << now->data(kRightRole).toString();
+        words.removeAll(QString());
+        m_field->setAccessibleDescription(words.join(QStringLiteral(", ")));
+    });
 }
 
 void CommandPalette::open(std::vector<PaletteEntry> commands) {

@@ -46,6 +46,9 @@ BufferChooser::BufferChooser(const Document& document, QWidget* parent)
     connect(m_field, &QLineEdit::textChanged, this, &BufferChooser::filter);
     connect(m_field, &QLineEdit::returnPressed, this, &BufferChooser::accept);
     connect(m_list, &QTreeWidget::itemClicked, this, &BufferChooser::accept);
+    // The list never has the focus: the field tells where the arrows have come to.
+    connect(m_list, &QTreeWidget::currentItemChanged, this,
+            [this](const QTreeWidgetItem* now) { m_field->setAccessibleDescription(now ? now->text(0) : QString()); });
     followTheme(this, [this] {
         setFont(Theme::current().mono(13));
         updateGeometry();

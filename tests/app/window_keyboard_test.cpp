@@ -142,6 +142,22 @@ TEST_F(WindowKeyboard, ArrowsMoveThePixelThatWasGoneTo) {
         << canvas()->accessibleDescription().toStdString();
 }
 
+// The list below the field never has the focus.
+TEST_F(WindowKeyboard, TheFieldTellsWhichCommandTheArrowsHaveComeTo) {
+    openPyramid();
+    press("Ctrl+Shift+P");
+    auto* command = find<QLineEdit>("commandField");
+    command->setText("theme");
+    const QString first = command->accessibleDescription();
+    EXPECT_FALSE(first.isEmpty());
+    press("Down");
+    EXPECT_NE(command->accessibleDescription(), first);
+    press("Tab");
+    EXPECT_TRUE(command->hasFocus()) << "in an overlay Tab goes round";
+    press("Escape");
+    EXPECT_TRUE(canvas()->hasFocus());
+}
+
 TEST_F(WindowKeyboard, EscLeavesAConditionForThePicture) {
     openPyramid();
     canvas()->setFocus();
