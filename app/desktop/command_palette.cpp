@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 
+#include "app/core/word_match.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -52,6 +53,11 @@ int matchQuality(const QString& typed, const QString& name) {
     const qsizetype whole = name.indexOf(typed, 0, Qt::CaseInsensitive);
     if (whole == 0) return 1000;
     if (whole > 0) return name[whole - 1].isLetterOrNumber() ? 500 : 800;
+    switch (matchWords(typed, name)) {
+        case WordMatch::Beginnings: return 600;
+        case WordMatch::Inside: return 400;
+        case WordMatch::None: break;
+    }
     qsizetype from = 0;
     int quality = 100;
     for (const QChar letter : typed) {
@@ -65,7 +71,7 @@ int matchQuality(const QString& typed, const QString& name) {
 
 int matchQuality(const QString& typed, const PaletteEntry& entry) {
     constexpr int kInPlace = 300;
-    const bool inPlace = !typed.isEmpty() && entry.place.contains(typed, Qt::CaseInsensitive);
+    const bool inPlace = !typed.isEmpty() && matchWords(typed, entry.place + ' ' + entry.name) != WordMatch::None;
     return std::max(matchQuality(typed, entry.name), inPlace ? kInPlace : 0);
 }
 

@@ -19,10 +19,10 @@ struct PaletteEntry {
     std::function<void()> run;
 };
 
-// How well the letters typed find a name: 0 when they do not, more for letters in one piece and
+// How well the letters typed find a name: 0 when they do not, more for letters in one piece, for words in any order, and
 // for beginnings of words. Case does not matter.
 int matchQuality(const QString& typed, const QString& name);
-// Or its place: "theme" finds all that stands in View › Theme, after every name with these letters in one piece.
+// Or its place: "theme" finds all that stands in View › Theme, after every name with all that was typed.
 int matchQuality(const QString& typed, const PaletteEntry& entry);
 
 // Finds an action, a buffer or a scene by a part of its name. Enter runs, arrows move, Esc closes.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/core/word_match.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_table.h"
 #include "app/panels/follow_theme.h"
@@ -99,11 +100,9 @@ std::unique_ptr<QWidget> page(const std::vector<KeyRow>& rows, int inColumn) {
 }  // namespace
 
 std::vector<KeyRow> rowsWith(const std::vector<KeyRow>& rows, const QString& typed) {
-    const QStringList words = typed.split(' ', Qt::SkipEmptyParts);
     std::vector<KeyRow> found;
     std::ranges::copy_if(rows, std::back_inserter(found), [&](const KeyRow& row) {
-        const QString all = row.region + ' ' + row.what + ' ' + row.keys;
-        return std::ranges::all_of(words, [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+        return matchWords(typed, row.region + ' ' + row.what + ' ' + row.keys) != WordMatch::None;
     });
     return found;
 }

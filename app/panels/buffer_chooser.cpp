@@ -11,6 +11,7 @@
 #include "app/core/derived_buffers.h"
 #include "app/core/icons.h"
 #include "app/core/text.h"
+#include "app/core/word_match.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/plan/needs.h"
 
@@ -141,7 +142,7 @@ void BufferChooser::filter(const QString& text) {
             group->setHidden(true);
             continue;
         }
-        const bool fits = item->text(0).contains(text, Qt::CaseInsensitive);
+        const bool fits = matchWords(text, item->text(0)) != WordMatch::None;
         item->setHidden(!fits);
         if (fits && group) group->setHidden(false);
         if (fits && !first) first = item;

@@ -1,6 +1,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
 #include <QTest>
@@ -200,15 +201,29 @@ TEST_F(WindowLook, CommandIsFoundByAPartOfItsName) {
     EXPECT_EQ(document().stage(), pipeline::StageId::ZBuffer);
 }
 
+TEST_F(WindowLook, ACommandIsFoundByWordsInAnyOrderTheBestFirst) {
+    press("Ctrl+Shift+P");
+    QTest::keyClicks(find<QLineEdit>("commandField"), "point light shadow");
+    auto* list = find<CommandPalette>("commandPalette")->findChild<QListWidget*>();
+    ASSERT_GT(list->count(), 0);
+    EXPECT_EQ(list->item(0)->text(), "Shadow of a point light");
+}
+
 TEST(CommandMatch, PrefersBeginningsThenWordsThenLettersInOrder) {
     EXPECT_GT(matchQuality("no", "Normals"), matchQuality("no", "Go to north"));
     EXPECT_GT(matchQuality("pix", "Go to pixel…"), matchQuality("gtp", "Go to pixel…"));
     EXPECT_GT(matchQuality("gtp", "Go to pixel…"), 0);
     EXPECT_EQ(matchQuality("xq", "Go to pixel…"), 0);
+    EXPECT_GT(matchQuality("pixel go", "Go to pixel…"), matchQuality("ixel go", "Go to pixel…"));
+    EXPECT_GT(matchQuality("to pixel", "Go to pixel…"), matchQuality("pixel to", "Go to pixel…"))
+        << "as it stands there";
+    EXPECT_EQ(matchQuality("pixel north", "Go to pixel…"), 0) << "all of the words";
     const app::PaletteEntry dark{"Dark", "View › Theme", "", "", {}};
     EXPECT_GT(matchQuality("theme", dark), matchQuality("tm", "The mean"));
     EXPECT_LT(matchQuality("theme", dark), matchQuality("theme", "A theme"));
     EXPECT_EQ(matchQuality("", dark), 1);
+    EXPECT_EQ(matchQuality("theme dark", dark), matchQuality("dark view", dark)) << "name and place together";
+    EXPECT_GT(matchQuality("theme dark", dark), 0);
 }
 
 TEST_F(WindowLook, KeysAreListedAndEscapeClosesTheList) {
