@@ -31,6 +31,8 @@ RangeFoot::RangeFoot(QWidget* parent)
     addWidget(range);
     addWidget(legend);
 
+    m_low->setObjectName("rangeLow");
+    m_high->setObjectName("rangeHigh");
     m_unit->setProperty("tone", "2");
     m_fit->setCheckable(true);
     m_fit->setToolTip(tr("While this is on, the range shows all values after every change (Shift+N); N fits once"));
@@ -45,9 +47,7 @@ RangeFoot::RangeFoot(QWidget* parent)
     connect(m_bar, &PaletteBar::rangeChosen, this, &RangeFoot::rangeChosen);
     followTheme(this, [this, row, legendRow] {
         const Theme& theme = Theme::current();
-        for (QLabel* label : {m_low, m_high}) label->setFont(theme.mono(12));
-        m_unit->setFont(theme.text(12));
-        for (QPushButton* button : {m_log, m_fit}) button->setFont(theme.text(12, 500));
+        setFonts();
         for (QHBoxLayout* layout : {row, legendRow}) {
             layout->setContentsMargins(theme.px(10), theme.px(2), theme.px(6), theme.px(2));
             layout->setSpacing(theme.px(6));
@@ -55,6 +55,19 @@ RangeFoot::RangeFoot(QWidget* parent)
         setFixedHeight(theme.px(48));
         fitWidth();
     });
+}
+
+void RangeFoot::setFonts() {
+    const Theme& theme = Theme::current();
+    for (QLabel* label : {m_low, m_high}) label->setFont(theme.mono(12));
+    m_unit->setFont(theme.text(12));
+    for (QPushButton* button : {m_log, m_fit}) button->setFont(theme.text(12, 500));
+}
+
+// Set while they are hidden, fonts do not outlive a view that moves in the window.
+void RangeFoot::showEvent(QShowEvent* event) {
+    QStackedWidget::showEvent(event);
+    setFonts();
 }
 
 // Where there is little room it is the palette's: the axis has its key too, and the button a short name.
@@ -84,7 +97,6 @@ void RangeFoot::show(const ShownBuffer& shown, bool keepsFitting, bool logarithm
     m_legend->setEntries(shown.legend);
     if (!hasScale) return;
     const auto [low, high] = std::minmax(shown.look.range.first, shown.look.range.last);
-    for (QLabel* label : {m_low, m_high}) label->setFont(Theme::current().mono(12));  // it may have been hidden
     m_low->setText(valueText(shown.buffer, low, 8));
     m_high->setText(valueText(shown.buffer, high, 8));
     m_unit->setText(toQString(shown.buffer.info->unit));

@@ -22,6 +22,7 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 signals:
     void rangeChosen(pipeline::PaletteRange range);
@@ -29,6 +30,7 @@ signals:
     void logarithmicChosen(bool logarithmic);
 
 private:
+    void setFonts();
     void fitWidth();
     QLabel *m_low, *m_high, *m_unit;
     PaletteBar* m_bar;

@@ -1,5 +1,6 @@
 // Views: split, turned, closed, gone to by keys, kept in states; a view that is not on show computes nothing.
 #include <QComboBox>
+#include <QLabel>
 #include <QMenu>
 #include <QSettings>
 #include <QSplitter>
@@ -7,6 +8,7 @@
 
 #include "app/core/pinned_pixels.h"
 #include "app/core/stage_buffer.h"
+#include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/even_splitter.h"
 #include "app/desktop/layout_store.h"
@@ -346,6 +348,18 @@ TEST_F(WindowViews, AStateHasMarksAndComparisons) {
 }
 
 // As layouts were kept once: the columns' sizes, then the buffer views'.
+TEST_F(WindowViews, NumbersKeepTheirTypefaceInAnotherLayout) {
+    views().first().setBuffer({BufferId::ZView});
+    ASSERT_TRUE(waitForFrame());
+    const auto* low = views().first().findChild<QLabel*>("rangeLow");
+    for (const char* layout : {"Ctrl+Shift+3", "Ctrl+Shift+6", "Ctrl+Shift+4", "Ctrl+Shift+1"}) {
+        press(layout);
+        QTest::qWait(50);
+        if (!low->isVisible()) continue;
+        EXPECT_EQ(low->font().family(), Theme::current().mono(12).family()) << layout;
+    }
+}
+
 TEST_F(WindowViews, AnOldLayoutHasItsSizes) {
     QByteArray sizes;
     QDataStream stream(&sizes, QIODevice::WriteOnly);
