@@ -53,6 +53,7 @@ void BufferCompare::compareWith(std::optional<OtherSource> source) {
     m_file.reset();
     m_other.forget();
     m_derived.forget();
+    m_goesToWorst = false;
     m_bar->setVisible(m_source.has_value());
     if (!m_source)
         setMode(CompareMode::A);
@@ -185,6 +186,7 @@ ShownBuffer BufferCompare::show(const ShowAnswer& answer) {
     }
     m_bar->setMetric(m_metric);
     tell();
+    if (m_found && m_goesToWorst) QMetaObject::invokeMethod(this, &BufferCompare::goToWorst, Qt::QueuedConnection);
     if (const auto difference = shownDifference(answer.request.frame)) {
         const pipeline::MetricInfo& metric = pipeline::metricTable()[std::size_t(m_metric)];
         ShownBuffer shown = difference->shown;
@@ -230,6 +232,7 @@ Wipe BufferCompare::wipe() const {
 }
 
 void BufferCompare::goToWorst() {
+    m_goesToWorst = !m_found;
     if (!m_found || !m_found->worst) return;
     const std::size_t worst = *m_found->worst;
     const auto columns = m_found->values.columns();

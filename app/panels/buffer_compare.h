@@ -86,6 +86,7 @@ private:
     pipeline::DifferenceMetric m_metric = pipeline::DifferenceMetric::Error;
     double m_share = 0.5;
     bool m_holdsOther = false, m_holdsPrevious = false, m_blinksToB = false;
+    bool m_goesToWorst = false;  // once it is found
     std::optional<pipeline::PaletteRange> m_range;
 
     pipeline::FramePtr m_frameB;

@@ -169,6 +169,24 @@ TEST(ShowJob, FittingOnceKeepsTheRangeOfTheNextPicture) {
     EXPECT_EQ((*view.state().range)[0], double(whole.first));
 }
 
+TEST(ShowJob, TheWorstPixelOfALargeFrameIsPickedOnceItIsFound) {
+    Document document;
+    BufferView view(document);
+    view.resize(640, 560);
+    view.show();
+    view.setBuffer(kDepth);
+    pipeline::Scene scene = test::pyramid();
+    scene.settings.width = 1280, scene.settings.height = 960;
+    document.setScene(scene);
+    view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {BufferId::Overdraw}});
+    ASSERT_FALSE(view.compare().found());
+    view.compare().goToWorst();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document.pixel().has_value(); }, 20000));
+    const auto& found = *view.compare().found();
+    const auto columns = found.values.columns();
+    EXPECT_EQ(*document.pixel(), glm::ivec2(*found.worst % columns, *found.worst / columns));
+}
+
 // The same pixels, wherever they are painted; until then what was painted last, moved to where it belongs now.
 TEST(CanvasBase, PaintsManyPolygonsBesideTheWindow) {
     const auto frame = frameOf(test::manyPolygons());
