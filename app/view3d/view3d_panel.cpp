@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "app/core/icons.h"
 #include "app/core/large_frame.h"
@@ -298,11 +299,15 @@ void View3dPanel::showContent(const std::shared_ptr<const ViewContent>& content,
     m_made = made;
     const bool newScene = std::exchange(m_newScene, false);
     if (newScene) {
-        // As many normals as can be told apart; the slider shows more or fewer.
-        constexpr std::size_t kReadable = 250;
+        // As many normals as can be told apart, of a model in some 250 pixels as long as they stand apart; the sliders
+        // show more or fewer, longer or shorter ones.
+        constexpr std::size_t kReadable = 150, kModel = 250;
+        const std::size_t all = content->mesh->polygonNormals.size();
         ViewOptions options = m_view->options();
-        options.everyNormal =
-            int(std::clamp<std::size_t>(content->mesh->polygonNormals.size() / kReadable, 1, kSparsestNormals));
+        options.everyNormal = int(std::clamp<std::size_t>(all / kReadable, 1, kSparsestNormals));
+        const double shown = double(std::max<std::size_t>(all, 1)) / options.everyNormal;
+        options.normalLength =
+            std::round(std::clamp(double(kModel) / std::sqrt(shown), 16.0, ViewOptions().normalLength));
         changeOptions(options);
     }
     m_view->setContent(content, newScene);

@@ -1,20 +1,10 @@
-#include <gtest/gtest.h>
-
-#include <QSignalSpy>
-#include <QTest>
 #include <QToolButton>
 
-#include "app/view3d/view3d_panel.h"
-#include "tests/support/scenes.h"
+#include "tests/app/shown_view3d.h"
 
-TEST(View3dFaces, KeysGoFromFaceToFaceOfAPointLight) {
-    if (!app::openGlProblem().isEmpty()) GTEST_SKIP() << "no OpenGL 3.2 here";
-    app::Document document;
-    app::View3dPanel panel(document);
-    app::SceneView& view = panel.view();
-    panel.resize(640, 480);
-    panel.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+using View3dFaces = ShownView3d;
+
+TEST_F(View3dFaces, KeysGoFromFaceToFaceOfAPointLight) {
     pipeline::Scene scene = test::pyramid();
     pipeline::Object floor;
     floor.name = "floor";
@@ -47,18 +37,12 @@ TEST(View3dFaces, KeysGoFromFaceToFaceOfAPointLight) {
 }
 
 // Another view shows the shadow buffer, so that the frame that is there has it, and no other frame comes.
-TEST(View3dFaces, TheLightsSpaceComesWithoutANewFrame) {
-    if (!app::openGlProblem().isEmpty()) GTEST_SKIP() << "no OpenGL 3.2 here";
-    app::Document document;
+TEST_F(View3dFaces, TheLightsSpaceComesWithoutANewFrame) {
     QObject other;
     document.want(&other, pipeline::setOf({pipeline::BufferId::ShadowBuffer}));
-    app::View3dPanel panel(document);
-    panel.resize(640, 480);
-    panel.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
     QSignalSpy ready(&document, &app::Document::frameReady);
     document.setScene(test::boxOverGround());
     ASSERT_TRUE(QTest::qWaitFor([&] { return ready.count() > 0 && !document.busy(); }, 10000));
     panel.setSpace({app::ViewSpace::Light});
-    EXPECT_EQ(panel.view().space().space, app::ViewSpace::Light);
+    EXPECT_EQ(view.space().space, app::ViewSpace::Light);
 }
