@@ -36,6 +36,7 @@ Document::Document(QObject* parent) : QObject(parent) {
             QMetaObject::invokeMethod(
                 this, [this, frame = std::move(frame), check] { takeCheck(frame, check); }, Qt::QueuedConnection);
         });
+    observeWork();
     m_mixer = std::make_unique<MixModel>(*this);
     m_derived = std::make_unique<DerivedBuffers>(*this);
     m_inspection = std::make_unique<PixelInspection>(*this);
@@ -135,6 +136,7 @@ void Document::setScene(Scene scene, KeptScene kept) {
     m_hovered.reset();
     m_selection.reset();
     m_oldestValid = m_ticket + 1;
+    m_work.forgetStopped();
     emit sceneOpened();
     emit pixelChanged();
     emit selectionChanged();
@@ -340,6 +342,8 @@ void Document::requestFrame() {
         setBusy(m_ticket > m_taken);
         return;
     }
+    setBusy(true);
+    m_work.setBusy(this, true);
     m_requested = all;
     m_requestedScene = m_scene;
     m_sinceRequest.start();
@@ -377,6 +381,7 @@ void Document::forgetCheck() {
 void Document::setBusy(bool busy) {
     if (busy == m_busy) return;
     m_busy = busy;
+    if (!busy) m_work.setBusy(this, false);
     emit busyChanged(busy);
 }
 

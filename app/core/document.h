@@ -14,6 +14,7 @@
 #include "app/core/opened_scene.h"
 #include "app/core/selection.h"
 #include "app/core/stepper.h"
+#include "app/core/work_list.h"
 #include "pipeline/core/result.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/settings_table.h"
@@ -51,6 +52,7 @@ public:
     Stepper& stepper() { return m_stepper; }
     const Stepper& stepper() const { return m_stepper; }
     bool busy() const { return m_busy; }                   // a frame is being computed
+    WorkList& work() { return m_work; }                    // that, and what its views wait for
     bool isMoving() const { return m_moving.isActive(); }  // under a slider or a handle
     pipeline::StageId stage() const { return m_stage; }
     std::optional<glm::ivec2> pixel() const { return m_pixel; }
@@ -146,6 +148,8 @@ private:
     void requestFrameSoon();
     void requestFrame();
     bool waits();  // for the views, or the frame before
+    void observeWork();
+    void cancelFrame();
     void takeFrame(pipeline::FramePtr frame, long ticket);
     void takeCheck(const pipeline::FramePtr& frame, const FrameCheck& check);
     void forgetCheck();
@@ -154,6 +158,7 @@ private:
 
     std::shared_ptr<const pipeline::Scene> m_scene;
     KeptScene m_kept;
+    WorkList m_work;
     pipeline::FramePtr m_frame, m_whole;
     Stepper m_stepper;
     pipeline::StageId m_stage = pipeline::StageId::Shading;
@@ -179,7 +184,7 @@ private:
     bool m_requestPending = false;  // requestFrame runs when control returns to the event loop
     bool m_busy = false;
     long m_ticket = 0, m_taken = 0;  // of the newest request; of m_whole
-    long m_oldestValid = 0;          // older tickets are frames of a scene closed since
+    long m_oldestValid = 0;          // older tickets are frames of a scene closed since, or given up
     pipeline::BufferSet m_requested;
     std::shared_ptr<const pipeline::Scene> m_requestedScene;
 

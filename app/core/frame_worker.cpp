@@ -36,6 +36,12 @@ long FrameWorker::request(std::shared_ptr<const Scene> scene, FrameRequest reque
     return ticket;
 }
 
+void FrameWorker::cancel() {
+    const std::lock_guard lock(m_mutex);
+    m_next.reset();
+    m_stopFrame.request_stop();
+}
+
 namespace {
 
 // Puts what will be shown into the form in which it is read, so that the window does not wait for that.
@@ -63,7 +69,7 @@ void FrameWorker::work(std::stop_token quit) {
             job.request.stop = m_stopFrame.get_token();
         }
         FramePtr frame = pipeline::runFrame(std::move(job.scene), job.request, m_last);
-        if (!frame) continue;  // stopped: a newer request waits
+        if (!frame) continue;  // stopped: a newer request waits, or none is wanted
         m_last = std::move(frame);
         readAhead(*m_last);
         m_deliver(m_last, job.ticket);

@@ -37,6 +37,7 @@ public:
     enum class Running { Finish, Stop };
     // The stop token in `request` is the worker's own affair. Returns the request's ticket; they grow.
     long request(std::shared_ptr<const pipeline::Scene> scene, pipeline::FrameRequest request, Running running);
+    void cancel();  // what runs and what waits; the next one reuses what still holds
 
 private:
     struct Job {

@@ -9,6 +9,13 @@ PixelInspection::PixelInspection(Document& document) : m_document(document) {
     connect(&document, &Document::frameReady, this, &PixelInspection::ask);
     connect(&document, &Document::pixelChanged, this, &PixelInspection::ask);
     connect(&m_job, &BackgroundJob::busyChanged, this, &PixelInspection::busyChanged);
+    document.work().add(
+        this, tr("the picked pixel"), [this] { m_job.forget(); },
+        [this] {
+            m_askedFrame.reset();
+            ask();
+        });
+    connect(this, &PixelInspection::busyChanged, this, [this](bool busy) { m_document.work().setBusy(this, busy); });
 }
 
 void PixelInspection::ask() {

@@ -25,6 +25,7 @@ Stepper::Stepper(QObject* parent) : QObject(parent) {
     m_count.setSingleShot(true);
     m_count.setInterval(150);
     connect(&m_count, &QTimer::timeout, this, &Stepper::request);
+    connect(&m_job, &BackgroundJob::busyChanged, this, &Stepper::busyChanged);
 }
 
 void Stepper::setWhole(pipeline::FramePtr whole) {

@@ -33,7 +33,9 @@ public:
     // before there are steps.
     std::optional<pipeline::Moment> moment() const;
     bool isSettled() const { return !m_job.busy(); }  // nothing is being computed
-    QString words() const;                            // "polygon 2, row 270, x 258"
+    void cancel() { m_job.forget(); }
+    void resume() { request(); }
+    QString words() const;  // "polygon 2, row 270, x 258"
 
     void goTo(const pipeline::Place& place);
     void goTo(pipeline::Moment moment);
@@ -64,6 +66,7 @@ public:
     void setBookmarks(std::vector<pipeline::Place> bookmarks);  // in the order of the frame
 
 signals:
+    void busyChanged(bool busy);
     void changed();                               // the place, the steps, level, speed, bookmarks, or whether it plays
     void shown(const pipeline::FramePtr& frame);  // the state at the place
     void left();                                  // the whole frame is to be shown again

@@ -21,6 +21,7 @@ struct ViewKey {
 };
 // Keys that a view handles itself, while it has the focus.
 constexpr ViewKey kViewKeys[]{
+    {"Anywhere", "Cancel what takes long", "Esc"},
     {"Stages", "The card beside", "← →"},
     {"Stages", "Go to the stage", "Enter"},
     {"In a buffer", "Pick a pixel; while moving", "click; Ctrl+drag"},

@@ -297,7 +297,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
     }
-    if (event->type() == QEvent::KeyPress && watched == this) sayWhyNot(*static_cast<QKeyEvent*>(event));
+    if (event->type() == QEvent::KeyPress && watched == this) takeLeftKey(*static_cast<QKeyEvent*>(event));
     return QMainWindow::eventFilter(watched, event);
 }
 
@@ -309,8 +309,9 @@ bool MainWindow::focusNextPrevChild(bool next) {
     return focusNext(*scope, next) || QMainWindow::focusNextPrevChild(next);
 }
 
-// A key that nothing has taken may be that of an action which cannot be done now.
-void MainWindow::sayWhyNot(const QKeyEvent& key) {
+// A key that nothing has taken: Esc cancels what takes long, another may be that of an action which cannot be done now.
+void MainWindow::takeLeftKey(const QKeyEvent& key) {
+    if (key.key() == Qt::Key_Escape && !m_document.work().running().isEmpty()) return m_document.work().cancel();
     for (const ActionRow& row : actionTable()) {
         const QAction* action = (*m_actions)[row.id];
         if (!action->isEnabled() && action->shortcuts().contains(QKeySequence(key.keyCombination())))

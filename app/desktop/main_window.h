@@ -87,7 +87,7 @@ private:
     void connectDocument();
     void showTitle();
     void takeFileChange();
-    void sayWhyNot(const QKeyEvent& key);
+    void takeLeftKey(const QKeyEvent& key);
     void showLessons();
     void showScene();
     bool dropsHere(QObject* watched, QEvent& event);

@@ -1,15 +1,12 @@
 #pragma once
-#include <QWidget>
-
-class QLabel;
-class QProgressBar;
+#include "app/desktop/progress_line.h"
 
 namespace app {
 
 class SceneOpener;
 
 // What is being read and how far it has got, with a button to cancel; hidden while nothing is.
-class OpeningBar : public QWidget {
+class OpeningBar : public ProgressLine {
     Q_OBJECT
 public:
     OpeningBar(const SceneOpener& opener, QWidget* parent);
@@ -21,8 +18,6 @@ private:
     void showProgress();
 
     const SceneOpener& m_opener;
-    QLabel* m_name;
-    QProgressBar* m_share;
 };
 
 }  // namespace app

@@ -7,6 +7,7 @@
 #include "app/core/stage_status.h"
 #include "app/core/text.h"
 #include "app/desktop/opening_bar.h"
+#include "app/desktop/work_bar.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/scene/scene_remarks.h"
 
@@ -47,6 +48,7 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     };
     auto* opening = new OpeningBar(opener, this);
     addWidget(opening);
+    addWidget(new WorkBar(document.work(), this));
     m_sentence = add(1);
     connect(opening, &OpeningBar::cancelAsked, this, &StatusLine::cancelAsked);
     m_hovered = add(0);

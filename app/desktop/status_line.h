@@ -9,7 +9,7 @@ namespace app {
 
 class SceneOpener;
 
-// Left the last event in a sentence, and what is being opened; right the pixel under the cursor, remarks about the scene,
+// Left the last event in a sentence, and what is being opened and computed; right the pixel under the cursor, remarks about the scene,
 // whether every number is one, the error against double precision, and how many threads compute.
 class StatusLine : public QStatusBar {
     Q_OBJECT

@@ -204,6 +204,11 @@ void BufferCanvas::setWipe(const Wipe& wipe) {
     if (wasOther || &seen() != &m_content) emit seenChanged();
 }
 
+void BufferCanvas::retryPainting() {
+    m_base.retry(), m_otherBase.retry();
+    update();
+}
+
 void BufferCanvas::updateAll() {
     m_base.change();
     m_otherBase.change();

@@ -69,6 +69,8 @@ public:
     std::optional<QPoint> pixelAt(QPointF widget) const;
     Placement placement() const { return m_placement; }
     bool isPainting() const { return m_base.busy() || m_otherBase.busy(); }  // what is seen is of before
+    void cancelPainting() { m_base.cancel(), m_otherBase.cancel(); }
+    void retryPainting();
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {120, 90}; }
 

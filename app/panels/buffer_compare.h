@@ -52,6 +52,8 @@ public:
     // What the view shows in place of A: A itself, or the difference. Tells the canvas about B.
     ShownBuffer show(const ShowAnswer& answer);
     bool busy() const { return m_showing.busy(); }  // the picture of a difference is being made
+    void cancel() { m_showing.cancel(); }
+    void retry() { m_showing.retry(); }
     // What stands behind A's value at a pixel: B's, or nothing.
     QString readout(QPoint pixel) const;
     const std::optional<pipeline::BufferDifference>& found() const { return m_found; }

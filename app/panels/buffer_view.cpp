@@ -96,13 +96,7 @@ void BufferView::observe() {
     connect(&m_document, &Document::pixelChanged, this, &BufferView::showPixels);
     connect(&m_document, &Document::hoverChanged, this, &BufferView::showPixels);
     connect(&m_document, &Document::selectionChanged, this, &BufferView::markSelection);
-    const auto tellWorking = [this] {
-        m_working->setWorking(m_document.busy() || m_showing.busy() || m_compare->busy() || m_canvas->isPainting());
-    };
-    connect(&m_document, &Document::busyChanged, this, tellWorking);
-    connect(&m_showing, &ShowJob::busyChanged, this, tellWorking);
-    connect(m_compare, &BufferCompare::busyChanged, this, tellWorking);
-    connect(m_canvas, &BufferCanvas::paintingChanged, this, tellWorking);
+    observeWork();
     connect(&m_showing, &ShowJob::ready, this, &BufferView::refresh);
     // The frame that a view stands in shows which view the keys go to.
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {

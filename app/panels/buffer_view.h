@@ -82,6 +82,7 @@ private:
     void build();
     void observe();
     void observeOverlays();
+    void observeWork();
     void want();
     void refresh();
     enum class Offer { Nothing, Compute, Cancel };  // a button below what is told

@@ -94,6 +94,28 @@ void BufferView::resizeEvent(QResizeEvent* event) {
     placeOverlays();
 }
 
+// What the view waits for, and may be told to give up.
+void BufferView::observeWork() {
+    WorkList& work = m_document.work();
+    const auto tell = [this, &work] {
+        const bool busy = m_showing.busy() || m_compare->busy() || m_canvas->isPainting();
+        work.setBusy(this, busy);
+        m_working->setWorking(m_document.busy() || busy);
+        m_working->setStopped(work.isStopped(this) || work.isStopped(&m_document));
+    };
+    work.add(
+        this, tr("a buffer's picture"), [this] { m_showing.cancel(), m_compare->cancel(), m_canvas->cancelPainting(); },
+        [this] {
+            m_showing.retry(), m_compare->retry(), m_canvas->retryPainting();
+            refresh();
+        });
+    connect(&m_document, &Document::busyChanged, this, tell);
+    connect(&work, &WorkList::changed, this, tell);
+    connect(&m_showing, &ShowJob::busyChanged, this, tell);
+    connect(m_compare, &BufferCompare::busyChanged, this, tell);
+    connect(m_canvas, &BufferCanvas::paintingChanged, this, tell);
+}
+
 void BufferView::placeOverlays() {
     constexpr int kMargin = 8;
     // Set while they are hidden, fonts do not outlive a view that moves in the window.

@@ -26,6 +26,8 @@ public:
     void change() { ++m_version; }  // the content, or the theme
     void draw(QPainter& painter, const CanvasContent& content, const Look& look);
     bool busy() const { return m_job.busy(); }
+    void cancel() { m_job.forget(); }
+    void retry() { m_asked.reset(); }  // when it is drawn next
 
 signals:
     void painted();  // draw() shows something else

@@ -30,6 +30,10 @@ InspectorPanel::InspectorPanel(Document& document, QWidget* parent) : QWidget(pa
     });
     connect(&document.inspection(), &PixelInspection::changed, this, &InspectorPanel::refresh);
     connect(&document.inspection(), &PixelInspection::busyChanged, m_working, &WorkingBar::setWorking);
+    connect(&document.work(), &WorkList::changed, this, [this, &document] {
+        const WorkList& work = document.work();
+        m_working->setStopped(work.isStopped(&document.inspection()) || work.isStopped(&document));
+    });
     connect(&document, &Document::channelChanged, this, &InspectorPanel::refresh);
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &InspectorPanel::refresh);
     connect(m_fragments, &FragmentsSection::polygonAsked, this, [this](std::uint32_t polygon) {

@@ -62,6 +62,8 @@ public:
     // At once where there is little. Else ready() follows, and until then the newest answer, or null.
     std::shared_ptr<const ShowAnswer> answer(const ShowRequest& request);
     bool busy() const { return m_job.busy(); }
+    void cancel() { m_job.forget(); }  // the answer before stays, also where the same is asked again
+    void retry() { m_asked.reset(); }
     void forget();
 
 signals:

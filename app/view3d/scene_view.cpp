@@ -8,7 +8,6 @@
 #include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
-#include "app/core/working_bar.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view_corner.h"
@@ -86,10 +85,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
             emit drawn();
         });
         connect(m_vtk, &VtkWidget::behindChanged, this, &SceneView::behindChanged);
-        connect(m_vtk, &VtkWidget::busyChanged, this, [this](bool busy) {
-            m_rendering = busy;
-            m_working->setWorking(m_rendering || m_building);
-        });
+        connect(m_vtk, &VtkWidget::busyChanged, this, [this](bool busy) { m_rendering = busy, tellWorking(); });
     }
     m_overlay = new Overlay(this);
     m_legend = new ViewCorner(ViewCorner::Kind::Legend, this);
@@ -354,7 +350,12 @@ void SceneView::applyTheme() {
 
 void SceneView::setBuilding(bool building) {
     m_building = building;
+    tellWorking();
+}
+
+void SceneView::tellWorking() {
     m_working->setWorking(m_rendering || m_building);
+    emit workingChanged(m_rendering || m_building);
 }
 
 // What a view that moves leaves out of a large mesh.

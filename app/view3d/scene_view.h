@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/core/working_bar.h"
 #include "app/view3d/handle_drag.h"
 #include "app/view3d/offscreen.h"
 #include "app/view3d/space_content.h"
@@ -16,7 +17,6 @@
 namespace app {
 
 class ViewCorner;
-class WorkingBar;
 
 // A 3D view with its camera: what VTK renders, letters and legend over it, mouse and keys.
 // Left drag orbits, middle or Shift+left drag pans, the wheel zooms to the cursor; a click gives
@@ -35,6 +35,10 @@ public:
     void setContent(std::shared_ptr<const ViewContent> content, bool newScene);
     void setEmptyText(const QString& sentence);
     void setBuilding(bool building);  // newer content is on its way
+    // It was, and has been given up; what is being drawn is, and is drawn after all.
+    void setStopped(bool stopped) { m_working->setStopped(stopped); }
+    void cancelDrawing() { m_vtk ? m_vtk->cancel() : void(); }
+    void resumeDrawing() { m_vtk ? m_vtk->resume() : void(); }
     const std::shared_ptr<const ViewContent>& content() const { return m_content; }
     // As the space on show has it; null where no point is picked, or a light has no shadow buffer.
     const std::shared_ptr<const ViewContent>& shown() const;
@@ -79,8 +83,9 @@ public:
 
 signals:
     void drawn();
-    void behindChanged(bool behind);  // what is shown waits for the picture before it
-    void optionsChanged();            // by the legend
+    void behindChanged(bool behind);    // what is shown waits for the picture before it
+    void workingChanged(bool working);  // a newer picture is on its way
+    void optionsChanged();              // by the legend
     void orthographicChanged(bool orthographic);
     void clicked(const app::Hit& hit);  // on a polygon; in world space, whatever space is on show
     void hovered(const std::optional<app::Hit>& hit);
@@ -109,6 +114,7 @@ private:
     void applyTheme();
     void placeCorners();
     void showDetail();
+    void tellWorking();
     bool showsLegend() const;
     double takenFoot() const;  // of the height, by the legend
     void frameIfUntouched();

@@ -49,6 +49,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     connect(m_view, &SceneView::orthographicChanged, m_orthographic, &QToolButton::setChecked);
     connect(m_view, &SceneView::behindChanged, this, [this](bool behind) { m_document.hold(this, behind); });
     connect(&m_building, &BackgroundJob::busyChanged, m_view, &SceneView::setBuilding);
+    observeWork();
     connect(&document, &Document::sceneOpened, this, [this] {
         m_newScene = true;
         m_building.forget();

@@ -55,6 +55,7 @@ private:
     bool wantsFrusta() const;
     void addFrusta();
     void wantBuffers();
+    void observeWork();
     void showWanted();
     bool misses();
     void takeFrame();

@@ -166,4 +166,24 @@ void View3dPanel::showWanted() {
     m_view->setCamera({c.target, c.distance, c.right, c.up, c.forward, c.fov, c.orthographic});
 }
 
+// What the view waits for, and may be told to give up.
+void View3dPanel::observeWork() {
+    WorkList& work = m_document.work();
+    work.add(
+        this, tr("the 3D view"),
+        [this] {
+            m_building.forget();
+            m_view->cancelDrawing();
+        },
+        [this] {
+            m_view->resumeDrawing();
+            takeFrame();
+        });
+    connect(m_view, &SceneView::workingChanged, this, [this](bool works) { m_document.work().setBusy(this, works); });
+    connect(&work, &WorkList::changed, this, [this] {
+        const WorkList& now = m_document.work();
+        m_view->setStopped(now.isStopped(this) || now.isStopped(&m_document));
+    });
+}
+
 }  // namespace app

@@ -59,6 +59,12 @@ void VtkWidget::soon() {
     QMetaObject::invokeMethod(this, &VtkWidget::render, Qt::QueuedConnection);
 }
 
+void VtkWidget::cancel() {
+    m_rest.stop();
+    m_job.forget();
+    setBehind(false);
+}
+
 void VtkWidget::render() {
     m_pending = false;
     const double ratio = devicePixelRatioF();

@@ -30,6 +30,9 @@ public:
     // are drawn; all is again when the view rests. A whole picture that is not there when it moves again is given up.
     void setView(const ViewFrame& view, Drawing drawing);
 
+    void cancel();  // what is being rendered; the picture before stays
+    void resume() { soon(); }
+
     // What the picture on show was made of; null before the first.
     const std::shared_ptr<const ViewSnapshot>& shown() const { return m_shown; }
     bool isNewest() const { return !m_pending && !m_job.busy(); }                     // it shows all that was set

@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "app/core/freed_aside.h"
+#include "app/core/work_list.h"
 
 namespace app {
 namespace {
@@ -156,6 +157,40 @@ TEST(FreedAside, IsFreedOnAnotherThreadThanTheWindows) {
     EXPECT_NE(freedOn, std::thread::id());
     EXPECT_NE(freedOn, std::this_thread::get_id());
     EXPECT_FALSE(freedAside(std::shared_ptr<const Large>()));
+}
+
+TEST(WorkList, TellsWhatTakesLongAndStopsItUntilItIsToGoOn) {
+    WorkList list;
+    int cancelled = 0, resumed = 0;
+    {
+        QObject frame, view;
+        list.add(
+            &frame, "the frame",
+            [&] {
+                ++cancelled;
+                list.setBusy(&frame, false);
+            },
+            [&] { ++resumed; });
+        list.add(
+            &view, "the view", [] {}, [] {});
+        list.setBusy(&frame, true);
+        EXPECT_TRUE(list.running().isEmpty()) << "it may be done in a moment";
+        ASSERT_TRUE(QTest::qWaitFor([&] { return list.running() == QStringList("the frame"); }, 5000));
+        list.cancel();
+        EXPECT_EQ(cancelled, 1);
+        EXPECT_TRUE(list.running().isEmpty());
+        EXPECT_EQ(list.stopped(), QStringList("the frame")) << "the view was idle";
+        list.resume();
+        EXPECT_EQ(resumed, 1);
+        EXPECT_TRUE(list.stopped().isEmpty());
+        list.setBusy(&frame, true);
+        list.cancel();
+        list.setBusy(&frame, true);
+        EXPECT_FALSE(list.isStopped(&frame)) << "newer work is not";
+        list.cancel();
+        EXPECT_TRUE(list.isStopped(&frame));
+    }
+    EXPECT_TRUE(list.stopped().isEmpty()) << "forgotten with whose it was";
 }
 
 }  // namespace app

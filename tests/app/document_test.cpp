@@ -55,6 +55,39 @@ TEST_F(DocumentTest, DragBackToItsBeginningLeavesNoStep) {
     EXPECT_EQ(document.undoStack()->count(), 0);
 }
 
+TEST_F(DocumentTest, ACancelledFrameLeavesTheOneBeforeUntilItIsToGoOn) {
+    ASSERT_TRUE(waitForFrame());
+    const auto before = document.frame();
+    pipeline::Scene large = document.scene();
+    large.settings.width = 4000, large.settings.height = 3000;
+    const auto showLargeAndCancel = [&] {
+        document.replace(large, "size");
+        QCoreApplication::processEvents();
+        ASSERT_TRUE(document.busy());
+        document.work().cancel();
+        EXPECT_FALSE(document.busy());
+        EXPECT_TRUE(document.work().stopped().contains("the frame"));
+    };
+    showLargeAndCancel();
+    QObject view;  // asks for what has been asked for, as one that is shown again does
+    document.want(&view, pipeline::setOf({pipeline::BufferId::Color}));
+    QTest::qWait(300);
+    EXPECT_FALSE(document.busy());
+    EXPECT_EQ(document.frame(), before);
+    EXPECT_TRUE(document.work().stopped().contains("the frame"));
+    document.work().resume();
+    EXPECT_TRUE(document.work().stopped().isEmpty());
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(document.frame()->scene().settings.width, 4000);
+    ++large.settings.width;
+    showLargeAndCancel();
+    for (int i = 0; i < 2; ++i) document.undoStack()->undo();
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(document.work().stopped().contains("the frame")) << "newer work is not stopped";
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(document.frame()->scene().settings.width, 640);
+}
+
 TEST_F(DocumentTest, RefusesWhatIsOutOfRange) {
     QSignalSpy failed(&document, &Document::failed);
     for (const double value : {-0.1, 1e300, double(NAN), double(INFINITY)})

@@ -187,6 +187,26 @@ TEST(ShowJob, TheWorstPixelOfALargeFrameIsPickedOnceItIsFound) {
     EXPECT_EQ(*document.pixel(), glm::ivec2(*found.worst % columns, *found.worst / columns));
 }
 
+// A picture that is given up leaves the one before, until it is gone on with.
+TEST(ShowJob, AViewToldToStopShowsWhatItHadUntilItIsToGoOn) {
+    Document document;
+    BufferView view(document);
+    view.resize(640, 560);
+    view.show();
+    view.setBuffer(kDepth);
+    document.setScene(test::manyPolygons());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
+    const auto before = view.shown()->look.range;
+    view.setRange({1, 2});
+    document.work().cancel();
+    EXPECT_TRUE(document.work().stopped().contains("a buffer's picture"));
+    QTest::qWait(300);
+    EXPECT_EQ(view.shown()->look.range, before);
+    document.work().resume();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.shown()->look.range == pipeline::PaletteRange{1, 2}; }, 10000));
+    EXPECT_TRUE(document.work().stopped().isEmpty());
+}
+
 // The same pixels, wherever they are painted; until then what was painted last, moved to where it belongs now.
 TEST(CanvasBase, PaintsManyPolygonsBesideTheWindow) {
     const auto frame = frameOf(test::manyPolygons());

@@ -12,9 +12,13 @@
 #include "app/desktop/clean_view.h"
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/presentation.h"
+#include "app/desktop/view_area.h"
+#include "app/desktop/work_bar.h"
+#include "app/panels/buffer_canvas.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"
 #include "app/panels/start_page.h"
+#include "app/view3d/view3d_panel.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -89,6 +93,35 @@ TEST_F(WindowOpening, EscapeOrTheButtonCancelsAndNothingHasChanged) {
         EXPECT_EQ(pictureOnScreen(), before);
     }
     EXPECT_EQ(recentFiles().size(), 1u) << "only what was opened";
+}
+
+// Work that ends when it is told to.
+TEST_F(WindowOpening, EscapeOrTheButtonStopsWhatTakesLongAndOneClickGoesOn) {
+    openPyramid();
+    canvas()->setFocus();
+    WorkList& list = document().work();
+    const auto idle = [&] { return document().stepper().isSettled() && window.views().view3d().view().isDrawn(); };
+    QTest::qWait(400);  // until the steps are counted
+    ASSERT_TRUE(QTest::qWaitFor(idle, 20000));
+    QObject who;
+    list.add(
+        &who, "a test", [&] { list.setBusy(&who, false); }, [&] { list.setBusy(&who, true); });
+    auto* bar = find<WorkBar>("workBar");
+    auto* link = find<QPushButton>("workLink");
+    EXPECT_FALSE(bar->isVisible());
+    list.setBusy(&who, true);
+    for (const bool byKey : {true, false}) {
+        ASSERT_TRUE(QTest::qWaitFor([&] { return link->isVisible() && link->text().startsWith("Cancel"); }, 5000));
+        EXPECT_TRUE(bar->findChild<QLabel*>()->text().contains("a test"));
+        byKey ? press("Esc") : link->click();
+        EXPECT_EQ(list.stopped(), QStringList("a test"));
+        EXPECT_EQ(bar->findChild<QLabel*>()->text(), "Stopped: a test. What you see is of before.");
+        EXPECT_EQ(link->text(), "Go on");
+        link->click();
+        EXPECT_TRUE(list.stopped().isEmpty());
+    }
+    list.setBusy(&who, false);
+    EXPECT_FALSE(bar->isVisible());
 }
 
 TEST_F(WindowOpening, WhilePresentingTheAudienceSeesHowFarAndEscapeCancelsThat) {
