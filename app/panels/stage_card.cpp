@@ -197,8 +197,9 @@ void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {
     rest.setLeft(rest.left() + theme.px(m_compact ? 8 : 12));
     const QFontMetrics digits(theme.mono(12));
     QString error = m_status.error;
-    if (digits.horizontalAdvance(error) > rest.width())
-        error = error.section(',', 0, 0).section(' ', 0, 0);  // the number alone
+    // Its first part, and of that the number alone, where there is no room for more.
+    for (const QChar end : {QChar(','), QChar(' ')})
+        if (digits.horizontalAdvance(error) > rest.width()) error = error.section(end, 0, 0);
     const int room = rest.width() - digits.horizontalAdvance(error);
     if (room < 0) return;
     if (!m_compact)

@@ -193,8 +193,10 @@ struct Decision {
         const Settings& settings = scene.settings;
         if (settings.precision != Precision::Float) return {"It computes in float alone.", {}};
         if (outlines()) return {kOutlines, {}};
-        if (settings.shading != Shading::Flat && settings.interpolation != Interpolation::Perspective)
-            return {"It interpolates in perspective alone.", {}};
+        if (settings.shading == Shading::Phong && settings.interpolation != Interpolation::Perspective)
+            return {"It interpolates normals in perspective alone.", {}};
+        if (settings.shading == Shading::Gouraud && settings.interpolation == Interpolation::Scanline)
+            return {"It does not interpolate along rows.", {}};
         if (model() == Model::OpenGl && settings.shading == Shading::Phong)
             return {"In OpenGL's model it shades by polygon or by vertex alone.", {}};
         if (model() == Model::OpenGl && settings.twoSided) return {"It lights one side alone.", {}};

@@ -7,7 +7,9 @@
 #endif
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 #include <optional>
 
@@ -15,6 +17,7 @@
 #include "pipeline/simd/seen.h"
 #include "pipeline/simd/seen_blocks.h"
 #include "pipeline/stages/shading.h"
+#include "pipeline/stages/vertex_weights.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
@@ -126,6 +129,8 @@ public:
         else
             m_facing ? findRow<false, false, true>(begin, out) : findRow<false, false, false>(begin, out);
         if (m_positioned && fromDepth()) findPositions(row, out);
+        const bool isAffine = m_inputs.shading == Shading::Gouraud && m_inputs.interpolation == Interpolation::Affine;
+        if (isAffine && m_in.transform.view.perspective) makeAffine(begin, out);
     }
 
 private:
@@ -230,6 +235,42 @@ private:
         seen.isPlane = true, seen.firstPixel = first;
         seen.normals = {n.origin + one.value * n.toSecond + two.value * n.toThird,
                         one.column * n.toSecond + two.column * n.toThird, one.row * n.toSecond + two.row * n.toThird};
+    }
+    // Weights linear in the picture instead of in space, in the row of blocks that begins with pixel `begin` of the tile:
+    // vertexWeights.
+    void makeAffine(std::size_t begin, SurfaceRow& out) const {
+        const TransformOutput<float>& in = m_in.transform;
+        const auto* words = reinterpret_cast<const std::int32_t*>(in.topology->triangles.data());
+        auto nearest = float(in.view.near);  // the least z in front of the near plane
+        if (double(nearest) < in.view.near) nearest = std::nextafter(nearest, std::numeric_limits<float>::infinity());
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+            const Mask seen = seenIn(out.triangle + i);
+            if (hn::AllFalse(F(), seen)) continue;
+            const auto ids = hn::IfThenElseZero(hn::RebindMask(U(), seen), hn::Load(U(), out.triangle + i));
+            const Ints first = hn::ShiftLeft<2>(hn::BitCast(I(), ids));
+            const Floats3 b = load(out.weights, i);
+            Mask isInFront = seen;
+            const auto scaledByZ = [&](Floats weight, int corner) HWY_ATTR {
+                const Ints vertex = hn::GatherIndex(I(), words, hn::Add(first, hn::Set(I(), corner)));
+                const Floats z = hn::GatherIndex(F(), &in.viewSpace[0].z, hn::Add(vertex, hn::Add(vertex, vertex)));
+                isInFront = hn::And(isInFront, hn::Ge(z, all(nearest)));
+                return hn::Mul(weight, z);
+            };
+            const Floats3 l{scaledByZ(b.x, 0), scaledByZ(b.y, 1), scaledByZ(b.z, 2)};
+            const Floats sum = hn::Add(hn::Add(l.x, l.y), l.z);
+            store(choose(isInFront, {hn::Div(l.x, sum), hn::Div(l.y, sum), hn::Div(l.z, sum)}, b), out.weights, i);
+            // Of what clipping has cut the stage's own text finds the piece.
+            for (std::uint32_t rest = bitsOf(hn::AndNot(isInFront, seen)); rest != 0; rest &= rest - 1) {
+                const std::size_t at = i + std::size_t(std::countr_zero(rest));
+                Row3& weights = out.weights;
+                RowCrossings none;
+                const VertexWeights<float> affine = vertexWeights<float>(
+                    Interpolation::Affine, in, out.triangle[at], {weights.x.of[at], weights.y.of[at], weights.z.of[at]},
+                    m_tile.min + pixelOf(begin + at), none);
+                weights.x.of[at] = affine.weights[0], weights.y.of[at] = affine.weights[1];
+                weights.z.of[at] = affine.weights[2];
+            }
+        }
     }
     // World space, from z_view: worldPoint.
     void findPositions(int row, SurfaceRow& out) const {

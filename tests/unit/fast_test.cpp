@@ -198,7 +198,9 @@ TEST(Fast, GivesWayWhereItHasNoKernel) {
     EXPECT_EQ(reason(scene, color), "It computes in float alone.");
     scene = spheres();
     scene.settings.interpolation = Interpolation::Scanline;
-    EXPECT_EQ(reason(scene, color), "It interpolates in perspective alone.");
+    EXPECT_EQ(reason(scene, color), "It interpolates normals in perspective alone.");
+    scene.settings.shading = Shading::Gouraud;
+    EXPECT_EQ(reason(scene, color), "It does not interpolate along rows.");
     scene = spheres();
     scene.settings.model = Model::OpenGl;
     EXPECT_EQ(reason(scene, color), "In OpenGL's model it shades by polygon or by vertex alone.");

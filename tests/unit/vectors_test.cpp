@@ -251,9 +251,22 @@ TEST(Vectors, LookUpLightsAmidTheObjectsToTheSameBits) {
             }
 }
 
+// Affine: whole triangles, with perspective and without, and the pieces that a near plane through a sphere leaves.
+TEST(Vectors, InterpolateLinearlyInThePictureToTheSameBits) {
+    Scene scene = spheres();
+    scene.settings.shading = Shading::Gouraud, scene.settings.interpolation = Interpolation::Affine;
+    scene.settings.cull = CullMode::None;
+    EXPECT_TRUE(expectTheSameShading(scene, withoutVectors()));
+    scene.camera.near = scene.camera.rho;
+    EXPECT_TRUE(expectTheSameShading(scene, withoutVectors()));
+    scene.camera.near = 0, scene.camera.projection = ProjectionKind::Orthographic;
+    EXPECT_TRUE(expectTheSameShading(scene, withoutVectors()));
+}
+
 // Whatever the processor has: the kernels of each instruction set, of a single number too.
 TEST(Vectors, HaveTheSameBitsInEveryWidth) {
-    Scene phong = spheres(), gouraud = spheres(), area = spheres();
+    Scene phong = spheres(), gouraud = spheres(), area = spheres(), affine = spheres();
+    affine.settings.shading = Shading::Gouraud, affine.settings.interpolation = Interpolation::Affine;
     area.lights[0].kind = LightKind::Area, area.lights[0].area = {{-1, -1, -1}, 80, 80, 3};
     phong.objects[1].material.highlight = Highlight::Phong, phong.settings.model = Model::BlinnPhong;
     gouraud.settings.shading = Shading::Gouraud;
@@ -267,6 +280,7 @@ TEST(Vectors, HaveTheSameBitsInEveryWidth) {
         EXPECT_TRUE(expectTheSameShading(phong, test::everyBuffer()));
         EXPECT_TRUE(expectTheSameShading(gouraud, withoutVectors()));
         EXPECT_TRUE(expectTheSameShading(area, test::everyBuffer()));
+        EXPECT_TRUE(expectTheSameShading(affine, withoutVectors()));
     }
     hwy::SetSupportedTargetsForTest(0);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
@@ -280,6 +294,8 @@ TEST(Vectors, ShadeRandomAndStrangeScenesToTheSameBits) {
         Scene scene = seed % 2 ? test::randomScene(seed) : test::strangeScene(seed);
         scene.settings.precision = Precision::Float, scene.settings.arithmetic = Arithmetic::Exact;
         scene.settings.interpolation = Interpolation::Perspective, scene.settings.forms = {};
+        if (scene.settings.shading == Shading::Gouraud && seed % 4 < 2)
+            scene.settings.interpolation = Interpolation::Affine;
         for (Object& object : scene.objects) object.material.alpha = 1;
         SCOPED_TRACE(seed);
         compared += expectTheSameShading(
