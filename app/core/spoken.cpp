@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include <QAccessibleWidget>
+#include <QComboBox>
+#include <QLabel>
 
 namespace app {
 namespace {
@@ -50,6 +52,14 @@ QAccessibleInterface* make(const QString&, QObject* object) {
 void speakAs(QWidget& widget, QAccessible::Role role) {
     QAccessible::installFactory(make);  // Qt keeps each factory once
     widget.setProperty(kRole, role);
+}
+
+void nameChoice(QComboBox& box, const QString& name) {
+    box.setAccessibleName(name);
+    auto* label = new QLabel(name, box.parentWidget());
+    label->setBuddy(&box);
+    label->hide();
+    QObject::connect(&box, &QObject::destroyed, label, &QObject::deleteLater);
 }
 
 void SpokenSlider::speak(QWidget& slider) { speakAs(slider, QAccessible::Slider); }

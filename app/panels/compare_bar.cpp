@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "app/core/icons.h"
+#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
@@ -42,7 +43,7 @@ CompareBar::CompareBar(QWidget* parent)
         m_metric->setItemData(m_metric->count() - 1, toQString(metric.words) + ", " + toQString(metric.formula),
                               Qt::ToolTipRole);
     }
-    m_metric->setAccessibleName(tr("Metric of the difference"));
+    nameChoice(*m_metric, tr("Metric of the difference"));
     m_stages->setToolTip(tr("Lists how much every buffer of every stage differs"));
     m_close->setIcon(icon("close"));
     m_close->setAccessibleName(tr("Compare no longer"));

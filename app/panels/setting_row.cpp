@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 #include <QStyle>
 
+#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/number_field.h"
@@ -69,6 +70,7 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
     isNumber ? addNumber(form, row, parent) : addChoice(form, row, parent);
     for (QWidget* control : m_controls) {
         control->setAccessibleName(toQString(setting.setting->label));
+        if (auto* list = qobject_cast<QComboBox*>(control)) nameChoice(*list, list->accessibleName());
         control->setObjectName(toQString(setting.key()));
     }
     connect(&document, &Document::sceneChanged, this, &SettingRow::showScene);

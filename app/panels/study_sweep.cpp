@@ -7,6 +7,7 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
+#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 
@@ -18,7 +19,7 @@ using pipeline::Sweep;
 StudySweep::StudySweep(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     m_named = new QComboBox(this);
     m_named->setObjectName("studySweep");
-    m_named->setAccessibleName(tr("Sweep"));
+    nameChoice(*m_named, tr("Sweep"));
     m_meaning = new QLabel(this);
     m_meaning->setWordWrap(true);
     m_meaning->setProperty("tone", 2);
@@ -33,7 +34,7 @@ StudySweep::StudySweep(Document& document, QWidget* parent) : QWidget(parent), m
         auto* key = new QComboBox(m_own);
         auto* values = new QLineEdit(m_own);
         key->setObjectName(QString("studyKey%1").arg(i));
-        key->setAccessibleName(i == 0 ? tr("First setting") : tr("Second setting"));
+        nameChoice(*key, i == 0 ? tr("First setting") : tr("Second setting"));
         values->setObjectName(QString("studyValues%1").arg(i));
         values->setAccessibleName(i == 0 ? tr("Values of the first setting") : tr("Values of the second setting"));
         values->setToolTip(tr("By comma, or a range: flat,phong · all · 4..7 · 0..1+0.25 · 4..64*2"));

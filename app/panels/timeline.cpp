@@ -8,6 +8,7 @@
 
 #include "app/core/icons.h"
 #include "app/core/numbers.h"
+#include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
@@ -55,14 +56,14 @@ Timeline::Timeline(Document& document, const Transport& transport, QWidget* pare
     m_by->setProperty("tone", 2);
     m_levels->setObjectName("stepLevel");
     m_levelList->setObjectName("stepLevelList");
-    for (QWidget* levels : {static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_levelList)})
-        levels->setAccessibleName(tr("What a step is"));
+    m_levels->setAccessibleName(tr("What a step is"));
+    nameChoice(*m_levelList, tr("What a step is"));
     for (const QString& level : levelNames()) m_levelList->addItem(tr("by %1").arg(level));
     m_levels->setToolTip(tr("What a step is. A stage without such parts takes its own next larger ones."));
     m_levelList->setToolTip(m_levels->toolTip());
     m_words->setObjectName("stepWords");
     m_speed->setObjectName("stepSpeed");
-    m_speed->setAccessibleName(tr("Speed"));
+    nameChoice(*m_speed, tr("Speed"));
     m_speed->setToolTip(tr("How fast it plays"));
     for (const double speed : kSpeeds) m_speed->addItem(speedText(speed), speed);
     m_speed->setCurrentIndex(2);

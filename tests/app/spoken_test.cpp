@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAccessible>
+#include <QComboBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -29,6 +30,17 @@ TEST(Spoken, ASliderHasItsNumberAndItsEnds) {
     EXPECT_EQ(number->minimumValue().toDouble(), 0);
     EXPECT_EQ(number->maximumValue().toDouble(), 4);
     EXPECT_EQ(spoken->text(QAccessible::Value), "1.5");
+}
+
+TEST(Spoken, AListToChooseFromIsNamedByALabel) {
+    QWidget panel;
+    QComboBox box(&panel);
+    box.addItem("1×");
+    nameChoice(box, "Speed");
+    const auto labels = QAccessible::queryAccessibleInterface(&box)->relations(QAccessible::Label);
+    ASSERT_EQ(labels.size(), 1);
+    EXPECT_EQ(labels[0].first->text(QAccessible::Name), "Speed");
+    EXPECT_TRUE(qobject_cast<QWidget*>(labels[0].first->object())->isHidden()) << "for the reader alone";
 }
 
 TEST(Spoken, AScreenReaderSetsAValueAsAKeyDoes) {
