@@ -67,12 +67,19 @@ TEST(ShowJob, OfManyPolygonsTheOldAnswerStaysWholeUntilTheNewOneIsThere) {
     EXPECT_EQ(after->shown.scale.histogram, expected.scale.histogram);
 }
 
-TEST(ShowJob, AViewShowsOneFrameInAllThatItSays) {
+// A view of the buffer z_view on the screen.
+class DepthView : public testing::Test {
+protected:
+    DepthView() {
+        view.resize(640, 560);
+        view.show();
+        view.setBuffer(kDepth);
+    }
     Document document;
-    BufferView view(document);
-    view.resize(640, 560);
-    view.show();
-    view.setBuffer(kDepth);
+    BufferView view{document};
+};
+
+TEST_F(DepthView, AViewShowsOneFrameInAllThatItSays) {
     document.setScene(test::manyPolygons());
     const auto shows = [&](const pipeline::FramePtr& frame) {
         return frame && view.shown() && view.shown()->buffer.owner == frame->buffer(kDepth)->owner;
@@ -130,12 +137,7 @@ TEST(ShowJob, AAndBOfAComparisonAreOfOneFrame) {
     EXPECT_EQ(view.compare().found()->values.count(), depth.count());
 }
 
-TEST(ShowJob, TheDifferenceOfALargeFrameIsShownWithItsFittingRange) {
-    Document document;
-    BufferView view(document);
-    view.resize(640, 560);
-    view.show();
-    view.setBuffer(kDepth);
+TEST_F(DepthView, TheDifferenceOfALargeFrameIsShownWithItsFittingRange) {
     document.setScene(test::manyPolygons());
     view.compare().compareWith(OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {BufferId::Depth}});
     view.compare().setMode(app::CompareMode::Difference);
@@ -152,12 +154,7 @@ TEST(ShowJob, TheDifferenceOfALargeFrameIsShownWithItsFittingRange) {
     EXPECT_FALSE(showsDifference());
 }
 
-TEST(ShowJob, FittingOnceKeepsTheRangeOfTheNextPicture) {
-    Document document;
-    BufferView view(document);
-    view.resize(640, 560);
-    view.show();
-    view.setBuffer(kDepth);
+TEST_F(DepthView, FittingOnceKeepsTheRangeOfTheNextPicture) {
     document.setScene(test::manyPolygons());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
     const auto whole = view.shown()->look.range;
@@ -169,12 +166,7 @@ TEST(ShowJob, FittingOnceKeepsTheRangeOfTheNextPicture) {
     EXPECT_EQ((*view.state().range)[0], double(whole.first));
 }
 
-TEST(ShowJob, TheWorstPixelOfALargeFrameIsPickedOnceItIsFound) {
-    Document document;
-    BufferView view(document);
-    view.resize(640, 560);
-    view.show();
-    view.setBuffer(kDepth);
+TEST_F(DepthView, TheWorstPixelOfALargeFrameIsPickedOnceItIsFound) {
     pipeline::Scene scene = test::pyramid();
     scene.settings.width = 1280, scene.settings.height = 960;
     document.setScene(scene);
@@ -188,12 +180,7 @@ TEST(ShowJob, TheWorstPixelOfALargeFrameIsPickedOnceItIsFound) {
 }
 
 // A picture that is given up leaves the one before, until it is gone on with.
-TEST(ShowJob, AViewToldToStopShowsWhatItHadUntilItIsToGoOn) {
-    Document document;
-    BufferView view(document);
-    view.resize(640, 560);
-    view.show();
-    view.setBuffer(kDepth);
+TEST_F(DepthView, AViewToldToStopShowsWhatItHadUntilItIsToGoOn) {
     document.setScene(test::manyPolygons());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
     const auto before = view.shown()->look.range;
