@@ -196,10 +196,8 @@ void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {
     if (m_status.error.isEmpty()) return;
     rest.setLeft(rest.left() + theme.px(m_compact ? 8 : 12));
     const QFontMetrics digits(theme.mono(12));
-    QString error = m_status.error;
-    // Its first part, and of that the number alone, where there is no room for more.
-    for (const QChar end : {QChar(','), QChar(' ')})
-        if (digits.horizontalAdvance(error) > rest.width()) error = error.section(end, 0, 0);
+    const auto fits = [&](const QString& part) { return digits.horizontalAdvance(part) <= rest.width(); };
+    const QString error = fittingError(m_status.error, fits);
     const int room = rest.width() - digits.horizontalAdvance(error);
     if (room < 0) return;
     if (!m_compact)

@@ -52,5 +52,7 @@ QString fitting(QString text, const std::function<bool(const QString&)>& fits);
 QString withShortNumbers(QString text);
 // A card's counts: exact, or their beginning; where no part of them fits, in three digits, the tool tip having all.
 QString fittingCounts(const QString& counts, const std::function<bool(const QString&)>& fits);
+// The same of an error: its first part, then the number alone, whether or not that fits.
+QString fittingError(QString error, const std::function<bool(const QString&)>& fits);
 
 }  // namespace app

@@ -30,6 +30,12 @@ QString withShortNumbers(QString text) {
     }
 }
 
+QString fittingError(QString error, const std::function<bool(const QString&)>& fits) {
+    for (const QChar end : {QChar(','), QChar(' ')})
+        if (!fits(error)) error = error.section(end, 0, 0);
+    return error;
+}
+
 QString fittingCounts(const QString& counts, const std::function<bool(const QString&)>& fits) {
     if (const QString exact = fitting(counts, fits); !exact.isEmpty()) return exact;
     const QString brief = withShortNumbers(counts);

@@ -90,6 +90,17 @@ TEST(StageCardWords, CountsThatDoNotFitAreGivenInThreeDigits) {
     EXPECT_EQ(within(17), "");
 }
 
+TEST(StageCardWords, AnErrorKeepsItsUnitWhereThereIsRoom) {
+    const auto within = [](int letters) {
+        return fittingError("7.3e-5 px, 3 polygons", [letters](const QString& part) { return part.size() <= letters; });
+    };
+    EXPECT_EQ(within(21), "7.3e-5 px, 3 polygons");
+    EXPECT_EQ(within(20), "7.3e-5 px");
+    EXPECT_EQ(within(9), "7.3e-5 px");
+    EXPECT_EQ(within(8), "7.3e-5");
+    EXPECT_EQ(within(2), "7.3e-5") << "which is then not written";
+}
+
 // The pyramid is one convex object: no shadow buffer is needed, and the flat shading needs no
 // vertex normals. Everything else ran.
 TEST_F(WindowStages, CardsTellWhatRanAndWhatWasLeftOut) {
