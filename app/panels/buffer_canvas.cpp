@@ -54,7 +54,7 @@ void BufferCanvas::fit(bool whole) {
     m_part.reset();
     m_fits = true;
     const QRectF all(QPointF(0, 0), QSizeF(m_content.size));
-    m_focus = whole || m_content.focus.isEmpty() ? all : painted(m_content).focus;
+    m_focus = whole || m_content.focus.isEmpty() ? all : toShown(m_content.focus);
     placeFocus();
 }
 
@@ -105,7 +105,7 @@ void BufferCanvas::placeFocus() {
 }
 
 void BufferCanvas::toggleFit() {
-    const bool showsFocus = m_fits && m_focus == painted(m_content).focus;
+    const bool showsFocus = m_fits && m_focus == toShown(m_content.focus);
     fit(showsFocus);
     emit moved();
 }

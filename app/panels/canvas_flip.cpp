@@ -11,10 +11,7 @@ void turn(QPolygonF& polygon, int height) {
 std::shared_ptr<const ShapePicture> turned(const std::shared_ptr<const ShapePicture>& picture, int height) {
     if (!picture) return nullptr;
     auto result = std::make_shared<ShapePicture>(*picture);
-    for (Shape& shape : result->shapes) {
-        turn(shape.outline.corners, height);
-        shape.outline.centre = upsideDown(shape.outline.centre, height);
-    }
+    for (QPointF& place : result->places) place = upsideDown(place, height);
     for (QRectF& box : result->boxes) box.moveTop(height - box.bottom());
     for (ShapePoint& point : result->points) point.at = upsideDown(point.at, height);
     return result;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <mutex>
 
-#include "pipeline/scene/topology.h"
 #include "pipeline/stages/cull.h"
 
 namespace app {
@@ -101,24 +100,18 @@ QPolygonF outlineOf(const pipeline::Topology::Corners& corners, const ProjectedV
 
 }  // namespace
 
-std::vector<ProjectedPolygon> projectPolygons(const pipeline::Frame& frame) {
-    std::vector<ProjectedPolygon> polygons;
-    const ProjectedVertices vertices = projectVertices(sourceOf(frame));
+ProjectedPolygons projectPolygons(const pipeline::Frame& frame) {
+    ProjectedVertices vertices = projectVertices(sourceOf(frame));
+    ProjectedPolygons projected;
+    projected.topology = frame.sharedTopology();
+    projected.polygons.reserve(frame.topology().polygonCount());
     forEachInFront(frame.topology(), vertices, [&](std::size_t p, const auto& corners) {
-        ProjectedPolygon& polygon = polygons.emplace_back();
-        polygon.polygon = int(p);
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const std::uint32_t v = corners[i];
-            polygon.vertices.push_back(int(v));
-            polygon.corners << vertices.places[v];
-            polygon.centre += vertices.places[v];
-            polygon.distance += vertices.distances[v];
-        }
-        polygon.centre /= double(corners.size());
-        polygon.distance /= double(corners.size());
-        polygon.goesOn = vertices.goesOn(p);
+        double distance = 0;
+        for (std::size_t i = 0; i < corners.size(); ++i) distance += vertices.distances[corners[i]];
+        projected.polygons.push_back({std::uint32_t(p), vertices.goesOn(p), distance / double(corners.size())});
     });
-    return polygons;
+    projected.places = std::move(vertices.places);
+    return projected;
 }
 
 OutlinesIn outlinesIn(const pipeline::Frame& frame) {

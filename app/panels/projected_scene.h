@@ -1,26 +1,33 @@
 #pragma once
 #include <QPolygonF>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "app/core/selection.h"
 #include "pipeline/run/frame.h"
+#include "pipeline/scene/topology.h"
 
 namespace app {
 
-// A polygon in the picture, its corners in pixels (y down).
+// A polygon in the picture.
 struct ProjectedPolygon {
-    int polygon = 0;            // over all objects
-    std::vector<int> vertices;  // over all objects
-    QPolygonF corners;
-    QPointF centre;       // mean of the corners
-    double distance = 0;  // z_view, mean of the corners
-    bool goesOn = true;   // to the z-buffer, by the verdict
+    std::uint32_t polygon = 0;  // over all objects
+    bool goesOn = true;         // to the z-buffer, by the verdict
+    double distance = 0;        // z_view, mean of the corners
+};
+
+// Polygons and where their corners stand. A few large pieces of memory: small ones, one for each of a million
+// polygons, take long to free, and whoever else asks for memory waits meanwhile.
+struct ProjectedPolygons {
+    std::shared_ptr<const pipeline::Topology> topology;
+    std::vector<QPointF> places;  // of every vertex, pixels (y down)
+    std::vector<ProjectedPolygon> polygons;
 };
 
 // The scene's polygons where all their corners stand in front of the eye; in scene order.
-std::vector<ProjectedPolygon> projectPolygons(const pipeline::Frame& frame);
+ProjectedPolygons projectPolygons(const pipeline::Frame& frame);
 
 // The outlines that reach into a part of the picture, found when it is looked at: few of many polygons are ever seen
 // closely. Any thread may ask.

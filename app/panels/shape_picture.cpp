@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <numeric>
 
 #include "app/core/theme.h"
 #include "pipeline/stages/cull.h"
@@ -33,6 +34,36 @@ QString rowText(const AnyBuffer& buffer, std::size_t row, ShownChannel channel) 
 bool isNear(const QRectF& box, const QRectF& window) {
     return box.right() >= window.left() && box.left() <= window.right() && box.bottom() >= window.top() &&
            box.top() <= window.bottom();
+}
+
+QRectF boxAround(const ShapePicture& picture, const ProjectedPolygon& polygon) {
+    const auto corners = picture.topology->corners(polygon.polygon);
+    QPointF least = picture.places[corners[0]], most = least;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const QPointF& at = picture.places[corners[i]];
+        least = {std::min(least.x(), at.x()), std::min(least.y(), at.y())};
+        most = {std::max(most.x(), at.x()), std::max(most.y(), at.y())};
+    }
+    return {least, most};
+}
+
+// Once each, as the polygons come to them.
+void addPoints(const AnyBuffer& buffer, const BufferLook& look, ShapePicture& picture) {
+    const bool isColor = buffer.info->palette == Palette::Color || buffer.info->unit.empty();
+    std::vector<bool> seen(buffer.rows(), false);
+    for (const Shape& shape : picture.shapes) {
+        const auto corners = picture.topology->corners(shape.outline.polygon);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const std::uint32_t v = corners[i];
+            if (v >= seen.size() || seen[v]) continue;
+            seen[v] = true;
+            picture.points.push_back({picture.places[v], int(v), isColor ? colorOf(buffer, v, look) : QColor()});
+        }
+    }
+}
+
+QPointF meanOf(const QPolygonF& corners) {
+    return std::accumulate(corners.begin(), corners.end(), QPointF()) / double(corners.size());
 }
 
 // A few words on a ground of their own, near the place that they speak of.
@@ -92,59 +123,51 @@ Qt::BrushStyle hatchOfVerdict(char letter) {
     }
 }
 
+QPolygonF ShapePicture::outline(const Shape& shape) const {
+    const auto corners = topology->corners(shape.outline.polygon);
+    QPolygonF polygon;
+    for (std::size_t i = 0; i < corners.size(); ++i) polygon << places[corners[i]];
+    return polygon;
+}
+
 ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer, const BufferLook& look, bool isSmall) {
-    ShapePicture picture;
-    picture.isSmall = isSmall;
-    const Domain domain = buffer.info->domain;
-    std::vector<ProjectedPolygon> polygons = projectPolygons(frame);
-    picture.shapes.reserve(polygons.size());
-    picture.boxes.reserve(polygons.size());
-    std::stable_sort(polygons.begin(), polygons.end(), [](const auto& a, const auto& b) {
+    ProjectedPolygons projected = projectPolygons(frame);
+    std::stable_sort(projected.polygons.begin(), projected.polygons.end(), [](const auto& a, const auto& b) {
         return std::pair(a.goesOn, -a.distance) < std::pair(b.goesOn, -b.distance);
     });
-    for (ProjectedPolygon& polygon : polygons) {
-        Shape shape{.outline = std::move(polygon), .fill = {}, .letter = {}, .value = {}};
-        if (domain == Domain::Polygon) {
-            const auto row = std::size_t(shape.outline.polygon);
-            shape.fill = colorOf(buffer, row, look);
-            if (buffer.info->palette == Palette::Verdict) {
-                const char letter = pipeline::letter(pipeline::Verdict(int(buffer.flat(row))));
-                shape.letter = QChar(letter);
-                shape.hatch = hatchOfVerdict(letter);
-                shape.value = QString::number(row);
-            } else if (!isSmall) {
-                shape.value = rowText(buffer, row, look.channel);
-            }
-        }
-        picture.boxes.push_back(shape.outline.corners.boundingRect());
-        picture.shapes.push_back(std::move(shape));
+    ShapePicture picture;
+    picture.topology = std::move(projected.topology);
+    picture.places = std::move(projected.places);
+    picture.isSmall = isSmall;
+    picture.shapes.reserve(projected.polygons.size());
+    picture.boxes.reserve(projected.polygons.size());
+    const bool onPolygons = buffer.info->domain == Domain::Polygon;
+    const bool areVerdicts = onPolygons && buffer.info->palette == Palette::Verdict;
+    picture.value = [buffer, areVerdicts, channel = look.channel](std::size_t row) {
+        return areVerdicts ? QString::number(row) : rowText(buffer, row, channel);
+    };
+    for (const ProjectedPolygon& polygon : projected.polygons) {
+        Shape& shape = picture.shapes.emplace_back(Shape{.outline = polygon, .fill = {}});
+        if (onPolygons) shape.fill = colorOf(buffer, polygon.polygon, look);
+        if (areVerdicts) shape.letter = pipeline::letter(pipeline::Verdict(int(buffer.flat(polygon.polygon))));
+        picture.boxes.push_back(boxAround(picture, polygon));
     }
-    if (domain != Domain::Vertex) return picture;
-    std::vector<bool> seen(buffer.rows(), false);
-    for (const Shape& shape : picture.shapes)
-        for (int i = 0; i < int(shape.outline.vertices.size()); ++i) {
-            const auto v = std::size_t(shape.outline.vertices[std::size_t(i)]);
-            if (v >= seen.size() || seen[v]) continue;
-            seen[v] = true;
-            const bool isColor = buffer.info->palette == Palette::Color || buffer.info->unit.empty();
-            picture.points.push_back({shape.outline.corners[i], int(v), isColor ? colorOf(buffer, v, look) : QColor(),
-                                      isSmall ? QString() : rowText(buffer, v, look.channel)});
-        }
+    if (buffer.info->domain == Domain::Vertex) addPoints(buffer, look, picture);
     return picture;
 }
 
 int nearestPolygonAt(const ShapePicture& picture, QPointF at) {
-    const ProjectedPolygon* nearest = nullptr;
+    const Shape* nearest = nullptr;
     const auto isBefore = [](const ProjectedPolygon& a, const ProjectedPolygon& b) {
         return std::pair(!a.goesOn, a.distance) < std::pair(!b.goesOn, b.distance);
     };
     for (std::size_t i = 0; i < picture.shapes.size(); ++i) {
         if (!picture.boxes[i].contains(at)) continue;
-        const ProjectedPolygon& polygon = picture.shapes[i].outline;
-        if (nearest && !isBefore(polygon, *nearest)) continue;
-        if (polygon.corners.containsPoint(at, Qt::OddEvenFill)) nearest = &polygon;
+        const Shape& shape = picture.shapes[i];
+        if (nearest && !isBefore(shape.outline, nearest->outline)) continue;
+        if (picture.outline(shape).containsPoint(at, Qt::OddEvenFill)) nearest = &shape;
     }
-    return nearest ? nearest->polygon : -1;
+    return nearest ? int(nearest->outline.polygon) : -1;
 }
 
 void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom, QRectF window,
@@ -154,10 +177,12 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     const auto place = [&](QPointF p) { return origin + p * zoom; };
-    const auto placed = [&](const QPolygonF& polygon) {
-        QPolygonF result;
-        for (const QPointF& p : polygon) result << place(p);
-        return result;
+    std::vector<QPointF> placed;
+    const auto drawOutline = [&](const Shape& shape) {
+        const auto corners = picture.topology->corners(shape.outline.polygon);
+        placed.clear();
+        for (std::size_t k = 0; k < corners.size(); ++k) placed.push_back(place(picture.places[corners[k]]));
+        painter.drawPolygon(placed.data(), int(placed.size()));
     };
     const auto boxOf = [&](std::size_t i) {
         const QRectF& box = picture.boxes[i];
@@ -174,16 +199,15 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
         if (!isNear(box, near)) continue;
         const Shape& shape = picture.shapes[i];
         painter.setRenderHint(QPainter::Antialiasing, !isTiny(box));
-        const QPolygonF corners = placed(shape.outline.corners);
         // What culling drops stays visible through what covers it.
         QColor fill = shape.fill;
-        if (fill.isValid() && !shape.letter.isEmpty() && shape.outline.goesOn) fill.setAlpha(170);
+        if (fill.isValid() && shape.letter && shape.outline.goesOn) fill.setAlpha(170);
         painter.setPen(Qt::NoPen);
         painter.setBrush(fill.isValid() ? QBrush(fill) : Qt::NoBrush);
-        painter.drawPolygon(corners);
-        if (shape.hatch != Qt::NoBrush) {
-            painter.setBrush(QBrush(QColor(0, 0, 0, 150), shape.hatch));
-            painter.drawPolygon(corners);
+        drawOutline(shape);
+        if (const Qt::BrushStyle hatch = hatchOfVerdict(shape.letter); hatch != Qt::NoBrush) {
+            painter.setBrush(QBrush(QColor(0, 0, 0, 150), hatch));
+            drawOutline(shape);
         }
     }
     painter.setRenderHint(QPainter::Antialiasing);
@@ -196,7 +220,7 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
         if (!shape.outline.goesOn) pen.setDashPattern({4, 3});
         painter.setPen(pen);
         painter.setBrush(Qt::NoBrush);
-        painter.drawPolygon(placed(shape.outline.corners));
+        drawOutline(shape);
     }
 
     for (const ShapePoint& point : picture.points) {
@@ -220,20 +244,22 @@ void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin,
         makeRoom(chip, chips, window);
         chips.push_back(chip);
     };
+    if (!writes) return painter.restore();
     for (const Shape& shape : picture.shapes) {
-        const bool isVerdict = !shape.letter.isEmpty(), goesOn = shape.outline.goesOn;
-        const QPointF centre = place(shape.outline.centre);
-        if (!writes || shape.value.isEmpty() || !window.contains(centre)) continue;
-        if (isVerdict)
-            add(centre, {}, shape.letter + "  " + shape.value, shape.fill, Qt::black);
-        else if (writesAll || goesOn)
-            add(centre, {}, QString("%1  %2").arg(shape.outline.polygon).arg(shape.value), c.view,
-                goesOn ? c.text : c.text3);
+        const ProjectedPolygon& polygon = shape.outline;
+        const QPointF centre = place(meanOf(picture.outline(shape)));
+        if (!shape.fill.isValid() || !window.contains(centre)) continue;
+        const QString value = picture.value(polygon.polygon);
+        if (shape.letter)
+            add(centre, {}, QString("%1  %2").arg(shape.letter).arg(value), shape.fill, Qt::black);
+        else if (writesAll || polygon.goesOn)
+            add(centre, {}, QString("%1  %2").arg(polygon.polygon).arg(value), c.view,
+                polygon.goesOn ? c.text : c.text3);
     }
     for (const ShapePoint& point : picture.points)
-        if (writes && window.contains(place(point.at)))
-            add(place(point.at), {8, -metrics.height() - 6}, QString("%1  %2").arg(point.vertex).arg(point.value),
-                c.view, c.text);
+        if (window.contains(place(point.at)))
+            add(place(point.at), {8, -metrics.height() - 6},
+                QString("%1  %2").arg(point.vertex).arg(picture.value(std::size_t(point.vertex))), c.view, c.text);
     paintChips(painter, chips);
     painter.restore();
 }

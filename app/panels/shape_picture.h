@@ -2,6 +2,8 @@
 #include <QColor>
 #include <QPainter>
 #include <QString>
+#include <functional>
+#include <memory>
 #include <stop_token>
 #include <vector>
 
@@ -14,23 +16,25 @@ namespace app {
 // polygons' outlines in the picture.
 struct Shape {
     ProjectedPolygon outline;
-    QColor fill;  // invalid: outline only
-    Qt::BrushStyle hatch = Qt::NoBrush;
-    QString letter;  // of the verdict; may be empty
-    QString value;   // written where there is room
+    QColor fill;      // invalid: outline only
+    char letter = 0;  // of the verdict; 0: none
 };
 struct ShapePoint {
     QPointF at;  // pixels
     int vertex = 0;
     QColor fill;
-    QString value;
 };
 struct ShapePicture {
-    std::vector<Shape> shapes;  // in the order of drawing: farthest first, culled ones before kept ones
+    std::shared_ptr<const pipeline::Topology> topology;
+    std::vector<QPointF> places;  // of every vertex, pixels
+    std::vector<Shape> shapes;    // in the order of drawing: farthest first, culled ones before kept ones
     std::vector<QRectF>
         boxes;  // around each of them, close together: all are gone through at every move of the pointer
     std::vector<ShapePoint> points;
-    bool isSmall = false;  // a thumbnail: no words, small points
+    std::function<QString(std::size_t)> value;  // of a filled polygon or a point; written where there are few
+    bool isSmall = false;                       // a thumbnail: no words, small points
+
+    QPolygonF outline(const Shape& shape) const;
 };
 
 // The hatches that tell verdicts apart without colour.

@@ -216,6 +216,25 @@ TEST_F(BufferMarksTest, ThePolygonUnderThePointerIsTheSameTurnedOver) {
     const app::CanvasContent turned = app::upsideDown(content);
     EXPECT_EQ(nearestPolygonAt(*turned.shapes, app::upsideDown(at, content.size.height())), 2);
     EXPECT_EQ(nearestPolygonAt(*content.shapes, {1, 1}), -1);
+    EXPECT_EQ(content.shapes->value(2), "2") << "beside its letter";
+}
+
+// A million of them are freed at once, while the window asks for memory.
+TEST_F(BufferMarksTest, APolygonInAPictureHoldsNoMemoryOfItsOwn) {
+    EXPECT_TRUE(std::is_trivially_destructible_v<app::Shape>);
+    EXPECT_TRUE(std::is_trivially_destructible_v<app::ShapePoint>);
+}
+
+TEST_F(BufferMarksTest, TurnedOverItFitsTheSamePart) {
+    BufferCanvas& canvas = *view.canvas();
+    canvas.fit(true);
+    view.setFlipped(true);
+    canvas.toggleFit();
+    const QRectF focus = canvas.content().focus;
+    ASSERT_FALSE(focus.isEmpty());
+    const QRectF part = canvas.look().focus;  // by the rows' own numbers
+    EXPECT_NEAR(part.top(), focus.top(), 1e-9);
+    EXPECT_NEAR(part.bottom(), focus.bottom(), 1e-9);
 }
 
 // The one that marks NaN is on from the start, and stays off once it is off.

@@ -238,7 +238,8 @@ TEST_F(BufferViewTest, VerdictsAreShownOnThePolygonsWithTheirLetters) {
     show({BufferId::PolygonsVerdict});
     ASSERT_TRUE(canvas().content().shapes);
     QString letters(5, ' ');
-    for (const app::Shape& shape : canvas().content().shapes->shapes) letters[shape.outline.polygon] = shape.letter[0];
+    for (const app::Shape& shape : canvas().content().shapes->shapes)
+        letters[shape.outline.polygon] = QLatin1Char(shape.letter);
     // Seen from theta = 45, phi = 60: Front, Right and Back face the eye; Left and Base face away.
     EXPECT_EQ(letters, "BKKKB");
     EXPECT_EQ(view.shown()->legend.size(), 2u);
