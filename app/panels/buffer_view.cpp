@@ -182,11 +182,6 @@ void BufferView::refresh() {
     if (!m_showing.busy() && !m_compare->busy() && std::exchange(m_fitsOnce, false)) setRange(m_shown->look.range);
 }
 
-void BufferView::markSelection() {
-    const bool marks = m_frame && m_document.selection() && standsOnPicture();
-    m_canvas->setMarked(marks ? outlinesOf(*m_frame, *m_document.selection()) : std::vector<QPolygonF>());
-}
-
 QString BufferView::message() const { return m_stack->currentWidget() == m_page ? m_message->text() : QString(); }
 
 void BufferView::showMessage(const QString& text, Offer offer) {

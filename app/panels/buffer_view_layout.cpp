@@ -98,13 +98,14 @@ void BufferView::resizeEvent(QResizeEvent* event) {
 void BufferView::observeWork() {
     WorkList& work = m_document.work();
     const auto tell = [this, &work] {
-        const bool busy = m_showing.busy() || m_compare->busy() || m_canvas->isPainting();
+        const bool busy = m_showing.busy() || m_compare->busy() || m_canvas->isPainting() || m_marking.busy();
         work.setBusy(this, busy);
         m_working->setWorking(m_document.busy() || busy);
         m_working->setStopped(work.isStopped(this) || work.isStopped(&m_document));
     };
     work.add(
-        this, tr("a buffer's picture"), [this] { m_showing.cancel(), m_compare->cancel(), m_canvas->cancelPainting(); },
+        this, tr("a buffer's picture"),
+        [this] { m_showing.cancel(), m_compare->cancel(), m_canvas->cancelPainting(), m_marking.forget(); },
         [this] {
             m_showing.retry(), m_compare->retry(), m_canvas->retryPainting();
             refresh();
@@ -113,6 +114,7 @@ void BufferView::observeWork() {
     connect(&work, &WorkList::changed, this, tell);
     connect(&m_showing, &ShowJob::busyChanged, this, tell);
     connect(m_compare, &BufferCompare::busyChanged, this, tell);
+    connect(&m_marking, &BackgroundJob::busyChanged, this, tell);
     connect(m_canvas, &BufferCanvas::paintingChanged, this, tell);
 }
 

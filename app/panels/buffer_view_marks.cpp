@@ -1,6 +1,7 @@
 // Pinned pixels and the region of a BufferView.
 #include <QLabel>
 
+#include "app/core/large_frame.h"
 #include "app/core/pinned_pixels.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_header.h"
@@ -23,6 +24,20 @@ void BufferView::observeMarks() {
     connect(m_header, &BufferHeader::measureChosen, this, &BufferView::measure);
     connect(m_header, &BufferHeader::pinChosen, this, &BufferView::togglePin);
     connect(m_header, &BufferHeader::unpinAllChosen, &pins, &PinnedPixels::clear);
+}
+
+// Around an object of many polygons it takes longer than the next frame is away: the newest mark stays until then.
+void BufferView::markSelection() {
+    const auto& selection = m_document.selection();
+    const bool marks = m_frame && selection && standsOnPicture();
+    if (!marks || !isLarge(*m_frame)) {
+        m_marking.forget();
+        return m_canvas->setMarked(marks ? outlinesOf(*m_frame, *selection) : std::vector<QPolygonF>());
+    }
+    m_marking.ask(
+        [frame = m_frame, thing = *selection](const BackgroundJob::Control&) { return outlinesOf(*frame, thing); },
+        [this](const std::vector<QPolygonF>& outlines) { m_canvas->setMarked(outlines); },
+        BackgroundJob::Running::Finish);
 }
 
 void BufferView::setFlipped(bool flipped) {

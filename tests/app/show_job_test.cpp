@@ -195,6 +195,24 @@ TEST_F(DepthView, AViewToldToStopShowsWhatItHadUntilItIsToGoOn) {
 }
 
 // The same pixels, wherever they are painted; until then what was painted last, moved to where it belongs now.
+TEST_F(DepthView, WhatIsSelectedAmongManyPolygonsIsMarkedWithoutWaitingForIt) {
+    document.setScene(test::manyPolygons());
+    const auto& marked = view.canvas()->content().marked;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
+    document.select(app::Selection{app::Selection::Kind::Object, 0});
+    EXPECT_TRUE(marked.empty()) << "the window does not wait for it";
+    const auto outlines = app::outlinesOf(*document.frame(), *document.selection());
+    ASSERT_EQ(outlines.size(), 1u);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return marked == outlines; }, 10000));
+    document.select({});
+    EXPECT_TRUE(marked.empty());
+    // Given up before it was found.
+    document.select(app::Selection{app::Selection::Kind::Object, 0});
+    document.select({});
+    QTest::qWait(200);
+    EXPECT_TRUE(marked.empty());
+}
+
 TEST(CanvasBase, PaintsManyPolygonsBesideTheWindow) {
     const auto frame = frameOf(test::manyPolygons());
     const app::ShownBuffer verdicts =
