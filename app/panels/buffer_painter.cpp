@@ -7,6 +7,7 @@
 #include "app/core/luminance.h"
 #include "app/core/theme.h"
 #include "app/panels/edge_painter.h"
+#include "app/panels/shape_painter.h"
 
 namespace app {
 
@@ -83,8 +84,7 @@ void paintEdges(QPainter& painter, const CanvasContent& content, const Placement
     painter.setBrush(Qt::NoBrush);
     for (const QPolygonF& edge : content.edges(QRectF(pixels).adjusted(-2, -2, 2, 2))) {
         if (stop.stop_requested()) break;
-        QPolygonF polygon;
-        for (const QPointF& p : edge) polygon << placement.toWidget(p);
+        const QPolygonF polygon = placement.toWidget(edge);
         painter.setPen(QPen(QColor(0, 0, 0, 170), 2.6));
         painter.drawPolygon(polygon);
         painter.setPen(QPen(QColor(255, 255, 255, 220), 1.1));
@@ -207,8 +207,7 @@ void paintMarks(QPainter& painter, const CanvasContent& content, const Placement
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     for (const QPolygonF& outline : content.marked) {
-        QPolygonF polygon;
-        for (const QPointF& p : outline) polygon << placement.toWidget(p);
+        const QPolygonF polygon = placement.toWidget(outline);
         paintDouble(painter, 2, 4, [&] {
             polygon.size() == 1 ? painter.drawEllipse(polygon[0], 6, 6) : painter.drawPolygon(polygon);
         });

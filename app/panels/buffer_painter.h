@@ -40,6 +40,10 @@ struct Placement {
     double zoom = 1;
     QPointF toPicture(QPointF widget) const { return (widget - origin) / zoom; }
     QPointF toWidget(QPointF picture) const { return origin + picture * zoom; }
+    QPolygonF toWidget(QPolygonF picture) const {
+        for (QPointF& p : picture) p = toWidget(p);
+        return picture;
+    }
     bool operator==(const Placement&) const = default;
 };
 

@@ -1,10 +1,8 @@
 #pragma once
 #include <QColor>
-#include <QPainter>
 #include <QString>
 #include <functional>
 #include <memory>
-#include <stop_token>
 #include <vector>
 
 #include "app/panels/buffer_image.h"
@@ -45,10 +43,5 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const pipeline::AnyBuffe
 
 // The one whose outline is drawn over the others at a point (pixels), or -1.
 int nearestPolygonAt(const ShapePicture& picture, QPointF at);
-
-// Under `zoom` (screen pixels per picture pixel) with the picture's corner at `origin`. What is
-// written stays within `window`.
-void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom, QRectF window,
-                 const std::stop_token& stop = {});
 
 }  // namespace app

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/panels/buffer_image.h"
-#include "app/panels/shape_picture.h"
+#include "app/panels/shape_painter.h"
 
 namespace app {
 

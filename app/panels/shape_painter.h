@@ -1,0 +1,14 @@
+#pragma once
+#include <QPainter>
+#include <stop_token>
+
+#include "app/panels/shape_picture.h"
+
+namespace app {
+
+// Under `zoom` (screen pixels per picture pixel) with the picture's corner at `origin`. What is
+// written stays within `window`.
+void paintShapes(QPainter& painter, const ShapePicture& picture, QPointF origin, double zoom, QRectF window,
+                 const std::stop_token& stop = {});
+
+}  // namespace app
