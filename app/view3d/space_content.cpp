@@ -91,7 +91,8 @@ double meanEdge(const ViewMesh& mesh) {
 }
 
 void turnArrows(const SpaceMap& map, std::vector<NormalArrow>& arrows) {
-    for (NormalArrow& arrow : arrows) arrow = {map.toSpace(arrow.base), map.turned(arrow.direction), arrow.color};
+    for (NormalArrow& arrow : arrows)
+        arrow.base = map.toSpace(arrow.base), arrow.direction = map.turned(arrow.direction);
 }
 
 void moveRigidly(const SpaceMap& map, ViewContent& content, ViewMesh& mesh) {

@@ -5,8 +5,6 @@
 #include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <cmath>
 
 #include "app/core/icons.h"
 #include "app/core/large_frame.h"
@@ -16,6 +14,7 @@
 #include "app/core/put_away.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
+#include "app/view3d/normal_arrows.h"
 #include "app/view3d/view_settings.h"
 #include "pipeline/plan/needs.h"
 
@@ -242,9 +241,9 @@ void View3dPanel::showNormalCount() {
     const auto& content = m_view->content();
     const ViewOptions& options = m_view->options();
     const std::size_t all = content ? normalArrows(*content->mesh, options.normals).size() : 0;
-    const std::size_t every = options.everyOf(all);
+    const std::size_t shown = content ? shownNormals(*content, options).size() : 0;
     QString tip = tr("Normals of the polygons or vertices");
-    if (all > 0 && every > 1) tip += tr(": 1 in %1 of %2 is shown").arg(count(qint64(every)), count(qint64(all)));
+    if (shown < all) tip += tr(": %1 of %2 are shown").arg(count(qint64(shown)), count(qint64(all)));
     m_normals->setToolTip(tip);
 }
 
@@ -300,15 +299,8 @@ void View3dPanel::showContent(const std::shared_ptr<const ViewContent>& content,
     m_made = made;
     const bool newScene = std::exchange(m_newScene, false);
     if (newScene) {
-        // As many normals as can be told apart, of a model in some 250 pixels as long as they stand apart; the sliders
-        // show more or fewer, longer or shorter ones.
-        constexpr std::size_t kReadable = 150, kModel = 250;
-        const std::size_t all = content->mesh->polygonNormals.size();
         ViewOptions options = m_view->options();
-        options.everyNormal = int(std::clamp<std::size_t>(all / kReadable, 1, kSparsestNormals));
-        const double shown = double(std::max<std::size_t>(all, 1)) / options.everyNormal;
-        options.normalLength =
-            std::round(std::clamp(double(kModel) / std::sqrt(shown), 16.0, ViewOptions().normalLength));
+        makeNormalsReadable(*content, options);  // the sliders show more or fewer, longer or shorter ones
         changeOptions(options);
     }
     m_view->setContent(content, newScene);

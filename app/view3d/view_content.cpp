@@ -96,16 +96,16 @@ void addNormals(const Frame& frame, const pipeline::Topology& topology, ViewMesh
             const Vec3d normal = row3(*normals, p);
             mesh.polygonNormalColors.emplace_back((normal + 1.0) / 2.0);
             if (finite(normal) && normal != Vec3d(0.0))
-                mesh.polygonNormals.push_back(
-                    {sum / double(corners.size()), glm::normalize(normal), mesh.polygonNormalColors.back()});
+                mesh.polygonNormals.push_back({sum / double(corners.size()), glm::normalize(normal),
+                                               mesh.polygonNormalColors.back(), topology.polygonObject[p]});
         }
     if (const auto normals = frame.buffer({BufferId::VerticesNormal}))
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
             const Vec3d normal = row3(*normals, v);
             mesh.vertexNormalColors.emplace_back((normal + 1.0) / 2.0);
             if (finite(normal) && normal != Vec3d(0.0))
-                mesh.vertexNormals.push_back(
-                    {mesh.positions[v], glm::normalize(normal), mesh.vertexNormalColors.back()});
+                mesh.vertexNormals.push_back({mesh.positions[v], glm::normalize(normal), mesh.vertexNormalColors.back(),
+                                              std::uint32_t(topology.objectOfVertex(v))});
         }
 }
 
@@ -357,15 +357,6 @@ std::optional<Vec3d> pointShownBy(const ViewContent& content, glm::ivec2 pixel) 
     const auto hit = firstHit(content, {start, glm::normalize(end - start)});
     if (!hit) return {};
     return hit->at;
-}
-
-std::span<const NormalArrow> normalArrows(const ViewMesh& mesh, NormalsShown shown) {
-    switch (shown) {
-        case NormalsShown::Polygons: return mesh.polygonNormals;
-        case NormalsShown::Vertices: return mesh.vertexNormals;
-        case NormalsShown::Off: break;
-    }
-    return {};
 }
 
 std::array<Vec3d, 4> pictureCorners(const pipeline::View& view, double distance) {

@@ -41,6 +41,9 @@ struct Face {
 struct NormalArrow {
     Vec3d base, direction;  // direction has unit length
     glm::vec3 color{0.5f};  // (N + 1) / 2 of N in world space
+    std::uint32_t object = 0;
+    double length = 1;  // of the length that is set
+    bool operator==(const NormalArrow&) const = default;
 };
 
 // One of the five vectors where the illumination was evaluated.
@@ -104,9 +107,6 @@ struct ViewMesh {
     // Of many faces, for pictures of a view that moves; null where there are few, or they are large.
     std::shared_ptr<const std::vector<CoarseFace>> coarse;
 };
-
-// The arrows of a mesh's normals; none where they are off or the frame has none.
-std::span<const NormalArrow> normalArrows(const ViewMesh& mesh, NormalsShown shown);
 
 struct ViewContent {
     std::shared_ptr<const ViewMesh> mesh;  // never null

@@ -37,7 +37,7 @@ ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
                           {tr("Off"), tr("Polygon normals"), tr("Vertex normals")});
     m_normalLength = addSlider(tr("Length"), tr("Length of a normal's arrow, 4 to 400 pixels"), 0, kSteps);
     m_every = addSlider(tr("Every k-th"),
-                        tr("Shows every k-th normal, so that a dense mesh stays readable; 10 000 at most"), 0, kSteps);
+                        tr("Shows every k-th normal, 20 of each object at least and 10 000 of all at most"), 0, kSteps);
     m_normalColors = addChoice(tr("Their colour"), tr("All as N, or each by its direction: (N + 1) / 2 as RGB"),
                                {tr("As N"), tr("By direction, RGB")});
     m_vectorLength =

@@ -204,28 +204,26 @@ vtkSmartPointer<vtkPolyData> solidData(const Solid& solid) {
     return data;
 }
 
-vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, std::size_t every,
-                                         std::optional<Vec3d> except) {
+vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, std::optional<Vec3d> except) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     auto points = newPoints();
     auto directions = vtkSmartPointer<vtkDoubleArray>::New();
     directions->SetNumberOfComponents(3);
     directions->SetName("direction");
+    auto lengths = vtkSmartPointer<vtkDoubleArray>::New();
+    lengths->SetName("length");
     auto rgb = newColors();
-    // Every k-th by count would fall into step with the rows of a regular mesh; multiples of the
-    // golden ratio, taken where their fraction is below 1/k, never do.
-    constexpr double kGolden = 0.6180339887498949;
-    for (std::size_t i = 0; i < arrows.size(); ++i) {
-        const double multiple = double(i) * kGolden;
-        if ((multiple - std::floor(multiple)) * double(every) >= 1) continue;
+    for (const NormalArrow& arrow : arrows) {
         // The two points are the same mean, computed in two precisions.
-        if (except && glm::length(arrows[i].base - *except) <= 1e-5 * glm::length(*except)) continue;
-        addPoint(*points, arrows[i].base);
-        directions->InsertNextTuple3(arrows[i].direction.x, arrows[i].direction.y, arrows[i].direction.z);
-        addColor(*rgb, toColor(arrows[i].color));
+        if (except && glm::length(arrow.base - *except) <= 1e-5 * glm::length(*except)) continue;
+        addPoint(*points, arrow.base);
+        directions->InsertNextTuple3(arrow.direction.x, arrow.direction.y, arrow.direction.z);
+        lengths->InsertNextValue(arrow.length);
+        addColor(*rgb, toColor(arrow.color));
     }
     data->SetPoints(points);
     data->GetPointData()->AddArray(directions);
+    data->GetPointData()->AddArray(lengths);
     data->GetPointData()->SetScalars(rgb);
     return data;
 }

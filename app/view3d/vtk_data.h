@@ -29,11 +29,9 @@ vtkSmartPointer<vtkPolyData> linesData(std::span<const InkedLine> lines, const T
                                        const QColor& background);
 vtkSmartPointer<vtkPolyData> solidsData(std::span<const InkedSolid> solids, const ThemeColors& colors);
 vtkSmartPointer<vtkPolyData> solidData(const Solid& solid);  // without colours
-// Points with a vector each ("direction"): one of `every` >= 1 arrows, spread evenly.
-// None where `except` stands: N of the picked point starts there.
-// Their colours are (N + 1) / 2.
-vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, std::size_t every,
-                                         std::optional<Vec3d> except);
+// Points with a vector ("direction") and a number ("length") each. None where `except` stands: N of the picked point
+// starts there. Their colours are (N + 1) / 2.
+vtkSmartPointer<vtkPolyData> normalsData(std::span<const NormalArrow> arrows, std::optional<Vec3d> except);
 // With texture coordinates; corners as pictureCorners gives them.
 vtkSmartPointer<vtkPolyData> pictureQuad(const std::array<Vec3d, 4>& corners);
 vtkSmartPointer<vtkImageData> pictureImage(const Picture& picture);

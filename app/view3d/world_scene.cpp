@@ -14,6 +14,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/view3d/normal_arrows.h"
 #include "app/view3d/space_drawing.h"
 #include "app/view3d/vtk_data.h"
 #include "app/view3d/world_drawing.h"
@@ -106,7 +107,8 @@ WorldScene::Glyphs WorldScene::addGlyphs(vtkRenderer& renderer) {
     glyphs.mapper->SetOrientationArray("direction");
     glyphs.mapper->SetOrientationModeToDirection();
     glyphs.mapper->ScalingOn();
-    glyphs.mapper->SetScaleModeToNoDataScaling();
+    glyphs.mapper->SetScaleArray("length");
+    glyphs.mapper->SetScaleModeToScaleByMagnitude();
     glyphs.mapper->ScalarVisibilityOff();
     glyphs.actor->SetMapper(glyphs.mapper);
     glyphs.actor->GetProperty()->LightingOff();
@@ -153,11 +155,10 @@ void WorldScene::setOptions(const ViewOptions& options) {
     m_options = options;
     if (otherFaces) colorMesh();
     placeFrusta();
-    const std::span<const NormalArrow> arrows =
-        m_content ? normalArrows(*m_content->mesh, options.normals) : std::span<const NormalArrow>();
-    const bool ownNormal = m_content && m_content->foot && options.shows(VectorCode::N);
-    placeNormals(arrows, options.everyOf(arrows.size()), ownNormal ? m_content->foot : std::nullopt);
+    std::vector<NormalArrow> arrows = m_content ? shownNormals(*m_content, options) : std::vector<NormalArrow>();
     for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) glyphs->actor->SetVisibility(!arrows.empty());
+    const bool ownNormal = m_content && m_content->foot && options.shows(VectorCode::N);
+    placeNormals(std::move(arrows), ownNormal ? m_content->foot : std::nullopt);
     m_normals.mapper->SetScalarVisibility(options.normalColors == NormalColors::Direction);
     // A rim lifts single arrows off their faces; around hundreds it is clutter, and slow.
     constexpr vtkIdType kMostRims = 150;
@@ -165,14 +166,11 @@ void WorldScene::setOptions(const ViewOptions& options) {
 }
 
 // VTK makes glyphs anew for every input that it is given; a camera that is dragged leaves normals where they are.
-void WorldScene::placeNormals(std::span<const NormalArrow> arrows, std::size_t every, std::optional<Vec3d> except) {
-    const auto isSame = [](const NormalArrow& a, const NormalArrow& b) {
-        return a.base == b.base && a.direction == b.direction && a.color == b.color;
-    };
+void WorldScene::placeNormals(std::vector<NormalArrow> arrows, std::optional<Vec3d> except) {
     PlacedNormals& last = m_placedNormals;
-    if (last.data && last.every == every && last.except == except && std::ranges::equal(last.arrows, arrows, isSame))
-        return;
-    last = {{arrows.begin(), arrows.end()}, every, except, normalsData(arrows, every, except)};
+    if (last.data && last.except == except && last.arrows == arrows) return;
+    last = {std::move(arrows), except, nullptr};
+    last.data = normalsData(last.arrows, except);
     for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) glyphs->mapper->SetInputData(last.data);
 }
 

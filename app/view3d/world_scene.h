@@ -71,7 +71,7 @@ private:
     void fadeEdges(const ViewFrame& view);
     void showEdges();
     void showPicture(const ViewFrame& view);
-    void placeNormals(std::span<const NormalArrow> arrows, std::size_t every, std::optional<Vec3d> except);
+    void placeNormals(std::vector<NormalArrow> arrows, std::optional<Vec3d> except);
     void scaleNormals(const ViewFrame& view);
 
     vtkSmartPointer<vtkRenderer> m_world, m_over;
@@ -82,7 +82,6 @@ private:
     Glyphs m_normals, m_normalHalos;
     struct PlacedNormals {
         std::vector<NormalArrow> arrows;
-        std::size_t every = 1;
         std::optional<Vec3d> except;
         vtkSmartPointer<vtkPolyData> data;
     } m_placedNormals;

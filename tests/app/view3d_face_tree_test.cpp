@@ -56,14 +56,4 @@ TEST(View3dFaceTree, FindsTheFirstFaceThatLookingAtAllFinds) {
     EXPECT_GT(hits, 200);
 }
 
-// 10 000 at most, whatever was asked for.
-TEST(View3dNormals, OfADenseMeshSomeAreLeftOut) {
-    app::ViewOptions options;
-    EXPECT_EQ(options.everyOf(10000), 1u);
-    EXPECT_EQ(options.everyOf(10001), 2u);
-    EXPECT_EQ(options.everyOf(1002528), 101u) << "9 926 of them";
-    options.everyNormal = 500;
-    EXPECT_EQ(options.everyOf(1002528), 500u);
-}
-
 }  // namespace

@@ -1,0 +1,93 @@
+// Which normals a 3D view shows, and how long.
+#include <cmath>
+#include <iterator>
+
+#include "app/view3d/normal_arrows.h"
+#include "app/view3d/space_content.h"
+#include "tests/app/view3d_fixture.h"
+
+namespace {
+
+using app::NormalArrow;
+using app::Vec3d;
+using app::ViewContent;
+using app::ViewOptions;
+
+// 10 000 at most, whatever was asked for.
+TEST(View3dNormals, OfADenseMeshSomeAreLeftOut) {
+    app::ViewOptions options;
+    EXPECT_EQ(options.everyOf(10000), 1u);
+    EXPECT_EQ(options.everyOf(10001), 2u);
+    EXPECT_EQ(options.everyOf(1002528), 101u) << "9 926 of them";
+    options.everyNormal = 500;
+    EXPECT_EQ(options.everyOf(1002528), 500u);
+}
+
+// A floor of 2 polygons, a box of 6 and a ball of 800, whose radii are √50, 1 and 0.5: the box around all of them is
+// 10 × 10 × 2, its radius √204 / 2 = 7.14.
+ViewContent boxAndBallOnFloor() {
+    pipeline::Scene scene;
+    scene.camera.kind = pipeline::CameraKind::LookAt;
+    scene.camera.eye = {0, -20, 10};
+    const auto add = [&](std::shared_ptr<const pipeline::Mesh> mesh, Vec3d at) {
+        pipeline::Object object;
+        object.mesh = std::move(mesh);
+        object.transform.translation = at;
+        scene.objects.push_back(object);
+    };
+    add(test::mesh({{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}, {{0, 1, 2}, {0, 2, 3}}), Vec3d(0.0));
+    const double half = 1 / std::sqrt(3.0);
+    add(test::box(Vec3d(-half), Vec3d(half)), {-2, 0, 1});
+    add(test::sphere(0.5, 20, 40), {2, 0, 1.5});
+    return view3d::contentOf(scene);
+}
+
+std::vector<NormalArrow> of(const std::vector<NormalArrow>& arrows, std::uint32_t object) {
+    std::vector<NormalArrow> own;
+    std::ranges::copy_if(arrows, std::back_inserter(own), [&](const NormalArrow& a) { return a.object == object; });
+    return own;
+}
+
+// An object that fills 7 % of the scene has 20 of its 800 normals, not as many as a model that fills the view; and the
+// thinning leaves objects of few polygons theirs.
+TEST(View3dNormals, ASmallBallIsNotCovered) {
+    const ViewContent content = boxAndBallOnFloor();
+    ViewOptions options;
+    makeNormalsReadable(content, options);
+    EXPECT_EQ(options.everyNormal, 40);
+    const auto shown = shownNormals(content, options);
+    EXPECT_EQ(of(shown, 0).size(), 2u);
+    EXPECT_EQ(of(shown, 1).size(), 6u);
+    EXPECT_NEAR(double(of(shown, 2).size()), 20, 2);
+}
+
+// In proportion to objects smaller than a third of the scene, but not below 30 %: 3 · 1 / 7.14 = 0.42, 3 · 0.5 / 7.14 =
+// 0.21. In another space they are as long.
+TEST(View3dNormals, OnASmallObjectTheyAreShorter) {
+    const ViewContent content = boxAndBallOnFloor();
+    const auto map = mapOf(content, {app::ViewSpace::Eye});
+    ASSERT_TRUE(map);
+    for (const ViewContent& shownIn : {content, inSpace(content, *map)}) {
+        const auto shown = shownNormals(shownIn, {});
+        for (const NormalArrow& arrow : of(shown, 0)) EXPECT_EQ(arrow.length, 1);
+        for (const NormalArrow& arrow : of(shown, 1)) EXPECT_NEAR(arrow.length, 0.42, 0.005);
+        for (const NormalArrow& arrow : of(shown, 2)) EXPECT_NEAR(arrow.length, 0.3, 1e-9);
+    }
+}
+
+// All of the lecture's pyramid, in full length.
+TEST(View3dNormals, FewOfThemAreAllShown) {
+    const ViewContent content = view3d::contentOf(test::pyramid());
+    ViewOptions options;
+    options.normalLength = 7;
+    makeNormalsReadable(content, options);
+    EXPECT_EQ(options.everyNormal, 1);
+    EXPECT_EQ(options.normalLength, 40);
+    const auto shown = shownNormals(content, options);
+    ASSERT_EQ(shown.size(), 5u);
+    for (const NormalArrow& arrow : shown) EXPECT_EQ(arrow.length, 1);
+    options.normals = app::NormalsShown::Off;
+    EXPECT_TRUE(shownNormals(content, options).empty());
+}
+
+}  // namespace
