@@ -47,12 +47,16 @@ struct Label {
     double strength = 1;
 };
 
+// What words had better not lie on: points of something convex, or the two ends of a line.
+using Obstacle = std::vector<Vec3d>;
+
 // The light parts of a 3D view: what keeps its size in pixels and so depends on the camera.
 struct Drawing {
     std::vector<InkedLine> lines;
     std::vector<InkedSolid> solids;   // hidden by what stands before them
     std::vector<InkedSolid> vectors;  // shine through faintly where they are hidden
     std::vector<Label> labels;
+    std::vector<Obstacle> obstacles;  // beside lines and labels
     struct Marker {
         Vec3d at;
         bool hidden = false;  // something stands before it

@@ -126,7 +126,8 @@ public:
         QPainter painter(&image);
         painter.scale(m_pixelRatio, m_pixelRatio);
         const bool hasLegend = m_content->point && m_content->map.keepsLengths();
-        paintOverlay(painter, drawing, view, hasLegend ? std::vector{legendAt(m_size)} : std::vector<QRectF>{});
+        paintOverlay(painter, drawing, view,
+                     placeLabels(drawing, view, hasLegend ? std::vector{legendAt(m_size)} : std::vector<QRectF>{}));
         if (hasLegend) paintLegend(painter, legendAt(m_size), m_options);
         return image;
     }
@@ -170,7 +171,7 @@ private:
         std::vector<QRectF> taken;
         if (m_content->point) taken.push_back(legendAt(m_size));
         if (withCube) taken.push_back(cube);
-        paintOverlay(painter, drawing, view, taken);
+        paintOverlay(painter, drawing, view, placeLabels(drawing, view, taken));
         if (m_content->point) paintLegend(painter, legendAt(m_size), m_options);
         if (withCube) paintCube(painter, cube, view.camera);
         return image;

@@ -3,34 +3,15 @@
 #include <QRectF>
 #include <vector>
 
-#include "app/view3d/drawing.h"
+#include "app/view3d/label_places.h"
 #include "app/view3d/view_options.h"
 #include "app/view3d/view_space.h"
 
 namespace app {
 
-// A label's place on the screen, logical pixels.
-struct PlacedLabel {
-    Label label;
-    glm::dvec2 at;    // middle of the text
-    glm::dvec2 mark;  // of a caption: where its mark is, or stands in for it at the border
-    bool atBorder = false;
-    QSizeF size;  // of the text
-};
-
-// Letters stand beyond the tips, at least 21 pixels from each other and 17 from every tip where
-// there is room; captions beside their marks, or at the border: above, below or at a side of them, where they cover
-// no letter, no mark and none of each other. A vector that leads out of the view has its letter where it leaves it. All
-// of them inside the view, and beside what is `taken`. `scale` is the font scale.
-std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view,
-                                     const std::vector<QRectF>& taken = {});
-// The space that a label takes.
-QRectF boxOf(const PlacedLabel& placed);
-
 // Letters, captions and the picked point's marker, over the rendered view.
-// `taken`: what other things stand on.
 void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& view,
-                  const std::vector<QRectF>& taken = {});
+                  const std::vector<PlacedLabel>& labels);
 
 // A light ring around a point of the world.
 void paintProbe(QPainter& painter, Vec3d point, const ViewFrame& view);

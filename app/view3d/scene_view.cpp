@@ -45,12 +45,12 @@ protected:
     void paintEvent(QPaintEvent*) override {
         if (!m_view->shown() || !m_view->m_problem.isEmpty()) return;
         QPainter painter(this);
-        std::vector<QRectF> taken = m_view->handlePlaces();
-        for (const QWidget* corner : {static_cast<QWidget*>(m_view->m_legend), static_cast<QWidget*>(m_view->m_cube)})
-            if (corner->isVisible()) taken.emplace_back(corner->geometry());
         // Letters stand at what the picture shows, which may be a little late.
-        if (const auto& picture = m_view->m_vtk->shown())
-            paintOverlay(painter, *picture->drawing, picture->view, taken);
+        if (const auto& picture = m_view->m_vtk->shown()) {
+            if (!m_view->isInMotion()) m_labels.clear();
+            m_labels = placeLabels(*picture->drawing, picture->view, m_view->takenPlaces(), m_labels);
+            paintOverlay(painter, *picture->drawing, picture->view, m_labels);
+        }
         m_view->paintHandles(painter);
         if (!m_view->m_probe || m_view->isPoint() || m_view->isMoving()) return;
         const SpaceMap& map = m_view->shown()->map;
@@ -60,6 +60,7 @@ protected:
 
 private:
     SceneView* m_view;
+    std::vector<PlacedLabel> m_labels;
 };
 
 SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem()) {

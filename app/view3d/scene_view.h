@@ -120,6 +120,7 @@ private:
     void frameIfUntouched();
     void showContent();
     bool isWorld() const { return m_space.space == ViewSpace::World; }
+    bool isInMotion() const { return m_drag != Drag::None || m_flight.state() == QVariantAnimation::Running; }
     bool isPoint() const { return m_space.space == ViewSpace::Point; }
     void moveTo(const SpaceMap& from, const OrbitCamera& camera);
     void endMove();
@@ -136,7 +137,7 @@ private:
     void findHandle(QPointF position);
     bool showsHandles() const { return m_options.handles && !isPoint() && shown() && !isMoving(); }
     void paintHandles(QPainter& painter) const;
-    std::vector<QRectF> handlePlaces() const;
+    std::vector<QRectF> takenPlaces() const;  // by what lies over the view
     void updateOverlay();
     void updateWithPicture();
 

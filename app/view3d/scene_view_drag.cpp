@@ -4,6 +4,7 @@
 
 #include "app/view3d/handle_painter.h"
 #include "app/view3d/scene_view.h"
+#include "app/view3d/view_corner.h"
 
 namespace app {
 
@@ -111,8 +112,10 @@ bool SceneView::dragKey(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 // Where no word can be read.
-std::vector<QRectF> SceneView::handlePlaces() const {
+std::vector<QRectF> SceneView::takenPlaces() const {
     std::vector<QRectF> places;
+    for (const QWidget* corner : {static_cast<QWidget*>(m_legend), static_cast<QWidget*>(m_cube)})
+        if (corner->isVisible()) places.emplace_back(corner->geometry());
     if (!showsHandles()) return places;
     const HandleView view = handlesOnScreen();
     const double r = kHandleRadius * view.view.scale;  // its border included

@@ -64,6 +64,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     if (m_drag == Drag::Handle) return endDrag();
     const bool picks = m_drag == Drag::Click;
     m_drag = Drag::None;
+    updateOverlay();  // labels take the places that they have at rest
     if (!picks) return;
     if (const auto hit = hitAt(event->position())) emit clicked(*hit);
 }

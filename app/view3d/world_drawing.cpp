@@ -2,6 +2,7 @@
 
 #include "app/view3d/aids_drawing.h"
 #include "app/view3d/lobe_drawing.h"
+#include "app/view3d/obstacles.h"
 #include "app/view3d/space_drawing.h"
 
 #include <algorithm>
@@ -96,6 +97,7 @@ public:
         if (m_options.eye) eye();
         aids();
         axes();
+        std::ranges::move(obstaclesOf(m_content, m_options, m_view), std::back_inserter(m_drawing.obstacles));
         return std::move(m_drawing);
     }
 
@@ -165,6 +167,7 @@ private:
             const Vec3d disc = rays.disc + k * rays.aside;
             mark(Ink::L, ball({0, 0, 0}, 5), disc, {0, 0, 1});
             dashedLine(disc, disc - rays.length * light.direction);
+            m_drawing.obstacles.push_back({disc, disc - rays.length * light.direction});
         }
         m_drawing.labels.push_back({.kind = Label::Kind::Caption,
                                     .at = rays.disc,

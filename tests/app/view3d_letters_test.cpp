@@ -1,8 +1,10 @@
 // Where the words over a 3D view stand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "app/view3d/obstacles.h"
 #include "app/view3d/overlay.h"
 
 // Three marks at the border beside each other, one behind the legend, and letters: every text inside the view, and
@@ -120,4 +122,103 @@ TEST(Legend, StaysInsideItsRoom) {
             last = entry;
         }
     }
+}
+
+namespace {
+
+// Looks along y; a pixel is `unit` world units.
+app::ViewFrame frameOf(glm::dvec2 size) {
+    app::OrbitCamera camera;
+    camera.distance = 10;
+    camera.orthographic = true;
+    return {camera, size};
+}
+
+// A cube around the origin.
+app::Obstacle cube(double half) {
+    app::Obstacle corners;
+    for (unsigned i = 0; i < 8; ++i)
+        corners.push_back({i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half});
+    return corners;
+}
+
+app::Label captionAt(app::Vec3d at, const char* text) {
+    return {.kind = app::Label::Kind::Caption, .at = at, .foot = {}, .text = text, .distance = {}, .ink = app::Ink::L};
+}
+
+}  // namespace
+
+// Seen along an axis a cube 100 pixels wide covers 100 · 100 pixels, the quarter that a box leaves of it 50 · 50; a line
+// covers 8 pixels beside it, all along.
+TEST(View3dLabels, AnObstacleCoversWhatItLooksLike) {
+    const app::ViewFrame view = frameOf({400, 300});
+    const double unit = view.camera.unitsPerPixel(300);
+    const auto outline = outlineOf(cube(50 * unit), view);
+    ASSERT_TRUE(outline);
+    EXPECT_NEAR(covered(*outline, QRectF(0, 0, 400, 300)), 10000, 1e-6);
+    EXPECT_NEAR(covered(*outline, QRectF(200, 150, 200, 150)), 2500, 1e-6);
+    EXPECT_EQ(covered(*outline, QRectF(0, 0, 100, 300)), 0);
+    const auto line = outlineOf({app::Vec3d(-30 * unit, 0, 0), app::Vec3d(30 * unit, 0, 0)}, view);
+    ASSERT_TRUE(line);
+    EXPECT_NEAR(covered(*line, QRectF(0, 0, 400, 300)), 60 * 8, 1e-6);
+    // One point of it before the observer is no line.
+    app::ViewFrame near = view;
+    near.camera.orthographic = false;
+    EXPECT_FALSE(outlineOf({app::Vec3d(0.0), app::Vec3d(0, -20, 0)}, near));
+}
+
+// Wherever its mark is on a cube or beside it: there is room within 60 pixels for a caption that is 45 wide and 15 high.
+// It may stay nearer and touch it with less than a tenth of itself.
+TEST(View3dLabels, WordsKeepOffObjects) {
+    const app::ViewFrame view = frameOf({400, 300});
+    const double unit = view.camera.unitsPerPixel(300);
+    app::Drawing drawing;
+    drawing.obstacles.push_back(cube(20 * unit));
+    const auto outline = outlineOf(drawing.obstacles.front(), view);
+    for (int x = -80; x <= 80; x += 8)
+        for (int z = -80; z <= 80; z += 8) {
+            drawing.labels = {captionAt(unit * app::Vec3d(x, 0, z), "light 0")};
+            const auto labels = placeLabels(drawing, view);
+            // What stands away from its mark is led there.
+            const QRectF box = boxOf(labels.front());
+            EXPECT_LT(covered(*outline, box), 0.1 * box.width() * box.height()) << x << ' ' << z;
+            const glm::dvec2 mark = labels.front().mark;
+            const double away = std::hypot(std::max({box.left() - mark.x, mark.x - box.right(), 0.0}),
+                                           std::max({box.top() - mark.y, mark.y - box.bottom(), 0.0}));
+            EXPECT_EQ(labels.front().led, away > 24) << x << ' ' << z;
+            EXPECT_LT(away, 60) << x << ' ' << z;
+        }
+}
+
+// A turn in steps of 1°: words go with their marks as long as their place is the same, and when they have taken another
+// one, a step back does not bring them back.
+TEST(View3dLabels, PlacesDoNotFlicker) {
+    const glm::dvec2 size{400, 300};
+    app::ViewFrame view = frameOf(size);
+    const double unit = view.camera.unitsPerPixel(size.y);
+    app::Drawing drawing;
+    drawing.obstacles.push_back(cube(40 * unit));
+    drawing.labels = {captionAt(unit * app::Vec3d(70, 0, 30), "light 0, at infinity"),
+                      captionAt(unit * app::Vec3d(-30, 60, 50), "light 1"),
+                      captionAt(unit * app::Vec3d(0, 90, 0), "eye")};
+    std::vector<app::PlacedLabel> before = placeLabels(drawing, view);
+    int changes = 0;
+    for (int degree = 0; degree < 360; ++degree) {
+        const app::ViewFrame last = view;
+        orbit(view.camera, 1, 0);
+        const auto now = placeLabels(drawing, view, {}, before);
+        const auto again = placeLabels(drawing, last, {}, now);
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            const glm::dvec2 moved = (now[i].at - now[i].mark) - (before[i].at - before[i].mark);
+            if (now[i].place == before[i].place)
+                EXPECT_LT(glm::length(moved), 1e-6) << degree;
+            else
+                ++changes;
+            EXPECT_EQ(again[i].place, now[i].place) << degree;
+        }
+        before = now;
+    }
+    // Each of the three comes before the cube and behind it.
+    EXPECT_GE(changes, 3);
+    EXPECT_LE(changes, 30);
 }

@@ -1,0 +1,33 @@
+#pragma once
+#include <QFont>
+#include <QRectF>
+#include <vector>
+
+#include "app/view3d/drawing.h"
+
+namespace app {
+
+// A label's place on the screen, logical pixels.
+struct PlacedLabel {
+    Label label;
+    glm::dvec2 at{0.0};    // middle of the text
+    glm::dvec2 mark{0.0};  // what it belongs to: its point, or of a caption what stands in for it at the border
+    bool atBorder = false;
+    QSizeF size{};          // of the text
+    std::size_t place = 0;  // which of the places that a label of its kind may take
+    bool led = false;       // away from its mark, so that a line leads there
+};
+
+// Letters stand beyond the tips, at least 21 pixels from each other and 17 from every tip where
+// there is room. Captions, the names of axes and of planes stand around what they belong to, where they cover no letter,
+// no mark and none of each other and least of what is drawn; captions of marks outside the view at its border. A vector
+// that leads out of the view has its letter where it leaves it. All of them inside the view, and beside what is `taken`.
+// `before`: where they stood a moment ago, in a view that moves; a place that is nearly as good as another one is kept.
+std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view,
+                                     const std::vector<QRectF>& taken = {},
+                                     const std::vector<PlacedLabel>& before = {});
+// The space that a label takes.
+QRectF boxOf(const PlacedLabel& placed);
+QFont fontOf(Label::Kind kind);
+
+}  // namespace app

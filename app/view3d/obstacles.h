@@ -1,0 +1,24 @@
+#pragma once
+#include <QRectF>
+#include <optional>
+#include <vector>
+
+#include "app/view3d/drawing.h"
+#include "app/view3d/view_content.h"
+#include "app/view3d/view_options.h"
+
+namespace app {
+
+// What a content shows beside the lines of its drawing.
+std::vector<Obstacle> obstaclesOf(const ViewContent& content, const ViewOptions& options, const ViewFrame& view);
+
+// The same as it appears: a convex polygon, logical pixels. Nothing where less than a line of it lies before the observer.
+struct Outline {
+    std::vector<glm::dvec2> corners;
+    QRectF bounds;
+};
+std::optional<Outline> outlineOf(const Obstacle& obstacle, const ViewFrame& view);
+// How much of a box it covers, square pixels.
+double covered(const Outline& outline, const QRectF& box);
+
+}  // namespace app
