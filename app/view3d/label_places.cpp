@@ -13,9 +13,11 @@ namespace app {
 namespace {
 
 // Pixels of the design.
-constexpr double kLetterGap = 21, kTipGap = 17, kBeyondTip = 14, kBorder = 16, kBeside = 14, kAbove = 18;
+constexpr double kLetterGap = 21, kTipGap = 17, kBeyondTip = 14, kBorder = 16, kBeside = 14, kAbove = 18, kMark = 10;
 
 QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
+
+QRectF around(glm::dvec2 p, double r) { return {p.x - r, p.y - r, 2 * r, 2 * r}; }
 
 glm::dvec2 unit(glm::dvec2 v, glm::dvec2 otherwise) {
     const double length = glm::length(v);
@@ -195,10 +197,7 @@ public:
     }
 
     void take(const QRectF& box) { m_taken.push_back(box); }
-    void take(glm::dvec2 at, double radius) {
-        const double r = radius * m_view.scale;
-        take(QRectF(at.x - r, at.y - r, 2 * r, 2 * r));
-    }
+    void take(glm::dvec2 at, double radius) { take(around(at, radius * m_view.scale)); }
 
     void place(PlacedLabel& label, const std::vector<Place>& places) {
         // Square pixels of the design: what a place is worth that was had, and a pixel that it is farther off.
@@ -260,7 +259,7 @@ void placeWords(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>&
     using Kind = Label::Kind;
     for (const glm::dvec2& tip : tips) chooser.take(tip, 6);
     for (const PlacedLabel& placed : labels) {
-        if (placed.label.kind == Kind::Caption) chooser.take(placed.mark, 10);
+        if (placed.label.kind == Kind::Caption) chooser.take(placed.mark, kMark);
         if (placed.label.kind == Kind::Letter || placed.label.kind == Kind::Note) chooser.take(boxOf(placed));
     }
     // An axis that ends outside has its name there.
@@ -269,8 +268,11 @@ void placeWords(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>&
             chooser.place(axis, axisPlaces(axis, project(view.camera, view.size, axis.label.foot).at, view.scale));
     for (PlacedLabel& plane : labels)
         if (plane.label.kind == Kind::Plane) chooser.place(plane, planePlaces(plane, view.scale));
-    for (PlacedLabel& caption : labels)
-        if (caption.label.kind == Kind::Caption) chooser.place(caption, captionPlaces(caption, view));
+    // Those at the border have the fewest places.
+    for (const bool atBorder : {true, false})
+        for (PlacedLabel& caption : labels)
+            if (caption.label.kind == Kind::Caption && caption.atBorder == atBorder)
+                chooser.place(caption, captionPlaces(caption, view));
 }
 
 }  // namespace
@@ -329,10 +331,13 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         result.push_back(placed);
     }
     relax(result, tips, view.scale);
+    std::vector<QRectF> withMarks = taken;
+    for (const PlacedLabel& placed : result)
+        if (placed.atBorder) withMarks.push_back(around(placed.mark, kMark * view.scale));
     for (PlacedLabel& placed : result) {
         if (placed.label.kind != Label::Kind::Letter || !isInside(placed.mark, view.size)) continue;
         placed.at = inside(placed.at, placed.size, view.size);
-        leave(placed, taken, view.size);
+        leave(placed, withMarks, view.size);
     }
     Chooser chooser(drawing, view, taken, before);
     placeWords(result, tips, view, chooser);

@@ -89,7 +89,7 @@ std::vector<Obstacle> obstaclesOf(const ViewContent& content, const ViewOptions&
 }
 
 std::optional<Outline> outlineOf(const Obstacle& obstacle, const ViewFrame& view) {
-    constexpr double kLine = 8;  // pixels of the design
+    constexpr double kLine = 14;  // pixels of the design
     std::vector<glm::dvec2> points;
     for (const Vec3d& point : obstacle)
         if (const Projected p = project(view.camera, view.size, point);

@@ -149,7 +149,7 @@ app::Label captionAt(app::Vec3d at, const char* text) {
 }  // namespace
 
 // Seen along an axis a cube 100 pixels wide covers 100 · 100 pixels, the quarter that a box leaves of it 50 · 50; a line
-// covers 8 pixels beside it, all along.
+// is taken for 14 pixels wide.
 TEST(View3dLabels, AnObstacleCoversWhatItLooksLike) {
     const app::ViewFrame view = frameOf({400, 300});
     const double unit = view.camera.unitsPerPixel(300);
@@ -160,7 +160,7 @@ TEST(View3dLabels, AnObstacleCoversWhatItLooksLike) {
     EXPECT_EQ(covered(*outline, QRectF(0, 0, 100, 300)), 0);
     const auto line = outlineOf({app::Vec3d(-30 * unit, 0, 0), app::Vec3d(30 * unit, 0, 0)}, view);
     ASSERT_TRUE(line);
-    EXPECT_NEAR(covered(*line, QRectF(0, 0, 400, 300)), 60 * 8, 1e-6);
+    EXPECT_NEAR(covered(*line, QRectF(0, 0, 400, 300)), 60 * 14, 1e-6);
     // One point of it before the observer is no line.
     app::ViewFrame near = view;
     near.camera.orthographic = false;
