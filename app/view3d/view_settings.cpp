@@ -8,22 +8,48 @@
 #include <QSlider>
 #include <cmath>
 
+#include "app/core/spoken.h"
 #include "app/core/theme.h"
 
 namespace app {
 
 namespace {
 
-// Lengths from 4 to 400 pixels by equal factors: the short ones need the finer steps.
-constexpr double kShortest = 4, kFactor = 100;
+constexpr double kShortest = 4, kLongest = 400;  // arrows, pixels
 constexpr int kSteps = 200;
-int stepOf(double length) { return int(std::lround(kSteps * std::log(length / kShortest) / std::log(kFactor))); }
-double lengthOf(int step) { return std::round(kShortest * std::pow(kFactor, double(step) / kSteps)); }
-// Every 1st to every 100000th normal, in the same way.
-int stepOfEvery(int every) { return int(std::lround(kSteps * std::log(every) / std::log(kSparsestNormals))); }
-int everyOf(int step) { return int(std::lround(std::pow(kSparsestNormals, double(step) / kSteps))); }
 
 }  // namespace
+
+// From a low number to a high one by equal factors: the small ones need the finer steps. A screen reader is told the
+// number, not the step.
+class FactorSlider : public QSlider, public SpokenSlider {
+public:
+    FactorSlider(double low, double high, QWidget* parent)
+        : QSlider(Qt::Horizontal, parent), m_low(low), m_high(high), m_number(low) {
+        speak(*this);
+        setRange(0, kSteps);
+    }
+    double number() const { return m_number; }
+    void setNumber(double number) {
+        slideTo(number);
+        m_number = number;  // it may stand between two steps
+    }
+    Scale spoken() const override { return {m_number, m_low, m_high, 1}; }
+    void slideTo(double number) override {
+        setValue(int(std::lround(kSteps * std::log(number / m_low) / std::log(m_high / m_low))));
+    }
+
+protected:
+    void sliderChange(SliderChange change) override {
+        QSlider::sliderChange(change);
+        if (change != SliderValueChange) return;
+        m_number = std::round(m_low * std::pow(m_high / m_low, double(value()) / kSteps));
+        sayValue(*this);
+    }
+
+private:
+    double m_low, m_high, m_number;
+};
 
 ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
     setAttribute(Qt::WA_StyledBackground);
@@ -35,13 +61,14 @@ ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
     grid->setVerticalSpacing(Theme::current().px(8));
     m_normals = addChoice(tr("Normals"), tr("Which normals stand on the objects"),
                           {tr("Off"), tr("Polygon normals"), tr("Vertex normals")});
-    m_normalLength = addSlider(tr("Length"), tr("Length of a normal's arrow, 4 to 400 pixels"), 0, kSteps);
-    m_every = addSlider(tr("Every k-th"),
-                        tr("Shows every k-th normal, 20 of each object at least and 10 000 of all at most"), 0, kSteps);
+    m_normalLength = addSlider(tr("Length"), tr("Length of a normal's arrow, 4 to 400 pixels"), kShortest, kLongest);
+    m_every =
+        addSlider(tr("Every k-th"), tr("Shows every k-th normal, 20 of each object at least and 10 000 of all at most"),
+                  1, kSparsestNormals);
     m_normalColors = addChoice(tr("Their colour"), tr("All as N, or each by its direction: (N + 1) / 2 as RGB"),
                                {tr("As N"), tr("By direction, RGB")});
-    m_vectorLength =
-        addSlider(tr("Vectors"), tr("Length of N, L, V, R and H at the picked point, 4 to 400 pixels"), 0, kSteps);
+    m_vectorLength = addSlider(tr("Vectors"), tr("Length of N, L, V, R and H at the picked point, 4 to 400 pixels"),
+                               kShortest, kLongest);
     m_faces =
         addChoice(tr("Faces"), tr("Colours of the faces: the frame buffer's, or (N + 1) / 2 as red, green and blue"),
                   {tr("As shaded"), tr("Normals as RGB")});
@@ -85,11 +112,10 @@ QComboBox* ViewSettings::addChoice(const QString& name, const QString& tip, cons
     return box;
 }
 
-ViewSettings::Row ViewSettings::addSlider(const QString& name, const QString& tip, int low, int high) {
+ViewSettings::Row ViewSettings::addSlider(const QString& name, const QString& tip, double low, double high) {
     auto* grid = static_cast<QGridLayout*>(layout());
     const int row = grid->rowCount();
-    Row result{new QSlider(Qt::Horizontal, this), new QLabel(this)};
-    result.slider->setRange(low, high);
+    Row result{new FactorSlider(low, high, this), new QLabel(this)};
     result.slider->setMinimumWidth(Theme::current().px(150));
     result.slider->setAccessibleName(name);
     result.slider->setToolTip(tip);
@@ -127,9 +153,9 @@ void ViewSettings::setOptions(const ViewOptions& options) {
     const QSignalBlocker a(m_normals), b(m_normalLength.slider), c(m_every.slider), d(m_vectorLength.slider),
         e(m_faces), f(m_normalColors), g(m_objectTool);
     m_normals->setCurrentIndex(int(options.normals));
-    m_normalLength.slider->setValue(stepOf(options.normalLength));
-    m_every.slider->setValue(stepOfEvery(options.everyNormal));
-    m_vectorLength.slider->setValue(stepOf(options.vectorLength));
+    m_normalLength.slider->setNumber(options.normalLength);
+    m_every.slider->setNumber(options.everyNormal);
+    m_vectorLength.slider->setNumber(options.vectorLength);
     m_faces->setCurrentIndex(int(options.faces));
     m_normalColors->setCurrentIndex(int(options.normalColors));
     m_objectTool->setCurrentIndex(int(options.objectTool));
@@ -142,9 +168,9 @@ void ViewSettings::setOptions(const ViewOptions& options) {
 
 void ViewSettings::take() {
     m_options.normals = static_cast<NormalsShown>(m_normals->currentIndex());
-    m_options.normalLength = lengthOf(m_normalLength.slider->value());
-    m_options.everyNormal = everyOf(m_every.slider->value());
-    m_options.vectorLength = lengthOf(m_vectorLength.slider->value());
+    m_options.normalLength = m_normalLength.slider->number();
+    m_options.everyNormal = int(m_every.slider->number());
+    m_options.vectorLength = m_vectorLength.slider->number();
     m_options.faces = static_cast<FacesShown>(m_faces->currentIndex());
     m_options.normalColors = static_cast<NormalColors>(m_normalColors->currentIndex());
     m_options.objectTool = static_cast<HandleTool>(m_objectTool->currentIndex());

@@ -10,9 +10,10 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QSlider;
 
 namespace app {
+
+class FactorSlider;
 
 // The small popup of a 3D view: which normals, how long, how many; how long the vectors; bounds,
 // frustum, constructions.
@@ -28,10 +29,10 @@ signals:
 
 private:
     struct Row {
-        QSlider* slider;
+        FactorSlider* slider;
         QLabel* value;
     };
-    Row addSlider(const QString& name, const QString& tip, int low, int high);
+    Row addSlider(const QString& name, const QString& tip, double low, double high);
     void addSwitch(const QString& name, const QString& tip, bool ViewOptions::*shown);
     void addHeading(const QString& words);
     void take();

@@ -1,9 +1,13 @@
 // Which normals a 3D view shows, and how long.
+#include <QAccessible>
+#include <QSignalSpy>
+#include <QSlider>
 #include <cmath>
 #include <iterator>
 
 #include "app/view3d/normal_arrows.h"
 #include "app/view3d/space_content.h"
+#include "app/view3d/view_settings.h"
 #include "tests/app/view3d_fixture.h"
 
 namespace {
@@ -88,6 +92,32 @@ TEST(View3dNormals, FewOfThemAreAllShown) {
     for (const NormalArrow& arrow : shown) EXPECT_EQ(arrow.length, 1);
     options.normals = app::NormalsShown::Off;
     EXPECT_TRUE(shownNormals(content, options).empty());
+}
+
+// A screen reader is told what stands beside a slider, and sets it; what is between two steps of the slider stays.
+TEST(View3dNormals, SlidersSpeakTheirNumbers) {
+    app::ViewSettings settings;
+    ViewOptions options;
+    options.normalLength = 29;
+    options.everyNormal = 33;
+    settings.setOptions(options);
+    const auto numbers = [&](const char* name) {
+        for (QSlider* slider : settings.findChildren<QSlider*>())
+            if (slider->accessibleName() == name)
+                return QAccessible::queryAccessibleInterface(slider)->valueInterface();
+        return static_cast<QAccessibleValueInterface*>(nullptr);
+    };
+    ASSERT_TRUE(numbers("Length") && numbers("Every k-th"));
+    EXPECT_EQ(numbers("Length")->currentValue().toDouble(), 29);
+    EXPECT_EQ(numbers("Length")->minimumValue().toDouble(), 4);
+    EXPECT_EQ(numbers("Length")->maximumValue().toDouble(), 400);
+    EXPECT_EQ(numbers("Every k-th")->currentValue().toDouble(), 33);
+    QSignalSpy changed(&settings, &app::ViewSettings::changed);
+    numbers("Length")->setCurrentValue(40);
+    ASSERT_EQ(changed.count(), 1);
+    const auto set = changed[0][0].value<ViewOptions>();
+    EXPECT_EQ(set.normalLength, 40);  // half way from 4 to 400 by factors
+    EXPECT_EQ(set.everyNormal, 33);
 }
 
 }  // namespace
