@@ -26,7 +26,7 @@ void BufferView::observeOverlays() {
     });
     connect(m_notice, &QLabel::linkActivated, m_shadows, &ShadowOverlay::cancel);
     connect(m_header, &BufferHeader::overlayMenuOpens, this, [this](QMenu* menu) {
-        fillOverlayMenu(*menu, m_overlays, bufferInfo(m_name.id),
+        fillOverlayMenu(*menu, m_overlays, bufferInfo(m_name.id), m_canvas->isFlipped(),
                         [this](OverlayId id, bool on) { setOverlay(id, on); });
         m_shadows->fillMenu(*menu, whyNoOverlays(bufferInfo(m_name.id)));
         menu->addSeparator();

@@ -162,6 +162,14 @@ QString whyNoOverlays(const pipeline::BufferInfo& info) {
     return {};
 }
 
+QString whyNoOverlay(OverlayId overlay, const pipeline::BufferInfo& info, bool isFlipped) {
+    if (overlay == OverlayId::Strange) return {};
+    if (const QString why = whyNoOverlays(info); !why.isEmpty()) return why;
+    if (overlay == OverlayId::EdgeFunctions && isFlipped)
+        return "Which edges are top ones is seen with row 0 on top: Y turns the picture over.";
+    return {};
+}
+
 void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown) {
     const pipeline::BufferInfo& info = *shown.buffer.info;
     CanvasContent& content = shown.content;

@@ -26,6 +26,8 @@ std::span<const OverlayInfo, kOverlayCount> overlayTable();
 pipeline::BufferSet buffersOf(OverlaySet overlays);
 // Why a buffer's view cannot have overlays; empty where it can.
 QString whyNoOverlays(const pipeline::BufferInfo& info);
+// Likewise of one of them, in a picture with row 0 on top or, where it is flipped, at the foot.
+QString whyNoOverlay(OverlayId overlay, const pipeline::BufferInfo& info, bool isFlipped);
 
 // Lays them over a buffer of the frame. What needs a buffer that the frame does not hold yet is left
 // out. The notice then says what the colours stand for.
@@ -33,16 +35,16 @@ void addOverlays(const pipeline::Frame& frame, OverlaySet overlays, ShownBuffer&
 
 // Check marks for all of them; change(id, on) is called for what the user picks.
 template <class Change>
-void fillOverlayMenu(QMenu& menu, OverlaySet on, const pipeline::BufferInfo& info, Change change) {
+void fillOverlayMenu(QMenu& menu, OverlaySet on, const pipeline::BufferInfo& info, bool isFlipped, Change change) {
     menu.clear();
     menu.setToolTipsVisible(true);
-    const QString why = whyNoOverlays(info);
     for (const OverlayInfo& overlay : overlayTable()) {
         QAction* action = menu.addAction(QMenu::tr(overlay.name));
         action->setCheckable(true);
         action->setChecked(on[index(overlay.id)]);
-        action->setEnabled(why.isEmpty() || overlay.id == OverlayId::Strange);
-        action->setToolTip(action->isEnabled() ? QMenu::tr(overlay.tip) : why);
+        const QString why = whyNoOverlay(overlay.id, info, isFlipped);
+        action->setEnabled(why.isEmpty());
+        action->setToolTip(why.isEmpty() ? QMenu::tr(overlay.tip) : why);
         QObject::connect(action, &QAction::toggled, &menu, [change, id = overlay.id](bool isOn) { change(id, isOn); });
     }
 }

@@ -249,6 +249,22 @@ TEST_F(BufferMarksTest, AnOverlayThatWasSwitchedOffStaysOff) {
     EXPECT_EQ(view.state(), state);
 }
 
+// Turned over, the picture has no edge functions, and the menu says why; all else is there.
+TEST_F(BufferMarksTest, TheMenuSaysWhatATurnedPictureLacks) {
+    for (const bool isFlipped : {false, true}) {
+        QMenu menu;
+        app::fillOverlayMenu(menu, {}, pipeline::bufferInfo(BufferId::Color), isFlipped, [](app::OverlayId, bool) {});
+        const QList<QAction*> actions = menu.actions();
+        ASSERT_EQ(actions.size(), qsizetype(app::kOverlayCount));
+        for (const app::OverlayInfo& overlay : app::overlayTable()) {
+            const QAction* action = actions[qsizetype(index(overlay.id))];
+            const bool lacks = isFlipped && overlay.id == app::OverlayId::EdgeFunctions;
+            EXPECT_EQ(action->isEnabled(), !lacks) << overlay.name;
+            EXPECT_EQ(action->toolTip().contains("row 0 on top"), lacks) << action->toolTip().toStdString();
+        }
+    }
+}
+
 TEST_F(BufferMarksTest, NothingDrawnIsSaidOverAColouredGroundToo) {
     const auto says = [this](const char* words) {
         return QTest::qWaitFor([&] { return !document.busy() && view.shown() && view.shown()->empty == words; }, 10000);
