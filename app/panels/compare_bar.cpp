@@ -54,15 +54,12 @@ CompareBar::CompareBar(QWidget* parent)
     m_first->addWidget(m_metric);
     m_first->addStretch();
     m_first->addWidget(m_close);
-    m_second->addStretch();
+    m_second->addWidget(m_finding, 1);
+    m_second->addWidget(m_offer);
     m_second->addWidget(m_worst);
     m_second->addWidget(m_stages);
     column->addLayout(m_first);
     column->addLayout(m_second);
-    auto* words = new QHBoxLayout;
-    words->addWidget(m_finding, 1);
-    words->addWidget(m_offer);
-    column->addLayout(words);
     m_offer->hide();
     connect(m_offer, &QPushButton::clicked, this, &CompareBar::offerTaken);
 
@@ -90,7 +87,7 @@ void CompareBar::fit(int height) {
     for (QPushButton* button : {m_worst, m_stages}) button->setVisible(!isLow || m_first->indexOf(button) >= 0);
 }
 
-// Where there is no room beside the choices the buttons have a row of their own.
+// Where there is no room beside the choices the buttons stand beside the words.
 void CompareBar::resizeEvent(QResizeEvent*) {
     int needed = Theme::current().px(12 + 5 * 6);
     for (QWidget* part : {static_cast<QWidget*>(m_metric), static_cast<QWidget*>(m_worst),
@@ -99,7 +96,7 @@ void CompareBar::resizeEvent(QResizeEvent*) {
     const bool isWide = width() >= needed + m_modes->width();
     QHBoxLayout* place = isWide ? m_first : m_second;
     if (place->indexOf(m_worst) >= 0) return;
-    int at = isWide ? place->indexOf(m_close) : 0;
+    int at = isWide ? place->indexOf(m_close) : place->count();
     for (QPushButton* button : {m_worst, m_stages}) {
         (isWide ? m_second : m_first)->removeWidget(button);
         place->insertWidget(at++, button);

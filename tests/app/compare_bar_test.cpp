@@ -20,7 +20,8 @@ TEST(CompareBar, InALowViewItIsOneRow) {
         return bar.sizeHint().height();
     };
     const int all = heightIn(1000), low = heightIn(200);
-    EXPECT_LT(low, all - app::Theme::current().px(30)) << "a row of buttons, and one of words";
+    EXPECT_LT(low, all - app::Theme::current().px(20)) << "a row of words and buttons";
+    EXPECT_LT(all, 3 * low) << "two rows, not three";
     EXPECT_EQ(heightIn(1000), all);
 }
 
