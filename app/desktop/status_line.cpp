@@ -8,6 +8,7 @@
 #include "app/core/text.h"
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/work_bar.h"
+#include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/scene/scene_remarks.h"
 
@@ -34,28 +35,25 @@ QString pixelText(const pipeline::Frame& frame, glm::ivec2 pixel) {
 StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* parent)
     : QStatusBar(parent), m_document(document) {
     setSizeGripEnabled(false);
-    const auto add = [this](int stretch) {
+    const auto add = [this] {
         auto* label = new QLabel(this);
         label->setProperty("tone", 2);
-        if (stretch) {
-            addWidget(label, stretch);
-            label->setMinimumWidth(0);
-            label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-        } else {
-            addPermanentWidget(label);
-        }
+        addPermanentWidget(label);
         return label;
     };
     auto* opening = new OpeningBar(opener, this);
     addWidget(opening);
     addWidget(new WorkBar(document.work(), this));
-    m_sentence = add(1);
+    m_sentence = new ElidedLabel(this);
+    m_sentence->setProperty("tone", 2);
+    m_sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    addWidget(m_sentence, 1);
     connect(opening, &OpeningBar::cancelAsked, this, &StatusLine::cancelAsked);
-    m_hovered = add(0);
-    m_remarks = add(0);
-    m_nan = add(0);
-    m_error = add(0);
-    m_threads = add(0);
+    m_hovered = add();
+    m_remarks = add();
+    m_nan = add();
+    m_error = add();
+    m_threads = add();
     m_sentence->setObjectName("statusSentence");
     m_hovered->setObjectName("statusHovered");
     m_remarks->setObjectName("statusRemarks");
@@ -63,13 +61,15 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     m_error->setObjectName("statusError");
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
-        for (QLabel* label : {m_sentence, m_hovered, m_remarks, m_nan, m_error, m_threads}) {
+        for (QLabel* label : {static_cast<QLabel*>(m_sentence), m_hovered, m_remarks, m_nan, m_error, m_threads}) {
             label->setFont(theme.text(12));
             label->setIndent(theme.px(12));
         }
         m_hovered->setFont(theme.mono(12));
+        m_sentence->setContentsMargins(theme.px(12), 0, 0, 0);
         setFixedHeight(theme.px(28));
         showCheck();
+        makeRoom(true);
     });
     const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
     m_threads->setText(threads == 1 ? tr("1 thread") : tr("%1 threads").arg(threads));
@@ -84,12 +84,14 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
 void StatusLine::say(const QString& sentence) {
     m_sentence->setText(sentence);
     m_sentence->setToolTip(sentence);
+    makeRoom(true);
 }
 
 void StatusLine::showHovered() {
     const auto pixel = m_document.hovered();
     const bool known = pixel && m_document.frame();
     m_hovered->setText(known ? tr("under the cursor: ") + pixelText(*m_document.frame(), *pixel) : QString());
+    makeRoom(false);
 }
 
 void StatusLine::showCheck() {
@@ -104,6 +106,25 @@ void StatusLine::showCheck() {
     const auto& error = m_document.errors()[index(pipeline::StageId::Shading)];
     showRemarks();
     m_error->setText(error ? tr("shading's error against double %1").arg(errorOf(*error)) : QString());
+}
+
+// The error stands in the stage's card too. What has given way comes back with the next sentence, not while the cursor
+// moves.
+void StatusLine::makeRoom(bool anew) {
+    int needed = m_sentence->sizeHint().width();
+    for (const QLabel* label : {m_hovered, m_remarks, m_nan})
+        if (!label->text().isEmpty()) needed += label->sizeHint().width();
+    const QList<QLabel*> last{m_error, m_threads};
+    for (QLabel* label : last) {
+        needed += label->sizeHint().width();
+        if (anew) label->show();
+        if (needed > width()) label->hide();
+    }
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+    QStatusBar::resizeEvent(event);
+    makeRoom(true);
 }
 
 void StatusLine::showRemarks() {

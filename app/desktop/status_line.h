@@ -7,6 +7,7 @@ class QLabel;
 
 namespace app {
 
+class ElidedLabel;
 class SceneOpener;
 
 // Left the last event in a sentence, and what is being opened and computed; right the pixel under the cursor, remarks about the scene,
@@ -21,13 +22,17 @@ public:
 signals:
     void cancelAsked();  // the opening
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void showHovered();
     void showCheck();
     void showRemarks();
+    void makeRoom(bool anew);  // for the sentence: what is said elsewhere too gives way
 
     Document& m_document;
-    QLabel* m_sentence;
+    ElidedLabel* m_sentence;
     QLabel* m_hovered;
     QLabel* m_remarks;
     QLabel* m_nan;

@@ -68,6 +68,28 @@ TEST_F(WindowLook, NothingIsCutInAnySizeAndTheme) {
     }
 }
 
+// Beside the pixel under the cursor a sentence that the foot has room for stands whole; what stands elsewhere too gives
+// way, and comes back when the next sentence is short.
+TEST_F(WindowLook, TheSentenceAtTheFootHasRoom) {
+    openPyramid();
+    window.resize(1280, 720);
+    Theme::current().set(ThemeId::Projector);
+    QTest::qWait(100);
+    auto* sentence = find<QLabel>("statusSentence");
+    auto* error = find<QLabel>("statusError");
+    emit document().said("5 stages ran, 1 left out.");
+    EXPECT_TRUE(error->isVisible());
+    document().hover(glm::ivec2(268, 281));
+    emit document().said("The eye does not see that point: polygon 3 is turned away or hidden there.");
+    QTest::qWait(50);
+    EXPECT_FALSE(error->isVisible());
+    EXPECT_LE(sentence->sizeHint().width(), sentence->width());
+    document().hover(std::nullopt);
+    EXPECT_FALSE(error->isVisible()) << "not while the cursor moves";
+    emit document().said("5 stages ran, 1 left out.");
+    EXPECT_TRUE(error->isVisible());
+}
+
 TEST_F(WindowLook, ResetBringsClosedPanelsBack) {
     openPyramid();
     for (QDockWidget* dock : window.findChildren<QDockWidget*>()) dock->close();
