@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/core/numbers.h"
 #include "app/core/text.h"
 
 namespace app {
@@ -15,7 +16,7 @@ using pipeline::SettingRef;
 QString number(double value) { return QString::number(value, 'g', 6); }
 
 QString plural(std::size_t n, const QString& one, const QString& many) {
-    return QStringLiteral("%1 %2").arg(n).arg(n == 1 ? one : many);
+    return QStringLiteral("%1 %2").arg(count(qint64(n)), n == 1 ? one : many);
 }
 
 SettingGroup groupOf(SceneItem::Kind kind) {

@@ -15,8 +15,25 @@
 
 namespace app {
 
+namespace {
+
+// Rather no word than a piece of one.
+class Caption : public ElidedLabel {
+public:
+    using ElidedLabel::ElidedLabel;
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setPen(palette().color(foregroundRole()));
+        painter.drawText(contentsRect(), int(alignment()), wholePhrases(text(), fontMetrics(), contentsRect().width()));
+    }
+};
+
+}  // namespace
+
 BufferHeader::BufferHeader(const Document& document, QWidget* parent)
-    : QWidget(parent), m_chooser(new BufferChooser(document, this)), m_caption(new ElidedLabel(this)) {
+    : QWidget(parent), m_chooser(new BufferChooser(document, this)), m_caption(new Caption(this)) {
     auto* row = new QHBoxLayout(this);
     row->addWidget(m_chooser);
     row->addWidget(m_caption, 1);

@@ -2,8 +2,15 @@
 #include <QFontMetrics>
 #include <QLabel>
 #include <QPainter>
+#include <algorithm>
 
 namespace app {
+
+// As many of the phrases, which commas part, as there is room for, from the first.
+inline QString wholePhrases(QString words, const QFontMetrics& metrics, int width) {
+    while (metrics.horizontalAdvance(words) > width) words.truncate(std::max<qsizetype>(words.lastIndexOf(','), 0));
+    return words;
+}
 
 // One line that ends in … where it does not fit; its tooltip then has the whole of it.
 class ElidedLabel : public QLabel {

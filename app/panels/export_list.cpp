@@ -5,6 +5,7 @@
 #include <QHeaderView>
 
 #include "app/core/text.h"
+#include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
 
 namespace app {
@@ -16,6 +17,7 @@ ExportList::ExportList(QWidget* parent) : QTreeWidget(parent) {
     setHeaderHidden(true);
     setRootIsDecorated(false);
     setIndentation(8);
+    setItemDelegateForColumn(0, new AiryCells(this));  // between check boxes and names
     setFrameShape(QFrame::NoFrame);
     header()->setStretchLastSection(true);
     followTheme(this, [this] { setFont(Theme::current().mono(12)); });

@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "app/core/number_format.h"
+#include "app/core/scene_outline.h"
+#include "app/panels/elided_label.h"
+#include "tests/support/scenes.h"
 
 namespace {
 
@@ -114,4 +117,29 @@ TEST(NumberFormat, LeavesOutDigitsWhereThereIsLittleRoom) {
     EXPECT_EQ(in({Format::Form::Scientific, 4, {}}, -1.23456e-5), "−1.2346e-5");
     EXPECT_EQ(in({Format::Form::Scientific, 4, {}}, -1.23456e-5, 8), "−1.23e-5");
     EXPECT_EQ(in({Format::Form::Fixed, 6, {}}, 671.4539, 8), "671.4539");
+}
+
+// A strip of 1 000 squares: 2 · 1 001 vertices.
+TEST(SceneOutline, CountsStandInGroups) {
+    std::vector<pipeline::Vec3d> positions;
+    std::vector<std::vector<std::uint32_t>> polygons;
+    for (std::uint32_t i = 0; i <= 1000; ++i) {
+        positions.insert(positions.end(), {{i, 0, 0}, {i, 1, 0}});
+        if (i > 0) polygons.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
+    }
+    pipeline::Scene scene = test::pyramid();
+    scene.objects[0].mesh = test::mesh(std::move(positions), std::move(polygons));
+    EXPECT_EQ(utf8(app::outline(scene)[1].detail), "2\u2009002 vertices, 1\u2009000 polygons");
+}
+
+// Rather no word than a piece of one.
+TEST(ElidedLabel, PhrasesStandWholeOrNotAtAll) {
+    const QFont font;
+    const QFontMetrics metrics(font);
+    const QString words = "sRGB, row 0 on top";
+    const int all = metrics.horizontalAdvance(words), first = metrics.horizontalAdvance("sRGB");
+    EXPECT_EQ(app::wholePhrases(words, metrics, all), words);
+    EXPECT_EQ(app::wholePhrases(words, metrics, all - 1), "sRGB");
+    EXPECT_EQ(app::wholePhrases(words, metrics, first), "sRGB");
+    EXPECT_EQ(app::wholePhrases(words, metrics, first - 1), "");
 }
