@@ -76,7 +76,7 @@ void ScanlinePlotView::paintEvent(QPaintEvent*) {
 
 std::optional<int> ScanlinePlotView::pixelAt(double x) const {
     if (!m_section || m_section->empty()) return std::nullopt;
-    const pipeline::ScanlineAxis axis = axisOf(*m_section, plotSize());
+    const pipeline::ScanlineAxis axis = axesOf(*m_section, plotSize()).at(x);
     if (x < axis.left || x > axis.right) return std::nullopt;
     return axis.pixelAt(x);
 }

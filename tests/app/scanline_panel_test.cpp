@@ -30,7 +30,7 @@ struct ScanlinePanelTest : testing::Test {
     QPoint placeOf(int x) {
         const pipeline::PlotSize size{double(panel.plot()->width()), double(panel.plot()->height()),
                                       double(app::Theme::current().px(13.5))};
-        return {int(axisOf(*panel.section(), size).place(x + 0.5)), panel.plot()->height() / 3};
+        return {int(axesOf(*panel.section(), size).depth.place(x + 0.5)), panel.plot()->height() / 3};
     }
 };
 

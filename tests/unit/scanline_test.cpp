@@ -126,8 +126,36 @@ TEST(ScanlinePlot, DrawsEveryRunOnceAndNothingOutside) {
     }
     EXPECT_GT(solid, 0u);
     EXPECT_GT(dashed, 0u);
-    const ScanlineAxis axis = axisOf(*section, {900, 400, 14});
-    for (const int x : {int(axis.first), int(axis.first) + 3}) EXPECT_EQ(axis.pixelAt(axis.place(x + 0.5)), x);
+    const ScanlineAxes axes = axesOf(*section, {900, 400, 14});
+    for (const int x : {int(axes.depth.first), int(axes.depth.first) + 3})
+        EXPECT_EQ(axes.at(axes.depth.centre(x)).pixelAt(axes.depth.centre(x)), x);
+}
+
+// 170 points of height leave 3 of 18 for words above and 1.7 below: 85 for the curves, of which two plots above each
+// other would have 45 each. Both have the same columns, and the place of one is found in either.
+TEST(ScanlinePlot, InALowPlotTheIntensityStandsBesideTheDepth) {
+    Scene scene = test::randomScene(7);
+    scene.settings.visibility = Visibility::ZBuffer;
+    const FramePtr frame = frameFor(scene);
+    const auto section = shadedSection(frame, crowdedRow(*frame), 1);
+    ASSERT_TRUE(section && !section->empty());
+    const PlotSize low{770, 170, 18};
+    const ScanlineAxes axes = axesOf(*section, low);
+    ASSERT_TRUE(axes.isBeside);
+    EXPECT_FALSE(axesOf(*section, {770, 340, 18}).isBeside);
+    EXPECT_FALSE(axesOf(*section, {500, 170, 18}).isBeside);
+    const int x = int(axes.depth.first) + 3;
+    EXPECT_EQ(axes.at(axes.depth.centre(x)).pixelAt(axes.depth.centre(x)), x);
+    EXPECT_EQ(axes.at(axes.intensity.centre(x)).pixelAt(axes.intensity.centre(x)), x);
+    const PlotDrawing drawing = layOut(ScanlinePlot{&*section, 0, x, std::nullopt}, low);
+    int marks = 0;
+    for (const PlotLine& line : drawing.lines) {
+        for (const auto& point : line.points) EXPECT_TRUE(point.y >= 0 && point.y <= low.height);
+        if (line.ink.role != PlotRole::Front || line.points.size() != 2) continue;
+        ++marks;
+        EXPECT_NEAR(line.points[1].y - line.points[0].y, 85, 1);
+    }
+    EXPECT_EQ(marks, 2);
 }
 
 }  // namespace pipeline
