@@ -134,12 +134,6 @@ struct Place {
     double cost = 0;
 };
 
-// From a point to the text.
-double distance(const Place& place, QSizeF size, glm::dvec2 point) {
-    const glm::dvec2 half = glm::dvec2(size.width(), size.height()) / 2.0;
-    return glm::length(glm::max(glm::abs(place.at - point) - half, glm::dvec2(0.0)));
-}
-
 // Around a mark: above it and below it, then at its sides, inwards rather than outwards, then farther away.
 std::vector<Place> captionPlaces(const PlacedLabel& caption, const ViewFrame& view) {
     const double s = view.scale, line = caption.size.height(), half = caption.size.width() / 2;
@@ -200,8 +194,9 @@ public:
     void take(glm::dvec2 at, double radius) { take(around(at, radius * m_view.scale)); }
 
     void place(PlacedLabel& label, const std::vector<Place>& places) {
-        // Square pixels of the design: what a place is worth that was had, and a pixel that it is farther off.
-        constexpr double kStay = 250, kAway = 8;
+        // Square pixels of the design: what a place is worth that was had; what a pixel farther off costs, and words that
+        // the line to the mark crosses.
+        constexpr double kStay = 250, kAway = 8, kCrossing = 500;
         constexpr double kLed = 24;  // pixels of the design
         const double s = m_view.scale, area = s * s;
         const auto kept = std::ranges::find_if(m_before, [&](const PlacedLabel& other) {
@@ -213,13 +208,14 @@ public:
         for (std::size_t i = 0; i < places.size(); ++i) {
             Place place = places[i];
             place.at = inside(place.at, label.size, m_view.size);
-            const double away = distance(place, label.size, label.mark);
             tried.at = place.at;
+            const double away = glm::length(nearest(boxOf(tried), label.mark) - label.mark);
             tried.place = i;
             tried.led = away > kLed * s;
             double cost = area * place.cost + kAway * s * away;
             if (kept != m_before.end() && kept->place == i) cost -= kStay * area;
             if (cost < least) cost += weight(boxOf(tried), least - cost);
+            if (tried.led && cost < least) cost += kCrossing * area * crossings(tried);
             if (cost >= least) continue;
             least = cost;
             label = tried;
@@ -246,6 +242,14 @@ private:
             sum += covered(outline, box);
         }
         return sum;
+    }
+
+    double crossings(const PlacedLabel& label) const {
+        const glm::dvec2 end = nearest(boxOf(label), label.mark);
+        const Outline line = lineOutline(label.mark, end, m_view.scale);
+        return double(std::ranges::count_if(m_taken, [&](const QRectF& other) {
+            return !other.contains(toPoint(label.mark)) && covered(line, other) > 0;
+        }));
     }
 
     const ViewFrame& m_view;
@@ -300,6 +304,10 @@ QFont fontOf(Label::Kind kind) {
 
 QRectF boxOf(const PlacedLabel& placed) {
     return {toPoint(placed.at) - QPointF(placed.size.width(), placed.size.height()) / 2, placed.size};
+}
+
+glm::dvec2 nearest(const QRectF& box, glm::dvec2 point) {
+    return {std::clamp(point.x, box.left(), box.right()), std::clamp(point.y, box.top(), box.bottom())};
 }
 
 std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view, const std::vector<QRectF>& taken,

@@ -28,6 +28,7 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
                                      const std::vector<PlacedLabel>& before = {});
 // The space that a label takes.
 QRectF boxOf(const PlacedLabel& placed);
+glm::dvec2 nearest(const QRectF& box, glm::dvec2 point);  // of its points
 QFont fontOf(Label::Kind kind);
 
 }  // namespace app

@@ -30,12 +30,10 @@ std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points) {
     return hull;
 }
 
-// As wide as a line is that words lie on, to be weighed like areas.
-std::vector<glm::dvec2> thick(glm::dvec2 a, glm::dvec2 b, double width) {
-    const double length = glm::length(b - a);
-    if (!(length > 0)) return {};
-    const glm::dvec2 d = (b - a) * (width / (2 * length)), across{-d.y, d.x};
-    return {a - across, b - across, b + across, a + across};
+QRectF boundsOf(const std::vector<glm::dvec2>& points) {
+    const auto [left, right] = std::ranges::minmax(points, {}, &glm::dvec2::x);
+    const auto [top, bottom] = std::ranges::minmax(points, {}, &glm::dvec2::y);
+    return {QPointF(left.x, top.y), QPointF(right.x, bottom.y)};
 }
 
 // Few points of each object say what it covers. Those that have none have been cut away by the near plane.
@@ -95,15 +93,19 @@ std::optional<Outline> outlineOf(const Obstacle& obstacle, const ViewFrame& view
         if (const Projected p = project(view.camera, view.size, point);
             p.inFront && std::isfinite(p.at.x) && std::isfinite(p.at.y))
             points.push_back(p.at);
-    Outline outline;
-    if (points.size() == 2)
-        outline.corners = thick(points[0], points[1], kLine * view.scale);
-    else if (points.size() > 2)
-        outline.corners = convexHull(std::move(points));
+    if (points.size() < 2 || (points.size() == 2 && points[0] == points[1])) return {};
+    // As wide as a line is that words lie on, to be weighed like areas.
+    if (points.size() == 2) return lineOutline(points[0], points[1], kLine * view.scale);
+    Outline outline{convexHull(std::move(points)), {}};
     if (outline.corners.size() < 3) return {};
-    const auto [left, right] = std::ranges::minmax(outline.corners, {}, &glm::dvec2::x);
-    const auto [top, bottom] = std::ranges::minmax(outline.corners, {}, &glm::dvec2::y);
-    outline.bounds = QRectF(QPointF(left.x, top.y), QPointF(right.x, bottom.y));
+    outline.bounds = boundsOf(outline.corners);
+    return outline;
+}
+
+Outline lineOutline(glm::dvec2 a, glm::dvec2 b, double width) {
+    const glm::dvec2 d = (b - a) * (width / (2 * glm::length(b - a))), across{-d.y, d.x};
+    Outline outline{{a - across, b - across, b + across, a + across}, {}};
+    outline.bounds = boundsOf(outline.corners);
     return outline;
 }
 

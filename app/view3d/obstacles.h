@@ -18,6 +18,7 @@ struct Outline {
     QRectF bounds;
 };
 std::optional<Outline> outlineOf(const Obstacle& obstacle, const ViewFrame& view);
+Outline lineOutline(glm::dvec2 a, glm::dvec2 b, double width);
 // How much of a box it covers, square pixels.
 double covered(const Outline& outline, const QRectF& box);
 

@@ -89,10 +89,7 @@ void paintMarker(QPainter& painter, const Drawing::Marker& marker, const ViewFra
 
 // From a mark to the nearest point of its words.
 void paintLeader(QPainter& painter, const PlacedLabel& placed, const QColor& ink, double scale) {
-    const QRectF box = boxOf(placed);
-    const QPointF mark = toPoint(placed.mark),
-                  end(std::clamp(mark.x(), box.left(), box.right()), std::clamp(mark.y(), box.top(), box.bottom()));
-    QLineF line(end, mark);
+    QLineF line(toPoint(nearest(boxOf(placed), placed.mark)), toPoint(placed.mark));
     constexpr double kMark = 8;
     if (line.length() <= kMark * scale) return;
     line.setLength(line.length() - (placed.label.kind == Label::Kind::Caption ? kMark * scale : 0));
