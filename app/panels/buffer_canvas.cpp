@@ -242,6 +242,7 @@ void BufferCanvas::paintEvent(QPaintEvent*) {
 void BufferCanvas::resizeEvent(QResizeEvent*) {
     if (m_fits) placeFocus();
     if (m_part) placePart();
+    emit sizeChanged();
 }
 
 }  // namespace app

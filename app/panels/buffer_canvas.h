@@ -81,6 +81,7 @@ signals:
     void nudged(QPoint by);            // arrow keys: 1, with Shift 10
     void hovered(std::optional<QPoint> pixel);
     void zoomChanged(double zoom);
+    void sizeChanged();        // the widget's
     void moved();              // by the user: zoomed, dragged, or fit
     void resized();            // the picture has another size, and nobody has asked for a part of it
     void wiped(double share);  // by its handle

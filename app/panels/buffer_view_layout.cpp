@@ -72,6 +72,8 @@ void BufferView::build() {
     all->addWidget(m_condition);
     all->addWidget(m_compare->bar());
     all->addWidget(m_foot);
+    // Where views change places the canvas may get its size long after the view.
+    connect(m_canvas, &BufferCanvas::sizeChanged, this, &BufferView::placeOverlays);
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_notice->setTextFormat(Qt::RichText);
@@ -91,7 +93,6 @@ void BufferView::setBare(bool bare) {
 void BufferView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     m_compare->bar()->fit(height());
-    placeOverlays();
 }
 
 // What the view waits for, and may be told to give up.

@@ -237,6 +237,24 @@ TEST_F(BufferMarksTest, TurnedOverItFitsTheSamePart) {
     EXPECT_NEAR(part.bottom(), focus.bottom(), 1e-9);
 }
 
+// In a view that gets its size while it is hidden, as in a window that is about to open, the picture has its size later;
+// what stands over it stays at its corners.
+TEST_F(BufferMarksTest, WordsStandAtTheCornersOfAPictureThatGrewUnseen) {
+    document.pick(kOnPolygon2);
+    QLabel* readout = nullptr;
+    for (QLabel* label : view.canvas()->findChildren<QLabel*>())
+        if (label->text().startsWith("x 268")) readout = label;
+    ASSERT_TRUE(readout && readout->isVisible());
+    view.hide();
+    view.resize(400, 300);
+    view.setBare(true);
+    view.resize(900, 700);
+    view.show();
+    QCoreApplication::processEvents();
+    EXPECT_GT(view.canvas()->height(), 500);
+    EXPECT_EQ(readout->geometry().bottom(), view.canvas()->height() - 9);
+}
+
 // The one that marks NaN is on from the start, and stays off once it is off.
 TEST_F(BufferMarksTest, AnOverlayThatWasSwitchedOffStaysOff) {
     EXPECT_EQ(view.state().overlays, std::vector<std::string>{"strange"});
