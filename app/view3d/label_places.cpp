@@ -13,7 +13,7 @@ namespace app {
 namespace {
 
 // Pixels of the design.
-constexpr double kLetterGap = 21, kTipGap = 17, kBeyondTip = 14, kBorder = 16, kBeside = 14, kAbove = 18, kMark = 10;
+constexpr double kLetterGap = 21, kTipGap = 17, kBeyondTip = 14, kBorder = 16, kBeside = 14, kAbove = 20, kMark = 10;
 
 QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
 

@@ -150,14 +150,12 @@ void drawGrid(Layout& l, std::optional<int> column) {
     if (both)
         drawColumns(l, l.x.intensity, l.x.isBeside ? std::vector{l.intensity} : std::vector{l.depth, l.intensity});
     std::string depthName = section.storesDepth ? "depth, nearest on top" : "z_view, nearest on top";
-    const std::string told = !column ? std::string() : l.x.isBeside ? depthAt(l, *column) : numbersAt(l, *column);
-    if (l.x.isBeside) {
-        if (!told.empty()) l.text({l.x.depth.left, l.names - 1.4 * l.u}, Anchor::Start, told, kText);
-    } else {
+    if (!l.x.isBeside && column) {
+        const std::string told = numbersAt(l, *column);
         // The numbers stand in the same line, at its right; they come first where both have no room.
         const double room = l.x.depth.right - l.x.depth.left - textWidth(told, 0.9 * l.u) - l.u;
         if (textWidth(depthName, 0.9 * l.u) * 1.1 >= room) depthName.clear();
-        if (!told.empty()) l.text({l.x.depth.right, l.names}, Anchor::End, told, kText);
+        l.text({l.x.depth.right, l.names}, Anchor::End, told, kText);
     }
     drawRows(l, l.depth, l.x.depth, depthName);
     if (both)
@@ -235,12 +233,18 @@ void drawIntensities(Layout& l, std::optional<int> column) {
         }
         close();
         const std::string words = l.x.isBeside ? intensityAt(l, i, column) : kShadings[i];
-        l.text({x, y}, Anchor::End, words, ink, true);
-        x -= textWidth(words, 0.9 * l.u) + 0.4 * l.u;
+        x -= textWidth(words, 0.9 * l.u);
+        l.text({x, y}, Anchor::Start, words, ink, true);  // beside its sample, whatever the font
+        x -= 0.4 * l.u;
         const double sample = (l.x.isBeside ? 1.4 : 2.4) * l.u;
         l.line({{x - sample, y - 0.3 * l.u}, {x, y - 0.3 * l.u}}, ink, i == 2 ? 2.4 : 1.8, kDashes[i]);
         x -= sample + (l.x.isBeside ? 0.5 : 0.8) * l.u;
     }
+    if (!l.x.isBeside || !column) return;
+    // At its left the depth there, or where that has no room, the column alone.
+    for (const std::string& told : {depthAt(l, *column), fmt::format("x {}", *column)})
+        if (l.x.depth.left + textWidth(told, 0.9 * l.u) <= x)
+            return l.text({l.x.depth.left, y}, Anchor::Start, told, kText);
 }
 
 void markColumn(Layout& l, int pixel, PlotInk ink, double width) {

@@ -168,7 +168,7 @@ TEST(View3dLabels, AnObstacleCoversWhatItLooksLike) {
 }
 
 // Wherever its mark is on a cube or beside it: there is room within 60 pixels for a caption that is 45 wide and 15 high.
-// It may stay nearer and touch it with less than a tenth of itself.
+// It may stay nearer and touch it with less than a fifth of itself.
 TEST(View3dLabels, WordsKeepOffObjects) {
     const app::ViewFrame view = frameOf({400, 300});
     const double unit = view.camera.unitsPerPixel(300);
@@ -181,7 +181,7 @@ TEST(View3dLabels, WordsKeepOffObjects) {
             const auto labels = placeLabels(drawing, view);
             // What stands away from its mark is led there.
             const QRectF box = boxOf(labels.front());
-            EXPECT_LT(covered(*outline, box), 0.1 * box.width() * box.height()) << x << ' ' << z;
+            EXPECT_LT(covered(*outline, box), 0.2 * box.width() * box.height()) << x << ' ' << z;
             const glm::dvec2 mark = labels.front().mark;
             const double away = std::hypot(std::max({box.left() - mark.x, mark.x - box.right(), 0.0}),
                                            std::max({box.top() - mark.y, mark.y - box.bottom(), 0.0}));

@@ -156,6 +156,20 @@ TEST(ScanlinePlot, InALowPlotTheIntensityStandsBesideTheDepth) {
         EXPECT_NEAR(line.points[1].y - line.points[0].y, 85, 1);
     }
     EXPECT_EQ(marks, 2);
+    // In the line above, numbers and legend keep off each other.
+    for (const double width : {660.0, 700.0, 770.0}) {
+        double reached = 0;
+        const PlotDrawing narrow = layOut(ScanlinePlot{&*section, 0, x, std::nullopt}, {width, 170, 18});
+        std::vector<std::pair<double, double>> line;
+        for (const PlotText& text : narrow.texts)
+            if (text.at.y < 25) line.emplace_back(text.at.x, text.at.x + textWidth(text.text, text.size));
+        std::ranges::sort(line);
+        ASSERT_GE(line.size(), 4u) << width;
+        for (const auto& [left, right] : line) {
+            EXPECT_GE(left, reached) << width;
+            reached = right;
+        }
+    }
 }
 
 }  // namespace pipeline
