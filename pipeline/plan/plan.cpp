@@ -57,6 +57,7 @@ std::string difference(const NormalsInputs& a, const NormalsInputs& b) {
 
 std::string difference(const ShadowBufferInputs& a, const ShadowBufferInputs& b) {
     if (a.size != b.size) return "The size of the shadow buffers changed.";
+    if (a.cull != b.cull) return "The setting shadow.cull changed.";
     return firstDifferent(a.casters, b.casters, "Light", "The lights");
 }
 

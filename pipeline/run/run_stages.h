@@ -67,7 +67,7 @@ template <class Real>
 std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBufferInputs& inputs,
                                                                 const TransformOutput<Real>& in, Threads& threads) {
     auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in, std::is_same_v<Real, float>));
-    for (std::vector<LightView<Real>>& samples : out->lights) drawShadows<Real>(in, {}, samples, threads);
+    for (std::vector<LightView<Real>>& samples : out->lights) drawShadows<Real>(in, inputs.cull, {}, samples, threads);
     return out;
 }
 

@@ -56,7 +56,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                    {settings.cull},
                    {settings.normalWeight, bool(needs.vertexNormals), settings.forms.polygonNormal,
                     settings.forms.cornerAngle, settings.forms.unit},
-                   {{}, settings.shadowSize},
+                   {{}, settings.shadowSize, settings.shadowCull},
                    {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene),
                     bool(needs.fragmentCounts), bool(needs.weights)},
                    {settings.shading,

@@ -91,7 +91,7 @@ private:
 };
 
 // What a face of a light sees; drawn: per polygon, whether it takes part; empty: all do.
-inline void drawShadowFace(const TransformOutput<float>& in, std::span<const std::uint8_t> drawn,
+inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, std::span<const std::uint8_t> drawn,
                            LightView<float>& light, std::size_t number, EmptyFace& empty, Threads& threads) {
     const View& face = light.faces[number];
     std::vector<Vec3<float>> positions(in.world.size());
@@ -102,7 +102,7 @@ inline void drawShadowFace(const TransformOutput<float>& in, std::span<const std
         toLightViewInVectors(face, in.world, begin, end, positions);
         snapInVectors(face, positions, begin, end, snapped);
     });
-    const SetUpInputs setUp{*in.topology, face, positions, snapped, {}, {}, drawn};
+    const SetUpInputs setUp{*in.topology, face, positions, snapped, {}, {}, drawn, false, facingFilter(cull, in)};
     TrianglePieces pieces = prepareSetUp(setUp);
     std::shared_ptr<BlockBuffer2D<float>> blocks;
     // Nobody asks for these triangles afterwards: of a large mesh only some of them stand in memory at a time.
@@ -125,10 +125,10 @@ inline void drawShadowFace(const TransformOutput<float>& in, std::span<const std
     light.depth[number] = rowsLater(light.blocks[number]);
 }
 template <class Real>
-void drawShadowFace(const TransformOutput<Real>& in, std::span<const std::uint8_t> drawn, LightView<Real>& light,
-                    std::size_t number, EmptyFace&, Threads& threads) {
+void drawShadowFace(const TransformOutput<Real>& in, ShadowCull cull, std::span<const std::uint8_t> drawn,
+                    LightView<Real>& light, std::size_t number, EmptyFace&, Threads& threads) {
     const View& face = light.faces[number];
-    const TriangleBins<Real> bins = binForLight(in, face, drawn);
+    const TriangleBins<Real> bins = binForLight(in, face, cull, drawn);
     threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile) shadowBuffer(face, bins, tile, *light.depth[number]);
     });
@@ -136,13 +136,13 @@ void drawShadowFace(const TransformOutput<Real>& in, std::span<const std::uint8_
 
 // What all samples and faces of a light see.
 template <class Real>
-void drawShadows(const TransformOutput<Real>& in, std::span<const std::uint8_t> drawn,
+void drawShadows(const TransformOutput<Real>& in, ShadowCull cull, std::span<const std::uint8_t> drawn,
                  std::vector<LightView<Real>>& samples, Threads& threads) {
     EmptyFace empty;
     threads.forRange(samples.size(), kSampleGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             for (std::size_t face = 0; face < samples[i].faces.size() && !threads.stopped(); ++face)
-                drawShadowFace(in, drawn, samples[i], face, empty, threads);
+                drawShadowFace(in, cull, drawn, samples[i], face, empty, threads);
     });
 }
 

@@ -58,6 +58,12 @@ enum class Visibility : std::uint8_t { ZBuffer, Painter, None };
 //   Exact     by depth, at every pixel
 //   Polygons  by the mean depth of the polygons, the farthest first
 enum class Translucency : std::uint8_t { Exact, Polygons };
+// Which triangles shadow buffers leave out, by the way they face the light.
+//   None   none of them
+//   Back   those that face away: of a closed object the others hide them
+//   Front  those that face it: what is lit is compared with the far side of its object, and cannot shadow itself
+// Y. Wang and S. Molnar, "Second-depth shadow mapping", University of North Carolina, TR94-019, 1994.
+enum class ShadowCull : std::uint8_t { None, Back, Front };
 enum class ShadowBias : std::uint8_t { Automatic, Constant, Slope };
 
 // How a scene is rendered. Every member has a row in settings_table.cpp.
@@ -80,6 +86,7 @@ struct Settings {
     DepthFormat depthFormat = DepthFormat::Linear;
     Translucency translucency = Translucency::Exact;
     int shadowSize = 1024;  // texels along a side of a shadow buffer
+    ShadowCull shadowCull = ShadowCull::None;
     ShadowBias shadowBias = ShadowBias::Automatic;
     double shadowBiasValue = 0;  // Constant: world units; Slope: factor of the closed-form bias
     int shadowFilter = 0;        // percentage-closer filtering over (2r+1)^2 texels

@@ -30,6 +30,7 @@ inline constexpr std::array<std::string_view, 2> kCameraBasisForm{"angles", "cro
 inline constexpr std::array<std::string_view, 2> kCornerAngleForm{"atan2", "acos"};
 inline constexpr std::array<std::string_view, 3> kVisibility{"z-buffer", "painter", "none"};
 inline constexpr std::array<std::string_view, 2> kTranslucency{"exact", "polygons"};
+inline constexpr std::array<std::string_view, 3> kShadowCull{"none", "back", "front"};
 inline constexpr std::array<std::string_view, 3> kShadowBias{"automatic", "constant", "slope"};
 inline constexpr std::array<std::string_view, 2> kCameraKind{"spherical", "look-at"};
 inline constexpr std::array<std::string_view, 2> kProjection{"perspective", "orthographic"};

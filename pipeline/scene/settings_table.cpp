@@ -161,6 +161,11 @@ constexpr auto kSceneTable = std::to_array<Setting>({
 
     row<OfShadow, &S::shadowSize>({"shadow.size", "Shadow buffer", "texels", "Texels along a side of a shadow buffer."},
                                   {1, 8192, 16, 4096}, {}, onlyShadow),
+    choice<OfShadow, &S::shadowCull>(
+        {"shadow.cull", "Cull in shadow buffer", "",
+         "Which polygons a shadow buffer leaves out: none, those that face away from the light, or those that face "
+         "it."},
+        kShadowCull, onlyShadow),
     choice<OfShadow, &S::shadowBias>(
         {"shadow.bias", "Bias", "",
          "What is added to Z' before the comparison: chosen per texel, constant, or by the polygon's slope."},

@@ -105,6 +105,17 @@ HWY_INLINE Floats inverseOf(Ints area) {
 
 HWY_INLINE Ints pick(Mask mask, Ints yes, Ints no) { return hn::IfThenElse(hn::RebindMask(I(), mask), yes, no); }
 
+// Bit i: whether triangle i's object is turned inside out.
+HWY_INLINE std::uint32_t mirroredOf(const SetUpInputs& in, const Triangle* triangles, std::uint32_t live) {
+    if (in.facing.mirrored.empty()) return 0;
+    std::uint32_t mirrored = 0;
+    for (std::uint32_t left = live; left != 0; left &= left - 1) {
+        const int l = std::countr_zero(left);
+        mirrored |= std::uint32_t(in.facing.isMirrored(in.topology.polygonObject[triangles[l].polygon])) << l;
+    }
+    return mirrored;
+}
+
 // The triangles in `live`, set up; gives those that are small, and in `others` those that are set up one by one. first:
 // the index of the first in Topology::triangles.
 HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* triangles, std::size_t firstId,
@@ -154,12 +165,16 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
     };
     const Ints area = area2(0, 1, 2);
     const auto seen = hn::And(hn::Ne(area, hn::Zero(whole)), hn::And(hn::Lt(minX, maxX), hn::Lt(minY, maxY)));
-    const std::uint32_t drawn = bitsOf(asFloats(seen)) & small;
+    const Mask turned = asFloats(hn::Lt(area, hn::Zero(whole)));
+    std::uint32_t drawn = bitsOf(asFloats(seen)) & small;
+    if (in.facing.cull != ShadowCull::None) {  // FacingFilter::keeps
+        const std::uint32_t faces = bitsOf(turned) ^ mirroredOf(in, triangles, drawn);
+        drawn &= in.facing.cull == ShadowCull::Back ? faces : ~faces;
+    }
     if (drawn == 0) return 0;
 
     Floats w[3];
     for (int i = 0; i < 3; ++i) w[i] = hn::GatherIndex(F(), from.w.data(), v[i]);
-    const Mask turned = asFloats(hn::Lt(area, hn::Zero(whole)));
     const auto turn = [&](auto& values, auto choose) HWY_ATTR {
         const auto one_ = values[1];
         values[1] = choose(turned, values[2], values[1]), values[2] = choose(turned, one_, values[2]);
@@ -237,6 +252,7 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
     Binner binner(all, out);
     out.small.reserve((end - begin) / 2);  // of a closed object, half face away
     Fields fields{};
+    std::vector<RasterTriangle<float>> parts;  // of one that is clipped
     for (std::size_t base = begin; base < end; base += lanes) {
         const std::size_t count = std::min(lanes, end - base);
         const std::uint32_t live = liveOf(in, &triangles[base], count, out);
@@ -254,9 +270,12 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
                 const bool whole =
                     !in.clipAll && ((in.vertices.planes[v[0]] | in.vertices.planes[v[1]] | in.vertices.planes[v[2]]) &
                                     SnappedVertices::kCut) == 0;
-                setUpTriangle<float>(
+                parts.clear();
+                const std::int64_t area2 = setUpTriangle<float>(
                     in.view, {in.positions[v[0]], in.positions[v[1]], in.positions[v[2]]}, id,
-                    [&](const RasterTriangle<float>& triangle) { binner.addOther(triangle); }, whole);
+                    [&](const RasterTriangle<float>& part) { parts.push_back(part); }, whole);
+                if (!in.facing.keeps(area2, in.topology.polygonObject[triangles[id].polygon])) continue;
+                for (const RasterTriangle<float>& part : parts) binner.addOther(part);
                 continue;
             }
             const auto index = std::uint32_t(out.small.size());

@@ -78,6 +78,7 @@ struct SetUpInputs {
     std::span<const std::uint8_t> inside{};  // per polygon, for the counts alone
     std::span<const std::uint8_t> drawn{};   // per polygon, whether this pass draws it; empty: all
     bool clipAll = false;                    // also those that need no clipping go through the clipper
+    FacingFilter facing{};
 };
 
 TrianglePieces prepareSetUp(const SetUpInputs& inputs);

@@ -1,11 +1,13 @@
 #include "pipeline/stages/bin.h"
 
+#include <algorithm>
+
 namespace pipeline {
 
 template <class Real>
 TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> positions,
                                 std::span<const Verdict> verdicts, std::span<const std::uint8_t> inside,
-                                std::span<const std::uint8_t> drawn) {
+                                std::span<const std::uint8_t> drawn, const FacingFilter& facing) {
     TriangleBins<Real> out;
     out.size = view.size;
     out.tiles = (view.size + kTileSize - 1) / kTileSize;
@@ -20,6 +22,7 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
             for (int x = low.x / kTileSize; x <= (high.x - 1) / kTileSize; ++x)
                 out.bins[std::size_t(y) * std::size_t(out.tiles.x) + std::size_t(x)].push_back(index);
     };
+    std::vector<RasterTriangle<Real>> parts;  // of one that is clipped
     for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
         const Triangle& triangle = topology.triangles[t];
         if (!verdicts.empty() && !goesOn(verdicts[triangle.polygon])) continue;
@@ -27,8 +30,11 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
         const auto& v = triangle.vertices;
         const bool whole = !inside.empty() && inside[triangle.polygon] != 0;
         ++(whole ? out.unclipped : out.clipped);
-        setUpTriangle<Real>(view, {positions[v[0]], positions[v[1]], positions[v[2]]}, std::uint32_t(t), addToBins,
-                            whole);
+        parts.clear();
+        const std::int64_t area2 = setUpTriangle<Real>(
+            view, {positions[v[0]], positions[v[1]], positions[v[2]]}, std::uint32_t(t),
+            [&](const RasterTriangle<Real>& part) { parts.push_back(part); }, whole);
+        if (facing.keeps(area2, topology.polygonObject[triangle.polygon])) std::ranges::for_each(parts, addToBins);
     }
     return out;
 }
@@ -36,7 +42,7 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
 #define SHADESCOPE_INSTANTIATE(Real)                                                                    \
     template TriangleBins<Real> binTriangles(const Topology&, const View&, std::span<const Vec3<Real>>, \
                                              std::span<const Verdict>, std::span<const std::uint8_t>,   \
-                                             std::span<const std::uint8_t>);
+                                             std::span<const std::uint8_t>, const FacingFilter&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

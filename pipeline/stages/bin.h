@@ -22,12 +22,25 @@ struct TriangleBins {
     Tile tile(std::size_t i) const { return tileOf(size, i); }
 };
 
+// Which triangles take part, by the way they face the view.
+struct FacingFilter {
+    ShadowCull cull = ShadowCull::None;
+    std::span<const std::uint8_t> mirrored{};  // per object, whether it is turned inside out; empty: none is
+
+    bool isMirrored(std::size_t object) const { return !mirrored.empty() && mirrored[object] != 0; }
+    // signedArea2: of setUpTriangle.
+    bool keeps(std::int64_t signedArea2, std::size_t object) const {
+        const bool faces = (signedArea2 > 0) != isMirrored(object);
+        return cull == ShadowCull::None || faces == (cull == ShadowCull::Back);
+    }
+};
+
 // positions: per vertex, in the view's space. verdicts: per polygon, or empty when all go on.
 // inside: per polygon, whether it is known to need no clipping; empty when all are sent through it.
 // drawn: per polygon, whether this pass draws it; empty when it draws all.
 template <class Real>
 TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> positions,
                                 std::span<const Verdict> verdicts, std::span<const std::uint8_t> inside = {},
-                                std::span<const std::uint8_t> drawn = {});
+                                std::span<const std::uint8_t> drawn = {}, const FacingFilter& facing = {});
 
 }  // namespace pipeline

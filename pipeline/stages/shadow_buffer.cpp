@@ -1,5 +1,6 @@
 #include "pipeline/stages/shadow_buffer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -113,10 +114,17 @@ ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, c
 }
 
 template <class Real>
-TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face, std::span<const std::uint8_t> drawn) {
+FacingFilter facingFilter(ShadowCull cull, const TransformOutput<Real>& in) {
+    const bool mirrors = std::ranges::any_of(in.mirrored, [](std::uint8_t mirrored) { return mirrored != 0; });
+    return {cull, mirrors ? std::span<const std::uint8_t>(in.mirrored) : std::span<const std::uint8_t>()};
+}
+
+template <class Real>
+TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face, ShadowCull cull,
+                               std::span<const std::uint8_t> drawn) {
     std::vector<Vec3<Real>> positions(in.world.size());
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = toLightView(face, in.world[i]);
-    return binTriangles<Real>(*in.topology, face, positions, {}, {}, drawn);
+    return binTriangles<Real>(*in.topology, face, positions, {}, {}, drawn, facingFilter(cull, in));
 }
 
 template <class Real>
@@ -131,12 +139,14 @@ void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t 
     }
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                                   \
-    template Vec3<Real> toLightView(const View&, Vec3<Real>);                                                          \
-    template std::size_t faceOf(const LightView<Real>&, Vec3<Real>);                                                   \
-    template ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs&, const TransformOutput<Real>&,     \
-                                                          bool);                                                       \
-    template TriangleBins<Real> binForLight(const TransformOutput<Real>&, const View&, std::span<const std::uint8_t>); \
+#define SHADESCOPE_INSTANTIATE(Real)                                                                               \
+    template Vec3<Real> toLightView(const View&, Vec3<Real>);                                                      \
+    template std::size_t faceOf(const LightView<Real>&, Vec3<Real>);                                               \
+    template ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs&, const TransformOutput<Real>&, \
+                                                          bool);                                                   \
+    template FacingFilter facingFilter(ShadowCull, const TransformOutput<Real>&);                                  \
+    template TriangleBins<Real> binForLight(const TransformOutput<Real>&, const View&, ShadowCull,                 \
+                                            std::span<const std::uint8_t>);                                        \
     template void shadowBuffer(const View&, const TriangleBins<Real>&, std::size_t, Buffer2D<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

@@ -21,6 +21,7 @@ struct ShadowBufferInputs {
     };
     std::vector<Caster> casters;
     int size;  // texels along a side
+    ShadowCull cull = ShadowCull::None;
     bool operator==(const ShadowBufferInputs&) const = default;
 };
 
@@ -50,9 +51,13 @@ template <class Real>
 ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in,
                                              bool empty = false);
 
-// The scene's triangles as one face of a light sees them, whichever way they face; drawn: as in binTriangles.
+// What is left out of a shadow buffer of these objects.
 template <class Real>
-TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face,
+FacingFilter facingFilter(ShadowCull cull, const TransformOutput<Real>& in);
+
+// The scene's triangles as one face of a light sees them; drawn: as in binTriangles.
+template <class Real>
+TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face, ShadowCull cull = ShadowCull::None,
                                std::span<const std::uint8_t> drawn = {});
 
 // Draws the triangles of tile `tile` of `bins` into the depth of that face.

@@ -70,7 +70,7 @@ ShadowBufferOutput<Real> shadowBuffersSoFar(const FrameData<Real>& data, std::si
     if (polygons == 0 || over) return out;
     std::vector<std::uint8_t> drawn(in.topology->polygonCount(), 0);
     std::fill_n(drawn.begin(), polygons, std::uint8_t(1));
-    drawShadows<Real>(in, drawn, out.lights[light], threads);
+    drawShadows<Real>(in, inputs.cull, drawn, out.lights[light], threads);
     return out;
 }
 

@@ -96,6 +96,7 @@ Scene smallScene(unsigned seed) {
     scene.settings.shadowFilter = int(random() % 2);
     scene.settings.shadowBias = ShadowBias(random() % 3);
     scene.settings.shadowBiasValue = between(random, 0, 0.5);
+    scene.settings.shadowCull = ShadowCull(seed % 3);
     scene.settings.localViewer = coin(random);
     const auto few = [](double v) { return std::round(v * 0x1p20) / 0x1p20; };
     for (Object& object : scene.objects) {
@@ -193,6 +194,7 @@ Scene strangeScene(unsigned seed) {
     scene.settings.exponentFactor = std::array{0.0, 1.0, 1000.0}[random() % 3];
     scene.settings.shadowBias = ShadowBias(random() % 3);
     scene.settings.shadowBiasValue = strangeNumber(random, 1e9);
+    scene.settings.shadowCull = ShadowCull(seed % 3);
     if (random() % 8 == 0) scene.settings.shadowSize = 1;
     if (random() % 8 == 0) scene.settings.width = scene.settings.height = 1;
     if (random() % 8 == 0) scene.lights.clear();
@@ -205,7 +207,7 @@ Scene strangeScene(unsigned seed) {
 void changeSomething(Scene& scene, std::mt19937& random) {
     Settings& settings = scene.settings;
     Object& object = scene.objects[random() % scene.objects.size()];
-    switch (random() % 27) {
+    switch (random() % 28) {
         case 0: object.material = randomMaterial(random); break;
         case 1: object.transform.translation = inBox(random, 2); break;
         case 2: object.transform.scale.z = -object.transform.scale.z; break;
@@ -237,6 +239,7 @@ void changeSomething(Scene& scene, std::mt19937& random) {
         case 20: settings.translucency = Translucency(random() % 2); break;
         case 21: settings.interpolation = Interpolation(random() % 3); break;
         case 23: settings.forms = randomForms(random); break;
+        case 27: settings.shadowCull = ShadowCull(random() % 3); break;
         case 24: settings.subPixelBits = 1 + int(random() % 16); break;
         case 25:
             settings.antialiasing = 1 + int(random() % 2), settings.antialiasingPattern = SamplePattern(random() % 4);

@@ -32,6 +32,46 @@ TEST(ShadowBuffer, HoldsTheDistanceOfTheClosestSurface) {
     EXPECT_TRUE(std::isinf(z.value(0, 0)));  // the border of a texel around everything
 }
 
+// A box 2 high, lit from above: its top stands at z' = 0, its bottom at 2; the sides have no area there. So it is for a
+// box that is mirrored, whose polygons run the other way round.
+TEST(ShadowBuffer, LeavesOutWhatFacesTheLightOrAway) {
+    for (const double mirror : {1.0, -1.0}) {
+        Scene scene = withLight(LightKind::AtInfinity, {0, 0, 1});
+        scene.objects.push_back({"box", test::box({-1, -1, -1}, {1, 1, 1}), {}, {}});
+        scene.objects[0].transform.scale.x = mirror;
+        const auto depth = [&](ShadowCull cull) {
+            scene.settings.shadowCull = cull;
+            return test::frameOf(scene)->buffer({BufferId::ShadowBuffer, 0})->value(32, 32);
+        };
+        EXPECT_EQ(depth(ShadowCull::None), 0);
+        EXPECT_EQ(depth(ShadowCull::Back), 0);
+        EXPECT_EQ(depth(ShadowCull::Front), 2);
+    }
+}
+
+// Every triangle faces the light or faces away, so that the nearer of what the two modes leave is what all of them have,
+// bit by bit; clipped ones too, for the light stands amid them.
+TEST(ShadowBuffer, OfBothSidesIsTheNearerOfEach) {
+    std::size_t finite = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        Scene scene = test::smallScene(seed);
+        scene.lights = {{seed % 2 ? LightKind::Point : LightKind::AtInfinity, {0.1, 0.2, 0.3}, 1, Vec3d(1), true}};
+        scene.settings.model = Model::Phong, scene.settings.visibility = Visibility::ZBuffer;
+        scene.settings.leaveOut = false;
+        const auto depths = [&](ShadowCull cull) {
+            scene.settings.shadowCull = cull;
+            return *test::frameOf(scene)->buffer({BufferId::ShadowBuffer, 0});
+        };
+        const AnyBuffer all = depths(ShadowCull::None), fronts = depths(ShadowCull::Back),
+                        backs = depths(ShadowCull::Front);
+        for (std::size_t i = 0; i < all.count(); ++i) {
+            ASSERT_EQ(all.flat(i), std::min(fronts.flat(i), backs.flat(i))) << "seed " << seed << ", texel " << i;
+            finite += std::isfinite(all.flat(i));
+        }
+    }
+    EXPECT_GT(finite, 1000u);
+}
+
 // A plate between a point light and a wall that faces it, across the seam of two faces (x = y), and larger than what the wall needs:
 // the wall is in shadow everywhere, also where filtering reaches beyond the seam.
 TEST(ShadowBuffer, FilteringReachesAcrossTheSeamsOfAPointLight) {

@@ -68,7 +68,7 @@ void expectTheSameBits(const Scene& scene) {
     for (const auto& samples : data.shadowBuffer->lights) {
         for (const LightView<float>& light : samples) {
             for (std::size_t face = 0; face < light.faces.size(); ++face) {
-                const TriangleBins<float> seen = binForLight(in, light.faces[face]);
+                const TriangleBins<float> seen = binForLight(in, light.faces[face], data.keys.shadowBuffer.cull);
                 Buffer2D<float> depth(light.faces[face].size, std::numeric_limits<float>::infinity());
                 for (std::size_t tile = 0; tile < seen.bins.size(); ++tile)
                     shadowBuffer(light.faces[face], seen, tile, depth);
@@ -115,16 +115,17 @@ TEST(Vectors, DrawShadowsOfWhatIsTurnedInsideOutToTheSameBits) {
             out.firstCorner.push_back(mesh.firstCorner.back() - *first);
         return makeMesh(std::move(out));
     };
-    for (const LightKind kind : {LightKind::AtInfinity, LightKind::Point}) {
+    for (int i = 0; i < 6; ++i) {
         Scene scene = spheres();
-        scene.lights[0].kind = kind;
-        scene.settings.cull = CullMode::None;
+        scene.lights[0].kind = i % 2 ? LightKind::Point : LightKind::AtInfinity;
+        scene.settings.cull = CullMode::None, scene.settings.shadowCull = ShadowCull(i / 2);
         Object inner = scene.objects[0];
         inner.mesh = turned(*inner.mesh), inner.transform.scale *= 0.9;
         Object plane = scene.objects[0];
         plane.mesh = makeShape({ShapeKind::Plane, 1}), plane.transform.scale = Vec3d(900);
         scene.objects.push_back(inner), scene.objects.push_back(plane);
         scene.objects[1].mesh = turned(*scene.objects[1].mesh);
+        scene.objects[2].transform.scale.x *= -1;
         expectTheSameBits(scene);
     }
 }
