@@ -118,6 +118,7 @@ Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const Mesh> m
     settings.arithmetic = arithmetic;
     settings.shading = part == Part::Depth ? Shading::Flat : Shading::Phong;
     settings.shadowSize = workload.shadowSize;
+    settings.shadowCull = ShadowCull::Back;  // as OpenGL culls in both of its passes
     // One sphere throws no shadow on itself that its own sides do not show, which the plan knows and OpenGL does not.
     settings.rules[index(Rule::ConvexShadow)] = false;
     settings.rules[index(Rule::DistantShadow)] = false;
