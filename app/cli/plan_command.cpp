@@ -79,8 +79,8 @@ void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const W
     if (frame) printCounts(*frame);
 }
 
-void printJson(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted,
-               const pipeline::Frame* frame) {
+void printPlanAsJson(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted,
+                     const pipeline::Frame* frame) {
     pipeline::Json left = pipeline::Json::array();
     for (const auto& [buffer, why] : buffersLeftOut(scene, wanted)) left.push_back({{"name", buffer}, {"why", why}});
     pipeline::Json json{{"scene", sceneToJson(scene)},
@@ -106,7 +106,8 @@ int runPlan(const PlanOptions& options) {
         return kWrongUsage;
     }
     if (!options.counts) {
-        (options.json ? printJson : printPlan)(*scene, makePlan(*scene, wanted->request, nullptr), *wanted, nullptr);
+        (options.json ? printPlanAsJson : printPlan)(*scene, makePlan(*scene, wanted->request, nullptr), *wanted,
+                                                     nullptr);
         return kDone;
     }
     const Interrupt interrupt;
@@ -117,7 +118,7 @@ int runPlan(const PlanOptions& options) {
         fmt::print(stderr, "Cancelled.\n");
         return kInterrupted;
     }
-    (options.json ? printJson : printPlan)(*scene, frame->plan(), *wanted, frame.get());
+    (options.json ? printPlanAsJson : printPlan)(*scene, frame->plan(), *wanted, frame.get());
     return kDone;
 }
 
