@@ -91,15 +91,16 @@ void placeAxes(Layout& l, const PlotSize& size) {
     l.intensity = {shares ? middle + gap / 2 : top, bottom, most > 0 ? 1.05 * most : 1, 0};
 }
 
-// The depth at a column of pixels.
-std::string depthAt(const Layout& l, int pixel) {
+// The depth at a column of pixels, where there is room for it with its polygon.
+std::string depthAt(const Layout& l, int pixel, bool named = true) {
     std::string words = fmt::format("x {}", pixel);
     const auto winner = l.section().winnerAt(pixel);
     if (!winner) return words + ":  nothing drawn";
     for (const ScanlineRun& run : l.section().runs)
         for (const ScanlineRun::Sample& sample : run.samples)
             if (run.polygon == *winner && sample.x == pixel && sample.stays)
-                words += fmt::format(":  polygon {} at {:.7g}", *winner, sample.depth);
+                words += named ? fmt::format(":  polygon {} at {:.7g}", *winner, sample.depth)
+                               : fmt::format(":  {:.7g}", sample.depth);
     return words;
 }
 
@@ -241,8 +242,8 @@ void drawIntensities(Layout& l, std::optional<int> column) {
         x -= sample + (l.x.isBeside ? 0.5 : 0.8) * l.u;
     }
     if (!l.x.isBeside || !column) return;
-    // At its left the depth there, or where that has no room, the column alone.
-    for (const std::string& told : {depthAt(l, *column), fmt::format("x {}", *column)})
+    // At its left the depth there, with as many words as there is room for.
+    for (const std::string& told : {depthAt(l, *column), depthAt(l, *column, false), fmt::format("x {}", *column)})
         if (l.x.depth.left + textWidth(told, 0.9 * l.u) <= x)
             return l.text({l.x.depth.left, y}, Anchor::Start, told, kText);
 }
