@@ -16,6 +16,7 @@
 #include "app/desktop/opening_bar.h"
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/view_area.h"
+#include "app/desktop/work_bar.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"
 
@@ -24,6 +25,7 @@ namespace {
 
 constexpr int kKeyMs = 1200, kCursorMs = 2000;
 constexpr int kFailedMs = 4000;
+constexpr int kMomentMs = 1000;
 
 }  // namespace
 
@@ -43,14 +45,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     column->addWidget(makeEquation());
     m_caption = new CaptionLine(this);
     column->addWidget(m_caption);
-    m_opening = new QFrame(this);
-    m_opening->setProperty("kind", "overlay");
-    auto* reading = new OpeningBar(opener, m_opening);
-    auto* frame = new QHBoxLayout(m_opening);
-    frame->addWidget(reading);
-    connect(reading, &OpeningBar::cancelAsked, this, &CleanView::cancelAsked);
-    connect(&opener, &SceneOpener::changed, this, &CleanView::placeOpening);
-    placeOpening();
+    makeWork();
     m_pen = new PenLayer(this);
     m_keyTime.setSingleShot(true);
     connect(&m_keyTime, &QTimer::timeout, this, [this] { m_caption->setKey({}); });
@@ -89,6 +84,21 @@ CleanView::~CleanView() {
     qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
 }
 
+void CleanView::makeWork() {
+    m_work = new QFrame(this);
+    m_work->setProperty("kind", "overlay");
+    auto* reading = new OpeningBar(m_opener, m_work);
+    auto* lines = new QVBoxLayout(m_work);
+    lines->addWidget(reading);
+    lines->addWidget(new WorkBar(m_document.work(), m_work));
+    m_workTime.setSingleShot(true);
+    m_workTime.setInterval(kMomentMs);
+    connect(reading, &OpeningBar::cancelAsked, this, &CleanView::cancelAsked);
+    connect(&m_opener, &SceneOpener::changed, this, &CleanView::placeWork);
+    connect(&m_document.work(), &WorkList::changed, this, &CleanView::placeWork);
+    placeWork();
+}
+
 QWidget* CleanView::makeEquation() {
     m_equationRow = new QWidget(this);
     auto* columns = new QHBoxLayout(m_equationRow);
@@ -116,11 +126,28 @@ void CleanView::applyTheme() {
 }
 
 // Above the caption, at the right: the views stay as they are.
-void CleanView::placeOpening() {
-    m_opening->setVisible(m_opener.busy());
-    m_opening->adjustSize();
+void CleanView::placeWork() {
+    const WorkList& work = m_document.work();
+    const bool runs = m_opener.busy() || !work.running().isEmpty();
+    if (std::exchange(m_works, runs) && !runs) m_workTime.start();
+    m_work->setVisible(runs || !work.stopped().isEmpty());
+    m_work->adjustSize();
     const int margin = Theme::current().px(19);
-    m_opening->move(width() - m_opening->width() - margin, m_caption->y() - m_opening->height() - margin / 2);
+    m_work->move(width() - m_work->width() - margin, m_caption->y() - m_work->height() - margin / 2);
+}
+
+// Whether there was work on show to stop.
+bool CleanView::stopWork() {
+    WorkList& work = m_document.work();
+    if (m_opener.busy())
+        emit cancelAsked();
+    else if (m_pen->cover() != PenLayer::Cover::None)
+        return false;
+    else if (work.running().isEmpty())
+        return false;
+    else
+        work.cancel();
+    return true;
 }
 
 pipeline::Errors CleanView::lookAt(const WindowState& state) { return m_views->lookAt(state); }
@@ -179,10 +206,7 @@ bool CleanView::takeKey(int key) {
         case Qt::Key_2: m_views->setAlone(false); break;
         case Qt::Key_F4: emit swapAsked(); break;
         case Qt::Key_Escape:
-            if (m_opener.busy()) {
-                emit cancelAsked();
-                break;
-            }
+            if (stopWork()) break;
             if (m_pen->cover() != Cover::None || m_pen->hasPen() || m_pen->hasSpotlight() || m_pen->hasLines()) {
                 m_pen->setCover(Cover::None);
                 m_pen->setPen(false);
@@ -190,7 +214,7 @@ bool CleanView::takeKey(int key) {
                 m_pen->clearLines();
                 break;
             }
-            emit left();
+            if (!m_workTime.isActive()) emit left();  // pressed for work that has just ended it does not end the talk
             break;
         default: return false;
     }
@@ -242,7 +266,7 @@ bool CleanView::eventFilter(QObject* watched, QEvent* event) {
 
 void CleanView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    placeOpening();
+    placeWork();
     m_pen->setGeometry(rect());
     m_pen->raise();
 }

@@ -19,7 +19,7 @@ class ViewArea;
 
 // What an audience sees: the views as the window has them, the equation of the picked pixel, and a line of words; nothing
 // else. It shows the document, as the window does. Keys: B black, W white, P pen, O spotlight, 1 the active view alone, 2
-// all views, Esc takes back what covers the views, then leaves.
+// all views, Esc stops what takes long, takes back what covers the views, then leaves.
 class CleanView : public QWidget {
     Q_OBJECT
 public:
@@ -48,12 +48,14 @@ protected:
 
 private:
     QWidget* makeEquation();
+    void makeWork();
     void showEquation();
     void showCaption();
     void showKey(const QKeyEvent& key);
     void wakeCursor();
     void applyTheme();
-    void placeOpening();
+    void placeWork();
+    bool stopWork();
 
     Document& m_document;
     CueModel& m_cues;
@@ -63,9 +65,11 @@ private:
     QLabel *m_swatch, *m_value;
     CaptionLine* m_caption;
     const SceneOpener& m_opener;
-    QFrame* m_opening;  // over the views, while the next scene is being read
+    QFrame* m_work;  // over the views, while the next scene is being read, and what takes long
     PenLayer* m_pen;
     QTimer m_keyTime, m_cursorTime;
+    QTimer m_workTime;  // runs for a moment after work was on show
+    bool m_works = false;
     bool m_cursorHidden = false;
 };
 

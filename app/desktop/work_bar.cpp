@@ -15,6 +15,7 @@ WorkBar::WorkBar(WorkList& work, QWidget* parent) : ProgressLine(parent), m_work
     connect(link(), &QPushButton::clicked, this,
             [this] { m_work.running().isEmpty() ? m_work.resume() : m_work.cancel(); });
     connect(&work, &WorkList::changed, this, &WorkBar::showWork);
+    showWork();
 }
 
 void WorkBar::showWork() {

@@ -143,6 +143,41 @@ TEST_F(WindowOpening, WhilePresentingTheAudienceSeesHowFarAndEscapeCancelsThat) 
     window.presentation().end();
 }
 
+TEST_F(WindowOpening, WhilePresentingEscapeStopsWhatTakesLongAndDoesNotEndTheTalkByMistake) {
+    openPyramid();
+    window.present();
+    CleanView& clean = *window.presentation().cleanView();
+    auto* line = clean.findChild<WorkBar*>("workBar");
+    auto* link = line->findChild<QPushButton*>("workLink");
+    QTest::qWait(400);
+    const auto isQuiet = [&] { return !line->isVisible() && clean.views().view3d().view().isDrawn(); };
+    ASSERT_TRUE(QTest::qWaitFor(isQuiet, 20000));
+    WorkList& list = document().work();
+    QObject who;
+    list.add(
+        &who, "a test", [&] { list.setBusy(&who, false); }, [&] { list.setBusy(&who, true); });
+    list.setBusy(&who, true);
+    const auto runs = [&] { return line->isVisible() && link->text().startsWith("Cancel"); };
+    ASSERT_TRUE(QTest::qWaitFor(runs, 5000));
+    EXPECT_TRUE(clean.rect().contains(line->geometry().translated(line->parentWidget()->pos())));
+    const auto talksOnAfterEscape = [&] {
+        clean.takeKey(Qt::Key_Escape);
+        QTest::qWait(50);
+        return window.presentation().isOn();
+    };
+    EXPECT_TRUE(talksOnAfterEscape());
+    EXPECT_EQ(list.stopped(), QStringList("a test"));
+    EXPECT_EQ(link->text(), "Go on");
+    EXPECT_TRUE(talksOnAfterEscape()) << "pressed twice";
+    link->click();
+    ASSERT_TRUE(QTest::qWaitFor(runs, 5000));
+    list.setBusy(&who, false);
+    EXPECT_FALSE(line->isVisible());
+    EXPECT_TRUE(talksOnAfterEscape()) << "meant for what has just ended";
+    QTest::qWait(1100);
+    EXPECT_FALSE(talksOnAfterEscape());
+}
+
 TEST_F(WindowOpening, AnotherFileReplacesTheOneThatIsBeingRead) {
     openPyramid();
     beSlow();
