@@ -13,6 +13,8 @@ void OtherFrame::request(const std::shared_ptr<const pipeline::Scene>& scene, pi
     if (m_scene && *m_scene == *scene && m_wanted == wanted) return;
     m_scene = scene;
     m_wanted = wanted;
+    m_cancelled = false;
+    const bool wasBusy = busy();
     if (!m_worker) {
         const auto deliver = [this](pipeline::FramePtr frame, long ticket) {
             QMetaObject::invokeMethod(
@@ -21,6 +23,7 @@ void OtherFrame::request(const std::shared_ptr<const pipeline::Scene>& scene, pi
                     if (ticket < m_oldestValid) return;
                     m_frame = frame;
                     m_taken = ticket;
+                    if (!busy()) emit busyChanged(false);
                     emit ready();
                 },
                 Qt::QueuedConnection);
@@ -31,13 +34,31 @@ void OtherFrame::request(const std::shared_ptr<const pipeline::Scene>& scene, pi
     m_ticket =
         m_worker->request(scene, {.wanted = wanted, .until = pipeline::StageId::Shading, .threads = 0, .stop = {}},
                           FrameWorker::Running::Finish);
+    if (!wasBusy) emit busyChanged(true);
 }
 
 void OtherFrame::forget() {
     m_scene.reset();
     m_frame.reset();
-    m_taken = m_ticket;
+    m_cancelled = false;
+    giveUp();
+}
+
+void OtherFrame::giveUp() {
     m_oldestValid = m_ticket + 1;
+    if (!busy()) return;
+    m_worker->cancel();
+    m_taken = m_ticket;
+    emit busyChanged(false);
+}
+
+void OtherFrame::cancel() {
+    m_cancelled = m_cancelled || busy();
+    giveUp();
+}
+
+void OtherFrame::retry() {
+    if (m_cancelled) m_scene.reset();
 }
 
 }  // namespace app

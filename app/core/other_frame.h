@@ -17,18 +17,25 @@ public:
     // A request like the last one changes nothing.
     void request(const std::shared_ptr<const pipeline::Scene>& scene, pipeline::BufferSet wanted);
     void forget();  // what has come, and what is on its way
+    void cancel();  // what is on its way, until something else is asked for; what has come stays
+    void retry();   // what was cancelled, when it is asked for next
+    bool wasCancelled() const { return m_cancelled; }
     // The newest that has come; null before the first. It may lag behind the request.
     const pipeline::FramePtr& frame() const { return m_frame; }
     bool busy() const { return m_taken < m_ticket; }
 
 signals:
     void ready();
+    void busyChanged(bool busy);
 
 private:
+    void giveUp();
+
     std::shared_ptr<const pipeline::Scene> m_scene;
     pipeline::BufferSet m_wanted;
     pipeline::FramePtr m_frame;
     long m_ticket = 0, m_taken = 0, m_oldestValid = 0;
+    bool m_cancelled = false;
     std::unique_ptr<FrameWorker> m_worker;
 };
 

@@ -26,6 +26,7 @@ BufferCompare::BufferCompare(Document& document, BufferCanvas* canvas, QWidget* 
         m_share = share;
         m_canvas->setWipe(wipe());
     });
+    observeWork();
     connect(&m_other, &OtherFrame::ready, this, &BufferCompare::changed);
     connect(&m_derived, &DerivedJob::changed, this, &BufferCompare::changed, Qt::QueuedConnection);
     connect(&m_document.derived(), &DerivedBuffers::changed, this, [this](const BufferName& name) {
@@ -123,8 +124,7 @@ std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const A
     m_frameB = isOwn ? frame : m_other.frame();
     if (isDerived) return findDerived(*name, isOwn);
     const auto found = m_frameB ? m_frameB->buffer(*name) : std::nullopt;
-    if (!found)
-        m_why = m_frameB && !m_other.busy() ? toQString(m_frameB->whyAbsent(*name)) : tr("B is being computed.");
+    if (!found) m_why = m_frameB && !m_other.busy() ? toQString(m_frameB->whyAbsent(*name)) : whyNotYet();
     return found;
 }
 
@@ -137,7 +137,7 @@ std::optional<AnyBuffer> BufferCompare::findDerived(const BufferName& name, bool
     }
     if (m_frameB) m_derived.ask(m_frameB, name, derived.recipe());
     if (m_derived.made()) return m_derived.made()->buffer;
-    m_why = m_derived.why().isEmpty() ? tr("B is being computed.") : m_derived.why();
+    m_why = m_derived.why().isEmpty() ? whyNotYet() : m_derived.why();
     return {};
 }
 

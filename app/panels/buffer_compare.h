@@ -54,6 +54,7 @@ public:
     bool busy() const { return m_showing.busy(); }  // the picture of a difference is being made
     void cancel() { m_showing.cancel(); }
     void retry() { m_showing.retry(); }
+    bool waitsForB() const { return m_other.busy() || m_derived.busy(); }
     // What stands behind A's value at a pixel: B's, or nothing.
     QString readout(QPoint pixel) const;
     const std::optional<pipeline::BufferDifference>& found() const { return m_found; }
@@ -65,6 +66,7 @@ signals:
     void stagesChosen();
 
 private:
+    void observeWork();
     std::optional<OtherSource> current() const;  // what is held wins
     std::optional<pipeline::AnyBuffer> findOther(const pipeline::FramePtr& frame, const pipeline::AnyBuffer& a);
     // Null where none is to be seen, or none has come yet.
@@ -73,6 +75,7 @@ private:
     std::optional<pipeline::AnyBuffer> findDerived(const pipeline::BufferName& name, bool isOwn);
     Wipe wipe() const;
     void tell();
+    QString whyNotYet() const;
     void chooseFile();
 
     Document& m_document;

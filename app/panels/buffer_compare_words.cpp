@@ -1,9 +1,34 @@
-// What a comparison says.
+// What a comparison says, and what may be given up of it.
 #include "app/panels/buffer_compare.h"
 
 namespace app {
 
 using pipeline::Domain;
+
+void BufferCompare::observeWork() {
+    WorkList& work = m_document.work();
+    const auto tellWork = [this, &work] {
+        work.setBusy(this, waitsForB());
+        emit busyChanged(busy());
+    };
+    work.add(
+        this, tr("the B of a comparison"),
+        [this] {
+            m_other.cancel(), m_derived.cancel();
+            QMetaObject::invokeMethod(this, &BufferCompare::changed, Qt::QueuedConnection);
+        },
+        [this] {
+            m_other.retry(), m_derived.retry();
+            emit changed();
+        });
+    connect(&m_other, &OtherFrame::busyChanged, this, tellWork);
+    connect(&m_derived, &DerivedJob::changed, this, tellWork);
+    connect(this, &BufferCompare::changed, this, tellWork);
+}
+
+QString BufferCompare::whyNotYet() const {
+    return m_other.wasCancelled() ? tr("B was stopped.") : tr("B is being computed.");
+}
 
 void BufferCompare::tell() {
     const bool isOnItsWay = !m_found && m_why.isEmpty();
@@ -16,6 +41,7 @@ void BufferCompare::tell() {
                                                         : CompareBar::Offer::Nothing);
     QString sentence = m_found ? findingText(*m_found) : isOnItsWay ? waits : m_why;
     if (m_found && m_frameB == m_other.frame() && m_other.busy()) sentence += tr(" (B follows)");
+    if (m_found && m_other.wasCancelled() && m_frameB == m_other.frame()) sentence += tr(" (B is of before)");
     QString whyNoWorst;
     if (!m_found)
         whyNoWorst = isOnItsWay ? waits : m_why;

@@ -101,8 +101,8 @@ void BufferView::observeWork() {
     const auto tell = [this, &work] {
         const bool busy = m_showing.busy() || m_compare->busy() || m_canvas->isPainting() || m_marking.busy();
         work.setBusy(this, busy);
-        m_working->setWorking(m_document.busy() || busy);
-        m_working->setStopped(work.isStopped(this) || work.isStopped(&m_document));
+        m_working->setWorking(m_document.busy() || busy || m_compare->waitsForB());
+        m_working->setStopped(work.isStopped(this) || work.isStopped(m_compare) || work.isStopped(&m_document));
     };
     work.add(
         this, tr("a buffer's picture"),

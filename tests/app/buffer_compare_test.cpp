@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
+#include <algorithm>
 #include <cmath>
 
 #include "app/core/luminance.h"
@@ -66,6 +68,26 @@ struct BufferCompareTest : testing::Test {
 constexpr double kPhong = double(pipeline::Shading::Phong);
 
 }  // namespace
+
+TEST_F(BufferCompareTest, TheFrameOfBIsGivenUpAndGoneOnWith) {
+    compare.compareWith(setting("shading", kPhong));
+    ASSERT_TRUE(compare.waitsForB());
+    document.work().cancel();
+    EXPECT_TRUE(document.work().stopped().contains("the B of a comparison"));
+    EXPECT_FALSE(compare.waitsForB());
+    QTest::qWait(300);
+    EXPECT_FALSE(compare.otherFrame());
+    const auto said = compare.bar()->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(said, [](const QLabel* label) { return label->text() == "B was stopped."; }));
+    document.work().resume();
+    EXPECT_TRUE(found());
+    EXPECT_TRUE(document.work().stopped().isEmpty());
+    // Another B is asked for anew.
+    compare.compareWith(setting("camera.fov", 50));
+    document.work().cancel();
+    compareWith(setting("shading", kPhong));
+    EXPECT_TRUE(document.work().stopped().isEmpty());
+}
 
 TEST_F(BufferCompareTest, AnotherPipelineDiffersByWhatTwoFramesDiffer) {
     compareWith(setting("shading", kPhong));
