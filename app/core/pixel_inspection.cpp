@@ -32,15 +32,15 @@ void PixelInspection::ask() {
     if (frame == m_askedFrame && *pixel == m_askedPixel) return;
     m_askedFrame = frame;
     m_askedPixel = *pixel;
-    const auto inspect = [frame, pixel = *pixel] {
-        return std::make_shared<const InspectedPixel>(InspectedPixel{frame, inspectPixel(*frame, pixel)});
+    const auto inspect = [frame, pixel = *pixel](const std::stop_token& stop) {
+        return std::make_shared<const InspectedPixel>(InspectedPixel{frame, inspectPixel(*frame, pixel, stop)});
     };
     if (!isLarge(*frame)) {
         m_job.forget();
-        return take(inspect());
+        return take(inspect({}));
     }
     // While the pixel follows the pointer what is under way may finish: it is better than none until the hand rests.
-    m_job.ask([inspect](const BackgroundJob::Control&) { return inspect(); },
+    m_job.ask([inspect](const BackgroundJob::Control& control) { return inspect(control.stop); },
               [this](const std::shared_ptr<const InspectedPixel>& inspected) { take(inspected); },
               BackgroundJob::Running::Finish);
 }

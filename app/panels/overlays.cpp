@@ -170,12 +170,12 @@ QString whyNoOverlay(OverlayId overlay, const pipeline::BufferInfo& info, bool i
     return {};
 }
 
-void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown) {
+void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown, const std::stop_token& stop) {
     const pipeline::BufferInfo& info = *shown.buffer.info;
     CanvasContent& content = shown.content;
     QStringList legend;
     if (!shown.notice.isEmpty()) legend << shown.notice;
-    const auto isOn = [&](OverlayId id) { return overlays[index(id)]; };
+    const auto isOn = [&](OverlayId id) { return overlays[index(id)] && !stop.stop_requested(); };
     const bool mayBeStrange = shown.numbers.nan + shown.numbers.infinite + shown.numbers.negative > 0;
     if (isOn(OverlayId::Strange) && mayBeStrange && !standsOnShapes(info)) {
         const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
@@ -188,7 +188,8 @@ void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown) {
         if (isOn(OverlayId::DepthTest)) legend << depthTest(frame, content.size, content.overlays);
         const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
         if (isOn(OverlayId::Verdict) && verdicts) {
-            content.verdicts = freedAside(std::make_shared<const ShapePicture>(shapePicture(frame, *verdicts, {})));
+            content.verdicts =
+                freedAside(std::make_shared<const ShapePicture>(shapePicture(frame, *verdicts, {}, false, stop)));
             QStringList names;
             for (const LegendEntry& entry : legendOf(frame, *verdicts, {})) names << swatch(entry.color, entry.text);
             legend << names.join(' ');

@@ -30,8 +30,9 @@ QString whyNoOverlays(const pipeline::BufferInfo& info);
 QString whyNoOverlay(OverlayId overlay, const pipeline::BufferInfo& info, bool isFlipped);
 
 // Lays them over a buffer of the frame. What needs a buffer that the frame does not hold yet is left
-// out. The notice then says what the colours stand for.
-void addOverlays(const pipeline::Frame& frame, OverlaySet overlays, ShownBuffer& shown);
+// out. The notice then says what the colours stand for. Incomplete when it is stopped.
+void addOverlays(const pipeline::Frame& frame, OverlaySet overlays, ShownBuffer& shown,
+                 const std::stop_token& stop = {});
 
 // Check marks for all of them; change(id, on) is called for what the user picks.
 template <class Change>

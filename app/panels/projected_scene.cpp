@@ -100,12 +100,13 @@ QPolygonF outlineOf(const pipeline::Topology::Corners& corners, const ProjectedV
 
 }  // namespace
 
-ProjectedPolygons projectPolygons(const pipeline::Frame& frame) {
+ProjectedPolygons projectPolygons(const pipeline::Frame& frame, const std::stop_token& stop) {
     ProjectedVertices vertices = projectVertices(sourceOf(frame));
     ProjectedPolygons projected;
     projected.topology = frame.sharedTopology();
     projected.polygons.reserve(frame.topology().polygonCount());
     forEachInFront(frame.topology(), vertices, [&](std::size_t p, const auto& corners) {
+        if (stop.stop_requested()) return;
         double distance = 0;
         for (std::size_t i = 0; i < corners.size(); ++i) distance += vertices.distances[corners[i]];
         projected.polygons.push_back({std::uint32_t(p), vertices.goesOn(p), distance / double(corners.size())});

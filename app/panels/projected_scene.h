@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include "app/core/selection.h"
@@ -26,8 +27,8 @@ struct ProjectedPolygons {
     std::vector<ProjectedPolygon> polygons;
 };
 
-// The scene's polygons where all their corners stand in front of the eye; in scene order.
-ProjectedPolygons projectPolygons(const pipeline::Frame& frame);
+// The scene's polygons where all their corners stand in front of the eye; in scene order. Incomplete when it is stopped.
+ProjectedPolygons projectPolygons(const pipeline::Frame& frame, const std::stop_token& stop = {});
 
 // The outlines that reach into a part of the picture, found when it is looked at: few of many polygons are ever seen
 // closely. Any thread may ask.

@@ -1,6 +1,8 @@
 #include "app/panels/shape_picture.h"
 
 #include <algorithm>
+#include <functional>
+#include <span>
 
 #include "pipeline/stages/cull.h"
 
@@ -39,10 +41,11 @@ QRectF boxAround(const ShapePicture& picture, const ProjectedPolygon& polygon) {
 }
 
 // Once each, as the polygons come to them.
-void addPoints(const AnyBuffer& buffer, const BufferLook& look, ShapePicture& picture) {
+void addPoints(const AnyBuffer& buffer, const BufferLook& look, const std::stop_token& stop, ShapePicture& picture) {
     const bool isColor = buffer.info->palette == Palette::Color || buffer.info->unit.empty();
     std::vector<bool> seen(buffer.rows(), false);
     for (const Shape& shape : picture.shapes) {
+        if (stop.stop_requested()) return;
         const auto corners = picture.topology->corners(shape.outline.polygon);
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const std::uint32_t v = corners[i];
@@ -73,11 +76,15 @@ QPolygonF ShapePicture::outline(const Shape& shape) const {
     return polygon;
 }
 
-ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer, const BufferLook& look, bool isSmall) {
-    ProjectedPolygons projected = projectPolygons(frame);
-    std::stable_sort(projected.polygons.begin(), projected.polygons.end(), [](const auto& a, const auto& b) {
-        return std::pair(a.goesOn, -a.distance) < std::pair(b.goesOn, -b.distance);
-    });
+ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer, const BufferLook& look, bool isSmall,
+                          const std::stop_token& stop) {
+    ProjectedPolygons projected = projectPolygons(frame, stop);
+    const auto kept =
+        std::ranges::stable_partition(projected.polygons, std::logical_not(), &ProjectedPolygon::goesOn).begin();
+    for (const auto& part : {std::span(projected.polygons.begin(), kept), std::span(kept, projected.polygons.end())}) {
+        if (stop.stop_requested()) return {};
+        std::ranges::stable_sort(part, std::greater(), &ProjectedPolygon::distance);
+    }
     ShapePicture picture;
     picture.topology = std::move(projected.topology);
     picture.places = std::move(projected.places);
@@ -90,12 +97,13 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer,
         return areVerdicts ? QString::number(row) : rowText(buffer, row, channel);
     };
     for (const ProjectedPolygon& polygon : projected.polygons) {
+        if (stop.stop_requested()) break;
         Shape& shape = picture.shapes.emplace_back(Shape{.outline = polygon, .fill = {}});
         if (onPolygons) shape.fill = colorOf(buffer, polygon.polygon, look);
         if (areVerdicts) shape.letter = pipeline::letter(pipeline::Verdict(int(buffer.flat(polygon.polygon))));
         picture.boxes.push_back(boxAround(picture, polygon));
     }
-    if (buffer.info->domain == Domain::Vertex) addPoints(buffer, look, picture);
+    if (buffer.info->domain == Domain::Vertex) addPoints(buffer, look, stop, picture);
     return picture;
 }
 

@@ -3,6 +3,7 @@
 #include <QString>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include "app/panels/buffer_image.h"
@@ -38,8 +39,9 @@ struct ShapePicture {
 // The hatches that tell verdicts apart without colour.
 Qt::BrushStyle hatchOfVerdict(char letter);
 
+// Incomplete when it is stopped.
 ShapePicture shapePicture(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const BufferLook& look,
-                          bool isSmall = false);
+                          bool isSmall = false, const std::stop_token& stop = {});
 
 // The one whose outline is drawn over the others at a point (pixels), or -1.
 int nearestPolygonAt(const ShapePicture& picture, QPointF at);

@@ -31,7 +31,7 @@ bool isSame(const std::optional<T>& a, const std::optional<T>& b) {
 }
 
 // Beside A.
-ShownOther showOther(const ShowRequest& request, const ShownBuffer& a) {
+ShownOther showOther(const ShowRequest& request, const ShownBuffer& a, const std::stop_token& stop) {
     const OtherRequest& b = *request.other;
     const bool isLuminance = a.source.info != a.buffer.info && hasLuminance(*b.buffer.info);
     ShownOther other{isLuminance ? luminanceOf(b.buffer) : b.buffer, {}, {}, {}, {}};
@@ -47,7 +47,7 @@ ShownOther showOther(const ShowRequest& request, const ShownBuffer& a) {
         isComparable && shownPalette(*a.buffer.info, channel) == shownPalette(*other.buffer.info, channel);
     if (isComparable || b.source.kind == OtherSource::Kind::PreviousStage)
         other.shown = showBuffer(*b.frame, other.buffer, other.drawnB, channelB,
-                                 sameColors ? std::optional(a.look.range) : std::nullopt);
+                                 sameColors ? std::optional(a.look.range) : std::nullopt, stop);
     if (other.drawnA.empty() != other.drawnB.empty())  // one has a background, the other has none
         other.drawnA = other.drawnB = other.drawnA.empty() ? other.drawnB : other.drawnA;
     return other;
@@ -62,20 +62,21 @@ bool operator==(const ShowRequest& a, const ShowRequest& b) {
            a.veil == b.veil && isSame(a.other, b.other) && a.numbers == b.numbers;
 }
 
-ShownBuffer show(const ShowRequest& request) {
+ShownBuffer show(const ShowRequest& request, const std::stop_token& stop) {
     const pipeline::Frame& frame = *request.frame;
     const auto drawn =
         request.drawn ? *request.drawn
                       : drawnElements(request.buffer, frame.buffer({pipeline::BufferId::PolygonId}), request.channel);
-    ShownBuffer shown = showBuffer(frame, request.buffer, drawn, request.channel, request.range);
+    ShownBuffer shown = showBuffer(frame, request.buffer, drawn, request.channel, request.range, stop);
+    if (stop.stop_requested()) return shown;
     if (request.mix) {
         const QString notice = shown.notice;
-        shown = showBuffer(frame, *request.mix, {}, request.channel, shown.look.range);
+        shown = showBuffer(frame, *request.mix, {}, request.channel, shown.look.range, stop);
         shown.notice = notice;
     }
     CanvasContent& content = shown.content;
     if (request.hatches) content.overlays.push_back(verdictPicture(*request.hatches, 0));
-    addOverlays(frame, request.overlays, shown);
+    addOverlays(frame, request.overlays, shown, stop);
     if (request.shadows) {
         const QImage image = verdictPicture(*request.shadows, kVerdictAlpha);
         if (image.size() == content.size) content.overlays.push_back(image);
@@ -92,17 +93,17 @@ ShowJob::ShowJob(QObject* parent) : QObject(parent) {
 std::shared_ptr<const ShowAnswer> ShowJob::answer(const ShowRequest& request) {
     if (m_asked && *m_asked == request) return m_answer;
     m_asked = request;
-    const auto make = [request] {
-        ShowAnswer made{request, show(request), {}};
-        if (request.other) made.other = showOther(request, made.shown);
+    const auto make = [request](const std::stop_token& stop) {
+        ShowAnswer made{request, show(request, stop), {}};
+        if (request.other && !stop.stop_requested()) made.other = showOther(request, made.shown, stop);
         return std::make_shared<const ShowAnswer>(std::move(made));
     };
     if (isLittle(request)) {
         m_job.forget();
-        return m_answer = make();
+        return m_answer = make({});
     }
     // While a slider moves what is under way may finish: it is better than none until the hand rests.
-    m_job.ask([make](const BackgroundJob::Control&) { return make(); },
+    m_job.ask([make](const BackgroundJob::Control& control) { return make(control.stop); },
               [this](const std::shared_ptr<const ShowAnswer>& made) {
                   m_answer = made;
                   emit ready();

@@ -36,8 +36,8 @@ struct ShowRequest {
 };
 bool operator==(const ShowRequest& a, const ShowRequest& b);
 
-// On any thread.
-ShownBuffer show(const ShowRequest& request);
+// On any thread. Incomplete when it is stopped.
+ShownBuffer show(const ShowRequest& request, const std::stop_token& stop = {});
 
 struct ShownOther {
     pipeline::AnyBuffer buffer;        // or its luminance, beside a luminance

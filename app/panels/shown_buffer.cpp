@@ -189,9 +189,9 @@ std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name
 }
 
 ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::vector<bool>& drawn,
-                       ShownChannel channel, std::optional<PaletteRange> range) {
+                       ShownChannel channel, std::optional<PaletteRange> range, const std::stop_token& stop) {
     if (channel == ShownChannel::Luminance && hasLuminance(*buffer.info)) {
-        ShownBuffer shown = showBuffer(frame, luminanceOf(buffer), drawn, ShownChannel::All, range);
+        ShownBuffer shown = showBuffer(frame, luminanceOf(buffer), drawn, ShownChannel::All, range, stop);
         shown.source = buffer;
         return shown;
     }
@@ -206,25 +206,31 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
     const pipeline::Settings& settings = frame.scene().settings;
     CanvasContent& content = shown.content;
     content.isOfManyPolygons = isLarge(frame);
+    if (stop.stop_requested()) return shown;
     if (standsOnShapes(info)) {
         content.size = {settings.width, settings.height};
-        content.shapes = freedAside(std::make_shared<const ShapePicture>(shapePicture(frame, buffer, shown.look)));
+        content.shapes =
+            freedAside(std::make_shared<const ShapePicture>(shapePicture(frame, buffer, shown.look, false, stop)));
+        if (stop.stop_requested()) return shown;
         content.focus = focusOn(boundsOf(frame, true), content.size);
     } else {
         content.size = {int(buffer.columns()), int(buffer.rows())};
         content.image = bufferImage(buffer, shown.look, drawn);
+        if (stop.stop_requested()) return shown;
         content.text = textOf(buffer, channel, polygons, polygons ? frame.buffer({BufferId::Overdraw}) : std::nullopt);
         if (info.domain == Domain::Pixel) content.edges = outlinesIn(frame);
         content.focus = info.domain == Domain::Pixel ? focusOn(boundsOf(frame, false), content.size)
                                                      : drawnRectangle(drawn, content.size);
     }
 
+    if (stop.stop_requested()) return shown;
     const Findings found = look(buffer, drawn, channel);
     const bool isScalar = info.channels == 1 || channel != ShownChannel::All;
     shown.notice = noticeOf(found, isScalar && info.element == Element::Real && !standsOnShapes(info));
     if ((!drawn.empty() && !found.any()) || isGroundAlone(frame, buffer, polygons)) shown.empty = whyNothing(frame);
     shown.description = descriptionOf(buffer, content.size, found);
     const Palette palette = shownPalette(info, channel);
+    if (stop.stop_requested()) return shown;
     if (hasRange(info, channel)) shown.scale = scaleOf(buffer, shown.look, whole, drawn);
     if (isOfNames(info) && palette == info.palette) shown.legend = legendOf(frame, buffer, drawn);
     return shown;

@@ -2,6 +2,7 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "app/panels/buffer_painter.h"
@@ -41,8 +42,9 @@ std::optional<ShownBuffer> showBuffer(const pipeline::Frame& frame, const pipeli
                                       ShownChannel channel, std::optional<pipeline::PaletteRange> range);
 
 // A buffer that belongs to the picture of a frame without being one of its own: the other side of a
-// comparison, or their difference. drawn: which elements hold something; empty: all.
+// comparison, or their difference. drawn: which elements hold something; empty: all. Incomplete when it is stopped.
 ShownBuffer showBuffer(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn,
-                       ShownChannel channel, std::optional<pipeline::PaletteRange> range);
+                       ShownChannel channel, std::optional<pipeline::PaletteRange> range,
+                       const std::stop_token& stop = {});
 
 }  // namespace app

@@ -167,14 +167,15 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
 
 // Which polygon stands before a light that does not reach the pixel.
 template <class Real>
-void explainShadows(const FrameData<Real>& data, PixelReport& report) {
+void explainShadows(const FrameData<Real>& data, const std::stop_token& stop, PixelReport& report) {
     if (data.keys.shading.illumination.model == Model::OpenGl) return;
     for (std::size_t k = 0; k < report.shadow.size(); ++k) {
         if (report.shadow[k] != 0 || data.keys.shading.lights[k].kind == LightKind::Area) continue;
         std::string why;  // the same for every vertex that the pixel is interpolated from
         for (Evaluation& e : report.evaluations) {
             if (!(e.lights[k].nDotL > 0)) continue;
-            if (why.empty()) why = whyShadowed(data, k, report.position, std::uint32_t(report.polygon), report.back);
+            if (why.empty())
+                why = whyShadowed(data, k, report.position, std::uint32_t(report.polygon), report.back, stop);
             e.lights[k].note = why;
         }
     }
@@ -199,8 +200,8 @@ void sumUp(PixelReport& report, std::size_t lights) {
 }
 
 template <class Real>
-void reportFragments(const FrameData<Real>& data, PixelReport& report) {
-    const auto record = replayPixel(data, report.pixel);
+void reportFragments(const FrameData<Real>& data, const std::stop_token& stop, PixelReport& report) {
+    const auto record = replayPixel(data, report.pixel, stop);
     // Inside the stage some are still to come.
     const Buffer2D<std::int32_t>& overdraw = data.zBuffer->overdraw;
     const std::size_t arrived = overdraw.empty() ? record.size() : std::size_t(overdraw.at(report.pixel));
@@ -232,7 +233,7 @@ void reportFragments(const FrameData<Real>& data, PixelReport& report) {
     for (std::size_t i = 0; i < record.size(); ++i)
         if (record[i].won && i < arrived)
             report.fragments[i].shadows = shadowEvents(data, record[i].triangle, report.pixel);
-    for (std::uint32_t polygon : culledAt(data, report.pixel))
+    for (std::uint32_t polygon : culledAt(data, report.pixel, stop))
         report.culled.push_back({int(polygon), letter(data.cull->verdicts[polygon]), data.cull->reason(polygon)});
 }
 
@@ -280,9 +281,10 @@ void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size
 }
 
 template <class Real>
-void fill(const FrameData<Real>& data, PixelReport& report) {
+void fill(const FrameData<Real>& data, const std::stop_token& stop, PixelReport& report) {
     if (!data.zBuffer) return;
-    reportFragments(data, report);
+    reportFragments(data, stop, report);
+    if (stop.stop_requested()) return;
     const std::size_t at = data.zBuffer->zView->offset(report.pixel);
     const std::uint32_t triangle = data.zBuffer->triangle->pixels[at];
     if (data.shading && !data.keys.shading.outlines) reportLayers(data, triangle, at, report);
@@ -317,16 +319,16 @@ void fill(const FrameData<Real>& data, PixelReport& report) {
         for (std::size_t k = 0; k < lights; ++k)
             report.shadowPlaces.push_back(shadowPlace(data.keys.shading.lights[k], report.shadow[k]));
     evaluateAll(data, triangle, b, report);
-    explainShadows(data, report);
+    explainShadows(data, stop, report);
     sumUp(report, lights);
 }
 
 }  // namespace
 
-PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel) {
+PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel, const std::stop_token& stop) {
     PixelReport report{};
     report.pixel = pixel;
-    readStages(frame, [&](const auto& data) { fill(data, report); });
+    readStages(frame, [&](const auto& data) { fill(data, stop, report); });
     return report;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -115,8 +116,8 @@ struct ComparisonText {
 };
 ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& chosen = {});
 
-// pixel must lie in the picture.
-PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel);
+// pixel must lie in the picture. Incomplete when it is stopped.
+PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel, const std::stop_token& stop = {});
 
 // The illumination equation of a pixel for channel 0, 1 or 2 (r, g, b): in symbols, with its
 // numbers, its result, the frame buffer value, and the rows of dot products and vectors below. What the scene says, k, I

@@ -27,10 +27,10 @@ bool mayCover(const TransformOutput<Real>& in, std::span<const std::uint32_t, 3>
 
 // The pieces of the scene's triangles for which keep(polygon) holds and that cover a pixel of the tile.
 template <class Real, class Keep>
-TriangleBins<Real> piecesAt(const FrameData<Real>& data, Tile tile, Keep keep) {
+TriangleBins<Real> piecesAt(const FrameData<Real>& data, Tile tile, const std::stop_token& stop, Keep keep) {
     const TransformOutput<Real>& in = *data.transform;
     TriangleBins<Real> pieces;
-    for (std::size_t t = 0; t < in.topology->triangles.size(); ++t) {
+    for (std::size_t t = 0; t < in.topology->triangles.size() && !stop.stop_requested(); ++t) {
         const Triangle& triangle = in.topology->triangles[t];
         const auto& v = triangle.vertices;
         if (!mayCover(in, v, tile) || !keep(triangle.polygon)) continue;
@@ -77,13 +77,13 @@ std::vector<FragmentRecord> replayOutlines(const FrameData<Real>& data, Tile til
 }  // namespace
 
 template <class Real>
-std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile) {
+std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile, const std::stop_token& stop) {
     const std::vector<Verdict>& verdicts = data.verdicts();
     if (data.keys.zBuffer.visibility == Visibility::Painter) return replayPainter(data, tile);
     if (data.keys.zBuffer.visibility == Visibility::None)
         return replayOutlines(data, tile, [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
     const std::vector<std::uint8_t> drawn = opaquePolygons(data);
-    const TriangleBins<Real> pieces = piecesAt(data, tile, [&](std::uint32_t polygon) {
+    const TriangleBins<Real> pieces = piecesAt(data, tile, stop, [&](std::uint32_t polygon) {
         return (verdicts.empty() || goesOn(verdicts[polygon])) && (drawn.empty() || drawn[polygon]);
     });
     std::vector<std::uint32_t> order(pieces.triangles.size());
@@ -96,8 +96,8 @@ std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile) {
 }
 
 template <class Real>
-std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel) {
-    return replayTile(data, {pixel, pixel + 1});
+std::vector<FragmentRecord> replayPixel(const FrameData<Real>& data, glm::ivec2 pixel, const std::stop_token& stop) {
+    return replayTile(data, {pixel, pixel + 1}, stop);
 }
 
 template <class Real>
@@ -112,7 +112,7 @@ std::vector<Layer<Real>> replayLayers(const FrameData<Real>& data, glm::ivec2 pi
 }
 
 template <class Real>
-std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixel) {
+std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixel, const std::stop_token& stop) {
     const std::vector<Verdict>& verdicts = data.verdicts();
     if (verdicts.empty()) return {};
     const Tile tile{pixel, pixel + 1};
@@ -125,18 +125,18 @@ std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixe
         for (const FragmentRecord& fragment : replayOutlines(data, tile, dropped)) add(fragment.triangle);
     } else {
         const TriangleBins<Real> pieces =
-            piecesAt(data, tile, [&](std::uint32_t polygon) { return !goesOn(verdicts[polygon]); });
+            piecesAt(data, tile, stop, [&](std::uint32_t polygon) { return !goesOn(verdicts[polygon]); });
         for (const RasterTriangle<Real>& piece : pieces.triangles) add(piece.id);
     }
     polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
     return polygons;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                      \
-    template std::vector<FragmentRecord> replayTile(const FrameData<Real>&, Tile);        \
-    template std::vector<FragmentRecord> replayPixel(const FrameData<Real>&, glm::ivec2); \
-    template std::vector<Layer<Real>> replayLayers(const FrameData<Real>&, glm::ivec2);   \
-    template std::vector<std::uint32_t> culledAt(const FrameData<Real>&, glm::ivec2);
+#define SHADESCOPE_INSTANTIATE(Real)                                                                              \
+    template std::vector<FragmentRecord> replayTile(const FrameData<Real>&, Tile, const std::stop_token&);        \
+    template std::vector<FragmentRecord> replayPixel(const FrameData<Real>&, glm::ivec2, const std::stop_token&); \
+    template std::vector<Layer<Real>> replayLayers(const FrameData<Real>&, glm::ivec2);                           \
+    template std::vector<std::uint32_t> culledAt(const FrameData<Real>&, glm::ivec2, const std::stop_token&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

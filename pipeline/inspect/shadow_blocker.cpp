@@ -23,7 +23,7 @@ std::optional<double> meets(Vec3d from, Vec3d way, Vec3d a, Vec3d b, Vec3d c) {
 
 template <class Real>
 std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t light, Vec3d position,
-                                       std::uint32_t polygon) {
+                                       std::uint32_t polygon, const std::stop_token& stop) {
     const TransformOutput<Real>& in = *data.transform;
     const Light& from = data.keys.shading.lights[light];
     const bool atInfinity = from.kind == LightKind::AtInfinity;
@@ -31,6 +31,7 @@ std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t 
     std::optional<std::uint32_t> first;
     double nearest = atInfinity ? std::numeric_limits<double>::infinity() : 1;
     for (const Triangle& triangle : in.topology->triangles) {
+        if (stop.stop_requested()) break;
         if (triangle.polygon == polygon) continue;
         if (!in.transparent.empty() && in.transparent[in.topology->polygonObject[triangle.polygon]]) continue;
         const auto& v = triangle.vertices;
@@ -44,21 +45,23 @@ std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t 
 
 template <class Real>
 std::string whyShadowed(const FrameData<Real>& data, std::size_t light, Vec3d position, std::uint32_t polygon,
-                        bool back) {
+                        bool back, const std::stop_token& stop) {
     const Light& from = data.keys.shading.lights[light];
     const Vec3d front(data.normals->polygon[polygon]);
     const Vec3d way = from.kind == LightKind::AtInfinity ? from.position : from.position - position;
     if (!(glm::dot(back ? -front : front, way) > 0))
         return fmt::format("Polygon {} faces away from light {}: only the ambient term counts.", polygon, light);
-    if (const auto blocker = blockerOf(data, light, position, polygon))
+    if (const auto blocker = blockerOf(data, light, position, polygon, stop))
         return fmt::format("In the shadow of polygon {}, before light {}: only the ambient term counts.", *blocker,
                            light);
     return fmt::format("The shadow buffer of light {} is wrong here: no polygon stands before it (acne).", light);
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                            \
-    template std::optional<std::uint32_t> blockerOf(const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t); \
-    template std::string whyShadowed(const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t, bool);
+#define SHADESCOPE_INSTANTIATE(Real)                                                                           \
+    template std::optional<std::uint32_t> blockerOf(const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t, \
+                                                    const std::stop_token&);                                   \
+    template std::string whyShadowed(const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t, bool,          \
+                                     const std::stop_token&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

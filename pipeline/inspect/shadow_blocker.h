@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "pipeline/run/frame_data.h"
@@ -9,15 +10,15 @@ namespace pipeline {
 
 // The polygon, over all objects, that a straight way from a surface point to a light (an area light's centre) meets
 // first; the point's own polygon and what is wholly transparent are passed. Nothing where the way is free. By every
-// triangle in turn, in double: the answer that the shadow buffer of lecture 1 stands for.
+// triangle in turn, in double: the answer that the shadow buffer of lecture 1 stands for. Of those before it is stopped.
 // T. Möller and B. Trumbore, "Fast, minimum storage ray-triangle intersection", Journal of Graphics Tools 2, 1997.
 template <class Real>
 std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t light, Vec3d position,
-                                       std::uint32_t polygon);
+                                       std::uint32_t polygon, const std::stop_token& stop = {});
 
 // Why S of a light is 0 at a point whose N·L is above 0, one sentence. back: the polygon is lit from behind.
 template <class Real>
 std::string whyShadowed(const FrameData<Real>& data, std::size_t light, Vec3d position, std::uint32_t polygon,
-                        bool back);
+                        bool back, const std::stop_token& stop = {});
 
 }  // namespace pipeline

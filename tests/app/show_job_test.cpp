@@ -194,7 +194,6 @@ TEST_F(DepthView, AViewToldToStopShowsWhatItHadUntilItIsToGoOn) {
     EXPECT_TRUE(document.work().stopped().isEmpty());
 }
 
-// The same pixels, wherever they are painted; until then what was painted last, moved to where it belongs now.
 TEST_F(DepthView, WhatIsSelectedAmongManyPolygonsIsMarkedWithoutWaitingForIt) {
     document.setScene(test::manyPolygons());
     const auto& marked = view.canvas()->content().marked;
@@ -213,6 +212,19 @@ TEST_F(DepthView, WhatIsSelectedAmongManyPolygonsIsMarkedWithoutWaitingForIt) {
     EXPECT_TRUE(marked.empty());
 }
 
+TEST(ShowJob, WhatIsStoppedIsLeftUnfinished) {
+    const auto frame = frameOf(test::manyPolygons());
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_TRUE(app::show(depthOf(frame), stop.get_token()).content.image.isNull());
+    const pipeline::BufferName verdicts{BufferId::PolygonsVerdict};
+    const ShowRequest onPolygons{.frame = frame, .buffer = *frame->buffer(verdicts)};
+    const auto shapes = app::show(onPolygons, stop.get_token()).content.shapes;
+    EXPECT_TRUE(!shapes || shapes->shapes.empty());
+    EXPECT_FALSE(app::show(onPolygons).content.shapes->shapes.empty());
+}
+
+// The same pixels, wherever they are painted; until then what was painted last, moved to where it belongs now.
 TEST(CanvasBase, PaintsManyPolygonsBesideTheWindow) {
     const auto frame = frameOf(test::manyPolygons());
     const app::ShownBuffer verdicts =

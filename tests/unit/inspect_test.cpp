@@ -19,6 +19,18 @@ std::string lines(const Frame& frame, glm::ivec2 pixel, int channel) {
     return text;
 }
 
+// Its fragments, the culled polygons there and what stands before a light are looked for among all triangles.
+TEST(Inspect, WhatIsStoppedIsLeftUnfinished) {
+    const FramePtr frame = test::frameOf(test::pyramid());
+    std::stop_source stop;
+    EXPECT_TRUE(inspectPixel(*frame, {268, 281}, stop.get_token()).covered);
+    stop.request_stop();
+    const PixelReport report = inspectPixel(*frame, {268, 281}, stop.get_token());
+    EXPECT_FALSE(report.covered);
+    EXPECT_TRUE(report.fragments.empty());
+    EXPECT_TRUE(report.culled.empty());
+}
+
 // The numbers are derived in tests/reference/lecture1_pyramid_test.cpp.
 TEST(Equation, OfThePyramidsRightFace) {
     EXPECT_EQ(lines(*test::frameOf(test::pyramid()), {268, 281}, 2), R"(
