@@ -48,7 +48,8 @@ Vec3d row3(const pipeline::AnyBuffer& buffer, std::size_t row) {
 
 }  // namespace
 
-void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology, ViewMesh& mesh) {
+void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology, ViewMesh& mesh,
+                const std::stop_token& stop) {
     const pipeline::Scene& scene = frame.scene();
     const pipeline::Shading shading = scene.settings.shading;
     const double iMax = maximumIntensity(scene);
@@ -70,6 +71,7 @@ void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology
     std::vector<std::optional<glm::vec3>> phong(mesh.positions.size());
 
     for (Face& face : mesh.faces) {
+        if (stop.stop_requested()) return;
         const auto polygon = static_cast<std::size_t>(face.polygon);
         const pipeline::Material& material = scene.objects[topology.polygonObject[polygon]].material;
         if (verdicts) {

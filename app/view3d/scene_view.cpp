@@ -349,30 +349,6 @@ void SceneView::applyTheme() {
     refresh();
 }
 
-void SceneView::setBuilding(bool building) {
-    m_building = building;
-    tellWorking();
-}
-
-void SceneView::tellWorking() {
-    m_working->setWorking(m_rendering || m_building);
-    emit workingChanged(m_rendering || m_building);
-}
-
-// What a view that moves leaves out of a large mesh.
-void SceneView::showDetail() {
-    const bool isCoarse = m_vtk->isCoarse() && shown();
-    m_coarse->setVisible(isCoarse);
-    if (!isCoarse) return;
-    const ViewMesh& mesh = *m_vtk->shown()->content->mesh;
-    m_coarse->setFont(Theme::current().text(12));
-    m_coarse->setText(tr("%1 of %2 triangles until it rests")
-                          .arg(count(qint64(mesh.coarse->size())), count(qint64(mesh.faces.size()))));
-    m_coarse->adjustSize();
-    const int margin = Theme::current().px(8);
-    m_coarse->move(margin, margin);
-}
-
 void SceneView::placeCorners() {
     const int margin = Theme::current().px(8);
     if (m_vtk) m_vtk->setGeometry(rect());

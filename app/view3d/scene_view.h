@@ -36,7 +36,7 @@ public:
     void setEmptyText(const QString& sentence);
     void setBuilding(bool building);  // newer content is on its way
     // It was, and has been given up; what is being drawn is, and is drawn after all.
-    void setStopped(bool stopped) { m_working->setStopped(stopped); }
+    void setStopped(bool stopped);
     void cancelDrawing() { m_vtk ? m_vtk->cancel() : void(); }
     void resumeDrawing() { m_vtk ? m_vtk->resume() : void(); }
     const std::shared_ptr<const ViewContent>& content() const { return m_content; }
@@ -162,7 +162,7 @@ private:
     QLabel* m_coarse;
     QLabel* m_sentence;
     WorkingBar* m_working;
-    bool m_rendering = false, m_building = false;
+    bool m_rendering = false, m_building = false, m_stopped = false;
     std::optional<SpaceMorph> m_morph;
     QVariantAnimation m_move;  // along m_morph
     QVariantAnimation m_flight;

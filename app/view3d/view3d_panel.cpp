@@ -276,21 +276,23 @@ void View3dPanel::takeFrame() {
     const auto& inspected = m_document.inspection().newest();
     const bool isKnown = made.pixel && inspected && inspected->frame == frame && inspected->report.pixel == *made.pixel;
     const auto build = [made, before = m_view->content(), known = isKnown ? inspected : nullptr, frusta = wantsFrusta(),
-                        steps = inside ? stepper.steps() : nullptr, moment = stepper.moment()] {
+                        steps = inside ? stepper.steps() : nullptr,
+                        moment = stepper.moment()](const std::stop_token& stop) {
         const pipeline::Frame& of = *made.frame;
-        ViewContent shown = contentOf(of, known ? std::nullopt : made.pixel, before.get());
+        ViewContent shown = contentOf(of, known ? std::nullopt : made.pixel, before.get(), stop);
+        if (stop.stop_requested()) return std::shared_ptr<const ViewContent>();  // nobody takes it
         if (known) shown = withReport(shown, of, &known->report);
         shown = withSelection(shown, of, made.selection);
         if (frusta) shown.frusta = lightFrusta(of);
         if (steps) shown = withProgress(shown, *steps, *moment);
-        return std::make_shared<const ViewContent>(std::move(shown));
+        return std::shared_ptr<const ViewContent>(std::make_shared<ViewContent>(std::move(shown)));
     };
     if (!isLarge(*frame)) {
         m_building.forget();
-        return showContent(build(), made);
+        return showContent(build({}), made);
     }
     // While a slider moves what is under way may finish: it is better than none until the hand rests.
-    m_building.ask([build](const BackgroundJob::Control&) { return build(); },
+    m_building.ask([build](const BackgroundJob::Control& control) { return build(control.stop); },
                    [this, made](const std::shared_ptr<const ViewContent>& content) { showContent(content, made); },
                    BackgroundJob::Running::Finish);
 }

@@ -5,8 +5,9 @@
 #include <cstring>
 #include <limits>
 
-#include "app/core/large_frame.h"
 #include "app/view3d/face_colors.h"
+#include "app/view3d/handles.h"
+#include "app/view3d/view_mesh.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/scene/topology.h"
 
@@ -17,97 +18,6 @@ using pipeline::BufferId;
 using pipeline::Frame;
 
 namespace {
-
-Vec3d row3(const AnyBuffer& buffer, std::size_t row) {
-    return {buffer.flat(3 * row), buffer.flat(3 * row + 1), buffer.flat(3 * row + 2)};
-}
-
-pipeline::rays::Corners<double> cornersOf(const ViewMesh& mesh, std::uint32_t face) {
-    const auto& v = mesh.faces[face].vertices;
-    return {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
-}
-
-bool finite(Vec3d v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-void addEdges(const pipeline::Topology& topology, ViewMesh& mesh) {
-    for (std::size_t p = 0; p < topology.polygonCount(); ++p) {
-        const auto corners = topology.corners(p);
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            mesh.edges.push_back(std::minmax({corners[i], corners[(i + 1) % corners.size()]}));
-    }
-    std::ranges::sort(mesh.edges);
-    const auto rest = std::ranges::unique(mesh.edges);
-    mesh.edges.erase(rest.begin(), rest.end());
-    for (const auto& [a, b] : mesh.edges) mesh.meanEdge += glm::length(mesh.positions[a] - mesh.positions[b]);
-    if (!mesh.edges.empty()) mesh.meanEdge /= double(mesh.edges.size());
-}
-
-void addObjectBounds(const pipeline::Topology& topology, ViewMesh& mesh) {
-    for (std::size_t i = 0; i + 1 < topology.firstVertex.size(); ++i) {
-        const auto points =
-            std::span<const Vec3d>(mesh.positions)
-                .subspan(topology.firstVertex[i], topology.firstVertex[i + 1] - topology.firstVertex[i]);
-        const auto box = pipeline::boundingBox(points);
-        mesh.objects.push_back(box ? ObjectBounds{*box, *pipeline::boundingSphere(points)} : ObjectBounds{});
-    }
-}
-
-void addMeshes(const Frame& frame, const ViewMesh* before, ViewMesh& mesh, Bounds& bounds) {
-    const pipeline::Topology& topology = frame.topology();
-    const auto world = frame.buffer({BufferId::VerticesWorld});
-    if (!world || world->rows() != topology.vertexCount()) return;
-    mesh.positions.reserve(topology.vertexCount());
-    for (std::size_t i = 0; i < topology.vertexCount(); ++i) {
-        mesh.positions.push_back(row3(*world, i));
-        bounds.add(mesh.positions.back());
-    }
-    mesh.topology = frame.sharedTopology();
-    if (before && before->topology == mesh.topology && before->positions == mesh.positions) {
-        mesh.edges = before->edges, mesh.meanEdge = before->meanEdge, mesh.objects = before->objects;
-    } else {
-        addEdges(topology, mesh);
-        addObjectBounds(topology, mesh);
-    }
-    mesh.faces.reserve(topology.triangles.size());
-    for (const pipeline::Triangle& t : topology.triangles)
-        mesh.faces.push_back({{t.vertices[0], t.vertices[1], t.vertices[2]}, {}, std::int32_t(t.polygon)});
-    const bool isSame = before && before->topology == mesh.topology && before->positions == mesh.positions;
-    if (isSame && before->tree) {
-        mesh.tree = before->tree, mesh.coarse = before->coarse;
-    } else if (mesh.faces.size() > kManyTriangles) {
-        constexpr int kCells = 96;  // some pixels each in a view of usual size
-        auto coarse = coarseMesh(mesh.positions, topology.triangles, kCells);
-        if (2 * coarse.size() < mesh.faces.size())
-            mesh.coarse = std::make_shared<const std::vector<CoarseFace>>(std::move(coarse));
-        constexpr std::uint32_t kLeaf = 8;  // faces: rays are few here
-        mesh.tree = std::make_shared<const FaceTree>(pipeline::rays::makeTree<double>(
-            std::uint32_t(mesh.faces.size()), [&](std::uint32_t face) { return cornersOf(mesh, face); }, kLeaf));
-    }
-}
-
-// A polygon's normal stands at the mean of its vertices, where flat shading evaluates it.
-void addNormals(const Frame& frame, const pipeline::Topology& topology, ViewMesh& mesh) {
-    if (mesh.positions.empty()) return;
-    if (const auto normals = frame.buffer({BufferId::PolygonsNormal}))
-        for (std::size_t p = 0; p < topology.polygonCount(); ++p) {
-            const auto corners = topology.corners(p);
-            Vec3d sum{0.0};
-            for (std::size_t i = 0; i < corners.size(); ++i) sum += mesh.positions[corners[i]];
-            const Vec3d normal = row3(*normals, p);
-            mesh.polygonNormalColors.emplace_back((normal + 1.0) / 2.0);
-            if (finite(normal) && normal != Vec3d(0.0))
-                mesh.polygonNormals.push_back({sum / double(corners.size()), glm::normalize(normal),
-                                               mesh.polygonNormalColors.back(), topology.polygonObject[p]});
-        }
-    if (const auto normals = frame.buffer({BufferId::VerticesNormal}))
-        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-            const Vec3d normal = row3(*normals, v);
-            mesh.vertexNormalColors.emplace_back((normal + 1.0) / 2.0);
-            if (finite(normal) && normal != Vec3d(0.0))
-                mesh.vertexNormals.push_back({mesh.positions[v], glm::normalize(normal), mesh.vertexNormalColors.back(),
-                                              std::uint32_t(topology.objectOfVertex(v))});
-        }
-}
 
 void addLights(const pipeline::Scene& scene, ViewContent& content) {
     const std::vector<pipeline::Light> lights = pipeline::lightsInWorldSpace(scene, content.eye);
@@ -226,31 +136,33 @@ std::array<Vec3d, 8> Bounds::corners() const {
     return result;
 }
 
-ViewContent contentOf(const Frame& frame, std::optional<glm::ivec2> pixel, const ViewContent* before) {
+ViewContent contentOf(const Frame& frame, std::optional<glm::ivec2> pixel, const ViewContent* before,
+                      const std::stop_token& stop) {
     ViewContent content;
     const pipeline::Topology& topology = frame.topology();
     auto mesh = std::make_shared<ViewMesh>();
-    addMeshes(frame, before ? before->mesh.get() : nullptr, *mesh, content.bounds);
+    addPolygons(frame, before ? before->mesh.get() : nullptr, stop, *mesh, content.bounds);
     if (!content.bounds.any || !(content.bounds.radius() > 0)) {
         const Vec3d centre = content.bounds.any ? content.bounds.centre() : Vec3d(0.0);
         content.bounds.add(centre - 0.5);
         content.bounds.add(centre + 0.5);
     }
-    colorFaces(frame, topology, *mesh);
-    addNormals(frame, topology, *mesh);
-    addPicture(frame, *mesh);
+    colorFaces(frame, topology, *mesh, stop);
+    addNormals(frame, stop, *mesh);
+    if (!stop.stop_requested()) addPicture(frame, *mesh);
     content.mesh = std::move(mesh);
     content.eye = pipeline::makeView(frame.scene());
     addLights(frame.scene(), content);
     content.pictureDistance = pictureDistance(frame.scene(), content);
-    return pixel ? withPixel(content, frame, pixel) : content;
+    return pixel && !stop.stop_requested() ? withPixel(content, frame, pixel, stop) : content;
 }
 
-ViewContent withPixel(const ViewContent& content, const Frame& frame, std::optional<glm::ivec2> pixel) {
+ViewContent withPixel(const ViewContent& content, const Frame& frame, std::optional<glm::ivec2> pixel,
+                      const std::stop_token& stop) {
     const glm::ivec2 size = content.eye.size;
     const bool isInside = pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x < size.x && pixel->y < size.y;
     if (!isInside || frame.until() < pipeline::StageId::ZBuffer) return withReport(content, frame, nullptr);
-    const pipeline::PixelReport report = pipeline::inspectPixel(frame, *pixel);
+    const pipeline::PixelReport report = pipeline::inspectPixel(frame, *pixel, stop);
     return withReport(content, frame, &report);
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,11 +141,13 @@ ViewContent withProgress(const ViewContent& content, const pipeline::Steps& step
 // Reads from the frame whatever of these buffers it has: vertices.world, polygons.verdict,
 // polygons.normal, vertices.normal, polygons.intensity, vertices.intensity, color.
 // `before`, of an earlier frame: where no vertex has moved since, what hangs on their places alone is taken from it.
+// Incomplete when it is stopped.
 ViewContent contentOf(const pipeline::Frame& frame, std::optional<glm::ivec2> pixel,
-                      const ViewContent* before = nullptr);
+                      const ViewContent* before = nullptr, const std::stop_token& stop = {});
 // The same content with another picked pixel, or with what is known about it; `frame` is the one that it was made of.
 ViewContent withReport(const ViewContent& content, const pipeline::Frame& frame, const pipeline::PixelReport* report);
-ViewContent withPixel(const ViewContent& content, const pipeline::Frame& frame, std::optional<glm::ivec2> pixel);
+ViewContent withPixel(const ViewContent& content, const pipeline::Frame& frame, std::optional<glm::ivec2> pixel,
+                      const std::stop_token& stop = {});
 // The same content with another thing marked.
 ViewContent withSelection(const ViewContent& content, const pipeline::Frame& frame,
                           const std::optional<Selection>& selection);

@@ -55,12 +55,13 @@ Box<Real> leafBox(const TriangleTree<Real>& tree, const typename TriangleTree<Re
 
 template <class Real>
 TriangleTree<Real> makeTree(std::uint32_t count, const std::function<Corners<Real>(std::uint32_t)>& corners,
-                            std::uint32_t leaf) {
+                            std::uint32_t leaf, const std::stop_token& stop) {
     TriangleTree<Real> tree;
     std::vector<Place<Real>> places = placesOf(count, corners);
     if (places.empty()) return tree;
     tree.nodes.push_back({{}, {}, 0, std::uint32_t(places.size())});
     for (std::size_t at = 0; at < tree.nodes.size(); ++at) {
+        if (stop.stop_requested()) return {};
         const auto [low, high, first, size] = tree.nodes[at];
         if (size <= leaf) continue;
         const auto begin = places.begin() + first;
@@ -78,6 +79,7 @@ TriangleTree<Real> makeTree(std::uint32_t count, const std::function<Corners<Rea
     for (const Place<Real>& place : places) tree.order.push_back(place.triangle);
     // A node stands before its children.
     for (std::size_t at = tree.nodes.size(); at-- > 0;) {
+        if (stop.stop_requested()) return {};
         auto& node = tree.nodes[at];
         Box<Real> box;
         if (node.count > 0)
@@ -138,7 +140,7 @@ bool TriangleRay<Real>::meetsBox(const Vec3<Real>& low, const Vec3<Real>& high, 
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                        \
     template TriangleTree<Real> makeTree(std::uint32_t, const std::function<Corners<Real>(std::uint32_t)>&, \
-                                         std::uint32_t);                                                    \
+                                         std::uint32_t, const std::stop_token&);                            \
     template class TriangleRay<Real>;
 SHADESCOPE_INSTANTIATE(double)
 SHADESCOPE_INSTANTIATE(long double)

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <stop_token>
 #include <vector>
 
 #include "pipeline/core/real.h"
@@ -53,10 +54,10 @@ struct TriangleTree {
 };
 
 // corners(i): of triangle i of `count`; one that is not finite is in no box. leaf: triangles that are not parted any more;
-// many cost a ray time, few cost memory.
+// many cost a ray time, few cost memory. Empty when it is stopped.
 template <class Real>
 TriangleTree<Real> makeTree(std::uint32_t count, const std::function<Corners<Real>(std::uint32_t)>& corners,
-                            std::uint32_t leaf = 4);
+                            std::uint32_t leaf = 4, const std::stop_token& stop = {});
 
 // Calls visit(place, end) for what stands in boxes that are met with begin <= t <= end, by its place in `order`; visit may
 // bring `end` nearer. Stops when visit gives true, which is then the result.

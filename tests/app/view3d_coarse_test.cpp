@@ -87,6 +87,17 @@ TEST_F(ShownView3d, ALargeMeshIsCoarseWhileItMovesAndWholeAtRest) {
     }
     EXPECT_TRUE(wasCoarse);
     EXPECT_TRUE(said->text().endsWith("triangles until it rests")) << said->text().toStdString();
+    // The whole picture takes far longer than the moments between which it is told to stop.
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            document.work().cancel();
+            return document.work().stopped().contains("the 3D view");
+        },
+        10000));
+    QTest::qWait(1000);
+    EXPECT_TRUE(said->isVisible());
+    EXPECT_TRUE(said->text().endsWith("triangles: the rest was stopped")) << said->text().toStdString();
+    document.work().resume();
     ASSERT_TRUE(waitUntilDrawn());
     EXPECT_FALSE(said->isVisible());
 }

@@ -137,6 +137,17 @@ TEST(View3dContent, AnotherPixelSharesTheMesh) {
     EXPECT_EQ(app::withPixel(none, *frame, kRightFace).vectors.size(), first.vectors.size());
 }
 
+TEST(View3dContent, WhatIsStoppedIsLeftUnfinished) {
+    const auto frame = test::frameOf(test::pyramid());
+    std::stop_source stop;
+    EXPECT_EQ(app::contentOf(*frame, {}, nullptr, stop.get_token()).mesh->edges.size(), 8u);
+    stop.request_stop();
+    const ViewContent content = app::contentOf(*frame, kRightFace, nullptr, stop.get_token());
+    EXPECT_TRUE(content.mesh->edges.empty());
+    EXPECT_TRUE(content.mesh->faces.empty());
+    EXPECT_FALSE(content.point);
+}
+
 TEST(View3dContent, AnEmptySceneStillHasBounds) {
     pipeline::Scene scene = test::pyramid();
     scene.objects.clear();

@@ -137,6 +137,22 @@ TYPED_TEST(TriangleTreeProperty, LooksAtFewTriangles) {
     EXPECT_FALSE(forEachNear(tree, line, Real(0), Real(9), [](std::uint32_t, Real&) { return true; })) << "ends before";
 }
 
+TYPED_TEST(TriangleTreeProperty, StoppedThereIsNothing) {
+    using Real = TypeParam;
+    std::stop_source stop;
+    const auto make = [&] {
+        return makeTree<Real>(
+            100,
+            [](std::uint32_t i) {
+                return Corners<Real>{Vec3<Real>(Real(i)), Vec3<Real>(0), Vec3<Real>(1)};
+            },
+            4, stop.get_token());
+    };
+    EXPECT_FALSE(make().nodes.empty());
+    stop.request_stop();
+    EXPECT_TRUE(make().nodes.empty());
+}
+
 TYPED_TEST(TriangleTreeProperty, OfNothingThereIsNothing) {
     using Real = TypeParam;
     const auto tree = makeTree<Real>(0, [](std::uint32_t) { return Corners<Real>{}; });

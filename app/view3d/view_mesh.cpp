@@ -1,0 +1,123 @@
+#include "app/view3d/view_mesh.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "app/core/large_frame.h"
+#include "app/view3d/handles.h"
+
+namespace app {
+
+using pipeline::AnyBuffer;
+using pipeline::BufferId;
+using pipeline::Frame;
+
+namespace {
+
+Vec3d row3(const AnyBuffer& buffer, std::size_t row) {
+    return {buffer.flat(3 * row), buffer.flat(3 * row + 1), buffer.flat(3 * row + 2)};
+}
+
+template <class Visit>
+void forEachEdge(const pipeline::Topology& topology, const std::stop_token& stop, Visit visit) {
+    for (std::size_t p = 0; p < topology.polygonCount() && !stop.stop_requested(); ++p) {
+        const auto corners = topology.corners(p);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            visit(std::minmax({corners[i], corners[(i + 1) % corners.size()]}));
+    }
+}
+
+// Sorted at one vertex after the other, where few begin: all at once takes longer, and cannot be stopped.
+void addEdges(const pipeline::Topology& topology, const std::stop_token& stop, ViewMesh& mesh) {
+    std::vector<std::uint32_t> begins(topology.vertexCount() + 1, 0);
+    forEachEdge(topology, stop, [&](const auto& edge) { ++begins[edge.first + 1]; });
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<std::uint32_t> ends(begins.back()), next(begins.begin(), begins.end() - 1);
+    forEachEdge(topology, stop, [&](const auto& edge) { ends[next[edge.first]++] = edge.second; });
+    for (std::uint32_t v = 0; v + 1 < begins.size() && !stop.stop_requested(); ++v) {
+        const std::span from(ends.data() + begins[v], ends.data() + begins[v + 1]);
+        std::ranges::sort(from);
+        const auto rest = std::ranges::unique(from);
+        for (const std::uint32_t end : std::span(from.begin(), rest.begin())) mesh.edges.emplace_back(v, end);
+    }
+    for (const auto& [a, b] : mesh.edges) mesh.meanEdge += glm::length(mesh.positions[a] - mesh.positions[b]);
+    if (!mesh.edges.empty()) mesh.meanEdge /= double(mesh.edges.size());
+}
+
+void addObjectBounds(const pipeline::Topology& topology, ViewMesh& mesh) {
+    for (std::size_t i = 0; i + 1 < topology.firstVertex.size(); ++i) {
+        const auto points =
+            std::span<const Vec3d>(mesh.positions)
+                .subspan(topology.firstVertex[i], topology.firstVertex[i + 1] - topology.firstVertex[i]);
+        const auto box = pipeline::boundingBox(points);
+        mesh.objects.push_back(box ? ObjectBounds{*box, *pipeline::boundingSphere(points)} : ObjectBounds{});
+    }
+}
+
+}  // namespace
+
+pipeline::rays::Corners<double> cornersOf(const ViewMesh& mesh, std::uint32_t face) {
+    const auto& v = mesh.faces[face].vertices;
+    return {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
+}
+
+void addPolygons(const Frame& frame, const ViewMesh* before, const std::stop_token& stop, ViewMesh& mesh,
+                 Bounds& bounds) {
+    const pipeline::Topology& topology = frame.topology();
+    const auto world = frame.buffer({BufferId::VerticesWorld});
+    if (!world || world->rows() != topology.vertexCount()) return;
+    mesh.positions.reserve(topology.vertexCount());
+    for (std::size_t i = 0; i < topology.vertexCount(); ++i) {
+        mesh.positions.push_back(row3(*world, i));
+        bounds.add(mesh.positions.back());
+    }
+    mesh.topology = frame.sharedTopology();
+    if (before && before->topology == mesh.topology && before->positions == mesh.positions) {
+        mesh.edges = before->edges, mesh.meanEdge = before->meanEdge, mesh.objects = before->objects;
+    } else {
+        addEdges(topology, stop, mesh);
+        addObjectBounds(topology, mesh);
+    }
+    if (stop.stop_requested()) return;
+    mesh.faces.reserve(topology.triangles.size());
+    for (const pipeline::Triangle& t : topology.triangles)
+        mesh.faces.push_back({{t.vertices[0], t.vertices[1], t.vertices[2]}, {}, std::int32_t(t.polygon)});
+    const bool isSame = before && before->topology == mesh.topology && before->positions == mesh.positions;
+    if (isSame && before->tree) {
+        mesh.tree = before->tree, mesh.coarse = before->coarse;
+    } else if (mesh.faces.size() > kManyTriangles) {
+        constexpr int kCells = 96;  // some pixels each in a view of usual size
+        auto coarse = coarseMesh(mesh.positions, topology.triangles, kCells);
+        if (2 * coarse.size() < mesh.faces.size())
+            mesh.coarse = std::make_shared<const std::vector<CoarseFace>>(std::move(coarse));
+        constexpr std::uint32_t kLeaf = 8;  // faces: rays are few here
+        mesh.tree = std::make_shared<const FaceTree>(pipeline::rays::makeTree<double>(
+            std::uint32_t(mesh.faces.size()), [&](std::uint32_t face) { return cornersOf(mesh, face); }, kLeaf, stop));
+    }
+}
+
+void addNormals(const Frame& frame, const std::stop_token& stop, ViewMesh& mesh) {
+    const pipeline::Topology& topology = frame.topology();
+    if (mesh.positions.empty() || stop.stop_requested()) return;
+    if (const auto normals = frame.buffer({BufferId::PolygonsNormal}))
+        for (std::size_t p = 0; p < topology.polygonCount() && !stop.stop_requested(); ++p) {
+            const auto corners = topology.corners(p);
+            Vec3d sum{0.0};
+            for (std::size_t i = 0; i < corners.size(); ++i) sum += mesh.positions[corners[i]];
+            const Vec3d normal = row3(*normals, p);
+            mesh.polygonNormalColors.emplace_back((normal + 1.0) / 2.0);
+            if (finite(normal) && normal != Vec3d(0.0))
+                mesh.polygonNormals.push_back({sum / double(corners.size()), glm::normalize(normal),
+                                               mesh.polygonNormalColors.back(), topology.polygonObject[p]});
+        }
+    if (const auto normals = frame.buffer({BufferId::VerticesNormal}))
+        for (std::size_t v = 0; v < mesh.positions.size() && !stop.stop_requested(); ++v) {
+            const Vec3d normal = row3(*normals, v);
+            mesh.vertexNormalColors.emplace_back((normal + 1.0) / 2.0);
+            if (finite(normal) && normal != Vec3d(0.0))
+                mesh.vertexNormals.push_back({mesh.positions[v], glm::normalize(normal), mesh.vertexNormalColors.back(),
+                                              std::uint32_t(topology.objectOfVertex(v))});
+        }
+}
+
+}  // namespace app
