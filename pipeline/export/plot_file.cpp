@@ -14,12 +14,12 @@ constexpr Color8 rgb(unsigned hex) {
     return {static_cast<std::uint8_t>(hex >> 16), static_cast<std::uint8_t>(hex >> 8), static_cast<std::uint8_t>(hex)};
 }
 
-struct Close {
+struct DestroyCairo {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
     void operator()(cairo_t* context) const { cairo_destroy(context); }
 };
-using Surface = std::unique_ptr<cairo_surface_t, Close>;
-using Context = std::unique_ptr<cairo_t, Close>;
+using CairoSurface = std::unique_ptr<cairo_surface_t, DestroyCairo>;
+using Context = std::unique_ptr<cairo_t, DestroyCairo>;
 
 cairo_status_t append(void* text, const unsigned char* bytes, unsigned size) {
     static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), size);
@@ -128,7 +128,7 @@ Color8 colorOf(const PlotColors& colors, PlotInk ink) {
 
 std::string plotSvg(const PlotDrawing& drawing, PlotTheme theme) {
     std::string bytes;
-    const Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, drawing.width, drawing.height));
+    const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &bytes, drawing.width, drawing.height));
     paint(surface.get(), drawing, plotColors(theme), 1);
     cairo_surface_finish(surface.get());
     return bytes;
@@ -136,9 +136,9 @@ std::string plotSvg(const PlotDrawing& drawing, PlotTheme theme) {
 
 std::string plotPng(const PlotDrawing& drawing, PlotTheme theme, double pixelsPerPoint) {
     std::string bytes;
-    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
-                                                     static_cast<int>(std::ceil(drawing.width * pixelsPerPoint)),
-                                                     static_cast<int>(std::ceil(drawing.height * pixelsPerPoint))));
+    const CairoSurface surface(
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(drawing.width * pixelsPerPoint)),
+                                   static_cast<int>(std::ceil(drawing.height * pixelsPerPoint))));
     paint(surface.get(), drawing, plotColors(theme), pixelsPerPoint);
     if (cairo_surface_write_to_png_stream(surface.get(), append, &bytes) != CAIRO_STATUS_SUCCESS) bytes.clear();
     return bytes;

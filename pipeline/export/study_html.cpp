@@ -38,7 +38,7 @@ std::string plotFigure(const StudyReport& report, const StudyAnalysis& analysis)
                                 measureText(analysis.choice))));
 }
 
-std::string pointTable(const StudyReport& report, const StudyAnalysis& analysis) {
+std::string htmlPointTable(const StudyReport& report, const StudyAnalysis& analysis) {
     std::string html = "<h2>Points</h2>\n<table><thead><tr>";
     for (const SweepAxis& axis : report.axes) html += element("th", axis.label);
     html += "<th class=n>ms</th><th class=n>95 % interval</th>" + element("th class=n", measureWithUnit(analysis)) +
@@ -57,7 +57,7 @@ std::string pointTable(const StudyReport& report, const StudyAnalysis& analysis)
     return html + "</tbody></table>\n";
 }
 
-std::string orderTable(const StudyReport& report, const StudyAnalysis& analysis) {
+std::string htmlOrderTable(const StudyReport& report, const StudyAnalysis& analysis) {
     std::string rows;
     for (const MethodCurve& curve : analysis.curves) {
         if (!curve.order.last && !curve.order.fit) continue;
@@ -180,7 +180,7 @@ std::string studyHtml(const StudyReport& report, const StudyAnalysis& analysis, 
             element("h1", title) + "\n";
     html += element("p class=answer", cheapestSentence(analysis, limits.error)) + "\n" +
             element("p class=answer", bestSentence(analysis, limits.milliseconds)) + "\n";
-    html += plotFigure(report, analysis) + pointTable(report, analysis) + orderTable(report, analysis);
+    html += plotFigure(report, analysis) + htmlPointTable(report, analysis) + htmlOrderTable(report, analysis);
     html += details(report, analysis, pictures);
     html += "<h2>References</h2>\n<ul>\n";
     for (std::size_t kind = 0; kind < kErrorKinds; ++kind)

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMaxDepth = 64, kMaxValues = std::size_t{1} << 22;
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;  // "glTF", "JSON", "BIN"
-constexpr std::size_t kHeader = 12, kChunkHeader = 8;                                          // bytes
+constexpr std::size_t kFileHeader = 12, kChunkHeader = 8;                                      // bytes
 
 // `offset`: where the JSON stands in a .glb, whose lines mean nothing.
 Error notJson(const SourceText& source, std::string_view json, std::size_t byte, std::string found,
@@ -65,7 +65,7 @@ Result<Chunks> chunksOf(const SourceText& source) {
         return Error{{source.name, 0, 0}, std::move(found), std::move(expected)};
     };
     const std::string_view bytes = source.text;
-    if (!hasBytes(bytes, 0, kHeader)) return wrong(fmt::format("the file ends after {} bytes", bytes.size()));
+    if (!hasBytes(bytes, 0, kFileHeader)) return wrong(fmt::format("the file ends after {} bytes", bytes.size()));
     if (const auto version = numberAt<std::uint32_t>(bytes, 4); version != 2)
         return wrong(fmt::format("the file is of version {} of binary glTF", version), "version 2");
     const std::size_t length = numberAt<std::uint32_t>(bytes, 8);
@@ -73,7 +73,7 @@ Result<Chunks> chunksOf(const SourceText& source) {
         return wrong(fmt::format("{} bytes announced, the file ends after {}", groupedDigits(length),
                                  groupedDigits(bytes.size())));
     Chunks chunks;
-    std::size_t at = kHeader;
+    std::size_t at = kFileHeader;
     for (int count = 0; length - std::min(at, length) >= kChunkHeader && count < 2; ++count) {
         const std::size_t size = numberAt<std::uint32_t>(bytes, at);
         const auto type = numberAt<std::uint32_t>(bytes, at + 4);
