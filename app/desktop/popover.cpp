@@ -21,7 +21,7 @@ void Popover::open(QWidget* focus) {
     raise();
     focus->setFocus(Qt::PopupFocusReason);
     qApp->installEventFilter(this);
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    m_focus.begin([this](const QWidget* now) {
         if (now && now != this && !isAncestorOf(now)) close();
     });
 }
@@ -29,7 +29,7 @@ void Popover::open(QWidget* focus) {
 void Popover::close() {
     if (!isVisible()) return;
     qApp->removeEventFilter(this);
-    disconnect(qApp, nullptr, this, nullptr);
+    m_focus.end();
     const bool hadFocus = QApplication::focusWidget() == this || isAncestorOf(QApplication::focusWidget());
     hide();
     if (hadFocus && m_before) m_before->setFocus(Qt::PopupFocusReason);

@@ -2,6 +2,8 @@
 #include <QFrame>
 #include <QPointer>
 
+#include "app/panels/focus_watch.h"
+
 namespace app {
 
 // A box over the window that Esc, or working elsewhere, closes again. The focus then goes back
@@ -21,6 +23,7 @@ protected:
 private:
     void place();
     QPointer<QWidget> m_before;
+    FocusWatch m_focus;
 };
 
 }  // namespace app

@@ -1,7 +1,6 @@
 // What a ViewArea shows; how its views stand is in view_area_layout.cpp.
 #include "app/desktop/view_area.h"
 
-#include <QApplication>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -50,7 +49,7 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
         if (std::exchange(m_inside, m_document.stepper().isInside()) != m_document.stepper().isInside()) showInside();
     });
     connect(&document, &Document::sceneOpened, this, &ViewArea::showStage);
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { takeFocus(now); });
+    m_focus.begin([this](QWidget* now) { takeFocus(now); });
 }
 
 std::vector<BufferView*> ViewArea::inOrder() const {

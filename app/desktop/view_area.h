@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/core/document.h"
+#include "app/panels/focus_watch.h"
 #include "app/state/linked_views.h"
 #include "app/state/view_tree.h"
 #include "app/state/window_state.h"
@@ -117,6 +118,7 @@ private:
     bool m_laysOut = false, m_leadsSoon = false, m_agreesSoon = false, m_alone = false;
     std::optional<bool> m_linked;  // nothing: as the arrangement has it
     bool m_inside = false;         // the stepper, when last looked at
+    FocusWatch m_focus;
 };
 
 }  // namespace app

@@ -1,6 +1,5 @@
 #include "app/panels/buffer_view.h"
 
-#include <QApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedLayout>
@@ -99,7 +98,7 @@ void BufferView::observe() {
     observeWork();
     connect(&m_showing, &ShowJob::ready, this, &BufferView::refresh);
     // The frame that a view stands in shows which view the keys go to.
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    m_focus.begin([this](QWidget* now) {
         QWidget* frame = parentWidget();
         const bool active = now && isAncestorOf(now);
         if (!frame || frame->property("active").toBool() == active) return;

@@ -5,6 +5,7 @@
 
 #include "app/core/document.h"
 #include "app/core/region_statistics.h"
+#include "app/panels/focus_watch.h"
 #include "app/panels/show_job.h"
 #include "app/state/window_state.h"
 
@@ -146,6 +147,7 @@ private:
     std::optional<Region> m_regionShown;
     QLabel* m_pins;
     WorkingBar* m_working;
+    FocusWatch m_focus;
 };
 
 }  // namespace app

@@ -202,6 +202,22 @@ TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
     EXPECT_EQ(Theme::current().scale(), scale);
 }
 
+// The views go while one of them has the focus.
+TEST_F(WindowCues, PresentingEndsAfterAClickOnAPicture) {
+    openPyramid();
+    press("Ctrl+F11");
+    CleanView& view = *window.presentation().cleanView();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    QApplication::setActiveWindow(&view);
+    settle();
+    BufferCanvas& canvas = *view.views().first().canvas();
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.rect().center());
+    ASSERT_EQ(QApplication::focusWidget(), &canvas);
+    QTest::keyClick(&canvas, Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.presentation().isOn(); }, 5000));
+    EXPECT_TRUE(document().pixel());
+}
+
 TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
     openPyramid();
     document().pick(glm::ivec2(268, 281));
