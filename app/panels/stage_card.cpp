@@ -23,6 +23,12 @@ void write(QPainter& painter, QRect& line, const QString& text, const QFont& fon
     line.setLeft(line.left() + painter.fontMetrics().horizontalAdvance(fitting));
 }
 
+QStringList labels() {
+    QStringList all;
+    for (const pipeline::StageId stage : pipeline::kStages) all.push_back(toQString(stageInfo(stage).label));
+    return all;
+}
+
 QString fittingLine(const QString& text, const QFont& font, int width) {
     const QFontMetrics metrics(font);
     return fitting(text, [&](const QString& part) { return metrics.horizontalAdvance(part) <= width; });
@@ -106,8 +112,15 @@ void StageCard::paintEvent(QPaintEvent*) {
     paintBox(painter);
     const int side = theme.px(m_compact ? 10 : 12), lineHeight = theme.px(18);
     QRect box = rect().adjusted(side, theme.px(m_compact ? 4 : 9), -side, -theme.px(m_compact ? 3 : 6));
-    paintTitle(painter, QRect(box.left(), box.top(), box.width(), theme.px(20)));
+    QRect title(box.left(), box.top(), box.width(), theme.px(20));
     box.setTop(box.top() + theme.px(m_compact ? 19 : 24));
+    const int markWidth = theme.px(10), gap = theme.px(6);
+    if (m_compact && titleWidth() + gap + markWidth > title.width()) {  // large letters: the title has its line alone
+        paintMark(painter, {box.right() - markWidth / 2.0, box.top() + lineHeight / 2.0}, m_status.state);
+        box.setRight(box.right() - markWidth - gap);
+    } else
+        title.setRight(paintState(painter, title) - gap);
+    paintTitle(painter, title);
     const ThemeColors& c = theme.colors();
     if (m_status.state == StageState::LeftOut) {
         painter.setFont(theme.text(12));
@@ -159,18 +172,24 @@ void StageCard::paintBox(QPainter& painter) const {
     }
 }
 
-void StageCard::paintTitle(QPainter& painter, const QRect& line) const {
+// Of the longest title: the cards look alike.
+int StageCard::titleWidth() const {
     const Theme& theme = Theme::current();
-    const ThemeColors& c = theme.colors();
-    QRect left = line;
+    const QFontMetrics metrics(theme.text(titleSize(), 600));
+    int widest = 0;
+    for (const QString& label : labels()) widest = std::max(widest, metrics.horizontalAdvance(label));
+    return QFontMetrics(theme.text(titleSize(), 500)).horizontalAdvance(QStringLiteral("0")) + theme.px(8) + widest;
+}
+
+// At the right of the line; gives its left end.
+int StageCard::paintState(QPainter& painter, const QRect& line) const {
+    const Theme& theme = Theme::current();
     const QFont stateFont = theme.text(12, 500);
-    const double size = m_compact ? 13 : 14;
-    const QString number = QString::number(index(m_stage) + 1);
     const int markWidth = theme.px(10);
-    const int titleWidth = QFontMetrics(theme.text(size, 500)).horizontalAdvance(number) + theme.px(8) +
-                           QFontMetrics(theme.text(size, 600)).horizontalAdvance(text());
+    const int title = QFontMetrics(theme.text(titleSize(), 500)).horizontalAdvance(QStringLiteral("0")) + theme.px(8) +
+                      QFontMetrics(theme.text(titleSize(), 600)).horizontalAdvance(text());
     // The mark alone where the word would take room from the title.
-    const int room = line.width() - titleWidth - markWidth - 2 * theme.px(6) - theme.px(2);  // 2 for rounding
+    const int room = line.width() - title - markWidth - 2 * theme.px(6) - theme.px(2);  // 2 for rounding
     const QString stateWord = m_compact ? QString() : fittingLine(word(m_status.state), stateFont, room);
     const int wordWidth = QFontMetrics(stateFont).horizontalAdvance(stateWord);
     const int gap = wordWidth > 0 ? theme.px(6) : 0;
@@ -181,28 +200,35 @@ void StageCard::paintTitle(QPainter& painter, const QRect& line) const {
     painter.setFont(stateFont);
     painter.setPen(stateColor(m_status.state));
     painter.drawText(state, Qt::AlignLeft | Qt::AlignVCenter, stateWord);
+    return line.right() - wordWidth - gap - markWidth;
+}
 
-    left.setRight(line.right() - wordWidth - gap - markWidth - theme.px(6));
-    write(painter, left, number, theme.text(size, 500), c.text3);
-    left.setLeft(left.left() + theme.px(8));
-    write(painter, left, text(), fittingFont(theme.text(size, 600), {text()}, left.width()), c.text);
+void StageCard::paintTitle(QPainter& painter, QRect line) const {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    write(painter, line, QString::number(index(m_stage) + 1), theme.text(titleSize(), 500), c.text3);
+    line.setLeft(line.left() + theme.px(8));
+    // Rather an end left out than letters that nobody reads from the last row.
+    const int least = std::max(12, theme.px(0.75 * titleSize()));
+    write(painter, line, text(), fittingFont(theme.text(titleSize(), 600), labels(), line.width(), least), c.text);
 }
 
 void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {
     const Theme& theme = Theme::current();
     const ThemeColors& c = theme.colors();
     QRect rest = line;
-    write(painter, rest, m_status.time, theme.mono(12), c.text2);
+    const QFont mono = fittingFont(theme.mono(12), {QStringLiteral("0.000 ms")}, line.width() - 2, theme.px(9));
+    write(painter, rest, m_status.time, mono, c.text2);
     if (m_status.error.isEmpty()) return;
     rest.setLeft(rest.left() + theme.px(m_compact ? 8 : 12));
-    const QFontMetrics digits(theme.mono(12));
+    const QFontMetrics digits(mono);
     const auto fits = [&](const QString& part) { return digits.horizontalAdvance(part) <= rest.width(); };
     const QString error = fittingError(m_status.error, fits);
     const int room = rest.width() - digits.horizontalAdvance(error);
     if (room < 0) return;
     if (!m_compact)
         write(painter, rest, fittingLine(QStringLiteral("error "), theme.text(12), room), theme.text(12), c.text2);
-    write(painter, rest, error, theme.mono(12), c.text2);
+    write(painter, rest, error, mono, c.text2);
 }
 
 void StageCard::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -33,7 +33,10 @@ protected:
 
 private:
     void paintBox(QPainter& painter) const;
-    void paintTitle(QPainter& painter, const QRect& line) const;
+    double titleSize() const { return m_compact ? 13 : 14; }
+    int titleWidth() const;
+    int paintState(QPainter& painter, const QRect& line) const;
+    void paintTitle(QPainter& painter, QRect line) const;
     void paintNumbers(QPainter& painter, const QRect& line) const;
 
     pipeline::StageId m_stage;

@@ -5,6 +5,7 @@
 #include "app/core/stage_buffer.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/fitting_font.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
 #include "tests/app/window_fixture.h"
@@ -61,6 +62,27 @@ TEST_F(WindowStages, ClickOnACardGoesToItsStage) {
     QTest::mouseClick(&card, Qt::LeftButton);
     EXPECT_EQ(document().stage(), pipeline::StageId::ZBuffer);
     EXPECT_TRUE(card.isOnShow());
+}
+
+// Letters as wide as the room, or of the least size where even these are wider.
+TEST(FittingFont, IsTheLargestThatFitsAndNoSmallerThanAsked) {
+    QFont large;
+    large.setPixelSize(26);
+    const QStringList texts{QStringLiteral("Cull"), QStringLiteral("Shadow buffer")};
+    const auto width = [&](QFont font, int pixels) {
+        font.setPixelSize(pixels);
+        return QFontMetrics(font).horizontalAdvance(texts[1]);
+    };
+    for (const int pixels : {26, 22, 20, 13}) {
+        const int fitting = fittingFont(large, texts, width(large, pixels), 20).pixelSize();
+        EXPECT_LE(fitting, std::max(20, pixels));
+        EXPECT_GE(fitting, 20);
+        if (pixels < 20) continue;
+        EXPECT_LE(width(large, fitting), width(large, pixels));
+        if (fitting < 26) {
+            EXPECT_GT(width(large, fitting + 1), width(large, pixels));
+        }
+    }
 }
 
 TEST(StageCardWords, EndAtASignWhereTheyDoNotFit) {
