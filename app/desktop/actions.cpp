@@ -17,6 +17,7 @@ std::span<const ActionRow> actionTable() {
          "Writes the scene to its file; asks for a name where that holds more than this program writes."},
         {A::SaveAs, "File", "Save scene as…", "Ctrl+Shift+S", "Writes the scene with all its settings as a TOML file."},
         {A::Export, "File", "Export buffers…", "Ctrl+E", "Writes the buffers of this frame to a folder.", false, true},
+        {A::SaveBuffer, "File", "Save this buffer…", "", "Writes the buffer of the active view to a folder."},
         {A::Slide, "File", "Picture for a slide…", "Ctrl+F12; F12",
          "Saves a view in any size, on a transparent ground; the file opens the scene again."},
         {A::Film, "File", "Step film…", "", "Writes a buffer's build-up, step by step, as a GIF or as PNG files."},

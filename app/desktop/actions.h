@@ -14,6 +14,7 @@ enum class ActionId : unsigned char {
     Save,
     SaveAs,
     Export,
+    SaveBuffer,
     Slide,
     Film,
     RestoreSession,

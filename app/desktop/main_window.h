@@ -97,7 +97,7 @@ private:
     void chooseFile();
     bool saveScene();    // false: not saved
     bool saveSceneAs();  // likewise
-    void exportBuffers();
+    void exportBuffers(bool onlyActive);
     void showStudy();
     void showManual();
     void showPreferences();

@@ -68,7 +68,9 @@ void MainWindow::connectActions() {
     on(A::ReadAgain, [this] { readAgain(); });
     on(A::Save, [this] { saveScene(); });
     on(A::SaveAs, [this] { saveSceneAs(); });
-    on(A::Export, [this] { exportBuffers(); });
+    on(A::Export, [this] { exportBuffers(false); });
+    on(A::SaveBuffer, [this] { exportBuffers(true); });
+    connect(m_views, &ViewArea::saveAsked, this, [this] { exportBuffers(true); });
     on(A::Slide, [this] { exportSlide(); });
     on(A::Film, [this] { exportFilm(); });
     on(A::Close, [this] { closeScene(); });
@@ -164,7 +166,7 @@ void MainWindow::enableActions() {
     m_actions->setEnabled(A::ReadAgain, scene && m_document.kept().scene,
                           scene ? tr("This scene comes from no file.") : noScene);
     enableViewActions();
-    for (const A id : {A::Export, A::Slide, A::Film})
+    for (const A id : {A::Export, A::SaveBuffer, A::Slide, A::Film})
         m_actions->setEnabled(id, scene && m_document.frame(),
                               scene ? tr("The first frame is not ready yet.") : noScene);
     m_actions->setEnabled(A::Unpick, scene && m_document.pixel(), tr("Pick a pixel first."));
@@ -208,12 +210,17 @@ bool MainWindow::saveSceneAs() {
     return m_document.save(file);
 }
 
-void MainWindow::exportBuffers() {
+void MainWindow::exportBuffers(bool onlyActive) {
     auto* dialog = new ExportDialog(m_document, this);
     if (auto now = state({})) {
+        std::vector<pipeline::BufferName> shown;
+        for (const auto& view : now->views)
+            if (const auto name = pipeline::findAnyBuffer(view.buffer)) shown.push_back(*name);
+        dialog->setShown(std::move(shown));
         now->scene.clear(), now->set.clear(), now->sceneText.clear();  // it stands beside it
         dialog->setState(toToml(*now));
     }
+    if (onlyActive) dialog->choose(m_views->activeBuffer().buffer());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }

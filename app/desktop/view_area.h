@@ -75,7 +75,8 @@ public:
     QWidget* frameOf(ViewLeaf leaf) const;  // null where there is no such view
 
 signals:
-    void changed();  // the arrangement, or which view is active
+    void changed();    // the arrangement, or which view is active
+    void saveAsked();  // the active view's buffer, as files
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -307,9 +307,16 @@ QString ViewArea::whyNotClose(ViewLeaf leaf) const {
 void ViewArea::addMenu(QMenu* menu, ViewLeaf leaf) {
     menu->setToolTipsVisible(true);
     menu->addSeparator();
+    const bool isBuffer = leaf.kind == ViewLeaf::Kind::Buffer;
+    if (isBuffer) {
+        menu->addAction(tr("Save this buffer…"), this, [this, leaf] {
+            goTo(leaf);
+            emit saveAsked();
+        });
+        menu->addSeparator();
+    }
     QAction* right = menu->addAction(tr("Split to the right"), this, [this, leaf] { splitView(leaf, Kind::Row); });
     QAction* below = menu->addAction(tr("Split below"), this, [this, leaf] { splitView(leaf, Kind::Column); });
-    const bool isBuffer = leaf.kind == ViewLeaf::Kind::Buffer;
     menu->addAction(isBuffer ? tr("3D view here") : tr("Buffer here"), this, [this, leaf] { turnView(leaf); });
     QAction* close = menu->addAction(tr("Close this view"), this, [this, leaf] { closeView(leaf); });
     connect(menu, &QMenu::aboutToShow, this, [=, this] {

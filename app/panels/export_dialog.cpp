@@ -37,12 +37,16 @@ QLabel* makeLabel(const QString& name, int tone, QWidget* parent) {
 ExportDialog::ExportDialog(Document& document, QWidget* parent)
     : QDialog(parent),
       m_document(document),
+      m_choices(makeChoices()),
       m_buffers(new ExportList(this)),
       m_foot(new JobFoot("export", tr("Export"), this)) {
     setObjectName("exportDialog");
     setWindowTitle(tr("Export buffers"));
     auto* halves = new QHBoxLayout;
-    halves->addWidget(m_buffers, 5);
+    auto* left = new QVBoxLayout;
+    left->addWidget(m_choices);
+    left->addWidget(m_buffers, 1);
+    halves->addLayout(left, 5);
     halves->addWidget(makeTarget(), 5);
     auto* column = new QVBoxLayout(this);
     column->addLayout(halves, 1);
@@ -65,6 +69,36 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
     document.want(this, pipeline::usefulBuffers(document.scene()));
     showFrame();
 }
+
+// Above the list that they check.
+QWidget* ExportDialog::makeChoices() {
+    auto* row = new QWidget(this);
+    auto* links = new QHBoxLayout(row);
+    links->setContentsMargins(0, 0, 0, 0);
+    const auto link = [&](const char* name, const QString& text, auto run) {
+        auto* button = new QPushButton(text, row);
+        button->setObjectName(name);
+        button->setProperty("kind", "link");
+        button->setAutoDefault(false);
+        button->setMinimumWidth(Theme::current().px(40));  // the ring of the focus takes from a short word
+        connect(button, &QPushButton::clicked, this, run);
+        links->addWidget(button);
+        return button;
+    };
+    link("exportAll", tr("All"), [this] { m_buffers->chooseAll(); })->setFocus();  // a dialog begins at its first field
+    link("exportNone", tr("None"), [this] { m_buffers->choose({}); });
+    m_onlyShown = link("exportShown", tr("Only what is shown"), [this] { m_buffers->choose(m_shown); });
+    m_onlyShown->hide();
+    links->addStretch(1);
+    return row;
+}
+
+void ExportDialog::setShown(std::vector<pipeline::BufferName> buffers) {
+    m_shown = std::move(buffers);
+    m_onlyShown->setVisible(!m_shown.empty());
+}
+
+void ExportDialog::choose(const pipeline::BufferName& buffer) { m_buffers->choose({buffer}); }
 
 QWidget* ExportDialog::makeTarget() {
     auto* right = new QWidget(this);
@@ -159,10 +193,11 @@ void ExportDialog::showSummary() {
         bytes += double(file.bytes) * (pixels ? scale : 1);
         files += toQString(file.file);
     }
-    m_total->setText(tr("%1 buffers, %2 files, about %3")
-                         .arg(wanted.buffers.size())
-                         .arg(files.size() + 1)
-                         .arg(sizeText(std::uint64_t(bytes))));
+    m_total->setText(
+        (wanted.buffers.size() == 1 ? tr("%1 buffer, %2 files, about %3") : tr("%1 buffers, %2 files, about %3"))
+            .arg(wanted.buffers.size())
+            .arg(files.size() + 1)
+            .arg(sizeText(std::uint64_t(bytes))));
     const QString more = files.size() > 7 ? tr("\nand %1 more").arg(files.size() - 7) : QString();
     m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') + more);
     m_foot->setCommand(

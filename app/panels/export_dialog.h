@@ -7,6 +7,7 @@
 
 class QLabel;
 class QLineEdit;
+class QPushButton;
 
 namespace app {
 
@@ -24,12 +25,15 @@ public:
 
     // What pictures carry beside the scene, as TOML.
     void setState(std::string state) { m_state = std::move(state); }
+    void setShown(std::vector<pipeline::BufferName> buffers);  // in the window's views
+    void choose(const pipeline::BufferName& buffer);           // this one alone
     pipeline::ExportRequest request() const;
 
 protected:
     bool focusNextPrevChild(bool next) override { return focusNext(*this, next) || QDialog::focusNextPrevChild(next); }
 
 private:
+    QWidget* makeChoices();
     QWidget* makeTarget();
     void showFrame();
     void showSummary();
@@ -38,6 +42,8 @@ private:
     void finish(const QString& sentence, bool done);
 
     Document& m_document;
+    QWidget* m_choices;
+    QPushButton* m_onlyShown;
     ExportList* m_buffers;
     ExportFormats* m_formats;
     QLineEdit* m_folder;
@@ -46,6 +52,7 @@ private:
     JobFoot* m_foot;
     ExportJob* m_job = nullptr;
     std::string m_state;
+    std::vector<pipeline::BufferName> m_shown;
 };
 
 }  // namespace app

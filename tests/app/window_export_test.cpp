@@ -5,7 +5,11 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
+#include <QTreeWidget>
+#include <algorithm>
 
+#include "app/desktop/actions.h"
+#include "app/desktop/view_area.h"
 #include "app/panels/export_dialog.h"
 #include "tests/app/window_fixture.h"
 
@@ -38,6 +42,71 @@ TEST_F(WindowExport, WritesTheFrameThatTheWindowShows) {
     ASSERT_EQ(picture.size(), QSize(640, 480));
     for (const glm::ivec2 pixel : {glm::ivec2(268, 281), glm::ivec2(0, 0), glm::ivec2(292, 259)})
         EXPECT_EQ(picture.pixelColor(pixel.x, pixel.y), frameColor(pixel));
+}
+
+std::vector<std::string> chosenIn(const ExportDialog& dialog) {
+    std::vector<std::string> names;
+    for (const pipeline::BufferName& name : dialog.request().buffers) names.push_back(name.text());
+    return names;
+}
+
+TEST_F(WindowExport, ChecksAllOrNoneOrWhatIsShown) {
+    openPyramid();
+    ExportDialog* dialog = openDialog();
+    const auto all = chosenIn(*dialog);
+    ASSERT_GT(all.size(), 10u);
+    const auto click = [&](const char* name) {
+        QTest::mouseClick(dialog->findChild<QPushButton*>(name), Qt::LeftButton);
+        return chosenIn(*dialog);
+    };
+    EXPECT_EQ(click("exportNone"), std::vector<std::string>{});
+    EXPECT_FALSE(dialog->findChild<QPushButton*>("exportStart")->isEnabled());
+    const auto shown = click("exportShown");
+    EXPECT_EQ(std::ranges::count(shown, "color"), 1);
+    EXPECT_LE(shown.size(), 2u) << "of two views at most";
+    EXPECT_EQ(click("exportAll"), all);
+}
+
+// Culling has one buffer and normals two; the shadow buffer of one convex object is left out, and its stage has no mark.
+TEST_F(WindowExport, AStagesMarkAndSpaceCheckSeveral) {
+    openPyramid();
+    ExportDialog* dialog = openDialog();
+    auto* list = dialog->findChild<QTreeWidget*>("exportBuffers");
+    const auto all = chosenIn(*dialog);
+    QTest::mouseClick(dialog->findChild<QPushButton*>("exportNone"), Qt::LeftButton);
+    QTreeWidgetItem* cull = list->topLevelItem(1);
+    ASSERT_EQ(cull->text(0), "2 Cull");
+    EXPECT_EQ(cull->checkState(0), Qt::Unchecked);
+    cull->setCheckState(0, Qt::Checked);
+    EXPECT_EQ(chosenIn(*dialog), std::vector<std::string>{"polygons.verdict"});
+    cull->child(0)->setCheckState(0, Qt::Unchecked);
+    EXPECT_EQ(cull->checkState(0), Qt::Unchecked);
+    QTreeWidgetItem* transform = list->topLevelItem(0);
+    transform->child(0)->setCheckState(0, Qt::Checked);
+    EXPECT_EQ(transform->checkState(0), Qt::PartiallyChecked);
+    EXPECT_FALSE(list->topLevelItem(3)->data(0, Qt::CheckStateRole).isValid());
+
+    list->setFocus();
+    list->setCurrentItem(cull->child(0));
+    QTest::keyClick(list, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(list, Qt::Key_Space);
+    EXPECT_GE(chosenIn(*dialog).size(), all.size());
+    QTest::keyClick(list, Qt::Key_Space);
+    EXPECT_TRUE(chosenIn(*dialog).empty());
+}
+
+TEST_F(WindowExport, SavesTheActiveViewsBufferAlone) {
+    openPyramid();
+    window.views().showBuffer({pipeline::BufferId::Depth});
+    ASSERT_TRUE(waitForFrame());
+    window.findChild<Actions*>()->operator[](ActionId::SaveBuffer)->trigger();
+    auto* dialog = window.findChild<ExportDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    QTest::qWait(50);
+    ASSERT_TRUE(waitForFrame());  // with more buffers, which stay unchecked
+    EXPECT_EQ(chosenIn(*dialog), std::vector<std::string>{"depth"});
+    EXPECT_TRUE(dialog->findChild<QLineEdit*>("exportCommand")->text().contains("--buffers depth"));
+    EXPECT_TRUE(dialog->findChild<QLabel*>("exportTotal")->text().startsWith("1 buffer, "));
 }
 
 TEST_F(WindowExport, CommandLineNamesWhatWasChanged) {
