@@ -1,5 +1,6 @@
 #include "app/core/copied_value.h"
 
+#include <QStringList>
 #include <array>
 #include <charconv>
 
@@ -7,20 +8,21 @@
 
 namespace app {
 
-QString copiedValue(const pipeline::AnyBuffer& buffer, glm::ivec2 pixel) {
+QString copiedValue(const pipeline::AnyBuffer& buffer, glm::ivec2 pixel, bool isDrawn) {
     const auto channels = std::size_t(buffer.channels());
     const std::size_t first = (std::size_t(pixel.y) * buffer.columns() + std::size_t(pixel.x)) * channels;
-    QString text = QStringLiteral("%1 at %2, %3:").arg(toQString(buffer.name.text())).arg(pixel.x).arg(pixel.y);
+    QStringList numbers;
     std::visit(
         [&](const auto& values) {
             for (std::size_t c = 0; c < channels; ++c) {
                 std::array<char, 32> digits;  // the longest double has 24
                 const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), values[first + c]).ptr;
-                text += ' ' + QString::fromLatin1(digits.data(), end - digits.data());
+                numbers << QString::fromLatin1(digits.data(), end - digits.data());
             }
         },
         buffer.data);
-    return text;
+    return QStringLiteral("%1 at %2, %3: ").arg(toQString(buffer.name.text())).arg(pixel.x).arg(pixel.y) +
+           (isDrawn ? numbers.join(' ') : QStringLiteral("no value, %1 is stored").arg(numbers.join(' ')));
 }
 
 QString whyNoValue(const pipeline::BufferInfo& info) {

@@ -1,4 +1,5 @@
 // The values of a buffer as people read them.
+#include <algorithm>
 #include <cmath>
 
 #include "app/core/number_format.h"
@@ -30,6 +31,10 @@ QString differenceText(double value) {
     return number(value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : size >= 0.1 ? 3 : size >= 0.01 ? 4 : 5);
 }
 
+bool isZero(const QString& text) {
+    return std::ranges::all_of(text, [](QChar c) { return c == '0' || c == '.'; });
+}
+
 QString verdictText(double value) {
     const auto table = pipeline::shadowVerdictTable();
     if (!(value >= 0 && value < double(table.size()))) return "none";
@@ -58,6 +63,8 @@ QString valueText(const AnyBuffer& buffer, double value, int characters) {
         text = component(value);
     else
         text = info.unit.empty() ? dotProduct(value) : number(value, 2);
+    if (value != 0 && std::isfinite(value) && isZero(text))
+        return (value < 0 ? QString(QChar(0x2212)) : QString()) + errorText(std::abs(value));
     if (characters <= 0 || text.size() <= characters || !text.contains('.')) return text;
     const int decimals = int(text.size() - text.indexOf('.')) - 1 - int(text.size() - characters);
     return number(value, std::max(0, decimals));

@@ -225,11 +225,13 @@ std::optional<QPoint> BufferView::texelOf(std::optional<glm::ivec2> pixel) const
 QString BufferView::readout(QPoint pixel) const {
     const QString place = QString("x %1 y %2").arg(pixel.x()).arg(pixel.y());
     if (!QRect(QPoint(0, 0), m_shown->content.size).contains(pixel)) return {};
-    if (!m_shown->content.shapes)
-        return place + " → " +
-               elementText(m_shown->buffer, std::size_t(pixel.x()), std::size_t(pixel.y()), m_shown->look.channel)
-                   .join(' ') +
+    if (!m_shown->content.shapes) {
+        const QString value =
+            elementText(m_shown->buffer, std::size_t(pixel.x()), std::size_t(pixel.y()), m_shown->look.channel)
+                .join(' ');
+        return place + " → " + (m_shown->hasValue(pixel) ? value : tr("no value, %1 is stored").arg(value)) +
                m_compare->readout(pixel);
+    }
     const int polygon = nearestPolygonAt(*m_shown->content.shapes, QPointF(pixel) + QPointF(0.5, 0.5));
     return polygon < 0 ? place : place + QString(" → polygon %1").arg(polygon);
 }

@@ -31,7 +31,8 @@ void BufferView::copyValue() {
         emit m_document.said(why);
         return;
     }
-    const QString text = copiedValue(m_shown->buffer, *m_document.pixel());
+    const glm::ivec2 pixel = *m_document.pixel();
+    const QString text = copiedValue(m_shown->buffer, pixel, m_shown->hasValue({pixel.x, pixel.y}));
     QApplication::clipboard()->setText(text);
     emit m_document.said(tr("Copied: %1").arg(text));
 }

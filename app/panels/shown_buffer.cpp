@@ -81,11 +81,14 @@ QString noticeOf(const Findings& found, bool countsDistinct) {
     return parts.join(", ");
 }
 
+bool isDrawn(const QImage& image, QPoint pixel) { return image.isNull() || qAlpha(image.pixel(pixel)) != 0; }
+
 // Values in a pixel, then which polygon it shows and how many fragments came.
 std::function<QStringList(int, int)> textOf(const AnyBuffer& buffer, ShownChannel channel,
                                             const std::optional<AnyBuffer>& polygons,
-                                            const std::optional<AnyBuffer>& overdraw) {
+                                            const std::optional<AnyBuffer>& overdraw, const QImage& image) {
     return [=](int x, int y) {
+        if (!isDrawn(image, {x, y})) return QStringList("no value");
         constexpr int kCharacters = 8;  // of 11 px in 56
         QStringList lines = elementText(buffer, std::size_t(x), std::size_t(y), channel, kCharacters);
         if (!polygons || lines.size() > 1) return lines;
@@ -156,6 +159,8 @@ PaletteBar::Scale scaleOf(const AnyBuffer& buffer, const BufferLook& shown, Pale
 
 }  // namespace
 
+bool ShownBuffer::hasValue(QPoint pixel) const { return isDrawn(content.image, pixel); }
+
 QStringList channelNames(const BufferInfo& info) {
     if (info.channels == 1) return {};
     if (info.id == BufferId::Barycentric) return {"λ0", "λ1", "λ2"};
@@ -217,7 +222,8 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
         content.size = {int(buffer.columns()), int(buffer.rows())};
         content.image = bufferImage(buffer, shown.look, drawn);
         if (stop.stop_requested()) return shown;
-        content.text = textOf(buffer, channel, polygons, polygons ? frame.buffer({BufferId::Overdraw}) : std::nullopt);
+        content.text = textOf(buffer, channel, polygons, polygons ? frame.buffer({BufferId::Overdraw}) : std::nullopt,
+                              content.image);
         if (info.domain == Domain::Pixel) content.edges = outlinesIn(frame);
         content.focus = info.domain == Domain::Pixel ? focusOn(boundsOf(frame, false), content.size)
                                                      : drawnRectangle(drawn, content.size);

@@ -29,6 +29,8 @@ struct ShownBuffer {
     QString notice;                      // "3 distinct values, 5 NaN"; what is worth telling, may be empty
     QString empty;                       // "Nothing was drawn: …", else empty
     QString description;                 // for a screen reader
+
+    bool hasValue(QPoint pixel) const;  // else it stores what stands for none, as the checker shows
 };
 
 // What is shown, in words: "blue, before scaling".

@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QLabel>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -61,6 +62,32 @@ struct BufferMarksTest : testing::Test {
 constexpr glm::ivec2 kOnPolygon2{268, 281};
 
 }  // namespace
+
+// The checker, the label, a screen reader and a copied value agree: S is stored as 1 where nothing was drawn.
+TEST_F(BufferMarksTest, WhereNothingWasDrawnThereIsNoValue) {
+    constexpr QPoint kBackground{5, 5};
+    const auto show = [this](const pipeline::BufferName& name) {
+        view.setBuffer(name);
+        return QTest::qWaitFor([&] { return !document.busy() && view.shown() && view.shown()->buffer.name == name; },
+                               10000);
+    };
+    ASSERT_TRUE(show({BufferId::Shadow, 0}));
+    document.pick(glm::ivec2(5, 5));
+    ASSERT_EQ(qAlpha(view.canvas()->content().image.pixel(kBackground)), 0);
+    const auto says = [this](const QString& words) {
+        const auto labels = view.findChildren<QLabel*>();
+        return view.canvas()->accessibleDescription().startsWith(words + ". ") &&
+               std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == words; });
+    };
+    EXPECT_TRUE(says("x 5 y 5 → no value, 1.0000 is stored"));
+    view.copyValue();
+    EXPECT_EQ(QApplication::clipboard()->text(), "shadow.0 at 5, 5: no value, 1 is stored");
+    document.pick(glm::ivec2(268, 281));
+    EXPECT_TRUE(says("x 268 y 281 → 1.0000"));
+    ASSERT_TRUE(show({BufferId::Color}));
+    document.pick(glm::ivec2(5, 5));
+    EXPECT_TRUE(says("x 5 y 5 → 0 0 0")) << "the frame buffer's ground is a colour";
+}
 
 // Of −1, 2, 2, 5, 2: the mean is 2, the squares 9 + 0 + 0 + 9 + 0 over 5 make a variance of 3.6.
 TEST(RegionStatistics, CountsWhatIsThere) {

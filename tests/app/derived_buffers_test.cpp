@@ -233,7 +233,8 @@ TEST(CopiedValue, HasEveryChannelInTheFewestDigits) {
     const std::vector<float> numbers{0.1f, 0.25f, 1.0f / 3};
     const pipeline::AnyBuffer buffer{
         {BufferId::Normal}, &bufferInfo(BufferId::Normal), {1, 1, 3}, std::span(numbers), nullptr};
-    EXPECT_EQ(app::copiedValue(buffer, {0, 0}), "normal at 0, 0: 0.1 0.25 0.33333334");
+    EXPECT_EQ(app::copiedValue(buffer, {0, 0}, true), "normal at 0, 0: 0.1 0.25 0.33333334");
+    EXPECT_EQ(app::copiedValue(buffer, {0, 0}, false), "normal at 0, 0: no value, 0.1 0.25 0.33333334 is stored");
 }
 
 // Saved by the program it is its own; with a word more it is somebody's.

@@ -6,6 +6,7 @@
 
 #include "app/core/number_format.h"
 #include "app/core/scene_outline.h"
+#include "app/panels/buffer_image.h"
 #include "app/panels/elided_label.h"
 #include "tests/support/scenes.h"
 
@@ -80,6 +81,20 @@ std::string in(const Format& format, double value, int characters = 0) {
 }
 
 }  // namespace
+
+// Ends of a range that their decimals would round to 0 are told in powers of ten.
+TEST(ValueText, ASmallNumberIsNotZero) {
+    const std::vector<float> none;
+    const pipeline::AnyBuffer buffer{{pipeline::BufferId::Specular, 0},
+                                     &pipeline::bufferInfo(pipeline::BufferId::Specular),
+                                     {0, 0, 3},
+                                     std::span(none),
+                                     nullptr};
+    EXPECT_EQ(app::valueText(buffer, 3e-4), "3.0e-4");
+    EXPECT_EQ(app::valueText(buffer, -3e-4), QString(QChar(0x2212)) + "3.0e-4");
+    EXPECT_EQ(app::valueText(buffer, 6e-4), "0.001");
+    EXPECT_EQ(app::valueText(buffer, 0), "0.000");
+}
 
 TEST(NumberFormat, LeavesTheDigitsToTheNumberUnlessAskedForOthers) {
     EXPECT_EQ(in({}, 0.5), "as stored");
