@@ -23,6 +23,7 @@ PixelField::PixelField(QWidget* window) : Popover(window), m_field(new QLineEdit
     m_field->setObjectName("pixelText");
     m_field->setAccessibleName(tr("Go to pixel"));
     m_hint->setProperty("tone", 2);
+    m_hint->setWordWrap(true);
     auto* column = new QVBoxLayout(this);
     auto* title = new QLabel(tr("Go to pixel"), this);
     column->addWidget(title);
@@ -41,7 +42,8 @@ PixelField::PixelField(QWidget* window) : Popover(window), m_field(new QLineEdit
             close();
             emit entered(*pixel);
         } else {
-            m_hint->setText(tr("There is no such pixel. ") + range());
+            m_hint->setText(tr("There is no such pixel: %1.").arg(range()));
+            adjustSize();
         }
     });
 }
@@ -50,12 +52,10 @@ void PixelField::open(glm::ivec2 size, std::optional<glm::ivec2> now) {
     m_size = size;
     m_field->setText(now ? QStringLiteral("%1, %2").arg(now->x).arg(now->y) : QString());
     m_field->selectAll();
-    m_hint->setText(range());
+    m_hint->setText(tr("%1; Enter goes there.").arg(range()));
     Popover::open(m_field);
 }
 
-QString PixelField::range() const {
-    return tr("x, y from 0, 0 to %1, %2; Enter goes there.").arg(m_size.x - 1).arg(m_size.y - 1);
-}
+QString PixelField::range() const { return tr("x, y from 0, 0 to %1, %2").arg(m_size.x - 1).arg(m_size.y - 1); }
 
 }  // namespace app

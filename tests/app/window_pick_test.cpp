@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
+#include <algorithm>
 
 #include "app/core/theme.h"
 #include "app/panels/buffer_canvas.h"
@@ -89,6 +90,12 @@ TEST_F(WindowPick, GoToPixelTakesTwoNumbersInsideThePicture) {
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_TRUE(field->isVisible());
     EXPECT_FALSE(document().pixel());
+    const auto hints = find<QWidget>("pixelField")->findChildren<QLabel*>();
+    const auto hint =
+        std::ranges::find_if(hints, [](const QLabel* label) { return label->text().contains("no such"); });
+    ASSERT_NE(hint, hints.end());
+    EXPECT_EQ((*hint)->text(), "There is no such pixel: x, y from 0, 0 to 639, 479.");
+    EXPECT_GE((*hint)->height(), (*hint)->heightForWidth((*hint)->width())) << "none of it is cut off";
     field->selectAll();
     QTest::keyClicks(field, "268, 281");
     QTest::keyClick(field, Qt::Key_Return);
