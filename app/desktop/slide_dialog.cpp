@@ -15,6 +15,7 @@
 #include <QSaveFile>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/core/put_away.h"
 #include "app/core/text.h"
@@ -100,21 +101,27 @@ QWidget* SlideDialog::makeFields() {
     }
     m_sizes = new QComboBox(fields);
     for (const QSize& size : kSizes) m_sizes->addItem(tr("%1 × %2").arg(size.width()).arg(size.height()));
-    m_sizes->addItem(tr("other"));
+    m_sizes->addItem(tr("Own size"));
     m_sizes->setCurrentIndex(1);
     const auto side = [&](int value, const QString& name) {
         auto* spin = new QSpinBox(fields);
         spin->setRange(16, kMaxSide);
         spin->setValue(value);
         spin->setAccessibleName(name);
-        connect(spin, &QSpinBox::valueChanged, this, &SlideDialog::preview);
+        connect(spin, &QSpinBox::valueChanged, this, [this] {
+            if (!m_ready) return;
+            const auto own = std::ranges::find(kSizes, QSize(m_width->value(), m_height->value()));
+            m_sizes->setCurrentIndex(int(own - kSizes.begin()));
+            preview();
+        });
         return spin;
     };
     m_width = side(1920, tr("Width in pixels")), m_height = side(1080, tr("Height in pixels"));
     connect(m_sizes, &QComboBox::activated, this, [this](int i) {
         if (i >= int(kSizes.size())) return;
-        m_width->setValue(kSizes[std::size_t(i)].width());
-        m_height->setValue(kSizes[std::size_t(i)].height());
+        const QSize size = kSizes[std::size_t(i)];  // while a width and the height before make one's own
+        m_width->setValue(size.width());
+        m_height->setValue(size.height());
     });
     const auto check = [&](const QString& text, bool on) {
         auto* box = new QCheckBox(text, fields);
@@ -209,7 +216,14 @@ void SlideDialog::save(const QString& file) {
             made.errors = {
                 pipeline::Error{{file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}};
     };
-    make(write, [this, file](const Made&) { m_message->setText(tr("Saved as %1.").arg(QFileInfo(file).fileName())); });
+    make(write, [this, file](const Made&) {
+        const QString path = QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath());
+        const QString words = tr("Saved as %1.");
+        const QFontMetrics metrics = m_message->fontMetrics();
+        const int room = m_message->width() - metrics.horizontalAdvance(words.arg(QString())) - 4;
+        m_message->setText(words.arg(metrics.elidedText(path, Qt::ElideMiddle, room)));
+        m_message->setToolTip(path);
+    });
 }
 
 void SlideDialog::choose() {

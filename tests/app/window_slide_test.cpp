@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
+#include <algorithm>
 #include <set>
 
 #include "app/core/document_state.h"
@@ -94,6 +95,26 @@ TEST_F(WindowSlide, ACaptionStandsBelow) {
     EXPECT_GT(inked(with), 200);
 }
 
+TEST_F(WindowSlide, SaysWhereTheSizeIsOnesOwn) {
+    SlideDialog dialog(document(), window.views(), *window.state({}));
+    const auto boxes = dialog.findChildren<QComboBox*>();
+    const auto sizes = std::ranges::find_if(boxes, [](const QComboBox* box) { return box->findText("Own size") >= 0; });
+    ASSERT_NE(sizes, boxes.end());
+    const auto sides = dialog.findChildren<QSpinBox*>();
+    ASSERT_EQ(sides.size(), 2);
+    EXPECT_EQ((*sizes)->currentText(), "1920 × 1080");
+    sides[0]->setValue(800);
+    EXPECT_EQ((*sizes)->currentText(), "Own size");
+    sides[0]->setValue(1280);
+    sides[1]->setValue(720);
+    EXPECT_EQ((*sizes)->currentText(), "1280 × 720");
+    (*sizes)->setCurrentIndex(2);
+    emit(*sizes)->activated(2);
+    EXPECT_EQ((*sizes)->currentText(), "1600 × 1200");
+    EXPECT_EQ(sides[0]->value(), 1600);
+    EXPECT_EQ(sides[1]->value(), 1200);
+}
+
 TEST_F(WindowSlide, TheFileOpensTheSceneAndTheState) {
     document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
     settle();
@@ -103,10 +124,12 @@ TEST_F(WindowSlide, TheFileOpensTheSceneAndTheState) {
     window.views().first().canvas()->setZoom(8, QPointF(50, 60));
     const auto shown = window.state({});
     SlideDialog dialog(document(), window.views(), *shown);
+    dialog.show();
     const QString file = folder.filePath("slide.png");
     dialog.save(file);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, 60000));
-    ASSERT_EQ(dialog.message(), "Saved as slide.png.");
+    EXPECT_TRUE(dialog.message().startsWith("Saved as /")) << "names the folder";
+    ASSERT_TRUE(dialog.message().endsWith("slide.png.")) << dialog.message().toStdString();
     document().undoStack()->setClean();
     ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
     settle();
