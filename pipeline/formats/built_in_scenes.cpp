@@ -17,7 +17,7 @@ struct Row {
 };
 // Each is a file of resources/scenes. The first is the one to begin with.
 constexpr auto kScenes = std::to_array<Row>({
-    {"pyramid", ".scene", "Pyramid", "The lecture's example: five polygons, of which the picture needs two."},
+    {"pyramid", ".scene", "Pyramid", "The lecture's example: five polygons, of which three face the viewer."},
     {"box_over_plane", ".scene", "Box over a floor",
      "The shadow lies beside the box, for the light comes from the side."},
     {"two_pyramids", ".scene", "Two pyramids",
