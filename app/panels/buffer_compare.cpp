@@ -175,6 +175,7 @@ ShownBuffer BufferCompare::show(const ShowAnswer& answer) {
     m_nameB = "B  ";
     if (other && source->kind != Kind::Buffer) m_nameB += toQString(other->buffer.name.text()) + ", ";
     m_nameB += nameOf(*source);
+    if (other) nameDifference(answer.request.frame->scene(), answer.request.other->frame->scene());
     if (other) {
         m_b = other->buffer;
         if (other->whyNotComparable.empty())

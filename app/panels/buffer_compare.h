@@ -73,6 +73,7 @@ private:
     std::shared_ptr<const ShowAnswer> shownDifference(const pipeline::FramePtr& frame);
     void forgetDifference();
     std::optional<pipeline::AnyBuffer> findDerived(const pipeline::BufferName& name, bool isOwn);
+    void nameDifference(const pipeline::Scene& a, const pipeline::Scene& b);
     Wipe wipe() const;
     void tell();
     QString whyNotYet() const;

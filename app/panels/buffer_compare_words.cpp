@@ -1,6 +1,8 @@
 // What a comparison says, and what may be given up of it.
 #include "app/panels/buffer_compare.h"
 
+#include "app/core/pointed.h"
+
 namespace app {
 
 using pipeline::Domain;
@@ -50,6 +52,17 @@ void BufferCompare::tell() {
     else if (m_found->values.info->domain == Domain::Texel)
         whyNoWorst = tr("A texel of a shadow buffer cannot be picked.");
     m_bar->setFinding(sentence, whyNoWorst);
+}
+
+// Where the two scenes differ in one setting, each side says which value it has.
+void BufferCompare::nameDifference(const pipeline::Scene& a, const pipeline::Scene& b) {
+    const auto differing = differingSettings(a, b);
+    if (differing.size() != 1) return;
+    const auto valueIn = [&](const pipeline::Scene& scene) {
+        return nameOf({.kind = OtherSource::Kind::Setting, .setting = differing[0], .value = differing[0].get(scene)});
+    };
+    m_nameA += ", " + valueIn(a);
+    if (current()->kind == OtherSource::Kind::Before) m_nameB += ", " + valueIn(b);
 }
 
 QString BufferCompare::readout(QPoint pixel) const {

@@ -111,6 +111,12 @@ TEST_F(BufferCompareTest, AnotherPipelineDiffersByWhatTwoFramesDiffer) {
 }
 
 // The difference of the luminances is found once: nothing asks for it again while the frames stay.
+TEST_F(BufferCompareTest, EachSideSaysWhichValueItHas) {
+    compareWith(setting("shading", double(pipeline::Shading::Phong)));
+    EXPECT_EQ(view.canvas()->wipe().nameA, "A  color, gouraud (shading)");
+    EXPECT_EQ(view.canvas()->wipe().nameB, "B  color, phong (shading)");
+}
+
 TEST_F(BufferCompareTest, LuminanceIsComparedWithLuminance) {
     compareWith(setting("shading", kPhong));
     compare.setMode(CompareMode::Difference);
