@@ -16,7 +16,12 @@ std::vector<pipeline::VectorCode> vectorsOf(const QString& refers);
 // out.
 std::vector<pipeline::SettingRef> differingSettings(const pipeline::Scene& a, const pipeline::Scene& b);
 
-// "n exponent" is known as n, "k_r red" as k_r; another label by its words.
+// A setting's words with the letters that the equation has: I_p of light 1 is I_1.
+QString labelOf(const pipeline::SettingRef& setting);
+// "n exponent" is known as n, "k_r red" as k_r, "L y" as it stands; another label by its words.
 QString symbolOf(const pipeline::SettingRef& setting);
+
+// What the equation's I_max is, and what it is made of in this scene.
+QString maximumText(const pipeline::Scene& scene, double iMax);
 
 }  // namespace app

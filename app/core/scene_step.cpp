@@ -1,5 +1,6 @@
 #include "app/core/scene_step.h"
 
+#include "app/core/pointed.h"
 #include "app/core/text.h"
 
 namespace app {
@@ -49,7 +50,7 @@ void SceneStep::nameAfterSetting() {
     const auto text = [this](const pipeline::Scene& scene) {
         return QString::fromStdString(formatSetting(*m_setting, m_setting->get(scene)));
     };
-    setText(QStringLiteral("%1 %2 → %3").arg(toQString(m_setting->setting->label), text(*m_before), text(*m_after)));
+    setText(QStringLiteral("%1 %2 → %3").arg(labelOf(*m_setting), text(*m_before), text(*m_after)));
 }
 
 }  // namespace app

@@ -99,7 +99,11 @@ EquationSection::EquationSection(Document& document, QWidget* parent)
 
     connect(m_channels, &Segmented::chosen, &document, &Document::setChannel);
     connect(m_keep, &QToolButton::clicked, this, &EquationSection::setKept);
-    connect(m_math, &MathView::pointedAt, &document, &Document::point);
+    connect(m_math, &MathView::pointedAt, this, [this](const QString& refers) {
+        const bool isMaximum = refers == "i_max" && m_now.scene;  // no buffer and no setting: other views have none
+        if (isMaximum) m_math->setToolTip(maximumText(*m_now.scene, m_now.report.iMax));
+        m_document.point(isMaximum ? QString() : refers);
+    });
     connect(m_math, &MathView::activated, this, [this](const QString& refers) {
         if (const auto name = pipeline::findBuffer(refers.toStdString())) return emit bufferAsked(*name);
         if (m_document.hasScene() && pipeline::findSetting(m_document.scene(), refers.toStdString()))

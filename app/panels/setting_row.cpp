@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 #include <QStyle>
 
+#include "app/core/pointed.h"
 #include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
@@ -30,7 +31,7 @@ int choiceRoom() {
 }  // namespace
 
 QString labelWithSymbol(const QString& label) {
-    static const QRegularExpression symbol("^(\\p{L})(?:_(\\w))?(?: |$)(.*)$",
+    static const QRegularExpression symbol("^(\\p{L})(?:_(\\w+))?(?: |$)(.*)$",
                                            QRegularExpression::UseUnicodePropertiesOption);
     const auto match = symbol.match(label);
     if (!match.hasMatch()) return label.toHtmlEscaped();
@@ -63,13 +64,13 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
     followTheme(m_label, [this] {
         m_label->setFont(Theme::current().text());
         m_label->setFixedWidth(Theme::current().px(kLabelWidth));
-        m_label->setText(labelWithSymbol(toQString(m_setting.setting->label)));
+        m_label->setText(labelWithSymbol(labelOf(m_setting)));
         m_note->setFont(Theme::current().text(12));
     });
     const bool isNumber = setting.setting->kind == SettingKind::Number || setting.setting->kind == SettingKind::Integer;
     isNumber ? addNumber(form, row, parent) : addChoice(form, row, parent);
     for (QWidget* control : m_controls) {
-        control->setAccessibleName(toQString(setting.setting->label));
+        control->setAccessibleName(labelOf(m_setting));
         if (auto* list = qobject_cast<QComboBox*>(control)) nameChoice(*list, list->accessibleName());
         control->setObjectName(toQString(setting.key()));
     }

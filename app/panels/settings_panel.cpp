@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/core/pointed.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/setting_row.h"
@@ -162,8 +163,8 @@ void SettingsPanel::showLastChange() {
     if (!change) return;
     m_changed->setText(
         QStringLiteral("%1 was %2. <a href=\"undo\" style=\"color:%3;text-decoration:none\">Put back</a> (Ctrl+Z)")
-            .arg(labelWithSymbol(toQString(change->setting.setting->label)),
-                 toQString(formatSetting(change->setting, change->before)), Theme::current().colors().accent.name()));
+            .arg(labelWithSymbol(labelOf(change->setting)), toQString(formatSetting(change->setting, change->before)),
+                 Theme::current().colors().accent.name()));
 }
 
 }  // namespace app
