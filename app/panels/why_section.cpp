@@ -7,11 +7,13 @@
 #include <algorithm>
 
 #include "app/core/icons.h"
+#include "app/core/large_frame.h"
 #include "app/core/number_format.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/source_view.h"
+#include "pipeline/inspect/shadow_blocker.h"
 
 namespace app {
 
@@ -39,6 +41,7 @@ WhySection::WhySection(Document& document, QWidget* parent)
     addRow(tr("Polygon"), StageId::Cull, BufferId::PolygonsVerdict);
     addRow(tr("Vertices"), StageId::Transform, BufferId::VerticesScreen);
     addRow(tr("Object"), StageId::Transform, BufferId::VerticesScreen);
+    addRow(tr("Shadow"), StageId::ShadowBuffer, BufferId::ShadowBuffer);
     followTheme(this, [this] {
         const Theme& theme = Theme::current();
         m_grid->setHorizontalSpacing(theme.px(8));
@@ -75,6 +78,10 @@ WhySection::Row& WhySection::addRow(const QString& label, StageId stage, BufferI
 }
 
 void WhySection::go(std::size_t row) {
+    if (row == 6) {
+        const auto first = std::ranges::find_if(m_blockers, [](int polygon) { return polygon >= 0; });
+        return goToShadow(int(first - m_blockers.begin()));
+    }
     m_document.setStage(m_rows[row].stage);
     emit bufferAsked({m_rows[row].buffer});
     using Kind = Selection::Kind;
@@ -82,14 +89,36 @@ void WhySection::go(std::size_t row) {
     if (row == 5 && m_object) m_document.select(Selection{Kind::Object, *m_object});
 }
 
-// "vertex:3" or "file".
+// To the light's buffer, with what stands before the light selected.
+void WhySection::goToShadow(int light) {
+    m_document.setStage(StageId::ShadowBuffer);
+    emit bufferAsked({BufferId::ShadowBuffer, light});
+    m_document.select(Selection{Selection::Kind::Polygon, std::size_t(m_blockers[std::size_t(light)])});
+}
+
+// "vertex:3", "shadow:0" or "file".
 void WhySection::follow(const QString& link) {
     if (link == "file") {
         if (!showSource(m_file, m_line, m_column, window())) emit m_document.said(tr("%1 cannot be read.").arg(m_file));
         return;
     }
+    if (link.startsWith("shadow:")) return goToShadow(link.section(':', 1).toInt());
     go(4);
     m_document.select(Selection{Selection::Kind::Vertex, std::size_t(link.section(':', 1).toULongLong())});
+}
+
+// "of polygon 6 of box before light 0": a link for each light that something stands before.
+QString WhySection::shadowsText(const pipeline::Frame& frame) const {
+    QStringList links;
+    for (std::size_t k = 0; k < m_blockers.size(); ++k) {
+        if (m_blockers[k] < 0) continue;
+        const auto place = frame.placeOf(m_blockers[k]);
+        links << tr("of <a href=\"shadow:%1\">polygon %2 of %3</a>, before light %1")
+                     .arg(k)
+                     .arg(digits(QString::number(m_blockers[k])))
+                     .arg(toQString(frame.scene().objects[place.object].name).toHtmlEscaped());
+    }
+    return links.join("<br>");
 }
 
 void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
@@ -105,10 +134,14 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
                          .arg(digits(chosenText(r.zView).value_or(
                              app::depth(r.zView, frame.scene().settings.precision != pipeline::Precision::Float))));
     m_rows[1].value->setText(fragments);
+    // Every triangle is asked whether it stands before the light.
+    m_blockers = r.covered && !isLarge(frame) ? pipeline::blockersOf(frame, r) : std::vector<int>();
+    const QString shadows = shadowsText(frame);
     for (std::size_t i = 2; i < m_rows.size(); ++i)
         for (QWidget* part : {static_cast<QWidget*>(m_rows[i].label), static_cast<QWidget*>(m_rows[i].value),
                               static_cast<QWidget*>(m_rows[i].go)})
-            part->setVisible(r.covered);
+            part->setVisible(r.covered && (i < 6 || !shadows.isEmpty()));
+    m_rows[6].value->setText(shadows);
     m_sentence = fragments;
     if (!r.covered) return;
 
@@ -134,7 +167,7 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
         source += ", " + (QFileInfo(m_file).isFile() ? QString("<a href=\"file\">%1</a>").arg(line) : line);
     }
     m_rows[5].value->setText(source);
-    for (const std::size_t i : {4, 5})
+    for (const std::size_t i : {4, 5, 6})
         m_rows[i].value->setFocusPolicy(m_rows[i].value->text().contains("href") ? Qt::StrongFocus : Qt::ClickFocus);
     m_sentence = tr("%1 fragments, polygon %2, vertices %3").arg(r.fragments.size()).arg(r.polygon).arg(vertices);
     if (r.fragments.size() == 1) m_sentence.replace("fragments", "fragment");

@@ -33,13 +33,16 @@ private:
     };
     Row& addRow(const QString& label, pipeline::StageId stage, pipeline::BufferId buffer);
     void go(std::size_t row);
+    void goToShadow(int light);
     void follow(const QString& link);
+    QString shadowsText(const pipeline::Frame& frame) const;
 
     Document& m_document;
     QGridLayout* m_grid;
-    std::vector<Row> m_rows;  // pixel, fragment, weights, polygon, vertices, object
+    std::vector<Row> m_rows;  // pixel, fragment, weights, polygon, vertices, object, shadow
     std::optional<std::size_t> m_polygon, m_object;
-    QString m_file;  // that the polygon comes from
+    std::vector<int> m_blockers;  // per light
+    QString m_file;               // that the polygon comes from
     int m_line = 0, m_column = 0;
     QString m_sentence;
 };

@@ -167,7 +167,7 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
 
 // Which polygon stands before a light that does not reach the pixel.
 template <class Real>
-void explainShadows(const FrameData<Real>& data, const std::stop_token& stop, PixelReport& report) {
+void explainShadows(const Scene& scene, const FrameData<Real>& data, const std::stop_token& stop, PixelReport& report) {
     if (data.keys.shading.illumination.model == Model::OpenGl) return;
     for (std::size_t k = 0; k < report.shadow.size(); ++k) {
         if (report.shadow[k] != 0 || data.keys.shading.lights[k].kind == LightKind::Area) continue;
@@ -175,7 +175,7 @@ void explainShadows(const FrameData<Real>& data, const std::stop_token& stop, Pi
         for (Evaluation& e : report.evaluations) {
             if (!(e.lights[k].nDotL > 0)) continue;
             if (why.empty())
-                why = whyShadowed(data, k, report.position, std::uint32_t(report.polygon), report.back, stop);
+                why = whyShadowed(scene, data, k, report.position, std::uint32_t(report.polygon), report.back, stop);
             e.lights[k].note = why;
         }
     }
@@ -319,7 +319,6 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, PixelReport&
         for (std::size_t k = 0; k < lights; ++k)
             report.shadowPlaces.push_back(shadowPlace(data.keys.shading.lights[k], report.shadow[k]));
     evaluateAll(data, triangle, b, report);
-    explainShadows(data, stop, report);
     sumUp(report, lights);
 }
 
@@ -328,7 +327,10 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, PixelReport&
 PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel, const std::stop_token& stop) {
     PixelReport report{};
     report.pixel = pixel;
-    readStages(frame, [&](const auto& data) { fill(data, stop, report); });
+    readStages(frame, [&](const auto& data) {
+        fill(data, stop, report);
+        explainShadows(frame.scene(), data, stop, report);
+    });
     return report;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/inspect/shadow_events.h"
+
 namespace pipeline {
 namespace {
 
@@ -17,6 +19,14 @@ std::optional<double> meets(Vec3d from, Vec3d way, Vec3d a, Vec3d b, Vec3d c) {
     if (!(u >= 0 && v >= 0 && u + v <= 1)) return std::nullopt;
     const double t = glm::dot(ac, other) / volume;
     return t > 0 ? std::optional(t) : std::nullopt;
+}
+
+template <class Real>
+bool facesLight(const FrameData<Real>& data, std::size_t light, Vec3d position, std::uint32_t polygon, bool back) {
+    const Light& from = data.keys.shading.lights[light];
+    const Vec3d front(data.normals->polygon[polygon]);
+    const Vec3d way = from.kind == LightKind::AtInfinity ? from.position : from.position - position;
+    return glm::dot(back ? -front : front, way) > 0;
 }
 
 }  // namespace
@@ -44,23 +54,39 @@ std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t 
 }
 
 template <class Real>
-std::string whyShadowed(const FrameData<Real>& data, std::size_t light, Vec3d position, std::uint32_t polygon,
-                        bool back, const std::stop_token& stop) {
-    const Light& from = data.keys.shading.lights[light];
-    const Vec3d front(data.normals->polygon[polygon]);
-    const Vec3d way = from.kind == LightKind::AtInfinity ? from.position : from.position - position;
-    if (!(glm::dot(back ? -front : front, way) > 0))
+std::string whyShadowed(const Scene& scene, const FrameData<Real>& data, std::size_t light, Vec3d position,
+                        std::uint32_t polygon, bool back, const std::stop_token& stop) {
+    if (!facesLight(data, light, position, polygon, back))
         return fmt::format("Polygon {} faces away from light {}: only the ambient term counts.", polygon, light);
-    if (const auto blocker = blockerOf(data, light, position, polygon, stop))
-        return fmt::format("In the shadow of polygon {}, before light {}: only the ambient term counts.", *blocker,
-                           light);
-    return fmt::format("The shadow buffer of light {} is wrong here: no polygon stands before it (acne).", light);
+    const auto compared = shadowComparison(data, light, polygon, Vec3<Real>(position));
+    const std::string numbers = compared ? " (" + *compared + ")" : std::string();
+    if (const auto blocker = blockerOf(data, light, position, polygon, stop)) {
+        const std::string& object = scene.objects[data.transform->topology->polygonObject[*blocker]].name;
+        return fmt::format("In the shadow of polygon {} of {}, before light {}: only the ambient term counts{}.",
+                           *blocker, object, light, numbers);
+    }
+    return fmt::format("The shadow buffer of light {} is wrong here: no polygon stands before it{}: acne.", light,
+                       numbers);
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                           \
-    template std::optional<std::uint32_t> blockerOf(const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t, \
-                                                    const std::stop_token&);                                   \
-    template std::string whyShadowed(const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t, bool,          \
+std::vector<int> blockersOf(const Frame& frame, const PixelReport& report) {
+    std::vector<int> blockers(report.shadow.size(), -1);
+    if (frame.scene().settings.model == Model::OpenGl) return blockers;
+    readStages(frame, [&](const auto& data) {
+        for (std::size_t k = 0; k < blockers.size(); ++k) {
+            if (report.shadow[k] != 0 || data.keys.shading.lights[k].kind == LightKind::Area) continue;
+            const auto polygon = std::uint32_t(report.polygon);
+            if (!facesLight(data, k, report.position, polygon, report.back)) continue;
+            if (const auto found = blockerOf(data, k, report.position, polygon)) blockers[k] = int(*found);
+        }
+    });
+    return blockers;
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                \
+    template std::optional<std::uint32_t> blockerOf(const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t,      \
+                                                    const std::stop_token&);                                        \
+    template std::string whyShadowed(const Scene&, const FrameData<Real>&, std::size_t, Vec3d, std::uint32_t, bool, \
                                      const std::stop_token&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

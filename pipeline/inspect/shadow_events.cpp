@@ -26,22 +26,52 @@ Vec3<Real> worldAt(const FrameData<Real>& data, std::uint32_t triangle, glm::ive
     return position;
 }
 
-// z' > Z'[x'][y'] + bias, with its numbers.
+struct Comparison {
+    std::string text;  // z' > Z'[x'][y'] + bias, with its numbers
+    bool shadowed;
+};
+
 template <class Real>
-std::string comparison(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
-                       Vec3<Real> normal) {
+Comparison compare(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
+                   Vec3<Real> normal) {
     const ShadowTest<Real> test = shadowTest(light, settings, position, normal);
     const Buffer2D<Real>& depth = *light.depth[test.face];
     const glm::ivec2 at = test.texel;
     const bool inside = at.x >= 0 && at.y >= 0 && at.x < depth.size.x && at.y < depth.size.y;
     const Real stored = inside ? depth.at(at) : std::numeric_limits<Real>::infinity();
     const bool shadowed = test.z > stored + test.bias;
-    return fmt::format("z' {} {} Z'[{}][{}] {} + {:.3g}: {}", depthText(double(test.z)), shadowed ? ">" : "≤", at.x,
-                       at.y, depthText(double(stored)), double(test.bias),
-                       shadowed ? "in shadow, only the ambient term" : "lit");
+    return {fmt::format("z' {} {} Z'[{}][{}] {} + {:.3g}", depthText(double(test.z)), shadowed ? ">" : "≤", at.x, at.y,
+                        depthText(double(stored)), double(test.bias)),
+            shadowed};
+}
+
+template <class Real>
+Vec3<Real> litNormal(const FrameData<Real>& data, std::uint32_t polygon) {
+    const Vec3<Real> front = data.normals->polygon[polygon];
+    return showsBack(data.keys.shading, data.shadingSources(), polygon) ? -front : front;
+}
+
+bool isMean(const ShadingInputs& inputs, std::size_t light) {
+    return sampleGrid(inputs.lights[light]).count() > 1 || inputs.shadow.filter > 0;
+}
+
+template <class Real>
+bool looksUp(const FrameData<Real>& data, std::size_t light) {
+    return data.shadowBuffer && !data.shadowBuffer->lights[light].empty();
 }
 
 }  // namespace
+
+template <class Real>
+std::optional<std::string> shadowComparison(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
+                                            Vec3<Real> position) {
+    const ShadingInputs& inputs = data.keys.shading;
+    const Vec3<Real> normal = litNormal(data, polygon);
+    if (isMean(inputs, light) || !looksUp(data, light) ||
+        !(glm::dot(normal, towardsLight(inputs.lights[light], position)) > 0))
+        return std::nullopt;
+    return compare(data.shadowBuffer->lights[light][0], inputs.shadow, position, normal).text;
+}
 
 template <class Real>
 std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t triangle, glm::ivec2 pixel) {
@@ -51,28 +81,31 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
     const ShadingSources<Real> sources = data.shadingSources();
     const std::uint32_t polygon = data.transform->topology->triangles[triangle].polygon;
     const Vec3<Real> position = worldAt(data, triangle, pixel);
-    const Vec3<Real> front = data.normals->polygon[polygon];
-    const Vec3<Real> normal = showsBack(inputs, sources, polygon) ? -front : front;
+    const Vec3<Real> normal = litNormal(data, polygon);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
         const Light& light = inputs.lights[k];
         if (!light.castsShadow) continue;
-        const bool looksUp = data.shadowBuffer && !data.shadowBuffer->lights[k].empty();
         const double factor = double(shadowAt(inputs, sources, k, polygon, position));
         std::string text;
-        if (sampleGrid(light).count() > 1 || inputs.shadow.filter > 0)
+        if (isMean(inputs, k)) {
             text = shadowPlace(light, factor);
-        else if (!(glm::dot(normal, towardsLight(light, position)) > 0))
+        } else if (!(glm::dot(normal, towardsLight(light, position)) > 0)) {
             text = "the polygon faces away: only the ambient term";
-        else
-            text = looksUp ? comparison(data.shadowBuffer->lights[k][0], inputs.shadow, position, normal)
-                           : "lit, without a shadow buffer";
+        } else if (looksUp(data, k)) {
+            const Comparison found = compare(data.shadowBuffer->lights[k][0], inputs.shadow, position, normal);
+            text = found.text + (found.shadowed ? ": in shadow, only the ambient term" : ": lit");
+        } else {
+            text = "lit, without a shadow buffer";
+        }
         events.push_back(fmt::format("light {}: {}", k, text));
     }
     return events;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real) \
-    template std::vector<std::string> shadowEvents(const FrameData<Real>&, std::uint32_t, glm::ivec2);
+#define SHADESCOPE_INSTANTIATE(Real)                                                                         \
+    template std::vector<std::string> shadowEvents(const FrameData<Real>&, std::uint32_t, glm::ivec2);       \
+    template std::optional<std::string> shadowComparison(const FrameData<Real>&, std::size_t, std::uint32_t, \
+                                                         Vec3<Real>);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,5 +14,11 @@ namespace pipeline {
 // does for every fragment that wins.
 template <class Real>
 std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t triangle, glm::ivec2 pixel);
+
+// The two depths that say whether a point of a polygon is lit, in the same numbers: "z' 2.000000 > Z'[12][44] 0.000000 +
+// 0.02". Nothing where it faces away, where a light has no shadow buffer, and where S is a mean of several answers.
+template <class Real>
+std::optional<std::string> shadowComparison(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
+                                            Vec3<Real> position);
 
 }  // namespace pipeline

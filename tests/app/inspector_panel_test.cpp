@@ -20,6 +20,7 @@
 #include "app/panels/source_view.h"
 #include "app/panels/terms_section.h"
 #include "app/panels/why_section.h"
+#include "pipeline/inspect/shadow_blocker.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/support/scenes.h"
 
@@ -135,6 +136,29 @@ TEST_F(InspectorPanelTest, APointedSymbolIsKnownToTheOtherViews) {
     EXPECT_TRUE(app::vectorsOf(document.pointed()).empty());
 }
 
+// Lecture 1: 0.9·50 + 100·(0.9 + 0.4) = 175.
+TEST_F(InspectorPanelTest, TheMaximumSaysWhatItIsMadeOf) {
+    emit panel.equation().math()->pointedAt("i_max");
+    const QString says = panel.equation().math()->toolTip();
+    EXPECT_TRUE(says.startsWith("I_max, the intensity that 255 stands for: the most that ")) << says.toStdString();
+    EXPECT_TRUE(says.endsWith(" = 0.9·50 + 100·(0.9 + 0.4) = 175.")) << says.toStdString();
+    EXPECT_EQ(document.pointed(), "") << "no buffer and no setting";
+    pipeline::Scene scene = document.scene();
+    scene.settings.model = pipeline::Model::BlinnPhong;
+    EXPECT_TRUE(app::maximumText(scene, 1).contains(": 1 in this model"));
+}
+
+// The equation writes I_0 and L; so do the settings, and what they were before.
+TEST(Pointed, SettingsHaveTheLettersOfTheEquation) {
+    const pipeline::Scene scene = test::pyramid();
+    const auto of = [&](const char* key) { return *pipeline::findSetting(scene, key); };
+    EXPECT_EQ(app::labelOf(of("light.0.intensity")), "I_0 intensity");
+    EXPECT_EQ(app::symbolOf(of("light.0.intensity")), "I_0");
+    EXPECT_EQ(app::symbolOf(of("light.0.y")), "L y");
+    EXPECT_EQ(app::symbolOf(of("material.0.kr")), "k_r");
+    EXPECT_EQ(app::symbolOf(of("material.0.n")), "n");
+}
+
 // Ambient alone: 45 of 114.739; the strips leave the terms themselves as they are.
 TEST_F(InspectorPanelTest, StripsMixTheTerms) {
     auto* terms = panel.findChild<app::TermsSection*>();
@@ -224,7 +248,7 @@ TEST_F(InspectorPanelTest, ARowOfTheFragmentsSelectsItsPolygon) {
 TEST_F(InspectorPanelTest, PolygonVerticesAndObjectAreJumps) {
     auto* why = panel.findChild<app::WhySection*>();
     const auto buttons = why->findChildren<QToolButton*>();
-    ASSERT_EQ(buttons.size(), 6);
+    ASSERT_EQ(buttons.size(), 7);
     buttons[3]->click();
     EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, 2}));
     EXPECT_EQ(document.stage(), pipeline::StageId::Cull);
@@ -235,6 +259,29 @@ TEST_F(InspectorPanelTest, PolygonVerticesAndObjectAreJumps) {
     EXPECT_EQ(document.stage(), pipeline::StageId::Transform);
     buttons[5]->click();
     EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Object, 0}));
+}
+
+// Below the box stands its bottom, polygon 6, before the light.
+TEST_F(InspectorPanelTest, TheShadowIsAJumpToWhatCastsIt) {
+    const pipeline::Scene scene = test::boxOverGround();
+    const auto frame = test::frameOf(scene);
+    std::optional<glm::ivec2> shadowed;
+    for (int y = 0; y < scene.settings.height && !shadowed; ++y)
+        for (int x = 0; x < scene.settings.width && !shadowed; ++x)
+            if (blockersOf(*frame, inspectPixel(*frame, {x, y})) == std::vector<int>{6}) shadowed = glm::ivec2(x, y);
+    ASSERT_TRUE(shadowed);
+    auto* why = panel.findChild<app::WhySection*>();
+    const auto shadow = why->findChildren<QToolButton*>()[6];
+    EXPECT_FALSE(shadow->isVisible()) << "the pyramid casts none";
+    document.setScene(scene);
+    document.pick(*shadowed);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return shadow->isVisible(); }, 10000));
+    QSignalSpy buffers(why, &app::WhySection::bufferAsked);
+    shadow->click();
+    ASSERT_EQ(buffers.size(), 1);
+    EXPECT_EQ(buffers[0][0].value<pipeline::BufferName>(), (pipeline::BufferName{pipeline::BufferId::ShadowBuffer, 0}));
+    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, 6}));
+    EXPECT_EQ(document.stage(), pipeline::StageId::ShadowBuffer);
 }
 
 // Before the first step there is no background yet.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/inspect/pixel_report.h"
+#include "pipeline/inspect/shadow_blocker.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -37,6 +38,11 @@ TEST(ShadowEvents, AnswerTheLecturesComparisonInNumbers) {
     EXPECT_NE(shadowed.find("] 0.000000 + "), std::string::npos) << shadowed;
     EXPECT_NE(shadowed.find(": in shadow, only the ambient term"), std::string::npos) << shadowed;
     EXPECT_EQ(floor.shadow[0], 0);
+    // The equation's note has the same numbers, and names the lid, polygon 1.
+    const std::string numbers = shadowed.substr(9, shadowed.find(": in shadow") - 9);
+    EXPECT_EQ(floor.evaluations[0].lights[0].note,
+              "In the shadow of polygon 1 of lid, before light 0: only the ambient term counts (" + numbers + ").");
+    EXPECT_EQ(blockersOf(*frame, floor), std::vector<int>{1});
 
     const PixelReport beside = inspectPixel(*frame, {50, 70});
     ASSERT_EQ(beside.fragments.size(), 1u);
