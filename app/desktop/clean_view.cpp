@@ -24,7 +24,7 @@ namespace app {
 namespace {
 
 constexpr int kKeyMs = 1200, kCursorMs = 2000;
-constexpr int kFailedMs = 4000;
+constexpr int kFailedMs = 4000, kHintMs = 6000;
 constexpr int kMomentMs = 1000;
 
 }  // namespace
@@ -45,6 +45,13 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     column->addWidget(makeEquation());
     m_caption = new CaptionLine(this);
     column->addWidget(m_caption);
+    m_hint = new QLabel(cues.size() > 0 ? tr("PgDown next cue · F10 step · B black · Esc leaves")
+                                        : tr("F10 step · Ctrl+→ next stage · B black · Esc leaves"),
+                        this);
+    m_hint->setObjectName("cleanHint");
+    m_hint->setProperty("kind", "overlay");
+    m_hint->setProperty("tone", 2);
+    QTimer::singleShot(kHintMs, m_hint, &QWidget::hide);
     makeWork();
     m_pen = new PenLayer(this);
     m_keyTime.setSingleShot(true);
@@ -120,12 +127,14 @@ void CleanView::applyTheme() {
     layout()->setContentsMargins(theme.px(19), theme.px(15), theme.px(19), theme.px(10));
     static_cast<QVBoxLayout*>(layout())->setSpacing(theme.px(12));
     m_value->setFont(theme.mono(13));
+    m_hint->setFont(theme.text(12));
+    m_hint->setMargin(theme.px(4));
     m_swatch->setFixedSize(theme.px(64), theme.px(64));
     m_equationRow->layout()->setSpacing(theme.px(12));
     showEquation();
 }
 
-// Above the caption, at the right: the views stay as they are.
+// Above the caption, at the right: the views stay as they are. The hint where the keys will stand.
 void CleanView::placeWork() {
     const WorkList& work = m_document.work();
     const bool runs = m_opener.busy() || !work.running().isEmpty();
@@ -134,6 +143,8 @@ void CleanView::placeWork() {
     m_work->adjustSize();
     const int margin = Theme::current().px(19);
     m_work->move(width() - m_work->width() - margin, m_caption->y() - m_work->height() - margin / 2);
+    m_hint->adjustSize();
+    m_hint->move(width() - m_hint->width() - margin, m_caption->geometry().center().y() - m_hint->height() / 2);
 }
 
 // Whether there was work on show to stop.
@@ -232,6 +243,7 @@ void CleanView::showKey(const QKeyEvent& key) {
         case Qt::Key_unknown: return;
         default: break;
     }
+    m_hint->hide();
     m_caption->setKey(QKeySequence(key.keyCombination()).toString(QKeySequence::NativeText));
     m_keyTime.start(kKeyMs);
 }

@@ -64,6 +64,7 @@ private:
     MathView* m_math;
     QLabel *m_swatch, *m_value;
     CaptionLine* m_caption;
+    QLabel* m_hint;  // how to go on and how to leave, until the first key or for some seconds
     const SceneOpener& m_opener;
     QFrame* m_work;  // over the views, while the next scene is being read, and what takes long
     PenLayer* m_pen;

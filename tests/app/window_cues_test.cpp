@@ -175,7 +175,10 @@ TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
             EXPECT_GE(label->font().pixelSize(), int(0.02 * view.screen()->size().height()))
                 << label->text().toStdString();
         }
+    const auto* hint = view.findChild<QLabel*>("cleanHint");
+    EXPECT_TRUE(hint->isVisible() && hint->text().endsWith("Esc leaves"));
     QTest::keyClick(&view, Qt::Key_PageDown);
+    EXPECT_FALSE(hint->isVisible()) << "from the first key on";
     EXPECT_EQ(view.shownKey(), "PgDown");
     settle();
     EXPECT_EQ(model().current(), 1);
