@@ -30,6 +30,7 @@ protected:
             EXPECT_EQ(shownColor(shown, pixel), frameColor(pixel)) << pixel.x << ", " << pixel.y;
     }
     void expectNothingCut() {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // of what has just come
         for (const QPushButton* button : window.findChildren<QPushButton*>()) {
             if (!button->isVisible() || button->text().isEmpty()) continue;
             EXPECT_LE(button->fontMetrics().horizontalAdvance(button->text()), button->width())
