@@ -24,7 +24,7 @@ namespace pipeline {
 // What the kernels of pipeline/simd read beside; in float alone.
 inline void snapVertices(TransformOutput<float>& out, Threads& threads) {
     out.snapped.bits = out.view.subPixelBits;
-    out.snapped.resize(out.viewSpace.size());
+    out.snapped.of.resize(out.viewSpace.size());
     threads.forRange(out.viewSpace.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
         snapInVectors(out.view, out.viewSpace, begin, end, out.snapped);
     });

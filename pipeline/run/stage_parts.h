@@ -97,7 +97,7 @@ inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, st
     std::vector<Vec3<float>> positions(in.world.size());
     SnappedVertices snapped;
     snapped.bits = face.subPixelBits;
-    snapped.resize(positions.size());
+    snapped.of.resize(positions.size());
     threads.forRange(positions.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
         toLightViewInVectors(face, in.world, begin, end, positions);
         snapInVectors(face, positions, begin, end, snapped);

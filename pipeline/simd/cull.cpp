@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "pipeline/simd/targets.h"
 #include "pipeline/stages/rasterize.h"
@@ -19,20 +20,20 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
                    CullOutput& out) {
     const I whole;
     const SnappedVertices& from = in.snapped;
-    const auto* planes = reinterpret_cast<const std::int32_t*>(from.planes.data());
+    const std::vector<Triangle>& triangles = in.topology->triangles;
     // Products of two sides stay below 2^30.
     const Ints limit = hn::Set(whole, 1 << 15), zero = hn::Zero(whole);
     const double toPixels = std::ldexp(0.5, -2 * from.bits);
+    const bool mirrors = std::ranges::any_of(in.mirrored, [](std::uint8_t one) { return one != 0; });
+    const std::int32_t leastKept = inputs.mode == CullMode::Back ? 0 : std::numeric_limits<std::int32_t>::min();
     const std::size_t lanes = hn::Lanes(whole);
     std::size_t base = begin;
     for (; base + lanes <= end; base += lanes) {
-        Ints v[3], polygon, x[3], y[3];
-        hn::LoadInterleaved4(whole, reinterpret_cast<const std::int32_t*>(&in.topology->triangles[base]), v[0], v[1],
-                             v[2], polygon);
-        Ints beside = zero;
+        Ints x[3], y[3], beside = zero;
         for (int i = 0; i < 3; ++i) {
-            beside = hn::Or(beside, hn::GatherIndex(whole, planes, v[i]));
-            x[i] = hn::GatherIndex(whole, from.x.data(), v[i]), y[i] = hn::GatherIndex(whole, from.y.data(), v[i]);
+            const auto corner =
+                loadFours(whole, [&](std::size_t l) { return &from.of[triangles[base + l].vertices[i]].x; });
+            x[i] = corner.of[0], y[i] = corner.of[1], beside = hn::Or(beside, corner.of[3]);
         }
         const auto extent = [&](const Ints(&c)[3]) HWY_ATTR {
             return hn::Sub(hn::Max(c[0], hn::Max(c[1], c[2])), hn::Min(c[0], hn::Min(c[1], c[2])));
@@ -40,22 +41,20 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
         const auto plain = hn::And(hn::Eq(beside, zero), hn::And(hn::Lt(extent(x), limit), hn::Lt(extent(y), limit)));
         const Ints area2 = hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])),
                                    hn::Mul(hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0])));
-        const std::uint32_t isPlain = bitsOf(asFloats(plain));
-        HWY_ALIGN std::int32_t clockwise[16];
-        hn::Store(area2, whole, clockwise);
-        for (std::size_t l = 0; l < lanes; ++l) {
-            const std::size_t p = base + l;
-            if (!(isPlain >> l & 1)) {
-                cull(inputs, in, p, p + 1, out);
-                continue;
-            }
-            const bool mirrored = in.mirrored[in.topology->polygonObject[p]] != 0;
-            const std::int32_t front = mirrored ? clockwise[l] : -clockwise[l];
-            out.verdicts[p] = front == 0                                   ? Verdict::Degenerate
-                              : front < 0 && inputs.mode == CullMode::Back ? Verdict::BackFacing
-                                                                           : Verdict::Kept;
-            out.signedAreas[p] = front * toPixels;
-            out.inside[p] = 1;
+        HWY_ALIGN std::int32_t front[16], back[16];
+        hn::Store(hn::Neg(area2), whole, front), hn::Store(area2, whole, back);
+        for (std::size_t l = 0; mirrors && l < lanes; ++l)
+            if (in.mirrored[in.topology->polygonObject[base + l]] != 0) front[l] = back[l];
+        for (std::size_t l = 0; l < lanes; ++l)
+            out.verdicts[base + l] = front[l] == 0          ? Verdict::Degenerate
+                                     : front[l] < leastKept ? Verdict::BackFacing
+                                                            : Verdict::Kept;
+        for (std::size_t l = 0; l < lanes; ++l) out.signedAreas[base + l] = front[l] * toPixels;
+        for (std::size_t l = 0; l < lanes; ++l) out.inside[base + l] = 1;
+        // The stage's own text writes over what is not plain.
+        for (std::uint32_t rest = bitsOf(hn::Not(asFloats(plain))); rest != 0; rest &= rest - 1) {
+            const std::size_t p = base + std::size_t(std::countr_zero(rest));
+            cull(inputs, in, p, p + 1, out);
         }
     }
     cull(inputs, in, base, end, out);
@@ -73,7 +72,7 @@ void cullInVectors(const CullInputs& inputs, const TransformOutput<float>& in, s
                    CullOutput& out) {
     // Where a polygon is a triangle, it is the one of its number.
     const bool triangles = in.topology->triangles.size() == in.topology->polygonCount();
-    if (!triangles || in.snapped.empty() || !in.transparent.empty()) return cull(inputs, in, begin, end, out);
+    if (!triangles || in.snapped.of.empty() || !in.transparent.empty()) return cull(inputs, in, begin, end, out);
     HWY_DYNAMIC_DISPATCH(cullTriangles)(inputs, in, begin, end, out);
 }
 

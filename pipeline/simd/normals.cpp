@@ -32,15 +32,14 @@ HWY_INLINE std::uint32_t storeUnit(Floats3 v, float* to) {
 
 void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                      NormalsOutput<float>& out) {
-    const I whole;
-    const std::size_t lanes = hn::Lanes(whole);
+    const std::vector<Triangle>& triangles = in.topology->triangles;
+    const std::size_t lanes = hn::Lanes(F());
     std::size_t base = begin;
     for (; base + lanes <= end; base += lanes) {
-        Ints v[3], polygon;
-        hn::LoadInterleaved4(whole, reinterpret_cast<const std::int32_t*>(&in.topology->triangles[base]), v[0], v[1],
-                             v[2], polygon);
-        const Floats3 origin = gather(in.world, v[0]), a = gather(in.world, v[1]) - origin,
-                      b = gather(in.world, v[2]) - origin;
+        const auto corner = [&](int i) HWY_ATTR {
+            return loadThrees(in.world, [&](std::size_t l) { return triangles[base + l].vertices[i]; });
+        };
+        const Floats3 origin = corner(0), a = corner(1) - origin, b = corner(2) - origin;
         const auto minor = [](Floats p, Floats q, Floats r, Floats s)
                                HWY_ATTR { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
         // Added to zero, as the sum over a polygon's triangles is: a negative zero becomes a positive one.

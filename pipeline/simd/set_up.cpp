@@ -122,24 +122,19 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
                                      std::uint32_t live, Fields& out, std::uint32_t& others) {
     const I whole;
     const SnappedVertices& from = in.vertices;
-    Ints v[3], polygon;
-    static_assert(sizeof(Triangle) == 16);
-    hn::LoadInterleaved4(whole, reinterpret_cast<const std::int32_t*>(triangles), v[0], v[1], v[2], polygon);
-    const auto* planes = reinterpret_cast<const std::int32_t*>(from.planes.data());
-    const Ints p[]{hn::GatherIndex(whole, planes, v[0]), hn::GatherIndex(whole, planes, v[1]),
-                   hn::GatherIndex(whole, planes, v[2])};
+    Ints x[3], y[3], p[3];
+    Floats w[3];
+    for (int i = 0; i < 3; ++i) {
+        const auto corner = loadFours(whole, [&](std::size_t l) { return &from.of[triangles[l].vertices[i]].x; });
+        x[i] = corner.of[0], y[i] = corner.of[1], w[i] = hn::BitCast(F(), corner.of[2]), p[i] = corner.of[3];
+    }
     const Ints beside = hn::Or(hn::Or(p[0], p[1]), p[2]), outside = hn::And(hn::And(p[0], p[1]), p[2]);
     const auto has = [&](Ints bits, std::uint32_t mask) HWY_ATTR {
         return hn::Ne(hn::And(bits, hn::Set(whole, std::int32_t(mask))), hn::Zero(whole));
     };
     // What is beyond one plane with all of its corners, clipping would leave nothing of.
-    if (!in.clipAll) live &= ~bitsOf(asFloats(has(outside, SnappedVertices::kOutside)));
-    const auto cut = has(beside, SnappedVertices::kCut);
-    Ints x[3], y[3];
-    for (int i = 0; i < 3; ++i) {
-        x[i] = hn::GatherIndex(whole, from.x.data(), v[i]);
-        y[i] = hn::GatherIndex(whole, from.y.data(), v[i]);
-    }
+    if (!in.clipAll) live &= ~bitsOf(asFloats(has(outside, SnappedVertex::kOutside)));
+    const auto cut = has(beside, SnappedVertex::kCut);
     const Ints lowX = hn::Min(x[0], hn::Min(x[1], x[2])), highX = hn::Max(x[0], hn::Max(x[1], x[2]));
     const Ints lowY = hn::Min(y[0], hn::Min(y[1], y[2])), highY = hn::Max(y[0], hn::Max(y[1], y[2]));
     const Ints limit = hn::Set(whole, in.clipAll ? 0 : largestBox(from.bits) + 1);
@@ -173,8 +168,6 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
     }
     if (drawn == 0) return 0;
 
-    Floats w[3];
-    for (int i = 0; i < 3; ++i) w[i] = hn::GatherIndex(F(), from.w.data(), v[i]);
     const auto turn = [&](auto& values, auto choose) HWY_ATTR {
         const auto one_ = values[1];
         values[1] = choose(turned, values[2], values[1]), values[2] = choose(turned, one_, values[2]);
@@ -268,8 +261,9 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
             if (others >> l & 1) {
                 const auto& v = triangles[id].vertices;
                 const bool whole =
-                    !in.clipAll && ((in.vertices.planes[v[0]] | in.vertices.planes[v[1]] | in.vertices.planes[v[2]]) &
-                                    SnappedVertices::kCut) == 0;
+                    !in.clipAll &&
+                    ((in.vertices.of[v[0]].planes | in.vertices.of[v[1]].planes | in.vertices.of[v[2]].planes) &
+                     SnappedVertex::kCut) == 0;
                 parts.clear();
                 const std::int64_t area2 = setUpTriangle<float>(
                     in.view, {in.positions[v[0]], in.positions[v[1]], in.positions[v[2]]}, id,

@@ -84,8 +84,7 @@ void transformVertices(const TransformInputs& inputs, std::size_t object, std::s
 namespace {
 
 // Of as many vertices as a vector holds.
-HWY_INLINE void snapVertices(const View& view, const Vec3<float>* from, std::int32_t* toX, std::int32_t* toY,
-                             float* toW, std::uint32_t* toPlanes) {
+HWY_INLINE void snapVertices(const View& view, const Vec3<float>* from, SnappedVertex* to) {
     const D d;
     const F f;
     const I whole;
@@ -97,9 +96,9 @@ HWY_INLINE void snapVertices(const View& view, const Vec3<float>* from, std::int
     const auto places = hn::Set(d, double(1 << view.subPixelBits));
     const auto sx = hn::Add(hn::Set(d, view.centre.x), hn::Div(x, spread));
     const auto sy = hn::Sub(hn::Set(d, view.centre.y), hn::Div(y, spread));
-    hn::StoreU(hn::DemoteTo(whole, hn::Floor(hn::Add(hn::Mul(sx, places), half))), whole, toX);
-    hn::StoreU(hn::DemoteTo(whole, hn::Floor(hn::Add(hn::Mul(sy, places), half))), whole, toY);
-    hn::StoreU(hn::DemoteTo(f, view.perspective ? hn::Div(one, pz) : pz), f, toW);
+    const auto snapped = [&](auto v)
+                             HWY_ATTR { return hn::DemoteTo(whole, hn::Floor(hn::Add(hn::Mul(v, places), half))); };
+    const Floats w = hn::DemoteTo(f, view.perspective ? hn::Div(one, pz) : pz);
 
     // planesAgainst, of the picture and of the guard band. Bits as sums of powers of two.
     const auto zero = hn::Zero(d);
@@ -116,13 +115,13 @@ HWY_INLINE void snapVertices(const View& view, const Vec3<float>* from, std::int
     };
     distances([&](unsigned plane, auto distance) HWY_ATTR {
         add(hn::Lt(distance, zero), 1u << plane);
-        add(hn::Not(hn::Ge(distance, zero)), 1u << (SnappedVertices::kNotInside + plane));
+        add(hn::Not(hn::Ge(distance, zero)), 1u << (SnappedVertex::kNotInside + plane));
     });
     const auto within = hn::And(hn::And(hn::Ge(near, zero), hn::Ge(far, zero)),
                                 hn::And(hn::And(hn::Ge(hn::Add(guard, x), zero), hn::Ge(hn::Sub(guard, x), zero)),
                                         hn::And(hn::Ge(hn::Sub(guard, y), zero), hn::Ge(hn::Add(guard, y), zero))));
-    add(hn::Not(within), SnappedVertices::kCut);
-    hn::StoreU(hn::BitCast(hn::RebindToUnsigned<I>(), hn::DemoteTo(whole, bits)), hn::RebindToUnsigned<I>(), toPlanes);
+    add(hn::Not(within), SnappedVertex::kCut);
+    hn::StoreInterleaved4(snapped(sx), snapped(sy), hn::BitCast(whole, w), hn::DemoteTo(whole, bits), whole, &to->x);
 }
 
 }  // namespace
@@ -131,20 +130,16 @@ void snapAll(const View& view, std::span<const Vec3<float>> positions, std::size
              SnappedVertices& out) {
     const std::size_t lanes = hn::Lanes(F());
     std::size_t i = begin;
-    for (; i + lanes <= end; i += lanes)
-        snapVertices(view, &positions[i], &out.x[i], &out.y[i], &out.w[i], &out.planes[i]);
+    for (; i + lanes <= end; i += lanes) snapVertices(view, &positions[i], &out.of[i]);
     if (i == end) return;
     // The rest, in a vector's room of its own.
     std::array<Vec3<float>, 16> from;
     from.fill(positions[i]);
-    std::array<std::int32_t, 16> x, y;
-    std::array<float, 16> w;
-    std::array<std::uint32_t, 16> planes;
+    std::array<SnappedVertex, 16> snapped;
     const std::size_t rest = std::min(end - i, from.size());
     std::copy_n(&positions[i], rest, from.begin());
-    snapVertices(view, from.data(), x.data(), y.data(), w.data(), planes.data());
-    std::copy_n(x.begin(), rest, &out.x[i]), std::copy_n(y.begin(), rest, &out.y[i]);
-    std::copy_n(w.begin(), rest, &out.w[i]), std::copy_n(planes.begin(), rest, &out.planes[i]);
+    snapVertices(view, from.data(), snapped.data());
+    std::copy_n(snapped.begin(), rest, &out.of[i]);
 }
 
 // The vertices that fill vectors; how many there were.

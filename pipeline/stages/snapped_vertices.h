@@ -4,22 +4,24 @@
 
 namespace pipeline {
 
-// Vertices of a view in float as its polygons are set up from: projected and snapped in double, each once for all the
-// polygons around it. An array a coordinate, one element a vertex.
-struct SnappedVertices {
-    int bits = 8;                       // the grid's steps are 2^-bits pixels
-    std::vector<std::int32_t> x, y;     // steps, y down; any number where kCut is set
-    std::vector<float> w;               // 1/z_view in perspective, z_view in orthographic projection
-    std::vector<std::uint32_t> planes;  // bits: where the vertex stands
+// A vertex of a view in float as its polygons are set up from: projected and snapped in double, once for all the polygons
+// around it.
+struct SnappedVertex {
+    std::int32_t x, y;     // steps, y down; any number where kCut is set
+    float w;               // 1/z_view in perspective, z_view in orthographic projection
+    std::uint32_t planes;  // bits: where the vertex stands
 
     // Bit k: outside plane k (clip.h) of the picture; bit kNotInside + k: not inside it.
     static constexpr unsigned kNotInside = 8;
     static constexpr std::uint32_t kOutside = 0x3f;  // the bits of all six planes
     // Not inside near, far or guard band: its polygons go through the clipper.
     static constexpr std::uint32_t kCut = 1u << 16;
+};
+static_assert(sizeof(SnappedVertex) == 16);
 
-    bool empty() const { return x.empty(); }
-    void resize(std::size_t count) { x.resize(count), y.resize(count), w.resize(count), planes.resize(count); }
+struct SnappedVertices {
+    int bits = 8;                   // the grid's steps are 2^-bits pixels
+    std::vector<SnappedVertex> of;  // one a vertex
 };
 
 }  // namespace pipeline
