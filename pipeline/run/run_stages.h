@@ -102,7 +102,7 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBu
     if (inputs.counts) out->overdraw = out->depthWrites = {in.view.size, 0};
     auto seen = std::make_shared<SeenBlocks>();
     seen->pieces = prepareSetUp(setUp);
-    setUpPieces(setUp, 0, seen->pieces.pieces.size(), seen->pieces, threads);
+    setUpPieces(setUp, seen->pieces, threads);
     seen->z = BlockBuffer2D<float>(in.view.size), seen->record = BlockBuffer2D<std::uint32_t>(in.view.size);
     const TrianglePieces& pieces = seen->pieces;
     for (const TrianglePiece& piece : pieces.pieces) out->clipped += piece.clipped, out->unclipped += piece.unclipped;

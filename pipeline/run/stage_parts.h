@@ -58,10 +58,9 @@ void findVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>&
 }
 
 // Pieces [first, last) of the triangles are set up.
-inline void setUpPieces(const SetUpInputs& inputs, std::size_t first, std::size_t last, TrianglePieces& out,
-                        Threads& threads) {
-    threads.forRange(last - first, 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t piece = first + begin; piece < first + end; ++piece) setUpPiece(inputs, piece, out);
+inline void setUpPieces(const SetUpInputs& inputs, TrianglePieces& out, Threads& threads) {
+    threads.forRange(out.pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t piece = begin; piece < end; ++piece) setUpPiece(inputs, piece, out);
     });
 }
 
@@ -104,22 +103,16 @@ inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, st
     });
     const SetUpInputs setUp{*in.topology, face, positions, snapped, {}, {}, drawn, false, facingFilter(cull, in)};
     TrianglePieces pieces = prepareSetUp(setUp);
+    setUpPieces(setUp, pieces, threads);
     std::shared_ptr<BlockBuffer2D<float>> blocks;
-    // Nobody asks for these triangles afterwards: of a large mesh only some of them stand in memory at a time.
-    constexpr std::size_t kAtOnce = 8;
-    for (std::size_t first = 0; first < pieces.pieces.size() && !threads.stopped(); first += kAtOnce) {
-        const std::size_t last = std::min(first + kAtOnce, pieces.pieces.size());
-        setUpPieces(setUp, first, last, pieces, threads);
-        const bool isOnly = last - first == pieces.pieces.size();
-        if (isOnly && std::ranges::all_of(pieces.pieces, [](const auto& piece) { return piece.lists.empty(); })) break;
-        if (!blocks) blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
+    if (!std::ranges::all_of(pieces.pieces, [](const auto& piece) { return piece.lists.empty(); })) {
+        blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
         threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
             for (std::size_t tile = begin; tile < end; ++tile) {
-                if (first == 0) blocks->fill(tile, std::numeric_limits<float>::infinity());
+                blocks->fill(tile, std::numeric_limits<float>::infinity());
                 shadowBufferInVectors(face, pieces, tile, *blocks);
             }
         });
-        for (std::size_t piece = first; piece < last; ++piece) pieces.pieces[piece] = {};
     }
     light.blocks[number] = blocks ? blocks : empty.ofSize(face.size);
     light.depth[number] = rowsLater(light.blocks[number]);
