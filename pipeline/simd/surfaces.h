@@ -6,11 +6,13 @@
 #define SHADESCOPE_SURFACES_H
 #endif
 
+#include <hwy/cache_control.h>
+
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
-
 #include <optional>
 
 #include "pipeline/simd/arithmetic.h"
@@ -106,6 +108,9 @@ public:
             m_isDrawn = in.zBuffer.tileIsDrawn[m_index] != 0;
             m_records = seen->record.tile(m_index)->of;
             m_seenIn.emplace(SeenIn{in.transform.view, seen->pieces, tile});
+            long long triangles = 0;
+            for (const TrianglePiece& piece : seen->pieces.pieces) triangles += std::ssize(piece.small);
+            m_fetches = in.zBuffer.seenPixels < 4 * triangles;
         }
         m_names.fill(kNoTriangle);
         if (inputs.illumination.model == Model::OpenGl) return;
@@ -157,6 +162,7 @@ private:
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const std::size_t at = begin + i;
             if (!m_records) drawn.emplace(m_in.zBuffer, m_tile, at);
+            if (m_fetches) fetchAhead(at);
             const std::uint32_t* const names = m_records ? m_records + at : drawn->triangle;
             auto triangle = hn::Set(U(), kNoTriangle);
             Ints polygon = hn::Zero(I());
@@ -198,6 +204,23 @@ private:
                 store(weights, out.weights, i);
             if constexpr (kFacing) store(facing, out.facing, i);
             if constexpr (kPositions) store(position, out.position, i);
+        }
+    }
+    // Of a fine mesh each pixel has another triangle, and nothing of it is in the caches next to the processor: what later
+    // vectors ask for is on its way while this one is looked at.
+    HWY_INLINE void fetchAhead(std::size_t at) const {
+        constexpr std::size_t kRecords = 48, kTriangles = 16;  // pixels
+        const std::size_t lanes = hn::Lanes(F());
+        if (at + kRecords + lanes > kTilePixels) return;
+        const auto smallAt = [&](std::size_t pixel) -> const SmallTriangle* {
+            const std::uint32_t record = m_records[pixel];
+            if (record & TrianglePiece::kOther) return nullptr;
+            return &m_seenIn->pieces.pieceOf(record).small[record & TrianglePieces::kIndex];
+        };
+        for (std::size_t l = 0; l < lanes; ++l) {
+            if (const SmallTriangle* t = smallAt(at + kRecords + l)) hwy::Prefetch(&t->a1), hwy::Prefetch(&t->order);
+            if (const SmallTriangle* t = smallAt(at + kTriangles + l))
+                hwy::Prefetch(&m_in.transform.topology->triangles[t->id]);
         }
     }
     // By the name of a triangle: its record in the blocks, of which one that clipping has cut has several, or its index.
@@ -297,6 +320,7 @@ private:
     const ShadingInputs& m_inputs;
     const ShadingSources<float>& m_in;
     Tile m_tile;
+    bool m_fetches = false;  // for triangles of few pixels
     bool m_perPixel, m_positioned, m_facing = false, m_isDrawn = true;
     std::size_t m_index = 0;                   // of the tile
     const std::uint32_t* m_records = nullptr;  // of the tile; null where the stage's own text drew
