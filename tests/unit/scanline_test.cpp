@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/study/scanline_plot.h"
@@ -105,12 +106,18 @@ TEST(ScanlineSection, IsWrittenAsATable) {
     EXPECT_NE(csv.find("\r\n268,2,,671."), std::string::npos);
 }
 
+class ScanlinePlotOfACrowdedRow : public testing::Test {
+protected:
+    const std::optional<ScanlineSection> section = [] {
+        Scene scene = test::randomScene(7);
+        scene.settings.visibility = Visibility::ZBuffer;
+        const FramePtr frame = frameFor(scene);
+        return shadedSection(frame, crowdedRow(*frame), 1);
+    }();
+};
+
 // Bold and solid where a polygon is seen, thin and dashed where it is hidden; nothing leaves the drawing.
-TEST(ScanlinePlot, DrawsEveryRunOnceAndNothingOutside) {
-    Scene scene = test::randomScene(7);
-    scene.settings.visibility = Visibility::ZBuffer;
-    const FramePtr frame = frameFor(scene);
-    const auto section = shadedSection(frame, crowdedRow(*frame), 1);
+TEST_F(ScanlinePlotOfACrowdedRow, DrawsEveryRunOnceAndNothingOutside) {
     ASSERT_TRUE(section && !section->empty());
     const PlotDrawing drawing = layOut(ScanlinePlot{&*section, 0, 3, 5}, {900, 400, 14});
     std::size_t solid = 0, dashed = 0;
@@ -133,11 +140,7 @@ TEST(ScanlinePlot, DrawsEveryRunOnceAndNothingOutside) {
 
 // 170 points of height leave 3 of 18 for words above and 1.7 below: 85 for the curves, of which two plots above each
 // other would have 45 each. Both have the same columns, and the place of one is found in either.
-TEST(ScanlinePlot, InALowPlotTheIntensityStandsBesideTheDepth) {
-    Scene scene = test::randomScene(7);
-    scene.settings.visibility = Visibility::ZBuffer;
-    const FramePtr frame = frameFor(scene);
-    const auto section = shadedSection(frame, crowdedRow(*frame), 1);
+TEST_F(ScanlinePlotOfACrowdedRow, InALowPlotTheIntensityStandsBesideTheDepth) {
     ASSERT_TRUE(section && !section->empty());
     const PlotSize low{770, 170, 18};
     const ScanlineAxes axes = axesOf(*section, low);
