@@ -245,7 +245,9 @@ private:
         for (const Setting& row : settingsTable()) {
             if (!row.key.starts_with(prefix)) continue;
             const std::string rest(row.key.substr(prefix.size()));
-            if (rest.find('#') == rest.npos) keys.push_back(prefix.empty() ? rest.substr(0, rest.find('.')) : rest);
+            const std::string key = prefix.empty() ? rest.substr(0, rest.find('.')) : rest;
+            const bool isNew = std::ranges::find(keys, key) == keys.end();  // a table holds several
+            if (isNew && rest.find('#') == rest.npos) keys.push_back(key);
         }
         return keys;
     }

@@ -99,6 +99,13 @@ TEST(TomlScene, AnObjectWithoutANameHasItsNumber) {
     EXPECT_EQ(scene->objects[1].name, "sphere");
 }
 
+TEST(TomlScene, ListsATableOnceAmongTheKeys) {
+    const std::string errors = errorsIn("xyzzy = 1\n" + kSphere), camera = "\"camera\"";
+    const std::size_t first = errors.find(camera);
+    ASSERT_NE(first, errors.npos) << errors;
+    EXPECT_EQ(errors.find(camera, first + 1), errors.npos) << errors;
+}
+
 TEST(TomlScene, GivesPlaceAndExpectationOfWhatIsWrong) {
     EXPECT_EQ(errorsIn("shadin = 3\n" + kSphere), "s.toml:1:1: no key \"shadin\"; the nearest is \"shading\"\n");
     EXPECT_EQ(errorsIn("[camera]\n  fov = 200\n" + kSphere),
