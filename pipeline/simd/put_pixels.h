@@ -12,6 +12,7 @@
 #include "pipeline/core/power.h"
 #include "pipeline/simd/arithmetic.h"
 #include "pipeline/simd/blocks.h"
+#include "pipeline/simd/surfaces.h"
 #include "pipeline/stages/shading.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -43,18 +44,20 @@ HWY_INLINE void putPixels(Floats value, Mask mask, std::size_t at, glm::ivec2 or
     }
 }
 
-// The colors of a row of blocks: four rows of a tile's pixels.
+// The colors of a row of blocks: four rows of a tile's pixels. 0 where none is put.
 class ColorRows {
 public:
-    // Channels in the lowest bytes, of the vector at `at` of the row of blocks.
-    HWY_INLINE void put(Ints r, Ints g, Ints b, std::size_t at) {
-        const Ints low = hn::Set(I(), 255);
-        const Ints colors = hn::Or(hn::And(r, low), hn::Or(hn::ShiftLeft<8>(hn::And(g, low)), hn::ShiftLeft<16>(b)));
+    // isFull: every block is put.
+    HWY_INLINE explicit ColorRows(bool isFull) {
+        if (!isFull) std::memset(m_rows, 0, sizeof m_rows);
+    }
+    // Channels in the lowest bytes of each, of the vector at `at` of the row of blocks.
+    HWY_INLINE void put(Ints colors, std::size_t at) {
 #if HWY_TARGET == HWY_SCALAR
         const std::int32_t color = hn::GetLane(colors);
         std::memcpy(place(at), &color, sizeof(Color8));
 #else
-        // Rows of 4 pixels, of whose 4 bytes each 3 are kept. What is written beyond is written over by the next block.
+        // Rows of 4 pixels, of whose 4 bytes each 3 are kept, and 0 where the next block begins, which is put later.
         constexpr hn::Repartition<std::uint8_t, I> bytes;
         alignas(16) static constexpr std::uint8_t kKept[16]{0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15};
         const auto packed = hn::TableLookupBytes(hn::BitCast(bytes, colors), hn::LoadDup128(bytes, kKept));
@@ -86,22 +89,34 @@ public:
     explicit ToBytes(double iMax) : m_iMax(iMax), m_factor(iMax > 0 ? float(255 / iMax) : 0) {
         m_estimates = m_factor > 0x1p-100F && m_factor < 0x1p100F;
     }
-    // In the lowest byte.
+    // Red in the lowest byte, then green and blue; 0 in the highest.
     template <class A>
-    HWY_INLINE Ints of(Floats intensity) const {
-        const Floats value = hn::Mul(intensity, all(m_factor));
-        const Floats clamped = hn::IfThenElseZero(hn::Gt(value, all(0)), hn::Min(value, all(255)));
-        const Floats above = hn::Add(clamped, all(kToWhole));
+    HWY_INLINE Ints of(Floats3 intensity) const {
+        const Floats red = scaledUp(intensity.x), green = scaledUp(intensity.y), blue = scaledUp(intensity.z);
+        const Floats wholeRed = hn::Add(red, all(kToWhole)), wholeGreen = hn::Add(green, all(kToWhole));
+        const Floats wholeBlue = hn::Add(blue, all(kToWhole));
         if constexpr (A::kExact) {
             // Two roundings of the share: 255 (2^-23) < 2^-15.
-            const Floats rest = hn::Abs(hn::Sub(clamped, hn::Sub(above, all(kToWhole))));
-            const bool sure = hn::AllTrue(F(), hn::Lt(rest, all(0.5F - 0x1p-14F)));
-            if (HWY_UNLIKELY(!m_estimates || !sure)) return inDouble(intensity);
+            const auto rest = [](Floats value, Floats whole)
+                                  HWY_ATTR { return hn::Abs(hn::Sub(value, hn::Sub(whole, all(kToWhole)))); };
+            const Floats most = hn::Max(hn::Max(rest(red, wholeRed), rest(green, wholeGreen)), rest(blue, wholeBlue));
+            const bool sure = hn::AllTrue(F(), hn::Lt(most, all(0.5F - 0x1p-14F)));
+            if (HWY_UNLIKELY(!m_estimates || !sure))
+                return packed(inDouble(intensity.x), inDouble(intensity.y), inDouble(intensity.z));
         }
-        return hn::BitCast(I(), above);
+        return packed(hn::BitCast(I(), wholeRed), hn::BitCast(I(), wholeGreen), hn::BitCast(I(), wholeBlue));
     }
 
 private:
+    HWY_INLINE Floats scaledUp(Floats intensity) const {
+        const Floats value = hn::Mul(intensity, all(m_factor));
+        return hn::IfThenElseZero(hn::Gt(value, all(0)), hn::Min(value, all(255)));
+    }
+    // Each in its lowest byte; those above of blue are 0 up to where they are shifted away.
+    HWY_INLINE static Ints packed(Ints r, Ints g, Ints b) {
+        const Ints low = hn::Set(I(), 255);
+        return hn::Or(hn::And(r, low), hn::Or(hn::ShiftLeft<8>(hn::And(g, low)), hn::ShiftLeft<16>(b)));
+    }
     HWY_NOINLINE Ints inDouble(Floats intensity) const {
 #if HWY_TARGET == HWY_SCALAR
         return hn::Set(I(), frameBufferValue(Vec3d(double(hn::GetLane(intensity))), m_iMax).x);
@@ -123,6 +138,26 @@ private:
     float m_factor;
     bool m_estimates;
 };
+
+// Row y of a tile's blocks into the frame buffer, and the intensity where that is kept. blocks: bit i: of block i, the
+// others see nothing, and whatever numbers stand there, their pixels are 0.
+template <class A>
+HWY_INLINE void putRow(const Row3& intensity, std::uint32_t blocks, const ToBytes& bytes, Tile tile, int y,
+                       ShadingOutput<float>& out) {
+    auto& intensities = out.vectors[index(BufferId::Intensity)];
+    ColorRows colors(blocks == (1U << kBlocksAcross) - 1);
+    for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+        const bool isSeen = (blocks >> i / kBlockPixels & 1) != 0;
+        if (!isSeen && intensities.empty()) continue;
+        const Floats3 v = isSeen ? load(intensity, i) : all(Vec3<float>(0));
+        if (isSeen) colors.put(bytes.template of<A>(v), i);
+        if (intensities.empty()) continue;
+        const std::size_t at = std::size_t(y) * kRowPixels + i;
+        if (const Mask inTile = within(tile, at); !hn::AllFalse(F(), inTile))
+            putPixels(v, inTile, at, tile.min, intensities[0]);
+    }
+    colors.copyTo(tile, y * kBlock, out.color);
+}
 
 }  // namespace pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,6 +1,7 @@
 #include "pipeline/simd/shade_pixels.h"
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 #include "pipeline/simd/targets.h"
@@ -71,7 +72,7 @@ public:
                 else
                     m_keeps ? shadeGathered<true>(group) : shadeGathered<false>(group);
             }
-            write();
+            putRow<A>(m_row.intensity, m_seenBlocks, m_bytes, m_tile, y, m_out);
         }
         return m_counts;
     }
@@ -90,11 +91,14 @@ private:
     // What is seen in the row; object by object where that makes a difference.
     void findGroups() {
         m_groups.clear();
+        m_seenBlocks = 0;
         const bool alike = m_looks.size() == 1 || m_inputs.shading != Shading::Phong;
         const auto* of = reinterpret_cast<const std::int32_t*>(m_in.transform.topology->polygonObject.data());
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             Mask left = seenIn(m_row.surface.triangle + i);
+            store(all(Vec3<float>(0)), m_row.intensity, i);
             if (hn::AllFalse(F(), left)) continue;
+            m_seenBlocks |= 1U << i / kBlockPixels;
             if (alike) {
                 groupOf(0).add(i, left);
                 continue;
@@ -281,7 +285,7 @@ private:
             const Mask mask = group.mask(n);
             const Elements<A> at = elementsAt(n);
             const Floats3 emission = at.difference(elements.base, 0), ambient = at.difference(elements.base, 1);
-            store(all(Vec3<float>(0)) + emission + ambient, m_row.intensity, i);
+            store(choose(mask, all(Vec3<float>(0)) + emission + ambient, load(m_row.intensity, i)), m_row.intensity, i);
             if constexpr (kKeeps) {
                 keep(BufferId::Position, load(m_row.surface.position, i), mask, i);
                 keep(BufferId::Emission, emission, mask, i), keep(BufferId::Ambient, ambient, mask, i);
@@ -297,20 +301,6 @@ private:
         }
     }
 
-    // The row's intensity and color, 0 where nothing is seen.
-    void write() {
-        auto& intensities = m_out.vectors[index(BufferId::Intensity)];
-        ColorRows colors;
-        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            const Floats3 v = where(seenIn(m_row.surface.triangle + i), load(m_row.intensity, i));
-            colors.put(m_bytes.template of<A>(v.x), m_bytes.template of<A>(v.y), m_bytes.template of<A>(v.z), i);
-            if (intensities.empty()) continue;
-            if (const Mask inTile = within(m_tile, m_first + i); !hn::AllFalse(F(), inTile))
-                putPixels(v, inTile, m_first + i, m_tile.min, intensities[0]);
-        }
-        colors.copyTo(m_tile, int(m_first / kRowPixels) * kBlock, m_out.color);
-    }
-
     static constexpr float kNoHighlight = 4;  // q is at most 2
     const ShadingInputs& m_inputs;
     const ShadingSources<float>& m_in;
@@ -323,6 +313,7 @@ private:
     std::vector<Shining> m_lights;       // per light
     std::vector<ShadowLight> m_shadows;  // per light
     std::vector<Group> m_groups;
+    std::uint32_t m_seenBlocks = 0;  // of the row, in which anything is seen
     std::size_t m_first = 0;  // of the row, in the tile
     ShadedRow m_row;
     ShadingCounts m_counts;
@@ -355,7 +346,7 @@ HWY_EXPORT(lanesHere);
 void leaveTileDark(Tile tile, ShadingOutput<float>& out) {
     for (int y = tile.min.y; y < tile.max.y; ++y) {
         const std::size_t at = out.color.offset({tile.min.x, y});
-        std::fill_n(&out.color.pixels[at], tile.max.x - tile.min.x, Color8(0));
+        std::memset(&out.color.pixels[at], 0, std::size_t(tile.max.x - tile.min.x) * sizeof(Color8));
         for (auto& intensity : out.vectors[index(BufferId::Intensity)])
             std::fill_n(&intensity.pixels[at], tile.max.x - tile.min.x, Vec3<float>(0));
     }
