@@ -63,4 +63,10 @@ inline Tile tileOf(glm::ivec2 picture, std::size_t i) {
     return {at * kTileSize, glm::min((at + 1) * kTileSize, picture)};
 }
 
+// And back: of the tile.
+inline std::size_t tileAt(glm::ivec2 picture, const Tile& tile) {
+    const int columns = (picture.x + kTileSize - 1) / kTileSize;
+    return std::size_t(tile.min.y / kTileSize * columns + tile.min.x / kTileSize);
+}
+
 }  // namespace pipeline

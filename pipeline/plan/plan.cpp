@@ -1,10 +1,13 @@
 #include "pipeline/plan/plan.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "pipeline/plan/plan_parts.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/simd/incidence.h"
 
 namespace pipeline {
 
@@ -89,9 +92,24 @@ std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     return a == b ? "" : "Other parts of it are needed.";
 }
 
+// Whether the same light falls on the same pixels: only what it is multiplied with may differ.
+bool hasSameIncidence(ShadingInputs a, const ShadingInputs& b) {
+    if (a.lights.size() != b.lights.size()) return false;
+    a.materials = b.materials, a.backMaterials = b.backMaterials, a.ambient = b.ambient;
+    for (std::size_t k = 0; k < a.lights.size(); ++k)
+        a.lights[k].intensity = b.lights[k].intensity, a.lights[k].color = b.lights[k].color;
+    a.illumination.exponentFactor = b.illumination.exponentFactor;
+    // What is needed for the materials; how each was shaded is kept with the light.
+    a.illumination.detail.reflection = b.illumination.detail.reflection;
+    a.illumination.detail.halfway = b.illumination.detail.halfway;
+    a.parts.ambient = b.parts.ambient, a.parts.position = b.parts.position, a.parts.viewVector = b.parts.viewVector;
+    return a == b;
+}
+
 struct Before {
     const StageKeys* keys = nullptr;  // of a frame in the same precision
     std::array<bool, kStageCount> has{};
+    bool keptIncidence = false;
     BufferSet wanted;
     long number = 0;
 };
@@ -102,6 +120,7 @@ Before lookBack(const Scene& scene, const FramePtr& before) {
     readStages(*before, [&](const auto& data) {
         out.keys = &data.keys;
         for (StageId stage : kStages) out.has[index(stage)] = data.has(stage);
+        if (data.shading) out.keptIncidence = !data.shading->incidence.empty();
     });
     out.wanted = before->made();
     out.number = before->number();
@@ -115,6 +134,34 @@ bool shadingCovers(BufferSet have, BufferSet wanted) {
             info.id != BufferId::Antialiased && wanted[index(info.id)] && !have[index(info.id)])
             return false;
     return true;
+}
+
+// What becomes of the incidence that a frame and the one before have in common.
+PlanPart incidenceOf(const ShadingInputs& inputs, glm::ivec2 picture, BufferSet wanted, const Before& past) {
+    PlanPart part{"N·L, highlights and S", Action::LeaveOut, "", ""};
+    const double bytes = incidenceBytes(picture, inputs.lights.size());
+    const bool asked = std::ranges::any_of(bufferTable(), [&](const BufferInfo& info) {
+        return info.stage == StageId::Shading && info.domain == Domain::Pixel && info.id != BufferId::Color &&
+               info.id != BufferId::Intensity && wanted[index(info.id)];
+    });
+    if (inputs.shading != Shading::Phong || !inputs.parts.vectors) {
+        part.why = "Not kept for other materials: Phong shading in vectors of pixels alone keeps them.";
+    } else if (inputs.samples > 1) {
+        part.why = "Not kept for other materials: each of a pixel's samples has its own.";
+    } else if (asked) {
+        part.why = "Not kept for other materials: more buffers than the picture are asked for.";
+    } else if (bytes > kMostIncidence) {
+        part.why =
+            fmt::format("Not kept for other materials: they may take more than {:.0f} MB.", kMostIncidence / 1e6);
+        part.saves = fmt::format("{:.0f} MB", bytes / 1e6);
+    } else if (past.keptIncidence) {
+        part.action = Action::Reuse;
+        part.why = fmt::format("Those of frame {}, where they are all that the materials need.", past.number);
+    } else {
+        part.action = Action::Run;
+        part.why = fmt::format("Kept for other materials, in about {:.1f} MB where all is seen.", bytes / 1e6);
+    }
+    return part;
 }
 
 }  // namespace
@@ -179,12 +226,18 @@ Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs,
     if (shading.empty() && past.keys && !shadingCovers(past.wanted, needs.buffers))
         shading = "Other buffers are asked for.";
     step(StageId::Shading, always, shading, {ZBuffer, Normals, StageId::ShadowBuffer, Transform, Cull});
+    PlanStep& last = plan[index(StageId::Shading)];
+    const bool anew = std::ranges::count(rewritten, true) > 1 || !past.has[index(StageId::Shading)];
+    if (last.action == Action::Run && !anew && !keys.shading.outlines &&
+        hasSameIncidence(past.keys->shading, keys.shading))
+        last.incidence = incidenceOf(keys.shading, keys.transform.view.size, needs.buffers, past);
     return plan;
 }
 
 void explain(const Scene& scene, const Needs& needs, Plan& plan) {
     for (PlanStep& step : plan) {
         step.parts = partsOf(step.stage, scene, needs, step.action);
+        if (step.incidence) step.parts.push_back(*step.incidence);
         if (step.action != Action::LeaveOut) continue;
         for (PlanPart& part : step.parts) {
             part.action = Action::LeaveOut;

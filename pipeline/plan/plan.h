@@ -31,6 +31,9 @@ struct PlanStep {
     std::string saves;
     std::optional<Rule> rule{};
     std::vector<PlanPart> parts;
+    // Of shading where nothing but materials, or intensities and colours of light, has changed: whether N·L, highlights
+    // and S at pixels are reused, or found and kept for the next such frame, or not kept. Nothing where more has changed.
+    std::optional<PlanPart> incidence{};
 };
 
 // One step per stage, in the order of kStages: what a frame will do, decided before anything runs.

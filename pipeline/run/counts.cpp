@@ -42,6 +42,8 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
             const long long seen = data.zBuffer->seenPixels;
             if (data.keys.shading.outlines) return plural(seen, "pixel") + " of outlines";
             std::string text = plural(seen, "pixel") + " shaded";
+            if (const ShadingCounts& n = data.shading->counts; n.relitTiles > 0)
+                text += fmt::format("; N·L, highlights and S reused in {} of {} tiles", n.relitTiles, n.tiles);
             if (data.keys.shading.layers.drawn) text += "; " + plural(data.shading->counts.layers, "layer");
             if (const long long instead = data.shading->counts.affineInstead; instead > 0)
                 text += fmt::format("; {} affine, for their polygon is clipped or crosses itself", instead);
@@ -57,12 +59,14 @@ std::vector<Tally> talliesOf(StageId stage, const FrameData<Real>& data) {
         return {{"triangles clipped", data.zBuffer->clipped, data.zBuffer->unclipped, Rule::Clipping}};
     if (stage != StageId::Shading) return {};
     const ShadingCounts& n = data.shading->counts;
-    return {{"polygons evaluated", n.polygons, n.hiddenPolygons, Rule::HiddenPolygons},
-            {"vertices evaluated", n.vertices, n.hiddenVertices, Rule::HiddenVertices},
-            {"light evaluations", n.evaluations, 0, {}},
-            {"powers", n.powers, n.vanished, Rule::VanishingPower},
-            {"shadow look-ups", n.lookups, n.idleLookups, Rule::ShadowLookup},
-            {"tiles", n.tiles, n.emptyTiles, Rule::EmptyTiles}};
+    std::vector<Tally> tallies{{"polygons evaluated", n.polygons, n.hiddenPolygons, Rule::HiddenPolygons},
+                               {"vertices evaluated", n.vertices, n.hiddenVertices, Rule::HiddenVertices},
+                               {"light evaluations", n.evaluations, 0, {}},
+                               {"powers", n.powers, n.vanished, Rule::VanishingPower},
+                               {"shadow look-ups", n.lookups, n.idleLookups, Rule::ShadowLookup},
+                               {"tiles", n.tiles, n.emptyTiles, Rule::EmptyTiles}};
+    if (n.relit > 0) tallies.push_back({"light evaluations reused", n.relit, 0, {}});
+    return tallies;
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                \

@@ -11,6 +11,7 @@
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/stage_parts.h"
 #include "pipeline/simd/rasterize.h"
+#include "pipeline/simd/relight.h"
 #include "pipeline/simd/shade_pixels.h"
 #include "pipeline/simd/transform.h"
 #include "pipeline/stages/outlines.h"
@@ -185,13 +186,20 @@ private:
     ShadingCounts& m_sum;
 };
 
-// The pixels of a tile, one by one or in vectors as the plan has chosen.
+// The pixels of tile i, one by one or in vectors as the plan has chosen. A tile whose light has been kept is relit; where
+// light is to be kept the others keep it. looks: for those.
 template <class Real>
-ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<Real>& in, Tile pixels,
-                        ShadingOutput<Real>& out) {
+ShadingCounts shadeTile(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::span<const Look> looks,
+                        std::size_t i, ShadingOutput<Real>& out) {
+    const Tile pixels = tileOf(in.transform.view.size, i);
     if (inputs.outlines) return shadeOutlines(in, pixels, out);
-    if constexpr (std::is_same_v<Real, float>)
+    if constexpr (std::is_same_v<Real, float>) {
+        ShadingCounts relit{.relitTiles = 1};
+        if (!out.incidence.empty() && out.incidence[i] &&
+            relightInVectors(inputs, looks, *out.incidence[i], pixels, out, relit))
+            return relit;
         if (inputs.parts.vectors) return shadePixelsInVectors(inputs, in, pixels, out);
+    }
     return shadePixels(inputs, in, pixels, out);
 }
 
@@ -200,6 +208,9 @@ template <class Real>
 void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, ShadingOutput<Real>& out,
                   CountSum& counts, Threads& threads) {
     const std::vector<std::uint8_t>& drawn = in.zBuffer.tileIsDrawn;
+    std::vector<Look> looks;
+    if (!out.incidence.empty())
+        for (const Material& material : inputs.materials) looks.emplace_back(inputs, material);
     threads.forRange(drawn.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile) {
             if (!inputs.parts.emptyTiles && !drawn[tile]) {
@@ -208,8 +219,7 @@ void shadePicture(const ShadingInputs& inputs, const ShadingSources<Real>& in, S
                 counts.add({.emptyTiles = 1});
                 continue;
             }
-            const Tile pixels = tileOf(in.transform.view.size, tile);
-            ShadingCounts shaded = shadeTile(inputs, in, pixels, out);
+            ShadingCounts shaded = shadeTile(inputs, in, looks, tile, out);
             ++shaded.tiles;
             counts.add(shaded);
         }
@@ -252,11 +262,14 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
         out.color.pixels[p] = frameBufferValue(Vec3d(mean.pixels[p]), out.iMax);
 }
 
+// incidence: what the frame before has kept; null in tiles that are to keep it, empty where none are.
 template <class Real>
-std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& data, BufferSet wanted, Threads& threads) {
+std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& data, BufferSet wanted,
+                                                      Incidences incidence, Threads& threads) {
     const ShadingInputs& inputs = data.keys.shading;
     const ShadingSources<Real> in = data.shadingSources();
     auto out = std::make_shared<ShadingOutput<Real>>(prepareShading(inputs, in, wanted));
+    out->incidence = std::move(incidence);
     CountSum counts(out->counts);
     threads.forRange(out->polygons.intensity.size(), kPolygonGrain, [&](std::size_t begin, std::size_t end) {
         counts.add(shadePolygons(inputs, in, begin, end, *out));

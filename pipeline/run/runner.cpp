@@ -184,7 +184,13 @@ private:
             return runShadowBuffer(data.keys.shadowBuffer, withoutTransparent(in), threads);
         });
         stage(StageId::ZBuffer, &Data::zBuffer, [&] { return runVisibility(data, threads); });
-        stage(StageId::Shading, &Data::shading, [&] { return runShading(data, frame.m_made, threads); });
+        stage(StageId::Shading, &Data::shading, [&] {
+            const auto& incidence = frame.m_plan[index(StageId::Shading)].incidence;
+            if (!incidence || incidence->action == Action::LeaveOut) return runShading(data, frame.m_made, {}, threads);
+            if (incidence->action == Action::Reuse)
+                return runShading(data, frame.m_made, old->shading->incidence, threads);
+            return runShading(data, frame.m_made, Incidences(data.zBuffer->tileIsDrawn.size()), threads);
+        });
         frame.m_stages = std::move(stages);
         return !threads.stopped();
     }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "pipeline/stages/shading_terms.h"
@@ -25,6 +26,7 @@ struct Look {
     float exponent;
     BaseTerms<float> base;
     std::vector<Reflected> lights;
+    bool isFinite = true;  // they are: times 0 they are 0
 
     Look(const ShadingInputs& inputs, const Material& material) : base(baseTerms<float>(inputs, material)) {
         const bool halfway = usesHalfway(inputs.illumination.model, material);
@@ -34,6 +36,8 @@ struct Look {
         for (const Light& light : inputs.lights) {
             const Vec3<float> shining(light.intensity * light.color);
             lights.push_back({shining * Vec3<float>(material.diffuse), shining * Vec3<float>(material.specular)});
+            const Vec3<float> sum = lights.back().diffuse + lights.back().specular;
+            isFinite = isFinite && std::isfinite(sum.x + sum.y + sum.z);
         }
     }
 };

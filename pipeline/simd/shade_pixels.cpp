@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 //
 #include "pipeline/simd/elements.h"
+#include "pipeline/simd/keep_incidence.h"
 #include "pipeline/simd/look.h"
 #include "pipeline/simd/power.h"
 #include "pipeline/simd/put_pixels.h"
@@ -57,6 +58,7 @@ public:
         for (const Material& material : inputs.materials) m_looks.emplace_back(inputs, material);
         for (const Light& light : inputs.lights) m_lights.emplace_back(light);
         for (std::size_t k = 0; k < inputs.lights.size(); ++k) m_shadows.emplace_back(inputs, in, k);
+        if (!m_keeps && !out.incidence.empty()) m_keeper.emplace(inputs.lights.size());
     }
 
     ShadingCounts shade() {
@@ -73,7 +75,9 @@ public:
                     m_keeps ? shadeGathered<true>(group) : shadeGathered<false>(group);
             }
             putRow<A>(m_row.intensity, m_seenBlocks, m_bytes, m_tile, y, m_out);
+            if (m_keeper) m_keeper->endRow(std::size_t(y));
         }
+        if (m_keeper) m_out.incidence[tileAt(m_in.transform.view.size, m_tile)] = m_keeper->whole();
         return m_counts;
     }
 
@@ -131,6 +135,7 @@ private:
     void shadePhong(const Group& group) {
         const Look& look = m_looks[group.object];
         orient<kKeeps>(group, look);
+        if (m_keeper) m_keeper->add(group, look.highlight);
         for (std::size_t k = 0; k < m_lights.size(); ++k) {
             if (!m_inputs.parts.lights[k]) continue;
             switch (look.highlight) {
@@ -148,6 +153,9 @@ private:
                 return Terms{where(hn::Gt(nDotL, all(0)), scaled(all(reflected.diffuse), nDotL)),
                              scaled(all(reflected.specular), power) + all(Vec3<float>(0))};
             });
+            if (m_keeper)
+                m_keeper->template addLight<A>(group, k, m_row.nDotL, shines ? &m_row.q : nullptr,
+                                               m_shadows[k].casts() ? &m_row.S : nullptr);
         }
     }
 
@@ -265,11 +273,23 @@ private:
         if (light.looksUp()) m_counts.lookups += lookups, m_counts.idleLookups += idle;
         if (!light.casts()) return;
         light.template factors<A>(m_row.surface, wanted, m_row.S);
+        if (m_keeper) markUnknown(group, wanted);
         for (std::size_t n = 0; n < wanted.count; ++n) {
             const std::size_t i = wanted.at[n];
             const Floats S = load(m_row.S, i);
             store(scaled(load(m_row.diffuse, i), S), m_row.diffuse, i);
             store(scaled(load(m_row.specular, i), S), m_row.specular, i);
+        }
+    }
+
+    // S of the pixels of a group in which it is not wanted.
+    void markUnknown(const Group& group, const Group& wanted) {
+        const Floats unknown = all(Incidence::kUnknownShadow);
+        for (std::size_t n = 0, w = 0; n < group.count; ++n) {
+            const std::size_t i = group.at[n];
+            const bool isWanted = w < wanted.count && wanted.at[w] == i;
+            store(isWanted ? hn::IfThenElse(wanted.mask(w), load(m_row.S, i), unknown) : unknown, m_row.S, i);
+            w += isWanted;
         }
     }
 
@@ -314,6 +334,7 @@ private:
     std::vector<ShadowLight> m_shadows;  // per light
     std::vector<Group> m_groups;
     std::uint32_t m_seenBlocks = 0;  // of the row, in which anything is seen
+    std::optional<IncidenceKeeper> m_keeper;
     std::size_t m_first = 0;  // of the row, in the tile
     ShadedRow m_row;
     ShadingCounts m_counts;

@@ -103,8 +103,7 @@ public:
           m_perPixel(inputs.shading == Shading::Phong),
           m_positioned(inputs.parts.position) {
         if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
-            const auto columns = std::size_t(seen->pieces.tiles.x);
-            m_index = std::size_t(tile.min.y / kTileSize) * columns + std::size_t(tile.min.x / kTileSize);
+            m_index = tileAt(in.transform.view.size, tile);
             m_isDrawn = in.zBuffer.tileIsDrawn[m_index] != 0;
             m_records = seen->record.tile(m_index)->of;
             m_seenIn.emplace(SeenIn{in.transform.view, seen->pieces, tile});

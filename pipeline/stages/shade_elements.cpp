@@ -12,6 +12,7 @@ ShadingCounts& ShadingCounts::operator+=(const ShadingCounts& more) {
     tiles += more.tiles, emptyTiles += more.emptyTiles;
     layers += more.layers;
     affineInstead += more.affineInstead;
+    relit += more.relit, relitTiles += more.relitTiles;
     return *this;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "pipeline/buffers/buffer_table.h"
@@ -41,6 +42,8 @@ struct ShadingCounts {
     long long tiles = 0, emptyTiles = 0;
     long long layers = 0;         // of translucent surfaces over all pixels
     long long affineInstead = 0;  // pixels whose weights could not be those of Scanline
+    long long relit = 0;          // of a light at a point, what the frame before has kept
+    long long relitTiles = 0;
     ShadingCounts& operator+=(const ShadingCounts& more);
 };
 
@@ -82,6 +85,9 @@ struct BaseTerms {
     Vec3<Real> emission, ambient;
 };
 
+struct Incidence;                                                  // pipeline/simd/incidence.h
+using Incidences = std::vector<std::shared_ptr<const Incidence>>;  // per tile
+
 template <class Real>
 struct ShadingOutput {
     double iMax = 0;  // the intensity that 255 stands for
@@ -101,6 +107,9 @@ struct ShadingOutput {
     Buffer2D<Color8> color;
     Buffer2D<std::int32_t> layers;  // empty when not wanted
 
+    // What a frame that differs in materials alone is made from; null where nothing was drawn, and empty where
+    // the plan has nothing kept.
+    Incidences incidence;
     std::vector<std::uint8_t> vertexIsSeen;  // by a polygon that goes on; empty where all are evaluated
     ShadingCounts counts;                    // the sum over all calls below
 };

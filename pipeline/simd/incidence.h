@@ -1,0 +1,45 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "pipeline/buffers/block_buffer.h"
+#include "pipeline/simd/look.h"
+
+namespace pipeline {
+
+// How light falls on what is seen in a tile: all of Phong shading but what it is multiplied with. A frame that differs
+// from the one before in that alone, in materials or in the intensities or colours of light, multiplies it anew. In
+// pieces, each the pixels of a block that see one object: 8 bytes, and for each light 12 a pixel of the block.
+// S. Gershbein and P. Hanrahan, "A fast relighting engine for interactive cinematic lighting design", SIGGRAPH 2000.
+struct Incidence {
+    struct Piece {
+        std::uint32_t object;
+        std::uint16_t pixels;    // bit i: pixel i of the block
+        std::uint8_t block;      // in its row
+        SpecularForm highlight;  // whose power the highlight is
+    };
+    static constexpr float kNoHighlight = 1;    // a logarithm of a cosine is at most 0
+    static constexpr float kUnknownShadow = 2;  // S is at most 1
+    // Of a light at the pixels of a piece; at the others of its block any numbers.
+    struct Light {
+        alignas(64) float nDotL[kBlockPixels];
+        alignas(
+            64) float log[kBlockPixels];  // log(R·V) or log(N·H); kNoHighlight where its power is 0 or not asked for
+        alignas(64) float S[kBlockPixels];  // kUnknownShadow where N·L > 0 and yet nobody has looked it up
+    };
+
+    std::vector<Piece> pieces;                             // row of blocks after row of blocks
+    std::array<std::uint32_t, kBlocksAcross + 1> first{};  // of each row in `pieces`
+    std::vector<Light, LeavesRaw<Light>> lights;           // of a piece side by side
+};
+
+// Of a picture in which every block sees one object, bytes; where they see more, up to twice as much: a tile of more
+// pieces than two a block is not kept.
+constexpr double incidenceBytes(glm::ivec2 picture, std::size_t lights) {
+    return double(picture.x) * picture.y * double(lights) * sizeof(Incidence::Light) / kBlockPixels;
+}
+inline constexpr std::size_t kMostPieces = 2 * kBlocks;
+// The most that is kept: 1920 × 1080 pixels with five lights, or 3840 × 2160 with one.
+inline constexpr double kMostIncidence = 128e6;
+
+}  // namespace pipeline

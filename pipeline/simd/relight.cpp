@@ -1,0 +1,120 @@
+#include "pipeline/simd/relight.h"
+
+#include <bit>
+
+#include "pipeline/simd/targets.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/simd/relight.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+//
+#include "pipeline/simd/power.h"
+#include "pipeline/simd/put_pixels.h"
+#include "pipeline/simd/surfaces.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pipeline::HWY_NAMESPACE {
+namespace {
+
+// The pixels of a tile, row of blocks after row of blocks.
+template <class A>
+class TileRelighter {
+public:
+    TileRelighter(const ShadingInputs& inputs, std::span<const Look> looks, const Incidence& kept)
+        : m_count(inputs.lights.size()), m_looks(looks), m_kept(kept) {
+        for (std::size_t k = 0; k < m_count; ++k)
+            if (inputs.parts.lights[k]) m_lights.push_back(k);
+    }
+    bool relight(Tile tile, ShadingOutput<float>& out, ShadingCounts& counts) {
+        const ToBytes bytes(out.iMax);
+        Row3 intensity;
+        for (int y = 0; y * kBlock < tile.max.y - tile.min.y; ++y) {
+            const auto row = std::size_t(y);
+            std::uint32_t blocks = 0;
+            for (std::size_t i = m_kept.first[row]; i < m_kept.first[row + 1]; ++i) {
+                const std::uint32_t block = 1U << m_kept.pieces[i].block;
+                if (!relightPiece(i, (blocks & block) != 0, intensity)) return false;
+                blocks |= block;
+            }
+            putRow<A>(intensity, blocks, bytes, tile, y, out);
+        }
+        counts.relit += m_relit, counts.powers += m_powers;
+        return true;
+    }
+
+private:
+    // isShared: another piece of the block is there already.
+    HWY_INLINE bool relightPiece(std::size_t number, bool isShared, Row3& intensity) {
+        const Incidence::Piece& piece = m_kept.pieces[number];
+        const Look& look = m_looks[piece.object];
+        const bool shines = look.highlight != SpecularForm::None;
+        if (shines && look.highlight != piece.highlight) return false;
+        const Incidence::Light* const lights = &m_kept.lights[number * m_count];
+        const Floats exponent = all(look.exponent);
+        const Floats3 base = all(sumOf(look.base)), none = all(Vec3<float>(0));
+        for (std::size_t first = 0; first < kBlockPixels; first += hn::Lanes(F())) {
+            const std::size_t i = std::size_t(piece.block) * kBlockPixels + first;
+            const Mask mask = maskOf(std::uint64_t(piece.pixels) >> first);
+            Floats3 sum = base;
+            for (const std::size_t k : m_lights) {
+                const Reflected& reflected = look.lights[k];
+                // As TileShader has it: the same operations in the same order.
+                const Floats nDotL = hn::Load(F(), lights[k].nDotL + first), S = hn::Load(F(), lights[k].S + first);
+                const Mask lit = hn::And(mask, hn::Gt(nDotL, all(0)));
+                if (look.isFinite && hn::AllFalse(F(), lit)) continue;  // terms of 0
+                const Floats3 diffuse = choose(lit, scaled(all(reflected.diffuse), nDotL), none);
+                Floats3 specular = none;
+                if (shines) {
+                    const Floats log = hn::Load(F(), lights[k].log + first);
+                    const Mask there = hn::And(mask, hn::Le(log, all(0)));
+                    const Floats power = hn::IfThenElseZero(there, expOfNegative<A>(hn::Mul(exponent, log)));
+                    specular = scaled(all(reflected.specular), power) + none;
+                    m_powers += static_cast<long long>(hn::CountTrue(F(), there));
+                }
+                const Mask unknown = hn::And(lit, hn::Gt(S, all(1)));
+                if (HWY_UNLIKELY(!hn::AllFalse(F(), unknown)))
+                    if (!hn::AllFalse(F(), hn::AndNot(areZero(diffuse, specular), unknown))) return false;
+                sum = sum + scaled(diffuse, S) + scaled(specular, S);
+            }
+            store(choose(mask, sum, isShared ? load(intensity, i) : none), intensity, i);
+        }
+        m_relit += std::popcount(piece.pixels) * static_cast<long long>(m_lights.size());
+        return true;
+    }
+    HWY_INLINE static Mask areZero(Floats3 a, Floats3 b) {
+        const auto isZero = [](Floats3 v) HWY_ATTR {
+            return hn::And(hn::Eq(v.x, all(0)), hn::And(hn::Eq(v.y, all(0)), hn::Eq(v.z, all(0))));
+        };
+        return hn::And(isZero(a), isZero(b));
+    }
+
+    std::size_t m_count;
+    std::span<const Look> m_looks;
+    const Incidence& m_kept;
+    std::vector<std::size_t> m_lights;  // those that shine
+    long long m_relit = 0, m_powers = 0;
+};
+
+}  // namespace
+
+bool relightTile(const ShadingInputs& inputs, std::span<const Look> looks, const Incidence& kept, Tile tile,
+                 ShadingOutput<float>& out, ShadingCounts& counts) {
+    return inputs.parts.fast ? TileRelighter<Fast>(inputs, looks, kept).relight(tile, out, counts)
+                             : TileRelighter<Exact>(inputs, looks, kept).relight(tile, out, counts);
+}
+
+}  // namespace pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pipeline {
+
+HWY_EXPORT(relightTile);
+
+bool relightInVectors(const ShadingInputs& inputs, std::span<const Look> looks, const Incidence& kept, Tile tile,
+                      ShadingOutput<float>& out, ShadingCounts& counts) {
+    return HWY_DYNAMIC_DISPATCH(relightTile)(inputs, looks, kept, tile, out, counts);
+}
+
+}  // namespace pipeline
+#endif
