@@ -38,10 +38,11 @@ std::optional<pipeline::StageId> stageShownBy(const QString& picture) {
     return name ? std::optional(pipeline::bufferInfo(name->id).stage) : std::nullopt;
 }
 
-// What makeMesh derives follows from these.
+// What else makeMesh derives follows from these.
 bool isSame(const pipeline::Mesh& a, const pipeline::Mesh& b) {
     const auto given = [](const pipeline::Mesh& mesh) {
-        return std::tie(mesh.file, mesh.positions, mesh.normals, mesh.corners, mesh.firstCorner, mesh.polygonPlaces);
+        return std::tie(mesh.file, mesh.positions, mesh.normals, mesh.triangles, mesh.corners, mesh.firstCorner,
+                        mesh.polygonPlaces);
     };
     return given(a) == given(b);
 }

@@ -69,7 +69,7 @@ std::vector<std::uint32_t> rowsOf(const pipeline::Frame& frame, TableId table,
     const pipeline::Topology& topology = frame.topology();
     const auto index = std::uint32_t(shown->index);
     if (selectionOf(table, shown->index).kind == shown->kind) return {index};
-    if (shown->kind == Kind::Polygon && table == TableId::Objects) return {topology.polygonObject[index]};
+    if (shown->kind == Kind::Polygon && table == TableId::Objects) return {topology.objectOfPolygon(index)};
     if (shown->kind == Kind::Polygon && table == TableId::Vertices) return cornersOf(topology, index);
     if (shown->kind == Kind::Vertex && table == TableId::Objects)
         return {std::uint32_t(topology.objectOfVertex(index))};

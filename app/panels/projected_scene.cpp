@@ -169,7 +169,7 @@ std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const Selection&
     Boxed around{0};
     bool isVertexSeen = false;
     forEachInFront(topology, vertices, [&](std::size_t p, const auto& corners) {
-        if (selection.kind == Kind::Object && topology.polygonObject[p] == selection.index && vertices.goesOn(p))
+        if (selection.kind == Kind::Object && topology.objectOfPolygon(p) == selection.index && vertices.goesOn(p))
             around.add(corners, vertices);
         for (std::size_t i = 0; selection.kind == Kind::Vertex && i < corners.size(); ++i)
             isVertexSeen = isVertexSeen || corners[i] == selection.index;

@@ -73,7 +73,7 @@ void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology
     for (Face& face : mesh.faces) {
         if (stop.stop_requested()) return;
         const auto polygon = static_cast<std::size_t>(face.polygon);
-        const pipeline::Material& material = scene.objects[topology.polygonObject[polygon]].material;
+        const pipeline::Material& material = scene.objects[topology.objectOfPolygon(polygon)].material;
         if (verdicts) {
             const double code = verdicts->flat(polygon);
             face.shaded = pipeline::goesOn(static_cast<pipeline::Verdict>(int(code)));

@@ -108,7 +108,7 @@ void addNormals(const Frame& frame, const std::stop_token& stop, ViewMesh& mesh)
             mesh.polygonNormalColors.emplace_back((normal + 1.0) / 2.0);
             if (finite(normal) && normal != Vec3d(0.0))
                 mesh.polygonNormals.push_back({sum / double(corners.size()), glm::normalize(normal),
-                                               mesh.polygonNormalColors.back(), topology.polygonObject[p]});
+                                               mesh.polygonNormalColors.back(), topology.objectOfPolygon(p)});
         }
     if (const auto normals = frame.buffer({BufferId::VerticesNormal}))
         for (std::size_t v = 0; v < mesh.positions.size() && !stop.stop_requested(); ++v) {

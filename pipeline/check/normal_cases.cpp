@@ -65,7 +65,7 @@ Finding runFan(Trial& trial) {
 Scene turning(double degrees) {
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {64, 0, 0}, {64, 64, 0}, {0, 64, 0}};
-    mesh.corners = {0, 1, 2, 3}, mesh.firstCorner = {0, 4};
+    mesh.addPolygon(std::array{0u, 1u, 2u, 3u});
     const double half = degrees / 2 * std::numbers::pi / 180;
     // Exactly opposite at 180.
     const double across = degrees == 180 ? 0 : std::cos(half);

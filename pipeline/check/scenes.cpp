@@ -7,11 +7,7 @@ namespace pipeline::check {
 std::shared_ptr<const Mesh> meshOf(std::vector<Vec3d> positions, const Polygons& polygons) {
     Mesh mesh;
     mesh.positions = std::move(positions);
-    mesh.firstCorner.push_back(0);
-    for (const auto& polygon : polygons) {
-        mesh.corners.insert(mesh.corners.end(), polygon.begin(), polygon.end());
-        mesh.firstCorner.push_back(std::uint32_t(mesh.corners.size()));
-    }
+    for (const auto& polygon : polygons) mesh.addPolygon(polygon);
     return makeMesh(std::move(mesh));
 }
 

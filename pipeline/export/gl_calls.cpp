@@ -141,7 +141,7 @@ void addTransform(const ObjectTransform& t, Calls& calls) {
 // Whether the pieces of a polygon are the fan from its first corner, as GL_POLYGON draws it.
 bool isFan(const Mesh& mesh, std::size_t polygon) {
     const auto corners = mesh.polygon(polygon);
-    const std::size_t first = mesh.firstTriangle[polygon];
+    const std::size_t first = mesh.firstTriangleOf(polygon);
     for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
         const auto& v = mesh.triangles[first + i].vertices;
         if (v[0] != corners[0] || v[1] != corners[i + 1] || v[2] != corners[i + 2]) return false;
@@ -168,7 +168,7 @@ public:
     void add(std::size_t polygon) {
         if (isFan(m_mesh, polygon)) return addOutline("GL_POLYGON", polygon, m_mesh.polygon(polygon));
         // OpenGL leaves open what a concave GL_POLYGON is: its pieces instead.
-        for (std::size_t t = m_mesh.firstTriangle[polygon]; t < m_mesh.firstTriangle[polygon + 1]; ++t)
+        for (std::size_t t = m_mesh.firstTriangleOf(polygon); t < m_mesh.firstTriangleOf(polygon + 1); ++t)
             addOutline("GL_POLYGON", polygon, m_mesh.triangles[t].vertices);
     }
 
@@ -231,9 +231,9 @@ void addTranslucent(const Scene& scene, const FrameData<Real>& data, const std::
     calls.add("glBlendFunc", {"GL_SRC_ALPHA", "GL_ONE_MINUS_SRC_ALPHA"});
     calls.add("glDepthMask", {"GL_FALSE"});
     for (auto first = polygons.begin(); first != polygons.end();) {
-        const std::uint32_t object = topology.polygonObject[*first];
+        const std::uint32_t object = topology.objectOfPolygon(*first);
         const auto last =
-            std::find_if(first, polygons.end(), [&](std::uint32_t p) { return topology.polygonObject[p] != object; });
+            std::find_if(first, polygons.end(), [&](std::uint32_t p) { return topology.objectOfPolygon(p) != object; });
         std::for_each(first, last, [&](std::uint32_t& p) { p -= topology.firstPolygon[object]; });
         addObject(scene, data, object, {first, last}, calls);
         first = last;

@@ -42,26 +42,25 @@ void readVertices(LongList& list, std::size_t count, Mesh& mesh) {
 }
 
 void readPolygon(TextScanner& scanner, std::size_t cornerCount, Mesh& mesh) {
-    const std::size_t first = mesh.corners.size();
+    std::vector<std::uint32_t> polygon;
     for (std::size_t k = 0; k < cornerCount && scanner.good(); ++k) {
         const std::optional<std::uint64_t> index = parseCount(scanner.next());
         const bool known = index && *index < mesh.positions.size();
         const std::uint32_t corner = known ? static_cast<std::uint32_t>(*index) : UINT32_MAX;
         if (!known)
             scanner.refuse("a vertex index from 0 to " + std::to_string(mesh.positions.size() - 1));
-        else if (k > 0 && corner == mesh.corners.back())
+        else if (k > 0 && corner == polygon.back())
             scanner.refuse("a vertex other than the one before");
-        else if (k > 0 && k + 1 == cornerCount && corner == mesh.corners[first])
+        else if (k > 0 && k + 1 == cornerCount && corner == polygon[0])
             scanner.refuse("a vertex other than the polygon's first: a polygon closes by itself");
-        mesh.corners.push_back(corner);
+        polygon.push_back(corner);
     }
-    mesh.firstCorner.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+    mesh.addPolygon(polygon);
 }
 
 // False when the rest of the file cannot be made sense of.
 bool readPolygons(LongList& list, std::size_t count, Mesh& mesh) {
     TextScanner& scanner = list.scanner;
-    mesh.firstCorner.assign(1, 0);
     for (std::size_t i = 0; i < count && list.good(); ++i) {
         const std::optional<std::size_t> corners = readCount(scanner, kCorners, i);
         if (!corners) return false;

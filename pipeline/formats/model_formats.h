@@ -18,9 +18,9 @@ inline bool isCoordinate(double value) { return value >= -kFarthestVertex && val
 std::optional<Vec3d> unitVector(const Vec3d& vector);
 
 // Adds a polygon of vertices that are known to exist. A vertex that is written twice in a row
-// counts once, and what then has fewer than three corners has no area and is left out.
+// counts once, and what then has fewer than three corners has no area and is left out: false.
 // `place` goes to Mesh::polygonPlaces unless its line is 0.
-void addPolygon(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition place = {});
+bool addPolygon(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition place = {});
 
 // Leaves out the vertices that no polygon uses; the order of the others stays.
 void dropUnusedVertices(Mesh& mesh);

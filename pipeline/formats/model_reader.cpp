@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <new>
 
 #include "pipeline/formats/lecture_values.h"
@@ -52,23 +53,25 @@ std::optional<Vec3d> unitVector(const Vec3d& vector) {
     return scaled / glm::length(scaled);
 }
 
-void addPolygon(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition place) {
-    if (mesh.firstCorner.empty()) mesh.firstCorner.push_back(0);
-    const std::size_t first = mesh.corners.size();
-    for (const std::uint32_t corner : corners)
-        if (mesh.corners.size() == first || mesh.corners.back() != corner) mesh.corners.push_back(corner);
-    while (mesh.corners.size() > first + 1 && mesh.corners.back() == mesh.corners[first]) mesh.corners.pop_back();
-    if (mesh.corners.size() < first + 3) {
-        mesh.corners.resize(first);
-        return;
+bool addPolygon(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition place) {
+    std::vector<std::uint32_t> distinct;
+    const bool repeats =
+        std::ranges::adjacent_find(corners) != corners.end() || (!corners.empty() && corners.front() == corners.back());
+    if (repeats) {
+        std::ranges::unique_copy(corners, std::back_inserter(distinct));
+        while (distinct.size() > 1 && distinct.back() == distinct.front()) distinct.pop_back();
+        corners = distinct;
     }
-    mesh.firstCorner.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+    if (corners.size() < 3) return false;
+    mesh.addPolygon(corners);
     if (place.line > 0) mesh.polygonPlaces.push_back(place);
+    return true;
 }
 
 void dropUnusedVertices(Mesh& mesh) {
     std::vector<std::uint32_t> number(mesh.positions.size(), 0);
-    for (const std::uint32_t corner : mesh.corners) number[corner] = 1;
+    for (std::size_t i = 0; i < mesh.polygonCount(); ++i)
+        for (const std::uint32_t corner : mesh.polygon(i)) number[corner] = 1;
     std::uint32_t used = 0;
     for (std::size_t i = 0; i < number.size(); ++i) {
         if (number[i] == 0) continue;
@@ -78,7 +81,7 @@ void dropUnusedVertices(Mesh& mesh) {
     }
     mesh.positions.resize(used);
     if (!mesh.normals.empty()) mesh.normals.resize(used);
-    for (std::uint32_t& corner : mesh.corners) corner = number[corner];
+    mesh.renumberVertices(number);
 }
 
 std::string stemOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }

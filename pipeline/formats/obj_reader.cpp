@@ -23,10 +23,30 @@ struct Corner {
 };
 
 struct Faces {
-    std::vector<Corner> corners;
+    std::vector<std::uint32_t> positions;  // per corner
+    std::vector<std::uint32_t> normals;    // per corner up to the last that has one; kNone where one has none
     std::vector<std::uint32_t> firstCorner{0};
     std::vector<TextPosition> places;
-    void shrink() { places.shrink_to_fit(), firstCorner.shrink_to_fit(), corners.shrink_to_fit(); }
+
+    std::size_t count() const { return places.size(); }
+    Corner corner(std::size_t i) const { return {positions[i], i < normals.size() ? normals[i] : kNone}; }
+    bool haveNormals() const {
+        return normals.size() == positions.size() && std::ranges::find(normals, kNone) == normals.end();
+    }
+    void addCorner(const Corner& corner) {
+        if (corner.normal != kNone) {
+            normals.resize(positions.size(), kNone);
+            normals.push_back(corner.normal);
+        }
+        positions.push_back(corner.position);
+    }
+    void dropCorners(std::size_t first) {
+        positions.resize(first);
+        normals.resize(std::min(first, normals.size()));
+    }
+    void shrink() {
+        positions.shrink_to_fit(), normals.shrink_to_fit(), firstCorner.shrink_to_fit(), places.shrink_to_fit();
+    }
 };
 
 // Faces of one `o` with one material.
@@ -125,22 +145,22 @@ private:
     void readFace() {
         const TextPosition place = m_scanner.place();
         Faces& faces = currentGroup().faces;
-        const std::size_t first = faces.corners.size();
+        const std::size_t first = faces.positions.size();
         std::size_t written = 0;
         for (std::string_view word = m_scanner.next(); !word.empty(); word = m_scanner.next(), ++written) {
             const std::optional<Corner> corner = readCorner(word);
             if (!corner) {
-                faces.corners.resize(first);
+                faces.dropCorners(first);
                 return;
             }
-            faces.corners.push_back(*corner);
+            faces.addCorner(*corner);
         }
         if (written < 3) {
             m_scanner.refuse("at least three corners in a face");
-            faces.corners.resize(first);
+            faces.dropCorners(first);
             return;
         }
-        faces.firstCorner.push_back(static_cast<std::uint32_t>(faces.corners.size()));
+        faces.firstCorner.push_back(static_cast<std::uint32_t>(faces.positions.size()));
         faces.places.push_back(place);
     }
 
@@ -212,48 +232,51 @@ class MeshMaker {
 public:
     explicit MeshMaker(const ObjFile& file) : m_file(file), m_first(file.positions.size(), kNone) {}
 
-    Mesh meshOf(const Faces& faces) {
-        const bool hasNormals = std::ranges::find(faces.corners, kNone, &Corner::normal) == faces.corners.end();
-        m_mesh = {}, m_cornerOf.clear(), m_others.clear();
-        m_mesh.corners.reserve(faces.corners.size()), m_mesh.firstCorner.reserve(faces.firstCorner.size());
-        m_mesh.polygonPlaces.reserve(faces.places.size());
-        const std::size_t most = std::min(m_file.positions.size(), faces.corners.size());
-        m_mesh.positions.reserve(most), m_cornerOf.reserve(most);
+    Mesh meshOf(Faces faces) {
+        const bool hasNormals = faces.haveNormals();
+        m_mesh = {}, m_normalOf.clear(), m_others.clear();
+        m_mesh.reservePolygons(faces.count(), faces.positions.size());
+        const std::size_t most = std::min(m_file.positions.size(), faces.positions.size());
+        m_mesh.positions.reserve(most);
         std::vector<std::uint32_t> polygon;
-        for (std::size_t i = 0; i + 1 < faces.firstCorner.size(); ++i) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < faces.count(); ++i) {
             polygon.clear();
             for (std::size_t k = faces.firstCorner[i]; k < faces.firstCorner[i + 1]; ++k) {
-                const Corner& corner = faces.corners[k];
+                const Corner corner = faces.corner(k);
                 polygon.push_back(vertex({corner.position, hasNormals ? corner.normal : kNone}));
             }
-            addPolygon(m_mesh, polygon, faces.places[i]);
+            if (addPolygon(m_mesh, polygon)) faces.places[kept++] = faces.places[i];
         }
-        for (const Corner& corner : m_cornerOf) m_first[corner.position] = kNone;
+        faces.places.resize(kept);
+        m_mesh.polygonPlaces = std::move(faces.places);
+        for (const std::uint32_t position : faces.positions) m_first[position] = kNone;
         m_mesh.positions.shrink_to_fit();
         return std::move(m_mesh);
     }
 
 private:
     std::uint32_t vertex(const Corner& corner) {
-        const auto next = static_cast<std::uint32_t>(m_cornerOf.size());
+        const auto next = static_cast<std::uint32_t>(m_mesh.positions.size());
         std::uint32_t& first = m_first[corner.position];
         if (first == kNone) {
             first = next;
         } else {
-            if (m_cornerOf[first].normal == corner.normal) return first;
+            if (corner.normal == kNone || m_normalOf[first] == corner.normal) return first;
             const std::uint64_t key = std::uint64_t{corner.position} << 32 | corner.normal;
             if (const auto [other, isNew] = m_others.try_emplace(key, next); !isNew) return other->second;
         }
-        m_cornerOf.push_back(corner);
         m_mesh.positions.push_back(m_file.positions[corner.position]);
-        if (corner.normal != kNone) m_mesh.normals.push_back(m_file.normals[corner.normal]);
+        if (corner.normal == kNone) return next;
+        m_mesh.normals.push_back(m_file.normals[corner.normal]);
+        m_normalOf.push_back(corner.normal);
         return next;
     }
 
     const ObjFile& m_file;
     std::vector<std::uint32_t> m_first;                         // vertex of a position, or kNone
     std::unordered_map<std::uint64_t, std::uint32_t> m_others;  // by position and normal, where it has several
-    std::vector<Corner> m_cornerOf;                             // per vertex
+    std::vector<std::uint32_t> m_normalOf;                      // per vertex; empty where the mesh has none
     Mesh m_mesh;
 };
 
@@ -263,10 +286,7 @@ std::vector<Mesh> meshesOf(ObjFile& file) {
     for (Group& group : file.groups) group.faces.shrink();
     std::vector<Mesh> meshes;
     MeshMaker maker(file);
-    for (Group& group : file.groups) {
-        meshes.push_back(maker.meshOf(group.faces));
-        group.faces = Faces();
-    }
+    for (Group& group : file.groups) meshes.push_back(maker.meshOf(std::move(group.faces)));
     file.positions = std::vector<Vec3d>(), file.normals = std::vector<Vec3d>();
     return meshes;
 }

@@ -64,19 +64,20 @@ private:
 
     void readPolygons(const toml::array& from) {
         const auto count = std::int64_t(m_mesh.positions.size());
-        m_mesh.firstCorner.push_back(0);
+        std::vector<std::uint32_t> polygon;
         for (const toml::node& node : from) {
             const toml::array* corners = node.as_array();
             if (!corners || corners->size() < 3)
                 return fail(node, "a polygon is no array of three numbers or more", "indices of vertices");
+            polygon.clear();
             for (const toml::node& corner : *corners) {
                 const auto* index = corner.as_integer();
                 if (!index || index->get() < 0 || index->get() >= count)
                     return fail(corner, "a polygon names no vertex",
                                 count > 0 ? fmt::format("a whole number from 0 to {}", count - 1) : "a vertex");
-                m_mesh.corners.push_back(std::uint32_t(index->get()));
+                polygon.push_back(std::uint32_t(index->get()));
             }
-            m_mesh.firstCorner.push_back(std::uint32_t(m_mesh.corners.size()));
+            m_mesh.addPolygon(polygon);
             const auto at = node.source().begin;
             m_mesh.polygonPlaces.push_back({int(at.line), int(at.column)});
         }

@@ -136,7 +136,7 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
     const ShadingInputs inputs = withAllVectors(data.keys.shading);
     const ShadingSources<Real> sources = data.shadingSources();
     const bool back = showsBack(inputs, sources, triangle.polygon);
-    const Material& material = materialOf(inputs, in.topology->polygonObject[triangle.polygon], back);
+    const Material& material = materialOf(inputs, in.topology->objectOfPolygon(triangle.polygon), back);
     RowCrossings row;
     const VertexWeights<Real> weights = vertexWeights(inputs.interpolation, in, triangleId, b, report.pixel, row);
     if (inputs.shading != Shading::Flat) reportWeights(weights, inputs.interpolation, report);
@@ -263,7 +263,7 @@ void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size
     for (const Layer<Real>& layer : replayLayers(data, report.pixel)) {
         const std::uint32_t polygon = topology.triangles[layer.triangle].polygon;
         const Real a =
-            Real(opacity(materialOf(inputs, topology.polygonObject[polygon], showsBack(inputs, sources, polygon))));
+            Real(opacity(materialOf(inputs, topology.objectOfPolygon(polygon), showsBack(inputs, sources, polygon))));
         const Vec3<Real> intensity = intensityOf(layer.triangle, layer.barycentric);
         added = a * intensity + (1 - a) * added;
         left = (1 - a) * left;
@@ -293,7 +293,7 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, PixelReport&
     const Vec3<Real> b = barycentricAt(*data.transform, *data.zBuffer, report.pixel);
     report.covered = true;
     report.polygon = int(topology.triangles[triangle].polygon);
-    report.object = int(topology.polygonObject[std::size_t(report.polygon)]);
+    report.object = int(topology.objectOfPolygon(std::size_t(report.polygon)));
     for (std::size_t i = 0; i < 3; ++i) report.vertices[i] = int(topology.triangles[triangle].vertices[i]);
     report.barycentric = Vec3d(b);
     report.zView = double(data.zBuffer->zView->pixels[at]);

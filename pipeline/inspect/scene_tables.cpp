@@ -84,7 +84,7 @@ void addPolygons(const FramePtr& frame, SceneTable& table) {
     auto& columns = table.columns;
     columns.push_back(rowNumber("", "polygon", "The polygon, counted over all objects as in the buffers."));
     columns.push_back(count("i", "object", "The object that it belongs to.",
-                            [frame](std::size_t p) { return frame->topology().polygonObject[p]; }));
+                            [frame](std::size_t p) { return frame->topology().objectOfPolygon(p); }));
     columns.push_back(count("j", "polygon of the object", "The polygon, counted within its object.",
                             [frame](std::size_t p) { return frame->placeOf(int(p)).polygon; }));
     columns.push_back(count("num_verts", "corner count", "Number of vertices in the polygon.",

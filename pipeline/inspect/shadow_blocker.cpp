@@ -43,7 +43,7 @@ std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t 
     for (const Triangle& triangle : in.topology->triangles) {
         if (stop.stop_requested()) break;
         if (triangle.polygon == polygon) continue;
-        if (!in.transparent.empty() && in.transparent[in.topology->polygonObject[triangle.polygon]]) continue;
+        if (!in.transparent.empty() && in.transparent[in.topology->objectOfPolygon(triangle.polygon)]) continue;
         const auto& v = triangle.vertices;
         const auto t = meets(position, way, Vec3d(in.world[v[0]]), Vec3d(in.world[v[1]]), Vec3d(in.world[v[2]]));
         if (!t || *t >= nearest) continue;
@@ -61,7 +61,7 @@ std::string whyShadowed(const Scene& scene, const FrameData<Real>& data, std::si
     const auto compared = shadowComparison(data, light, polygon, Vec3<Real>(position));
     const std::string numbers = compared ? " (" + *compared + ")" : std::string();
     if (const auto blocker = blockerOf(data, light, position, polygon, stop)) {
-        const std::string& object = scene.objects[data.transform->topology->polygonObject[*blocker]].name;
+        const std::string& object = scene.objects[data.transform->topology->objectOfPolygon(*blocker)].name;
         return fmt::format("In the shadow of polygon {} of {}, before light {}: only the ambient term counts{}.",
                            *blocker, object, light, numbers);
     }

@@ -59,7 +59,7 @@ AnyBuffer ids(const BufferName& name, const FrameData<Real>& data) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (seen.pixels[i] == kNoTriangle) continue;
         const std::uint32_t polygon = topology.triangles[seen.pixels[i]].polygon;
-        values[i] = std::int32_t(name.id == BufferId::PolygonId ? polygon : topology.polygonObject[polygon]);
+        values[i] = std::int32_t(name.id == BufferId::PolygonId ? polygon : topology.objectOfPolygon(polygon));
     }
     return own(name, {std::size_t(seen.size.y), std::size_t(seen.size.x)}, std::move(values));
 }
@@ -186,7 +186,7 @@ std::vector<AnyBuffer> Frame::buffers() const {
 }
 
 Frame::PolygonPlace Frame::placeOf(int polygon) const {
-    const std::size_t object = m_topology->polygonObject[std::size_t(polygon)];
+    const std::size_t object = m_topology->objectOfPolygon(std::size_t(polygon));
     return {object, std::size_t(polygon) - m_topology->firstPolygon[object]};
 }
 

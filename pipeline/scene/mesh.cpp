@@ -233,34 +233,36 @@ Outline triangulate(const LocalPolygon& polygon, std::vector<Vec2<double>>& flat
 // The ends of a mesh's directed edges, those that leave a vertex side by side and in order.
 class Edges {
 public:
-    // Backwards: of the edges turned round.
-    Edges(const Mesh& mesh, bool backwards) : m_first(mesh.positions.size() + 1, 0), m_ends(mesh.corners.size()) {
-        forEachEdge(mesh, backwards, [&](std::uint32_t from, std::uint32_t) { ++m_first[from]; });
+    explicit Edges(const Mesh& mesh) : m_first(mesh.positions.size() + 1, 0), m_ends(mesh.cornerCount()) {
+        forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t) { ++m_first[from]; });
         std::size_t sum = 0;
         for (std::uint32_t& first : m_first) first = static_cast<std::uint32_t>(sum += first);
-        forEachEdge(mesh, backwards, [&](std::uint32_t from, std::uint32_t to) { m_ends[--m_first[from]] = to; });
+        forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) { m_ends[--m_first[from]] = to; });
         for (std::size_t i = 0; i + 1 < m_first.size(); ++i)
             std::sort(m_ends.begin() + m_first[i], m_ends.begin() + m_first[i + 1]);
     }
-    bool operator==(const Edges&) const = default;
-    // Two edges from and to the same vertices, or one from a vertex to itself.
-    bool hasRepeated() const {
-        for (std::size_t i = 0; i + 1 < m_first.size(); ++i) {
-            const std::span<const std::uint32_t> ends(m_ends.begin() + m_first[i], m_ends.begin() + m_first[i + 1]);
-            if (std::ranges::adjacent_find(ends) != ends.end()) return true;
-            if (std::ranges::binary_search(ends, static_cast<std::uint32_t>(i))) return true;
+    // No two edges from and to the same vertices, none from a vertex to itself, and each there backwards as well.
+    bool areClosed() const {
+        for (std::uint32_t from = 0; from + 1 < m_first.size(); ++from) {
+            const std::span<const std::uint32_t> ends = endsOf(from);
+            if (std::ranges::adjacent_find(ends) != ends.end()) return false;
+            for (const std::uint32_t to : ends)
+                if (to == from || !std::ranges::binary_search(endsOf(to), from)) return false;
         }
-        return false;
+        return true;
     }
 
 private:
+    std::span<const std::uint32_t> endsOf(std::uint32_t vertex) const {
+        return {m_ends.begin() + m_first[vertex], m_ends.begin() + m_first[vertex + 1]};
+    }
     template <class Visit>
-    static void forEachEdge(const Mesh& mesh, bool backwards, Visit visit) {
+    static void forEachEdge(const Mesh& mesh, Visit visit) {
         for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
             const std::span<const std::uint32_t> corners = mesh.polygon(i);
             std::uint32_t from = corners.back();
             for (const std::uint32_t to : corners) {
-                backwards ? visit(to, from) : visit(from, to);
+                visit(from, to);
                 from = to;
             }
         }
@@ -268,10 +270,7 @@ private:
     std::vector<std::uint32_t> m_first, m_ends;
 };
 
-bool isClosed(const Mesh& mesh) {
-    const Edges edges(mesh, false);
-    return mesh.polygonCount() > 0 && !edges.hasRepeated() && edges == Edges(mesh, true);
-}
+bool isClosed(const Mesh& mesh) { return mesh.polygonCount() > 0 && Edges(mesh).areClosed(); }
 
 // No vertex in front of the polygon's plane by more than rounding explains.
 bool allBehind(const Mesh& mesh, std::size_t index, const LocalPolygon& polygon) {
@@ -297,24 +296,61 @@ bool isConvex(const Mesh& mesh, LocalPolygon& scratch) {
     return true;
 }
 
+// What the lists have kept to grow into: up to as much again, for as long as the mesh is there.
+void giveBackReserves(Mesh& mesh) {
+    mesh.positions.shrink_to_fit(), mesh.normals.shrink_to_fit(), mesh.polygonPlaces.shrink_to_fit();
+    mesh.triangles.shrink_to_fit(), mesh.corners.shrink_to_fit(), mesh.firstCorner.shrink_to_fit();
+}
+
 }  // namespace
+
+void Mesh::reservePolygons(std::size_t polygons, std::size_t cornersOfAll) {
+    if (cornersOfAll == 3 * polygons) return triangles.reserve(polygons);
+    corners.reserve(cornersOfAll), firstCorner.reserve(polygons + 1);
+}
+
+void Mesh::addPolygon(std::span<const std::uint32_t> polygon) {
+    if (hasTrianglesAlone()) {
+        if (polygon.size() == 3) {
+            triangles.push_back({{polygon[0], polygon[1], polygon[2]}, static_cast<std::uint32_t>(triangles.size())});
+            return;
+        }
+        const std::vector<Triangle> before = std::move(triangles);
+        triangles = {};
+        firstCorner.push_back(0);
+        for (const Triangle& triangle : before) addPolygon(triangle.vertices);
+    }
+    corners.insert(corners.end(), polygon.begin(), polygon.end());
+    firstCorner.push_back(static_cast<std::uint32_t>(corners.size()));
+}
+
+void Mesh::renumberVertices(std::span<const std::uint32_t> number) {
+    for (Triangle& triangle : triangles)
+        for (std::uint32_t& vertex : triangle.vertices) vertex = number[vertex];
+    for (std::uint32_t& corner : corners) corner = number[corner];
+}
 
 std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
     LocalPolygon polygon;
     std::vector<Vec2<double>> flat;
     std::vector<glm::uvec3> pieces;
-    std::size_t work = kEarWork + kEarWorkPerCorner * mesh.corners.size();
+    std::size_t work = kEarWork + kEarWorkPerCorner * mesh.cornerCount();
+    const bool splits = !mesh.hasTrianglesAlone();
     mesh.facts = {};
-    mesh.triangles.clear();
-    mesh.triangles.reserve(mesh.corners.size() - 2 * mesh.polygonCount());  // a polygon of n corners has n - 2
-    mesh.firstTriangle.reserve(mesh.polygonCount() + 1);
-    mesh.firstTriangle.assign(1, 0);
+    giveBackReserves(mesh);
+    if (splits) {
+        mesh.triangles.clear();
+        mesh.triangles.reserve(mesh.cornerCount() - 2 * mesh.polygonCount());  // a polygon of n corners has n - 2
+        mesh.firstTriangle.reserve(mesh.polygonCount() + 1);
+        mesh.firstTriangle.assign(1, 0);
+    }
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
         gather(mesh, i, polygon);
         const Outline outline = triangulate(polygon, flat, pieces, work);
         mesh.facts.concave += outline == Outline::Concave;
         mesh.facts.degenerate += !polygon.hasArea();
         mesh.facts.nonPlanar += !isPlanar(polygon);
+        if (!splits) continue;
         const std::span<const std::uint32_t> corners = mesh.polygon(i);
         for (const glm::uvec3& piece : pieces)
             mesh.triangles.push_back(

@@ -19,6 +19,7 @@ struct TextPosition {  // from 1; 0 where nothing is known
 struct Triangle {
     std::uint32_t vertices[3];
     std::uint32_t polygon;  // within the mesh
+    bool operator==(const Triangle&) const = default;
 };
 
 // What makeMesh found out about a mesh. The plan leaves work out on the strength of it,
@@ -37,21 +38,33 @@ struct MeshFacts {
 // same pointer hold the same mesh.
 struct Mesh {
     std::string file;                         // as the scene names it; empty for a built-in shape
-    std::vector<Vec3d> positions;             // object space
+    std::vector<Vec3d> positions;             // object space; 24 bytes a vertex
     std::vector<Vec3d> normals;               // per vertex, as the file or shape gives them; empty: none
-    std::vector<std::uint32_t> corners;       // vertex of each polygon corner, polygons end to end
-    std::vector<std::uint32_t> firstCorner;   // per polygon, and one past the last
-    std::vector<TextPosition> polygonPlaces;  // where each polygon stands in `file`; may be empty
+    std::vector<TextPosition> polygonPlaces;  // where each polygon stands in `file`, 8 bytes; may be empty
 
-    // Derived by makeMesh.
-    std::vector<Triangle> triangles;           // polygon by polygon
-    std::vector<std::uint32_t> firstTriangle;  // per polygon, and one past the last
-    MeshFacts facts;
+    // Polygon by polygon, 16 bytes each. While all polygons are triangles these are the polygons, and the lists below
+    // are empty; of others makeMesh finds them.
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> corners;        // vertex of each polygon corner, polygons end to end
+    std::vector<std::uint32_t> firstCorner;    // per polygon, and one past the last
+    std::vector<std::uint32_t> firstTriangle;  // likewise
 
-    std::size_t polygonCount() const { return firstCorner.empty() ? 0 : firstCorner.size() - 1; }
+    MeshFacts facts;  // found by makeMesh
+
+    bool hasTrianglesAlone() const { return firstCorner.empty(); }
+    std::size_t polygonCount() const { return hasTrianglesAlone() ? triangles.size() : firstCorner.size() - 1; }
+    std::size_t cornerCount() const { return hasTrianglesAlone() ? 3 * triangles.size() : corners.size(); }
     std::span<const std::uint32_t> polygon(std::size_t i) const {
+        if (hasTrianglesAlone()) return triangles[i].vertices;
         return std::span(corners).subspan(firstCorner[i], firstCorner[i + 1] - firstCorner[i]);
     }
+    // The triangles of a polygon stand together; polygonCount() gives one past the last of all.
+    std::size_t firstTriangleOf(std::size_t i) const { return hasTrianglesAlone() ? i : firstTriangle[i]; }
+
+    void reservePolygons(std::size_t polygons, std::size_t cornersOfAll);
+    // At least three corners, each the index of a vertex that is there or is still to come.
+    void addPolygon(std::span<const std::uint32_t> polygon);
+    void renumberVertices(std::span<const std::uint32_t> number);  // number[i]: what vertex i becomes
 };
 
 // Completes a mesh: splits polygons into triangles (a fan where the polygon is convex, ears

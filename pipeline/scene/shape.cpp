@@ -26,8 +26,6 @@ struct Grid {
 
 class Builder {
 public:
-    Builder() { m_mesh.firstCorner.push_back(0); }
-
     Index add(const Point& point) {
         m_mesh.positions.push_back(point.position);
         m_mesh.normals.push_back(point.normal);
@@ -40,14 +38,13 @@ public:
         for (int i = 0; i + 1 < grid.rows; ++i)
             for (int j = 0; j + 1 < grid.columns; ++j) {
                 const std::array corners{grid.at(i, j), grid.at(i + 1, j), grid.at(i + 1, j + 1), grid.at(i, j + 1)};
+                std::array<Index, 4> polygon{};
+                std::size_t count = 0;
                 for (std::size_t k = 0; k < 4; ++k) {
                     const Index corner = corners[turned ? 3 - k : k];
-                    const bool isNew =
-                        m_mesh.corners.size() == m_mesh.firstCorner.back() ||
-                        (corner != m_mesh.corners.back() && corner != m_mesh.corners[m_mesh.firstCorner.back()]);
-                    if (isNew) m_mesh.corners.push_back(corner);
+                    if (count == 0 || (corner != polygon[count - 1] && corner != polygon[0])) polygon[count++] = corner;
                 }
-                m_mesh.firstCorner.push_back(static_cast<Index>(m_mesh.corners.size()));
+                m_mesh.addPolygon(std::span(polygon).first(count));
             }
     }
 

@@ -15,27 +15,45 @@ std::vector<std::shared_ptr<const Mesh>> meshesOf(const Scene& scene) {
     return meshes;
 }
 
+namespace {
+
+// What is counted within the objects, counted over all of them.
+void countOverAll(Topology& topology) {
+    topology.ownTriangles.reserve(topology.firstTriangle.back());
+    topology.polygonObject.reserve(topology.firstPolygon.back());
+    for (std::size_t object = 0; object < topology.meshes.size(); ++object) {
+        const Mesh& mesh = *topology.meshes[object];
+        for (Triangle triangle : mesh.triangles) {
+            for (std::uint32_t& vertex : triangle.vertices) vertex += topology.firstVertex[object];
+            triangle.polygon += topology.firstPolygon[object];
+            topology.ownTriangles.push_back(triangle);
+        }
+        topology.polygonObject.insert(topology.polygonObject.end(), mesh.polygonCount(), std::uint32_t(object));
+    }
+    topology.triangles = topology.ownTriangles;
+}
+
+}  // namespace
+
 Topology makeTopology(std::vector<std::shared_ptr<const Mesh>> meshes) {
     Topology topology;
     topology.meshes = std::move(meshes);
-    std::uint32_t vertices = 0, polygons = 0;
-    for (std::size_t object = 0; object < topology.meshes.size(); ++object) {
-        const Mesh& mesh = *topology.meshes[object];
+    std::uint32_t vertices = 0, polygons = 0, triangles = 0;
+    for (const auto& mesh : topology.meshes) {
         topology.firstVertex.push_back(vertices);
         topology.firstPolygon.push_back(polygons);
-        topology.firstTriangle.push_back(std::uint32_t(topology.triangles.size()));
-        for (Triangle triangle : mesh.triangles) {
-            for (std::uint32_t& vertex : triangle.vertices) vertex += vertices;
-            triangle.polygon += polygons;
-            topology.triangles.push_back(triangle);
-        }
-        topology.polygonObject.insert(topology.polygonObject.end(), mesh.polygonCount(), std::uint32_t(object));
-        vertices += std::uint32_t(mesh.positions.size());
-        polygons += std::uint32_t(mesh.polygonCount());
+        topology.firstTriangle.push_back(triangles);
+        vertices += std::uint32_t(mesh->positions.size());
+        polygons += std::uint32_t(mesh->polygonCount());
+        triangles += std::uint32_t(mesh->triangles.size());
     }
     topology.firstVertex.push_back(vertices);
     topology.firstPolygon.push_back(polygons);
-    topology.firstTriangle.push_back(std::uint32_t(topology.triangles.size()));
+    topology.firstTriangle.push_back(triangles);
+    if (topology.meshes.size() == 1)
+        topology.triangles = topology.meshes[0]->triangles;
+    else
+        countOverAll(topology);
     return topology;
 }
 

@@ -9,16 +9,25 @@
 namespace pipeline {
 
 // The scene's meshes end to end: vertices, polygons and triangles counted over all objects in
-// scene order, as every buffer counts them.
+// scene order, as every buffer counts them. Of one object it holds nothing that the mesh holds; of several 16 bytes a
+// triangle and 4 a polygon.
 struct Topology {
     std::vector<std::shared_ptr<const Mesh>> meshes;                      // one per object
     std::vector<std::uint32_t> firstVertex, firstPolygon, firstTriangle;  // per object, and one past the last
-    std::vector<Triangle> triangles;           // vertices and polygon counted over all objects
-    std::vector<std::uint32_t> polygonObject;  // per polygon
+    std::span<const Triangle> triangles;       // vertices and polygon counted over all objects
+    std::vector<std::uint32_t> polygonObject;  // per polygon; empty where there is one object
+    std::vector<Triangle> ownTriangles;        // what `triangles` shows where there are several; else empty
 
     std::size_t vertexCount() const { return firstVertex.back(); }
     std::size_t polygonCount() const { return firstPolygon.back(); }
     std::size_t objectOfVertex(std::size_t vertex) const;
+    std::uint32_t objectOfPolygon(std::size_t polygon) const {
+        return polygonObject.empty() ? 0 : polygonObject[polygon];
+    }
+
+    Topology() = default;
+    Topology(Topology&&) = default;  // moved, ownTriangles stay where they are; copied they would not
+    Topology& operator=(Topology&&) = default;
 
     // A polygon's corners as indices within its object; add offset for the scene's.
     struct Corners {
@@ -28,13 +37,13 @@ struct Topology {
         std::uint32_t operator[](std::size_t i) const { return local[i] + offset; }
     };
     Corners corners(std::size_t polygon) const {
-        const std::uint32_t object = polygonObject[polygon];
+        const std::uint32_t object = objectOfPolygon(polygon);
         return {meshes[object]->polygon(polygon - firstPolygon[object]), firstVertex[object]};
     }
     // The triangles of a polygon stand together; the first of them.
     std::size_t firstTriangleOf(std::size_t polygon) const {
-        const std::uint32_t object = polygonObject[polygon];
-        return firstTriangle[object] + meshes[object]->firstTriangle[polygon - firstPolygon[object]];
+        const std::uint32_t object = objectOfPolygon(polygon);
+        return firstTriangle[object] + meshes[object]->firstTriangleOf(polygon - firstPolygon[object]);
     }
     std::size_t triangleCountOf(std::size_t polygon) const { return corners(polygon).size() - 2; }
 };

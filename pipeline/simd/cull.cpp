@@ -20,7 +20,7 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
                    CullOutput& out) {
     const I whole;
     const SnappedVertices& from = in.snapped;
-    const std::vector<Triangle>& triangles = in.topology->triangles;
+    const std::span<const Triangle> triangles = in.topology->triangles;
     // Products of two sides stay below 2^30.
     const Ints limit = hn::Set(whole, 1 << 15), zero = hn::Zero(whole);
     const double toPixels = std::ldexp(0.5, -2 * from.bits);
@@ -44,7 +44,7 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
         HWY_ALIGN std::int32_t front[16], back[16];
         hn::Store(hn::Neg(area2), whole, front), hn::Store(area2, whole, back);
         for (std::size_t l = 0; mirrors && l < lanes; ++l)
-            if (in.mirrored[in.topology->polygonObject[base + l]] != 0) front[l] = back[l];
+            if (in.mirrored[in.topology->objectOfPolygon(base + l)] != 0) front[l] = back[l];
         for (std::size_t l = 0; l < lanes; ++l)
             out.verdicts[base + l] = front[l] == 0          ? Verdict::Degenerate
                                      : front[l] < leastKept ? Verdict::BackFacing

@@ -32,7 +32,7 @@ HWY_INLINE std::uint32_t storeUnit(Floats3 v, float* to) {
 
 void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                      NormalsOutput<float>& out) {
-    const std::vector<Triangle>& triangles = in.topology->triangles;
+    const std::span<const Triangle> triangles = in.topology->triangles;
     const std::size_t lanes = hn::Lanes(F());
     std::size_t base = begin;
     for (; base + lanes <= end; base += lanes) {
@@ -48,7 +48,7 @@ void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& 
         HWY_ALIGN float turned[16];
         bool mirrors = false;
         for (std::size_t l = 0; l < lanes; ++l) {
-            const bool mirrored = in.mirrored[in.topology->polygonObject[base + l]] != 0;
+            const bool mirrored = in.mirrored[in.topology->objectOfPolygon(base + l)] != 0;
             turned[l] = mirrored ? -1.0F : 1.0F;
             mirrors = mirrors || mirrored;
         }

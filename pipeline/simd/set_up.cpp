@@ -111,7 +111,7 @@ HWY_INLINE std::uint32_t mirroredOf(const SetUpInputs& in, const Triangle* trian
     std::uint32_t mirrored = 0;
     for (std::uint32_t left = live; left != 0; left &= left - 1) {
         const int l = std::countr_zero(left);
-        mirrored |= std::uint32_t(in.facing.isMirrored(in.topology.polygonObject[triangles[l].polygon])) << l;
+        mirrored |= std::uint32_t(in.facing.isMirrored(in.topology.objectOfPolygon(triangles[l].polygon))) << l;
     }
     return mirrored;
 }
@@ -240,7 +240,7 @@ HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, const Triangle* triangles
 
 void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, const TrianglePieces& all,
                     TrianglePiece& out) {
-    const std::vector<Triangle>& triangles = in.topology.triangles;
+    const std::span<const Triangle> triangles = in.topology.triangles;
     const std::size_t lanes = hn::Lanes(F());
     Binner binner(all, out);
     out.small.reserve((end - begin) / 2);  // of a closed object, half face away
@@ -268,7 +268,7 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
                 const std::int64_t area2 = setUpTriangle<float>(
                     in.view, {in.positions[v[0]], in.positions[v[1]], in.positions[v[2]]}, id,
                     [&](const RasterTriangle<float>& part) { parts.push_back(part); }, whole);
-                if (!in.facing.keeps(area2, in.topology.polygonObject[triangles[id].polygon])) continue;
+                if (!in.facing.keeps(area2, in.topology.objectOfPolygon(triangles[id].polygon))) continue;
                 for (const RasterTriangle<float>& part : parts) binner.addOther(part);
                 continue;
             }

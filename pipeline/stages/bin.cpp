@@ -34,7 +34,7 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
         const std::int64_t area2 = setUpTriangle<Real>(
             view, {positions[v[0]], positions[v[1]], positions[v[2]]}, std::uint32_t(t),
             [&](const RasterTriangle<Real>& part) { parts.push_back(part); }, whole);
-        if (facing.keeps(area2, topology.polygonObject[triangle.polygon])) std::ranges::for_each(parts, addToBins);
+        if (facing.keeps(area2, topology.objectOfPolygon(triangle.polygon))) std::ranges::for_each(parts, addToBins);
     }
     return out;
 }

@@ -91,7 +91,7 @@ template <class Real>
 void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
           CullOutput& out) {
     for (std::size_t polygon = begin; polygon < end; ++polygon) {
-        const std::uint32_t object = in.topology->polygonObject[polygon];
+        const std::uint32_t object = in.topology->objectOfPolygon(polygon);
         if (!in.transparent.empty() && in.transparent[object]) {
             out.verdicts[polygon] = Verdict::Transparent;
             continue;

@@ -39,7 +39,7 @@ void polygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in
                     NormalsOutput<Real>& out) {
     for (std::size_t polygon = begin; polygon < end; ++polygon) {
         Vec3<Real> sum = areaVector(inputs.form, in.world, in.topology->corners(polygon));
-        if (in.mirrored[in.topology->polygonObject[polygon]]) sum = -sum;
+        if (in.mirrored[in.topology->objectOfPolygon(polygon)]) sum = -sum;
         out.polygon[polygon] = normalized(sum, inputs.unit);
         if (!out.weighted.empty()) out.weighted[polygon] = sum;
     }

@@ -72,7 +72,7 @@ ShadingCounts shadePolygons(const ShadingInputs& inputs, const ShadingSources<Re
         }
         ++counts.polygons;
         const Material& material =
-            materialOf(inputs, in.transform.topology->polygonObject[i], showsBack(inputs, in, i));
+            materialOf(inputs, in.transform.topology->objectOfPolygon(i), showsBack(inputs, in, i));
         shadeElement(inputs, polygonSurface(inputs, in, i), material, i, out.polygons, counts);
     }
     return counts;

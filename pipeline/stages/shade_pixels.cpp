@@ -115,7 +115,7 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
                  const Writer<Real>& write, ShadingCounts& counts) {
     const Triangle& triangle = in.transform.topology->triangles[id];
     const bool back = showsBack(inputs, in, triangle.polygon);
-    const Material& material = materialOf(inputs, in.transform.topology->polygonObject[triangle.polygon], back);
+    const Material& material = materialOf(inputs, in.transform.topology->objectOfPolygon(triangle.polygon), back);
     const VertexWeights<Real> weights =
         vertexWeights(inputs.interpolation, in.transform, id, barycentric, at, scratch.row);
     counts.affineInstead += weights.used != inputs.interpolation;

@@ -12,7 +12,7 @@ std::vector<std::uint8_t> drawnIn(Pass pass, const Topology& topology, std::span
     if (pass == Pass::Opaque && transparent.empty() && sides.empty()) return {};
     std::vector<std::uint8_t> drawn(topology.polygonCount(), 0);
     for (std::size_t polygon = 0; polygon < drawn.size(); ++polygon) {
-        const std::uint32_t object = topology.polygonObject[polygon];
+        const std::uint32_t object = topology.objectOfPolygon(polygon);
         if (!transparent.empty() && transparent[object]) continue;
         const bool back = cull && cull->signedAreas[polygon] < 0;
         const bool translucent = !sides.empty() && (back ? sides[object].back : sides[object].front);
@@ -111,7 +111,7 @@ Composed<Real> compose(const ShadingInputs& inputs, const ShadingSources<Real>& 
     for (const Layer<Real>& layer : layers) {
         const std::uint32_t polygon = topology.triangles[layer.triangle].polygon;
         const Real a =
-            Real(opacity(materialOf(inputs, topology.polygonObject[polygon], showsBack(inputs, in, polygon))));
+            Real(opacity(materialOf(inputs, topology.objectOfPolygon(polygon), showsBack(inputs, in, polygon))));
         const Vec3<Real> intensity =
             surfaceIntensity(inputs, in, out, layer.triangle, layer.barycentric, layer.pixel, scratch, counts);
         const std::size_t at = c.count.offset(layer.pixel - tile.min);

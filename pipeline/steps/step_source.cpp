@@ -110,7 +110,7 @@ private:
         const std::vector<std::uint8_t>& transparent = m_data.transform->transparent;
         std::vector<std::uint32_t> opaque;
         for (std::uint32_t polygon = 0; polygon < topology.polygonCount() && !transparent.empty(); ++polygon)
-            if (!transparent[topology.polygonObject[polygon]]) opaque.push_back(polygon);
+            if (!transparent[topology.objectOfPolygon(polygon)]) opaque.push_back(polygon);
         const std::size_t count = transparent.empty() ? topology.polygonCount() : opaque.size();
         for (std::size_t light = 0; light < m_data.shadowBuffer->lights.size(); ++light)
             if (!m_data.shadowBuffer->lights[light].empty())

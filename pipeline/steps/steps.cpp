@@ -45,7 +45,7 @@ std::optional<std::uint32_t> Steps::polygonOf(const Spot& spot) const {
 
 std::uint32_t Steps::objectOf(const Spot& spot) const {
     const Topology& topology = m_frame->topology();
-    if (const auto polygon = polygonOf(spot)) return topology.polygonObject[*polygon];
+    if (const auto polygon = polygonOf(spot)) return topology.objectOfPolygon(*polygon);
     if (spot.phase->kind == ElementKind::Vertex || spot.phase->kind == ElementKind::VertexTerms)
         return std::uint32_t(topology.objectOfVertex(spot.phase->number(spot.element)));
     return 0;

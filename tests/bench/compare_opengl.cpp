@@ -49,12 +49,10 @@ public:
         m_request.wanted.set(index(depth ? pipeline::BufferId::ZView : pipeline::BufferId::Color));
         m_request.until = depth ? pipeline::StageId::ZBuffer : pipeline::StageId::Shading;
         m_request.threads = point.threads;
-        m_meshes = runFrame(m_scenes[0],
-                            {.wanted = {}, .until = pipeline::StageId::Transform, .threads = 1, .stop = {}}, nullptr);
     }
     void draw() {
         m_frame.reset();  // as OpenGL draws into the picture before
-        m_frame = runFrame(m_scenes[m_next], m_request, m_meshes);
+        m_frame = runFrame(m_scenes[m_next], m_request, nullptr);
         m_next = 1 - m_next;
         for (const pipeline::StageId stage : pipeline::kStages)
             if (m_frame->plan()[index(stage)].action == pipeline::Action::Run)
@@ -73,7 +71,6 @@ private:
     std::array<std::shared_ptr<const pipeline::Scene>, 2> m_scenes;
     std::size_t m_next = 0;
     pipeline::FrameRequest m_request;
-    pipeline::FramePtr m_meshes;  // has what is known of the meshes, which every frame takes over
     pipeline::FramePtr m_frame;
     std::array<std::vector<double>, pipeline::kStageCount> m_stages;
 };

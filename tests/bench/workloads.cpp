@@ -1,6 +1,7 @@
 #include "tests/bench/workloads.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -63,10 +64,7 @@ void addSphere(Mesh& mesh, int triangles, Vec3d centre, double radius) {
         return ring == 0 ? first : first + std::uint32_t(1 + (ring - 1) * segments + segment % segments);
     };
     const std::uint32_t last = std::uint32_t(mesh.positions.size() - 1);
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        mesh.corners.insert(mesh.corners.end(), {a, b, c});
-        mesh.firstCorner.push_back(std::uint32_t(mesh.corners.size()));
-    };
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh.addPolygon(std::array{a, b, c}); };
     for (int segment = 0; segment < segments; ++segment) add(first, at(1, segment + 1), at(1, segment));
     for (int ring = 1; ring + 1 < rings; ++ring)
         for (int segment = 0; segment < segments; ++segment) {
@@ -80,7 +78,6 @@ void addSphere(Mesh& mesh, int triangles, Vec3d centre, double radius) {
 
 std::shared_ptr<const Mesh> meshOf(const Workload& workload) {
     Mesh mesh;
-    mesh.firstCorner.push_back(0);
     const int n = workload.spheres, each = workload.triangles / (n * n * n);
     for (int i = 0; i < n * n * n; ++i) {
         const Vec3d at = Vec3d(i % n, i / n % n, i / n / n) - (n - 1) / 2.0;

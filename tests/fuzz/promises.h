@@ -19,7 +19,7 @@ inline void checkMesh(const pipeline::Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
         require(mesh.polygon(i).size() >= 3);
         for (const std::uint32_t corner : mesh.polygon(i)) require(corner < mesh.positions.size());
-        require(mesh.firstTriangle[i] == triangles);
+        require(mesh.firstTriangleOf(i) == triangles);
         triangles += mesh.polygon(i).size() - 2;
     }
     require(mesh.triangles.size() == triangles);

@@ -22,11 +22,7 @@ std::shared_ptr<const Mesh> shuffled(const Mesh& mesh, std::mt19937& random) {
     std::shuffle(order.begin(), order.end(), random);
     Mesh out;
     out.positions = mesh.positions, out.normals = mesh.normals;
-    out.firstCorner.push_back(0);
-    for (const std::size_t p : order) {
-        out.corners.insert(out.corners.end(), mesh.polygon(p).begin(), mesh.polygon(p).end());
-        out.firstCorner.push_back(std::uint32_t(out.corners.size()));
-    }
+    for (const std::size_t p : order) out.addPolygon(mesh.polygon(p));
     return makeMesh(std::move(out));
 }
 

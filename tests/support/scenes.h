@@ -15,11 +15,7 @@ inline std::shared_ptr<const Mesh> mesh(std::vector<Vec3d> positions,
                                         std::vector<std::vector<std::uint32_t>> polygons) {
     Mesh m;
     m.positions = std::move(positions);
-    m.firstCorner.push_back(0);
-    for (const auto& polygon : polygons) {
-        m.corners.insert(m.corners.end(), polygon.begin(), polygon.end());
-        m.firstCorner.push_back(std::uint32_t(m.corners.size()));
-    }
+    for (const auto& polygon : polygons) m.addPolygon(polygon);
     return makeMesh(std::move(m));
 }
 

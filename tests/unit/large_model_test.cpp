@@ -26,6 +26,7 @@ void expectTheSameModel(const std::vector<Object>& one, const std::vector<Object
     for (std::size_t i = 0; i < one.size(); ++i) {
         const Mesh &a = *one[i].mesh, &b = *other[i].mesh;
         EXPECT_TRUE(a.positions == b.positions);
+        EXPECT_TRUE(a.triangles == b.triangles);
         EXPECT_TRUE(a.corners == b.corners);
         EXPECT_TRUE(a.firstCorner == b.firstCorner);
         EXPECT_TRUE(a.polygonPlaces == b.polygonPlaces);

@@ -119,6 +119,7 @@ TEST(LectureOneReader, SeparatorsLineEndsAndCommentsDoNotMatter) {
         errors.clear();
         EXPECT_EQ(description.mesh.positions, expected.mesh.positions) << text;
         EXPECT_EQ(description.mesh.corners, expected.mesh.corners) << text;
+        EXPECT_EQ(description.mesh.triangles, expected.mesh.triangles) << text;
         EXPECT_EQ(description.material, expected.material) << text;
     }
 }

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include "pipeline/scene/topology.h"
 
 namespace pipeline {
 namespace {
@@ -15,12 +18,15 @@ using Polygons = std::vector<std::vector<std::uint32_t>>;
 Mesh rawMesh(std::vector<Vec3d> positions, const Polygons& polygons) {
     Mesh mesh;
     mesh.positions = std::move(positions);
-    mesh.firstCorner.push_back(0);
-    for (const std::vector<std::uint32_t>& polygon : polygons) {
-        mesh.corners.insert(mesh.corners.end(), polygon.begin(), polygon.end());
-        mesh.firstCorner.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
-    }
+    for (const std::vector<std::uint32_t>& polygon : polygons) mesh.addPolygon(polygon);
     return mesh;
+}
+
+Polygons polygonsOf(const Mesh& mesh) {
+    Polygons polygons;
+    for (std::size_t i = 0; i < mesh.polygonCount(); ++i)
+        polygons.emplace_back(mesh.polygon(i).begin(), mesh.polygon(i).end());
+    return polygons;
 }
 
 // One polygon through all positions in order.
@@ -98,25 +104,23 @@ TEST(Mesh, PyramidOfLectureOneIsClosedAndConvex) {
 }
 
 TEST(Mesh, MissingFaceOpensIt) {
-    Mesh mesh = rawPyramid();
-    mesh.firstCorner.pop_back();
-    mesh.corners.resize(mesh.firstCorner.back());
-    const auto open = makeMesh(std::move(mesh));
+    Polygons polygons = polygonsOf(rawPyramid());
+    polygons.pop_back();
+    const auto open = makeMesh(rawMesh(rawPyramid().positions, polygons));
     EXPECT_FALSE(open->facts.closed);
     EXPECT_FALSE(open->facts.convex);
 }
 
 TEST(Mesh, FaceTurnedInsideOutOpensIt) {
-    Mesh mesh = rawPyramid();
-    std::swap(mesh.corners[0], mesh.corners[1]);
-    EXPECT_FALSE(makeMesh(std::move(mesh))->facts.closed);
+    Polygons polygons = polygonsOf(rawPyramid());
+    std::swap(polygons[0][0], polygons[0][1]);
+    EXPECT_FALSE(makeMesh(rawMesh(rawPyramid().positions, polygons))->facts.closed);
 }
 
 TEST(Mesh, MeshInsideOutIsClosedButNotConvex) {
-    Mesh mesh = rawPyramid();
-    for (std::size_t i = 0; i < mesh.polygonCount(); ++i)
-        std::reverse(mesh.corners.begin() + mesh.firstCorner[i], mesh.corners.begin() + mesh.firstCorner[i + 1]);
-    const auto insideOut = makeMesh(std::move(mesh));
+    Polygons polygons = polygonsOf(rawPyramid());
+    for (std::vector<std::uint32_t>& polygon : polygons) std::ranges::reverse(polygon);
+    const auto insideOut = makeMesh(rawMesh(rawPyramid().positions, polygons));
     EXPECT_TRUE(insideOut->facts.closed);
     EXPECT_FALSE(insideOut->facts.convex);
 }
@@ -124,8 +128,10 @@ TEST(Mesh, MeshInsideOutIsClosedButNotConvex) {
 TEST(Mesh, TwoBoxesInOneMeshAreNotConvex) {
     Mesh mesh = rawBox(Vec3d(0), Vec3d(1));
     const Mesh other = rawBox(Vec3d(3), Vec3d(4));
-    for (const std::uint32_t corner : other.corners) mesh.corners.push_back(corner + 8);
-    for (std::size_t i = 1; i < other.firstCorner.size(); ++i) mesh.firstCorner.push_back(other.firstCorner[i] + 24);
+    for (std::vector<std::uint32_t>& polygon : polygonsOf(other)) {
+        for (std::uint32_t& corner : polygon) corner += 8;
+        mesh.addPolygon(polygon);
+    }
     mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
     const auto boxes = makeMesh(std::move(mesh));
     EXPECT_TRUE(boxes->facts.closed);
@@ -348,6 +354,43 @@ TEST(Mesh, NoPolygonsIsNeitherClosedNorConvex) {
     EXPECT_EQ(mesh->polygonCount(), 0u);
     EXPECT_FALSE(mesh->facts.closed);
     EXPECT_FALSE(mesh->facts.convex);
+}
+
+// Ten million triangles are to stand in a few hundred megabytes. Of a closed mesh of triangles alone there are twice as
+// many triangles as vertices (E = 3 T / 2 in V - E + T = 2): 16 bytes a triangle, and 24 bytes a vertex are 12 more.
+TEST(Mesh, OfTrianglesAloneHoldsTwentyEightBytesATriangle) {
+    constexpr std::uint32_t kAround = 64;  // a torus: two triangles a vertex, exactly
+    Mesh mesh;
+    const auto at = [](std::uint32_t i, std::uint32_t j) { return i % kAround * kAround + j % kAround; };
+    for (std::uint32_t i = 0; i < kAround; ++i)
+        for (std::uint32_t j = 0; j < kAround; ++j) {
+            mesh.positions.emplace_back(i, j, i * j);
+            mesh.addPolygon(std::array{at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            mesh.addPolygon(std::array{at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    const auto made = makeMesh(std::move(mesh));
+    EXPECT_TRUE(made->facts.closed);
+    const auto bytes = [](const auto&... lists) { return (... + (lists.capacity() * sizeof(lists[0]))); };
+    EXPECT_EQ(bytes(made->positions, made->normals, made->polygonPlaces, made->triangles, made->corners,
+                    made->firstCorner, made->firstTriangle),
+              28 * made->polygonCount());
+    // And one object's topology holds nothing beside the mesh.
+    const Topology topology = makeTopology({made});
+    EXPECT_EQ(bytes(topology.polygonObject, topology.ownTriangles), 0u);
+    EXPECT_EQ(topology.triangles.data(), made->triangles.data());
+}
+
+// The first polygon that is no triangle makes lists of corners of them all; each stays what it was.
+TEST(Mesh, KeepsItsPolygonsWhenOneIsNoTriangle) {
+    Mesh mesh = rawMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 2, 3}});
+    EXPECT_TRUE(mesh.hasTrianglesAlone());
+    EXPECT_EQ(polygonsOf(mesh), (Polygons{{0, 1, 2}, {0, 2, 3}}));
+    mesh.addPolygon(std::array{0u, 4u, 2u, 3u});
+    mesh.addPolygon(std::array{1u, 4u, 2u});
+    EXPECT_FALSE(mesh.hasTrianglesAlone());
+    EXPECT_EQ(polygonsOf(mesh), (Polygons{{0, 1, 2}, {0, 2, 3}, {0, 4, 2, 3}, {1, 4, 2}}));
+    mesh.renumberVertices(std::array{4u, 3u, 2u, 1u, 0u});
+    EXPECT_EQ(polygonsOf(mesh), (Polygons{{4, 3, 2}, {4, 2, 1}, {4, 0, 2, 1}, {3, 0, 2}}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -13,8 +14,7 @@ namespace {
 Scene twoLights() {
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    mesh.corners = {0, 1, 2};
-    mesh.firstCorner = {0, 3};
+    mesh.addPolygon(std::array{0u, 1u, 2u});
     Scene scene;
     scene.objects.push_back({"triangle", std::make_shared<const Mesh>(mesh), {}, {}});
     scene.lights.resize(2);

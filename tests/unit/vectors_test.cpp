@@ -110,9 +110,10 @@ TEST(Vectors, DrawShadowsOfWhatIsTurnedInsideOutToTheSameBits) {
     const auto turned = [](const Mesh& mesh) {
         Mesh out;
         out.positions = mesh.positions;
-        out.corners.assign(mesh.corners.rbegin(), mesh.corners.rend());
-        for (auto first = mesh.firstCorner.rbegin(); first != mesh.firstCorner.rend(); ++first)
-            out.firstCorner.push_back(mesh.firstCorner.back() - *first);
+        for (std::size_t i = mesh.polygonCount(); i-- > 0;) {
+            const auto corners = mesh.polygon(i);
+            out.addPolygon(std::vector(corners.rbegin(), corners.rend()));
+        }
         return makeMesh(std::move(out));
     };
     for (int i = 0; i < 6; ++i) {

@@ -18,11 +18,12 @@ namespace {
 Scene withPolygon(std::vector<Vec3d> positions, const std::vector<double>& intensities) {
     Mesh m;
     m.positions = std::move(positions);
+    std::vector<std::uint32_t> polygon;
     for (std::uint32_t i = 0; i < m.positions.size(); ++i) {
-        m.corners.push_back(i);
+        polygon.push_back(i);
         m.normals.push_back(intensities[i] > 0 ? Vec3d(0, 0, 1) : Vec3d(1, 0, 0));
     }
-    m.firstCorner = {0, std::uint32_t(m.positions.size())};
+    m.addPolygon(polygon);
     Scene scene;
     scene.settings.precision = Precision::Double;
     scene.settings.shading = Shading::Gouraud, scene.settings.model = Model::BlinnPhong;
