@@ -123,12 +123,12 @@ const pipeline::CullOutput* cullOf(const Frame& frame) {
 }
 
 Result<Value> ofPolygon(const Node& call, Operands operands, const Frame& frame,
-                        Value (*give)(const pipeline::CullOutput&, std::size_t polygon)) {
+                        Value (*give)(const Frame&, std::size_t polygon)) {
     const pipeline::CullOutput* const cull = cullOf(frame);
     if (!cull) return error(call, "no verdicts in this frame: cull has not run");
     const auto polygon = indexFrom(call, operands[0], cull->verdicts.size());
     if (!polygon) return polygon.errors();
-    return give(*cull, *polygon);
+    return give(frame, *polygon);
 }
 
 template <double (*function)(double)>
@@ -152,14 +152,15 @@ constexpr auto kFunctions = std::to_array<Function>({
      }},
     {"signed_area", T::Polygon, "The area of a polygon in the picture, px²; below 0 when it is seen from behind.",
      [](const Node& call, Operands operands, const Frame& frame) {
-         return ofPolygon(call, operands, frame,
-                          [](const pipeline::CullOutput& cull, std::size_t i) { return number(cull.signedAreas[i]); });
+         return ofPolygon(call, operands, frame, [](const Frame& of, std::size_t i) {
+             return number(pipeline::readStages(
+                 of, [&](const auto& data) { return pipeline::signedArea(*data.transform, *data.cull, i); }));
+         });
      }},
     {"verdict", T::Polygon, "The cull stage's verdict on a polygon, in words.",
      [](const Node& call, Operands operands, const Frame& frame) {
-         return ofPolygon(call, operands, frame, [](const pipeline::CullOutput& cull, std::size_t i) {
-             return words(name(cull.verdicts[i]));
-         });
+         return ofPolygon(call, operands, frame,
+                          [](const Frame& of, std::size_t i) { return words(name(cullOf(of)->verdicts[i])); });
      }},
     {"setting", T::Setting, "The value of a setting of the scene.",
      [](const Node& call, Operands, const Frame& frame) -> Result<Value> {

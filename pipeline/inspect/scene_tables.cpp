@@ -111,8 +111,11 @@ void addPolygons(const FramePtr& frame, SceneTable& table) {
                            return Cell(std::string(pipeline::name(cull.verdicts[p])));
                        })});
     columns.push_back({"", "signed area", "pixels²", "On the screen; positive where its front is seen.", 2,
-                       frame->whyAbsent({BufferId::PolygonsVerdict}),
-                       withCull([](const CullOutput& cull, std::size_t p) { return Cell(cull.signedAreas[p]); })});
+                       frame->whyAbsent({BufferId::PolygonsVerdict}), [frame](std::size_t p) -> Cell {
+                           return readStages(*frame, [&](const auto& data) {
+                               return data.cull ? Cell(signedArea(*data.transform, *data.cull, p)) : Cell();
+                           });
+                       }});
     addBuffer(frame, BufferId::PolygonsNormal, {"n[0]", "n[1]", "n[2]"}, {" x", " y", " z"}, kUnitDecimals, columns);
     addBuffer(frame, BufferId::PolygonsIntensity, {"lred", "lgreen", "lblue"}, {" red", " green", " blue"},
               intensityDecimals(*frame), columns);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 
 #include "pipeline/simd/targets.h"
@@ -23,7 +22,6 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
     const std::span<const Triangle> triangles = in.topology->triangles;
     // Products of two sides stay below 2^30.
     const Ints limit = hn::Set(whole, 1 << 15), zero = hn::Zero(whole);
-    const double toPixels = std::ldexp(0.5, -2 * from.bits);
     const bool mirrors = std::ranges::any_of(in.mirrored, [](std::uint8_t one) { return one != 0; });
     const std::int32_t leastKept = inputs.mode == CullMode::Back ? 0 : std::numeric_limits<std::int32_t>::min();
     const std::size_t lanes = hn::Lanes(whole);
@@ -49,7 +47,7 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
             out.verdicts[base + l] = front[l] == 0          ? Verdict::Degenerate
                                      : front[l] < leastKept ? Verdict::BackFacing
                                                             : Verdict::Kept;
-        for (std::size_t l = 0; l < lanes; ++l) out.signedAreas[base + l] = front[l] * toPixels;
+        for (std::size_t l = 0; l < lanes; ++l) out.isBack[base + l] = front[l] < 0;
         for (std::size_t l = 0; l < lanes; ++l) out.inside[base + l] = 1;
         // The stage's own text writes over what is not plain.
         for (std::uint32_t rest = bitsOf(hn::Not(asFloats(plain))); rest != 0; rest &= rest - 1) {

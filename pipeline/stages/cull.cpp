@@ -28,16 +28,8 @@ std::string_view name(Verdict verdict) {
 
 char letter(Verdict verdict) { return "KBDOOOOOOCT-"[std::size_t(verdict)]; }
 
-std::string CullOutput::reason(std::size_t polygon) const {
-    const Verdict verdict = verdicts[polygon];
-    if (verdict == Verdict::BackFacing)
-        return fmt::format("back-facing, signed area −{:.1f} px²", -signedAreas[polygon]);
-    if (verdict == Verdict::Degenerate) return "degenerate, area 0 after snapping";
-    return std::string(name(verdict));
-}
-
 CullOutput prepareCull(std::size_t polygons) {
-    return {std::vector<Verdict>(polygons, Verdict::Kept), std::vector<double>(polygons, 0.0),
+    return {std::vector<Verdict>(polygons, Verdict::Kept), std::vector<std::uint8_t>(polygons, 0),
             std::vector<std::uint8_t>(polygons, 0)};
 }
 
@@ -66,7 +58,7 @@ Verdict outside(const TransformOutput<Real>& in, const Topology::Corners& corner
 }
 
 struct ScreenArea {
-    double signedArea;  // px²
+    double signedArea;  // px², with mirroring undone
     bool covers;        // some piece has area; a bow-tie's signed area can be 0 all the same
 };
 
@@ -82,6 +74,7 @@ ScreenArea screenArea(const TransformOutput<Real>& in, std::size_t polygon, bool
             in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, std::uint32_t(t),
             [&](const RasterTriangle<Real>&) { covers = true; }, inside);
     }
+    if (in.mirrored[in.topology->objectOfPolygon(polygon)]) area2 = -area2;
     return {double(area2) / (2.0 * double(kSubPixels * kSubPixels)), covers};
 }
 
@@ -99,24 +92,42 @@ void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t
         Crossed crossed;
         Verdict verdict = outside(in, in.topology->corners(polygon), crossed);
         out.inside[polygon] = verdict == Verdict::Kept && !crossed.any;
-        double area = 0;
+        bool isBack = false;
         if (verdict == Verdict::Kept) {
             const ScreenArea screen = screenArea(in, polygon, !crossed.any);
-            area = in.mirrored[object] ? -screen.signedArea : screen.signedArea;
+            isBack = screen.signedArea < 0;
             if (!screen.covers)
                 verdict = Verdict::Degenerate;
-            else if (area < 0 && inputs.mode == CullMode::Back)
+            else if (isBack && inputs.mode == CullMode::Back)
                 verdict = Verdict::BackFacing;
             else if (crossed.depth)
                 verdict = Verdict::Clipped;
         }
         out.verdicts[polygon] = verdict;
-        out.signedAreas[polygon] = area;
+        out.isBack[polygon] = isBack;
     }
 }
 
-#define SHADESCOPE_INSTANTIATE(Real) \
-    template void cull(const CullInputs&, const TransformOutput<Real>&, std::size_t, std::size_t, CullOutput&);
+template <class Real>
+double signedArea(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon) {
+    const Verdict verdict = cull.verdicts[polygon];
+    if (!goesOn(verdict) && verdict != Verdict::BackFacing && verdict != Verdict::Degenerate) return 0;
+    return screenArea(in, polygon, cull.inside[polygon] != 0).signedArea;
+}
+
+template <class Real>
+std::string reason(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon) {
+    const Verdict verdict = cull.verdicts[polygon];
+    if (verdict == Verdict::BackFacing)
+        return fmt::format("back-facing, signed area −{:.1f} px²", -signedArea(in, cull, polygon));
+    if (verdict == Verdict::Degenerate) return "degenerate, area 0 after snapping";
+    return std::string(name(verdict));
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                            \
+    template void cull(const CullInputs&, const TransformOutput<Real>&, std::size_t, std::size_t, CullOutput&); \
+    template double signedArea(const TransformOutput<Real>&, const CullOutput&, std::size_t);                   \
+    template std::string reason(const TransformOutput<Real>&, const CullOutput&, std::size_t);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

@@ -33,13 +33,9 @@ struct CullInputs {
 };
 
 struct CullOutput {
-    std::vector<Verdict> verdicts;  // per polygon
-    // Per polygon, px²; positive for a front face (counter-clockwise as seen, mirroring undone).
-    // Of the part inside near, far and guard band; computed on snapped corners, exact.
-    std::vector<double> signedAreas;
+    std::vector<Verdict> verdicts;       // per polygon
+    std::vector<std::uint8_t> isBack{};  // per polygon: its signed area is below 0
     std::vector<std::uint8_t> inside{};  // per polygon: neither a plane nor the picture's border runs through it
-    // "back-facing, signed area −1 991.6 px²"
-    std::string reason(std::size_t polygon) const;
 };
 
 CullOutput prepareCull(std::size_t polygons);
@@ -47,5 +43,14 @@ CullOutput prepareCull(std::size_t polygons);
 template <class Real>
 void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
           CullOutput& out);
+
+// Of a polygon, px²; positive for a front face (counter-clockwise as seen, mirroring undone). Of the part inside near,
+// far and guard band; computed on snapped corners, exact. 0 where the verdict did not take it. Nothing keeps it: it
+// costs what the stage costs for that polygon.
+template <class Real>
+double signedArea(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon);
+// "back-facing, signed area −1 991.6 px²"
+template <class Real>
+std::string reason(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon);
 
 }  // namespace pipeline

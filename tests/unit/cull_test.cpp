@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/run/frame_data.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
 namespace {
 
 // One triangle seen from the origin along +y (z up), 100 x 100 pixels, 90 degrees: |x| and |z| < y is inside.
-Verdict verdictOf(Vec3d a, Vec3d b, Vec3d c, Vec3d scale = Vec3d(1), CullMode mode = CullMode::Back) {
+FramePtr frameOf(Vec3d a, Vec3d b, Vec3d c, Vec3d scale = Vec3d(1), CullMode mode = CullMode::Back) {
     Scene scene;
     scene.settings.width = scene.settings.height = 100;
     scene.settings.cull = mode;
@@ -16,7 +17,14 @@ Verdict verdictOf(Vec3d a, Vec3d b, Vec3d c, Vec3d scale = Vec3d(1), CullMode mo
     scene.camera.eye = {0, 0, 0}, scene.camera.target = {0, 1, 0}, scene.camera.fovY = 90;
     scene.camera.near = 1, scene.camera.far = 100;
     scene.objects = {{"t", test::mesh({a, b, c}, {{0, 1, 2}}), {scale, {}, {}}, {}}};
-    return Verdict(int(test::frameOf(scene)->buffer({BufferId::PolygonsVerdict})->flat(0)));
+    return test::frameOf(scene);
+}
+Verdict verdictOf(Vec3d a, Vec3d b, Vec3d c, Vec3d scale = Vec3d(1), CullMode mode = CullMode::Back) {
+    return Verdict(int(frameOf(a, b, c, scale, mode)->buffer({BufferId::PolygonsVerdict})->flat(0)));
+}
+double areaOf(Vec3d a, Vec3d b, Vec3d c, Vec3d scale = Vec3d(1), CullMode mode = CullMode::Back) {
+    const FramePtr frame = frameOf(a, b, c, scale, mode);
+    return readStages(*frame, [](const auto& data) { return signedArea(*data.transform, *data.cull, 0); });
 }
 
 constexpr Vec3d kA{-1, 10, -1}, kB{1, 10, -1}, kC{0, 10, 1};  // counter-clockwise seen from the origin
@@ -64,10 +72,20 @@ TEST(Cull, AnEnormousPolygonIsKept) {
     EXPECT_EQ(verdictOf({-1e7, 10, -1e7}, {1e7, 10, -1e7}, {0, 10, 1e7}), Verdict::Kept);
 }
 
+// 100 pixels across 20 units at distance 10: 5 px a unit; 2 x 2 units / 2 = 2 square units = 50 px².
 TEST(Cull, SaysTheSignedAreaThatCulled) {
-    // 100 pixels across 20 units at distance 10: 5 px a unit; 2 x 2 units / 2 = 2 square units = 50 px².
-    CullOutput out{{Verdict::BackFacing}, {-50.0}};
-    EXPECT_EQ(out.reason(0), "back-facing, signed area −50.0 px²");
+    const FramePtr frame = frameOf(kA, kC, kB);
+    const std::string why = readStages(*frame, [](const auto& data) { return reason(*data.transform, *data.cull, 0); });
+    EXPECT_EQ(why, "back-facing, signed area −50.0 px²");
+}
+
+TEST(Cull, FindsTheSignedAreaOfWhateverTheVerdictTookItFor) {
+    EXPECT_EQ(areaOf(kA, kB, kC), 50);
+    EXPECT_EQ(areaOf(kA, kC, kB), -50);
+    EXPECT_EQ(areaOf(kA, kC, kB, Vec3d(1), CullMode::None), -50);
+    EXPECT_EQ(areaOf(kA, kB, kC, {-1, 1, 1}), 50);  // mirroring undone
+    const Vec3d beside{30, 0, 0};
+    EXPECT_EQ(areaOf(kA + beside, kB + beside, kC + beside), 0);  // outside the right plane: no area was taken
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ void expectTheSameBits(const Scene& scene) {
         CullOutput culled = prepareCull(in.topology->polygonCount());
         cull(data.keys.cull, in, 0, in.topology->polygonCount(), culled);
         EXPECT_EQ(culled.verdicts, data.cull->verdicts);
-        EXPECT_EQ(culled.signedAreas, data.cull->signedAreas);
+        EXPECT_EQ(culled.isBack, data.cull->isBack);
         EXPECT_EQ(culled.inside, data.cull->inside);
     }
     NormalsOutput<float> normals = prepareNormals(data.keys.normals, in);
