@@ -12,15 +12,20 @@ namespace pipeline {
 namespace {
 
 // Whether a triangle may cover a pixel of the tile: not where all its corners stand clearly on one side of it. A corner
-// without a place on the screen has (0, 0, 0) there; snapping moves one by half a pixel at most.
+// that is not in front of the near plane has no place on the screen; snapping moves one by half a pixel at most. Places
+// are compared times z_view, which takes no division.
 template <class Real>
 bool mayCover(const TransformOutput<Real>& in, std::span<const std::uint32_t, 3> v, Tile tile) {
+    const View& view = in.view;
+    const Vec2<Real> scale(view.scale), low(glm::dvec2(tile.min - 1) - view.centre),
+        high(glm::dvec2(tile.max + 1) - view.centre);
     glm::bvec4 beside(true);  // left, right, above, below
     for (const std::uint32_t i : v) {
-        const Vec3<Real> p = in.screen[i];
-        if (p == Vec3<Real>(0)) return true;
-        beside.x = beside.x && p.x < Real(tile.min.x - 1), beside.y = beside.y && p.x > Real(tile.max.x + 1);
-        beside.z = beside.z && p.y < Real(tile.min.y - 1), beside.w = beside.w && p.y > Real(tile.max.y + 1);
+        const Vec3<Real>& p = in.viewSpace[i];
+        if (view.perspective && !(p.z >= Real(view.near))) return true;
+        const Real spread = view.perspective ? p.z : Real(1), x = scale.x * p.x, y = -scale.y * p.y;
+        beside.x = beside.x && x < low.x * spread, beside.y = beside.y && x > high.x * spread;
+        beside.z = beside.z && y < low.y * spread, beside.w = beside.w && y > high.y * spread;
     }
     return !glm::any(beside);
 }

@@ -127,7 +127,10 @@ std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& dat
     switch (name.id) {
         case VerticesWorld: return view(name, data.transform->world, data.transform);
         case VerticesView: return view(name, data.transform->viewSpace, data.transform);
-        case VerticesScreen: return view(name, data.transform->screen, data.transform);
+        case VerticesScreen: {
+            const auto places = std::make_shared<const std::vector<Vec3<Real>>>(screenPlaces(*data.transform));
+            return view(name, *places, places);
+        }
         case PolygonsVerdict: {
             static_assert(sizeof(Verdict) == 1);
             const auto& verdicts = data.cull->verdicts;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "pipeline/simd/targets.h"
 #include "pipeline/stages/clip.h"
@@ -50,7 +49,6 @@ void transformVertices(const TransformInputs& inputs, std::size_t object, std::s
     const Vec3<float> translation(matrix.translation);
     const View& view = inputs.view;
     const Vec3<float> eye(view.eye), right(view.right), up(view.up), forward(view.forward);
-    const Vec2<float> scale(view.scale), centre(view.centre);
     const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
     const D d;
@@ -69,14 +67,6 @@ void transformVertices(const TransformInputs& inputs, std::size_t object, std::s
         const Floats3 v{dot(right, fromEye), dot(up, fromEye), dot(forward, fromEye)};
         store(world, &out.world[first + i]);
         store(v, &out.viewSpace[first + i]);
-        const Floats spread = view.perspective ? v.z : all(1);
-        const Floats sx = hn::Add(all(centre.x), hn::Div(hn::Mul(all(scale.x), v.x), spread));
-        const Floats sy = hn::Sub(all(centre.y), hn::Div(hn::Mul(all(scale.y), v.y), spread));
-        const Floats largest = all(std::numeric_limits<float>::max());
-        auto placed = hn::And(hn::Le(hn::Abs(sx), largest), hn::Le(hn::Abs(sy), largest));
-        if (view.perspective) placed = hn::AndNot(hn::Lt(v.z, all(float(view.near))), placed);
-        store({hn::IfThenElseZero(placed, sx), hn::IfThenElseZero(placed, sy), hn::IfThenElseZero(placed, v.z)},
-              &out.screen[first + i]);
     }
     transform(inputs, object, i, end, out);
 }
@@ -170,7 +160,6 @@ HWY_EXPORT(toLightViewAll);
 
 void transformInVectors(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
                         TransformOutput<float>& out) {
-    if (inputs.depthFormat != DepthFormat::Linear) return transform(inputs, object, begin, end, out);
     HWY_DYNAMIC_DISPATCH(transformVertices)(inputs, object, begin, end, out);
 }
 

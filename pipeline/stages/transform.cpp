@@ -75,7 +75,7 @@ TransformOutput<Real> prepareTransform(const TransformInputs& inputs) {
     const std::size_t count = inputs.topology->vertexCount();
     out.world.resize(count);
     out.viewSpace.resize(count);
-    out.screen.resize(count);
+    out.done = count;
     return out;
 }
 
@@ -87,8 +87,6 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
     const Vec3<Real> translation(matrix.translation);
     const View& view = inputs.view;
     const Vec3<Real> eye(view.eye), right(view.right), up(view.up), forward(view.forward);
-    const Vec2<Real> scale(view.scale), centre(view.centre);
-    const DepthCode depth(view, inputs.depthFormat);
     const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
 
@@ -96,23 +94,34 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
         const Vec3<Real> world = linear * Vec3<Real>(positions[i]) + translation;
         // The eye is taken off before the rotation: far from the origin both are large and alike.
         const Vec3<Real> fromEye = world - eye;
-        const Vec3<Real> v{glm::dot(right, fromEye), glm::dot(up, fromEye), glm::dot(forward, fromEye)};
         out.world[first + i] = world;
-        out.viewSpace[first + i] = v;
+        out.viewSpace[first + i] = {glm::dot(right, fromEye), glm::dot(up, fromEye), glm::dot(forward, fromEye)};
+    }
+}
 
+template <class Real>
+std::vector<Vec3<Real>> screenPlaces(const TransformOutput<Real>& in) {
+    const View& view = in.view;
+    const Vec2<Real> scale(view.scale), centre(view.centre);
+    const DepthCode depth(view, in.depthFormat);
+    std::vector<Vec3<Real>> places(in.viewSpace.size(), Vec3<Real>(0));
+    for (std::size_t i = 0; i < in.done; ++i) {
+        const Vec3<Real>& v = in.viewSpace[i];
         if (view.perspective && v.z < Real(view.near)) continue;
         const Real spread = view.perspective ? v.z : Real(1);
         const AtLeastDouble<Real> z(v.z);
         const Vec3<Real> screen{centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread,
                                 depth.format == DepthFormat::Linear ? v.z : Real(depth.encode(z, 1 / z))};
         // Too far off the picture for Real to say where: no place on the screen either.
-        if (isfinite(screen.x) && isfinite(screen.y)) out.screen[first + i] = screen;
+        if (isfinite(screen.x) && isfinite(screen.y)) places[i] = screen;
     }
+    return places;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                         \
-    template TransformOutput<Real> prepareTransform(const TransformInputs&); \
-    template void transform(const TransformInputs&, std::size_t, std::size_t, std::size_t, TransformOutput<Real>&);
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                \
+    template TransformOutput<Real> prepareTransform(const TransformInputs&);                                        \
+    template void transform(const TransformInputs&, std::size_t, std::size_t, std::size_t, TransformOutput<Real>&); \
+    template std::vector<Vec3<Real>> screenPlaces(const TransformOutput<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

@@ -47,9 +47,7 @@ struct TransformOutput {
     std::vector<std::uint8_t> transparent;     // per object, 1 where it is as if not there; empty when none is
     std::vector<glm::dmat3> normalMatrix;      // per object: cofactors, which hold for a flattened object too
     std::vector<Vec3<Real>> world, viewSpace;  // per vertex
-    // Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is not in front of
-    // the near plane: it has no place on the screen, and no infinity may stand in for one.
-    std::vector<Vec3<Real>> screen;
+    std::size_t done = 0;       // of the vertices, from the first; all, but while stepping inside the stage
     SnappedVertices snapped{};  // in float, for pipeline/simd; else empty
 };
 
@@ -59,5 +57,10 @@ TransformOutput<Real> prepareTransform(const TransformInputs& inputs);
 template <class Real>
 void transform(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
                TransformOutput<Real>& out);
+
+// Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is not in front of the near plane: it has no
+// place on the screen, and no infinity may stand in for one. Found when somebody looks: no stage reads it.
+template <class Real>
+std::vector<Vec3<Real>> screenPlaces(const TransformOutput<Real>& in);
 
 }  // namespace pipeline

@@ -12,6 +12,7 @@ TransformOutput<Real> transformSoFar(const FrameData<Real>& data, std::size_t ve
     const TransformInputs& inputs = data.keys.transform;
     const std::vector<std::uint32_t>& first = inputs.topology->firstVertex;
     auto out = prepareTransform<Real>(inputs);
+    out.done = vertices;
     for (std::size_t object = 0; object < inputs.transforms.size() && first[object] < vertices; ++object)
         transform(inputs, object, 0, std::min<std::size_t>(vertices, first[object + 1]) - first[object], out);
     return out;

@@ -26,7 +26,6 @@ void expectTheSameBits(const Scene& scene) {
         transform(data.keys.transform, object, 0, in.topology->meshes[object]->positions.size(), transformed);
     EXPECT_EQ(transformed.world, in.world);
     EXPECT_EQ(transformed.viewSpace, in.viewSpace);
-    EXPECT_EQ(transformed.screen, in.screen);
     if (data.cull) {
         CullOutput culled = prepareCull(in.topology->polygonCount());
         cull(data.keys.cull, in, 0, in.topology->polygonCount(), culled);
