@@ -1,6 +1,8 @@
 #pragma once
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
+#include <new>
 
 #include "pipeline/buffers/buffer2d.h"
 
@@ -16,13 +18,35 @@ struct alignas(kBlockPixels * sizeof(T)) Block {
     T of[kBlockPixels];
 };
 
+// Aligns by itself what it takes from the C library. That takes more room than it needs for an aligned piece and gives
+// back the rest at both ends; the piece, free again, is then too small for the next of its size, and buffers that come
+// and go with every frame would lie beside the holes they left.
+template <class T>
+struct AlignsPieces : LeavesRaw<T> {
+    template <class U>
+    struct rebind {
+        using other = AlignsPieces<U>;
+    };
+    T* allocate(std::size_t count) {
+        static_assert(alignof(T) <= 128);
+        auto* const piece = static_cast<std::uint8_t*>(::operator new(count * sizeof(T) + alignof(T)));
+        const auto ahead = std::uint8_t(alignof(T) - reinterpret_cast<std::uintptr_t>(piece) % alignof(T));
+        piece[ahead - 1] = ahead;
+        return reinterpret_cast<T*>(piece + ahead);
+    }
+    void deallocate(T* at, std::size_t) noexcept {
+        auto* const first = reinterpret_cast<std::uint8_t*>(at);
+        ::operator delete(first - first[-1]);
+    }
+};
+
 // One T per pixel in squares of 4 × 4 whose pixels stand side by side, tile after tile: the part of a small triangle in
 // a block is one vector, or a few, and a tile one piece of memory. Tiles are whole; what of them lies beyond the picture
 // counts for nothing. Nothing is written in the beginning.
 template <class T>
 struct BlockBuffer2D {
     glm::ivec2 size{0}, tiles{0};  // of the picture, pixels; columns and rows of tiles
-    std::vector<Block<T>, LeavesRaw<Block<T>>> blocks;
+    std::vector<Block<T>, AlignsPieces<Block<T>>> blocks;
 
     BlockBuffer2D() = default;
     explicit BlockBuffer2D(glm::ivec2 extent)

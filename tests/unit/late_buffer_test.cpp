@@ -35,6 +35,22 @@ TEST(LateBuffer, HasCopiesOfItsOwn) {
     EXPECT_EQ(late->pixels, (Buffer2D<int>::Pixels{1, 1, 1}));
 }
 
+// Vectors load and store whole blocks: each must stand at a multiple of its own size, 64 bytes, whatever the C library
+// gives; a copy and what has been moved, too.
+TEST(BlockBuffer, StandsAtAMultipleOfABlock) {
+    const auto misplaced = [](const auto& buffer) { return reinterpret_cast<std::uintptr_t>(buffer.tile(0)) % 64; };
+    for (int width = 1; width < 700; width += 64) {
+        BlockBuffer2D<float> buffer({width, 1});
+        const BlockBuffer2D<std::uint32_t> other({width, 65});
+        buffer.fill(0, 1);
+        const BlockBuffer2D<float> copy = buffer, moved = std::move(buffer);
+        EXPECT_EQ(misplaced(other), 0u);
+        EXPECT_EQ(misplaced(copy), 0u);
+        EXPECT_EQ(misplaced(moved), 0u);
+        EXPECT_EQ(copy.tile(0)->of[15], 1);
+    }
+}
+
 // Every pixel is written where the documentation of BlockBuffer2D says: tile after tile of 64 × 64, in it block after
 // block of 4 × 4, in a block row after row. Rows must give it back, also where a tile or a block ends beyond the picture.
 TEST(BlockBuffer, GivesRowsOfTheSamePixels) {
