@@ -34,8 +34,8 @@ precompiled(precompiled_cli
   HEADERS [["pipeline/run/frame.h"]] <filesystem> <CLI/CLI.hpp>
   OPTIONS app_options CLI11::CLI11
   USED_BY app_cli)
-# A file that includes CLI11 or nlohmann's JSON compiles for 3 s before its own first line: ten of them together pay that
-# once. The command line took 137 s of a processor and takes 42 s, readers and writers took 150 s and take 46 s.
+# A file that includes CLI11 compiles for 3.5 s before its own first line, and readers and writers include nlohmann's JSON
+# and toml++: ten of them together pay that once. The command line took 134 s of a processor and takes 42 s.
 set_target_properties(app_cli pipeline_io PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
 if(SHADESCOPE_WINDOW)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets)
