@@ -20,12 +20,12 @@ struct Incidence {
     };
     static constexpr float kNoHighlight = 1;    // a logarithm of a cosine is at most 0
     static constexpr float kUnknownShadow = 2;  // S is at most 1
-    // Of a light at the pixels of a piece; at the others of its block any numbers.
+    // Of a light at the pixels of a piece; at the others of its block any numbers. log: of R·V or N·H, kNoHighlight where
+    // the power is 0 or not asked for. S: kUnknownShadow where N·L > 0 and yet nobody has looked it up.
     struct Light {
         alignas(64) float nDotL[kBlockPixels];
-        alignas(
-            64) float log[kBlockPixels];  // log(R·V) or log(N·H); kNoHighlight where its power is 0 or not asked for
-        alignas(64) float S[kBlockPixels];  // kUnknownShadow where N·L > 0 and yet nobody has looked it up
+        alignas(64) float log[kBlockPixels];
+        alignas(64) float S[kBlockPixels];
     };
 
     std::vector<Piece> pieces;                             // row of blocks after row of blocks
