@@ -61,7 +61,7 @@ enum class Translucency : std::uint8_t { Exact, Polygons };
 // Which triangles shadow buffers leave out, by the way they face the light.
 //   None   none of them
 //   Back   those that face away: of a closed object the others hide them
-//   Front  those that face it: what is lit is compared with the far side of its object, and cannot shadow itself
+//   Front  those that face it: what is lit is compared with the far side of its object
 // Y. Wang and S. Molnar, "Second-depth shadow mapping", University of North Carolina, TR94-019, 1994.
 enum class ShadowCull : std::uint8_t { None, Back, Front };
 enum class ShadowBias : std::uint8_t { Automatic, Constant, Slope };
