@@ -27,10 +27,9 @@ struct Exact {
     // normalized, where mask says so; elsewhere any numbers.
     HWY_INLINE static Floats3 unit(Floats3 a, Mask mask) {
         const Floats square = dot(a, a);
-        const Floats largest = hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
-        const Mask middle =
-            hn::And(hn::And(hn::Lt(largest, all(kLargestUnscaled)), hn::Gt(largest, all(1 / kLargestUnscaled))),
-                    hn::Eq(square, square));
+        // Between the squares of its bounds, with room for three of them and for rounding, the largest component is, too.
+        constexpr float kMost = kLargestUnscaled * kLargestUnscaled, kLeast = 4 / kMost;
+        const Mask middle = hn::And(hn::Lt(square, all(kMost)), hn::Gt(square, all(kLeast)));
         const Floats length = hn::Sqrt(square);
         Floats3 out{hn::Div(a.x, length), hn::Div(a.y, length), hn::Div(a.z, length)};
         const Mask rest = hn::AndNot(middle, mask);
