@@ -24,13 +24,20 @@ alignas(64) constexpr std::int32_t kRows[kBlockPixels]{0, 0, 0, 0, 1, 1, 1, 1, 2
 HWY_INLINE Ints columnOf(int first) { return hn::Load(I(), kColumns + first); }
 HWY_INLINE Ints rowOf(int first) { return hn::Load(I(), kRows + first); }
 
-// The first pixel of the block that the vector at `at` of a tile is in, and the vector's first pixel in the block.
-struct BlockPlace {
+constexpr int kLanes = int(hn::MaxLanes(F())), kVectors = kBlockPixels / kLanes;  // of a vector; of a block
+constexpr int kWide = std::min(kLanes, kBlock), kHigh = kLanes / kWide;           // pixels of a vector
+
+// A vector of a tile: the first pixel of its block, its own first pixel in the block, and all of its pixels.
+struct VectorPlace {
     int x, y, first;
-    HWY_INLINE explicit BlockPlace(std::size_t at) {
-        const int block = int(at) / kBlockPixels;
-        x = block % kBlocksAcross * kBlock, y = block / kBlocksAcross * kBlock;
-        first = hn::Lanes(F()) == kBlockPixels ? 0 : int(at) % kBlockPixels;
+    std::uint32_t at;  // of its first pixel in the tile's blocks
+    Ints column, row;  // in the tile
+    HWY_INLINE explicit VectorPlace(std::size_t place) : at(std::uint32_t(place)) {
+        constexpr std::uint32_t kAcross = kBlocksAcross, kPixels = kBlockPixels;
+        const std::uint32_t block = at / kPixels;
+        x = int(block % kAcross) * kBlock, y = int(block / kAcross) * kBlock;
+        first = kVectors == 1 ? 0 : int(at % kPixels);
+        column = hn::Add(columnOf(first), hn::Set(I(), x)), row = hn::Add(rowOf(first), hn::Set(I(), y));
     }
 };
 
@@ -42,23 +49,11 @@ struct PixelFunction {
         using Wraps = std::uint32_t;
         return std::int32_t(Wraps(value) + Wraps(column) * Wraps(x) + Wraps(row) * Wraps(y));
     }
-};
-// The same for those who ask for it in many blocks.
-struct TileFunction : PixelFunction {
-    alignas(64) std::int32_t steps[kBlockPixels];  // what a block's pixels have more than its first
-
-    HWY_INLINE void become(std::int32_t first, std::int32_t right, std::int32_t down) {
-        value = first, column = right, row = down;
-        const Ints toRight = hn::Set(I(), column), toDown = hn::Set(I(), row);
-        for (int i = 0; i < kBlockPixels; i += int(hn::Lanes(F())))
-            hn::Store(hn::Add(hn::Mul(toRight, columnOf(i)), hn::Mul(toDown, rowOf(i))), I(), steps + i);
-    }
-    // x, y: the block's first pixel, relative to the tile's; first: the vector's first pixel in it.
-    HWY_INLINE Ints at(int x, int y, int first) const {
-        return hn::Add(hn::Set(I(), atPixel(x, y)), hn::Load(I(), steps + first));
+    HWY_INLINE Ints in(const VectorPlace& place) const {
+        const Ints right = hn::Mul(hn::Set(I(), column), place.column), down = hn::Mul(hn::Set(I(), row), place.row);
+        return hn::Add(hn::Add(right, down), hn::Set(I(), value));
     }
 };
-
 // A quantity that is linear in the picture: at a pixel, and what a step to the right and one down add.
 struct Slope {
     float value, column, row;
@@ -74,49 +69,42 @@ struct BlockRange {
           maxY((std::min(high.y, tile.max.y) - tile.min.y + kBlock - 1) / kBlock) {}
 };
 
-// What of the edge functions of corners 1 and 2 has to be known at a pixel: e1 and e2 times inverseArea2 are its linear
-// weights.
+// What has to be known of the edge functions at a pixel.
 struct EdgesAt {
-    Mask inside;
-    Floats l1, l2;
+    Ints outside;   // below 0 where an edge leaves the pixel outside
+    Floats l1, l2;  // the linear weights of corners 1 and 2
 };
 
-// A small triangle's edge functions at the pixels of one vector of a block, which it walks over blocks: less 1 where the
+// A small triangle's edge functions 1 and 2 at the pixels of a vector, which it walks over its neighbours: less 1 where the
 // edge does not own its samples, so that a pixel is inside where none is below 0.
 class SmallEdges {
 public:
-    // x, y: the first block's first pixel, relative to that of the triangle's box; first: the vector's in its block.
-    HWY_INLINE SmallEdges(const SmallTriangle& t, int x, int y, int first)
-        : m_bias1(hn::Set(I(), bias(t, 1))),
-          m_bias2(hn::Set(I(), bias(t, 2))),
-          m_sum(hn::Set(I(), t.area - bias(t, 0) - bias(t, 1) - bias(t, 2))),
+    // x, y: the vector's first pixel, relative to that of the triangle's box.
+    HWY_INLINE SmallEdges(const SmallTriangle& t, int x, int y)
+        : m_bias1(hn::Set(I(), t.bias1)),
+          m_bias2(hn::Set(I(), t.bias2)),
+          m_area(hn::Set(I(), t.biasedArea - t.bias1 - t.bias2)),
           m_inverse(all(t.inverseArea2)),
-          m_right1(hn::Set(I(), kBlock * t.a1)),
-          m_right2(hn::Set(I(), kBlock * t.a2)),
-          m_down1(hn::Set(I(), kBlock * t.b1)),
-          m_down2(hn::Set(I(), kBlock * t.b2)) {
-        const Ints column = columnOf(first), row = rowOf(first);
+          m_right1(hn::Set(I(), kWide * t.a1)),
+          m_right2(hn::Set(I(), kWide * t.a2)),
+          m_down1(hn::Set(I(), kHigh * t.b1)),
+          m_down2(hn::Set(I(), kHigh * t.b2)) {
         const auto start = [&](int a, int b, int c) HWY_ATTR {
-            return hn::Add(hn::Set(I(), c + a * x + b * y),
-                           hn::Add(hn::Mul(hn::Set(I(), a), column), hn::Mul(hn::Set(I(), b), row)));
+            const Ints inVector = hn::Add(hn::Mul(hn::Set(I(), a), columnOf(0)), hn::Mul(hn::Set(I(), b), rowOf(0)));
+            return hn::Add(hn::Set(I(), c + a * x + b * y), inVector);
         };
-        m_row1 = m_e1 = start(t.a1, t.b1, t.c1 - bias(t, 1)), m_row2 = m_e2 = start(t.a2, t.b2, t.c2 - bias(t, 2));
+        m_row1 = m_e1 = start(t.a1, t.b1, t.c1 - t.bias1), m_row2 = m_e2 = start(t.a2, t.b2, t.c2 - t.bias2);
     }
-    HWY_INLINE Mask inside() const {
-        const Ints e0 = hn::Sub(hn::Sub(m_sum, m_e1), m_e2);
-        return asFloats(hn::Gt(hn::Or(e0, hn::Or(m_e1, m_e2)), hn::Set(I(), -1)));
-    }
-    HWY_INLINE EdgesAt at(Mask inside) const {
-        const auto share = [&](Ints e, Ints bias)
-                               HWY_ATTR { return hn::Mul(hn::ConvertTo(F(), hn::Add(e, bias)), m_inverse); };
-        return {inside, share(m_e1, m_bias1), share(m_e2, m_bias2)};
+    HWY_INLINE EdgesAt here() const {
+        const Ints e0 = hn::Sub(hn::Sub(m_area, m_e1), m_e2);
+        return {hn::Or(e0, hn::Or(m_e1, m_e2)), share(hn::Add(m_e1, m_bias1)), share(hn::Add(m_e2, m_bias2))};
     }
     HWY_INLINE void goRight() { m_e1 = hn::Add(m_e1, m_right1), m_e2 = hn::Add(m_e2, m_right2); }
     HWY_INLINE void goDown() { m_e1 = m_row1 = hn::Add(m_row1, m_down1), m_e2 = m_row2 = hn::Add(m_row2, m_down2); }
 
 private:
-    HWY_INLINE static int bias(const SmallTriangle& t, int edge) { return t.owns >> edge & 1 ? 0 : 1; }
-    Ints m_e1, m_e2, m_row1, m_row2, m_bias1, m_bias2, m_sum;
+    HWY_INLINE Floats share(Ints e) const { return hn::Mul(hn::ConvertTo(F(), e), m_inverse); }
+    Ints m_e1, m_e2, m_row1, m_row2, m_bias1, m_bias2, m_area;
     Floats m_inverse;
     Ints m_right1, m_right2, m_down1, m_down2;
 };
@@ -160,8 +148,8 @@ public:
             const std::int64_t high = value >> bits;
             const std::int64_t most = std::abs(high) + (std::abs(dx) + std::abs(dy)) * kTileSize;
             m_fits = m_fits && most < (std::int64_t(1) << 31), m_isNarrow = m_isNarrow && most < (1 << 24);
-            m_edges[i].become(std::int32_t(high), std::int32_t(-dy), std::int32_t(dx));
-            m_below[i] = std::int32_t(value - (high << bits) + bias);
+            m_edges[i] = {std::int32_t(high), std::int32_t(-dy), std::int32_t(dx)};
+            m_below[i] = float(value - (high << bits) + bias);
         }
     }
     bool fits() const { return m_fits; }  // else nothing of it holds
@@ -171,18 +159,28 @@ public:
             rows.value[i] = m_edges[i].value, rows.column[i] = m_edges[i].column, rows.row[i] = m_edges[i].row;
         return rows;
     }
-    // x, y: the block's first pixel, relative to the tile's; first: the vector's first pixel in it.
-    HWY_INLINE EdgesAt at(int x, int y, int first) const {
-        const Ints e0 = m_edges[0].at(x, y, first), e1 = m_edges[1].at(x, y, first), e2 = m_edges[2].at(x, y, first);
-        const auto inside = hn::Gt(hn::Or(e0, hn::Or(e1, e2)), hn::Set(I(), -1));
-        return {hn::RebindMask(F(), inside), linear(e1, 1), linear(e2, 2)};
+    // What it has of them in a vector, from which it goes to the next block's.
+    struct Walk {
+        Ints e[3], right[3];
+        HWY_INLINE void goRight() {
+            for (int i = 0; i < 3; ++i) e[i] = hn::Add(e[i], right[i]);
+        }
+    };
+    HWY_INLINE Walk from(const VectorPlace& place) const {
+        Walk walk;
+        for (int i = 0; i < 3; ++i)
+            walk.e[i] = m_edges[i].in(place), walk.right[i] = hn::Set(I(), kBlock * m_edges[i].column);
+        return walk;
+    }
+    HWY_INLINE EdgesAt at(const Walk& walk) const {
+        return {hn::Or(walk.e[0], hn::Or(walk.e[1], walk.e[2])), linear(walk.e[1], 1), linear(walk.e[2], 2)};
     }
     // l1 or l2 alone.
-    HWY_INLINE Floats linear(int i, int x, int y, int first) const { return linear(m_edges[i].at(x, y, first), i); }
+    HWY_INLINE Floats linear(int i, const VectorPlace& place) const { return linear(m_edges[i].in(place), i); }
     Slope slope(int i, glm::ivec2 first) const {
-        const TileFunction& edge = m_edges[i];
+        const PixelFunction& edge = m_edges[i];
         const float unit = m_unit * m_inverse;
-        return {float(edge.atPixel(first.x, first.y)) * unit + float(m_below[i]) * m_inverse, float(edge.column) * unit,
+        return {float(edge.atPixel(first.x, first.y)) * unit + m_below[i] * m_inverse, float(edge.column) * unit,
                 float(edge.row) * unit};
     }
 
@@ -191,19 +189,18 @@ private:
     HWY_INLINE Floats linear(Ints high, int i) const {
         if (HWY_LIKELY(m_isNarrow)) {
             const Floats above = hn::Mul(hn::ConvertTo(F(), high), all(m_unit));
-            return hn::Mul(hn::Add(above, all(float(m_below[i]))), all(m_inverse));
+            return hn::Mul(hn::Add(above, all(m_below[i])), all(m_inverse));
         }
         const int split = 23 - m_bits;
         const Ints part = hn::And(high, hn::Set(I(), (1 << split) - 1));
-        const Ints low = hn::Add(hn::ShiftLeftSame(part, m_bits), hn::Set(I(), m_below[i]));
+        const Ints low = hn::Add(hn::ShiftLeftSame(part, m_bits), hn::Set(I(), std::int32_t(m_below[i])));
         const Floats whole = hn::Add(hn::Mul(hn::ConvertTo(F(), hn::ShiftRightSame(high, split)), all(0x1p23F)),
                                      hn::ConvertTo(F(), low));
         return hn::Mul(whole, all(m_inverse));
     }
-    TileFunction m_edges[3];
+    PixelFunction m_edges[3]{};
     int m_bits = 1;
-    float m_unit = 2, m_inverse = 0;
-    std::int32_t m_below[3]{};
+    float m_unit = 2, m_inverse = 0, m_below[3]{};
     bool m_fits = true, m_isNarrow = true;  // whether 24 bits are enough
 };
 
@@ -234,19 +231,23 @@ public:
             rows.value[i] = m_value[i] - m_bias[i], rows.column[i] = m_column[i], rows.row[i] = m_row[i];
         return rows;
     }
-    // x, y: the block's first pixel, relative to the tile's; first: the vector's first pixel in it.
-    HWY_INLINE EdgesAt at(int x, int y, int first) const {
-        const Ints column = hn::Add(columnOf(first), hn::Set(I(), x));
-        const Ints row = hn::Add(rowOf(first), hn::Set(I(), y));
+    // A vector, from which it goes to the next block's.
+    struct Walk {
+        Ints column, row;
+        HWY_INLINE void goRight() { column = hn::Add(column, hn::Set(I(), kBlock)); }
+    };
+    HWY_INLINE Walk from(const VectorPlace& place) const { return {place.column, place.row}; }
+    HWY_INLINE EdgesAt at(const Walk& walk) const {
+        const Ints column = walk.column, row = walk.row;
         const Floats inverse = all(m_inverse);
 #if HWY_TARGET == HWY_SCALAR  // whose vectors of one number have no halves
         const auto here = edges(column, row);
-        return {hn::Ge(here.least, hn::Zero(F())), hn::Mul(here.e1, inverse), hn::Mul(here.e2, inverse)};
+        return {hn::BitCast(I(), here.least), hn::Mul(here.e1, inverse), hn::Mul(here.e2, inverse)};
 #else
         const hn::Half<I> half;
         const auto low = edges(hn::LowerHalf(half, column), hn::LowerHalf(half, row));
         const auto high = edges(hn::UpperHalf(half, column), hn::UpperHalf(half, row));
-        return {hn::Ge(hn::Combine(F(), high.least, low.least), hn::Zero(F())),
+        return {hn::BitCast(I(), hn::Combine(F(), high.least, low.least)),
                 hn::Mul(hn::Combine(F(), high.e1, low.e1), inverse),
                 hn::Mul(hn::Combine(F(), high.e2, low.e2), inverse)};
 #endif
@@ -260,7 +261,7 @@ private:
 #endif
     using D = hn::Rebind<double, H>;
     struct Values {
-        hn::Vec<H> least, e1, e2;  // least: at least 0 where all three cover
+        hn::Vec<H> least, e1, e2;  // least: below 0 where not all three cover, and never -0
     };
     HWY_INLINE Values edges(hn::Vec<hn::RebindToSigned<H>> columns, hn::Vec<hn::RebindToSigned<H>> rows) const {
         const D d;
@@ -284,46 +285,50 @@ struct Distances {
     Floats w0, toW1, toW2;
     HWY_INLINE Distances(float first, float second, float third)
         : w0(all(first)), toW1(all(second - first)), toW2(all(third - first)) {}
-    HWY_INLINE Floats z(Floats l1, Floats l2, bool perspective) const {
+    template <bool kPerspective>
+    HWY_INLINE Floats z(Floats l1, Floats l2) const {
         const Floats w = hn::Add(hn::Add(w0, hn::Mul(l1, toW1)), hn::Mul(l2, toW2));
-        return perspective ? hn::Div(all(1), w) : w;
+        return kPerspective ? hn::Div(all(1), w) : w;
     }
 };
+
+// Where a pixel of a tile stands in its blocks.
+HWY_INLINE std::size_t placeOf(std::uint32_t x, std::uint32_t y) {
+    constexpr std::uint32_t kSide = kBlock;
+    return blockAt(int(x / kSide), int(y / kSide)) + y % kSide * kSide + x % kSide;
+}
+HWY_INLINE std::size_t placeOf(glm::ivec2 pixel) { return placeOf(std::uint32_t(pixel.x), std::uint32_t(pixel.y)); }
 
 // Calls visit(at, edges) for the vectors of the tile that a triangle covers a part of; at: of its first pixel in the
 // blocks. A small one also for the others of its box: to draw nothing costs less than a guess that fails.
 template <class Visit>
 HWY_INLINE void forEachVector(const SmallTriangle& t, Tile tile, Visit visit) {
-    const int lowX = t.x, lowY = t.y;
-    const BlockRange blocks({lowX, lowY}, {lowX + t.width, lowY + t.height}, tile);
-    const int lanes = int(hn::Lanes(F()));
-    const int startX = tile.min.x + kBlock * blocks.minX - lowX, startY = tile.min.y + kBlock * blocks.minY - lowY;
-    for (int first = 0; first < kBlockPixels; first += lanes) {
-        SmallEdges edges(t, startX, startY, first);
-        for (int y = blocks.minY; y < blocks.maxY; ++y, edges.goDown())
-            for (int x = blocks.minX; x < blocks.maxX; ++x, edges.goRight())
-                visit(blockAt(x, y) + std::size_t(first), edges.at(edges.inside()));
+    const auto inTile = [](int from, int first) { return std::uint32_t(std::max(from - first, 0)); };
+    const std::uint32_t left = inTile(t.x, tile.min.x) / kWide * kWide, top = inTile(t.y, tile.min.y) / kHigh * kHigh;
+    const auto right = std::uint32_t(std::min(t.x + t.width, tile.max.x) - tile.min.x);
+    const auto bottom = std::uint32_t(std::min(t.y + t.height, tile.max.y) - tile.min.y);
+    SmallEdges edges(t, tile.min.x + int(left) - t.x, tile.min.y + int(top) - t.y);
+    for (std::uint32_t y = top; y < bottom; y += kHigh, edges.goDown()) {
+        std::size_t at = placeOf(left, y);
+        for (std::uint32_t x = left; x < right; x += kWide, edges.goRight()) {
+            visit(kWide == kBlock ? at : placeOf(x, y), edges.here());
+            at += kBlockPixels;  // where a vector is as wide as a block
+        }
     }
 }
 template <class Edges, class Visit>
 HWY_INLINE void forEachVector(const Edges& edges, const RasterTriangle<float>& t, Tile tile, Visit visit) {
     const Tile box = t.snapped.pixels();
     const BlockRange blocks(box.min, box.max, tile);
-    const int lanes = int(hn::Lanes(F()));
     const EdgeRows rows = edges.rows();
     for (int y = blocks.minY; y < blocks.maxY; ++y) {
         const auto [left, right] = rows.blocksInRow(y, blocks.minX, blocks.maxX);
-        for (int x = left; x < right; ++x)
-            for (int first = 0; first < kBlockPixels; first += lanes) {
-                const EdgesAt at = edges.at(kBlock * x, kBlock * y, first);
-                if (!hn::AllFalse(F(), at.inside)) visit(blockAt(x, y) + std::size_t(first), at);
-            }
+        for (std::size_t first = 0; first < kBlockPixels; first += kLanes) {
+            std::size_t at = blockAt(left, y) + first;
+            auto walk = edges.from(VectorPlace(at));
+            for (int x = left; x < right; ++x, at += kBlockPixels, walk.goRight()) visit(at, edges.at(walk));
+        }
     }
-}
-
-// Where a pixel of a tile stands in its blocks.
-HWY_INLINE std::size_t placeOf(glm::ivec2 pixel) {
-    return blockAt(pixel.x / kBlock, pixel.y / kBlock) + std::size_t(pixel.y % kBlock * kBlock + pixel.x % kBlock);
 }
 
 // And which pixel of it stands there.
@@ -334,11 +339,9 @@ HWY_INLINE glm::ivec2 pixelOf(std::size_t at) {
 
 // Blocks reach beyond a picture whose size 4 does not divide: those of their pixels count for nothing.
 HWY_INLINE Mask within(Tile tile, std::size_t at) {
-    const int block = int(at) / kBlockPixels, first = int(at) % kBlockPixels;
-    const Ints x = hn::Add(columnOf(first), hn::Set(I(), block % kBlocksAcross * kBlock));
-    const Ints y = hn::Add(rowOf(first), hn::Set(I(), block / kBlocksAcross * kBlock));
-    return hn::RebindMask(F(), hn::And(hn::Lt(x, hn::Set(I(), tile.max.x - tile.min.x)),
-                                       hn::Lt(y, hn::Set(I(), tile.max.y - tile.min.y))));
+    const VectorPlace place(at);
+    return hn::RebindMask(F(), hn::And(hn::Lt(place.column, hn::Set(I(), tile.max.x - tile.min.x)),
+                                       hn::Lt(place.row, hn::Set(I(), tile.max.y - tile.min.y))));
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

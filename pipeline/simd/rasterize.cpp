@@ -32,45 +32,33 @@ struct DrawnTile {
 };
 
 // How many fragments there were, lane by lane: sums of vectors stay in registers.
-struct Sums {
-    Ints arrived, won;
-    HWY_INLINE Sums() : arrived(hn::Zero(I())), won(hn::Zero(I())) {}
-    HWY_INLINE void add(Mask inside, Mask wins) {
-        const Ints one = hn::Set(I(), 1);
-        arrived = hn::Add(arrived, hn::IfThenElseZero(hn::RebindMask(I(), inside), one));
-        won = hn::Add(won, hn::IfThenElseZero(hn::RebindMask(I(), wins), one));
+class Sums {
+public:
+    HWY_INLINE Sums() : m_outside(hn::Zero(I())), m_won(hn::Zero(I())) {}
+    HWY_INLINE void add(Ints outside, Mask won) {
+        m_outside = hn::Add(m_outside, hn::BitCast(I(), hn::ShiftRight<31>(hn::BitCast(U(), outside))));
+        m_won = hn::Sub(m_won, hn::VecFromMask(I(), hn::RebindMask(I(), won)));
+        ++m_vectors;
     }
     HWY_INLINE void addTo(TileCounts& counts) const {
-        counts.arrived += hn::GetLane(hn::SumOfLanes(I(), arrived));
-        counts.won += hn::GetLane(hn::SumOfLanes(I(), won));
+        counts.arrived += m_vectors * kLanes - hn::GetLane(hn::SumOfLanes(I(), m_outside));
+        counts.won += hn::GetLane(hn::SumOfLanes(I(), m_won));
     }
+
+private:
+    Ints m_outside, m_won;
+    long long m_vectors = 0;
 };
 
-// Draws what a triangle has in one vector.
-HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances& distances, std::uint32_t record,
-                           bool perspective, Mask inPicture, const DrawnTile& out, Sums& sums) {
-    float* const to = &out.z[0].of[at];
-    const Floats z = distances.z(edges.l1, edges.l2, perspective), stored = hn::Load(F(), to);
-    const Mask inside = hn::And(edges.inside, inPicture), won = hn::And(inside, hn::Lt(z, stored));
-    sums.add(inside, won);
-    // Stored as a whole: what follows may load the same block, and a store through a mask is not passed on to it.
-    hn::Store(hn::IfThenElse(won, z, stored), F(), to);
-    std::uint32_t* const seen = &out.record[0].of[at];
-    hn::Store(hn::IfThenElse(hn::RebindMask(U(), won), hn::Set(U(), record), hn::Load(U(), seen)), U(), seen);
-    if (!out.counted) return;
-    const auto count = [&](std::int32_t* counts, Mask mask) HWY_ATTR {
-        const Ints one = hn::IfThenElseZero(hn::RebindMask(I(), mask), hn::Set(I(), 1));
-        hn::Store(hn::Add(hn::Load(I(), counts), one), I(), counts);
-    };
-    count(&out.counted->arrived[0].of[at], inside), count(&out.counted->won[0].of[at], won);
+HWY_INLINE Floats nowhereOutside(Ints outside, Floats z) {
+    return hn::BitCast(F(), hn::IfNegativeThenElse(outside, hn::BitCast(I(), all(kFar)), hn::BitCast(I(), z)));
 }
 
-// The lists of tiles jump about in the triangles, which may stand across two lines of the cache.
+// The lists of tiles jump about in the triangles.
 HWY_INLINE void fetchAhead(const TrianglePiece& piece, std::span<const std::uint32_t> list, std::size_t n) {
     constexpr std::size_t kAhead = 12;
     if (n + kAhead >= list.size() || list[n + kAhead] & TrianglePiece::kOther) return;
-    const SmallTriangle& t = piece.small[list[n + kAhead]];
-    hwy::Prefetch(&t.a1), hwy::Prefetch(&t.order);
+    hwy::Prefetch(&piece.small[list[n + kAhead]]);
 }
 
 // Calls visit(at, edges, distances) for the vectors of a tile that a triangle which is not small covers a part of, and
@@ -85,26 +73,83 @@ HWY_INLINE void forEachOfOther(const RasterTriangle<float>& t, Tile tile, int bi
     forEachCovered(t.snapped, tile, visitPixel);
 }
 
-void drawOther(const View& view, const RasterTriangle<float>& t, std::uint32_t record, Tile tile, const DrawnTile& out,
-               TileCounts& counts) {
-    const bool whole = tile.max - tile.min == glm::ivec2(kTileSize);
-    const Mask everything = hn::Eq(hn::Zero(F()), hn::Zero(F()));
-    Sums sums;
-    forEachOfOther(
-        t, tile, view.subPixelBits,
-        [&](std::size_t at, const EdgesAt& e, const Distances& distances) HWY_ATTR {
-            drawVector(at, e, distances, record, view.perspective, whole ? everything : within(tile, at), out, sums);
-        },
-        [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
-            const std::size_t at = placeOf(pixel - tile.min);
-            const float z = interpolate(t, e, view.perspective).z;
-            const bool won = z < out.z[0].of[at];
-            ++counts.arrived, counts.won += won;
-            if (out.counted) ++out.counted->arrived[0].of[at], out.counted->won[0].of[at] += won;
-            if (won) out.z[0].of[at] = z, out.record[0].of[at] = record;
+// Draws triangles into a tile. kPlain: all pixels of its blocks are in the picture, and nobody counts by pixel.
+template <bool kPerspective, bool kPlain>
+class TileDrawer {
+public:
+    TileDrawer(const View& view, Tile tile, const DrawnTile& out) : m_view(view), m_tile(tile), m_out(out) {}
+
+    TileCounts draw(const TrianglePieces& all, std::size_t index) {
+        Sums sums;
+        for (std::size_t number = 0; number < all.pieces.size(); ++number) {
+            const TrianglePiece& piece = all.pieces[number];
+            const auto list = piece.list(index);
+            for (std::size_t n = 0; n < list.size(); ++n) {
+                fetchAhead(piece, list, n);
+                const std::uint32_t i = list[n], record = TrianglePieces::record(number, i);
+                if (i & TrianglePiece::kOther)
+                    drawOther(piece.others[i & TrianglePieces::kIndex], record);
+                else
+                    drawSmall(piece.small[i], record, sums);
+            }
+        }
+        sums.addTo(m_counts);
+        return m_counts;
+    }
+
+private:
+    HWY_INLINE void drawSmall(const SmallTriangle& t, std::uint32_t record, Sums& sums) {
+        const Distances distances(t.w0, t.w1, t.w2);
+        const auto seen = hn::Set(U(), record);
+        forEachVector(t, m_tile, [&](std::size_t at, const EdgesAt& edges) HWY_ATTR {
+            drawVector(at, edges, distances, seen, sums);
         });
-    sums.addTo(counts);
-}
+    }
+    HWY_NOINLINE void drawOther(const RasterTriangle<float>& t, std::uint32_t record) {
+        Sums sums;
+        const auto seen = hn::Set(U(), record);
+        forEachOfOther(
+            t, m_tile, m_view.subPixelBits,
+            [&](std::size_t at, const EdgesAt& edges, const Distances& distances)
+                HWY_ATTR { drawVector(at, edges, distances, seen, sums); },
+            [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
+                const std::size_t at = placeOf(pixel - m_tile.min);
+                const float z = interpolate(t, e, kPerspective).z;
+                const bool won = z < m_out.z[0].of[at];
+                ++m_counts.arrived, m_counts.won += won;
+                if (m_out.counted) ++m_out.counted->arrived[0].of[at], m_out.counted->won[0].of[at] += won;
+                if (won) m_out.z[0].of[at] = z, m_out.record[0].of[at] = record;
+            });
+        sums.addTo(m_counts);
+    }
+    // What a triangle has in one vector.
+    HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances& distances, hn::Vec<U> record,
+                               Sums& sums) {
+        float* const to = &m_out.z[0].of[at];
+        std::uint32_t* const seen = &m_out.record[0].of[at];
+        const Ints outside =
+            kPlain ? edges.outside
+                   : hn::IfThenElse(hn::RebindMask(I(), within(m_tile, at)), edges.outside, hn::Set(I(), -1));
+        const Floats z = nowhereOutside(outside, distances.template z<kPerspective>(edges.l1, edges.l2));
+        const Floats stored = hn::Load(F(), to);
+        const Mask won = hn::Lt(z, stored);
+        sums.add(outside, won);
+        // Stored as a whole: what follows may load the same block, and a store through a mask is not passed on to it.
+        hn::Store(hn::IfThenElse(won, z, stored), F(), to);
+        hn::Store(hn::IfThenElse(hn::RebindMask(U(), won), record, hn::Load(U(), seen)), U(), seen);
+        if (kPlain || !m_out.counted) return;
+        const auto count = [&](std::int32_t* counts, Mask mask) HWY_ATTR {
+            hn::Store(hn::Sub(hn::Load(I(), counts), hn::VecFromMask(I(), hn::RebindMask(I(), mask))), I(), counts);
+        };
+        count(&m_out.counted->arrived[0].of[at], asFloats(hn::Gt(outside, hn::Set(I(), -1))));
+        count(&m_out.counted->won[0].of[at], won);
+    }
+
+    const View& m_view;
+    Tile m_tile;
+    DrawnTile m_out;
+    TileCounts m_counts;
+};
 
 // Whether a triangle was turned round for its corners to run clockwise. One that clipping has cut counts as facing.
 bool facesViewer(const RasterTriangle<float>& t) {
@@ -166,7 +211,7 @@ void writeWeights(const View& view, const SeenBlocks& seen, std::size_t index, B
             if (next != record) record = next, triangle.become(in, record);
             const Mask mask = seesIn(records, record);
             left = hn::AndNot(mask, left);
-            const Floats3 b = triangle.weights(in, at);
+            const Floats3 b = triangle.weights(in, VectorPlace(at));
             hn::BlendedStore(b.x, mask, F(), of[0]);
             hn::BlendedStore(b.y, mask, F(), of[1]);
             hn::BlendedStore(b.z, mask, F(), of[2]);
@@ -188,29 +233,13 @@ TileCounts drawTile(const View& view, std::size_t index, SeenBlocks& seen, ZBuff
     std::optional<CountedTile> counted;
     const DrawnTile drawn{seen.z.tile(index), seen.record.tile(index),
                           out.overdraw.empty() ? nullptr : &counted.emplace()};
-    const bool whole = tile.max - tile.min == glm::ivec2(kTileSize);
-    Sums sums;
-    TileCounts counts;
-    const Mask everything = hn::Eq(hn::Zero(F()), hn::Zero(F()));
-    for (std::size_t number = 0; number < all.pieces.size(); ++number) {
-        const TrianglePiece& piece = all.pieces[number];
-        const auto list = piece.list(index);
-        for (std::size_t n = 0; n < list.size(); ++n) {
-            fetchAhead(piece, list, n);
-            const std::uint32_t i = list[n], record = TrianglePieces::record(number, i);
-            if (i & TrianglePiece::kOther) {
-                drawOther(view, piece.others[i & TrianglePieces::kIndex], record, tile, drawn, counts);
-                continue;
-            }
-            const SmallTriangle& t = piece.small[i];
-            const Distances distances(t.w0, t.w1, t.w2);
-            forEachVector(t, tile, [&](std::size_t at, const EdgesAt& edges) HWY_ATTR {
-                drawVector(at, edges, distances, record, view.perspective, whole ? everything : within(tile, at), drawn,
-                           sums);
-            });
-        }
-    }
-    sums.addTo(counts);
+    const glm::ivec2 size = tile.max - tile.min;
+    const auto draw = [&](auto drawer) { return drawer.draw(all, index); };
+    const bool isPlain = !counted && size.x % kBlock == 0 && size.y % kBlock == 0;
+    TileCounts counts = isPlain            ? view.perspective ? draw(TileDrawer<true, true>(view, tile, drawn))
+                                                              : draw(TileDrawer<false, true>(view, tile, drawn))
+                                   : view.perspective ? draw(TileDrawer<true, false>(view, tile, drawn))
+                                           : draw(TileDrawer<false, false>(view, tile, drawn));
     for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F()))
         counts.seen += static_cast<long long>(hn::CountTrue(F(), seenIn(&drawn.record[0].of[at])));
     if (counted) {
@@ -221,56 +250,85 @@ TileCounts drawTile(const View& view, std::size_t index, SeenBlocks& seen, ZBuff
     return counts;
 }
 
+// Draws triangles into a tile of a shadow buffer. The nearest remains, whatever the order. What faces the light comes
+// first: of a solid, it hides the rest.
+template <bool kPerspective>
+class ShadowDrawer {
+public:
+    ShadowDrawer(const View& face, Tile tile, Block<float>* blocks)
+        : m_bits(face.subPixelBits), m_tile(tile), m_blocks(blocks) {}
+
+    void draw(const TrianglePieces& all, std::size_t index) {
+        std::vector<std::pair<const TrianglePiece*, std::uint32_t>> rest;
+        for (const TrianglePiece& piece : all.pieces) {
+            const auto list = piece.list(index);
+            for (std::size_t n = 0; n < list.size(); ++n) {
+                fetchAhead(piece, list, n);
+                const std::uint32_t i = list[n];
+                if (const bool isOther = i & TrianglePiece::kOther;
+                    isOther ? !facesViewer(otherOf(piece, i)) : !piece.small[i].facesViewer())
+                    rest.emplace_back(&piece, i);
+                else if (isOther)
+                    drawOther(otherOf(piece, i));
+                else
+                    drawSmall(piece.small[i]);
+            }
+        }
+        if (rest.empty()) return;
+        const Farthest farthest(m_blocks);
+        for (const auto& [piece, i] : rest) drawUnlessHidden(farthest, *piece, i);
+    }
+
+private:
+    static const RasterTriangle<float>& otherOf(const TrianglePiece& piece, std::uint32_t i) {
+        return piece.others[i & TrianglePieces::kIndex];
+    }
+    void drawUnlessHidden(const Farthest& farthest, const TrianglePiece& piece, std::uint32_t i) {
+        const auto isHidden = [&](std::array<float, 3> w, Tile box) {
+            return farthest.hides(w, box, m_tile, kPerspective);
+        };
+        if (i & TrianglePiece::kOther) {
+            const RasterTriangle<float>& t = otherOf(piece, i);
+            if (!isHidden(t.w, t.snapped.pixels())) drawOther(t);
+            return;
+        }
+        const SmallTriangle& t = piece.small[i];
+        const glm::ivec2 low(t.x, t.y);
+        if (!isHidden({t.w0, t.w1, t.w2}, {low, low + glm::ivec2(t.width, t.height)})) drawSmall(t);
+    }
+    HWY_INLINE void drawSmall(const SmallTriangle& t) {
+        const Distances distances(t.w0, t.w1, t.w2);
+        forEachVector(t, m_tile,
+                      [&](std::size_t at, const EdgesAt& edges) HWY_ATTR { drawVector(at, edges, distances); });
+    }
+    HWY_NOINLINE void drawOther(const RasterTriangle<float>& t) {
+        forEachOfOther(
+            t, m_tile, m_bits,
+            [&](std::size_t at, const EdgesAt& edges, const Distances& distances)
+                HWY_ATTR { drawVector(at, edges, distances); },
+            [&](glm::ivec2 texel, const std::array<std::int64_t, 3>& e) {
+                float& stored = m_blocks[0].of[placeOf(texel - m_tile.min)];
+                stored = std::min(stored, interpolate(t, e, kPerspective).z);
+            });
+    }
+    HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances& distances) {
+        float* const to = &m_blocks[0].of[at];
+        const Floats z = nowhereOutside(edges.outside, distances.template z<kPerspective>(edges.l1, edges.l2));
+        const Floats stored = hn::Load(F(), to);
+        hn::Store(hn::IfThenElse(hn::Lt(z, stored), z, stored), F(), to);
+    }
+
+    int m_bits;
+    Tile m_tile;
+    Block<float>* m_blocks;
+};
+
 void drawShadowTile(const View& face, const TrianglePieces& all, std::size_t index, BlockBuffer2D<float>& depth) {
     const Tile tile = tileOf(all.size, index);
-    Block<float>* const blocks = depth.tile(index);
-    const auto draw = [&](std::size_t at, const EdgesAt& edges, const Distances& distances) HWY_ATTR {
-        float* const to = &blocks[0].of[at];
-        const Floats z = distances.z(edges.l1, edges.l2, face.perspective), stored = hn::Load(F(), to);
-        hn::Store(hn::IfThenElse(hn::And(edges.inside, hn::Lt(z, stored)), z, stored), F(), to);
-    };
-    const auto drawSmall = [&](const SmallTriangle& t) HWY_ATTR {
-        const Distances distances(t.w0, t.w1, t.w2);
-        forEachVector(t, tile, [&](std::size_t at, const EdgesAt& edges) HWY_ATTR { draw(at, edges, distances); });
-    };
-    const auto drawOne = [&](const TrianglePiece& piece, std::uint32_t i) HWY_ATTR {
-        if (!(i & TrianglePiece::kOther)) return drawSmall(piece.small[i]);
-        const RasterTriangle<float>& t = piece.others[i & TrianglePieces::kIndex];
-        forEachOfOther(t, tile, face.subPixelBits, draw, [&](glm::ivec2 texel, const std::array<std::int64_t, 3>& e) {
-            float& stored = blocks[0].of[placeOf(texel - tile.min)];
-            stored = std::min(stored, interpolate(t, e, face.perspective).z);
-        });
-    };
-    // The nearest remains, whatever the order. What faces the light comes first: of a solid, it hides the rest.
-    std::vector<std::pair<const TrianglePiece*, std::uint32_t>> rest;
-    for (const TrianglePiece& piece : all.pieces) {
-        const auto list = piece.list(index);
-        for (std::size_t n = 0; n < list.size(); ++n) {
-            fetchAhead(piece, list, n);
-            const std::uint32_t i = list[n];
-            const bool first = i & TrianglePiece::kOther ? facesViewer(piece.others[i & TrianglePieces::kIndex])
-                                                         : piece.small[i].facesViewer();
-            if (first)
-                drawOne(piece, i);
-            else
-                rest.emplace_back(&piece, i);
-        }
-    }
-    if (rest.empty()) return;
-    const Farthest farthest(blocks);
-    for (const auto& [piece, i] : rest) {
-        const bool isHidden = [&, piece = piece, i = i] {
-            if (i & TrianglePiece::kOther) {
-                const RasterTriangle<float>& t = piece->others[i & TrianglePieces::kIndex];
-                return farthest.hides(t.w, t.snapped.pixels(), tile, face.perspective);
-            }
-            const SmallTriangle& t = piece->small[i];
-            const glm::ivec2 low(t.x, t.y);
-            return farthest.hides({t.w0, t.w1, t.w2}, {low, low + glm::ivec2(t.width, t.height)}, tile,
-                                  face.perspective);
-        }();
-        if (!isHidden) drawOne(*piece, i);
-    }
+    if (face.perspective)
+        ShadowDrawer<true>(face, tile, depth.tile(index)).draw(all, index);
+    else
+        ShadowDrawer<false>(face, tile, depth.tile(index)).draw(all, index);
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

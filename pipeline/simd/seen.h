@@ -76,18 +76,12 @@ public:
         return glm::max(first - tile.min, 0);
     }
 
-    // The shares of corners 1 and 2, linear in the picture, in the vector at `at` of the tile.
-    HWY_INLINE Shares linear(std::size_t at) const {
-        const BlockPlace place(at);
-        if (!m_small)
-            return {m_other->middle->linear(1, place.x, place.y, place.first),
-                    m_other->middle->linear(2, place.x, place.y, place.first)};
-        const auto share = [&](const PixelFunction& edge) HWY_ATTR {
-            const Ints inBlock = hn::Add(hn::Mul(hn::Set(I(), edge.column), columnOf(place.first)),
-                                         hn::Mul(hn::Set(I(), edge.row), rowOf(place.first)));
-            const Ints e = hn::Add(hn::Set(I(), edge.atPixel(place.x, place.y)), inBlock);
-            return hn::Mul(hn::ConvertTo(F(), e), all(m_small->inverseArea2));
-        };
+    // The shares of corners 1 and 2, linear in the picture.
+    HWY_INLINE Shares linear(const VectorPlace& place) const {
+        if (!m_small) return {m_other->middle->linear(1, place), m_other->middle->linear(2, place)};
+        const Floats inverse = all(m_small->inverseArea2);
+        const auto share = [&](const PixelFunction& edge)
+                               HWY_ATTR { return hn::Mul(hn::ConvertTo(F(), edge.in(place)), inverse); };
         return {share(m_edges[0]), share(m_edges[1])};
     }
     Slope slope(int corner, glm::ivec2 first) const {
@@ -99,9 +93,9 @@ public:
     }
     // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not,
     // any numbers.
-    HWY_INLINE Floats3 weights(const SeenIn& in, std::size_t at) const {
-        if (!isLinear()) return weightsOfHuge(in, at);
-        const Shares b = corrected(in.view, linear(at));
+    HWY_INLINE Floats3 weights(const SeenIn& in, const VectorPlace& place) const {
+        if (!isLinear()) return weightsOfHuge(in, place);
+        const Shares b = corrected(in.view, linear(place));
         const Floats b0 = hn::Sub(hn::Sub(all(1), b.one), b.two);
         if (m_order[0] > 2) return ofCut(b);
         const auto of = [&](int own) HWY_ATTR {
@@ -117,7 +111,7 @@ private:
     // b1 and b2 of interpolate.
     HWY_INLINE Shares corrected(const View& view, Shares l) const {
         if (!view.perspective) return l;
-        const Floats z = Distances(m_w[0], m_w[1], m_w[2]).z(l.one, l.two, true);
+        const Floats z = Distances(m_w[0], m_w[1], m_w[2]).z<true>(l.one, l.two);
         return {hn::Mul(hn::Mul(l.one, all(m_w[1])), z), hn::Mul(hn::Mul(l.two, all(m_w[2])), z)};
     }
     // Of a piece that clipping left: its corners are not the triangle's own.
@@ -129,17 +123,16 @@ private:
         };
         return {weight(0), weight(1), weight(2)};
     }
-    Floats3 weightsOfHuge(const SeenIn& in, std::size_t at) const {
+    Floats3 weightsOfHuge(const SeenIn& in, const VectorPlace& place) const {
         if (m_other->large->exact()) {
-            const BlockPlace place(at);
-            const EdgesAt edges = m_other->large->at(place.x, place.y, place.first);
+            const EdgesAt edges = m_other->large->at(m_other->large->from(place));
             return ofCut(corrected(in.view, {edges.l1, edges.l2}));
         }
         const auto& c = m_other->triangle->snapped.corners;
         const EdgeFunction edges[3]{{c[1], c[2]}, {c[2], c[0]}, {c[0], c[1]}};
         HWY_ALIGN float of[3][16];
         for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
-            const glm::ivec2 pixel = in.tile.min + pixelOf(at + l);
+            const glm::ivec2 pixel = in.tile.min + pixelOf(place.at + l);
             const std::array<std::int64_t, 3> e{edges[0].atPixel(pixel), edges[1].atPixel(pixel),
                                                 edges[2].atPixel(pixel)};
             const Vec3<float> weights = interpolate(*m_other->triangle, e, in.view.perspective).barycentric;

@@ -34,9 +34,10 @@ public:
     Binner(const TrianglePieces& all, TrianglePiece& out) : m_all(all), m_out(out) {}
 
     void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
-        const glm::ivec2 first = low / kTileSize, last = (high - 1) / kTileSize;
-        for (int y = first.y; y <= last.y; ++y)
-            for (int x = first.x; x <= last.x; ++x) m_found.push_back({std::uint32_t(y * m_all.tiles.x + x), index});
+        const glm::uvec2 first = glm::uvec2(low) / kSide, last = glm::uvec2(high - 1) / kSide;
+        for (std::uint32_t y = first.y; y <= last.y; ++y)
+            for (std::uint32_t x = first.x; x <= last.x; ++x)
+                m_found.push_back({y * std::uint32_t(m_all.tiles.x) + x, index});
     }
     void addOther(const RasterTriangle<float>& triangle) {
         const Tile box = triangle.snapped.pixels();
@@ -55,6 +56,7 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t kSide = kTileSize;
     const TrianglePieces& m_all;
     TrianglePiece& m_out;
     struct Found {
@@ -62,6 +64,19 @@ private:
     };
     std::vector<Found> m_found;
 };
+
+// One that is not small, or has to be clipped.
+void setUpOther(const SetUpInputs& in, std::uint32_t id, Binner& binner) {
+    const auto& v = in.topology.triangles[id].vertices;
+    const auto planesOf = [&](int corner) { return in.vertices.of[v[corner]].planes; };
+    const bool whole = !in.clipAll && ((planesOf(0) | planesOf(1) | planesOf(2)) & SnappedVertex::kCut) == 0;
+    std::vector<RasterTriangle<float>> parts;
+    const std::int64_t area2 = setUpTriangle<float>(
+        in.view, {in.positions[v[0]], in.positions[v[1]], in.positions[v[2]]}, id,
+        [&](const RasterTriangle<float>& part) { parts.push_back(part); }, whole);
+    if (!in.facing.keeps(area2, in.topology.objectOfPolygon(in.topology.triangles[id].polygon))) return;
+    for (const RasterTriangle<float>& part : parts) binner.addOther(part);
+}
 
 }  // namespace
 }  // namespace pipeline
@@ -71,8 +86,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 namespace {
 
-// As many triangles as a vector holds, set up: the records in quarters, of 4 words each but the last, which has 2. And
-// their boxes of pixels.
+// As many triangles as a vector holds, set up: the records in quarters, of 4 words each. And their boxes of pixels.
 struct Fields {
     HWY_ALIGN std::int32_t quarters[4][16 * 4];
     HWY_ALIGN std::int32_t lowX[16], lowY[16], highX[16], highY[16];
@@ -81,11 +95,11 @@ struct Fields {
         hn::StoreInterleaved4(one, two, three, four, I(), quarters[i]);
     }
     HWY_INLINE void copyTo(SmallTriangle& out, std::size_t lane) const {
-        static_assert(std::endian::native == std::endian::little && sizeof(SmallTriangle) == 56);
-        static_assert(offsetof(SmallTriangle, b2) == 16 && offsetof(SmallTriangle, w1) == 32);
-        static_assert(offsetof(SmallTriangle, x) == 48 && offsetof(SmallTriangle, width) == 52);
+        static_assert(std::endian::native == std::endian::little);
+        static_assert(offsetof(SmallTriangle, b2) == 16 && offsetof(SmallTriangle, biasedArea) == 32);
+        static_assert(offsetof(SmallTriangle, inverseArea2) == 48 && offsetof(SmallTriangle, width) == 60);
         auto* const to = reinterpret_cast<std::int32_t*>(&out);
-        for (int i = 0; i < 4; ++i) std::memcpy(to + 4 * i, quarters[i] + 4 * lane, i < 3 ? 16 : 8);
+        for (int i = 0; i < 4; ++i) std::memcpy(to + 4 * i, quarters[i] + 4 * lane, 16);
     }
 };
 
@@ -189,29 +203,28 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
                                pick(turned, hn::Set(whole, 3), hn::Zero(whole)));
 
     const Ints atX = hn::Add(hn::ShiftLeftSame(minX, bits), half), atY = hn::Add(hn::ShiftLeftSame(minY, bits), half);
-    Ints owns = hn::Zero(whole);
     struct Edge {
-        Ints a, b, c;
+        Ints a, b, c, bias;
     };
-    const auto edge = [&](int from_, int to, int bit) HWY_ATTR {
+    const auto edge = [&](int from_, int to) HWY_ATTR {
         const Ints dx = hn::Sub(x[to], x[from_]), dy = hn::Sub(y[to], y[from_]);
-        const auto own =
+        const auto owns =
             hn::Or(hn::Lt(dy, hn::Zero(whole)), hn::And(hn::Eq(dy, hn::Zero(whole)), hn::Gt(dx, hn::Zero(whole))));
-        owns = hn::Or(owns, hn::IfThenElseZero(own, hn::Set(whole, bit)));
         return Edge{hn::ShiftLeftSame(hn::Neg(dy), bits), hn::ShiftLeftSame(dx, bits),
-                    hn::Sub(hn::Mul(dx, hn::Sub(atY, y[from_])), hn::Mul(dy, hn::Sub(atX, x[from_])))};
+                    hn::Sub(hn::Mul(dx, hn::Sub(atY, y[from_])), hn::Mul(dy, hn::Sub(atX, x[from_]))),
+                    hn::IfThenZeroElse(owns, one)};
     };
-    edge(1, 2, 1);  // that of corner 0 follows from the others; only whether it owns its samples is kept
-    const Edge edge1 = edge(2, 0, 2), edge2 = edge(0, 1, 4);
+    const Ints bias0 = edge(1, 2).bias;  // what else there is of that of corner 0 follows from the others
+    const Edge edge1 = edge(2, 0), edge2 = edge(0, 1);
     const Ints size = hn::Abs(area);
     const auto bitsIn = [](Floats value) HWY_ATTR { return hn::BitCast(I(), value); };
     const Ints corner = hn::Or(minX, hn::ShiftLeft<16>(minY));
     const Ints box = hn::Or(hn::Sub(maxX, minX), hn::ShiftLeft<8>(hn::Sub(maxY, minY)));
-    const Ints marks = hn::Or(hn::ShiftLeft<16>(owns), hn::ShiftLeft<24>(order));
     out.storeQuarter(0, edge1.a, edge1.b, edge1.c, edge2.a);
-    out.storeQuarter(1, edge2.b, edge2.c, size, bitsIn(w[0]));
-    out.storeQuarter(2, bitsIn(w[1]), bitsIn(w[2]), bitsIn(inverseOf(size)), hn::Iota(whole, std::int32_t(firstId)));
-    out.storeQuarter(3, corner, hn::Or(box, marks), marks, marks);
+    out.storeQuarter(1, edge2.b, edge2.c, edge1.bias, edge2.bias);
+    out.storeQuarter(2, hn::Sub(size, bias0), bitsIn(w[0]), bitsIn(w[1]), bitsIn(w[2]));
+    out.storeQuarter(3, bitsIn(inverseOf(size)), hn::Iota(whole, std::int32_t(firstId)), corner,
+                     hn::Or(box, hn::ShiftLeft<16>(order)));
     hn::Store(minX, whole, out.lowX), hn::Store(minY, whole, out.lowY);
     hn::Store(maxX, whole, out.highX), hn::Store(maxY, whole, out.highY);
     return drawn;
@@ -220,19 +233,16 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
 // Bit i: whether triangle i goes on, which is counted.
 HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, const Triangle* triangles, std::size_t count,
                                 TrianglePiece& out) {
-    if (in.verdicts.empty() && in.drawn.empty() && in.inside.empty()) {
-        out.clipped += static_cast<long long>(count);
-        return (1u << count) - 1;
-    }
-    std::uint32_t live = 0;
-    for (std::size_t l = 0; l < count; ++l) {
-        const std::uint32_t polygon = triangles[l].polygon;
-        const bool goes =
-            (in.verdicts.empty() || goesOn(in.verdicts[polygon])) && (in.drawn.empty() || in.drawn[polygon]);
-        live |= std::uint32_t(goes) << l;
-        if (!goes) continue;
-        ++(!in.inside.empty() && in.inside[polygon] ? out.unclipped : out.clipped);
-    }
+    const auto bitsWhere = [&](auto holds) HWY_ATTR {
+        std::uint32_t bits = 0;
+        for (std::size_t l = 0; l < count; ++l) bits |= std::uint32_t(holds(triangles[l].polygon)) << l;
+        return bits;
+    };
+    std::uint32_t live = (1u << count) - 1, whole = 0;
+    if (!in.verdicts.empty()) live &= bitsWhere([&](std::uint32_t polygon) { return goesOn(in.verdicts[polygon]); });
+    if (!in.drawn.empty()) live &= bitsWhere([&](std::uint32_t polygon) { return in.drawn[polygon] != 0; });
+    if (!in.inside.empty()) whole = bitsWhere([&](std::uint32_t polygon) { return in.inside[polygon] != 0; });
+    out.unclipped += std::popcount(live & whole), out.clipped += std::popcount(live & ~whole);
     return live;
 }
 
@@ -245,31 +255,20 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
     Binner binner(all, out);
     out.small.reserve((end - begin) / 2);  // of a closed object, half face away
     Fields fields{};
-    std::vector<RasterTriangle<float>> parts;  // of one that is clipped
+    Triangle rest[16]{};
     for (std::size_t base = begin; base < end; base += lanes) {
         const std::size_t count = std::min(lanes, end - base);
-        const std::uint32_t live = liveOf(in, &triangles[base], count, out);
-        if (live == 0) continue;
-        Triangle rest[16]{};
         const Triangle* from = &triangles[base];
-        if (count < lanes) from = rest, std::copy_n(&triangles[base], count, rest);
+        const std::uint32_t live = liveOf(in, from, count, out);
+        if (live == 0) continue;
+        if (count < lanes) std::copy_n(from, count, rest), from = rest;
         std::uint32_t others = 0;
         const std::uint32_t small = setUpVector(in, from, base, live, fields, others);
+        // In the order of their polygons.
         for (std::uint32_t left = small | others; left != 0; left &= left - 1) {
             const auto l = std::size_t(std::countr_zero(left));
-            const auto id = std::uint32_t(base + l);
             if (others >> l & 1) {
-                const auto& v = triangles[id].vertices;
-                const bool whole =
-                    !in.clipAll &&
-                    ((in.vertices.of[v[0]].planes | in.vertices.of[v[1]].planes | in.vertices.of[v[2]].planes) &
-                     SnappedVertex::kCut) == 0;
-                parts.clear();
-                const std::int64_t area2 = setUpTriangle<float>(
-                    in.view, {in.positions[v[0]], in.positions[v[1]], in.positions[v[2]]}, id,
-                    [&](const RasterTriangle<float>& part) { parts.push_back(part); }, whole);
-                if (!in.facing.keeps(area2, in.topology.objectOfPolygon(triangles[id].polygon))) continue;
-                for (const RasterTriangle<float>& part : parts) binner.addOther(part);
+                setUpOther(in, std::uint32_t(base + l), binner);
                 continue;
             }
             const auto index = std::uint32_t(out.small.size());

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/buffers/block_buffer.h"
 #include "pipeline/stages/bin.h"
 #include "pipeline/stages/snapped_vertices.h"
 
@@ -12,14 +13,16 @@ namespace pipeline {
 // records whose edge functions fit into 32 bits. It reads vertices that have been projected before.
 
 // Edge functions in steps² of the grid, c at the first pixel of its box, a more at the next column, b at the next row.
-// The one of corner 0 is area - e1 - e2. Corners and w as in RasterTriangle: clockwise, the farthest first.
-struct SmallTriangle {
-    std::int32_t a1, b1, c1, a2, b2, c2, area;
+// The one of corner 0 is its triangle's area, doubled, - e1 - e2. Corners and w as in RasterTriangle: clockwise, the
+// farthest first. One line of the cache: what draws and what shades jumps about in them.
+struct alignas(64) SmallTriangle {
+    std::int32_t a1, b1, c1, a2, b2, c2;
+    std::int32_t bias1, bias2;       // 0 where the edge owns the samples on it, else 1: e - bias is below 0 outside
+    std::int32_t biasedArea;         // less the bias of edge 0
     float w0, w1, w2, inverseArea2;  // in steps too: exactly that of RasterTriangle by a power of two
     std::uint32_t id;                // index into Topology::triangles
     std::int16_t x, y;               // the box's first pixel
     std::uint8_t width, height;      // of the box within the picture, pixels, at least 1
-    std::uint8_t owns;               // bit i: edge i owns the samples on it
     std::uint8_t order;              // which of the triangle's own corners is corner 0, + 3 when they were turned round
 
     bool facesViewer() const { return order >= 3; }
@@ -29,12 +32,12 @@ struct SmallTriangle {
         return order >= 3 && at > 0 ? 3 - at : at;
     }
 };
-static_assert(sizeof(SmallTriangle) == 56);
+static_assert(sizeof(SmallTriangle) == 64);
 
 // Those of a range of polygons. What is too large for 32 bits, or had to be clipped, stands in `others`.
 struct TrianglePiece {
     static constexpr std::uint32_t kOther = 1u << 31;  // an index into `others`
-    std::vector<SmallTriangle, LeavesRaw<SmallTriangle>> small;
+    std::vector<SmallTriangle, AlignsPieces<SmallTriangle>> small;
     std::vector<RasterTriangle<float>> others;
     std::vector<std::uint32_t> firstOfTile;  // per tile, and one past the last: where its list begins
     std::vector<std::uint32_t> lists;        // indices, tile after tile, in the order of the polygons

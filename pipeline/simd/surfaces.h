@@ -144,7 +144,7 @@ private:
     struct Drawn {
         HWY_ALIGN std::uint32_t triangle[16];
         HWY_ALIGN float weights[3][16];
-        Drawn(const ZBufferOutput<float>& z, Tile tile, std::size_t at) {
+        void read(const ZBufferOutput<float>& z, Tile tile, std::size_t at) {
             for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
                 const glm::ivec2 pixel = tile.min + pixelOf(at + l);
                 const bool inside = pixel.x < tile.max.x && pixel.y < tile.max.y;
@@ -157,12 +157,11 @@ private:
     // The vectors of the row of blocks that begins with pixel `begin` of the tile.
     template <bool kPerPixel, bool kPositions, bool kFacing>
     void findRow(std::size_t begin, SurfaceRow& out) {
-        std::optional<Drawn> drawn;
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            const std::size_t at = begin + i;
-            if (!m_records) drawn.emplace(m_in.zBuffer, m_tile, at);
-            if (m_fetches) fetchAhead(at);
-            const std::uint32_t* const names = m_records ? m_records + at : drawn->triangle;
+            const VectorPlace place(begin + i);
+            if (!m_records) m_drawn.read(m_in.zBuffer, m_tile, place.at);
+            if (m_fetches) fetchAhead(place.at);
+            const std::uint32_t* const names = m_records ? m_records + place.at : m_drawn.triangle;
             auto triangle = hn::Set(U(), kNoTriangle);
             Ints polygon = hn::Zero(I());
             Floats3 normal = all(Vec3<float>(0)), position = normal, weights = normal, facing = normal;
@@ -176,20 +175,16 @@ private:
                 if constexpr (kFacing) facing = choose(mine, all(seen.facing), facing);
                 if constexpr (!A::kExact && kPerPixel && !kPositions) {
                     if (seen.isPlane) {
-                        const BlockPlace place(at);
-                        const auto across = [&](Ints lanes, int block, float first) HWY_ATTR {
-                            return hn::Add(hn::ConvertTo(F(), lanes), all(float(block) - first));
-                        };
-                        const Floats x = across(columnOf(place.first), place.x, seen.firstPixel.x);
-                        const Floats y = across(rowOf(place.first), place.y, seen.firstPixel.y);
+                        const Floats x = hn::Sub(hn::ConvertTo(F(), place.column), all(seen.firstPixel.x));
+                        const Floats y = hn::Sub(hn::ConvertTo(F(), place.row), all(seen.firstPixel.y));
                         normal = choose(mine, seen.normals.template at<A>(x, y), normal);
                         continue;
                     }
                 }
                 const Floats3 b = m_records
-                                      ? seen.triangle.weights(*m_seenIn, at)
-                                      : Floats3{hn::Load(F(), drawn->weights[0]), hn::Load(F(), drawn->weights[1]),
-                                                hn::Load(F(), drawn->weights[2])};
+                                      ? seen.triangle.weights(*m_seenIn, place)
+                                      : Floats3{hn::Load(F(), m_drawn.weights[0]), hn::Load(F(), m_drawn.weights[1]),
+                                                hn::Load(F(), m_drawn.weights[2])};
                 if constexpr (kPerPixel)
                     normal = choose(mine, seen.normals.template at<A>(b.y, b.z), normal);
                 else
@@ -217,7 +212,7 @@ private:
             return &m_seenIn->pieces.pieceOf(record).small[record & TrianglePieces::kIndex];
         };
         for (std::size_t l = 0; l < lanes; ++l) {
-            if (const SmallTriangle* t = smallAt(at + kRecords + l)) hwy::Prefetch(&t->a1), hwy::Prefetch(&t->order);
+            if (const SmallTriangle* t = smallAt(at + kRecords + l)) hwy::Prefetch(t);
             if (const SmallTriangle* t = smallAt(at + kTriangles + l))
                 hwy::Prefetch(&m_in.transform.topology->triangles[t->id]);
         }
@@ -302,12 +297,9 @@ private:
         const Vec3<float> right(view.right / view.scale.x), down(-view.up / view.scale.y);
         const auto first = glm::vec2(glm::dvec2(m_tile.min) + 0.5 - view.centre);
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            const BlockPlace place(std::size_t(row) * kRowPixels + i);
-            const auto across = [&](Ints lanes, int block, float from) HWY_ATTR {
-                return hn::Add(hn::ConvertTo(F(), hn::Add(lanes, hn::Set(I(), block))), all(from));
-            };
-            const Floats x = across(columnOf(place.first), place.x, first.x);
-            const Floats y = across(rowOf(place.first), place.y, first.y);
+            const VectorPlace place(std::size_t(row) * kRowPixels + i);
+            const Floats x = hn::Add(hn::ConvertTo(F(), place.column), all(first.x));
+            const Floats y = hn::Add(hn::ConvertTo(F(), place.row), all(first.y));
             const Floats3 beside = scaledPlus<A>(all(right), x, scaled(all(down), y));
             const Floats depth = hn::Load(F(), z + i);
             const Floats3 position = view.perspective ? scaledPlus<A>(beside + all(forward), depth, all(eye))
@@ -324,6 +316,7 @@ private:
     std::size_t m_index = 0;                   // of the tile
     const std::uint32_t* m_records = nullptr;  // of the tile; null where the stage's own text drew
     std::optional<SeenIn> m_seenIn;            // likewise
+    Drawn m_drawn;                             // where it did
     // Triangles as they were seen last. Neighbours mostly see the same few.
     static constexpr std::size_t kSlots = 64;
     std::array<std::uint32_t, kSlots> m_names;
