@@ -31,7 +31,7 @@ ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& 
     ShadowTest<Real> test;
     test.face = faceOf(light, position);
     const View& face = light.faces[test.face];
-    const Vec3<Real> p = toLightView(face, position);
+    const Vec3<Real> p = toView(face, position);
     const Real spread = face.perspective ? p.z : Real(1);
     test.texel = {texelAt(Real(face.centre.x) + Real(face.scale.x) * p.x / spread),
                   texelAt(Real(face.centre.y) - Real(face.scale.y) * p.y / spread)};

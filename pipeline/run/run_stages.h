@@ -25,9 +25,9 @@ namespace pipeline {
 // What the kernels of pipeline/simd read beside; in float alone.
 inline void snapVertices(TransformOutput<float>& out, Threads& threads) {
     out.snapped.bits = out.view.subPixelBits;
-    out.snapped.of.resize(out.viewSpace.size());
-    threads.forRange(out.viewSpace.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
-        snapInVectors(out.view, out.viewSpace, begin, end, out.snapped);
+    out.snapped.of.resize(out.world.size());
+    threads.forRange(out.world.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
+        snapInVectors(out.view, out.world, begin, end, out.snapped);
     });
 }
 
@@ -139,7 +139,7 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
     if constexpr (std::is_same_v<Real, float>)
         if (inputs.visibility == Visibility::ZBuffer && in.depthFormat == DepthFormat::Linear)
             return runZBufferInVectors(
-                inputs, in, {*in.topology, in.view, in.viewSpace, in.snapped, verdicts, inside, drawn, inputs.clipAll},
+                inputs, in, {*in.topology, in.view, in.world, in.snapped, verdicts, inside, drawn, inputs.clipAll},
                 threads);
     auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
     const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, verdicts, inside, drawn);

@@ -93,15 +93,12 @@ private:
 inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, std::span<const std::uint8_t> drawn,
                            LightView<float>& light, std::size_t number, EmptyFace& empty, Threads& threads) {
     const View& face = light.faces[number];
-    std::vector<Vec3<float>> positions(in.world.size());
     SnappedVertices snapped;
     snapped.bits = face.subPixelBits;
-    snapped.of.resize(positions.size());
-    threads.forRange(positions.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
-        toLightViewInVectors(face, in.world, begin, end, positions);
-        snapInVectors(face, positions, begin, end, snapped);
-    });
-    const SetUpInputs setUp{*in.topology, face, positions, snapped, {}, {}, drawn, false, facingFilter(cull, in)};
+    snapped.of.resize(in.world.size());
+    threads.forRange(in.world.size(), kVertexGrain,
+                     [&](std::size_t begin, std::size_t end) { snapInVectors(face, in.world, begin, end, snapped); });
+    const SetUpInputs setUp{*in.topology, face, in.world, snapped, {}, {}, drawn, false, facingFilter(cull, in)};
     TrianglePieces pieces = prepareSetUp(setUp);
     setUpPieces(setUp, pieces, threads);
     std::shared_ptr<BlockBuffer2D<float>> blocks;

@@ -69,10 +69,11 @@ private:
 void setUpOther(const SetUpInputs& in, std::uint32_t id, Binner& binner) {
     const auto& v = in.topology.triangles[id].vertices;
     const auto planesOf = [&](int corner) { return in.vertices.of[v[corner]].planes; };
+    const auto inView = [&](int corner) { return toView(in.view, in.world[v[corner]]); };
     const bool whole = !in.clipAll && ((planesOf(0) | planesOf(1) | planesOf(2)) & SnappedVertex::kCut) == 0;
     std::vector<RasterTriangle<float>> parts;
     const std::int64_t area2 = setUpTriangle<float>(
-        in.view, {in.positions[v[0]], in.positions[v[1]], in.positions[v[2]]}, id,
+        in.view, {inView(0), inView(1), inView(2)}, id,
         [&](const RasterTriangle<float>& part) { parts.push_back(part); }, whole);
     if (!in.facing.keeps(area2, in.topology.objectOfPolygon(in.topology.triangles[id].polygon))) return;
     for (const RasterTriangle<float>& part : parts) binner.addOther(part);

@@ -75,7 +75,7 @@ struct TrianglePieces {
 struct SetUpInputs {
     const Topology& topology;
     const View& view;
-    std::span<const Vec3<float>> positions;  // per vertex, in the view's space
+    std::span<const Vec3<float>> world;  // per vertex
     const SnappedVertices& vertices;
     std::span<const Verdict> verdicts{};     // per polygon; empty: all go on
     std::span<const std::uint8_t> inside{};  // per polygon, for the counts alone

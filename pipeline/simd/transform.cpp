@@ -40,6 +40,16 @@ HWY_INLINE Floats3 load(const Vec3<float>* at) {
 }
 HWY_INLINE void store(Floats3 v, Vec3<float>* at) { hn::StoreInterleaved3(v.x, v.y, v.z, F(), &at->x); }
 
+// A view's, in float.
+struct Axes {
+    Vec3<float> eye, right, up, forward;
+    explicit Axes(const View& view) : eye(view.eye), right(view.right), up(view.up), forward(view.forward) {}
+    HWY_INLINE Floats3 toView(Floats3 world) const {
+        const Floats3 p{hn::Sub(world.x, all(eye.x)), hn::Sub(world.y, all(eye.y)), hn::Sub(world.z, all(eye.z))};
+        return {dot(right, p), dot(up, p), dot(forward, p)};
+    }
+};
+
 }  // namespace
 
 void transformVertices(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
@@ -47,8 +57,7 @@ void transformVertices(const TransformInputs& inputs, std::size_t object, std::s
     const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
     const glm::mat3 linear(matrix.linear);
     const Vec3<float> translation(matrix.translation);
-    const View& view = inputs.view;
-    const Vec3<float> eye(view.eye), right(view.right), up(view.up), forward(view.forward);
+    const Axes axes(inputs.view);
     const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
     const D d;
@@ -63,10 +72,8 @@ void transformVertices(const TransformInputs& inputs, std::size_t object, std::s
         hn::LoadInterleaved3(d, &positions[i].x, x, y, z);
         const Floats3 p{hn::DemoteTo(f, x), hn::DemoteTo(f, y), hn::DemoteTo(f, z)};
         const Floats3 world{row(0, p), row(1, p), row(2, p)};
-        const Floats3 fromEye{hn::Sub(world.x, all(eye.x)), hn::Sub(world.y, all(eye.y)), hn::Sub(world.z, all(eye.z))};
-        const Floats3 v{dot(right, fromEye), dot(up, fromEye), dot(forward, fromEye)};
         store(world, &out.world[first + i]);
-        store(v, &out.viewSpace[first + i]);
+        store(axes.toView(world), &out.viewSpace[first + i]);
     }
     transform(inputs, object, i, end, out);
 }
@@ -74,11 +81,11 @@ void transformVertices(const TransformInputs& inputs, std::size_t object, std::s
 namespace {
 
 // Of as many vertices as a vector holds.
-HWY_INLINE void snapVertices(const View& view, const Vec3<float>* from, SnappedVertex* to) {
+HWY_INLINE void snapVertices(const View& view, const Axes& axes, const Vec3<float>* world, SnappedVertex* to) {
     const D d;
     const F f;
     const I whole;
-    const Floats3 p = load(from);
+    const Floats3 p = axes.toView(load(world));
     const auto px = hn::PromoteTo(d, p.x), py = hn::PromoteTo(d, p.y), pz = hn::PromoteTo(d, p.z);
     const auto one = hn::Set(d, 1.0), half = hn::Set(d, 0.5);
     const auto spread = view.perspective ? pz : one;
@@ -116,62 +123,40 @@ HWY_INLINE void snapVertices(const View& view, const Vec3<float>* from, SnappedV
 
 }  // namespace
 
-void snapAll(const View& view, std::span<const Vec3<float>> positions, std::size_t begin, std::size_t end,
+void snapAll(const View& view, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
              SnappedVertices& out) {
+    const Axes axes(view);
     const std::size_t lanes = hn::Lanes(F());
     std::size_t i = begin;
-    for (; i + lanes <= end; i += lanes) snapVertices(view, &positions[i], &out.of[i]);
+    for (; i + lanes <= end; i += lanes) snapVertices(view, axes, &world[i], &out.of[i]);
     if (i == end) return;
     // The rest, in a vector's room of its own.
     std::array<Vec3<float>, 16> from;
-    from.fill(positions[i]);
+    from.fill(world[i]);
     std::array<SnappedVertex, 16> snapped;
     const std::size_t rest = std::min(end - i, from.size());
-    std::copy_n(&positions[i], rest, from.begin());
-    snapVertices(view, from.data(), snapped.data());
+    std::copy_n(&world[i], rest, from.begin());
+    snapVertices(view, axes, from.data(), snapped.data());
     std::copy_n(snapped.begin(), rest, &out.of[i]);
-}
-
-// The vertices that fill vectors; how many there were.
-std::size_t toLightViewAll(const View& face, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
-                           std::span<Vec3<float>> out) {
-    const Vec3<float> eye(face.eye), right(face.right), up(face.up), forward(face.forward);
-    const std::size_t lanes = hn::Lanes(F());
-    std::size_t i = begin;
-    for (; i + lanes <= end; i += lanes) {
-        const Floats3 p = load(&world[i]);
-        const Floats3 fromEye{hn::Sub(p.x, all(eye.x)), hn::Sub(p.y, all(eye.y)), hn::Sub(p.z, all(eye.z))};
-        store({dot(right, fromEye), dot(up, fromEye), dot(forward, fromEye)}, &out[i]);
-    }
-    return i;
 }
 
 }  // namespace pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "pipeline/stages/shadow_buffer.h"
-
 namespace pipeline {
 
 HWY_EXPORT(transformVertices);
 HWY_EXPORT(snapAll);
-HWY_EXPORT(toLightViewAll);
 
 void transformInVectors(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
                         TransformOutput<float>& out) {
     HWY_DYNAMIC_DISPATCH(transformVertices)(inputs, object, begin, end, out);
 }
 
-void snapInVectors(const View& view, std::span<const Vec3<float>> positions, std::size_t begin, std::size_t end,
+void snapInVectors(const View& view, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
                    SnappedVertices& out) {
-    HWY_DYNAMIC_DISPATCH(snapAll)(view, positions, begin, end, out);
-}
-
-void toLightViewInVectors(const View& face, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
-                          std::span<Vec3<float>> out) {
-    for (std::size_t i = HWY_DYNAMIC_DISPATCH(toLightViewAll)(face, world, begin, end, out); i < end; ++i)
-        out[i] = toLightView(face, world[i]);
+    HWY_DYNAMIC_DISPATCH(snapAll)(view, world, begin, end, out);
 }
 
 }  // namespace pipeline

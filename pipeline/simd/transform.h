@@ -9,12 +9,9 @@ namespace pipeline {
 void transformInVectors(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
                         TransformOutput<float>& out);
 
-// Projects and snaps the vertices [begin, end) as setUpTriangle does; positions in the view's space. `out` has room.
-void snapInVectors(const View& view, std::span<const Vec3<float>> positions, std::size_t begin, std::size_t end,
+// Takes the vertices [begin, end) into a view, as toView does, and projects and snaps them, as setUpTriangle does. world:
+// in world space. `out` has room.
+void snapInVectors(const View& view, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
                    SnappedVertices& out);
-
-// Takes world-space points [begin, end) into a light's view, as toLightView does.
-void toLightViewInVectors(const View& face, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
-                          std::span<Vec3<float>> out);
 
 }  // namespace pipeline

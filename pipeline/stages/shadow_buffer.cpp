@@ -34,7 +34,7 @@ View fitAtInfinity(Vec3d towardsLight, int size, const TransformOutput<Real>& in
     view.forward = -normalized(towardsLight);
     placeAxes(view);
     Bounds bounds;
-    for (const Vec3<Real>& world : in.world) bounds.add(toLightView(view, Vec3d(world)));
+    for (const Vec3<Real>& world : in.world) bounds.add(toView(view, Vec3d(world)));
     if (!(bounds.low.x <= bounds.high.x)) bounds.low = bounds.high = Vec3d(0);
 
     const Vec3d middle = (bounds.low + bounds.high) / 2.0, extent = bounds.high - bounds.low;
@@ -74,13 +74,6 @@ std::vector<View> sixFaces(Vec3d position, int size, const TransformOutput<Real>
 }
 
 }  // namespace
-
-template <class Real>
-Vec3<Real> toLightView(const View& face, Vec3<Real> world) {
-    const Vec3<Real> p = world - Vec3<Real>(face.eye);
-    return {glm::dot(Vec3<Real>(face.right), p), glm::dot(Vec3<Real>(face.up), p),
-            glm::dot(Vec3<Real>(face.forward), p)};
-}
 
 template <class Real>
 std::size_t faceOf(const LightView<Real>& light, Vec3<Real> world) {
@@ -123,7 +116,7 @@ template <class Real>
 TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face, ShadowCull cull,
                                std::span<const std::uint8_t> drawn) {
     std::vector<Vec3<Real>> positions(in.world.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = toLightView(face, in.world[i]);
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = toView(face, in.world[i]);
     return binTriangles<Real>(*in.topology, face, positions, {}, {}, drawn, facingFilter(cull, in));
 }
 
@@ -140,7 +133,6 @@ void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t 
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                               \
-    template Vec3<Real> toLightView(const View&, Vec3<Real>);                                                      \
     template std::size_t faceOf(const LightView<Real>&, Vec3<Real>);                                               \
     template ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs&, const TransformOutput<Real>&, \
                                                           bool);                                                   \

@@ -64,9 +64,6 @@ TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face
 template <class Real>
 void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t tile, Buffer2D<Real>& depth);
 
-// A world-space point as a face's view sees it: x, y in view units, z' along its axis.
-template <class Real>
-Vec3<Real> toLightView(const View& face, Vec3<Real> world);
 // Which of the six faces a point seen from a point light falls on; 0 for a light at infinity.
 template <class Real>
 std::size_t faceOf(const LightView<Real>& light, Vec3<Real> world);

@@ -85,17 +85,13 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
     const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
     const glm::mat<3, 3, Real> linear(matrix.linear);
     const Vec3<Real> translation(matrix.translation);
-    const View& view = inputs.view;
-    const Vec3<Real> eye(view.eye), right(view.right), up(view.up), forward(view.forward);
     const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
 
     for (std::size_t i = begin; i < end; ++i) {
         const Vec3<Real> world = linear * Vec3<Real>(positions[i]) + translation;
-        // The eye is taken off before the rotation: far from the origin both are large and alike.
-        const Vec3<Real> fromEye = world - eye;
         out.world[first + i] = world;
-        out.viewSpace[first + i] = {glm::dot(right, fromEye), glm::dot(up, fromEye), glm::dot(forward, fromEye)};
+        out.viewSpace[first + i] = toView(inputs.view, world);
     }
 }
 

@@ -21,9 +21,19 @@ struct View {
 };
 
 // The view of a scene's camera, whatever it is: where eye and target are one point, or up is parallel to the
-// viewing direction or (0, 0, 0), the axis least aligned with the other takes the place of what is missing. Near and far come from the scene's bounds where the camera
-// leaves them open: the largest range that holds every vertex in front of the eye.
+// viewing direction or (0, 0, 0), the axis least aligned with the other takes the place of what is missing. Near and far
+// come from the scene's bounds where the camera leaves them open: the largest range that holds every vertex in front of
+// the eye.
 View makeView(const Scene& scene);
+
+// A point of world space in the view's. The eye is taken off before the rotation: far from the origin both are large and
+// alike.
+template <class Real>
+Vec3<Real> toView(const View& view, Vec3<Real> world) {
+    const Vec3<Real> p = world - Vec3<Real>(view.eye);
+    return {glm::dot(Vec3<Real>(view.right), p), glm::dot(Vec3<Real>(view.up), p),
+            glm::dot(Vec3<Real>(view.forward), p)};
+}
 
 // The point on the picture's plane through z_view = distance that pixel position p (pixels,
 // centre at +0.5) looks at; world space.
