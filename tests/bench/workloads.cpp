@@ -52,9 +52,10 @@ void addSphere(Mesh& mesh, int triangles, Vec3d centre, double radius) {
     const auto first = std::uint32_t(mesh.positions.size());
     const auto place = [&](int ring, int segment) {
         const double down = std::numbers::pi * ring / rings, around = 2 * std::numbers::pi * segment / segments;
-        // In float, as OpenGL gets it: neither side draws what the other cannot see.
-        mesh.positions.push_back(glm::vec3(centre + radius * Vec3d(std::sin(down) * std::cos(around), std::cos(down),
-                                                                   std::sin(down) * std::sin(around))));
+        const Vec3d outward(std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around));
+        // In float, as OpenGL gets them: neither side draws what the other cannot see.
+        mesh.positions.push_back(glm::vec3(centre + radius * outward));
+        mesh.normals.push_back(glm::vec3(outward));
     };
     place(0, 0);
     for (int ring = 1; ring < rings; ++ring)
@@ -114,6 +115,7 @@ Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const Mesh> m
     settings.width = workload.width, settings.height = workload.height;
     settings.arithmetic = arithmetic;
     settings.shading = part == Part::Depth ? Shading::Flat : Shading::Phong;
+    settings.normalWeight = NormalWeight::Given;  // OpenGL, too, is handed normals with the vertices
     settings.shadowSize = workload.shadowSize;
     settings.shadowCull = ShadowCull::Back;  // as OpenGL culls in both of its passes
     // One sphere throws no shadow on itself that its own sides do not show, which the plan knows and OpenGL does not.
