@@ -13,6 +13,7 @@
 #include "pipeline/export/export_frame.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/size_text.h"
+#include "pipeline/plan/needs.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"
 
@@ -178,6 +179,9 @@ int runExport(ExportOptions options, const CliHost& host) {
     if (argument.until.empty()) frameRequest.until = std::max(frameRequest.until, lastStageOf(derivedOnes->buffers));
     frameRequest.stop = interrupt.token();
     frameRequest.wanted |= derivedOnes->buffers;
+    // The calls hold normals, also where the run ends before anybody shades with them.
+    if (std::ranges::find(options.formats, "opengl") != options.formats.end())
+        frameRequest.wanted |= pipeline::normalsOfShading(*scene);
     pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
     // Derived ones alone: and no other.
     const auto& buffers = argument.buffers.empty() ? derivedOnes->names : wanted->buffers;

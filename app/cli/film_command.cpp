@@ -56,6 +56,8 @@ int runFilm(const FilmOptions& options) {
     }
     pipeline::FrameRequest frameRequest = wanted->request;
     frameRequest.until = std::max({info.stage, from.stage, to.stage});
+    // A film that passes through that stage shows its steps, whatever stage it ends in.
+    if (from.stage <= pipeline::StageId::Normals) frameRequest.wanted |= pipeline::normalsOfShading(*scene);
     frameRequest.stop = interrupt.token();
     const pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
     const auto cancelled = [] {

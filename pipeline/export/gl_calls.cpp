@@ -263,8 +263,9 @@ void addObjects(const Scene& scene, const FrameData<Real>& data, Calls& calls) {
 template <class Real>
 Result<std::vector<GlCall>> callsOf(const Scene& scene, const FrameData<Real>& data) {
     const bool flat = scene.settings.shading == Shading::Flat;
-    const bool corners = data.transform && data.transform->topology->vertexCount() > 0;
-    if (!data.transform || !data.normals || (!flat && corners && data.normals->vertex.empty()))
+    const bool any = data.transform && data.transform->topology->polygonCount() > 0;
+    if (!data.transform || !data.normals ||
+        (any && (flat ? data.normals->polygon.empty() : data.normals->vertex.empty())))
         return Error{{}, fmt::format("OpenGL needs the normals, which this run did not compute"), {}};
     Calls calls;
     addPicture(scene.settings, calls);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "pipeline/inspect/pixel_report.h"
@@ -78,6 +79,8 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
     const ShadingInputs& inputs = data.keys.shading;
     std::vector<std::string> events;
     if (!data.shading || inputs.outlines || inputs.illumination.model == Model::OpenGl) return events;
+    // Without a shadow nobody has asked which way polygons face.
+    if (std::ranges::none_of(inputs.lights, &Light::castsShadow)) return events;
     const ShadingSources<Real> sources = data.shadingSources();
     const std::uint32_t polygon = data.transform->topology->triangles[triangle].polygon;
     const Vec3<Real> position = worldAt(data, triangle, pixel);

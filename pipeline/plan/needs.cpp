@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
+#include "pipeline/plan/own_normals.h"
 #include "pipeline/plan/shadow_reach.h"
 #include "pipeline/scene/opacity.h"
 
@@ -60,6 +62,7 @@ struct Decision {
     const Scene& scene;
     BufferSet wanted;
     RuleSet rules;
+    StageId until;  // after this stage the run ends
 
     // Left out for the reason where the rule is in force, else needed. An empty reason: needed.
     Need unless(Rule rule, std::string reason) const {
@@ -76,7 +79,39 @@ struct Decision {
         return unless(Rule::Culling,
                       fmt::format("Off in this scene: cull = none. All {} polygons go on.", polygonCount(scene)));
     }
+    // Why a run that ends before shading has no use for normals: nobody shades with them, and who looks at the stage
+    // itself ends the run there or asks for them.
+    std::string unread() const {
+        if (until == StageId::Shading || until == StageId::Normals) return {};
+        return fmt::format("The run ends after {}, and nobody asks for them.", stageInfo(until).name);
+    }
+    Need polygonNormals(const Needs& needs) const {
+        if (has(BufferId::PolygonsNormal) || (needs.vertexNormals && needs.normalSums)) return {};
+        if (const std::string why = unread(); !why.empty()) return unless(Rule::PolygonNormals, why);
+        if (needs.polygonTerms) return {};
+        if (outlines()) return {kOutlines, {}};
+        // Which side of a polygon a light meets is asked of every light that casts a shadow, with or without a buffer.
+        const bool facing = model() != Model::OpenGl && std::ranges::any_of(scene.lights, &Light::castsShadow);
+        const bool read = scene.settings.shading == Shading::Flat || facing;
+        return unless(Rule::PolygonNormals,
+                      read ? "" : "Every vertex has a normal of its own, and there are no shadows.");
+    }
+    std::vector<bool> ownNormals(const Need& vertexNormals) const {
+        if (!vertexNormals || !rules[index(Rule::PolygonNormals)]) return {};
+        return objectsOfOwnNormals(scene);
+    }
+    Need normalSums(const Needs& needs) const {
+        if (!needs.vertexNormals) return needs.vertexNormals;
+        const bool all = !needs.ownNormals.empty() && std::ranges::all_of(needs.ownNormals, std::identity());
+        return unless(Rule::PolygonNormals, all ? "Every vertex has a normal of its own." : "");
+    }
+    // Both or neither, else the stage runs.
+    Need normals(const Needs& needs) const {
+        return needs.polygonNormals || needs.vertexNormals ? Need{} : needs.polygonNormals;
+    }
     Need vertexNormals() const {
+        if (const std::string why = unread(); !why.empty() && !has(BufferId::VerticesNormal))
+            return unless(Rule::VertexNormals, why);
         if (outlines() && !has(BufferId::VerticesNormal) && !vertexTerms()) return {kOutlines, {}};
         const bool read =
             scene.settings.shading != Shading::Flat || has(BufferId::VerticesNormal) || bool(vertexTerms());
@@ -233,17 +268,21 @@ struct Decision {
 
 }  // namespace
 
-Needs needsOf(const Scene& scene, BufferSet wanted) {
+Needs needsOf(const Scene& scene, BufferSet wanted, StageId until) {
     Needs needs;
     needs.rules = rulesOf(scene.settings);
     needs.buffers = wanted;
     // A shadow buffer is not made for its own sake: its light decides.
     if (!needs.rules[index(Rule::UnreadBuffers)])
         needs.buffers.set().set(index(BufferId::ShadowBuffer), wanted[index(BufferId::ShadowBuffer)]);
-    const Decision decide{scene, needs.buffers, needs.rules};
+    const Decision decide{scene, needs.buffers, needs.rules, until};
     needs.cull = decide.cull();
-    needs.vertexNormals = decide.vertexNormals();
     needs.polygonTerms = decide.polygonTerms();
+    needs.vertexNormals = decide.vertexNormals();
+    needs.ownNormals = decide.ownNormals(needs.vertexNormals);
+    needs.normalSums = decide.normalSums(needs);
+    needs.polygonNormals = decide.polygonNormals(needs);
+    needs.normals = decide.normals(needs);
     needs.vertexTerms = decide.vertexTerms();
     needs.hiddenPolygons = !needs.rules[index(Rule::HiddenPolygons)] || decide.has(BufferId::PolygonsIntensity);
     needs.hiddenVertices = !needs.rules[index(Rule::HiddenVertices)] || decide.has(BufferId::VerticesIntensity);
@@ -309,6 +348,11 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
 }
 
 }  // namespace
+
+BufferSet normalsOfShading(const Scene& scene) {
+    if (scene.settings.visibility == Visibility::None) return {};
+    return setOf({scene.settings.shading == Shading::Flat ? BufferId::PolygonsNormal : BufferId::VerticesNormal});
+}
 
 std::string whyUseless(const Scene& scene, BufferId id) { return whyUseless(scene, needsOf(scene, {}), id); }
 

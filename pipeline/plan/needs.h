@@ -21,7 +21,11 @@ struct Need {
 };
 
 struct Needs {
-    Need cull, vertexNormals, shadowBuffers, polygonTerms, vertexTerms, ambient, position, viewVector;
+    Need cull, shadowBuffers, normals;  // whole stages
+    Need polygonNormals, vertexNormals;
+    Need normalSums;               // of polygon normals, around vertices
+    std::vector<bool> ownNormals;  // per object: none of these sums is read; empty: of every object some may be
+    Need polygonTerms, vertexTerms, ambient, position, viewVector;
     Need depthTest;                                                // of fragments at a pixel
     Need fragmentCounts, weights;                                  // what stage 5 leaves beside distances and triangles
     Need reflection, halfway;                                      // R and H
@@ -33,7 +37,11 @@ struct Needs {
     BufferSet buffers;                                             // those that are made
     RuleSet rules;                                                 // in force
 };
-Needs needsOf(const Scene& scene, BufferSet wanted);
+// until: the stage after which the run ends.
+Needs needsOf(const Scene& scene, BufferSet wanted, StageId until = StageId::Shading);
+
+// The normals that a scene is shaded with: what a run that ends earlier has to be asked for where they are looked at.
+BufferSet normalsOfShading(const Scene& scene);
 
 // Why this scene has no use for a buffer, or empty. Such a buffer is left out unless asked for by name.
 std::string whyUseless(const Scene& scene, BufferId id);

@@ -52,10 +52,12 @@ bool isSameWorld(const TransformInputs& a, const TransformInputs& b) {
 std::string difference(const CullInputs& a, const CullInputs& b) { return a == b ? "" : "The setting cull changed."; }
 
 std::string difference(const NormalsInputs& a, const NormalsInputs& b) {
+    // Where nobody reads them any more they may stay.
+    if (b.polygonNormals && !a.polygonNormals) return "Polygon normals are needed now.";
     if (a.vertexNormals != b.vertexNormals)
         return b.vertexNormals ? "Vertex normals are needed now." : "Vertex normals are not needed any more.";
     if (a.form != b.form || a.angle != b.angle || a.unit != b.unit) return "The form of a formula changed.";
-    return a == b ? "" : "The weights of the normals changed.";
+    return a.weight == b.weight ? "" : "The weights of the normals changed.";  // sums that nobody reads change no bit
 }
 
 std::string difference(const ShadowBufferInputs& a, const ShadowBufferInputs& b) {
@@ -167,7 +169,7 @@ PlanPart incidenceOf(const ShadingInputs& inputs, glm::ivec2 picture, BufferSet 
 }  // namespace
 
 Plan makePlan(const Scene& scene, const FrameRequest& request, const FramePtr& before) {
-    const Needs needs = needsOf(scene, request.wanted);
+    const Needs needs = needsOf(scene, request.wanted, request.until);
     Plan plan = decide(scene, request, needs, stageKeys(scene, needs, topologyOf(scene, before)), before);
     explain(scene, needs, plan);
     return plan;
@@ -215,7 +217,7 @@ Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs,
     using enum StageId;
     step(Transform, always, changed(&StageKeys::transform), {});
     step(Cull, needs.cull, changed(&StageKeys::cull), {Transform});
-    step(Normals, always, changed(&StageKeys::normals), {Transform});
+    step(Normals, needs.normals, changed(&StageKeys::normals), {Transform});
     const std::string casters = changed(&StageKeys::shadowBuffer);
     if (past.keys && isSameWorld(past.keys->transform, keys.transform))
         step(StageId::ShadowBuffer, needs.shadowBuffers, casters, {});

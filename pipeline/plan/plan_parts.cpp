@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "pipeline/scene/area_light.h"
 
 namespace pipeline {
@@ -113,6 +115,12 @@ void shadingParts(Parts& out) {
     out.add("sort of layers", needs.layerSort, "Layers are put in order by depth at every pixel.", "a sort a tile");
 }
 
+std::string sumsOf(const Needs& needs) {
+    const auto own = std::ranges::count(needs.ownNormals, true);
+    if (own == 0) return "Vertex normals are means of polygon normals.";
+    return fmt::format("In all objects but {}, in which every vertex has a normal of its own.", own);
+}
+
 // The buffers of shading that nobody reads, and their size.
 void bufferParts(Parts& out) {
     if (!out.needs.rules[index(Rule::UnreadBuffers)]) return out.runs("buffers", "All of them.");
@@ -141,7 +149,10 @@ std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& ne
         case StageId::Transform:
         case StageId::Cull: break;
         case StageId::Normals:
-            out.runs("polygon normals", "Every stage after this one reads them.");
+            out.add("polygon normals", needs.polygonNormals, "Shading, shadows, vertex normals or somebody reads them.",
+                    "a pass over the polygons");
+            if (needs.vertexNormals)
+                out.add("sums around vertices", needs.normalSums, sumsOf(needs), "a pass over the polygons");
             out.add("vertex normals", needs.vertexNormals, "Normals are interpolated, or asked for.",
                     "a pass over the vertices");
             break;

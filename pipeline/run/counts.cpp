@@ -24,7 +24,8 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
             return fmt::format("{} of {} polygons kept", std::ranges::count_if(data.cull->verdicts, goesOn),
                                topology.polygonCount());
         case StageId::Normals:
-            return plural(data.normals->polygon.size(), "polygon normal") +
+            return (data.keys.normals.polygonNormals ? plural(data.normals->polygon.size(), "polygon normal")
+                                                     : "polygon normals left out") +
                    (data.normals->vertex.empty() ? "; vertex normals left out"
                                                  : "; " + plural(data.normals->vertex.size(), "vertex normal"));
         case StageId::ShadowBuffer: {

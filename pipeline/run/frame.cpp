@@ -137,7 +137,9 @@ std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& dat
             return view(name, {verdicts.size()}, reinterpret_cast<const std::uint8_t*>(verdicts.data()),
                         verdicts.size(), data.cull);
         }
-        case PolygonsNormal: return view(name, data.normals->polygon, data.normals);
+        case PolygonsNormal:
+            if (data.normals->polygon.empty()) return {};
+            return view(name, data.normals->polygon, data.normals);
         case VerticesNormal:
             if (data.normals->vertex.empty()) return {};
             return view(name, data.normals->vertex, data.normals);

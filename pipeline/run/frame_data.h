@@ -58,7 +58,8 @@ struct FrameData {
         return keys.cull.mode == CullMode::None || goesOn(cull->verdicts[polygon]);
     }
     ShadingSources<Real> shadingSources() const {
-        return {*transform, *normals, shadowBuffer.get(), *zBuffer, cull.get()};
+        static const NormalsOutput<Real> kNone;  // outlines have no use for any
+        return {*transform, normals ? *normals : kNone, shadowBuffer.get(), *zBuffer, cull.get()};
     }
 };
 

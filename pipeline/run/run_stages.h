@@ -57,7 +57,7 @@ template <class Real>
 std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in,
                                                       Threads& threads) {
     auto out = std::make_shared<NormalsOutput<Real>>(prepareNormals(inputs, in));
-    findPolygonNormals(inputs, in, in.topology->polygonCount(), threads, *out);
+    findPolygonNormals(inputs, in, out->polygon.size(), threads, *out);
     for (std::size_t object = 0; object < in.topology->meshes.size() && inputs.vertexNormals; ++object)
         if (!threads.stopped()) findVertexNormals(inputs, in, object, threads, *out);
     out->weighted = {};

@@ -54,8 +54,8 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
     const Settings& settings = scene.settings;
     StageKeys keys{transformInputs(scene, std::move(topology)),
                    {settings.cull},
-                   {settings.normalWeight, bool(needs.vertexNormals), settings.forms.polygonNormal,
-                    settings.forms.cornerAngle, settings.forms.unit},
+                   {settings.normalWeight, bool(needs.polygonNormals), bool(needs.vertexNormals), needs.ownNormals,
+                    settings.forms.polygonNormal, settings.forms.cornerAngle, settings.forms.unit},
                    {{}, settings.shadowSize, settings.shadowCull},
                    {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene),
                     bool(needs.fragmentCounts), bool(needs.weights)},
@@ -100,7 +100,7 @@ public:
         auto frame = std::make_shared<Frame>();
         frame->m_topology = topologyOf(*scene, before);
         const Clock::time_point decides = Clock::now();
-        frame->m_needs = needsOf(*scene, request.wanted);
+        frame->m_needs = needsOf(*scene, request.wanted, request.until);
         const double needed = millisecondsSince(decides);
         StageKeys keys = stageKeys(*scene, frame->m_needs, frame->m_topology);  // what the stages read
         if (request.until < StageId::Shading)                                   // nobody shades what was interpolated

@@ -82,7 +82,8 @@ std::array<std::optional<StageError>, kStageCount> errorAgainstDouble(const Fram
     };
     compare(StageId::Transform, BufferId::VerticesScreen, transformError);
     compare(StageId::Cull, BufferId::PolygonsVerdict, cullError);
-    compare(StageId::Normals, BufferId::PolygonsNormal, normalsError);
+    const bool ofPolygons = frame->buffer({BufferId::PolygonsNormal}).has_value();
+    compare(StageId::Normals, ofPolygons ? BufferId::PolygonsNormal : BufferId::VerticesNormal, normalsError);
     for (std::size_t k = 0; k < frame->scene().lights.size(); ++k) {
         const BufferName name{BufferId::ShadowBuffer, int(k)};
         const auto a = frame->buffer(name), b = reference->buffer(name);

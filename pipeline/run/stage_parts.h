@@ -42,11 +42,12 @@ void findPolygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>
     });
 }
 
-// Of an object.
+// Of an object. Where every normal is the mesh's own nothing reads the sums, and no normal vanishes.
 template <class Real>
 void findVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
                        Threads& threads, NormalsOutput<Real>& out) {
-    sumAroundVertices(inputs, in, object, out);
+    const bool sums = inputs.ownNormals.empty() || !inputs.ownNormals[object];
+    if (sums) sumAroundVertices(inputs, in, object, out);
     const std::size_t count = in.topology->firstVertex[object + 1] - in.topology->firstVertex[object];
     threads.forRange(count, kVertexGrain, [&](std::size_t begin, std::size_t end) {
         if constexpr (std::is_same_v<Real, float>)
@@ -54,7 +55,7 @@ void findVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>&
         else
             unitVertexNormals(inputs, in, object, begin, end, out);
     });
-    replaceVanishing(in, object, out);
+    if (sums) replaceVanishing(in, object, out);
 }
 
 // Pieces [first, last) of the triangles are set up.

@@ -296,6 +296,15 @@ bool isConvex(const Mesh& mesh, LocalPolygon& scratch) {
     return true;
 }
 
+// No normal may vanish, overflow or become no number on its way to the world: the plan leaves out what would stand in.
+bool hasOwnNormals(const Mesh& mesh) {
+    return !mesh.normals.empty() && mesh.normals.size() == mesh.positions.size() &&
+           std::ranges::all_of(mesh.normals, [](const Vec3d& n) {
+               const double largest = largestComponent(n);
+               return largest > 0x1p-100 && largest < 0x1p100 && std::isfinite(glm::dot(n, n));
+           });
+}
+
 // What the lists have kept to grow into: up to as much again, for as long as the mesh is there.
 void giveBackReserves(Mesh& mesh) {
     mesh.positions.shrink_to_fit(), mesh.normals.shrink_to_fit(), mesh.polygonPlaces.shrink_to_fit();
@@ -360,6 +369,7 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
     if (!mesh.positions.empty()) mesh.facts.low = mesh.facts.high = mesh.positions[0];
     for (const Vec3d& p : mesh.positions)
         mesh.facts.low = glm::min(mesh.facts.low, p), mesh.facts.high = glm::max(mesh.facts.high, p);
+    mesh.facts.ownNormals = hasOwnNormals(mesh);
     mesh.facts.closed = isClosed(mesh);
     mesh.facts.convex = isConvex(mesh, polygon);
     return std::make_shared<const Mesh>(std::move(mesh));

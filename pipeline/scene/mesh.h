@@ -30,6 +30,7 @@ struct MeshFacts {
     int nonPlanar = 0;          // polygons with a vertex off the plane of the others
     int concave = 0;            // polygons with a corner that turns the other way
     int degenerate = 0;         // polygons without area
+    bool ownNormals = false;    // every vertex has a normal, its largest component between 2^-100 and 2^100
     Vec3d low{0.0}, high{0.0};  // the box around all vertices, object space; 0 without vertices
 };
 

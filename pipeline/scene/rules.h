@@ -11,6 +11,7 @@ namespace pipeline {
 // Whatever is only nearly right is an approximation, and a setting of its own instead.
 enum class Rule : std::uint8_t {
     Culling,
+    PolygonNormals,
     VertexNormals,
     PolygonTerms,
     VertexTerms,
@@ -34,7 +35,7 @@ enum class Rule : std::uint8_t {
     TranslucentPass,
     LayerSort,
 };
-inline constexpr std::size_t kRuleCount = 23;
+inline constexpr std::size_t kRuleCount = 24;
 constexpr std::size_t index(Rule rule) { return static_cast<std::size_t>(rule); }
 
 using RuleSet = std::bitset<kRuleCount>;
@@ -48,7 +49,10 @@ struct RuleInfo {
 // In the order of the enumerators.
 inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
     {"rule.culling", "Culling", "Leaves culling out where it drops nothing and nobody reads its verdicts."},
-    {"rule.vertex_normals", "Vertex normals", "Leaves vertex normals out where only polygon normals are read."},
+    {"rule.polygon_normals", "Polygon normals",
+     "Leaves polygon normals, and their sums around vertices, out where nobody reads them."},
+    {"rule.vertex_normals", "Vertex normals",
+     "Leaves vertex normals out where only polygon normals are read, or none."},
     {"rule.polygon_terms", "Polygon terms", "Evaluates polygons only in flat shading, or where somebody reads them."},
     {"rule.vertex_terms", "Vertex terms", "Evaluates vertices only in Gouraud shading, or where somebody reads them."},
     {"rule.hidden_polygons", "Hidden polygons", "Leaves the evaluation of polygons out that culling dropped."},

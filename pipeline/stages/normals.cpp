@@ -7,10 +7,11 @@ namespace pipeline {
 template <class Real>
 NormalsOutput<Real> prepareNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in) {
     NormalsOutput<Real> out;
-    out.polygon.resize(in.topology->polygonCount());
+    if (inputs.polygonNormals) out.polygon.resize(in.topology->polygonCount());
     if (inputs.vertexNormals) {
         out.vertex.resize(in.topology->vertexCount());
-        if (inputs.weight == NormalWeight::Area) out.weighted.resize(in.topology->polygonCount());
+        if (inputs.polygonNormals && inputs.weight == NormalWeight::Area)
+            out.weighted.resize(in.topology->polygonCount());
     }
     return out;
 }

@@ -10,7 +10,8 @@ namespace pipeline {
 
 struct NormalsInputs {
     NormalWeight weight;
-    bool vertexNormals;  // whether anybody reads them
+    bool polygonNormals, vertexNormals;  // whether anybody reads them
+    std::vector<bool> ownNormals{};  // per object: no sum around a vertex is read; empty: some may be, of every object
     PolygonNormalForm form = PolygonNormalForm::Newell;
     CornerAngleForm angle = CornerAngleForm::Atan2;
     UnitForm unit = UnitForm::Scaled;
@@ -19,7 +20,7 @@ struct NormalsInputs {
 
 template <class Real>
 struct NormalsOutput {
-    std::vector<Vec3<Real>> polygon;  // per polygon; (0, 0, 0) for one without area
+    std::vector<Vec3<Real>> polygon;  // per polygon; (0, 0, 0) for one without area; empty when not asked for
     std::vector<Vec3<Real>> vertex;   // per vertex; empty when not asked for
     // Where the mean of the normals around a vertex vanishes, the first of them stands in: how often.
     std::size_t vanishing = 0;

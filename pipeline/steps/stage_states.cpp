@@ -33,7 +33,7 @@ NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygo
     const TransformOutput<Real>& in = *data.transform;
     const std::vector<std::uint32_t>& first = in.topology->firstVertex;
     NormalsOutput<Real> out = prepareNormals(inputs, in);
-    findPolygonNormals(inputs, in, polygons, threads, out);
+    findPolygonNormals(inputs, in, std::min(polygons, out.polygon.size()), threads, out);
     for (std::size_t object = 0; object + 1 < first.size() && first[object] < vertices; ++object)
         findVertexNormals(inputs, in, object, threads, out);
     if (!out.vertex.empty()) std::fill(out.vertex.begin() + std::ptrdiff_t(vertices), out.vertex.end(), Vec3<Real>(0));

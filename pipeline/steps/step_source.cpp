@@ -44,7 +44,7 @@ public:
         add(StageId::Transform, {.kind = Vertex, .count = topology.vertexCount()});
         if (m_data.cull) add(StageId::Cull, {.kind = Polygon, .count = topology.polygonCount()});
         if (m_data.normals) {
-            add(StageId::Normals, {.kind = Polygon, .count = topology.polygonCount()});
+            add(StageId::Normals, {.kind = Polygon, .count = m_data.normals->polygon.size()});
             add(StageId::Normals, {.kind = Vertex, .count = m_data.normals->vertex.size()});
         }
         addLights();

@@ -167,6 +167,23 @@ TEST(Export, StopsAfterAStage) {
     EXPECT_EQ(why, "The run ends after cull.");
 }
 
+// The calls hold normals, whatever stage the run ends in.
+TEST(Export, OpenGlsCallsAreTheSameWhereTheRunEndsEarly) {
+    const test::TemporaryFolder folder;
+    for (const std::string shading : {"flat", "gouraud"}) {
+        const auto calls = [&](const char* buffer) {
+            const auto out = folder / (shading + buffer);
+            const auto done = run({"export", "pyramid", "-o", out, "--set", "model=opengl", "--set",
+                                   "shading=" + shading, "--format", "opengl", "--buffers", buffer});
+            EXPECT_EQ(done.status, 0) << done.err;
+            return test::readText(out / "pyramid.gl.c");
+        };
+        const std::string whole = calls("color");
+        EXPECT_NE(whole.find("glNormal3d"), std::string::npos);
+        EXPECT_EQ(calls("z_view"), whole);
+    }
+}
+
 TEST(Export, SettingsChangeThePicture) {
     const test::TemporaryFolder folder;
     // No light and no ambient light: I_max is 0, and so is every pixel.

@@ -44,6 +44,23 @@ TEST(LeaveOut, ThePlanNamesTheRule) {
     EXPECT_EQ(off["plan"][3]["action"], "runs");
 }
 
+// The spheres of this scene give their normals, and no light casts a shadow.
+TEST(LeaveOut, ThePlanSaysWhyNobodyReadsNormals) {
+    const auto normals = [](const char* scene, const char* buffer) {
+        return Json::parse(run({"plan", scene, "--json", "--buffers", buffer}).out)["plan"][2];
+    };
+    const Json smooth = normals("lambert", "color");
+    EXPECT_EQ(smooth["action"], "runs");
+    EXPECT_EQ(smooth["parts"][0]["why"], "Every vertex has a normal of its own, and there are no shadows.");
+    EXPECT_EQ(smooth["parts"][0]["rule"], "polygon_normals");
+    EXPECT_EQ(smooth["parts"][1]["why"], "Every vertex has a normal of its own.");
+    EXPECT_EQ(smooth["parts"][2]["action"], "runs");
+    const Json depth = normals("lambert", "z_view");
+    EXPECT_EQ(depth["action"], "left out");
+    EXPECT_EQ(depth["why"], "The run ends after z-buffer, and nobody asks for them.");
+    EXPECT_EQ(normals("lambert", "vertices.normal")["action"], "runs");
+}
+
 TEST(LeaveOut, BenchComparesInOneRun) {
     const auto done = run({"bench", "--leave-out", "pyramid", "--repeat", "2", "--warm-up", "0", "--json"});
     ASSERT_EQ(done.status, 0) << done.err;

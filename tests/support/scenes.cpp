@@ -88,6 +88,26 @@ Forms randomForms(std::mt19937& random) {
     return forms;
 }
 
+void giveNormals(Scene& scene, std::mt19937& random) {
+    scene.settings.normalWeight = NormalWeight::Given;
+    for (Object& object : scene.objects) {
+        if (random() % 4 == 0) continue;
+        Mesh own = *object.mesh;
+        own.normals.clear();
+        const bool alongAxes = coin(random);  // of them a flattened object loses some
+        for (std::size_t i = 0; i < own.positions.size(); ++i) {
+            own.normals.push_back(alongAxes ? Vec3d(0) : inBox(random, 1));
+            if (alongAxes) own.normals.back()[int(random() % 3)] = 1;
+        }
+        if (random() % 3 == 0)
+            own.normals[random() % own.normals.size()] *= std::array{0.0, 1e-200, 1e-320, 1e200}[random() % 4];
+        object.mesh = makeMesh(std::move(own));
+        Vec3d& scale = object.transform.scale;
+        if (random() % 6 == 0) scale.z = std::array{0.0, 1e-12, 1e-200}[random() % 3];
+        if (random() % 12 == 0) scale.x = 0;
+    }
+}
+
 Scene smallScene(unsigned seed) {
     Scene scene = randomScene(seed);
     std::mt19937 random(seed + 104729);
@@ -229,7 +249,7 @@ void changeSomething(Scene& scene, std::mt19937& random) {
         case 10: settings.cull = CullMode(random() % 2); break;
         case 11: settings.depthFormat = DepthFormat(random() % 9); break;
         case 12: scene.camera.eye = inBox(random, 6) + Vec3d(0, 0, 4); break;
-        case 13: settings.normalWeight = NormalWeight(random() % 3); break;
+        case 13: settings.normalWeight = NormalWeight(random() % 4); break;
         case 14: settings.model = Model(random() % 3); break;
         case 15: settings.twoSided = !settings.twoSided; break;
         case 16: settings.visibility = Visibility(random() % 3); break;

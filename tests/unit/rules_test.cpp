@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "pipeline/inspect/pixel_report.h"
 #include "pipeline/plan/needs.h"
 #include "tests/support/scenes.h"
 
@@ -41,6 +42,12 @@ Scene twoBoxes(double along) {
     scene.objects[1].transform.translation = {along, 0, 0};
     return scene;
 }
+// A mesh around the origin, every normal along its position, `length` times as long.
+std::shared_ptr<const Mesh> withNormals(Mesh mesh, double length) {
+    mesh.normals.clear();
+    for (const Vec3d& p : mesh.positions) mesh.normals.push_back(length * p);
+    return makeMesh(std::move(mesh));
+}
 // Seen from below a lid by an eye that looks straight down: the floor fills the picture, all of it is lit from
 // the side, and the lid casts a shadow elsewhere.
 Scene floorUnderLid() {
@@ -51,6 +58,16 @@ Scene floorUnderLid() {
     scene.objects[0].mesh = square(100, 0);
     scene.objects.push_back({"lid", square(1, 5), {}, {}});
     scene.camera.eye = {0, 0, 3}, scene.camera.up = {0, 1, 0};
+    return scene;
+}
+
+// A sphere in Phong shading whose mesh gives the exact normals, in a light without shadows.
+Scene roundBall() {
+    Scene scene = boxScene();
+    scene.objects[0].mesh = withNormals(*test::sphere(1, 6, 8), 1);
+    scene.settings.shading = Shading::Phong;
+    scene.settings.normalWeight = NormalWeight::Given;
+    scene.lights[0].castsShadow = false;
     return scene;
 }
 
@@ -71,6 +88,13 @@ const std::vector<Case>& cases() {
              return s;
          },
          [](S& s) { s.settings.cull = CullMode::Back; }},
+        // The sphere's first vertex is a pole.
+        {Rule::PolygonNormals, roundBall,
+         [](S& s) {
+             Mesh one = *s.objects[0].mesh;
+             one.normals[0] = Vec3d(0);
+             s.objects[0].mesh = makeMesh(one);
+         }},
         {Rule::VertexNormals, boxScene, [](S& s) { s.settings.shading = Shading::Phong; }},
         {Rule::PolygonTerms,
          [] {
@@ -211,6 +235,68 @@ TEST(Rules, DoNotFireInTheNeighbour) {
         c.neighbour(scene);
         EXPECT_FALSE(fired(*test::frameOf(scene, c.neighbourWanted), c.rule)) << name(c.rule);
     }
+}
+
+// Each change alone brings polygon normals back: flat shading, a light that casts a shadow, means of
+// polygon normals, a mesh without normals beside the first, an object flattened so far that a normal may vanish, normals
+// that are 0 or so short that they may become 0, the buffer.
+TEST(Rules, PolygonNormalsStayWhereSomethingReadsThem) {
+    const auto normals = [](const Scene& scene, BufferSet wanted = {}) {
+        const FramePtr frame = test::frameOf(scene, wanted);
+        return frame->buffer({BufferId::PolygonsNormal}).has_value();
+    };
+    ASSERT_FALSE(normals(roundBall()));
+    EXPECT_TRUE(normals(roundBall(), setOf({BufferId::PolygonsNormal})));
+    using S = Scene;
+    const auto changed = [&](auto change) {
+        Scene scene = roundBall();
+        change(scene);
+        return normals(scene);
+    };
+    EXPECT_TRUE(changed([](S& s) { s.settings.shading = Shading::Flat; }));
+    EXPECT_TRUE(changed([](S& s) { s.settings.normalWeight = NormalWeight::Mean; }));
+    EXPECT_TRUE(changed([](S& s) { s.objects.push_back({"box", test::box(Vec3d(2), Vec3d(3)), {}, {}}); }));
+    EXPECT_TRUE(changed([](S& s) { s.objects[0].transform.scale.z = 0; }));
+    EXPECT_TRUE(changed([](S& s) { s.objects[0].mesh = withNormals(*s.objects[0].mesh, 0); }));
+    EXPECT_TRUE(changed([](S& s) { s.objects[0].mesh = withNormals(*s.objects[0].mesh, 1e-200); }));
+    EXPECT_TRUE(changed([](S& s) { s.lights[0].castsShadow = true; }));
+    EXPECT_FALSE(changed([](S& s) { s.settings.shading = Shading::Gouraud; }));
+    EXPECT_FALSE(changed([](S& s) { s.objects[0].transform.scale = {1e-20, -1e-20, 2e-20}; }));
+    EXPECT_FALSE(changed([](S& s) { s.settings.model = Model::OpenGl, s.lights[0].castsShadow = true; }));
+}
+
+// Who looks at a pixel is told the same, fragment by fragment.
+TEST(Rules, WithoutPolygonNormalsAPixelsReportIsTheSame) {
+    Scene scene = roundBall();
+    scene.lights.push_back({LightKind::Point, {3, -2, 3}, 1, Vec3d(1), false});
+    const FramePtr without = test::frameOf(scene, {});
+    scene.settings.rules.reset(index(Rule::PolygonNormals));
+    const FramePtr with = test::frameOf(scene, {});
+    ASSERT_FALSE(without->buffer({BufferId::PolygonsNormal}));
+    ASSERT_TRUE(with->buffer({BufferId::PolygonsNormal}));
+    const glm::ivec2 middle{48, 40};
+    const PixelReport report = inspectPixel(*without, middle);
+    EXPECT_TRUE(report.covered);
+    EXPECT_EQ(toText(*without, report), toText(*with, inspectPixel(*with, middle)));
+}
+
+// Where a run ends before shading nobody reads normals, unless it ends at them or they are asked for.
+TEST(Rules, NormalsAreLeftOutWhereTheRunEndsBeforeShading) {
+    const auto step = [](StageId until, BufferSet wanted) {
+        FrameRequest request;
+        request.until = until, request.wanted = wanted;
+        return runFrame(std::make_shared<const Scene>(boxScene()), request, nullptr)->plan()[index(StageId::Normals)];
+    };
+    for (const StageId until : {StageId::ShadowBuffer, StageId::ZBuffer}) {
+        const PlanStep left = step(until, {});
+        EXPECT_EQ(left.action, Action::LeaveOut);
+        EXPECT_EQ(left.rule, Rule::PolygonNormals);
+        EXPECT_EQ(left.why, "The run ends after " + std::string(stageInfo(until).name) + ", and nobody asks for them.");
+        EXPECT_EQ(step(until, setOf({BufferId::PolygonsNormal})).action, Action::Run);
+        EXPECT_EQ(step(until, setOf({BufferId::VerticesNormal})).action, Action::Run);
+    }
+    EXPECT_EQ(step(StageId::Normals, {}).action, Action::Run);
+    EXPECT_EQ(step(StageId::Shading, {}).action, Action::Run);
 }
 
 // A light is left out where no material reflects any of it; one coefficient of the three is enough to need it.

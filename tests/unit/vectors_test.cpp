@@ -34,7 +34,7 @@ void expectTheSameBits(const Scene& scene) {
         EXPECT_EQ(culled.inside, data.cull->inside);
     }
     NormalsOutput<float> normals = prepareNormals(data.keys.normals, in);
-    polygonNormals(data.keys.normals, in, 0, in.topology->polygonCount(), normals);
+    polygonNormals(data.keys.normals, in, 0, normals.polygon.size(), normals);
     for (std::size_t object = 0; object < scene.objects.size() && data.keys.normals.vertexNormals; ++object) {
         sumAroundVertices(data.keys.normals, in, object, normals);
         unitVertexNormals(data.keys.normals, in, object, 0, scene.objects[object].mesh->positions.size(), normals);

@@ -1,0 +1,13 @@
+#pragma once
+#include <vector>
+
+#include "pipeline/scene/scene.h"
+
+namespace pipeline {
+
+// Per object, whether the normals that its mesh gives are certain to be its vertices' normals, decided before any vertex
+// is transformed: no vertex is without one, and none becomes 0 on its way to the world, where the sum of the polygon
+// normals around the vertex would stand in. Empty where the setting normals asks for no given normals.
+std::vector<bool> objectsOfOwnNormals(const Scene& scene);
+
+}  // namespace pipeline
