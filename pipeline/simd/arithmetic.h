@@ -14,6 +14,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
+// Where normalized divides by the root of a vector's square as it is. Between the squares of its bounds, with room for
+// three of them and for rounding, the largest component lies between the bounds.
+template <class D>
+HWY_INLINE hn::Mask<D> needsNoScaling(D d, hn::Vec<D> square) {
+    constexpr float kMost = kLargestUnscaled * kLargestUnscaled, kLeast = 4 / kMost;
+    return hn::And(hn::Lt(square, hn::Set(d, kMost)), hn::Gt(square, hn::Set(d, kLeast)));
+}
+
 // The two settings of `arithmetic`, which kernels take as A.
 
 // Every sum and product rounded as the stage's own text rounds it, in its order: its bits.
@@ -27,12 +35,9 @@ struct Exact {
     // normalized, where mask says so; elsewhere any numbers.
     HWY_INLINE static Floats3 unit(Floats3 a, Mask mask) {
         const Floats square = dot(a, a);
-        // Between the squares of its bounds, with room for three of them and for rounding, the largest component is, too.
-        constexpr float kMost = kLargestUnscaled * kLargestUnscaled, kLeast = 4 / kMost;
-        const Mask middle = hn::And(hn::Lt(square, all(kMost)), hn::Gt(square, all(kLeast)));
         const Floats length = hn::Sqrt(square);
         Floats3 out{hn::Div(a.x, length), hn::Div(a.y, length), hn::Div(a.z, length)};
-        const Mask rest = hn::AndNot(middle, mask);
+        const Mask rest = hn::AndNot(needsNoScaling(F(), square), mask);
         if (HWY_LIKELY(hn::AllFalse(F(), rest))) return out;
         HWY_ALIGN float x[16], y[16], z[16];
         hn::Store(hn::IfThenElse(rest, a.x, out.x), F(), x);

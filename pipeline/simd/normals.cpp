@@ -1,31 +1,21 @@
 #include "pipeline/simd/normals.h"
 
-#include <bit>
-#include <cstring>
-
-#include "pipeline/core/numerics.h"
-
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pipeline/simd/normals.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
-#include "pipeline/simd/lanes.h"
+#include "pipeline/simd/arithmetic.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
 namespace {
 
-// normalized, where no square needs scaling; gives the lanes where one does, which hold any numbers.
-HWY_INLINE std::uint32_t storeUnit(Floats3 v, float* to) {
-    const Floats largest = hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z)));
-    const Mask middle = hn::And(hn::Lt(largest, all(kLargestUnscaled)), hn::Gt(largest, all(1 / kLargestUnscaled)));
-    const Floats square = hn::Add(hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y)), hn::Mul(v.z, v.z));
-    const Floats length = hn::Sqrt(square);
-    hn::StoreInterleaved3(hn::Div(v.x, length), hn::Div(v.y, length), hn::Div(v.z, length), F(), to);
-    return bitsOf(hn::Not(hn::And(middle, hn::Eq(square, square))));
+HWY_INLINE void storeUnit(Floats3 v, float* to) {
+    const Floats3 unit = Exact::unit(v, hn::Eq(hn::Zero(F()), hn::Zero(F())));
+    hn::StoreInterleaved3(unit.x, unit.y, unit.z, F(), to);
 }
 
 }  // namespace
@@ -54,11 +44,7 @@ void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& 
         }
         if (mirrors) sum = scaled(sum, hn::Load(F(), turned));
         if (!out.weighted.empty()) hn::StoreInterleaved3(sum.x, sum.y, sum.z, F(), &out.weighted[base].x);
-        const std::uint32_t rest = storeUnit(sum, &out.polygon[base].x);
-        for (std::uint32_t bits = rest; bits != 0; bits &= bits - 1) {
-            const std::size_t other = base + std::size_t(std::countr_zero(bits));
-            polygonNormals(inputs, in, other, other + 1, out);
-        }
+        storeUnit(sum, &out.polygon[base].x);
     }
     polygonNormals(inputs, in, base, end, out);
 }
@@ -71,14 +57,36 @@ void unitSums(const NormalsInputs& inputs, const TransformOutput<float>& in, std
         float* const at = &out.vertex[in.topology->firstVertex[object] + i].x;
         Floats3 sum;
         hn::LoadInterleaved3(F(), at, sum.x, sum.y, sum.z);
-        HWY_ALIGN float units[3 * 16];
-        const std::uint32_t rest = storeUnit(sum, units);
-        for (std::uint32_t bits = rest; bits != 0; bits &= bits - 1) {
-            const auto l = std::size_t(std::countr_zero(bits));
-            const Vec3<float> unit = normalized(Vec3<float>(at[3 * l], at[3 * l + 1], at[3 * l + 2]));
-            std::memcpy(units + 3 * l, &unit, sizeof unit);
+        storeUnit(sum, at);
+    }
+    unitVertexNormals(inputs, in, object, i, end, out);
+}
+
+// What the mesh gives, in double.
+void unitGiven(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t object, std::size_t begin,
+               std::size_t end, NormalsOutput<float>& out) {
+    const hn::CappedTag<double, 8> d;
+    const hn::Rebind<float, decltype(d)> f;
+    const std::vector<Vec3d>& given = in.topology->meshes[object]->normals;
+    const glm::dmat3& matrix = in.normalMatrix[object];
+    const std::size_t lanes = hn::Lanes(d), first = in.topology->firstVertex[object];
+    std::size_t i = begin;
+    for (; i + lanes <= end; i += lanes) {
+        auto x = hn::Zero(d), y = x, z = x;
+        hn::LoadInterleaved3(d, &given[i].x, x, y, z);
+        const auto row = [&](int r) HWY_ATTR {
+            const auto of = [&](int column, auto v) HWY_ATTR { return hn::Mul(hn::Set(d, matrix[column][r]), v); };
+            return hn::Add(hn::Add(of(0, x), of(1, y)), of(2, z));
+        };
+        const auto nx = row(0), ny = row(1), nz = row(2);
+        const auto square = hn::Add(hn::Add(hn::Mul(nx, nx), hn::Mul(ny, ny)), hn::Mul(nz, nz));
+        if (HWY_UNLIKELY(!hn::AllTrue(d, needsNoScaling(d, square)))) {
+            unitVertexNormals(inputs, in, object, i, i + lanes, out);
+            continue;
         }
-        std::memcpy(at, units, 3 * lanes * sizeof(float));
+        const auto length = hn::Sqrt(square);
+        const auto unit = [&](auto v) HWY_ATTR { return hn::DemoteTo(f, hn::Div(v, length)); };
+        hn::StoreInterleaved3(unit(nx), unit(ny), unit(nz), f, &out.vertex[first + i].x);
     }
     unitVertexNormals(inputs, in, object, i, end, out);
 }
@@ -91,6 +99,7 @@ namespace pipeline {
 
 HWY_EXPORT(triangleNormals);
 HWY_EXPORT(unitSums);
+HWY_EXPORT(unitGiven);
 
 void polygonNormalsInVectors(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin,
                              std::size_t end, NormalsOutput<float>& out) {
@@ -102,9 +111,11 @@ void polygonNormalsInVectors(const NormalsInputs& inputs, const TransformOutput<
 
 void unitVertexNormalsInVectors(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t object,
                                 std::size_t begin, std::size_t end, NormalsOutput<float>& out) {
-    const bool given = inputs.weight == NormalWeight::Given && !in.topology->meshes[object]->normals.empty();
-    if (given || inputs.unit != UnitForm::Scaled) return unitVertexNormals(inputs, in, object, begin, end, out);
-    HWY_DYNAMIC_DISPATCH(unitSums)(inputs, in, object, begin, end, out);
+    if (inputs.unit != UnitForm::Scaled) return unitVertexNormals(inputs, in, object, begin, end, out);
+    if (inputs.weight == NormalWeight::Given && !in.topology->meshes[object]->normals.empty())
+        HWY_DYNAMIC_DISPATCH(unitGiven)(inputs, in, object, begin, end, out);
+    else
+        HWY_DYNAMIC_DISPATCH(unitSums)(inputs, in, object, begin, end, out);
 }
 
 }  // namespace pipeline

@@ -8,7 +8,7 @@ namespace pipeline {
 void polygonNormalsInVectors(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin,
                              std::size_t end, NormalsOutput<float>& out);
 
-// And unitVertexNormals; one by one where a mesh gives its own.
+// And unitVertexNormals.
 void unitVertexNormalsInVectors(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t object,
                                 std::size_t begin, std::size_t end, NormalsOutput<float>& out);
 

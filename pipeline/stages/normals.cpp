@@ -64,12 +64,16 @@ template <class Real>
 void sumAroundVertices(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
                        NormalsOutput<Real>& out) {
     const Topology& topology = *in.topology;
-    for (std::size_t polygon = topology.firstPolygon[object]; polygon < topology.firstPolygon[object + 1]; ++polygon) {
-        const Topology::Corners corners = topology.corners(polygon);
-        const Vec3<Real> normal = inputs.weight == NormalWeight::Area ? out.weighted[polygon] : out.polygon[polygon];
-        const bool byAngle = inputs.weight == NormalWeight::Angle;
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            out.vertex[corners[i]] += byAngle ? cornerAngle(inputs.angle, in, corners, i) * normal : normal;
+    const Mesh& mesh = *topology.meshes[object];
+    const std::vector<Vec3<Real>>& normals = inputs.weight == NormalWeight::Area ? out.weighted : out.polygon;
+    for (std::size_t p = 0, count = mesh.polygonCount(); p < count; ++p) {
+        const Topology::Corners corners{mesh.polygon(p), topology.firstVertex[object]};
+        const Vec3<Real> normal = normals[topology.firstPolygon[object] + p];
+        if (inputs.weight != NormalWeight::Angle)
+            for (std::size_t i = 0; i < corners.size(); ++i) out.vertex[corners[i]] += normal;
+        else
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                out.vertex[corners[i]] += cornerAngle(inputs.angle, in, corners, i) * normal;
     }
 }
 

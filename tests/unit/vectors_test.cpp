@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <numeric>
+#include <random>
 #include <set>
 
 #include "pipeline/run/frame_data.h"
@@ -18,7 +19,8 @@ using test::spheres;
 
 // The stages' own text, a pixel at a time, against the vectors that the runner takes in float.
 void expectTheSameBits(const Scene& scene) {
-    const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color, BufferId::Overdraw, BufferId::Barycentric}));
+    const FramePtr frame = test::frameOf(
+        scene, setOf({BufferId::Color, BufferId::Overdraw, BufferId::Barycentric, BufferId::PolygonsNormal}));
     const FrameData<float>& data = *dataOf<float>(*frame);
     const TransformOutput<float>& in = *data.transform;
     TransformOutput<float> transformed = prepareTransform<float>(data.keys.transform);
@@ -152,6 +154,19 @@ TEST(Vectors, FindNormalsOfAnySizeToTheSameBits) {
     scene.objects = {sheet};
     const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color}));
     EXPECT_EQ(dataOf<float>(*frame)->normals->vanishing, 12U);
+}
+
+// Also where the mesh gives them: its 0, tiny and huge ones stand amid others of a vector.
+TEST(Vectors, TurnGivenNormalsToTheSameBits) {
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        Scene scene = spheres();
+        scene.settings.shading = Shading::Phong;
+        scene.objects.push_back(scene.objects[0]);
+        scene.objects.back().transform.scale = {1, -0.3, 2};
+        std::mt19937 random(seed);
+        test::giveNormals(scene, random);
+        expectTheSameBits(scene);
+    }
 }
 
 // Edge functions beyond what double holds: a triangle from one end of the guard band to the other.
