@@ -23,13 +23,13 @@ struct alignas(64) SmallTriangle {
     std::uint32_t id;                // index into Topology::triangles
     std::int16_t x, y;               // the box's first pixel
     std::uint8_t width, height;      // of the box within the picture, pixels, at least 1
-    std::uint8_t order;              // which of the triangle's own corners is corner 0, + 3 when they were turned round
+    std::uint8_t order;              // of its corners: 0 to 2 as the triangle's own, 3 to 5 turned round
 
     bool facesViewer() const { return order >= 3; }
     // Which of the triangle's own corners is corner i.
     int corner(int i) const {
-        const int first = order % 3, at = first + i < 3 ? first + i : first + i - 3;
-        return order >= 3 && at > 0 ? 3 - at : at;
+        static constexpr std::uint8_t kOf[6][3]{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+        return kOf[order][i];
     }
 };
 static_assert(sizeof(SmallTriangle) == 64);
