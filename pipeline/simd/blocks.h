@@ -27,17 +27,16 @@ HWY_INLINE Ints rowOf(int first) { return hn::Load(I(), kRows + first); }
 constexpr int kLanes = int(hn::MaxLanes(F())), kVectors = kBlockPixels / kLanes;  // of a vector; of a block
 constexpr int kWide = std::min(kLanes, kBlock), kHigh = kLanes / kWide;           // pixels of a vector
 
-// A vector of a tile: the first pixel of its block, its own first pixel in the block, and all of its pixels.
+// A vector of a tile.
 struct VectorPlace {
-    int x, y, first;
     std::uint32_t at;  // of its first pixel in the tile's blocks
-    Ints column, row;  // in the tile
+    Ints column, row;  // of its pixels in the tile
     HWY_INLINE explicit VectorPlace(std::size_t place) : at(std::uint32_t(place)) {
         constexpr std::uint32_t kAcross = kBlocksAcross, kPixels = kBlockPixels;
         const std::uint32_t block = at / kPixels;
-        x = int(block % kAcross) * kBlock, y = int(block / kAcross) * kBlock;
-        first = kVectors == 1 ? 0 : int(at % kPixels);
-        column = hn::Add(columnOf(first), hn::Set(I(), x)), row = hn::Add(rowOf(first), hn::Set(I(), y));
+        const int first = kVectors == 1 ? 0 : int(at % kPixels);
+        column = hn::Add(columnOf(first), hn::Set(I(), int(block % kAcross) * kBlock));
+        row = hn::Add(rowOf(first), hn::Set(I(), int(block / kAcross) * kBlock));
     }
 };
 
@@ -54,6 +53,7 @@ struct PixelFunction {
         return hn::Add(hn::Add(right, down), hn::Set(I(), value));
     }
 };
+
 // A quantity that is linear in the picture: at a pixel, and what a step to the right and one down add.
 struct Slope {
     float value, column, row;
@@ -331,7 +331,7 @@ HWY_INLINE void forEachVector(const Edges& edges, const RasterTriangle<float>& t
     }
 }
 
-// And which pixel of it stands there.
+// Which pixel of a tile stands at a place of its blocks.
 HWY_INLINE glm::ivec2 pixelOf(std::size_t at) {
     const int block = int(at) / kBlockPixels, place = int(at) % kBlockPixels;
     return {block % kBlocksAcross * kBlock + place % kBlock, block / kBlocksAcross * kBlock + place / kBlock};
