@@ -95,8 +95,7 @@ TEST(Vectors, RasterizeToTheSameBits) {
     }
 }
 
-// 4 * 64 quadrilaterals around and 2 * 64 upwards are 64,512 triangles: more pieces than the shadow buffer's pass has in
-// memory at a time.
+// 4 * 64 quadrilaterals around and 2 * 64 upwards are 64,512 triangles: set up in several pieces.
 TEST(Vectors, RasterizeManyTrianglesToTheSameBits) {
     Scene scene = spheres();
     scene.objects[0].mesh = makeShape({ShapeKind::Sphere, 64});
