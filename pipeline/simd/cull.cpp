@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "pipeline/simd/targets.h"
 #include "pipeline/stages/rasterize.h"
@@ -22,15 +21,19 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
     const std::span<const Triangle> triangles = in.topology->triangles;
     // Products of two sides stay below 2^30.
     const Ints limit = hn::Set(whole, 1 << 15), zero = hn::Zero(whole);
+    const hn::Rebind<std::uint8_t, I> bytes;
+    const auto verdict = [&](Verdict one) HWY_ATTR { return hn::Set(whole, std::int32_t(one)); };
+    const Ints degenerate = verdict(Verdict::Degenerate), back = verdict(Verdict::BackFacing),
+               kept = verdict(Verdict::Kept);
     const bool mirrors = std::ranges::any_of(in.mirrored, [](std::uint8_t one) { return one != 0; });
-    const std::int32_t leastKept = inputs.mode == CullMode::Back ? 0 : std::numeric_limits<std::int32_t>::min();
+    const Ints backIs = inputs.mode == CullMode::Back ? back : kept;
     const std::size_t lanes = hn::Lanes(whole);
     std::size_t base = begin;
     for (; base + lanes <= end; base += lanes) {
+        const Triangle* const here = &triangles[base];
         Ints x[3], y[3], beside = zero;
         for (int i = 0; i < 3; ++i) {
-            const auto corner =
-                loadFours(whole, [&](std::size_t l) { return &from.of[triangles[base + l].vertices[i]].x; });
+            const auto corner = loadFours(whole, [&](std::size_t l) { return &from.of[here[l].vertices[i]].x; });
             x[i] = corner.of[0], y[i] = corner.of[1], beside = hn::Or(beside, corner.of[3]);
         }
         const auto extent = [&](const Ints(&c)[3]) HWY_ATTR {
@@ -39,16 +42,20 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
         const auto plain = hn::And(hn::Eq(beside, zero), hn::And(hn::Lt(extent(x), limit), hn::Lt(extent(y), limit)));
         const Ints area2 = hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])),
                                    hn::Mul(hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0])));
-        HWY_ALIGN std::int32_t front[16], back[16];
-        hn::Store(hn::Neg(area2), whole, front), hn::Store(area2, whole, back);
-        for (std::size_t l = 0; mirrors && l < lanes; ++l)
-            if (in.mirrored[in.topology->objectOfPolygon(base + l)] != 0) front[l] = back[l];
-        for (std::size_t l = 0; l < lanes; ++l)
-            out.verdicts[base + l] = front[l] == 0          ? Verdict::Degenerate
-                                     : front[l] < leastKept ? Verdict::BackFacing
-                                                            : Verdict::Kept;
-        for (std::size_t l = 0; l < lanes; ++l) out.isBack[base + l] = front[l] < 0;
-        for (std::size_t l = 0; l < lanes; ++l) out.inside[base + l] = 1;
+        Ints front = hn::Neg(area2);
+        if (mirrors) {
+            std::uint32_t mirrored = 0;
+            for (std::size_t l = 0; l < lanes; ++l)
+                mirrored |= std::uint32_t(in.mirrored[in.topology->objectOfPolygon(base + l)] != 0) << l;
+            front = hn::IfThenElse(hn::RebindMask(whole, maskOf(mirrored)), area2, front);
+        }
+        const Ints isBack = hn::BitCast(whole, hn::ShiftRight<31>(hn::BitCast(U(), front)));
+        const Ints found =
+            hn::IfThenElse(hn::Eq(front, zero), degenerate, hn::IfThenElse(hn::Lt(front, zero), backIs, kept));
+        const auto put = [&](Ints values, void* to) HWY_ATTR {
+            hn::StoreU(hn::DemoteTo(bytes, values), bytes, static_cast<std::uint8_t*>(to));
+        };
+        put(found, &out.verdicts[base]), put(isBack, &out.isBack[base]), put(hn::Set(whole, 1), &out.inside[base]);
         // The stage's own text writes over what is not plain.
         for (std::uint32_t rest = bitsOf(hn::Not(asFloats(plain))); rest != 0; rest &= rest - 1) {
             const std::size_t p = base + std::size_t(std::countr_zero(rest));

@@ -31,7 +31,10 @@ std::int32_t largestBox(int bits) {
 // Takes up triangles in order, and sorts them by tile in the end.
 class Binner {
 public:
-    Binner(const TrianglePieces& all, TrianglePiece& out) : m_all(all), m_out(out) {}
+    // triangles: about how many will come.
+    Binner(const TrianglePieces& all, TrianglePiece& out, std::size_t triangles) : m_all(all), m_out(out) {
+        m_out.small.reserve(triangles), m_found.reserve(triangles);
+    }
 
     void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
         const glm::uvec2 first = glm::uvec2(low) / kSide, last = glm::uvec2(high - 1) / kSide;
@@ -231,18 +234,30 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
     return drawn;
 }
 
-// Bit i: whether triangle i goes on, which is counted.
-HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, const Triangle* triangles, std::size_t count,
+// Bit i: whether triangle i goes on, which is counted. alone: each polygon is one triangle, of its number.
+HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, const Triangle* triangles, std::size_t count, bool alone,
                                 TrianglePiece& out) {
-    const auto bitsWhere = [&](auto holds) HWY_ATTR {
+    const hn::Rebind<std::uint8_t, I> bytes;
+    // Bit i: whether there is one of two numbers at the polygon of triangle i.
+    const auto bitsWhere = [&](const auto* of, auto one, auto two) HWY_ATTR {
         std::uint32_t bits = 0;
-        for (std::size_t l = 0; l < count; ++l) bits |= std::uint32_t(holds(triangles[l].polygon)) << l;
+        if (alone && count == hn::Lanes(bytes)) {
+            const auto found = hn::LoadU(bytes, reinterpret_cast<const std::uint8_t*>(of + triangles->polygon));
+            const auto is = [&](auto number) HWY_ATTR { return hn::Eq(found, hn::Set(bytes, std::uint8_t(number))); };
+            std::uint8_t room[8]{};
+            hn::StoreMaskBits(bytes, hn::Or(is(one), is(two)), room);
+            return std::uint32_t(room[0] | room[1] << 8);
+        }
+        for (std::size_t l = 0; l < count; ++l) {
+            const auto found = of[triangles[l].polygon];
+            bits |= std::uint32_t(found == one || found == two) << l;
+        }
         return bits;
     };
     std::uint32_t live = (1u << count) - 1, whole = 0;
-    if (!in.verdicts.empty()) live &= bitsWhere([&](std::uint32_t polygon) { return goesOn(in.verdicts[polygon]); });
-    if (!in.drawn.empty()) live &= bitsWhere([&](std::uint32_t polygon) { return in.drawn[polygon] != 0; });
-    if (!in.inside.empty()) whole = bitsWhere([&](std::uint32_t polygon) { return in.inside[polygon] != 0; });
+    if (!in.verdicts.empty()) live &= bitsWhere(in.verdicts.data(), Verdict::Kept, Verdict::Clipped);
+    if (!in.drawn.empty()) live &= ~bitsWhere(in.drawn.data(), 0, 0);
+    if (!in.inside.empty()) whole = live & ~bitsWhere(in.inside.data(), 0, 0);
     out.unclipped += std::popcount(live & whole), out.clipped += std::popcount(live & ~whole);
     return live;
 }
@@ -253,14 +268,14 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
                     TrianglePiece& out) {
     const std::span<const Triangle> triangles = in.topology.triangles;
     const std::size_t lanes = hn::Lanes(F());
-    Binner binner(all, out);
-    out.small.reserve((end - begin) / 2);  // of a closed object, half face away
+    Binner binner(all, out, (end - begin) / 2);  // of a closed object, half face away
+    const bool alone = triangles.size() == in.topology.polygonCount();
     Fields fields{};
     Triangle rest[16]{};
     for (std::size_t base = begin; base < end; base += lanes) {
         const std::size_t count = std::min(lanes, end - base);
         const Triangle* from = &triangles[base];
-        const std::uint32_t live = liveOf(in, from, count, out);
+        const std::uint32_t live = liveOf(in, from, count, alone, out);
         if (live == 0) continue;
         if (count < lanes) std::copy_n(from, count, rest), from = rest;
         std::uint32_t others = 0;

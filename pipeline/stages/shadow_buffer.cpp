@@ -88,6 +88,8 @@ ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, c
                                              bool empty) {
     ShadowBufferOutput<Real> out;
     out.lights.resize(inputs.casters.size());
+    Real farthest = 0;
+    for (const Vec3<Real>& world : in.world) farthest = std::max(farthest, largestComponent(world));
     for (std::size_t k = 0; k < inputs.casters.size(); ++k) {
         for (const Vec3d place : inputs.casters[k].places) {
             LightView<Real>& light = out.lights[k].emplace_back();
@@ -98,8 +100,7 @@ ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, c
             for (std::size_t i = 0; i < light.faces.size() && !empty; ++i)
                 light.depth[i] = Buffer2D<Real>(light.faces[i].size, std::numeric_limits<Real>::infinity());
             // A difference, three products and two sums, on either side of the comparison.
-            Real largest = Real(largestComponent(light.faces[0].eye));
-            for (const Vec3<Real>& world : in.world) largest = std::max(largest, largestComponent(world));
+            const Real largest = std::max(farthest, Real(largestComponent(light.faces[0].eye)));
             light.rounding = 16 * std::numeric_limits<Real>::epsilon() * largest;
         }
     }

@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "pipeline/buffers/buffer2d.h"
+
 namespace pipeline {
 
 // A vertex of a view in float as its polygons are set up from: projected and snapped in double, once for all the polygons
@@ -20,8 +22,8 @@ struct SnappedVertex {
 static_assert(sizeof(SnappedVertex) == 16);
 
 struct SnappedVertices {
-    int bits = 8;                   // the grid's steps are 2^-bits pixels
-    std::vector<SnappedVertex> of;  // one a vertex
+    int bits = 8;                                             // the grid's steps are 2^-bits pixels
+    std::vector<SnappedVertex, LeavesRaw<SnappedVertex>> of;  // one a vertex
 };
 
 }  // namespace pipeline
