@@ -175,7 +175,7 @@ public:
     HWY_INLINE EdgesAt at(const Walk& walk) const {
         return {hn::Or(walk.e[0], hn::Or(walk.e[1], walk.e[2])), linear(walk.e[1], 1), linear(walk.e[2], 2)};
     }
-    // l1 or l2 alone.
+    // l_i alone.
     HWY_INLINE Floats linear(int i, const VectorPlace& place) const { return linear(m_edges[i].in(place), i); }
     Slope slope(int i, glm::ivec2 first) const {
         const PixelFunction& edge = m_edges[i];
@@ -253,6 +253,18 @@ public:
 #endif
     }
 
+    // l_i alone.
+    HWY_INLINE Floats linear(int i, const VectorPlace& place) const {
+#if HWY_TARGET == HWY_SCALAR
+        return hn::Mul(hn::DemoteTo(H(), edge(i, place.column, place.row)), all(m_inverse));
+#else
+        const hn::Half<I> half;
+        const auto low = edge(i, hn::LowerHalf(half, place.column), hn::LowerHalf(half, place.row));
+        const auto high = edge(i, hn::UpperHalf(half, place.column), hn::UpperHalf(half, place.row));
+        return hn::Mul(hn::Combine(F(), hn::DemoteTo(H(), high), hn::DemoteTo(H(), low)), all(m_inverse));
+#endif
+    }
+
 private:
 #if HWY_TARGET == HWY_SCALAR
     using H = F;
@@ -263,14 +275,17 @@ private:
     struct Values {
         hn::Vec<H> least, e1, e2;  // least: below 0 where not all three cover, and never -0
     };
-    HWY_INLINE Values edges(hn::Vec<hn::RebindToSigned<H>> columns, hn::Vec<hn::RebindToSigned<H>> rows) const {
+    using HalfInts = hn::Vec<hn::RebindToSigned<H>>;
+    // Edge function i, in double.
+    HWY_INLINE hn::Vec<D> edge(int i, HalfInts columns, HalfInts rows) const {
         const D d;
         const auto x = hn::PromoteTo(d, columns), y = hn::PromoteTo(d, rows);
-        const auto edge = [&](int i) HWY_ATTR {
-            return hn::Add(hn::Add(hn::Set(d, m_value[i]), hn::Mul(y, hn::Set(d, m_row[i]))),
-                           hn::Mul(x, hn::Set(d, m_column[i])));
-        };
-        const auto e0 = edge(0), e1 = edge(1), e2 = edge(2);
+        return hn::Add(hn::Add(hn::Set(d, m_value[i]), hn::Mul(y, hn::Set(d, m_row[i]))),
+                       hn::Mul(x, hn::Set(d, m_column[i])));
+    }
+    HWY_INLINE Values edges(HalfInts columns, HalfInts rows) const {
+        const D d;
+        const auto e0 = edge(0, columns, rows), e1 = edge(1, columns, rows), e2 = edge(2, columns, rows);
         const auto least = hn::Min(hn::Sub(e0, hn::Set(d, m_bias[0])),
                                    hn::Min(hn::Sub(e1, hn::Set(d, m_bias[1])), hn::Sub(e2, hn::Set(d, m_bias[2]))));
         return {hn::DemoteTo(H(), least), hn::DemoteTo(H(), e1), hn::DemoteTo(H(), e2)};

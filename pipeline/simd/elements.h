@@ -31,13 +31,12 @@ struct Elements {
     Floats3 weights;
     Ints of[3];
     HWY_INLINE Elements(const ShadingInputs& inputs, const ShadingSources<float>& in, const SurfaceRow& row,
-                        std::size_t i, Mask mask)
+                        std::size_t i)
         : flat(inputs.shading == Shading::Flat) {
         weights = load(row.weights, i);
         of[0] = of[1] = of[2] = hn::Load(I(), row.polygon + i);
         if (flat) return;
-        const auto ids = hn::IfThenElseZero(hn::RebindMask(U(), mask), hn::Load(U(), row.triangle + i));
-        const Ints first = hn::ShiftLeft<2>(hn::BitCast(I(), ids));
+        const Ints first = hn::ShiftLeft<2>(hn::Load(I(), row.triangle + i));
         static_assert(sizeof(Triangle) == 16);
         const auto* words = reinterpret_cast<const std::int32_t*>(in.transform.topology->triangles.data());
         for (int corner = 0; corner < 3; ++corner)

@@ -200,7 +200,7 @@ private:
 // The weights of what is seen in a tile, as rows.
 void writeWeights(const View& view, const SeenBlocks& seen, std::size_t index, Buffer2D<Vec3<float>>& out) {
     const Tile tile = tileOf(seen.pieces.size, index);
-    const SeenIn in{view, seen.pieces, tile};
+    const SeenIn in{view, seen.pieces, tile, seen.z.tile(index)->of};
     SeenTriangle triangle;
     std::uint32_t record = kNoTriangle;
     for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F())) {
@@ -211,10 +211,10 @@ void writeWeights(const View& view, const SeenBlocks& seen, std::size_t index, B
             if (next != record) record = next, triangle.become(in, record);
             const Mask mask = seesIn(records, record);
             left = hn::AndNot(mask, left);
-            const Floats3 b = triangle.weights(in, VectorPlace(at));
-            hn::BlendedStore(b.x, mask, F(), of[0]);
-            hn::BlendedStore(b.y, mask, F(), of[1]);
-            hn::BlendedStore(b.z, mask, F(), of[2]);
+            const Shares b = triangle.weights(in, VectorPlace(at));
+            hn::BlendedStore(hn::Sub(hn::Sub(all(1), b.one), b.two), mask, F(), of[0]);
+            hn::BlendedStore(b.one, mask, F(), of[1]);
+            hn::BlendedStore(b.two, mask, F(), of[2]);
         }
         for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
             const glm::ivec2 pixel = tile.min + pixelOf(at + l);

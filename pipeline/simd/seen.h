@@ -27,7 +27,7 @@ HWY_INLINE Mask seesIn(const std::uint32_t* records, std::uint32_t record) {
     return hn::RebindMask(F(), hn::Eq(hn::Load(U(), records), hn::Set(U(), record)));
 }
 
-// The share of corners 1 and 2 in a pixel.
+// The weights of corners 1 and 2 in a pixel; what they leave of 1 is that of corner 0.
 struct Shares {
     Floats one, two;
 };
@@ -37,9 +37,11 @@ struct SeenIn {
     const View& view;
     const TrianglePieces& pieces;
     Tile tile;
+    const float* z;  // of the tile's blocks: z_view of what is seen
 };
 
-// A triangle that is seen in a tile, for any vector of it.
+// A triangle that is seen in a tile, for any vector of it. Its corners are its own, or, where clipping has cut it, those
+// of a piece.
 class SeenTriangle {
 public:
     HWY_NOINLINE void become(const SeenIn& in, std::uint32_t record) {
@@ -47,26 +49,31 @@ public:
         const std::uint32_t i = record & TrianglePieces::kIndex;
         if (record & TrianglePiece::kOther) return becomeOther(in, piece.others[i]);
         const SmallTriangle& t = piece.small[i];
-        m_small = &t, m_id = t.id;
-        m_w[0] = t.w0, m_w[1] = t.w1, m_w[2] = t.w2;
-        for (std::size_t corner = 0; corner < 3; ++corner) m_order[corner] = t.corner(int(corner));
-        const int x = in.tile.min.x - t.x, y = in.tile.min.y - t.y;
-        // From the box's first pixel to the tile's.
-        const auto edge = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-            PixelFunction e{c, a, b};
-            e.value = e.atPixel(x, y);
-            return e;
+        m_small = &t, m_id = t.id, m_isCut = false;
+        using Wraps = std::uint32_t;
+        const auto rest = [](std::int32_t all, std::int32_t one, std::int32_t two) {
+            return std::int32_t(Wraps(all) - Wraps(one) - Wraps(two));
         };
-        m_edges[0] = edge(t.a1, t.b1, t.c1), m_edges[1] = edge(t.a2, t.b2, t.c2);
+        const PixelFunction edges[3]{
+            {rest(t.biasedArea + t.bias0, t.c1, t.c2), rest(0, t.a1, t.a2), rest(0, t.b1, t.b2)},
+            {t.c1, t.a1, t.b1},
+            {t.c2, t.a2, t.b2}};
+        const float w[3]{t.w0, t.w1, t.w2};
+        const int x = in.tile.min.x - t.x, y = in.tile.min.y - t.y;  // from the box's first pixel to the tile's
+        for (int corner = 0; corner < 3; ++corner) {
+            const int drawn = t.corner(corner);
+            m_w[corner] = w[drawn], m_edges[corner] = edges[drawn];
+            m_edges[corner].value = edges[drawn].atPixel(x, y);
+        }
     }
     std::uint32_t id() const { return m_id; }  // index into Topology::triangles
     // Else it is so large that weights() is all that is known of it.
     bool isLinear() const { return m_small || m_other->middle; }
     float w(std::size_t corner) const { return m_w[corner]; }
-    // A quantity of the triangle's own corners at one of the corners that are drawn, which clipping may have made.
+    // A quantity of the triangle's own corners at one of its corners.
     Vec3<float> atCorner(const std::vector<Vec3<float>>& values, const std::uint32_t (&v)[3],
                          std::size_t corner) const {
-        if (m_order[corner] < 3) return values[v[m_order[corner]]];
+        if (!m_isCut) return values[v[corner]];
         const Vec3<float>& share = m_other->triangle->weights[corner];
         return share.x * values[v[0]] + share.y * values[v[1]] + share.z * values[v[2]];
     }
@@ -75,98 +82,86 @@ public:
         const glm::ivec2 first = m_small ? glm::ivec2(m_small->x, m_small->y) : m_other->triangle->snapped.pixels().min;
         return glm::max(first - tile.min, 0);
     }
-
-    // The shares of corners 1 and 2, linear in the picture.
-    HWY_INLINE Shares linear(const VectorPlace& place) const {
-        if (!m_small) return {m_other->middle->linear(1, place), m_other->middle->linear(2, place)};
-        const Floats inverse = all(m_small->inverseArea2);
-        const auto share = [&](const PixelFunction& edge)
-                               HWY_ATTR { return hn::Mul(hn::ConvertTo(F(), edge.in(place)), inverse); };
-        return {share(m_edges[0]), share(m_edges[1])};
-    }
+    // The weight of a corner that is linear in the picture.
     Slope slope(int corner, glm::ivec2 first) const {
-        if (!m_small) return m_other->middle->slope(corner, first);
-        const PixelFunction& edge = m_edges[corner - 1];
+        if (!m_small) return m_other->middle->slope(m_other->drawn[corner], first);
+        const PixelFunction& edge = m_edges[corner];
         const float inverse = m_small->inverseArea2;
         return {float(edge.atPixel(first.x, first.y)) * inverse, float(edge.column) * inverse,
                 float(edge.row) * inverse};
     }
-    // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not,
-    // any numbers.
-    HWY_INLINE Floats3 weights(const SeenIn& in, const VectorPlace& place) const {
-        if (!isLinear()) return weightsOfHuge(in, place);
-        const Shares b = corrected(in.view, linear(place));
-        const Floats b0 = hn::Sub(hn::Sub(all(1), b.one), b.two);
-        if (m_order[0] > 2) return ofCut(b);
-        const auto of = [&](int own) HWY_ATTR {
-            const Ints wanted = hn::Set(I(), own);
-            const Mask first = asFloats(hn::Eq(wanted, hn::Set(I(), m_order[0])));
-            const Mask second = asFloats(hn::Eq(wanted, hn::Set(I(), m_order[1])));
-            return hn::IfThenElse(first, b0, hn::IfThenElse(second, b.one, b.two));
+    // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not
+    // seen, any numbers.
+    HWY_INLINE Shares weights(const SeenIn& in, const VectorPlace& place) const {
+        if (HWY_UNLIKELY(!m_small)) return weightsOfOther(in, place);
+        const Floats inverse = all(m_small->inverseArea2);
+        const auto share = [&](int corner) HWY_ATTR {
+            return corrected(in, place, corner, hn::Mul(hn::ConvertTo(F(), m_edges[corner].in(place)), inverse));
         };
-        return {of(0), of(1), of(2)};
+        return {share(1), share(2)};
     }
 
 private:
-    // b1 and b2 of interpolate.
-    HWY_INLINE Shares corrected(const View& view, Shares l) const {
-        if (!view.perspective) return l;
-        const Floats z = Distances(m_w[0], m_w[1], m_w[2]).z<true>(l.one, l.two);
-        return {hn::Mul(hn::Mul(l.one, all(m_w[1])), z), hn::Mul(hn::Mul(l.two, all(m_w[2])), z)};
+    HWY_INLINE Floats corrected(const SeenIn& in, const VectorPlace& place, int corner, Floats linear) const {
+        if (!in.view.perspective) return linear;
+        return hn::Mul(hn::Mul(linear, all(m_w[corner])), hn::Load(F(), in.z + place.at));
     }
-    // Of a piece that clipping left: its corners are not the triangle's own.
-    Floats3 ofCut(Shares b) const {
-        const auto& w = m_other->triangle->weights;
-        const auto weight = [&](int c) HWY_ATTR {
-            return hn::Add(hn::Add(all(w[0][c]), hn::Mul(b.one, all(w[1][c] - w[0][c]))),
-                           hn::Mul(b.two, all(w[2][c] - w[0][c])));
+    HWY_NOINLINE Shares weightsOfOther(const SeenIn& in, const VectorPlace& place) const {
+        if (!m_other->middle && !m_other->large->exact()) return weightsOfHuge(in, place);
+        const auto share = [&](int corner) HWY_ATTR {
+            const int drawn = m_other->drawn[corner];
+            const Floats linear =
+                m_other->middle ? m_other->middle->linear(drawn, place) : m_other->large->linear(drawn, place);
+            return corrected(in, place, corner, linear);
         };
-        return {weight(0), weight(1), weight(2)};
-    }
-    Floats3 weightsOfHuge(const SeenIn& in, const VectorPlace& place) const {
-        if (m_other->large->exact()) {
-            const EdgesAt edges = m_other->large->at(m_other->large->from(place));
-            return ofCut(corrected(in.view, {edges.l1, edges.l2}));
+        if (!m_isCut) return {share(1), share(2)};
+        Shares sum{all(0), all(0)};
+        for (int corner = 0; corner < 3; ++corner) {
+            const Vec3<float>& own = m_other->triangle->weights[std::size_t(corner)];
+            const Floats b = share(corner);
+            sum.one = hn::Add(sum.one, hn::Mul(b, all(own.y))), sum.two = hn::Add(sum.two, hn::Mul(b, all(own.z)));
         }
+        return sum;
+    }
+    Shares weightsOfHuge(const SeenIn& in, const VectorPlace& place) const {
         const auto& c = m_other->triangle->snapped.corners;
         const EdgeFunction edges[3]{{c[1], c[2]}, {c[2], c[0]}, {c[0], c[1]}};
-        HWY_ALIGN float of[3][16];
+        HWY_ALIGN float one[16], two[16];
         for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
             const glm::ivec2 pixel = in.tile.min + pixelOf(place.at + l);
             const std::array<std::int64_t, 3> e{edges[0].atPixel(pixel), edges[1].atPixel(pixel),
                                                 edges[2].atPixel(pixel)};
             const Vec3<float> weights = interpolate(*m_other->triangle, e, in.view.perspective).barycentric;
-            for (int i = 0; i < 3; ++i) of[i][l] = weights[i];
+            one[l] = weights.y, two[l] = weights.z;
         }
-        return {hn::Load(F(), of[0]), hn::Load(F(), of[1]), hn::Load(F(), of[2])};
+        return {hn::Load(F(), one), hn::Load(F(), two)};
     }
     void becomeOther(const SeenIn& in, const RasterTriangle<float>& t) {
         if (!m_other) m_other = std::make_unique<Other>();
         m_small = nullptr, m_id = t.id, m_other->triangle = &t;
         m_other->middle = MiddleEdges(t, in.tile, in.view.subPixelBits);
         if (!m_other->middle->fits()) m_other->middle.reset(), m_other->large = LargeEdges(t, in.tile);
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            m_w[corner] = t.w[corner];
-            m_order[corner] = kCut;
-            for (int own = 0; own < 3; ++own)
-                if (t.weights[corner][own] == 1) m_order[corner] = own;
-        }
-        const bool cut = std::ranges::count(m_order, kCut) > 0;
-        if (cut) std::ranges::fill(m_order, kCut);
+        int whole = 0;
+        for (int own = 0; own < 3; ++own)
+            for (int corner = 0; corner < 3; ++corner)
+                if (t.weights[std::size_t(corner)][own] == 1) m_other->drawn[own] = corner, ++whole;
+        m_isCut = whole < 3;
+        if (m_isCut) m_other->drawn = {0, 1, 2};
+        for (int corner = 0; corner < 3; ++corner) m_w[corner] = t.w[std::size_t(m_other->drawn[corner])];
     }
 
-    static constexpr int kCut = 3;
     // What is known of one that is not small.
     struct Other {
         const RasterTriangle<float>* triangle;
+        glm::ivec3 drawn;  // in which place each corner is drawn
         std::optional<MiddleEdges> middle;
         std::optional<LargeEdges> large;  // where `middle` does not fit
     };
     std::uint32_t m_id;
+    bool m_isCut;
     float m_w[3];
-    std::array<int, 3> m_order;      // which of the triangle's own corners each is, or kCut for all
     const SmallTriangle* m_small;    // null where it is not one
-    PixelFunction m_edges[2];        // a small triangle's edge functions 1 and 2
+    PixelFunction m_edges[3];        // of the edge opposite each corner, of a small one
     std::unique_ptr<Other> m_other;  // kept for the next one
 };
 

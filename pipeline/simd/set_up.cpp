@@ -228,7 +228,7 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
     out.storeQuarter(1, edge2.b, edge2.c, edge1.bias, edge2.bias);
     out.storeQuarter(2, hn::Sub(size, bias0), bitsIn(w[0]), bitsIn(w[1]), bitsIn(w[2]));
     out.storeQuarter(3, bitsIn(inverseOf(size)), hn::Iota(whole, std::int32_t(firstId)), corner,
-                     hn::Or(box, hn::ShiftLeft<16>(order)));
+                     hn::Or(box, hn::Or(hn::ShiftLeft<16>(order), hn::ShiftLeft<24>(bias0))));
     hn::Store(minX, whole, out.lowX), hn::Store(minY, whole, out.lowY);
     hn::Store(maxX, whole, out.highX), hn::Store(maxY, whole, out.highY);
     return drawn;

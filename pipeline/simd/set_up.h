@@ -24,11 +24,12 @@ struct alignas(64) SmallTriangle {
     std::int16_t x, y;               // the box's first pixel
     std::uint8_t width, height;      // of the box within the picture, pixels, at least 1
     std::uint8_t order;              // of its corners: 0 to 2 as the triangle's own, 3 to 5 turned round
+    std::uint8_t bias0;
 
     bool facesViewer() const { return order >= 3; }
-    // Which of the triangle's own corners is corner i.
+    // Which of its corners is the triangle's own corner i.
     int corner(int i) const {
-        static constexpr std::uint8_t kOf[6][3]{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+        static constexpr std::uint8_t kOf[6][3]{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
         return kOf[order][i];
     }
 };

@@ -52,7 +52,12 @@ class TileShader {
 public:
     // Polygons or vertices of `out` have been shaded.
     TileShader(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile, ShadingOutput<float>& out)
-        : m_inputs(inputs), m_in(in), m_tile(tile), m_out(out), m_surfaces(inputs, in, tile), m_bytes(out.iMax) {
+        : m_inputs(inputs),
+          m_in(in),
+          m_tile(tile),
+          m_out(out),
+          m_surfaces(inputs, in, tile, tellsObjects(inputs)),
+          m_bytes(out.iMax) {
         for (std::size_t id = 0; id < kBufferCount; ++id)
             m_keeps = m_keeps || (id != index(BufferId::Intensity) && has(BufferId(id)));
         for (const Material& material : inputs.materials) m_looks.emplace_back(inputs, material);
@@ -92,24 +97,24 @@ private:
         if (!buffers.empty()) putPixels(value, mask, m_first + i, m_tile.min, buffers[k]);
     }
 
+    static bool tellsObjects(const ShadingInputs& inputs) {
+        return inputs.materials.size() > 1 && inputs.shading == Shading::Phong;
+    }
     // What is seen in the row; object by object where that makes a difference.
     void findGroups() {
         m_groups.clear();
         m_seenBlocks = 0;
-        const bool alike = m_looks.size() == 1 || m_inputs.shading != Shading::Phong;
-        const auto* of = reinterpret_cast<const std::int32_t*>(m_in.transform.topology->polygonObject.data());
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            Mask left = seenIn(m_row.surface.triangle + i);
+            Mask left = maskOf(m_row.surface.seen[i / hn::Lanes(F())]);
             store(all(Vec3<float>(0)), m_row.intensity, i);
             if (hn::AllFalse(F(), left)) continue;
             m_seenBlocks |= 1U << i / kBlockPixels;
-            if (alike) {
+            if (!tellsObjects(m_inputs)) {
                 groupOf(0).add(i, left);
                 continue;
             }
-            HWY_ALIGN std::int32_t objects[16];
-            const Ints object = hn::GatherIndex(I(), of, hn::Load(I(), m_row.surface.polygon + i));
-            hn::Store(object, I(), objects);
+            const std::int32_t* const objects = m_row.surface.object + i;
+            const Ints object = hn::Load(I(), objects);
             while (!hn::AllFalse(F(), left)) {
                 const std::int32_t one = objects[hn::FindKnownFirstTrue(F(), left)];
                 const Mask mine = hn::And(left, asFloats(hn::Eq(object, hn::Set(I(), one))));
@@ -297,9 +302,8 @@ private:
     template <bool kKeeps>
     void shadeGathered(const Group& group) {
         const auto& elements = m_inputs.shading == Shading::Flat ? m_out.polygons : m_out.vertices;
-        const auto elementsAt = [&](std::size_t n) HWY_ATTR {
-            return Elements<A>(m_inputs, m_in, m_row.surface, group.at[n], group.mask(n));
-        };
+        const auto elementsAt = [&](std::size_t n)
+                                    HWY_ATTR { return Elements<A>(m_inputs, m_in, m_row.surface, group.at[n]); };
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);

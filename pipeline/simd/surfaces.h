@@ -54,14 +54,16 @@ struct Group {
     HWY_INLINE Mask mask(std::size_t n) const { return maskOf(bits[n]); }
 };
 
-// What is seen in a row of blocks. Numbers of pixels in which nothing is seen are any, but for `triangle`.
+// What is seen in a row of blocks. Numbers of pixels in which nothing is seen are any.
 struct SurfaceRow {
-    alignas(64) std::uint32_t triangle[kRowPixels];  // kNoTriangle where nothing is
-    alignas(64) std::int32_t polygon[kRowPixels];
-    Row3 normal;    // of Phong shading, not unit
-    Row3 position;  // where it is interpolated
-    Row3 weights;   // of flat and Gouraud shading
-    Row3 facing;    // the polygon's normal, where shadows are cast
+    std::uint32_t seen[kRowVectors];                // of each vector, the pixels in which something is, as bits
+    alignas(64) std::int32_t triangle[kRowPixels];  // of Gouraud shading
+    alignas(64) std::int32_t polygon[kRowPixels];   // of flat shading
+    alignas(64) std::int32_t object[kRowPixels];    // of Phong shading, where objects are told apart
+    Row3 normal;                                    // of Phong shading, not unit
+    Row3 position;                                  // where it is interpolated
+    Row3 weights;                                   // of Gouraud shading
+    Row3 facing;                                    // the polygon's normal, where shadows are cast
 };
 
 // A quantity of a triangle: at one place, and what it has more at the ends of two ways from there.
@@ -83,7 +85,7 @@ struct Corners {
 struct SeenSurface {
     SeenTriangle triangle;
     std::uint32_t id;  // index into Topology::triangles
-    std::int32_t polygon;
+    std::int32_t polygon, object;
     Corners normals, positions;
     Vec3<float> facing;  // the polygon's normal
     // Whether `normals` are those of pixels: at firstPixel, and what a step to the right and one down add.
@@ -96,17 +98,19 @@ struct SeenSurface {
 template <class A>
 class Surfaces {
 public:
-    Surfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile)
+    // tellsObjects: in Phong shading, whether anybody asks for the object of a pixel.
+    Surfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile, bool tellsObjects)
         : m_inputs(inputs),
           m_in(in),
           m_tile(tile),
           m_perPixel(inputs.shading == Shading::Phong),
-          m_positioned(inputs.parts.position) {
+          m_positioned(inputs.parts.position),
+          m_tellsObjects(tellsObjects) {
         if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
             m_index = tileAt(in.transform.view.size, tile);
             m_isDrawn = in.zBuffer.tileIsDrawn[m_index] != 0;
             m_records = seen->record.tile(m_index)->of;
-            m_seenIn.emplace(SeenIn{in.transform.view, seen->pieces, tile});
+            m_seenIn.emplace(SeenIn{in.transform.view, seen->pieces, tile, seen->z.tile(m_index)->of});
             long long triangles = 0;
             for (const TrianglePiece& piece : seen->pieces.pieces) triangles += std::ssize(piece.small);
             m_fetches = in.zBuffer.seenPixels < 4 * triangles;
@@ -119,7 +123,7 @@ public:
 
     void find(int row, SurfaceRow& out) {
         if (!m_isDrawn) {  // its blocks are not written
-            std::ranges::fill(out.triangle, kNoTriangle);
+            std::ranges::fill(out.seen, 0);
             return;
         }
         const std::size_t begin = std::size_t(row) * kRowPixels;
@@ -143,13 +147,13 @@ private:
     // What the stage's own text has drawn, which keeps the weights, in the pixels of a vector.
     struct Drawn {
         HWY_ALIGN std::uint32_t triangle[16];
-        HWY_ALIGN float weights[3][16];
+        HWY_ALIGN float weights[2][16];  // of corners 1 and 2
         void read(const ZBufferOutput<float>& z, Tile tile, std::size_t at) {
             for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
                 const glm::ivec2 pixel = tile.min + pixelOf(at + l);
                 const bool inside = pixel.x < tile.max.x && pixel.y < tile.max.y;
                 triangle[l] = inside ? z.triangle->at(pixel) : kNoTriangle;
-                for (int i = 0; i < 3; ++i) weights[i][l] = inside ? z.barycentric.at(pixel)[i] : 0;
+                for (int i = 0; i < 2; ++i) weights[i][l] = inside ? z.barycentric.at(pixel)[i + 1] : 0;
             }
         }
     };
@@ -162,16 +166,24 @@ private:
             if (!m_records) m_drawn.read(m_in.zBuffer, m_tile, place.at);
             if (m_fetches) fetchAhead(place.at);
             const std::uint32_t* const names = m_records ? m_records + place.at : m_drawn.triangle;
-            auto triangle = hn::Set(U(), kNoTriangle);
-            Ints polygon = hn::Zero(I());
+            Ints triangle = hn::Zero(I()), polygon = triangle, object = triangle;
             Floats3 normal = all(Vec3<float>(0)), position = normal, weights = normal, facing = normal;
-            for (Mask left = seenIn(names); !hn::AllFalse(F(), left);) {
+            const auto choose1 = [](Mask mask, std::int32_t yes, Ints no) HWY_ATTR {
+                return hn::IfThenElse(hn::RebindMask(I(), mask), hn::Set(I(), yes), no);
+            };
+            Mask left = seenIn(names);
+            out.seen[i / hn::Lanes(F())] = bitsOf(left);
+            while (!hn::AllFalse(F(), left)) {
                 const std::uint32_t name = names[hn::FindKnownFirstTrue(F(), left)];
                 const Mask mine = seesIn(names, name);
                 left = hn::AndNot(mine, left);
                 const SeenSurface& seen = surfaceOf(name);
-                triangle = hn::IfThenElse(hn::RebindMask(U(), mine), hn::Set(U(), seen.id), triangle);
-                polygon = hn::IfThenElse(hn::RebindMask(I(), mine), hn::Set(I(), seen.polygon), polygon);
+                if constexpr (!kPerPixel) {
+                    triangle = choose1(mine, std::int32_t(seen.id), triangle);
+                    polygon = choose1(mine, seen.polygon, polygon);
+                } else if (m_tellsObjects) {
+                    object = choose1(mine, seen.object, object);
+                }
                 if constexpr (kFacing) facing = choose(mine, all(seen.facing), facing);
                 if constexpr (!A::kExact && kPerPixel && !kPositions) {
                     if (seen.isPlane) {
@@ -181,21 +193,23 @@ private:
                         continue;
                     }
                 }
-                const Floats3 b = m_records
-                                      ? seen.triangle.weights(*m_seenIn, place)
-                                      : Floats3{hn::Load(F(), m_drawn.weights[0]), hn::Load(F(), m_drawn.weights[1]),
-                                                hn::Load(F(), m_drawn.weights[2])};
+                const Shares b = m_records
+                                     ? seen.triangle.weights(*m_seenIn, place)
+                                     : Shares{hn::Load(F(), m_drawn.weights[0]), hn::Load(F(), m_drawn.weights[1])};
                 if constexpr (kPerPixel)
-                    normal = choose(mine, seen.normals.template at<A>(b.y, b.z), normal);
+                    normal = choose(mine, seen.normals.template at<A>(b.one, b.two), normal);
                 else
-                    weights = choose(mine, b, weights);
-                if constexpr (kPositions) position = choose(mine, seen.positions.template at<A>(b.y, b.z), position);
+                    weights = choose(mine, {hn::Sub(hn::Sub(all(1), b.one), b.two), b.one, b.two}, weights);
+                if constexpr (kPositions)
+                    position = choose(mine, seen.positions.template at<A>(b.one, b.two), position);
             }
-            hn::Store(triangle, U(), out.triangle + i), hn::Store(polygon, I(), out.polygon + i);
-            if constexpr (kPerPixel)
+            if constexpr (kPerPixel) {
                 store(normal, out.normal, i);
-            else
+                if (m_tellsObjects) hn::Store(object, I(), out.object + i);
+            } else {
+                hn::Store(triangle, I(), out.triangle + i), hn::Store(polygon, I(), out.polygon + i);
                 store(weights, out.weights, i);
+            }
             if constexpr (kFacing) store(facing, out.facing, i);
             if constexpr (kPositions) store(position, out.position, i);
         }
@@ -228,6 +242,7 @@ private:
         if (m_records) seen.triangle.become(*m_seenIn, name), seen.id = seen.triangle.id();
         const Triangle& triangle = m_in.transform.topology->triangles[seen.id];
         seen.polygon = std::int32_t(triangle.polygon);
+        if (m_tellsObjects) seen.object = std::int32_t(m_in.transform.topology->objectOfPolygon(triangle.polygon));
         if (m_positioned && !fromDepth()) seen.positions.become(m_in.transform.world, triangle.vertices);
         if (m_facing) seen.facing = m_in.normals.polygon[triangle.polygon];
         if (!m_perPixel) return;
@@ -261,10 +276,9 @@ private:
         auto nearest = float(in.view.near);  // the least z in front of the near plane
         if (double(nearest) < in.view.near) nearest = std::nextafter(nearest, std::numeric_limits<float>::infinity());
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            const Mask seen = seenIn(out.triangle + i);
+            const Mask seen = maskOf(out.seen[i / hn::Lanes(F())]);
             if (hn::AllFalse(F(), seen)) continue;
-            const auto ids = hn::IfThenElseZero(hn::RebindMask(U(), seen), hn::Load(U(), out.triangle + i));
-            const Ints first = hn::ShiftLeft<2>(hn::BitCast(I(), ids));
+            const Ints first = hn::ShiftLeft<2>(hn::Load(I(), out.triangle + i));
             const Floats3 b = load(out.weights, i);
             Mask isInFront = seen;
             const auto scaledByZ = [&](Floats weight, int corner) HWY_ATTR {
@@ -282,8 +296,8 @@ private:
                 Row3& weights = out.weights;
                 RowCrossings none;
                 const VertexWeights<float> affine = vertexWeights<float>(
-                    Interpolation::Affine, in, out.triangle[at], {weights.x.of[at], weights.y.of[at], weights.z.of[at]},
-                    m_tile.min + pixelOf(begin + at), none);
+                    Interpolation::Affine, in, std::uint32_t(out.triangle[at]),
+                    {weights.x.of[at], weights.y.of[at], weights.z.of[at]}, m_tile.min + pixelOf(begin + at), none);
                 weights.x.of[at] = affine.weights[0], weights.y.of[at] = affine.weights[1];
                 weights.z.of[at] = affine.weights[2];
             }
@@ -312,7 +326,7 @@ private:
     const ShadingSources<float>& m_in;
     Tile m_tile;
     bool m_fetches = false;  // for triangles of few pixels
-    bool m_perPixel, m_positioned, m_facing = false, m_isDrawn = true;
+    bool m_perPixel, m_positioned, m_tellsObjects, m_facing = false, m_isDrawn = true;
     std::size_t m_index = 0;                   // of the tile
     const std::uint32_t* m_records = nullptr;  // of the tile; null where the stage's own text drew
     std::optional<SeenIn> m_seenIn;            // likewise

@@ -145,18 +145,21 @@ struct Fragment {
     Vec3<Real> barycentric;  // perspective-correct weights over the corners of triangle `id`
 };
 
-// Differences from corner 0 rather than three products: a polygon at one depth keeps that depth
-// exactly, and weights sum to 1. Corner 0 has the smallest w, so nothing is subtracted and lost,
-// however much nearer the others are.
+// z from differences from corner 0: a polygon at one depth keeps that depth exactly. Corner 0 has the smallest w, so
+// nothing is subtracted and lost, however much nearer the others are. The weights are those of the triangle's own
+// corners, whichever of them comes first here: 1 and 2 as products, and what they leave is that of 0, so that they sum to 1.
 // P. Heckbert and H. Moreton, "Interpolation for polygon texture mapping and shading", 1991.
 template <class Real>
 Fragment<Real> interpolate(const RasterTriangle<Real>& t, const std::array<std::int64_t, 3>& e, bool perspective) {
-    const Real l1 = Real(e[1]) * t.inverseArea2, l2 = Real(e[2]) * t.inverseArea2;
-    const Real w = t.w[0] + l1 * (t.w[1] - t.w[0]) + l2 * (t.w[2] - t.w[0]);
+    const Vec3<Real> l = Vec3<Real>(Real(e[0]), Real(e[1]), Real(e[2])) * t.inverseArea2;
+    const Real w = t.w[0] + l.y * (t.w[1] - t.w[0]) + l.z * (t.w[2] - t.w[0]);
     const Real z = perspective ? 1 / w : w;
-    const Real b1 = perspective ? l1 * t.w[1] * z : l1, b2 = perspective ? l2 * t.w[2] * z : l2;
-    const Vec3<Real> weights = t.weights[0] + b1 * (t.weights[1] - t.weights[0]) + b2 * (t.weights[2] - t.weights[0]);
-    return {z, perspective ? w : Real(0), weights};
+    Real b1 = 0, b2 = 0;
+    for (int i = 0; i < 3; ++i) {
+        const Real b = perspective ? l[i] * t.w[std::size_t(i)] * z : l[i];
+        b1 += b * t.weights[std::size_t(i)].y, b2 += b * t.weights[std::size_t(i)].z;
+    }
+    return {z, perspective ? w : Real(0), {1 - b1 - b2, b1, b2}};
 }
 
 // w of a fragment, in double or better: what the depth formats encode.
