@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "pipeline/simd/incidence.h"
-#include "pipeline/simd/power.h"
 #include "pipeline/simd/surfaces.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,9 +31,8 @@ public:
         }
         m_kept->lights.resize(pieces.size() * m_lights);
     }
-    // Light k on them. Its q and S are null where it has no highlight and no shadow.
-    template <class A>
-    void addLight(const Group& group, std::size_t k, const Row& nDotL, const Row* q, const Row* S) {
+    // Light k on them. Its log and S are null where it has no highlight and no shadow.
+    void addLight(const Group& group, std::size_t k, const Row& nDotL, const Row* log, const Row* S) {
         std::size_t piece = m_first;
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n], pixel = i % kBlockPixels;
@@ -42,7 +40,7 @@ public:
             Incidence::Light& to = m_kept->lights[piece * m_lights + k];
             const Floats cosine = load(nDotL, i), none = all(Incidence::kNoHighlight);
             hn::Store(cosine, F(), to.nDotL + pixel);
-            hn::Store(q ? logOf<A>(load(*q, i)) : none, F(), to.log + pixel);
+            hn::Store(log ? load(*log, i) : none, F(), to.log + pixel);
             // Where there is nothing to multiply, whatever the material, it need not be known.
             hn::Store(S ? hn::IfThenElse(hn::Gt(cosine, all(0)), load(*S, i), all(1)) : all(1), F(), to.S + pixel);
         }
@@ -56,11 +54,6 @@ public:
     }
 
 private:
-    template <class A>
-    HWY_INLINE static Floats logOf(Floats q) {
-        const Mask there = hn::Lt(q, all(1));  // as in powerOfCosines
-        return hn::IfThenElse(there, logOneMinus<A>(hn::IfThenElseZero(there, q)), all(Incidence::kNoHighlight));
-    }
     std::size_t m_lights, m_first = 0;
     std::shared_ptr<Incidence> m_kept = std::make_shared<Incidence>();
 };

@@ -52,14 +52,6 @@ HWY_INLINE Floats halfSquare(Floats3 a, Floats3 b) {
     return hn::Mul(all(0.5F), A::dot(difference, difference));
 }
 
-// (a·b)^exponent where `counts` says so and a·b > 0, else 0: powerOfCosine's form. q: halfSquare(a, b).
-template <class A>
-HWY_INLINE Floats powerOfCosines(Floats q, Floats exponent, Mask counts) {
-    const Mask valid = hn::And(counts, hn::Lt(q, all(1)));
-    const Floats small = hn::IfThenElseZero(valid, q);
-    return hn::IfThenElseZero(valid, expOfNegative<A>(hn::Mul(exponent, logOneMinus<A>(small))));
-}
-
 }  // namespace pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

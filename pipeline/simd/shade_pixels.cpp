@@ -40,7 +40,8 @@ HWY_INLINE Floats3 where(Mask mask, Floats3 v) {
 struct ShadedRow {
     SurfaceRow surface;
     Row3 N, V;               // unit
-    Row nDotL, q, power;     // of a light; q: 1 - R·V or 1 - N·H
+    Row nDotL, q, log;       // of a light; q: 1 - R·V or 1 - N·H; log: of what q leaves of 1
+    Row power;               // likewise
     Row3 diffuse, specular;  // of a light whose shadow is looked for
     Row S;
     Row3 intensity;  // the sum
@@ -159,8 +160,8 @@ private:
                              scaled(all(reflected.specular), power) + all(Vec3<float>(0))};
             });
             if (m_keeper)
-                m_keeper->template addLight<A>(group, k, m_row.nDotL, shines ? &m_row.q : nullptr,
-                                               m_shadows[k].casts() ? &m_row.S : nullptr);
+                m_keeper->addLight(group, k, m_row.nDotL, shines ? &m_row.log : nullptr,
+                                   m_shadows[k].casts() ? &m_row.S : nullptr);
         }
     }
 
@@ -226,16 +227,25 @@ private:
         store(hn::IfThenElse(there, q, all(kNoHighlight)), m_row.q, i);
     }
 
-    // The powers of a highlight.
+    // The powers of a highlight, and the logarithms that they come from, Incidence::kNoHighlight where there is none. Only
+    // where a vector has one that is asked for.
     void raise(const Group& group, float exponent) {
-        const Floats power = all(exponent), most = all(kVanishing<float>);
+        const Floats power = all(exponent), most = all(kVanishing<float>), none = all(Incidence::kNoHighlight);
         long long powers = 0, vanished = 0;
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Floats q = load(m_row.q, i);
-            const Mask there = hn::Lt(q, all(kNoHighlight));
-            store(powerOfCosines<A>(q, power, there), m_row.power, i);
-            powers += countOf(there), vanished += countOf(hn::And(there, hn::Gt(hn::Mul(power, q), most)));
+            const Mask there = hn::Lt(q, all(kNoHighlight)), vanishes = hn::And(there, hn::Gt(hn::Mul(power, q), most));
+            powers += countOf(there), vanished += countOf(vanishes);
+            // Another exponent may not make them vanish.
+            const Mask counts = hn::And(m_keeper ? there : hn::AndNot(vanishes, there), hn::Lt(q, all(1)));
+            if (hn::AllFalse(F(), counts)) {
+                store(all(0), m_row.power, i), store(none, m_row.log, i);
+                continue;
+            }
+            const Floats log = logOneMinus<A>(hn::IfThenElseZero(counts, q));
+            store(hn::IfThenElseZero(counts, expOfNegative<A>(hn::Mul(power, log))), m_row.power, i);
+            store(hn::IfThenElse(counts, log, none), m_row.log, i);
         }
         if (m_inputs.illumination.detail.vanishing) vanished = 0;
         m_counts.vanished += vanished, m_counts.powers += powers - vanished;
