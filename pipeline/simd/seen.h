@@ -40,6 +40,59 @@ struct SeenIn {
     const float* z;  // of the tile's blocks: z_view of what is seen
 };
 
+// Whether what is seen in a vector are small triangles alone.
+HWY_INLINE bool areSmall(const std::uint32_t* records, Mask seen) {
+    const auto other = hn::And(hn::Load(U(), records), hn::Set(U(), TrianglePiece::kOther));
+    return hn::AllFalse(F(), hn::And(seen, hn::RebindMask(F(), hn::Ne(other, hn::Zero(U())))));
+}
+
+// The small triangles that the pixels of a vector see, each its own, and their weights there, with the bits of
+// SeenTriangle's. Where nothing is seen, any triangle of them.
+struct SeenInPixels {
+    HWY_ALIGN std::uint32_t id[16];  // index into Topology::triangles
+    Shares weights;
+
+    // seen: at least one.
+    HWY_INLINE SeenInPixels(const SeenIn& in, const VectorPlace& place, const std::uint32_t* records, Mask seen) {
+        HWY_ALIGN std::uint32_t wanted[16];
+        const auto some = hn::Set(U(), records[hn::FindKnownFirstTrue(F(), seen)]);
+        hn::Store(hn::IfThenElse(hn::RebindMask(U(), seen), hn::Load(U(), records), some), U(), wanted);
+        const std::int32_t* of[16];
+        for (std::size_t l = 0; l < hn::Lanes(F()); ++l)
+            of[l] = &in.pieces.pieceOf(wanted[l]).small[wanted[l] & TrianglePieces::kIndex].a1;
+        const I whole;
+        static_assert(offsetof(SmallTriangle, b2) == 16 && offsetof(SmallTriangle, biasedArea) == 32);
+        static_assert(offsetof(SmallTriangle, inverseArea2) == 48 && offsetof(SmallTriangle, x) == 56);
+        const auto quarter = [&](int number) HWY_ATTR {
+            return loadFours(whole, [&](std::size_t l) { return of[l] + std::ptrdiff_t(4) * number; });
+        };
+        const Fours<I> one = quarter(0), two = quarter(1), three = quarter(2), four = quarter(3);
+        hn::Store(hn::BitCast(U(), four.of[1]), U(), id);
+        const Ints left = hn::ShiftRight<16>(hn::ShiftLeft<16>(four.of[2])), top = hn::ShiftRight<16>(four.of[2]);
+        const Ints x = hn::Sub(hn::Add(place.column, hn::Set(whole, in.tile.min.x)), left);
+        const Ints y = hn::Sub(hn::Add(place.row, hn::Set(whole, in.tile.min.y)), top);
+        const auto edge = [&](Ints a, Ints b, Ints c)
+                              HWY_ATTR { return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), c); };
+        const auto order = hn::And(hn::ShiftRight<16>(four.of[3]), hn::Set(whole, 255));
+        const Ints bias0 = hn::BitCast(whole, hn::ShiftRight<24>(hn::BitCast(U(), four.of[3])));
+        const Ints e1 = edge(one.of[0], one.of[1], one.of[2]), e2 = edge(one.of[3], two.of[0], two.of[1]);
+        const Ints e0 = hn::Sub(hn::Sub(hn::Add(three.of[0], bias0), e1), e2);
+        const auto inFloat = [](Ints bits) HWY_ATTR { return hn::BitCast(F(), bits); };
+        const Floats inverse = inFloat(four.of[0]), z = hn::Load(F(), in.z + place.at);
+        const auto is = [&](int one_, int another) HWY_ATTR {
+            return hn::Or(hn::Eq(order, hn::Set(whole, one_)), hn::Eq(order, hn::Set(whole, another)));
+        };
+        // By the orders in which SmallTriangle::corner draws the corner first and second.
+        const auto share = [&](auto isFirst, auto isSecond) HWY_ATTR {
+            const Ints e = hn::IfThenElse(isFirst, e0, hn::IfThenElse(isSecond, e1, e2));
+            const Ints w = hn::IfThenElse(isFirst, three.of[1], hn::IfThenElse(isSecond, three.of[2], three.of[3]));
+            const Floats linear = hn::Mul(hn::ConvertTo(F(), e), inverse);
+            return in.view.perspective ? hn::Mul(hn::Mul(linear, inFloat(w)), z) : linear;
+        };
+        weights = {share(is(1, 5), is(0, 4)), share(is(2, 4), is(1, 3))};
+    }
+};
+
 // A triangle that is seen in a tile, for any vector of it. Its corners are its own, or, where clipping has cut it, those
 // of a piece.
 class SeenTriangle {

@@ -113,7 +113,7 @@ public:
             m_seenIn.emplace(SeenIn{in.transform.view, seen->pieces, tile, seen->z.tile(m_index)->of});
             long long triangles = 0;
             for (const TrianglePiece& piece : seen->pieces.pieces) triangles += std::ssize(piece.small);
-            m_fetches = in.zBuffer.seenPixels < 4 * triangles;
+            m_isFine = in.zBuffer.seenPixels < 4 * triangles;
         }
         m_names.fill(kNoTriangle);
         if (inputs.illumination.model == Model::OpenGl) return;
@@ -164,15 +164,21 @@ private:
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const VectorPlace place(begin + i);
             if (!m_records) m_drawn.read(m_in.zBuffer, m_tile, place.at);
-            if (m_fetches) fetchAhead(place.at);
+            if (m_isFine) fetchAhead(place.at);
             const std::uint32_t* const names = m_records ? m_records + place.at : m_drawn.triangle;
+            Mask left = seenIn(names);
+            out.seen[i / hn::Lanes(F())] = bitsOf(left);
+            if constexpr (kPerPixel) {
+                if (m_isFine && !hn::AllFalse(F(), left) && areSmall(names, left)) {
+                    findByPixel<kPositions, kFacing>(place, left, i, out);
+                    continue;
+                }
+            }
             Ints triangle = hn::Zero(I()), polygon = triangle, object = triangle;
             Floats3 normal = all(Vec3<float>(0)), position = normal, weights = normal, facing = normal;
             const auto choose1 = [](Mask mask, std::int32_t yes, Ints no) HWY_ATTR {
                 return hn::IfThenElse(hn::RebindMask(I(), mask), hn::Set(I(), yes), no);
             };
-            Mask left = seenIn(names);
-            out.seen[i / hn::Lanes(F())] = bitsOf(left);
             while (!hn::AllFalse(F(), left)) {
                 const std::uint32_t name = names[hn::FindKnownFirstTrue(F(), left)];
                 const Mask mine = seesIn(names, name);
@@ -213,6 +219,30 @@ private:
             if constexpr (kFacing) store(facing, out.facing, i);
             if constexpr (kPositions) store(position, out.position, i);
         }
+    }
+    // In the pixels of vector i of a row, each of which sees a triangle of its own: to go through triangles would compute
+    // whole vectors for the sake of one pixel.
+    template <bool kPositions, bool kFacing>
+    HWY_NOINLINE void findByPixel(const VectorPlace& place, Mask seen, std::size_t i, SurfaceRow& out) const {
+        const SeenInPixels in(*m_seenIn, place, m_records + place.at, seen);
+        const Topology& topology = *m_in.transform.topology;
+        HWY_ALIGN std::uint32_t vertices[3][16], polygon[16];
+        const auto triangles = loadFours(U(), [&](std::size_t l) { return topology.triangles[in.id[l]].vertices; });
+        for (int corner = 0; corner < 3; ++corner) hn::Store(triangles.of[corner], U(), vertices[corner]);
+        hn::Store(triangles.of[3], U(), polygon);
+        const auto interpolate = [&](const std::vector<Vec3<float>>& values) HWY_ATTR {
+            const auto at = [&](int corner) HWY_ATTR {
+                return loadThrees(values, [&](std::size_t l) { return vertices[corner][l]; });
+            };
+            const Floats3 origin = at(0), second = at(1) - origin, third = at(2) - origin;
+            return scaledPlus<A>(third, in.weights.two, scaledPlus<A>(second, in.weights.one, origin));
+        };
+        store(interpolate(m_in.normals.vertex), out.normal, i);
+        if constexpr (kPositions) store(interpolate(m_in.transform.world), out.position, i);
+        if constexpr (kFacing)
+            store(loadThrees(m_in.normals.polygon, [&](std::size_t l) { return polygon[l]; }), out.facing, i);
+        for (std::size_t l = 0; m_tellsObjects && l < hn::Lanes(F()); ++l)
+            out.object[i + l] = std::int32_t(topology.objectOfPolygon(polygon[l]));
     }
     // Of a fine mesh each pixel has another triangle, and nothing of it is in the caches next to the processor: what later
     // vectors ask for is on its way while this one is looked at.
@@ -325,7 +355,7 @@ private:
     const ShadingInputs& m_inputs;
     const ShadingSources<float>& m_in;
     Tile m_tile;
-    bool m_fetches = false;  // for triangles of few pixels
+    bool m_isFine = false;  // for triangles of few pixels
     bool m_perPixel, m_positioned, m_tellsObjects, m_facing = false, m_isDrawn = true;
     std::size_t m_index = 0;                   // of the tile
     const std::uint32_t* m_records = nullptr;  // of the tile; null where the stage's own text drew

@@ -91,8 +91,9 @@ HWY_INLINE void snapVertices(const View& view, const Axes& axes, const Vec3<floa
     const auto spread = view.perspective ? pz : one;
     const auto x = hn::Mul(hn::Set(d, view.scale.x), px), y = hn::Mul(hn::Set(d, view.scale.y), py);
     const auto places = hn::Set(d, double(1 << view.subPixelBits));
-    const auto sx = hn::Add(hn::Set(d, view.centre.x), hn::Div(x, spread));
-    const auto sy = hn::Sub(hn::Set(d, view.centre.y), hn::Div(y, spread));
+    const auto divided = [&](auto v) HWY_ATTR { return view.perspective ? hn::Div(v, pz) : v; };
+    const auto sx = hn::Add(hn::Set(d, view.centre.x), divided(x));
+    const auto sy = hn::Sub(hn::Set(d, view.centre.y), divided(y));
     const auto snapped = [&](auto v)
                              HWY_ATTR { return hn::DemoteTo(whole, hn::Floor(hn::Add(hn::Mul(v, places), half))); };
     const Floats w = hn::DemoteTo(f, view.perspective ? hn::Div(one, pz) : pz);
