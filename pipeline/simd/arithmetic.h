@@ -36,9 +36,14 @@ struct Exact {
     HWY_INLINE static Floats3 unit(Floats3 a, Mask mask) {
         const Floats square = dot(a, a);
         const Floats length = hn::Sqrt(square);
-        Floats3 out{hn::Div(a.x, length), hn::Div(a.y, length), hn::Div(a.z, length)};
+        const Floats3 out{hn::Div(a.x, length), hn::Div(a.y, length), hn::Div(a.z, length)};
         const Mask rest = hn::AndNot(needsNoScaling(F(), square), mask);
-        if (HWY_LIKELY(hn::AllFalse(F(), rest))) return out;
+        return HWY_LIKELY(hn::AllFalse(F(), rest)) ? out : scaledUnit(a, out, rest);
+    }
+
+private:
+    // `out`, but where its numbers have to be scaled first.
+    HWY_NOINLINE static Floats3 scaledUnit(Floats3 a, Floats3 out, Mask rest) {
         HWY_ALIGN float x[16], y[16], z[16];
         hn::Store(hn::IfThenElse(rest, a.x, out.x), F(), x);
         hn::Store(hn::IfThenElse(rest, a.y, out.y), F(), y);

@@ -39,7 +39,6 @@ HWY_INLINE Floats3 where(Mask mask, Floats3 v) {
 // A row of blocks on its way to the picture: what one of the loops over it leaves for the next.
 struct ShadedRow {
     SurfaceRow surface;
-    Row3 N, V;               // unit
     Row nDotL, q, log;       // of a light; q: 1 - R·V or 1 - N·H; log: of what q leaves of 1
     Row power;               // likewise
     Row3 diffuse, specular;  // of a light whose shadow is looked for
@@ -140,7 +139,7 @@ private:
     template <bool kKeeps>
     void shadePhong(const Group& group) {
         const Look& look = m_looks[group.object];
-        orient<kKeeps>(group, look);
+        begin<kKeeps>(group, look);
         if (m_keeper) m_keeper->add(group, look.highlight);
         for (std::size_t k = 0; k < m_lights.size(); ++k) {
             if (!m_inputs.parts.lights[k]) continue;
@@ -165,24 +164,18 @@ private:
         }
     }
 
-    // Leaves N, V and what is there without any light.
+    // Leaves what is there without any light.
     template <bool kKeeps>
-    void orient(const Group& group, const Look& look) {
-        const View& view = m_in.transform.view;
-        const Floats3 eye = all(Vec3<float>(view.eye)), back = all(-Vec3<float>(view.forward));
-        const Floats3 none = all(Vec3<float>(0)), base = all(sumOf(look.base));
+    void begin(const Group& group, const Look& look) {
+        const Floats3 base = all(sumOf(look.base));
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);
-            const Floats3 N = A::unit(load(m_row.surface.normal, i), mask);
-            Floats3 V = none;
-            if (m_inputs.parts.viewVector)
-                V = view.perspective ? A::unit(eye - load(m_row.surface.position, i), mask) : back;
-            store(N, m_row.N, i), store(V, m_row.V, i);
             store(choose(mask, base, load(m_row.intensity, i)), m_row.intensity, i);
             if constexpr (kKeeps) {
                 keep(BufferId::Position, load(m_row.surface.position, i), mask, i);
-                keep(BufferId::Normal, N, mask, i), keep(BufferId::ViewVector, V, mask, i);
+                keep(BufferId::Normal, load(m_row.surface.N, i), mask, i);
+                keep(BufferId::ViewVector, load(m_row.surface.V, i), mask, i);
                 keep(BufferId::Emission, all(look.base.emission), mask, i);
                 keep(BufferId::Ambient, all(look.base.ambient), mask, i);
             }
@@ -198,7 +191,7 @@ private:
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);
-            const Floats3 N = load(m_row.N, i), V = load(m_row.V, i);
+            const Floats3 N = load(m_row.surface.N, i), V = load(m_row.surface.V, i);
             const Floats3 L = atInfinity ? source : A::unit(source - load(m_row.surface.position, i), mask);
             const Floats nDotL = A::dot(N, L);
             const Mask lit = hn::And(mask, hn::Gt(nDotL, all(0)));

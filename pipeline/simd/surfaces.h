@@ -60,8 +60,8 @@ struct SurfaceRow {
     alignas(64) std::int32_t triangle[kRowPixels];  // of Gouraud shading
     alignas(64) std::int32_t polygon[kRowPixels];   // of flat shading
     alignas(64) std::int32_t object[kRowPixels];    // of Phong shading, where objects are told apart
-    Row3 normal;                                    // of Phong shading, not unit
-    Row3 position;                                  // where it is interpolated
+    Row3 N, V;                                      // unit, of Phong shading; V where it is asked for
+    Row3 position;                                  // likewise
     Row3 weights;                                   // of Gouraud shading
     Row3 facing;                                    // the polygon's normal, where shadows are cast
 };
@@ -105,7 +105,10 @@ public:
           m_tile(tile),
           m_perPixel(inputs.shading == Shading::Phong),
           m_positioned(inputs.parts.position),
-          m_tellsObjects(tellsObjects) {
+          m_tellsObjects(tellsObjects),
+          m_isViewed(m_perPixel && inputs.parts.viewVector),
+          m_eye(in.transform.view.eye),
+          m_back(-Vec3<float>(in.transform.view.forward)) {
         if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
             m_index = tileAt(in.transform.view.size, tile);
             m_isDrawn = in.zBuffer.tileIsDrawn[m_index] != 0;
@@ -137,6 +140,8 @@ public:
         else
             m_facing ? findRow<false, false, true>(begin, out) : findRow<false, false, false>(begin, out);
         if (m_positioned && fromDepth()) findPositions(row, out);
+        if (m_isViewed && !m_in.transform.view.perspective)
+            for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) store(all(m_back), out.V, i);
         const bool isAffine = m_inputs.shading == Shading::Gouraud && m_inputs.interpolation == Interpolation::Affine;
         if (isAffine && m_in.transform.view.perspective) makeAffine(begin, out);
     }
@@ -210,15 +215,21 @@ private:
                     position = choose(mine, seen.positions.template at<A>(b.one, b.two), position);
             }
             if constexpr (kPerPixel) {
-                store(normal, out.normal, i);
+                store(A::unit(normal, maskOf(out.seen[i / hn::Lanes(F())])), out.N, i);
                 if (m_tellsObjects) hn::Store(object, I(), out.object + i);
             } else {
                 hn::Store(triangle, I(), out.triangle + i), hn::Store(polygon, I(), out.polygon + i);
                 store(weights, out.weights, i);
             }
             if constexpr (kFacing) store(facing, out.facing, i);
-            if constexpr (kPositions) store(position, out.position, i);
+            if constexpr (kPositions) placeAt(position, maskOf(out.seen[i / hn::Lanes(F())]), i, out);
         }
+    }
+    // Where the pixels of a vector stand, and towardsEye there. Units are divided here, and not once all rows are found,
+    // for the processor divides while it looks for what is seen.
+    HWY_INLINE void placeAt(Floats3 position, Mask seen, std::size_t i, SurfaceRow& out) const {
+        store(position, out.position, i);
+        if (m_isViewed && m_in.transform.view.perspective) store(A::unit(all(m_eye) - position, seen), out.V, i);
     }
     // In the pixels of vector i of a row, each of which sees a triangle of its own: to go through triangles would compute
     // whole vectors for the sake of one pixel.
@@ -237,8 +248,8 @@ private:
             const Floats3 origin = at(0), second = at(1) - origin, third = at(2) - origin;
             return scaledPlus<A>(third, in.weights.two, scaledPlus<A>(second, in.weights.one, origin));
         };
-        store(interpolate(m_in.normals.vertex), out.normal, i);
-        if constexpr (kPositions) store(interpolate(m_in.transform.world), out.position, i);
+        store(A::unit(interpolate(m_in.normals.vertex), seen), out.N, i);
+        if constexpr (kPositions) placeAt(interpolate(m_in.transform.world), seen, i, out);
         if constexpr (kFacing)
             store(loadThrees(m_in.normals.polygon, [&](std::size_t l) { return polygon[l]; }), out.facing, i);
         for (std::size_t l = 0; m_tellsObjects && l < hn::Lanes(F()); ++l)
@@ -348,7 +359,7 @@ private:
             const Floats depth = hn::Load(F(), z + i);
             const Floats3 position = view.perspective ? scaledPlus<A>(beside + all(forward), depth, all(eye))
                                                       : beside + scaledPlus<A>(all(forward), depth, all(eye));
-            store(position, out.position, i);
+            placeAt(position, maskOf(out.seen[i / hn::Lanes(F())]), i, out);
         }
     }
 
@@ -356,7 +367,8 @@ private:
     const ShadingSources<float>& m_in;
     Tile m_tile;
     bool m_isFine = false;  // for triangles of few pixels
-    bool m_perPixel, m_positioned, m_tellsObjects, m_facing = false, m_isDrawn = true;
+    bool m_perPixel, m_positioned, m_tellsObjects, m_isViewed, m_facing = false, m_isDrawn = true;
+    Vec3<float> m_eye, m_back;                 // V of an orthographic view
     std::size_t m_index = 0;                   // of the tile
     const std::uint32_t* m_records = nullptr;  // of the tile; null where the stage's own text drew
     std::optional<SeenIn> m_seenIn;            // likewise
