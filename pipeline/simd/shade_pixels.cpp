@@ -252,7 +252,7 @@ private:
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);
-            const Terms of = isDimmed ? Terms{load(m_row.diffuse, i), load(m_row.specular, i)} : terms(n);
+            const Terms of = isDimmed ? dimmed(i) : terms(n);
             if constexpr (kKeeps) {
                 keep(BufferId::Shadow, isDimmed ? load(m_row.S, i) : all(1), mask, i, k);
                 keep(BufferId::Diffuse, of.diffuse, mask, i, k), keep(BufferId::Specular, of.specular, mask, i, k);
@@ -261,7 +261,12 @@ private:
             store(choose(mask, before + of.diffuse + of.specular, before), m_row.intensity, i);
         }
     }
-    // Leaves S of light k and its terms in its shadow.
+    // S is 1, or any number, where the terms are 0.
+    HWY_INLINE Terms dimmed(std::size_t i) const {
+        const Floats S = load(m_row.S, i);
+        return {scaled(load(m_row.diffuse, i), S), scaled(load(m_row.specular, i), S)};
+    }
+    // Leaves the terms of light k, and its S where they are not 0.
     template <bool kKeeps, class TermsOf>
     void dim(const Group& group, std::size_t k, TermsOf terms) {
         const ShadowLight& light = m_shadows[k];
@@ -282,12 +287,6 @@ private:
         if (!light.casts()) return;
         light.template factors<A>(m_row.surface, wanted, m_row.S);
         if (m_keeper) markUnknown(group, wanted);
-        for (std::size_t n = 0; n < wanted.count; ++n) {
-            const std::size_t i = wanted.at[n];
-            const Floats S = load(m_row.S, i);
-            store(scaled(load(m_row.diffuse, i), S), m_row.diffuse, i);
-            store(scaled(load(m_row.specular, i), S), m_row.specular, i);
-        }
     }
 
     // S of the pixels of a group in which it is not wanted.

@@ -177,10 +177,11 @@ public:
             else
                 for (std::size_t n = 0; n < faced.count; ++n) addLit(all(float(texels)), faced.mask(n), faced.at[n], S);
         }
-        const Floats most = all(float(int(m_places.size()) * texels));
+        const int most = int(m_places.size()) * texels;
         for (std::size_t n = 0; n < wanted.count; ++n) {
             const std::size_t i = wanted.at[n];
-            store(hn::IfThenElse(wanted.mask(n), hn::Div(load(S, i), most), all(1)), S, i);
+            const Floats lit = load(S, i), share = most == 1 ? lit : hn::Div(lit, all(float(most)));
+            store(hn::IfThenElse(wanted.mask(n), share, all(1)), S, i);
         }
     }
 
@@ -199,7 +200,11 @@ public:
         for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1)
             hwy::Prefetch(&face.depth->blocks[0].of[std::size_t(texels[std::countr_zero(bits)])]);
     }
-    bool isFetched() const { return m_atInfinity && m_casts && looksUp(); }
+    // To ask ahead takes time too, more than to wait for the last of the caches.
+    bool isFetched() const {
+        constexpr std::size_t kLarge = std::size_t(8) << 20;  // bytes, more than that holds of it
+        return m_atInfinity && m_casts && looksUp() && m_faces[0].depth->blocks.size() * sizeof(Block<float>) > kLarge;
+    }
 
 private:
     // Where polygons with these normals face a place: n·L > 0, L normalised as the stage's own text does it.
