@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <numeric>
 
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
@@ -33,14 +34,13 @@ class Binner {
 public:
     // triangles: about how many will come.
     Binner(const TrianglePieces& all, TrianglePiece& out, std::size_t triangles) : m_all(all), m_out(out) {
-        m_out.small.reserve(triangles), m_found.reserve(triangles);
+        m_out.small.reserve(triangles);
     }
 
     void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
         const glm::uvec2 first = glm::uvec2(low) / kSide, last = glm::uvec2(high - 1) / kSide;
         for (std::uint32_t y = first.y; y <= last.y; ++y)
-            for (std::uint32_t x = first.x; x <= last.x; ++x)
-                m_found.push_back({y * std::uint32_t(m_all.tiles.x) + x, index});
+            for (std::uint32_t x = first.x; x <= last.x; ++x) addTo(y * std::uint32_t(m_all.tiles.x) + x, index);
     }
     void addOther(const RasterTriangle<float>& triangle) {
         const Tile box = triangle.snapped.pixels();
@@ -51,21 +51,32 @@ public:
     }
     void finish() {
         m_out.firstOfTile.assign(m_all.tileCount() + 1, 0);
-        for (const Found& found : m_found) ++m_out.firstOfTile[found.tile + 1];
+        for (const Run& run : m_runs) m_out.firstOfTile[run.tile + 1] += run.count;
         for (std::size_t i = 1; i < m_out.firstOfTile.size(); ++i) m_out.firstOfTile[i] += m_out.firstOfTile[i - 1];
-        m_out.lists.resize(m_found.size());
+        m_out.lists.resize(m_out.firstOfTile.back());
         std::vector<std::uint32_t> next(m_out.firstOfTile.begin(), m_out.firstOfTile.end() - 1);
-        for (const Found& found : m_found) m_out.lists[next[found.tile]++] = found.index;
+        for (const Run& run : m_runs) {
+            const auto to = m_out.lists.begin() + next[run.tile];
+            std::iota(to, to + run.count, run.first);
+            next[run.tile] += run.count;
+        }
     }
 
 private:
     static constexpr std::uint32_t kSide = kTileSize;
     const TrianglePieces& m_all;
     TrianglePiece& m_out;
-    struct Found {
-        std::uint32_t tile, index;
+    // Triangles side by side in a list, all in one tile: a mesh's neighbours mostly are.
+    struct Run {
+        std::uint32_t tile, first, count;
     };
-    std::vector<Found> m_found;
+    void addTo(std::uint32_t tile, std::uint32_t index) {
+        if (!m_runs.empty() && m_runs.back().tile == tile && m_runs.back().first + m_runs.back().count == index)
+            ++m_runs.back().count;
+        else
+            m_runs.push_back({tile, index, 1});
+    }
+    std::vector<Run> m_runs;
 };
 
 // One that is not small, or has to be clipped.
