@@ -1,5 +1,7 @@
 #include "pipeline/simd/normals.h"
 
+#include <algorithm>
+
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pipeline/simd/normals.cpp"
@@ -23,11 +25,13 @@ HWY_INLINE void storeUnit(Floats3 v, float* to) {
 void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                      NormalsOutput<float>& out) {
     const std::span<const Triangle> triangles = in.topology->triangles;
+    const bool mirrors = std::ranges::any_of(in.mirrored, [](std::uint8_t one) { return one != 0; });
     const std::size_t lanes = hn::Lanes(F());
     std::size_t base = begin;
     for (; base + lanes <= end; base += lanes) {
+        const Triangle* const here = &triangles[base];
         const auto corner = [&](int i) HWY_ATTR {
-            return loadThrees(in.world, [&](std::size_t l) { return triangles[base + l].vertices[i]; });
+            return loadThrees(in.world, [&](std::size_t l) { return here[l].vertices[i]; });
         };
         const Floats3 origin = corner(0), a = corner(1) - origin, b = corner(2) - origin;
         const auto minor = [](Floats p, Floats q, Floats r, Floats s)
@@ -35,14 +39,12 @@ void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& 
         // Added to zero, as the sum over a polygon's triangles is: a negative zero becomes a positive one.
         const Floats3 zero = all(Vec3<float>(0));
         Floats3 sum = zero + Floats3{minor(a.y, b.z, b.y, a.z), minor(a.z, b.x, b.z, a.x), minor(a.x, b.y, b.x, a.y)};
-        HWY_ALIGN float turned[16];
-        bool mirrors = false;
-        for (std::size_t l = 0; l < lanes; ++l) {
-            const bool mirrored = in.mirrored[in.topology->objectOfPolygon(base + l)] != 0;
-            turned[l] = mirrored ? -1.0F : 1.0F;
-            mirrors = mirrors || mirrored;
+        if (mirrors) {
+            HWY_ALIGN float turned[16];
+            for (std::size_t l = 0; l < lanes; ++l)
+                turned[l] = in.mirrored[in.topology->objectOfPolygon(base + l)] != 0 ? -1.0F : 1.0F;
+            sum = scaled(sum, hn::Load(F(), turned));
         }
-        if (mirrors) sum = scaled(sum, hn::Load(F(), turned));
         if (!out.weighted.empty()) hn::StoreInterleaved3(sum.x, sum.y, sum.z, F(), &out.weighted[base].x);
         storeUnit(sum, &out.polygon[base].x);
     }
