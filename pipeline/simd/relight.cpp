@@ -67,8 +67,10 @@ private:
                 if (shines) {
                     const Floats log = hn::Load(F(), lights[k].log + first);
                     const Mask there = hn::And(mask, hn::Le(log, all(0)));
-                    const Floats power = hn::IfThenElseZero(there, expOfNegative<A>(hn::Mul(exponent, log)));
-                    specular = scaled(all(reflected.specular), power) + none;
+                    if (!look.isFinite || !hn::AllFalse(F(), there)) {
+                        const Floats power = hn::IfThenElseZero(there, expOfNegative<A>(hn::Mul(exponent, log)));
+                        specular = scaled(all(reflected.specular), power) + none;
+                    }
                     m_powers += static_cast<long long>(hn::CountTrue(F(), there));
                 }
                 const Mask unknown = hn::And(lit, hn::Gt(S, all(1)));
