@@ -374,7 +374,7 @@ private:
     std::optional<SeenIn> m_seenIn;            // likewise
     Drawn m_drawn;                             // where it did
     // Triangles as they were seen last. Neighbours mostly see the same few.
-    static constexpr std::size_t kSlots = 64;
+    static constexpr std::size_t kSlots = 128;
     std::array<std::uint32_t, kSlots> m_names;
     std::unique_ptr<SeenSurface[]> m_surfaces = std::make_unique_for_overwrite<SeenSurface[]>(kSlots);
 };
