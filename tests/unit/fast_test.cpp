@@ -83,6 +83,14 @@ TEST(Fast, HasOrthographicViews) {
     expectAlike(scene);
 }
 
+// Of triangles smaller than a pixel, each pixel is looked at for itself.
+TEST(Fast, HasFineMeshes) {
+    Scene scene = spheres();
+    scene.settings.width = 111, scene.settings.height = 80;
+    for (Object& object : scene.objects) object.mesh = test::sphere(150, 60, 90);
+    expectAlike(scene);
+}
+
 // Highlights of a great exponent lie in a few pixels, where 1 - a·b has to keep its digits.
 TEST(Fast, KeepsNarrowHighlights) {
     Scene scene = spheres();

@@ -9,6 +9,7 @@
 
 #include "pipeline/run/frame_data.h"
 #include "pipeline/scene/shape.h"
+#include "pipeline/simd/seen_blocks.h"
 #include "pipeline/simd/shade_pixels.h"
 #include "tests/support/scenes.h"
 
@@ -251,6 +252,40 @@ TEST(Vectors, ShadeToTheSameBits) {
         }
 }
 
+// Where nearly every pixel sees another triangle, they are looked at pixel by pixel: of spheres of triangles smaller than a
+// pixel, drawn in each of their six orders. A plane through all of it, cut by the near plane, is seen in some of the same
+// vectors.
+Scene fineMeshes() {
+    Scene scene = spheres();
+    scene.settings.width = 97, scene.settings.height = 71, scene.settings.cull = CullMode::None;
+    for (Object& object : scene.objects) object.mesh = test::sphere(150, 60, 90);
+    Object plane = scene.objects[0];
+    plane.mesh = makeShape({ShapeKind::Plane, 1}), plane.transform.scale = Vec3d(9000);
+    plane.transform.rotation = {80, 0, 20};
+    scene.objects.push_back(plane);
+    return scene;
+}
+
+TEST(Vectors, ShadeTrianglesSmallerThanPixelsToTheSameBits) {
+    for (const ProjectionKind projection : {ProjectionKind::Perspective, ProjectionKind::Orthographic})
+        for (const LightKind kind : {LightKind::AtInfinity, LightKind::Point}) {
+            Scene scene = fineMeshes();
+            scene.camera.projection = projection, scene.lights[0].kind = kind;
+            const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color}));
+            const ZBufferOutput<float>& drawn = *dataOf<float>(*frame)->zBuffer;
+            long long small = 0, others = 0;
+            for (const TrianglePiece& piece : drawn.seen->pieces.pieces)
+                small += std::ssize(piece.small), others += std::ssize(piece.others);
+            EXPECT_LT(drawn.seenPixels, small);
+            EXPECT_GT(others, 0);
+            expectTheSameBits(scene);
+            EXPECT_TRUE(expectTheSameShading(scene, test::everyBuffer()));
+            EXPECT_TRUE(expectTheSameShading(scene, setOf({BufferId::Color})));
+            scene.objects.resize(1);
+            EXPECT_TRUE(expectTheSameShading(scene, setOf({BufferId::Color})));
+        }
+}
+
 // Lights beside, between and around the objects: points fall on every face of their cubes, and in one vector on several;
 // a polygon faces all places of an area light, some of them or none.
 TEST(Vectors, LookUpLightsAmidTheObjectsToTheSameBits) {
@@ -281,6 +316,7 @@ TEST(Vectors, InterpolateLinearlyInThePictureToTheSameBits) {
 // Whatever the processor has: the kernels of each instruction set, of a single number too.
 TEST(Vectors, HaveTheSameBitsInEveryWidth) {
     Scene phong = spheres(), gouraud = spheres(), area = spheres(), affine = spheres();
+    const Scene fine = fineMeshes();
     affine.settings.shading = Shading::Gouraud, affine.settings.interpolation = Interpolation::Affine;
     area.lights[0].kind = LightKind::Area, area.lights[0].area = {{-1, -1, -1}, 80, 80, 3};
     phong.objects[1].material.highlight = Highlight::Phong, phong.settings.model = Model::BlinnPhong;
@@ -296,6 +332,7 @@ TEST(Vectors, HaveTheSameBitsInEveryWidth) {
         EXPECT_TRUE(expectTheSameShading(gouraud, withoutVectors()));
         EXPECT_TRUE(expectTheSameShading(area, test::everyBuffer()));
         EXPECT_TRUE(expectTheSameShading(affine, withoutVectors()));
+        EXPECT_TRUE(expectTheSameShading(fine, setOf({BufferId::Color})));
     }
     hwy::SetSupportedTargetsForTest(0);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
