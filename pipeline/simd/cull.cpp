@@ -1,6 +1,5 @@
 #include "pipeline/simd/cull.h"
 
-#include <algorithm>
 #include <bit>
 
 #include "pipeline/simd/targets.h"
@@ -25,7 +24,7 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
     const auto verdict = [&](Verdict one) HWY_ATTR { return hn::Set(whole, std::int32_t(one)); };
     const Ints degenerate = verdict(Verdict::Degenerate), back = verdict(Verdict::BackFacing),
                kept = verdict(Verdict::Kept);
-    const bool mirrors = std::ranges::any_of(in.mirrored, [](std::uint8_t one) { return one != 0; });
+    const bool mirrors = in.anyMirrored();
     const Ints backIs = inputs.mode == CullMode::Back ? back : kept;
     const std::size_t lanes = hn::Lanes(whole);
     std::size_t base = begin;

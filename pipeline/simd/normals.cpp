@@ -1,7 +1,5 @@
 #include "pipeline/simd/normals.h"
 
-#include <algorithm>
-
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pipeline/simd/normals.cpp"
@@ -25,7 +23,7 @@ HWY_INLINE void storeUnit(Floats3 v, float* to) {
 void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                      NormalsOutput<float>& out) {
     const std::span<const Triangle> triangles = in.topology->triangles;
-    const bool mirrors = std::ranges::any_of(in.mirrored, [](std::uint8_t one) { return one != 0; });
+    const bool mirrors = in.anyMirrored();
     const std::size_t lanes = hn::Lanes(F());
     std::size_t base = begin;
     for (; base + lanes <= end; base += lanes) {

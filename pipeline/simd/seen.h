@@ -58,8 +58,7 @@ struct SeenInPixels {
         const auto some = hn::Set(U(), records[hn::FindKnownFirstTrue(F(), seen)]);
         hn::Store(hn::IfThenElse(hn::RebindMask(U(), seen), hn::Load(U(), records), some), U(), wanted);
         const std::int32_t* of[16];
-        for (std::size_t l = 0; l < hn::Lanes(F()); ++l)
-            of[l] = &in.pieces.pieceOf(wanted[l]).small[wanted[l] & TrianglePieces::kIndex].a1;
+        for (std::size_t l = 0; l < hn::Lanes(F()); ++l) of[l] = &in.pieces.smallOf(wanted[l]).a1;
         const I whole;
         static_assert(offsetof(SmallTriangle, b2) == 16 && offsetof(SmallTriangle, biasedArea) == 32);
         static_assert(offsetof(SmallTriangle, inverseArea2) == 48 && offsetof(SmallTriangle, x) == 56);
@@ -79,17 +78,24 @@ struct SeenInPixels {
         const Ints e0 = hn::Sub(hn::Sub(hn::Add(three.of[0], bias0), e1), e2);
         const auto inFloat = [](Ints bits) HWY_ATTR { return hn::BitCast(F(), bits); };
         const Floats inverse = inFloat(four.of[0]), z = hn::Load(F(), in.z + place.at);
-        const auto is = [&](int one_, int another) HWY_ATTR {
-            return hn::Or(hn::Eq(order, hn::Set(whole, one_)), hn::Eq(order, hn::Set(whole, another)));
-        };
-        // By the orders in which SmallTriangle::corner draws the corner first and second.
         const auto share = [&](auto isFirst, auto isSecond) HWY_ATTR {
             const Ints e = hn::IfThenElse(isFirst, e0, hn::IfThenElse(isSecond, e1, e2));
             const Ints w = hn::IfThenElse(isFirst, three.of[1], hn::IfThenElse(isSecond, three.of[2], three.of[3]));
             const Floats linear = hn::Mul(hn::ConvertTo(F(), e), inverse);
             return in.view.perspective ? hn::Mul(hn::Mul(linear, inFloat(w)), z) : linear;
         };
-        weights = {share(is(1, 5), is(0, 4)), share(is(2, 4), is(1, 3))};
+        weights = {share(isDrawnAs<1, 0>(order), isDrawnAs<1, 1>(order)),
+                   share(isDrawnAs<2, 0>(order), isDrawnAs<2, 1>(order))};
+    }
+
+private:
+    // In which of these orders a triangle's own corner is drawn as that corner.
+    template <int kOwn, int kDrawn>
+    HWY_INLINE static hn::Mask<I> isDrawnAs(Ints order) {
+        auto is = hn::Ne(order, order);
+        for (int i = 0; i < 6; ++i)
+            if (SmallTriangle::kCorners[i][kOwn] == kDrawn) is = hn::Or(is, hn::Eq(order, hn::Set(I(), i)));
+        return is;
     }
 };
 
@@ -98,10 +104,9 @@ struct SeenInPixels {
 class SeenTriangle {
 public:
     HWY_NOINLINE void become(const SeenIn& in, std::uint32_t record) {
-        const TrianglePiece& piece = in.pieces.pieceOf(record);
-        const std::uint32_t i = record & TrianglePieces::kIndex;
-        if (record & TrianglePiece::kOther) return becomeOther(in, piece.others[i]);
-        const SmallTriangle& t = piece.small[i];
+        if (record & TrianglePiece::kOther)
+            return becomeOther(in, in.pieces.pieceOf(record).others[record & TrianglePieces::kIndex]);
+        const SmallTriangle& t = in.pieces.smallOf(record);
         m_small = &t, m_id = t.id, m_isCut = false;
         using Wraps = std::uint32_t;
         const auto rest = [](std::int32_t all, std::int32_t one, std::int32_t two) {

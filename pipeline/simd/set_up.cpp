@@ -32,10 +32,7 @@ std::int32_t largestBox(int bits) {
 // Takes up triangles in order, and sorts them by tile in the end.
 class Binner {
 public:
-    // triangles: about how many will come.
-    Binner(const TrianglePieces& all, TrianglePiece& out, std::size_t triangles) : m_all(all), m_out(out) {
-        m_out.small.reserve(triangles);
-    }
+    Binner(const TrianglePieces& all, TrianglePiece& out) : m_all(all), m_out(out) {}
 
     void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
         const glm::uvec2 first = glm::uvec2(low) / kSide, last = glm::uvec2(high - 1) / kSide;
@@ -279,7 +276,8 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
                     TrianglePiece& out) {
     const std::span<const Triangle> triangles = in.topology.triangles;
     const std::size_t lanes = hn::Lanes(F());
-    Binner binner(all, out, (end - begin) / 2);  // of a closed object, half face away
+    Binner binner(all, out);
+    out.small.reserve((end - begin) / 2);  // of a closed object, half face away
     const bool alone = triangles.size() == in.topology.polygonCount();
     Fields fields{};
     Triangle rest[16]{};

@@ -24,14 +24,12 @@ struct alignas(64) SmallTriangle {
     std::int16_t x, y;               // the box's first pixel
     std::uint8_t width, height;      // of the box within the picture, pixels, at least 1
     std::uint8_t order;              // of its corners: 0 to 2 as the triangle's own, 3 to 5 turned round
-    std::uint8_t bias0;
+    std::uint8_t bias0;              // of edge 0, as bias1
 
     bool facesViewer() const { return order >= 3; }
-    // Which of its corners is the triangle's own corner i.
-    int corner(int i) const {
-        static constexpr std::uint8_t kOf[6][3]{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-        return kOf[order][i];
-    }
+    // By the order: which of its corners each of the triangle's own is.
+    static constexpr std::uint8_t kCorners[6][3]{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    int corner(int own) const { return kCorners[order][own]; }
 };
 static_assert(sizeof(SmallTriangle) == 64);
 
@@ -60,10 +58,10 @@ struct TrianglePieces {
         return index + (std::uint32_t(piece) << kPieceBit);
     }
     const TrianglePiece& pieceOf(std::uint32_t record) const { return pieces[record >> kPieceBit & (kMostPieces - 1)]; }
+    const SmallTriangle& smallOf(std::uint32_t record) const { return pieceOf(record).small[record & kIndex]; }
     // Index into Topology::triangles.
     std::uint32_t triangleOf(std::uint32_t record) const {
-        const TrianglePiece& piece = pieceOf(record);
-        return record & TrianglePiece::kOther ? piece.others[record & kIndex].id : piece.small[record & kIndex].id;
+        return record & TrianglePiece::kOther ? pieceOf(record).others[record & kIndex].id : smallOf(record).id;
     }
 
     glm::ivec2 size{0}, tiles{0};  // of the picture, pixels; columns and rows of tiles

@@ -52,12 +52,7 @@ class TileShader {
 public:
     // Polygons or vertices of `out` have been shaded.
     TileShader(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile, ShadingOutput<float>& out)
-        : m_inputs(inputs),
-          m_in(in),
-          m_tile(tile),
-          m_out(out),
-          m_surfaces(inputs, in, tile, tellsObjects(inputs)),
-          m_bytes(out.iMax) {
+        : m_inputs(inputs), m_in(in), m_tile(tile), m_out(out), m_surfaces(inputs, in, tile), m_bytes(out.iMax) {
         for (std::size_t id = 0; id < kBufferCount; ++id)
             m_keeps = m_keeps || (id != index(BufferId::Intensity) && has(BufferId(id)));
         for (const Material& material : inputs.materials) m_looks.emplace_back(inputs, material);
@@ -97,19 +92,16 @@ private:
         if (!buffers.empty()) putPixels(value, mask, m_first + i, m_tile.min, buffers[k]);
     }
 
-    static bool tellsObjects(const ShadingInputs& inputs) {
-        return inputs.materials.size() > 1 && inputs.shading == Shading::Phong;
-    }
     // What is seen in the row; object by object where that makes a difference.
     void findGroups() {
         m_groups.clear();
         m_seenBlocks = 0;
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            Mask left = maskOf(m_row.surface.seen[i / hn::Lanes(F())]);
+            Mask left = m_row.surface.seenAt(i);
             store(all(Vec3<float>(0)), m_row.intensity, i);
             if (hn::AllFalse(F(), left)) continue;
             m_seenBlocks |= 1U << i / kBlockPixels;
-            if (!tellsObjects(m_inputs)) {
+            if (!m_surfaces.tellsObjects()) {
                 groupOf(0).add(i, left);
                 continue;
             }
@@ -139,7 +131,7 @@ private:
     template <bool kKeeps>
     void shadePhong(const Group& group) {
         const Look& look = m_looks[group.object];
-        begin<kKeeps>(group, look);
+        leaveBase<kKeeps>(group, look);
         if (m_keeper) m_keeper->add(group, look.highlight);
         for (std::size_t k = 0; k < m_lights.size(); ++k) {
             if (!m_inputs.parts.lights[k]) continue;
@@ -166,7 +158,7 @@ private:
 
     // Leaves what is there without any light.
     template <bool kKeeps>
-    void begin(const Group& group, const Look& look) {
+    void leaveBase(const Group& group, const Look& look) {
         const Floats3 base = all(sumOf(look.base));
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
@@ -231,14 +223,14 @@ private:
             const Mask there = hn::Lt(q, all(kNoHighlight)), vanishes = hn::And(there, hn::Gt(hn::Mul(power, q), most));
             powers += countOf(there), vanished += countOf(vanishes);
             // Another exponent may not make them vanish.
-            const Mask counts = hn::And(m_keeper ? there : hn::AndNot(vanishes, there), hn::Lt(q, all(1)));
-            if (hn::AllFalse(F(), counts)) {
+            const Mask asked = hn::And(m_keeper ? there : hn::AndNot(vanishes, there), hn::Lt(q, all(1)));
+            if (hn::AllFalse(F(), asked)) {
                 store(all(0), m_row.power, i), store(none, m_row.log, i);
                 continue;
             }
-            const Floats log = logOneMinus<A>(hn::IfThenElseZero(counts, q));
-            store(hn::IfThenElseZero(counts, expOfNegative<A>(hn::Mul(power, log))), m_row.power, i);
-            store(hn::IfThenElse(counts, log, none), m_row.log, i);
+            const Floats log = logOneMinus<A>(hn::IfThenElseZero(asked, q));
+            store(hn::IfThenElseZero(asked, expOfNegative<A>(hn::Mul(power, log))), m_row.power, i);
+            store(hn::IfThenElse(asked, log, none), m_row.log, i);
         }
         if (m_inputs.illumination.detail.vanishing) vanished = 0;
         m_counts.vanished += vanished, m_counts.powers += powers - vanished;

@@ -64,6 +64,8 @@ struct SurfaceRow {
     Row3 position;                                  // likewise
     Row3 weights;                                   // of Gouraud shading
     Row3 facing;                                    // the polygon's normal, where shadows are cast
+
+    HWY_INLINE Mask seenAt(std::size_t i) const { return maskOf(seen[i / hn::Lanes(F())]); }
 };
 
 // A quantity of a triangle: at one place, and what it has more at the ends of two ways from there.
@@ -98,14 +100,13 @@ struct SeenSurface {
 template <class A>
 class Surfaces {
 public:
-    // tellsObjects: in Phong shading, whether anybody asks for the object of a pixel.
-    Surfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile, bool tellsObjects)
+    Surfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile)
         : m_inputs(inputs),
           m_in(in),
           m_tile(tile),
           m_perPixel(inputs.shading == Shading::Phong),
           m_positioned(inputs.parts.position),
-          m_tellsObjects(tellsObjects),
+          m_tellsObjects(m_perPixel && inputs.materials.size() > 1),
           m_isViewed(m_perPixel && inputs.parts.viewVector),
           m_eye(in.transform.view.eye),
           m_back(-Vec3<float>(in.transform.view.forward)) {
@@ -122,7 +123,7 @@ public:
         if (inputs.illumination.model == Model::OpenGl) return;
         for (const Light& light : inputs.lights) m_facing = m_facing || light.castsShadow;
     }
-    bool facing() const { return m_facing; }
+    bool tellsObjects() const { return m_tellsObjects; }
 
     void find(int row, SurfaceRow& out) {
         if (!m_isDrawn) {  // its blocks are not written
@@ -171,11 +172,11 @@ private:
             if (!m_records) m_drawn.read(m_in.zBuffer, m_tile, place.at);
             if (m_isFine) fetchAhead(place.at);
             const std::uint32_t* const names = m_records ? m_records + place.at : m_drawn.triangle;
-            Mask left = seenIn(names);
-            out.seen[i / hn::Lanes(F())] = bitsOf(left);
+            const Mask seen = seenIn(names);
+            out.seen[i / hn::Lanes(F())] = bitsOf(seen);
             if constexpr (kPerPixel) {
-                if (m_isFine && !hn::AllFalse(F(), left) && areSmall(names, left)) {
-                    findByPixel<kPositions, kFacing>(place, left, i, out);
+                if (m_isFine && !hn::AllFalse(F(), seen) && areSmall(names, seen)) {
+                    findByPixel<kPositions, kFacing>(place, seen, i, out);
                     continue;
                 }
             }
@@ -184,45 +185,45 @@ private:
             const auto choose1 = [](Mask mask, std::int32_t yes, Ints no) HWY_ATTR {
                 return hn::IfThenElse(hn::RebindMask(I(), mask), hn::Set(I(), yes), no);
             };
-            while (!hn::AllFalse(F(), left)) {
+            for (Mask left = seen; !hn::AllFalse(F(), left);) {
                 const std::uint32_t name = names[hn::FindKnownFirstTrue(F(), left)];
                 const Mask mine = seesIn(names, name);
                 left = hn::AndNot(mine, left);
-                const SeenSurface& seen = surfaceOf(name);
+                const SeenSurface& surface = surfaceOf(name);
                 if constexpr (!kPerPixel) {
-                    triangle = choose1(mine, std::int32_t(seen.id), triangle);
-                    polygon = choose1(mine, seen.polygon, polygon);
+                    triangle = choose1(mine, std::int32_t(surface.id), triangle);
+                    polygon = choose1(mine, surface.polygon, polygon);
                 } else if (m_tellsObjects) {
-                    object = choose1(mine, seen.object, object);
+                    object = choose1(mine, surface.object, object);
                 }
-                if constexpr (kFacing) facing = choose(mine, all(seen.facing), facing);
+                if constexpr (kFacing) facing = choose(mine, all(surface.facing), facing);
                 if constexpr (!A::kExact && kPerPixel && !kPositions) {
-                    if (seen.isPlane) {
-                        const Floats x = hn::Sub(hn::ConvertTo(F(), place.column), all(seen.firstPixel.x));
-                        const Floats y = hn::Sub(hn::ConvertTo(F(), place.row), all(seen.firstPixel.y));
-                        normal = choose(mine, seen.normals.template at<A>(x, y), normal);
+                    if (surface.isPlane) {
+                        const Floats x = hn::Sub(hn::ConvertTo(F(), place.column), all(surface.firstPixel.x));
+                        const Floats y = hn::Sub(hn::ConvertTo(F(), place.row), all(surface.firstPixel.y));
+                        normal = choose(mine, surface.normals.template at<A>(x, y), normal);
                         continue;
                     }
                 }
                 const Shares b = m_records
-                                     ? seen.triangle.weights(*m_seenIn, place)
+                                     ? surface.triangle.weights(*m_seenIn, place)
                                      : Shares{hn::Load(F(), m_drawn.weights[0]), hn::Load(F(), m_drawn.weights[1])};
                 if constexpr (kPerPixel)
-                    normal = choose(mine, seen.normals.template at<A>(b.one, b.two), normal);
+                    normal = choose(mine, surface.normals.template at<A>(b.one, b.two), normal);
                 else
                     weights = choose(mine, {hn::Sub(hn::Sub(all(1), b.one), b.two), b.one, b.two}, weights);
                 if constexpr (kPositions)
-                    position = choose(mine, seen.positions.template at<A>(b.one, b.two), position);
+                    position = choose(mine, surface.positions.template at<A>(b.one, b.two), position);
             }
             if constexpr (kPerPixel) {
-                store(A::unit(normal, maskOf(out.seen[i / hn::Lanes(F())])), out.N, i);
+                store(A::unit(normal, seen), out.N, i);
                 if (m_tellsObjects) hn::Store(object, I(), out.object + i);
             } else {
                 hn::Store(triangle, I(), out.triangle + i), hn::Store(polygon, I(), out.polygon + i);
                 store(weights, out.weights, i);
             }
             if constexpr (kFacing) store(facing, out.facing, i);
-            if constexpr (kPositions) placeAt(position, maskOf(out.seen[i / hn::Lanes(F())]), i, out);
+            if constexpr (kPositions) placeAt(position, seen, i, out);
         }
     }
     // Where the pixels of a vector stand, and towardsEye there. Units are divided here, and not once all rows are found,
@@ -264,7 +265,7 @@ private:
         const auto smallAt = [&](std::size_t pixel) -> const SmallTriangle* {
             const std::uint32_t record = m_records[pixel];
             if (record & TrianglePiece::kOther) return nullptr;
-            return &m_seenIn->pieces.pieceOf(record).small[record & TrianglePieces::kIndex];
+            return &m_seenIn->pieces.smallOf(record);
         };
         for (std::size_t l = 0; l < lanes; ++l) {
             if (const SmallTriangle* t = smallAt(at + kRecords + l)) hwy::Prefetch(t);
@@ -317,7 +318,7 @@ private:
         auto nearest = float(in.view.near);  // the least z in front of the near plane
         if (double(nearest) < in.view.near) nearest = std::nextafter(nearest, std::numeric_limits<float>::infinity());
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            const Mask seen = maskOf(out.seen[i / hn::Lanes(F())]);
+            const Mask seen = out.seenAt(i);
             if (hn::AllFalse(F(), seen)) continue;
             const Ints first = hn::ShiftLeft<2>(hn::Load(I(), out.triangle + i));
             const Floats3 b = load(out.weights, i);
@@ -359,7 +360,7 @@ private:
             const Floats depth = hn::Load(F(), z + i);
             const Floats3 position = view.perspective ? scaledPlus<A>(beside + all(forward), depth, all(eye))
                                                       : beside + scaledPlus<A>(all(forward), depth, all(eye));
-            placeAt(position, maskOf(out.seen[i / hn::Lanes(F())]), i, out);
+            placeAt(position, out.seenAt(i), i, out);
         }
     }
 
@@ -368,7 +369,7 @@ private:
     Tile m_tile;
     bool m_isFine = false;  // for triangles of few pixels
     bool m_perPixel, m_positioned, m_tellsObjects, m_isViewed, m_facing = false, m_isDrawn = true;
-    Vec3<float> m_eye, m_back;                 // V of an orthographic view
+    Vec3<float> m_eye, m_back;                 // of the view; against its direction
     std::size_t m_index = 0;                   // of the tile
     const std::uint32_t* m_records = nullptr;  // of the tile; null where the stage's own text drew
     std::optional<SeenIn> m_seenIn;            // likewise

@@ -109,8 +109,7 @@ ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, c
 
 template <class Real>
 FacingFilter facingFilter(ShadowCull cull, const TransformOutput<Real>& in) {
-    const bool mirrors = std::ranges::any_of(in.mirrored, [](std::uint8_t mirrored) { return mirrored != 0; });
-    return {cull, mirrors ? std::span<const std::uint8_t>(in.mirrored) : std::span<const std::uint8_t>()};
+    return {cull, in.anyMirrored() ? std::span<const std::uint8_t>(in.mirrored) : std::span<const std::uint8_t>()};
 }
 
 template <class Real>

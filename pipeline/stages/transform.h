@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -49,6 +50,10 @@ struct TransformOutput {
     std::vector<Vec3<Real>> world, viewSpace;  // per vertex
     std::size_t done = 0;       // of the vertices, from the first; all, but while stepping inside the stage
     SnappedVertices snapped{};  // in float, for pipeline/simd; else empty
+
+    bool anyMirrored() const {
+        return std::ranges::any_of(mirrored, [](std::uint8_t one) { return one != 0; });
+    }
 };
 
 template <class Real>

@@ -274,8 +274,12 @@ TEST(Vectors, ShadeTrianglesSmallerThanPixelsToTheSameBits) {
             const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color}));
             const ZBufferOutput<float>& drawn = *dataOf<float>(*frame)->zBuffer;
             long long small = 0, others = 0;
-            for (const TrianglePiece& piece : drawn.seen->pieces.pieces)
+            std::set<int> orders;
+            for (const TrianglePiece& piece : drawn.seen->pieces.pieces) {
                 small += std::ssize(piece.small), others += std::ssize(piece.others);
+                for (const SmallTriangle& triangle : piece.small) orders.insert(triangle.order);
+            }
+            EXPECT_EQ(orders.size(), 6u);
             EXPECT_LT(drawn.seenPixels, small);
             EXPECT_GT(others, 0);
             expectTheSameBits(scene);
