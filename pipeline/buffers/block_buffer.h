@@ -13,6 +13,12 @@ inline constexpr int kBlockPixels = kBlock * kBlock, kBlocksAcross = kTileSize /
 inline constexpr std::size_t kBlocks = std::size_t(kBlocksAcross) * std::size_t(kBlocksAcross);  // of a tile
 inline constexpr std::size_t kTilePixels = kBlocks * std::size_t(kBlockPixels);
 
+// Which pixel of a tile stands at a place of its blocks.
+constexpr glm::ivec2 pixelOf(std::size_t at) {
+    const int block = int(at) / kBlockPixels, place = int(at) % kBlockPixels;
+    return {block % kBlocksAcross * kBlock + place % kBlock, block / kBlocksAcross * kBlock + place / kBlock};
+}
+
 template <class T>
 struct alignas(kBlockPixels * sizeof(T)) Block {
     T of[kBlockPixels];

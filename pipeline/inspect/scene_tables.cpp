@@ -98,18 +98,12 @@ void addPolygons(const FramePtr& frame, SceneTable& table) {
                        [frame](std::size_t p) -> Cell {
                            return fmt::format("{}", fmt::join(frame->topology().corners(p).local, ", "));
                        }});
-    const auto withCull = [frame]<class Read>(Read read) {
-        return [frame, read](std::size_t p) -> Cell {
-            const CullOutput* cull = readStages(*frame, [](const auto& data) { return data.cull.get(); });
-            if (!cull) return {};
-            return read(*cull, p);
-        };
-    };
     columns.push_back({"visibility", "polygons.verdict", "", "What back-face culling and clipping say of it.", -1,
-                       frame->whyAbsent({BufferId::PolygonsVerdict}),
-                       withCull([](const CullOutput& cull, std::size_t p) {
-                           return Cell(std::string(pipeline::name(cull.verdicts[p])));
-                       })});
+                       frame->whyAbsent({BufferId::PolygonsVerdict}), [frame](std::size_t p) -> Cell {
+                           return readStages(*frame, [&](const auto& data) {
+                               return data.cull ? Cell(std::string(pipeline::name(data.cull->verdicts[p]))) : Cell();
+                           });
+                       }});
     columns.push_back({"", "signed area", "pixels²", "On the screen; positive where its front is seen.", 2,
                        frame->whyAbsent({BufferId::PolygonsVerdict}), [frame](std::size_t p) -> Cell {
                            return readStages(*frame, [&](const auto& data) {
@@ -119,15 +113,6 @@ void addPolygons(const FramePtr& frame, SceneTable& table) {
     addBuffer(frame, BufferId::PolygonsNormal, {"n[0]", "n[1]", "n[2]"}, {" x", " y", " z"}, kUnitDecimals, columns);
     addBuffer(frame, BufferId::PolygonsIntensity, {"lred", "lgreen", "lblue"}, {" red", " green", " blue"},
               intensityDecimals(*frame), columns);
-    // Nobody evaluates a polygon that goes no further: the 0 that the buffer holds for it is no intensity.
-    if (!evaluatesAll(*frame))
-        for (auto column = columns.end() - 3; column != columns.end(); ++column)
-            column->cell = [goesOn = withCull([](const CullOutput& cull, std::size_t p) {
-                                return Cell(std::int64_t(goesOn(cull.verdicts[p])));
-                            }),
-                            cell = column->cell](std::size_t p) {
-                return goesOn(p) == Cell(std::int64_t(0)) ? Cell() : cell(p);
-            };
 }
 
 void addVertices(const FramePtr& frame, SceneTable& table) {

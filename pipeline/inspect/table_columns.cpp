@@ -60,6 +60,17 @@ void addSettings(const FramePtr& frame, SettingGroup group, std::vector<TableCol
     }
 }
 
+// False of a polygon or vertex whose intensity shading left out.
+bool isEvaluated(const Frame& frame, BufferId id, std::size_t row) {
+    if (id != BufferId::PolygonsIntensity && id != BufferId::VerticesIntensity) return true;
+    return readStages(frame, [&](const auto& data) {
+        if (!data.shading) return true;
+        const auto& isSeen =
+            id == BufferId::PolygonsIntensity ? data.shading->polygonIsSeen : data.shading->vertexIsSeen;
+        return isSeen.empty() || isSeen[row] != 0;
+    });
+}
+
 void addBuffer(const FramePtr& frame, BufferId id, std::array<std::string, 3> lecture, std::array<std::string, 3> parts,
                int decimals, std::vector<TableColumn>& columns) {
     const BufferInfo& info = bufferInfo(id);
@@ -68,8 +79,8 @@ void addBuffer(const FramePtr& frame, BufferId id, std::array<std::string, 3> le
     for (std::size_t c = 0; c < 3; ++c)
         columns.push_back(
             {lecture[c], fmt::format("{}{}", info.name, parts[c]), unitOf(info, c), std::string(info.meaning), decimals,
-             *buffer ? std::string() : frame->whyAbsent({id}), [buffer, c](std::size_t row) -> Cell {
-                 if (!*buffer) return {};
+             *buffer ? std::string() : frame->whyAbsent({id}), [frame, id, buffer, c](std::size_t row) -> Cell {
+                 if (!*buffer || !isEvaluated(*frame, id, row)) return {};
                  return std::visit(
                      [i = 3 * row + c](const auto& numbers) -> Cell {
                          if constexpr (std::floating_point<typename std::decay_t<decltype(numbers)>::value_type>)
@@ -101,10 +112,6 @@ std::optional<double> largestIntensity(const Frame& frame) {
         if (!data.shading) return {};
         return data.shading->iMax;
     });
-}
-
-bool evaluatesAll(const Frame& frame) {
-    return readStages(frame, [](const auto& data) { return data.keys.shading.parts.hiddenPolygons; });
 }
 
 int lengthDecimals(const Frame& frame) {

@@ -31,7 +31,8 @@ TableColumn count(std::string lecture, std::string name, std::string meaning, Co
 void addSettings(const FramePtr& frame, SettingGroup group, std::vector<TableColumn>& columns,
                  const std::function<bool(std::string_view key)>& keeps);
 
-// One column a channel of a buffer: lecture 1's names for the three, and what is added to the buffer's.
+// One column a channel of a buffer: lecture 1's names for the three, and what is added to the buffer's. Empty where
+// shading evaluated nothing: the 0 that its buffer holds there is no intensity.
 void addBuffer(const FramePtr& frame, BufferId buffer, std::array<std::string, 3> lecture,
                std::array<std::string, 3> parts, int decimals, std::vector<TableColumn>& columns);
 
@@ -39,8 +40,6 @@ void addBuffer(const FramePtr& frame, BufferId buffer, std::array<std::string, 3
 std::vector<TableFact> viewingFacts(const Scene& scene);
 // I_max; nothing where shading has not run.
 std::optional<double> largestIntensity(const Frame& frame);
-// Whether shading evaluates polygons that culling dropped, too.
-bool evaluatesAll(const Frame& frame);
 
 // Decimals for people, the same in every row. Of lengths: about six digits of the farthest point
 // that the eye sees, so that they stay when things move.

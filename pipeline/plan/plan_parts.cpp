@@ -63,6 +63,16 @@ void zBufferParts(Parts& out) {
             "Polygons may intersect, or overlap in a cycle.", "");
 }
 
+// evaluatesAll: where the rule is in force, for somebody who asks.
+void hiddenPart(Parts& out, std::string part, Rule rule, bool evaluatesAll, std::string where, std::string why) {
+    if (out.scene.settings.antialiasing > 1)
+        out.runs(std::move(part), "All: snapped anew for each sample of a pixel, any may be seen in one.");
+    else if (evaluatesAll && out.needs.rules[index(rule)])
+        out.runs(std::move(part), "All: somebody reads their intensities.");
+    else
+        out.within(std::move(part), rule, std::move(where), std::move(why));
+}
+
 void shadingParts(Parts& out) {
     const Needs& needs = out.needs;
     const Model model = out.scene.settings.model;
@@ -74,12 +84,13 @@ void shadingParts(Parts& out) {
                     "an evaluation a point");
         return out.within("tiles", Rule::EmptyTiles, "Not those that no outline touches.", "All of them.");
     }
-    if (needs.polygonTerms && needs.cull)
-        out.within("hidden polygons", Rule::HiddenPolygons, "Not those that culling dropped.",
-                   "Also those that culling dropped.");
-    if (needs.vertexTerms && needs.cull)
-        out.within("hidden vertices", Rule::HiddenVertices, "Not those of which culling dropped every polygon.",
-                   "Also those of which culling dropped every polygon.");
+    if (needs.polygonTerms)
+        hiddenPart(out, "hidden polygons", Rule::HiddenPolygons, needs.hiddenPolygons,
+                   "Not those that culling dropped or, where they are small, no pixel shows.",
+                   "Also those that culling dropped or no pixel shows.");
+    if (needs.vertexTerms)
+        hiddenPart(out, "hidden vertices", Rule::HiddenVertices, needs.hiddenVertices,
+                   "Not those all of whose polygons are hidden.", "Also those all of whose polygons are hidden.");
     out.add("ambient term", needs.ambient, "There is ambient light.", "a product a point");
     for (std::size_t k = 0; k < needs.light.size(); ++k) {
         out.add(fmt::format("light {}", k), needs.light[k], "It shines.", "an evaluation a point");

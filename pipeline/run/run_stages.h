@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/run/find_seen.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/stage_parts.h"
 #include "pipeline/simd/rasterize.h"
@@ -270,6 +271,7 @@ std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& dat
     const ShadingSources<Real> in = data.shadingSources();
     auto out = std::make_shared<ShadingOutput<Real>>(prepareShading(inputs, in, wanted));
     out->incidence = std::move(incidence);
+    findSeen(inputs, in, threads, *out);
     CountSum counts(out->counts);
     threads.forRange(out->polygons.intensity.size(), kPolygonGrain, [&](std::size_t begin, std::size_t end) {
         counts.add(shadePolygons(inputs, in, begin, end, *out));

@@ -55,9 +55,11 @@ inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
      "Leaves vertex normals out where only polygon normals are read, or none."},
     {"rule.polygon_terms", "Polygon terms", "Evaluates polygons only in flat shading, or where somebody reads them."},
     {"rule.vertex_terms", "Vertex terms", "Evaluates vertices only in Gouraud shading, or where somebody reads them."},
-    {"rule.hidden_polygons", "Hidden polygons", "Leaves the evaluation of polygons out that culling dropped."},
+    {"rule.hidden_polygons", "Hidden polygons",
+     "Leaves the evaluation of polygons out that culling dropped and, where there is more than one for four pixels, of "
+     "those that no pixel shows."},
     {"rule.hidden_vertices", "Hidden vertices",
-     "Leaves the evaluation of vertices out all of whose polygons culling dropped."},
+     "Leaves the evaluation of vertices out all of whose polygons are hidden."},
     {"rule.dark_light", "Dark light", "Leaves a light of intensity 0 out, with its shadow buffer."},
     {"rule.unreflected", "Unreflected light", "Leaves a light out of which no material reflects any part."},
     {"rule.convex_shadow", "Convex object",

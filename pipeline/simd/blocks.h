@@ -346,12 +346,6 @@ HWY_INLINE void forEachVector(const Edges& edges, const RasterTriangle<float>& t
     }
 }
 
-// Which pixel of a tile stands at a place of its blocks.
-HWY_INLINE glm::ivec2 pixelOf(std::size_t at) {
-    const int block = int(at) / kBlockPixels, place = int(at) % kBlockPixels;
-    return {block % kBlocksAcross * kBlock + place % kBlock, block / kBlocksAcross * kBlock + place / kBlock};
-}
-
 // Blocks reach beyond a picture whose size 4 does not divide: those of their pixels count for nothing.
 HWY_INLINE Mask within(Tile tile, std::size_t at) {
     const VectorPlace place(at);

@@ -66,7 +66,7 @@ ShadingCounts shadePolygons(const ShadingInputs& inputs, const ShadingSources<Re
                             std::size_t end, ShadingOutput<Real>& out) {
     ShadingCounts counts;
     for (std::size_t i = begin; i < end; ++i) {
-        if (!inputs.parts.hiddenPolygons && !in.goesOn(i)) {
+        if (!out.polygonIsSeen.empty() && !out.polygonIsSeen[i]) {
             ++counts.hiddenPolygons;
             continue;
         }

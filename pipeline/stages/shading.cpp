@@ -63,22 +63,6 @@ ShadingInputs withAllVectors(ShadingInputs inputs) {
     return inputs;
 }
 
-namespace {
-
-// The vertices of the polygons that go on.
-template <class Real>
-void markSeen(const ShadingSources<Real>& in, std::vector<std::uint8_t>& seen) {
-    const Topology& topology = *in.transform.topology;
-    seen.assign(topology.vertexCount(), 0);
-    for (std::size_t polygon = 0; polygon < topology.polygonCount(); ++polygon) {
-        if (!in.goesOn(polygon)) continue;
-        const Topology::Corners corners = topology.corners(polygon);
-        for (std::size_t i = 0; i < corners.size(); ++i) seen[corners[i]] = 1;
-    }
-}
-
-}  // namespace
-
 template <class Real>
 ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted) {
     ShadingOutput<Real> out;
@@ -95,7 +79,6 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
     if (inputs.parts.vertexTerms) makeRoom(out.vertices, in.transform.topology->vertexCount());
     if (inputs.parts.vertexTerms && inputs.illumination.twoSided)
         makeRoom(out.verticesBack, in.transform.topology->vertexCount());
-    if (inputs.parts.vertexTerms && !inputs.parts.hiddenVertices && in.cull) markSeen(in, out.vertexIsSeen);
 
     const glm::ivec2 size = in.transform.view.size;
     if (inputs.outlines) wanted.reset();  // nothing else is known of a line

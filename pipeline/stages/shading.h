@@ -22,7 +22,7 @@ struct ShadingParts {
     std::vector<bool> lights{};       // per light: evaluated
     std::vector<bool> attenuation{};  // per light: computed
     bool polygonTerms = true, vertexTerms = true;
-    bool hiddenPolygons = true, hiddenVertices = true;  // also what culling dropped is evaluated
+    bool hiddenPolygons = true, hiddenVertices = true;  // also what nobody can see is evaluated
     bool ambient = true;
     bool position = true, viewVector = true;  // of a pixel's surface
     bool idleLookups = true;                  // S also where the terms that it multiplies are 0
@@ -110,7 +110,8 @@ struct ShadingOutput {
     // What a frame that differs in materials alone is made from; null where nothing was drawn, and empty where
     // the plan has nothing kept.
     Incidences incidence;
-    std::vector<std::uint8_t> vertexIsSeen;  // by a polygon that goes on; empty where all are evaluated
+    // Which polygons and vertices are evaluated, a byte each; empty where all are.
+    std::vector<std::uint8_t> polygonIsSeen, vertexIsSeen;
     ShadingCounts counts;                    // the sum over all calls below
 };
 

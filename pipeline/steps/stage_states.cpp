@@ -136,6 +136,7 @@ ShadingOutput<Real> shadedSoFar(const FrameData<Real>& data, const ShadingOutput
     const ShadingSources<Real> in = data.shadingSources();
     if (progress.samples) return *data.shading;
     ShadingOutput<Real> out = prepareShading(inputs, in, made);
+    out.polygonIsSeen = data.shading->polygonIsSeen, out.vertexIsSeen = data.shading->vertexIsSeen;
     shadePolygons(inputs, in, 0, std::min(progress.polygonTerms, out.polygons.intensity.size()), out);
     shadeVertices(inputs, in, 0, std::min(progress.vertexTerms, out.vertices.intensity.size()), out);
     const std::vector<std::uint8_t> done = shadedPixels(data, progress);

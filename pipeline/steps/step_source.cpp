@@ -131,18 +131,16 @@ private:
 
     void addShading() {
         const ShadingInputs& inputs = m_data.keys.shading;
-        const ShadingSources<Real> in = m_data.shadingSources();
-        StepPhase polygons{.kind = ElementKind::PolygonTerms};
-        for (std::uint32_t i = 0; i < m_data.shading->polygons.intensity.size(); ++i)
-            if (inputs.parts.hiddenPolygons || in.goesOn(i)) polygons.numbers.push_back(i);
-        polygons.count = polygons.numbers.size();
-        add(StageId::Shading, std::move(polygons));
-        const std::vector<std::uint8_t>& isSeen = m_data.shading->vertexIsSeen;
-        StepPhase vertices{.kind = ElementKind::VertexTerms};
-        for (std::uint32_t i = 0; i < m_data.shading->vertices.intensity.size(); ++i)
-            if (isSeen.empty() || isSeen[i]) vertices.numbers.push_back(i);
-        vertices.count = vertices.numbers.size();
-        add(StageId::Shading, std::move(vertices));
+        const ShadingOutput<Real>& shading = *m_data.shading;
+        const auto addTerms = [&](ElementKind kind, std::size_t count, const std::vector<std::uint8_t>& isSeen) {
+            StepPhase terms{.kind = kind};
+            for (std::uint32_t i = 0; i < count; ++i)
+                if (isSeen.empty() || isSeen[i]) terms.numbers.push_back(i);
+            terms.count = terms.numbers.size();
+            add(StageId::Shading, std::move(terms));
+        };
+        addTerms(ElementKind::PolygonTerms, shading.polygons.intensity.size(), shading.polygonIsSeen);
+        addTerms(ElementKind::VertexTerms, shading.vertices.intensity.size(), shading.vertexIsSeen);
 
         m_seen = countSeen(m_data);
         StepPhase pixels{.kind = ElementKind::Polygon};

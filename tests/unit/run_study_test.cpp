@@ -28,7 +28,9 @@ Scene small() {
 // The counters stand beside the times: they are those of a frame that nobody asks for buffers, and the pyramid,
 // convex and alone, looks up no shadow.
 TEST(RunStudy, countsWhatTheTimedFrameDoes) {
-    const StudyRequest request = requestOf(small(), {"shading=flat,phong"});
+    Scene scene = small();
+    scene.camera.pixelsPerUnit = 0.25;  // dozens of pixels a polygon: each that culling keeps is evaluated
+    const StudyRequest request = requestOf(scene, {"shading=flat,phong"});
     StudyReport report = beginStudy(request);
     ErrorFinder finder(request);
     for (StudyPoint& point : report.points) ASSERT_TRUE(finder.find(point, report, {}));

@@ -1,0 +1,77 @@
+#pragma once
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/run/parallel.h"
+#include "pipeline/simd/seen_blocks.h"
+#include "pipeline/stages/shading.h"
+
+// Which polygons and vertices flat and Gouraud shading evaluate, where the plan leaves the hidden ones out.
+namespace pipeline {
+
+// Marks the polygons that the pixels of a tile show; tiles may run at the same time.
+template <class Real>
+void markShown(const ShadingSources<Real>& in, std::size_t tile, std::vector<std::uint8_t>& isSeen) {
+    std::uint32_t last = kNoTriangle;  // neighbours mostly show the same
+    const auto mark = [&](std::uint32_t name, const auto& triangleOf) {
+        if (name == last || name == kNoTriangle) return;
+        last = name;
+        const std::uint32_t polygon = in.transform.topology->triangles[triangleOf(name)].polygon;
+        std::atomic_ref(isSeen[polygon]).store(1, std::memory_order_relaxed);  // other tiles may show it as well
+    };
+    const Tile pixels = tileOf(in.transform.view.size, tile);
+    if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
+        const std::uint32_t* records = seen->record.tile(tile)->of;
+        for (std::size_t at = 0; at < kTilePixels; ++at) {
+            const glm::ivec2 pixel = pixels.min + pixelOf(at);
+            if (pixel.x < pixels.max.x && pixel.y < pixels.max.y)
+                mark(records[at], [&](std::uint32_t record) { return seen->pieces.triangleOf(record); });
+        }
+        return;
+    }
+    for (int y = pixels.min.y; y < pixels.max.y; ++y)
+        for (int x = pixels.min.x; x < pixels.max.x; ++x)
+            mark(in.zBuffer.triangle->at({x, y}), [](std::uint32_t triangle) { return triangle; });
+}
+
+// Those that go on, a byte a polygon; where they are fine, those of them that a pixel shows.
+template <class Real>
+std::vector<std::uint8_t> seenPolygons(const ShadingInputs& inputs, const ShadingSources<Real>& in, Threads& threads) {
+    std::vector<std::uint8_t> isSeen(in.transform.topology->polygonCount());
+    for (std::size_t i = 0; i < isSeen.size(); ++i) isSeen[i] = in.goesOn(i);
+    // To look at a pixel costs a small part of an evaluation: it pays where polygons are not much fewer than pixels.
+    constexpr long long kPixels = 4;
+    const bool isFine = kPixels * std::ranges::count(isSeen, 1) > in.zBuffer.seenPixels;
+    if (!isFine || inputs.layers.drawn) return isSeen;  // layers show more than the z-buffer
+    std::ranges::fill(isSeen, 0);
+    const std::vector<std::uint8_t>& drawn = in.zBuffer.tileIsDrawn;
+    threads.forRange(drawn.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t tile = begin; tile < end; ++tile)
+            if (drawn[tile]) markShown(in, tile, isSeen);
+    });
+    return isSeen;
+}
+
+// Leaves in `out` which polygons and vertices are evaluated: nothing where all are. With several samples a pixel that is
+// so: for each of them corners are snapped anew, and what culling dropped or no pixel showed may be seen in one.
+template <class Real>
+void findSeen(const ShadingInputs& inputs, const ShadingSources<Real>& in, Threads& threads, ShadingOutput<Real>& out) {
+    const bool polygons = inputs.parts.polygonTerms && !inputs.parts.hiddenPolygons;
+    const bool vertices = inputs.parts.vertexTerms && !inputs.parts.hiddenVertices;
+    if ((!polygons && !vertices) || inputs.samples > 1) return;
+    const std::vector<std::uint8_t> isSeen = seenPolygons(inputs, in, threads);
+    if (vertices) {
+        const Topology& topology = *in.transform.topology;
+        out.vertexIsSeen.assign(topology.vertexCount(), 0);
+        for (std::size_t polygon = 0; polygon < isSeen.size(); ++polygon) {
+            if (!isSeen[polygon]) continue;
+            const Topology::Corners corners = topology.corners(polygon);
+            for (std::size_t i = 0; i < corners.size(); ++i) out.vertexIsSeen[corners[i]] = 1;
+        }
+    }
+    if (polygons) out.polygonIsSeen = isSeen;
+}
+
+}  // namespace pipeline
