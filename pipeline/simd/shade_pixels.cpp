@@ -66,8 +66,6 @@ public:
             m_first = std::size_t(y) * kRowPixels;
             m_surfaces.find(y, m_row.surface);
             findGroups();
-            for (const ShadowLight& light : m_shadows)
-                if (light.isFetched() && m_inputs.parts.position) fetchTexels(light);
             for (const Group& group : m_groups) {
                 if (m_inputs.shading == Shading::Phong)
                     m_keeps ? shadePhong<true>(group) : shadePhong<false>(group);
@@ -114,11 +112,6 @@ private:
                 left = hn::AndNot(mine, left);
             }
         }
-    }
-    void fetchTexels(const ShadowLight& light) const {
-        for (const Group& group : m_groups)
-            for (std::size_t n = 0; n < group.count; ++n)
-                light.template fetchTexels<A>(load(m_row.surface.position, group.at[n]), group.mask(n));
     }
     Group& groupOf(std::size_t object) {
         for (Group& group : m_groups)

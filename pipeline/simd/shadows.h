@@ -70,22 +70,36 @@ struct SeenByLight {
     Floats nDotP;
 };
 
-// How many of the texels that filtering looks at see points lit, on this face of the light: litTexels.
+// What the pixels of a row look up on a face of a light: the column and row of their texel, how far away they are and
+// the bias of their polygon. Of orthographic views the texel may lie beyond the buffer.
+struct LookUps {
+    Row x, y, z, bias;
+};
+
+// The faces of a cube adjoin: what lies beyond the last texel counts as that.
+HWY_INLINE Floats nearestTexel(const LightFace& face, Floats x) {
+    return hn::Min(hn::IfThenElseZero(hn::Gt(x, all(0)), x), all(face.last()));
+}
+
+// Of the points in vector i of a row. A buffer is larger than the caches next to the processor, and neighbours in the
+// picture may be far apart in it: what is looked up is on its way while the rest of the row is worked out.
 template <class A>
-HWY_INLINE Floats litOnFace(const LightFace& face, const ShadowSettings& settings, const SeenByLight& p, Mask wanted) {
-    const Floats zero = all(0), one = all(1), last = all(face.last());
+HWY_INLINE void prepareLookUps(const LightFace& face, const ShadowSettings& settings, const SeenByLight& p,
+                               std::size_t i, LookUps& out) {
+    const Floats one = all(1);
     const Floats centreX = all(face.centre.x), centreY = all(face.centre.y);
     const Floats stepX = all(face.step.x), stepY = all(face.step.y);
-    // The faces of a cube adjoin: what lies beyond the last texel counts as that.
-    const auto nearest = [&](Floats x) HWY_ATTR { return hn::Min(hn::IfThenElseZero(hn::Gt(x, zero), x), last); };
     Floats x, y;
     if (face.perspective) {
-        x = nearest(hn::Floor(hn::Add(centreX, hn::Div(hn::Mul(stepX, p.x), p.z))));
-        y = nearest(hn::Floor(hn::Add(centreY, hn::Div(hn::Mul(stepY, p.y), p.z))));
+        x = nearestTexel(face, hn::Floor(hn::Add(centreX, hn::Div(hn::Mul(stepX, p.x), p.z))));
+        y = nearestTexel(face, hn::Floor(hn::Add(centreY, hn::Div(hn::Mul(stepY, p.y), p.z))));
     } else {
         x = hn::Floor(A::mulAdd(stepX, p.x, centreX));
         y = hn::Floor(A::mulAdd(stepY, p.y, centreY));
     }
+    HWY_ALIGN std::int32_t places[16];
+    hn::Store(texelPlace(*face.depth, nearestTexel(face, x), nearestTexel(face, y)), I(), places);
+    for (std::size_t l = 0; l < hn::Lanes(F()); ++l) hwy::Prefetch(&face.depth->blocks[0].of[std::size_t(places[l])]);
     Floats bias = all(float(settings.biasValue));
     if (settings.bias != ShadowBias::Constant) {
         const float texels = float(settings.filter) + 0.5F + 1.0F / 128;
@@ -101,7 +115,14 @@ HWY_INLINE Floats litOnFace(const LightFace& face, const ShadowSettings& setting
         }
         bias = settings.bias == ShadowBias::Slope ? hn::Mul(bias, slope) : hn::Add(slope, all(face.rounding));
     }
+    store(x, out.x, i), store(y, out.y, i), store(p.z, out.z, i), store(bias, out.bias, i);
+}
 
+// How many of the texels that filtering looks at see the points of vector i of a row lit: litTexels.
+HWY_INLINE Floats litOnFace(const LightFace& face, const ShadowSettings& settings, const LookUps& lookUps,
+                            std::size_t i, Mask wanted) {
+    const Floats zero = all(0), one = all(1), last = all(face.last());
+    const Floats x = load(lookUps.x, i), y = load(lookUps.y, i), z = load(lookUps.z, i), bias = load(lookUps.bias, i);
     const auto isLit = [&](Floats u, Floats v) HWY_ATTR {
         Mask inside = wanted;
         if (!face.perspective) {
@@ -110,7 +131,7 @@ HWY_INLINE Floats litOnFace(const LightFace& face, const ShadowSettings& setting
             u = hn::IfThenElseZero(inside, u), v = hn::IfThenElseZero(inside, v);
         }
         const Floats stored = hn::GatherIndex(F(), face.depth->blocks[0].of, texelPlace(*face.depth, u, v));
-        return hn::IfThenZeroElse(hn::And(inside, hn::Gt(p.z, hn::Add(stored, bias))), one);
+        return hn::IfThenZeroElse(hn::And(inside, hn::Gt(z, hn::Add(stored, bias))), one);
     };
     const int r = settings.filter;
     if (r == 0) return isLit(x, y);
@@ -118,7 +139,7 @@ HWY_INLINE Floats litOnFace(const LightFace& face, const ShadowSettings& setting
     for (int dy = -r; dy <= r; ++dy) {
         for (int dx = -r; dx <= r; ++dx) {
             const Floats u = hn::Add(x, all(float(dx))), v = hn::Add(y, all(float(dy)));
-            lit = hn::Add(lit, face.perspective ? isLit(nearest(u), nearest(v)) : isLit(u, v));
+            lit = hn::Add(lit, face.perspective ? isLit(nearestTexel(face, u), nearestTexel(face, v)) : isLit(u, v));
         }
     }
     return lit;
@@ -185,27 +206,6 @@ public:
         }
     }
 
-    // A buffer is larger than the caches next to the processor, and neighbours in the picture may be far apart in it:
-    // what the next pixels will look up is on its way while these are shaded.
-    template <class A>
-    HWY_INLINE void fetchTexels(Floats3 position, Mask mask) const {
-        const LightFace& face = m_faces[0];
-        const Floats3 p = position - all(face.eye);
-        const Floats zero = all(0), last = all(face.last());
-        const Floats x = A::mulAdd(all(face.step.x), A::dot(all(face.right), p), all(face.centre.x));
-        const Floats y = A::mulAdd(all(face.step.y), A::dot(all(face.up), p), all(face.centre.y));
-        const auto inside = [&](Floats v) HWY_ATTR { return hn::Floor(hn::Min(hn::Max(v, zero), last)); };
-        HWY_ALIGN std::int32_t texels[16];
-        hn::Store(texelPlace(*face.depth, inside(x), inside(y)), I(), texels);
-        for (std::uint32_t bits = bitsOf(mask); bits != 0; bits &= bits - 1)
-            hwy::Prefetch(&face.depth->blocks[0].of[std::size_t(texels[std::countr_zero(bits)])]);
-    }
-    // To ask ahead takes time too, more than to wait for the last of the caches.
-    bool isFetched() const {
-        constexpr std::size_t kLarge = std::size_t(8) << 20;  // bytes, more than that holds of it
-        return m_atInfinity && m_casts && looksUp() && m_faces[0].depth->blocks.size() * sizeof(Block<float>) > kLarge;
-    }
-
 private:
     // Where polygons with these normals face a place: n·L > 0, L normalised as the stage's own text does it.
     template <class A>
@@ -245,18 +245,29 @@ private:
     HWY_INLINE static void addLit(Floats lit, Mask mask, std::size_t i, Row& to) {
         store(hn::Add(load(to, i), hn::IfThenElseZero(mask, lit)), to, i);
     }
+    // Adds what the pixels of a row have prepared, in vectors of which some are wanted.
+    HWY_INLINE void addLookUps(const LightFace& face, const LookUps& lookUps, const Group& wanted, Row& lit) const {
+        for (std::size_t n = 0; n < wanted.count; ++n) {
+            const std::size_t i = wanted.at[n];
+            addLit(litOnFace(face, m_settings, lookUps, i, wanted.mask(n)), wanted.mask(n), i, lit);
+        }
+    }
     template <class A>
     HWY_INLINE void addFace(const LightFace& face, const SurfaceRow& row, const Group& faced, Row& lit) const {
         const auto along = [&](Floats3 v) HWY_ATTR {
             return Floats3{A::dot(all(face.right), v), A::dot(all(face.up), v), A::dot(all(face.forward), v)};
         };
+        LookUps lookUps;
+        Group asking;
         for (std::size_t n = 0; n < faced.count; ++n) {
             const std::size_t i = faced.at[n];
             const Mask mask = faced.mask(n);
             if (hn::AllFalse(F(), mask)) continue;
             const Floats3 p = along(load(row.position, i) - all(face.eye)), normal = along(load(row.facing, i));
-            addLit(litOnFace<A>(face, m_settings, {p.x, p.y, p.z, normal, all(0)}, mask), mask, i, lit);
+            prepareLookUps<A>(face, m_settings, {p.x, p.y, p.z, normal, all(0)}, i, lookUps);
+            asking.add(i, mask);
         }
+        addLookUps(face, lookUps, asking, lit);
     }
     // Each point on the face of a cube that it falls on. first: the number of the face to try first.
     template <class A>
@@ -277,6 +288,8 @@ private:
     HWY_NOINLINE bool addCubeFace(const LightFace& face, bool backwards, const SurfaceRow& row, Group& left,
                                   Row& lit) const {
         std::uint32_t rest = 0;
+        LookUps lookUps;
+        Group asking;
         const Floats flipped = all(backwards ? -1.0F : 1.0F);
         for (std::size_t n = 0; n < left.count; ++n) {
             const std::size_t i = left.at[n];
@@ -297,8 +310,10 @@ private:
             };
             const Floats3 p = turned(world), normal = turned(N);
             const SeenByLight seen{p.x, p.y, hn::Mul(p.z, flipped), normal, A::dot(normal, p)};
-            addLit(litOnFace<A>(face, m_settings, seen, here), here, i, lit);
+            prepareLookUps<A>(face, m_settings, seen, i, lookUps);
+            asking.add(i, here);
         }
+        addLookUps(face, lookUps, asking, lit);
         return rest == 0;
     }
 
