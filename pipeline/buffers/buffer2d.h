@@ -28,10 +28,13 @@ struct LeavesRaw : std::allocator<T> {
     }
 };
 
+template <class T>
+using RawVector = std::vector<T, LeavesRaw<T>>;
+
 // One T per pixel, row by row from the top left.
 template <class T>
 struct Buffer2D {
-    using Pixels = std::vector<T, LeavesRaw<T>>;
+    using Pixels = RawVector<T>;
     glm::ivec2 size{0};
     Pixels pixels;
 

@@ -28,8 +28,8 @@ AnyBuffer own(const BufferName& name, std::vector<std::size_t> shape, std::vecto
     return view(name, std::move(shape), kept->data(), kept->size(), kept);
 }
 
-template <class Real>
-AnyBuffer view(const BufferName& name, const std::vector<Vec3<Real>>& v, std::shared_ptr<const void> owner) {
+template <class Real, class Allocator>
+AnyBuffer view(const BufferName& name, const std::vector<Vec3<Real>, Allocator>& v, std::shared_ptr<const void> owner) {
     return view(name, {v.size(), 3}, v.empty() ? nullptr : &v[0].x, 3 * v.size(), std::move(owner));
 }
 template <class Real>

@@ -68,7 +68,9 @@ std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& input
 template <class Real>
 std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBufferInputs& inputs,
                                                                 const TransformOutput<Real>& in, Threads& threads) {
-    auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in, std::is_same_v<Real, float>));
+    ShadowPreparation<Real> by;
+    if constexpr (std::is_same_v<Real, float>) by = {boundsInVectors, largestInVectors, false};
+    auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in, by));
     for (std::vector<LightView<Real>>& samples : out->lights) drawShadows<Real>(in, inputs.cull, {}, samples, threads);
     return out;
 }

@@ -90,7 +90,7 @@ HWY_INLINE Fours<D> loadFours(D d, Place place) {
 
 // The 3-vectors of these numbers of an array of them. indexOf(l): that of lane l.
 template <class IndexOf>
-HWY_INLINE Floats3 loadThrees(const std::vector<Vec3<float>>& values, IndexOf indexOf) {
+HWY_INLINE Floats3 loadThrees(std::span<const Vec3<float>> values, IndexOf indexOf) {
     // The fourth number is the next vector's; behind the last one there is none.
     const std::size_t last = values.size() - 1;
     const float end[4]{values[last].x, values[last].y, values[last].z, 0};

@@ -129,8 +129,7 @@ public:
     bool isLinear() const { return m_small || m_other->middle; }
     float w(std::size_t corner) const { return m_w[corner]; }
     // A quantity of the triangle's own corners at one of its corners.
-    Vec3<float> atCorner(const std::vector<Vec3<float>>& values, const std::uint32_t (&v)[3],
-                         std::size_t corner) const {
+    Vec3<float> atCorner(std::span<const Vec3<float>> values, const std::uint32_t (&v)[3], std::size_t corner) const {
         if (!m_isCut) return values[v[corner]];
         const Vec3<float>& share = m_other->triangle->weights[corner];
         return share.x * values[v[0]] + share.y * values[v[1]] + share.z * values[v[2]];

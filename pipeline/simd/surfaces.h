@@ -74,7 +74,7 @@ struct Corners {
     void become(Vec3<float> first, Vec3<float> second, Vec3<float> third) {
         origin = first, toSecond = second - first, toThird = third - first;
     }
-    void become(const std::vector<Vec3<float>>& values, const std::uint32_t (&v)[3]) {
+    void become(std::span<const Vec3<float>> values, const std::uint32_t (&v)[3]) {
         become(values[v[0]], values[v[1]], values[v[2]]);
     }
     template <class A>
@@ -242,7 +242,7 @@ private:
         const auto triangles = loadFours(U(), [&](std::size_t l) { return topology.triangles[in.id[l]].vertices; });
         for (int corner = 0; corner < 3; ++corner) hn::Store(triangles.of[corner], U(), vertices[corner]);
         hn::Store(triangles.of[3], U(), polygon);
-        const auto interpolate = [&](const std::vector<Vec3<float>>& values) HWY_ATTR {
+        const auto interpolate = [&](std::span<const Vec3<float>> values) HWY_ATTR {
             const auto at = [&](int corner) HWY_ATTR {
                 return loadThrees(values, [&](std::size_t l) { return vertices[corner][l]; });
             };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "pipeline/simd/targets.h"
 #include "pipeline/stages/clip.h"
@@ -141,6 +142,44 @@ void snapAll(const View& view, std::span<const Vec3<float>> world, std::size_t b
     std::copy_n(snapped.begin(), rest, &out.of[i]);
 }
 
+Bounds boundsOf(const View& view, std::span<const Vec3<float>> points) {
+    const D d;
+    const std::size_t lanes = hn::Lanes(d);
+    const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
+    auto lowX = infinity, lowY = infinity, lowZ = infinity;
+    auto highX = hn::Neg(infinity), highY = highX, highZ = highX;
+    std::size_t i = 0;
+    for (; i + lanes <= points.size(); i += lanes) {
+        const Floats3 point = load(&points[i]);
+        const auto apart = [&](Floats v, double from)
+                               HWY_ATTR { return hn::Sub(hn::PromoteTo(d, v), hn::Set(d, from)); };
+        const auto x = apart(point.x, view.eye.x), y = apart(point.y, view.eye.y), z = apart(point.z, view.eye.z);
+        const auto along = [&](Vec3d axis, auto& low, auto& high) HWY_ATTR {
+            const auto of = [&](double by, auto v) HWY_ATTR { return hn::Mul(hn::Set(d, by), v); };
+            const auto place = hn::Add(hn::Add(of(axis.x, x), of(axis.y, y)), of(axis.z, z));
+            low = hn::Min(place, low), high = hn::Max(place, high);
+        };
+        along(view.right, lowX, highX), along(view.up, lowY, highY), along(view.forward, lowZ, highZ);
+    }
+    Bounds bounds = boundsIn<float>(view, points.subspan(i));
+    const auto least = [&](auto v) HWY_ATTR { return hn::GetLane(hn::MinOfLanes(d, v)); };
+    const auto most = [&](auto v) HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(d, v)); };
+    bounds.low = glm::min(bounds.low, {least(lowX), least(lowY), least(lowZ)});
+    bounds.high = glm::max(bounds.high, {most(highX), most(highY), most(highZ)});
+    return bounds;
+}
+
+float largestOf(std::span<const Vec3<float>> points) {
+    const hn::ScalableTag<float> f;
+    const std::size_t lanes = hn::Lanes(f);
+    auto largest = hn::Zero(f);
+    std::size_t i = 0;
+    for (; i + lanes <= points.size(); i += lanes)
+        for (std::size_t part = 0; part < 3; ++part)
+            largest = hn::Max(hn::Abs(hn::LoadU(f, &points[i].x + part * lanes)), largest);
+    return std::max(hn::GetLane(hn::MaxOfLanes(f, largest)), largestIn<float>(points.subspan(i)));
+}
+
 }  // namespace pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -149,6 +188,8 @@ namespace pipeline {
 
 HWY_EXPORT(transformVertices);
 HWY_EXPORT(snapAll);
+HWY_EXPORT(boundsOf);
+HWY_EXPORT(largestOf);
 
 void transformInVectors(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
                         TransformOutput<float>& out) {
@@ -159,6 +200,12 @@ void snapInVectors(const View& view, std::span<const Vec3<float>> world, std::si
                    SnappedVertices& out) {
     HWY_DYNAMIC_DISPATCH(snapAll)(view, world, begin, end, out);
 }
+
+Bounds boundsInVectors(const View& view, std::span<const Vec3<float>> points) {
+    return HWY_DYNAMIC_DISPATCH(boundsOf)(view, points);
+}
+
+float largestInVectors(std::span<const Vec3<float>> points) { return HWY_DYNAMIC_DISPATCH(largestOf)(points); }
 
 }  // namespace pipeline
 #endif

@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 
+#include "pipeline/stages/shadow_buffer.h"
 #include "pipeline/stages/transform.h"
 
 namespace pipeline {
@@ -13,5 +14,9 @@ void transformInVectors(const TransformInputs& inputs, std::size_t object, std::
 // in world space. `out` has room.
 void snapInVectors(const View& view, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
                    SnappedVertices& out);
+
+// boundsIn and largestIn.
+Bounds boundsInVectors(const View& view, std::span<const Vec3<float>> points);
+float largestInVectors(std::span<const Vec3<float>> points);
 
 }  // namespace pipeline

@@ -1,5 +1,5 @@
 #pragma once
-#include <vector>
+#include <cstdint>
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/stages/view.h"
@@ -8,8 +8,8 @@ namespace pipeline {
 
 // Σ b_i values[v_i] over a triangle's corners; differences from corner 0, so that equal values
 // stay what they are.
-template <class Real>
-Vec3<Real> interpolated(const std::vector<Vec3<Real>>& values, const std::uint32_t (&v)[3], Vec3<Real> b) {
+template <class Values, class Real>
+Vec3<Real> interpolated(const Values& values, const std::uint32_t (&v)[3], Vec3<Real> b) {
     const Vec3<Real> origin = values[v[0]];
     return origin + b.y * (values[v[1]] - origin) + b.z * (values[v[2]] - origin);
 }

@@ -20,7 +20,7 @@ namespace {
 
 // Twice a polygon's area along its normal, by the right-hand rule.
 template <class Real>
-Vec3<Real> areaVector(PolygonNormalForm form, const std::vector<Vec3<Real>>& world, const Topology::Corners& corners) {
+Vec3<Real> areaVector(PolygonNormalForm form, const RawVector<Vec3<Real>>& world, const Topology::Corners& corners) {
     Vec3<Real> sum(0);
     const std::size_t n = corners.size();
     if (form == PolygonNormalForm::FromOrigin) {
@@ -65,7 +65,7 @@ void sumAroundVertices(const NormalsInputs& inputs, const TransformOutput<Real>&
                        NormalsOutput<Real>& out) {
     const Topology& topology = *in.topology;
     const Mesh& mesh = *topology.meshes[object];
-    const std::vector<Vec3<Real>>& normals = inputs.weight == NormalWeight::Area ? out.weighted : out.polygon;
+    const RawVector<Vec3<Real>>& normals = inputs.weight == NormalWeight::Area ? out.weighted : out.polygon;
     for (std::size_t p = 0, count = mesh.polygonCount(); p < count; ++p) {
         const Topology::Corners corners{mesh.polygon(p), topology.firstVertex[object]};
         const Vec3<Real> normal = normals[topology.firstPolygon[object] + p];

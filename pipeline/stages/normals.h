@@ -20,11 +20,11 @@ struct NormalsInputs {
 
 template <class Real>
 struct NormalsOutput {
-    std::vector<Vec3<Real>> polygon;  // per polygon; (0, 0, 0) for one without area; empty when not asked for
-    std::vector<Vec3<Real>> vertex;   // per vertex; empty when not asked for
+    RawVector<Vec3<Real>> polygon;   // per polygon; (0, 0, 0) for one without area; empty when not asked for
+    std::vector<Vec3<Real>> vertex;  // per vertex; empty when not asked for
     // Where the mean of the normals around a vertex vanishes, the first of them stands in: how often.
     std::size_t vanishing = 0;
-    std::vector<Vec3<Real>> weighted;  // scratch: per polygon, twice the area times the normal
+    RawVector<Vec3<Real>> weighted;  // scratch: per polygon, twice the area times the normal
 };
 
 template <class Real>

@@ -112,7 +112,7 @@ struct ShadingOutput {
     Incidences incidence;
     // Which polygons and vertices are evaluated, a byte each; empty where all are.
     std::vector<std::uint8_t> polygonIsSeen, vertexIsSeen;
-    ShadingCounts counts;                    // the sum over all calls below
+    ShadingCounts counts;  // the sum over all calls below
 };
 
 // What shading reads of the stages before it.

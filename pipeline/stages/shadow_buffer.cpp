@@ -16,25 +16,33 @@ void placeAxes(View& view) {
     view.up = glm::cross(view.right, view.forward);
 }
 
-namespace {
+template <class Real>
+Bounds boundsIn(const View& view, std::span<const Vec3<Real>> points) {
+    Bounds bounds;
+    for (const Vec3<Real>& point : points) bounds.add(toView(view, Vec3d(point)));
+    return bounds;
+}
 
-struct Bounds {
-    Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-    void add(Vec3d p) { low = glm::min(low, p), high = glm::max(high, p); }
-};
+template <class Real>
+Real largestIn(std::span<const Vec3<Real>> points) {
+    Real largest = 0;
+    for (const Vec3<Real>& point : points) largest = std::max(largest, largestComponent(point));
+    return largest;
+}
+
+namespace {
 
 // Orthographic, around everything there is, a texel wider on each side. z' counts from the plane
 // through the vertex nearest to the light.
 template <class Real>
-View fitAtInfinity(Vec3d towardsLight, int size, const TransformOutput<Real>& in) {
+View fitAtInfinity(Vec3d towardsLight, int size, const TransformOutput<Real>& in, const ShadowPreparation<Real>& by) {
     View view;
     view.perspective = false;
     view.size = {size, size};
     view.centre = glm::dvec2(view.size) / 2.0;
     view.forward = -normalized(towardsLight);
     placeAxes(view);
-    Bounds bounds;
-    for (const Vec3<Real>& world : in.world) bounds.add(toView(view, Vec3d(world)));
+    Bounds bounds = by.bounds(view, in.world);
     if (!(bounds.low.x <= bounds.high.x)) bounds.low = bounds.high = Vec3d(0);
 
     const Vec3d middle = (bounds.low + bounds.high) / 2.0, extent = bounds.high - bounds.low;
@@ -85,19 +93,18 @@ std::size_t faceOf(const LightView<Real>& light, Vec3<Real> world) {
 
 template <class Real>
 ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in,
-                                             bool empty) {
+                                             const ShadowPreparation<Real>& by) {
     ShadowBufferOutput<Real> out;
     out.lights.resize(inputs.casters.size());
-    Real farthest = 0;
-    for (const Vec3<Real>& world : in.world) farthest = std::max(farthest, largestComponent(world));
+    const Real farthest = by.largest(in.world);
     for (std::size_t k = 0; k < inputs.casters.size(); ++k) {
         for (const Vec3d place : inputs.casters[k].places) {
             LightView<Real>& light = out.lights[k].emplace_back();
             light.faces = inputs.casters[k].kind == LightKind::AtInfinity
-                              ? std::vector<View>{fitAtInfinity(place, inputs.size, in)}
+                              ? std::vector<View>{fitAtInfinity(place, inputs.size, in, by)}
                               : sixFaces(place, inputs.size, in);
             light.depth.resize(light.faces.size()), light.blocks.resize(light.faces.size());
-            for (std::size_t i = 0; i < light.faces.size() && !empty; ++i)
+            for (std::size_t i = 0; i < light.faces.size() && by.makesRoom; ++i)
                 light.depth[i] = Buffer2D<Real>(light.faces[i].size, std::numeric_limits<Real>::infinity());
             // A difference, three products and two sums, on either side of the comparison.
             const Real largest = std::max(farthest, Real(largestComponent(light.faces[0].eye)));
@@ -134,8 +141,10 @@ void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t 
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                               \
     template std::size_t faceOf(const LightView<Real>&, Vec3<Real>);                                               \
+    template Bounds boundsIn(const View&, std::span<const Vec3<Real>>);                                            \
+    template Real largestIn(std::span<const Vec3<Real>>);                                                          \
     template ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs&, const TransformOutput<Real>&, \
-                                                          bool);                                                   \
+                                                          const ShadowPreparation<Real>&);                         \
     template FacingFilter facingFilter(ShadowCull, const TransformOutput<Real>&);                                  \
     template TriangleBins<Real> binForLight(const TransformOutput<Real>&, const View&, ShadowCull,                 \
                                             std::span<const std::uint8_t>);                                        \

@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "pipeline/buffers/block_buffer.h"
@@ -46,10 +48,27 @@ struct ShadowBufferOutput {
 // Gives a view whose `forward` is set a right-handed pair of axes across it: the sides of the texels.
 void placeAxes(View& view);
 
-// empty: without room for Z', which pipeline/simd makes for itself.
+// A box along the axes of a view, and what is in it.
+struct Bounds {
+    Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    void add(Vec3d p) { low = glm::min(low, p), high = glm::max(high, p); }
+};
+// Of points in world space as a view sees them, toView in double; and the largest of their components, without its sign.
+template <class Real>
+Bounds boundsIn(const View& view, std::span<const Vec3<Real>> points);
+template <class Real>
+Real largestIn(std::span<const Vec3<Real>> points);
+
+// The two of them, and whether there is to be room for Z': pipeline/simd finds them with the same bits, and makes its own.
+template <class Real>
+struct ShadowPreparation {
+    Bounds (*bounds)(const View& view, std::span<const Vec3<Real>> points) = boundsIn<Real>;
+    Real (*largest)(std::span<const Vec3<Real>> points) = largestIn<Real>;
+    bool makesRoom = true;
+};
 template <class Real>
 ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, const TransformOutput<Real>& in,
-                                             bool empty = false);
+                                             const ShadowPreparation<Real>& by = {});
 
 // What is left out of a shadow buffer of these objects.
 template <class Real>

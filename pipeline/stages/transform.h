@@ -44,10 +44,10 @@ struct TransformOutput {
     std::shared_ptr<const Topology> topology;
     View view;
     DepthFormat depthFormat = DepthFormat::Linear;
-    std::vector<std::uint8_t> mirrored;        // per object
-    std::vector<std::uint8_t> transparent;     // per object, 1 where it is as if not there; empty when none is
-    std::vector<glm::dmat3> normalMatrix;      // per object: cofactors, which hold for a flattened object too
-    std::vector<Vec3<Real>> world, viewSpace;  // per vertex
+    std::vector<std::uint8_t> mirrored;      // per object
+    std::vector<std::uint8_t> transparent;   // per object, 1 where it is as if not there; empty when none is
+    std::vector<glm::dmat3> normalMatrix;    // per object: cofactors, which hold for a flattened object too
+    RawVector<Vec3<Real>> world, viewSpace;  // per vertex
     std::size_t done = 0;       // of the vertices, from the first; all, but while stepping inside the stage
     SnappedVertices snapped{};  // in float, for pipeline/simd; else empty
 

@@ -7,6 +7,17 @@
 
 namespace pipeline {
 
+namespace {
+
+// 0 where nothing is yet.
+template <class Values>
+void fillFrom(std::size_t first, Values& values) {
+    if (first < values.size())
+        std::fill(values.begin() + std::ptrdiff_t(first), values.end(), typename Values::value_type(0));
+}
+
+}  // namespace
+
 template <class Real>
 TransformOutput<Real> transformSoFar(const FrameData<Real>& data, std::size_t vertices) {
     const TransformInputs& inputs = data.keys.transform;
@@ -15,6 +26,7 @@ TransformOutput<Real> transformSoFar(const FrameData<Real>& data, std::size_t ve
     out.done = vertices;
     for (std::size_t object = 0; object < inputs.transforms.size() && first[object] < vertices; ++object)
         transform(inputs, object, 0, std::min<std::size_t>(vertices, first[object + 1]) - first[object], out);
+    fillFrom(vertices, out.world), fillFrom(vertices, out.viewSpace);
     return out;
 }
 
@@ -34,9 +46,10 @@ NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygo
     const std::vector<std::uint32_t>& first = in.topology->firstVertex;
     NormalsOutput<Real> out = prepareNormals(inputs, in);
     findPolygonNormals(inputs, in, std::min(polygons, out.polygon.size()), threads, out);
+    fillFrom(polygons, out.polygon), fillFrom(polygons, out.weighted);
     for (std::size_t object = 0; object + 1 < first.size() && first[object] < vertices; ++object)
         findVertexNormals(inputs, in, object, threads, out);
-    if (!out.vertex.empty()) std::fill(out.vertex.begin() + std::ptrdiff_t(vertices), out.vertex.end(), Vec3<Real>(0));
+    fillFrom(vertices, out.vertex);
     return out;
 }
 

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <initializer_list>
+#include <span>
 
 #include "pipeline/run/frame_data.h"
 
@@ -102,13 +104,13 @@ public:
             m_lightView = clipFromWorld(data.shadowBuffer->lights[0][0].faces[0]);
         }
         m_view = clipFromWorld(data.transform->view);
-        m_placeArray = arrayOf(topology, {&data.transform->world});
+        m_placeArray = arrayOf(topology, {data.transform->world});
         m_placeProgram = program(kPlaceOnly, kNothing, whyNot);
         if (m_shadowSize > 0) m_shadow = target({m_shadowSize, m_shadowSize}, false);
         m_picture = target(m_size, m_shaded);
         if (m_shaded) {
             const std::string head = m_shadowSize > 0 ? "#version 330\n#define SHADOWED\n" : "#version 330\n";
-            m_litArray = arrayOf(topology, {&data.transform->world, &data.normals->vertex});
+            m_litArray = arrayOf(topology, {data.transform->world, data.normals->vertex});
             m_litProgram = program(head + kPlaceAndNormal, head + kPhong, whyNot);
             setLight(data, scene);
         }
@@ -170,11 +172,11 @@ private:
     }
 
     // The vertices' values side by side, as the chosen geometry has them.
-    GLuint arrayOf(const Topology& topology, const std::vector<const std::vector<glm::vec3>*>& values) const {
+    GLuint arrayOf(const Topology& topology, std::initializer_list<std::span<const glm::vec3>> values) const {
         std::vector<glm::vec3> all;
         std::vector<std::uint32_t> indices;
         const auto put = [&](std::size_t vertex) {
-            for (const auto* value : values) all.push_back((*value)[vertex]);
+            for (const auto& value : values) all.push_back(value[vertex]);
         };
         if (m_geometry == Geometry::Indexed)
             for (std::size_t i = 0; i < topology.vertexCount(); ++i) put(i);

@@ -97,7 +97,7 @@ std::vector<bool> samplesOnEdges(const Frame& frame) {
     const FrameData<double>& data = *dataOf<double>(frame);
     const View& view = data.transform->view;
     std::vector<bool> on(std::size_t(view.size.x) * std::size_t(view.size.y));
-    const std::vector<Vec3d>& places = data.transform->viewSpace;
+    const RawVector<Vec3d>& places = data.transform->viewSpace;
     const auto mark = [&](const RasterTriangle<double>& triangle) {
         const auto& c = triangle.snapped.corners;
         for (int y = 0; y < view.size.y; ++y)

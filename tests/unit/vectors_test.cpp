@@ -11,6 +11,7 @@
 #include "pipeline/scene/shape.h"
 #include "pipeline/simd/seen_blocks.h"
 #include "pipeline/simd/shade_pixels.h"
+#include "pipeline/simd/transform.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -67,8 +68,14 @@ void expectTheSameBits(const Scene& scene) {
             EXPECT_EQ(barycentricAt(in, id, {x, y}), out.barycentric.at({x, y}));
         }
     if (!data.shadowBuffer) return;
-    for (const auto& samples : data.shadowBuffer->lights) {
-        for (const LightView<float>& light : samples) {
+    const ShadowBufferOutput<float> prepared = prepareShadowBuffer(data.keys.shadowBuffer, in);
+    for (std::size_t k = 0; k < prepared.lights.size(); ++k) {
+        const std::vector<LightView<float>>& samples = data.shadowBuffer->lights[k];
+        ASSERT_EQ(samples.size(), prepared.lights[k].size());
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const LightView<float>& light = samples[i];
+            EXPECT_EQ(light.faces, prepared.lights[k][i].faces);
+            EXPECT_EQ(light.rounding, prepared.lights[k][i].rounding);
             for (std::size_t face = 0; face < light.faces.size(); ++face) {
                 const TriangleBins<float> seen = binForLight(in, light.faces[face], data.keys.shadowBuffer.cull);
                 Buffer2D<float> depth(light.faces[face].size, std::numeric_limits<float>::infinity());
@@ -93,6 +100,25 @@ TEST(Vectors, RasterizeToTheSameBits) {
         random.settings.visibility = Visibility::ZBuffer;
         for (Object& object : random.objects) object.material.alpha = 1;
         if (random.settings.antialiasing == 1) expectTheSameBits(random);
+    }
+}
+
+// Of as many points as are left over behind any vector, of which some have the largest and the smallest numbers.
+TEST(Vectors, FindTheSameBounds) {
+    std::mt19937 random(3);
+    const auto component = [&] {
+        const float magnitudes[]{1, 1e-40F, 1e30F, 0};
+        return std::uniform_real_distribution<float>(-1, 1)(random) * magnitudes[random() % 4];
+    };
+    View view;
+    view.eye = {0.5, -3, 1e10}, view.right = {0.6, 0.8, 0}, view.up = {0, 0, -1}, view.forward = {-0.8, 0.6, 0};
+    for (std::size_t count = 0; count < 70; ++count) {
+        std::vector<Vec3<float>> points(count);
+        for (Vec3<float>& point : points) point = {component(), component(), component()};
+        const Bounds one = boundsIn<float>(view, points), several = boundsInVectors(view, points);
+        EXPECT_EQ(one.low, several.low) << count;
+        EXPECT_EQ(one.high, several.high) << count;
+        EXPECT_EQ(largestIn<float>(points), largestInVectors(points)) << count;
     }
 }
 
