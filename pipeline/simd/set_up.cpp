@@ -142,10 +142,10 @@ HWY_INLINE std::uint32_t mirroredOf(const SetUpInputs& in, const Triangle* trian
     return mirrored;
 }
 
-// The triangles in `live`, set up; gives those that are small, and in `others` those that are set up one by one. first:
-// the index of the first in Topology::triangles.
+// The triangles in `live`, set up; gives those that are small, whose boxes are below `limit`, and in `others` those that
+// are set up one by one. firstId: the index of the first in Topology::triangles.
 HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* triangles, std::size_t firstId,
-                                     std::uint32_t live, Fields& out, std::uint32_t& others) {
+                                     std::int32_t limit, std::uint32_t live, Fields& out, std::uint32_t& others) {
     const I whole;
     const SnappedVertices& from = in.vertices;
     Ints x[3], y[3], p[3];
@@ -163,9 +163,9 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
     const auto cut = has(beside, SnappedVertex::kCut);
     const Ints lowX = hn::Min(x[0], hn::Min(x[1], x[2])), highX = hn::Max(x[0], hn::Max(x[1], x[2]));
     const Ints lowY = hn::Min(y[0], hn::Min(y[1], y[2])), highY = hn::Max(y[0], hn::Max(y[1], y[2]));
-    const Ints limit = hn::Set(whole, in.clipAll ? 0 : largestBox(from.bits) + 1);
-    const auto isSmall =
-        hn::AndNot(cut, hn::And(hn::Lt(hn::Sub(highX, lowX), limit), hn::Lt(hn::Sub(highY, lowY), limit)));
+    const auto isBelow = [&](Ints high, Ints low)
+                             HWY_ATTR { return hn::Lt(hn::Sub(high, low), hn::Set(whole, limit)); };
+    const auto isSmall = hn::AndNot(cut, hn::And(isBelow(highX, lowX), isBelow(highY, lowY)));
     const std::uint32_t small = bitsOf(asFloats(isSmall)) & live;
     others = live & ~small;
     if (small == 0) return 0;
@@ -277,7 +277,9 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
     const std::span<const Triangle> triangles = in.topology.triangles;
     const std::size_t lanes = hn::Lanes(F());
     Binner binner(all, out);
-    out.small.reserve((end - begin) / 2);  // of a closed object, half face away
+    // Of a closed object, half face away.
+    out.small.reserve(in.verdicts.empty() && in.facing.cull == ShadowCull::None ? end - begin : (end - begin) / 2);
+    const std::int32_t limit = in.clipAll ? 0 : largestBox(in.vertices.bits) + 1;
     const bool alone = triangles.size() == in.topology.polygonCount();
     Fields fields{};
     Triangle rest[16]{};
@@ -288,7 +290,7 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         if (live == 0) continue;
         if (count < lanes) std::copy_n(from, count, rest), from = rest;
         std::uint32_t others = 0;
-        const std::uint32_t small = setUpVector(in, from, base, live, fields, others);
+        const std::uint32_t small = setUpVector(in, from, base, limit, live, fields, others);
         // In the order of their polygons.
         for (std::uint32_t left = small | others; left != 0; left &= left - 1) {
             const auto l = std::size_t(std::countr_zero(left));
