@@ -56,7 +56,7 @@ inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
     {"rule.polygon_terms", "Polygon terms", "Evaluates polygons only in flat shading, or where somebody reads them."},
     {"rule.vertex_terms", "Vertex terms", "Evaluates vertices only in Gouraud shading, or where somebody reads them."},
     {"rule.hidden_polygons", "Hidden polygons",
-     "Leaves the evaluation of polygons out that culling dropped and, where there is more than one for four pixels, of "
+     "Leaves the evaluation of polygons out that culling dropped and, where more than one for four pixels is left, of "
      "those that no pixel shows."},
     {"rule.hidden_vertices", "Hidden vertices",
      "Leaves the evaluation of vertices out all of whose polygons are hidden."},

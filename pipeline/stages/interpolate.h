@@ -7,7 +7,7 @@
 namespace pipeline {
 
 // Σ b_i values[v_i] over a triangle's corners; differences from corner 0, so that equal values
-// stay what they are.
+// stay what they are. Values: any array of Vec3<Real>.
 template <class Values, class Real>
 Vec3<Real> interpolated(const Values& values, const std::uint32_t (&v)[3], Vec3<Real> b) {
     const Vec3<Real> origin = values[v[0]];

@@ -48,7 +48,7 @@ struct ShadowBufferOutput {
 // Gives a view whose `forward` is set a right-handed pair of axes across it: the sides of the texels.
 void placeAxes(View& view);
 
-// A box along the axes of a view, and what is in it.
+// The smallest box along the axes of a view around what was added.
 struct Bounds {
     Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
     void add(Vec3d p) { low = glm::min(low, p), high = glm::max(high, p); }
