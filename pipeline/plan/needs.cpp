@@ -284,8 +284,13 @@ Needs needsOf(const Scene& scene, BufferSet wanted, StageId until) {
     needs.polygonNormals = decide.polygonNormals(needs);
     needs.normals = decide.normals(needs);
     needs.vertexTerms = decide.vertexTerms();
-    needs.hiddenPolygons = !needs.rules[index(Rule::HiddenPolygons)] || decide.has(BufferId::PolygonsIntensity);
-    needs.hiddenVertices = !needs.rules[index(Rule::HiddenVertices)] || decide.has(BufferId::VerticesIntensity);
+    // For each sample of a pixel corners are snapped anew: what culling dropped or no pixel showed may be seen in one.
+    const bool snapsAnew = scene.settings.antialiasing > 1;
+    const auto evaluatesHidden = [&](Rule rule, BufferId intensity) {
+        return !needs.rules[index(rule)] || decide.has(intensity) || snapsAnew;
+    };
+    needs.hiddenPolygons = evaluatesHidden(Rule::HiddenPolygons, BufferId::PolygonsIntensity);
+    needs.hiddenVertices = evaluatesHidden(Rule::HiddenVertices, BufferId::VerticesIntensity);
     bool specular = false;
     for (const Light& light : scene.lights) {
         needs.light.push_back(decide.light(light));

@@ -33,7 +33,7 @@ struct Needs {
     bool fast = false;                                             // these in the arithmetic `fast`
     Need layers, layerSort;                                        // of translucent polygons
     std::vector<Need> shadowBuffer, light, specular, attenuation;  // per light
-    bool hiddenPolygons = false, hiddenVertices = false;           // what culling dropped is evaluated too
+    bool hiddenPolygons = false, hiddenVertices = false;           // what nobody can see is evaluated too
     BufferSet buffers;                                             // those that are made
     RuleSet rules;                                                 // in force
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "pipeline/run/parallel.h"
@@ -54,14 +55,13 @@ std::vector<std::uint8_t> seenPolygons(const ShadingInputs& inputs, const Shadin
     return isSeen;
 }
 
-// Leaves in `out` which polygons and vertices are evaluated: nothing where all are. With several samples a pixel that is
-// so: for each of them corners are snapped anew, and what culling dropped or no pixel showed may be seen in one.
+// Leaves in `out` which polygons and vertices are evaluated: nothing where all are.
 template <class Real>
 void findSeen(const ShadingInputs& inputs, const ShadingSources<Real>& in, Threads& threads, ShadingOutput<Real>& out) {
     const bool polygons = inputs.parts.polygonTerms && !inputs.parts.hiddenPolygons;
     const bool vertices = inputs.parts.vertexTerms && !inputs.parts.hiddenVertices;
-    if ((!polygons && !vertices) || inputs.samples > 1) return;
-    const std::vector<std::uint8_t> isSeen = seenPolygons(inputs, in, threads);
+    if (!polygons && !vertices) return;
+    std::vector<std::uint8_t> isSeen = seenPolygons(inputs, in, threads);
     if (vertices) {
         const Topology& topology = *in.transform.topology;
         out.vertexIsSeen.assign(topology.vertexCount(), 0);
@@ -71,7 +71,7 @@ void findSeen(const ShadingInputs& inputs, const ShadingSources<Real>& in, Threa
             for (std::size_t i = 0; i < corners.size(); ++i) out.vertexIsSeen[corners[i]] = 1;
         }
     }
-    if (polygons) out.polygonIsSeen = isSeen;
+    if (polygons) out.polygonIsSeen = std::move(isSeen);
 }
 
 }  // namespace pipeline
