@@ -10,7 +10,7 @@
 #include "app/state/cue_list.h"
 #include "app/state/state_scene.h"
 #include "pipeline/core/text.h"
-#include "pipeline/run/memory.h"
+#include "pipeline/core/memory.h"
 #ifdef SHADESCOPE_WINDOW
 #include "app/desktop/window_main.h"
 #include "app/view3d/offscreen.h"

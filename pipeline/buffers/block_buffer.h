@@ -36,6 +36,7 @@ struct AlignsPieces : LeavesRaw<T> {
     T* allocate(std::size_t count) {
         static_assert(alignof(T) <= 128);
         auto* const piece = static_cast<std::uint8_t*>(::operator new(count * sizeof(T) + alignof(T)));
+        preferLargePages(piece, count * sizeof(T));
         const auto ahead = std::uint8_t(alignof(T) - reinterpret_cast<std::uintptr_t>(piece) % alignof(T));
         piece[ahead - 1] = ahead;
         return reinterpret_cast<T*>(piece + ahead);

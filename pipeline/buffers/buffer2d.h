@@ -9,6 +9,8 @@
 
 #include <glm/glm.hpp>
 
+#include "pipeline/core/memory.h"
+
 namespace pipeline {
 
 // Leaves what a vector grows by as it finds it: what is written in full need not be written twice.
@@ -18,6 +20,11 @@ struct LeavesRaw : std::allocator<T> {
     struct rebind {
         using other = LeavesRaw<U>;
     };
+    T* allocate(std::size_t count) {
+        T* const piece = std::allocator<T>::allocate(count);
+        preferLargePages(piece, count * sizeof(T));
+        return piece;
+    }
     template <class U>
     void construct(U* at) noexcept(std::is_nothrow_default_constructible_v<U>) {
         ::new (static_cast<void*>(at)) U;

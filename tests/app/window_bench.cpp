@@ -22,7 +22,7 @@
 #include "app/panels/buffer_canvas.h"
 #include "app/view3d/vtk_widget.h"
 #include "pipeline/formats/built_in_scenes.h"
-#include "pipeline/run/memory.h"
+#include "pipeline/core/memory.h"
 
 namespace {
 

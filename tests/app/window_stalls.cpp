@@ -21,7 +21,7 @@
 #include "app/panels/buffer_view.h"
 #include "app/view3d/scene_view.h"
 #include "app/view3d/view3d_panel.h"
-#include "pipeline/run/memory.h"
+#include "pipeline/core/memory.h"
 
 namespace {
 

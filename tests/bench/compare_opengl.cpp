@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "pipeline/export/json.h"
-#include "pipeline/run/memory.h"
+#include "pipeline/core/memory.h"
 #include "pipeline/run/runner.h"
 #include "tests/bench/gl_scene.h"
 #include "tests/bench/rounds.h"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/formats/model_reader.h"
-#include "pipeline/run/memory.h"
+#include "pipeline/core/memory.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"
 #include "tests/bench/workloads.h"

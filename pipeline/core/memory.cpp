@@ -1,0 +1,42 @@
+#include "pipeline/core/memory.h"
+
+#include <cstdint>
+#include <cstdlib>  // says whether the library is glibc
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace pipeline {
+
+void keepFreedMemory() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most it takes; what is larger still goes back
+    mallopt(M_TRIM_THRESHOLD, 512 << 20);
+    mallopt(M_TOP_PAD, 64 << 20);
+    // Small pieces are joined as they are freed. A million of them, joined in one go by whoever asks for a large piece
+    // next, hold up every thread that shares their arena for some tenths of a second.
+    mallopt(M_MXFAST, 0);
+#endif
+}
+
+void giveBackFreedMemory() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
+void preferLargePages([[maybe_unused]] void* piece, [[maybe_unused]] std::size_t bytes) {
+#ifdef __linux__
+    constexpr std::uintptr_t kPage = std::uintptr_t(2) << 20;
+    const auto from = reinterpret_cast<std::uintptr_t>(piece);
+    const std::uintptr_t first = (from + kPage - 1) / kPage * kPage, end = (from + bytes) / kPage * kPage;
+    // Where it is refused, the pages are small ones.
+    if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+#endif
+}
+
+}  // namespace pipeline
