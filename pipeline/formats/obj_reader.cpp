@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/core/memory.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/line_scanner.h"
 #include "pipeline/formats/model_formats.h"
@@ -29,7 +30,6 @@ struct Faces {
     std::vector<TextPosition> places;
 
     std::size_t count() const { return places.size(); }
-    Corner corner(std::size_t i) const { return {positions[i], i < normals.size() ? normals[i] : kNone}; }
     bool haveNormals() const {
         return normals.size() == positions.size() && std::ranges::find(normals, kNone) == normals.end();
     }
@@ -226,68 +226,78 @@ private:
     std::map<std::pair<std::size_t, std::string>, std::uint32_t, std::less<>> m_groupOf;
 };
 
-// Makes the meshes of the groups of a file. A position with one normal is one vertex; with another normal it is another
+// Numbers the vertices of the groups of a file. A position with one normal is one vertex; with another normal it is another
 // one.
-class MeshMaker {
+class VertexMaker {
 public:
-    explicit MeshMaker(const ObjFile& file) : m_file(file), m_first(file.positions.size(), kNone) {}
+    explicit VertexMaker(const ObjFile& file) : m_file(file), m_first(file.positions.size(), kNone) {}
 
-    Mesh meshOf(Faces faces) {
+    // A mesh of a group's vertices alone; the positions of its corners become their numbers.
+    Mesh verticesOf(Faces& faces) {
         const bool hasNormals = faces.haveNormals();
-        m_mesh = {}, m_normalOf.clear(), m_others.clear();
-        m_mesh.reservePolygons(faces.count(), faces.positions.size());
-        const std::size_t most = std::min(m_file.positions.size(), faces.positions.size());
-        m_mesh.positions.reserve(most);
-        std::vector<std::uint32_t> polygon;
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < faces.count(); ++i) {
-            polygon.clear();
-            for (std::size_t k = faces.firstCorner[i]; k < faces.firstCorner[i + 1]; ++k) {
-                const Corner corner = faces.corner(k);
-                polygon.push_back(vertex({corner.position, hasNormals ? corner.normal : kNone}));
-            }
-            if (addPolygon(m_mesh, polygon)) faces.places[kept++] = faces.places[i];
+        m_corners.clear(), m_others.clear();
+        for (std::size_t i = 0; i < faces.positions.size(); ++i)
+            faces.positions[i] = vertex({faces.positions[i], hasNormals ? faces.normals[i] : kNone});
+        faces.normals = {};
+        Mesh mesh;
+        mesh.positions.reserve(m_corners.size());
+        if (hasNormals) mesh.normals.reserve(m_corners.size());
+        for (const Corner& corner : m_corners) {
+            mesh.positions.push_back(m_file.positions[corner.position]);
+            if (hasNormals) mesh.normals.push_back(m_file.normals[corner.normal]);
+            m_first[corner.position] = kNone;
         }
-        faces.places.resize(kept);
-        m_mesh.polygonPlaces = std::move(faces.places);
-        for (const std::uint32_t position : faces.positions) m_first[position] = kNone;
-        m_mesh.positions.shrink_to_fit();
-        return std::move(m_mesh);
+        return mesh;
     }
 
 private:
     std::uint32_t vertex(const Corner& corner) {
-        const auto next = static_cast<std::uint32_t>(m_mesh.positions.size());
+        const auto next = static_cast<std::uint32_t>(m_corners.size());
         std::uint32_t& first = m_first[corner.position];
         if (first == kNone) {
             first = next;
         } else {
-            if (corner.normal == kNone || m_normalOf[first] == corner.normal) return first;
+            if (m_corners[first].normal == corner.normal) return first;
             const std::uint64_t key = std::uint64_t{corner.position} << 32 | corner.normal;
             if (const auto [other, isNew] = m_others.try_emplace(key, next); !isNew) return other->second;
         }
-        m_mesh.positions.push_back(m_file.positions[corner.position]);
-        if (corner.normal == kNone) return next;
-        m_mesh.normals.push_back(m_file.normals[corner.normal]);
-        m_normalOf.push_back(corner.normal);
+        m_corners.push_back(corner);
         return next;
     }
 
     const ObjFile& m_file;
     std::vector<std::uint32_t> m_first;                         // vertex of a position, or kNone
     std::unordered_map<std::uint64_t, std::uint32_t> m_others;  // by position and normal, where it has several
-    std::vector<std::uint32_t> m_normalOf;                      // per vertex; empty where the mesh has none
-    Mesh m_mesh;
+    std::vector<Corner> m_corners;                              // per vertex
 };
 
-// Of each group. What the file's lists hold of it is gone then: at most twice the meshes are in memory at any time.
+// faces: the vertex of each corner stands where its position stood.
+void addPolygons(Faces faces, Mesh& mesh) {
+    mesh.reservePolygons(faces.count(), faces.positions.size());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < faces.count(); ++i) {
+        const std::span<const std::uint32_t> corners(faces.positions);
+        const std::uint32_t first = faces.firstCorner[i], count = faces.firstCorner[i + 1] - first;
+        if (addPolygon(mesh, corners.subspan(first, count))) faces.places[kept++] = faces.places[i];
+    }
+    faces.places.resize(kept);
+    mesh.polygonPlaces = std::move(faces.places);
+}
+
+// Of each group. What the file gives and what becomes of it are twice the meshes at most: the polygons are made when its
+// positions and normals are gone.
 std::vector<Mesh> meshesOf(ObjFile& file) {
     file.positions.shrink_to_fit(), file.normals.shrink_to_fit();
     for (Group& group : file.groups) group.faces.shrink();
+    giveBackFreedMemory();
     std::vector<Mesh> meshes;
-    MeshMaker maker(file);
-    for (Group& group : file.groups) meshes.push_back(maker.meshOf(std::move(group.faces)));
+    {
+        VertexMaker maker(file);
+        for (Group& group : file.groups) meshes.push_back(maker.verticesOf(group.faces));
+    }
     file.positions = std::vector<Vec3d>(), file.normals = std::vector<Vec3d>();
+    giveBackFreedMemory();
+    for (std::size_t i = 0; i < meshes.size(); ++i) addPolygons(std::move(file.groups[i].faces), meshes[i]);
     return meshes;
 }
 
