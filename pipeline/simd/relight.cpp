@@ -59,11 +59,10 @@ private:
             for (const std::size_t k : m_lights) {
                 const Reflected& reflected = look.lights[k];
                 // As TileShader has it: the same operations in the same order.
-                const Floats nDotL = hn::Load(F(), lights[k].nDotL + first), S = hn::Load(F(), lights[k].S + first);
+                const Floats nDotL = hn::Load(F(), lights[k].nDotL + first);
                 const Mask lit = hn::And(mask, hn::Gt(nDotL, all(0)));
                 if (look.isFinite && hn::AllFalse(F(), lit)) continue;  // terms of 0
-                const Floats3 diffuse = choose(lit, scaled(all(reflected.diffuse), nDotL), none);
-                Floats3 specular = none;
+                Floats3 diffuse = choose(lit, scaled(all(reflected.diffuse), nDotL), none), specular = none;
                 if (shines) {
                     const Floats log = hn::Load(F(), lights[k].log + first);
                     const Mask there = hn::And(mask, hn::Le(log, all(0)));
@@ -73,10 +72,14 @@ private:
                     }
                     m_powers += static_cast<long long>(hn::CountTrue(F(), there));
                 }
-                const Mask unknown = hn::And(lit, hn::Gt(S, all(1)));
-                if (HWY_UNLIKELY(!hn::AllFalse(F(), unknown)))
-                    if (!hn::AllFalse(F(), hn::AndNot(areZero(diffuse, specular), unknown))) return false;
-                sum = sum + scaled(diffuse, S) + scaled(specular, S);
+                const Floats S = hn::Load(F(), lights[k].S + first);
+                if (!hn::AllTrue(F(), hn::Eq(S, all(1)))) {  // mostly it is 1, and multiplying changes nothing
+                    const Mask unknown = hn::And(lit, hn::Gt(S, all(1)));
+                    if (HWY_UNLIKELY(!hn::AllFalse(F(), unknown)))
+                        if (!hn::AllFalse(F(), hn::AndNot(areZero(diffuse, specular), unknown))) return false;
+                    diffuse = scaled(diffuse, S), specular = scaled(specular, S);
+                }
+                sum = sum + diffuse + specular;
             }
             store(choose(mask, sum, isShared ? load(intensity, i) : none), intensity, i);
         }
