@@ -24,7 +24,7 @@ std::optional<double> meets(Vec3d from, Vec3d way, Vec3d a, Vec3d b, Vec3d c) {
 template <class Real>
 bool facesLight(const FrameData<Real>& data, std::size_t light, Vec3d position, std::uint32_t polygon, bool back) {
     const Light& from = data.keys.shading.lights[light];
-    const Vec3d front(data.normals->polygon[polygon]);
+    const Vec3d front(data.shadingSources().polygonNormal(polygon));
     const Vec3d way = from.kind == LightKind::AtInfinity ? from.position : from.position - position;
     return glm::dot(back ? -front : front, way) > 0;
 }

@@ -48,8 +48,9 @@ Comparison compare(const LightView<Real>& light, const ShadowSettings& settings,
 
 template <class Real>
 Vec3<Real> litNormal(const FrameData<Real>& data, std::uint32_t polygon) {
-    const Vec3<Real> front = data.normals->polygon[polygon];
-    return showsBack(data.keys.shading, data.shadingSources(), polygon) ? -front : front;
+    const ShadingSources<Real> in = data.shadingSources();
+    const Vec3<Real> front = in.polygonNormal(polygon);
+    return showsBack(data.keys.shading, in, polygon) ? -front : front;
 }
 
 bool isMean(const ShadingInputs& inputs, std::size_t light) {

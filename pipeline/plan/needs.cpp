@@ -93,8 +93,20 @@ struct Decision {
         // Which side of a polygon a light meets is asked of every light that casts a shadow, with or without a buffer.
         const bool facing = model() != Model::OpenGl && std::ranges::any_of(scene.lights, &Light::castsShadow);
         const bool read = scene.settings.shading == Shading::Flat || facing;
-        return unless(Rule::PolygonNormals,
-                      read ? "" : "Every vertex has a normal of its own, and there are no shadows.");
+        std::string why;
+        if (!read)
+            why = "Every vertex has a normal of its own, and there are no shadows.";
+        else if (findsNormalsWhereSeen())
+            why = "Shadows alone read them, each where its polygon is seen: there it is found.";
+        return unless(Rule::PolygonNormals, why);
+    }
+    // Of a fine mesh, of one polygon for four pixels and more, most are never seen.
+    bool findsNormalsWhereSeen() const {
+        const Settings& settings = scene.settings;
+        const bool isFine = 4.0 * double(polygonCount(scene)) > double(settings.width) * double(settings.height);
+        return isFine && settings.shading != Shading::Flat && until == StageId::Shading && vectorShading() &&
+               settings.forms.polygonNormal == PolygonNormalForm::Newell &&
+               std::ranges::all_of(scene.objects, [](const Object& o) { return o.mesh->hasTrianglesAlone(); });
     }
     std::vector<bool> ownNormals(const Need& vertexNormals) const {
         if (!vertexNormals || !rules[index(Rule::PolygonNormals)]) return {};

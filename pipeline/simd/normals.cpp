@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
+#include "pipeline/simd/area_vectors.h"
 #include "pipeline/simd/arithmetic.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,7 +24,6 @@ HWY_INLINE void storeUnit(Floats3 v, float* to) {
 void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                      NormalsOutput<float>& out) {
     const std::span<const Triangle> triangles = in.topology->triangles;
-    const bool mirrors = in.anyMirrored();
     const std::size_t lanes = hn::Lanes(F());
     std::size_t base = begin;
     for (; base + lanes <= end; base += lanes) {
@@ -32,17 +32,7 @@ void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& 
             return loadThrees(in.world, [&](std::size_t l) { return here[l].vertices[i]; });
         };
         const Floats3 origin = corner(0), a = corner(1) - origin, b = corner(2) - origin;
-        const auto minor = [](Floats p, Floats q, Floats r, Floats s)
-                               HWY_ATTR { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
-        // Added to zero, as the sum over a polygon's triangles is: a negative zero becomes a positive one.
-        const Floats3 zero = all(Vec3<float>(0));
-        Floats3 sum = zero + Floats3{minor(a.y, b.z, b.y, a.z), minor(a.z, b.x, b.z, a.x), minor(a.x, b.y, b.x, a.y)};
-        if (mirrors) {
-            HWY_ALIGN float turned[16];
-            for (std::size_t l = 0; l < lanes; ++l)
-                turned[l] = in.mirrored[in.topology->objectOfPolygon(base + l)] != 0 ? -1.0F : 1.0F;
-            sum = scaled(sum, hn::Load(F(), turned));
-        }
+        const Floats3 sum = areaVectors(in, a, b, [&](std::size_t l) { return base + l; });
         if (!out.weighted.empty()) hn::StoreInterleaved3(sum.x, sum.y, sum.z, F(), &out.weighted[base].x);
         storeUnit(sum, &out.polygon[base].x);
     }

@@ -15,6 +15,7 @@
 #include <limits>
 #include <optional>
 
+#include "pipeline/simd/area_vectors.h"
 #include "pipeline/simd/arithmetic.h"
 #include "pipeline/simd/seen.h"
 #include "pipeline/simd/seen_blocks.h"
@@ -242,17 +243,31 @@ private:
         const auto triangles = loadFours(U(), [&](std::size_t l) { return topology.triangles[in.id[l]].vertices; });
         for (int corner = 0; corner < 3; ++corner) hn::Store(triangles.of[corner], U(), vertices[corner]);
         hn::Store(triangles.of[3], U(), polygon);
-        const auto interpolate = [&](std::span<const Vec3<float>> values) HWY_ATTR {
+        struct Quantity {
+            Floats3 origin, toSecond, toThird;
+        };
+        const auto cornersOf = [&](std::span<const Vec3<float>> values) HWY_ATTR {
             const auto at = [&](int corner) HWY_ATTR {
                 return loadThrees(values, [&](std::size_t l) { return vertices[corner][l]; });
             };
-            const Floats3 origin = at(0), second = at(1) - origin, third = at(2) - origin;
-            return scaledPlus<A>(third, in.weights.two, scaledPlus<A>(second, in.weights.one, origin));
+            const Floats3 origin = at(0);
+            return Quantity{origin, at(1) - origin, at(2) - origin};
         };
-        store(A::unit(interpolate(m_in.normals.vertex), seen), out.N, i);
-        if constexpr (kPositions) placeAt(interpolate(m_in.transform.world), seen, i, out);
-        if constexpr (kFacing)
-            store(loadThrees(m_in.normals.polygon, [&](std::size_t l) { return polygon[l]; }), out.facing, i);
+        const auto interpolate = [&](const Quantity& q) HWY_ATTR {
+            return scaledPlus<A>(q.toThird, in.weights.two, scaledPlus<A>(q.toSecond, in.weights.one, q.origin));
+        };
+        store(A::unit(interpolate(cornersOf(m_in.normals.vertex)), seen), out.N, i);
+        const auto polygonOf = [&](std::size_t l) { return std::size_t(polygon[l]); };
+        const bool findsFacing = kFacing && m_in.normals.polygon.empty();
+        if (kPositions || findsFacing) {
+            const Quantity world = cornersOf(m_in.transform.world);
+            if constexpr (kPositions) placeAt(interpolate(world), seen, i, out);
+            if (findsFacing) {
+                const Floats3 sum = areaVectors(m_in.transform, world.toSecond, world.toThird, polygonOf);
+                store(Exact::unit(sum, seen), out.facing, i);
+            }
+        }
+        if (kFacing && !findsFacing) store(loadThrees(m_in.normals.polygon, polygonOf), out.facing, i);
         for (std::size_t l = 0; m_tellsObjects && l < hn::Lanes(F()); ++l)
             out.object[i + l] = std::int32_t(topology.objectOfPolygon(polygon[l]));
     }
@@ -286,7 +301,7 @@ private:
         seen.polygon = std::int32_t(triangle.polygon);
         if (m_tellsObjects) seen.object = std::int32_t(m_in.transform.topology->objectOfPolygon(triangle.polygon));
         if (m_positioned && !fromDepth()) seen.positions.become(m_in.transform.world, triangle.vertices);
-        if (m_facing) seen.facing = m_in.normals.polygon[triangle.polygon];
+        if (m_facing) seen.facing = m_in.polygonNormal(triangle.polygon);
         if (!m_perPixel) return;
         if (fromDepth() && seen.triangle.isLinear()) becomePlane(seen, triangle);
         if (!seen.isPlane) seen.normals.become(m_in.normals.vertex, triangle.vertices);

@@ -33,14 +33,25 @@ Vec3<Real> areaVector(PolygonNormalForm form, const RawVector<Vec3<Real>>& world
     return sum;
 }
 
+// Of a polygon of the scene, outward.
+template <class Real>
+Vec3<Real> areaVector(PolygonNormalForm form, const TransformOutput<Real>& in, std::size_t polygon) {
+    const Vec3<Real> sum = areaVector(form, in.world, in.topology->corners(polygon));
+    return in.mirrored[in.topology->objectOfPolygon(polygon)] ? -sum : sum;
+}
+
 }  // namespace
+
+template <class Real>
+Vec3<Real> polygonNormal(const TransformOutput<Real>& in, std::size_t polygon) {
+    return normalized(areaVector(PolygonNormalForm::Newell, in, polygon));
+}
 
 template <class Real>
 void polygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
                     NormalsOutput<Real>& out) {
     for (std::size_t polygon = begin; polygon < end; ++polygon) {
-        Vec3<Real> sum = areaVector(inputs.form, in.world, in.topology->corners(polygon));
-        if (in.mirrored[in.topology->objectOfPolygon(polygon)]) sum = -sum;
+        const Vec3<Real> sum = areaVector(inputs.form, in, polygon);
         out.polygon[polygon] = normalized(sum, inputs.unit);
         if (!out.weighted.empty()) out.weighted[polygon] = sum;
     }
@@ -107,6 +118,7 @@ void replaceVanishing(const TransformOutput<Real>& in, std::size_t object, Norma
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                              \
     template NormalsOutput<Real> prepareNormals(const NormalsInputs&, const TransformOutput<Real>&);              \
+    template Vec3<Real> polygonNormal(const TransformOutput<Real>&, std::size_t);                                 \
     template void polygonNormals(const NormalsInputs&, const TransformOutput<Real>&, std::size_t, std::size_t,    \
                                  NormalsOutput<Real>&);                                                           \
     template void sumAroundVertices(const NormalsInputs&, const TransformOutput<Real>&, std::size_t,              \

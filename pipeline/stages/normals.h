@@ -20,7 +20,7 @@ struct NormalsInputs {
 
 template <class Real>
 struct NormalsOutput {
-    RawVector<Vec3<Real>> polygon;   // per polygon; (0, 0, 0) for one without area; empty when not asked for
+    RawVector<Vec3<Real>> polygon;   // per polygon; (0, 0, 0) for one without area; empty when not needed of all
     std::vector<Vec3<Real>> vertex;  // per vertex; empty when not asked for
     // Where the mean of the normals around a vertex vanishes, the first of them stands in: how often.
     std::size_t vanishing = 0;
@@ -37,6 +37,10 @@ NormalsOutput<Real> prepareNormals(const NormalsInputs& inputs, const TransformO
 template <class Real>
 void polygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
                     NormalsOutput<Real>& out);
+
+// Of one of them, by default: the same bits.
+template <class Real>
+Vec3<Real> polygonNormal(const TransformOutput<Real>& in, std::size_t polygon);
 
 // The vertices of one object, in three steps. First the sums over the polygons around each: of the unit normals
 // (lecture 1), or weighted by area or by the angle at the vertex.

@@ -109,7 +109,7 @@ Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::
     const Light& light = inputs.lights[k];
     // OpenGL has no shadows: only the normal it is given says what a light reaches.
     if (inputs.illumination.model == Model::OpenGl || !light.castsShadow) return 1;
-    const Vec3<Real> front = in.normals.polygon[polygon];
+    const Vec3<Real> front = in.polygonNormal(polygon);
     const Vec3<Real> normal = showsBack(inputs, in, polygon) ? -front : front;
     const bool looksUp = in.shadow && !in.shadow->lights[k].empty();
     const SampleGrid grid = sampleGrid(light);

@@ -125,6 +125,10 @@ struct ShadingSources {
     const CullOutput* cull;  // null where culling is left out
 
     bool goesOn(std::size_t polygon) const { return !cull || pipeline::goesOn(cull->verdicts[polygon]); }
+    // Where the stage has not left those of all, of the polygon alone.
+    Vec3<Real> polygonNormal(std::size_t polygon) const {
+        return normals.polygon.empty() ? pipeline::polygonNormal(transform, polygon) : normals.polygon[polygon];
+    }
 };
 
 // Whether a polygon is lit from behind: two-sided lighting turns its normal round.
