@@ -31,6 +31,9 @@ void giveBackFreedMemory() {
 
 void preferLargePages([[maybe_unused]] void* piece, [[maybe_unused]] std::size_t bytes) {
 #ifdef __linux__
+    // More than a buffer of 1920 × 1080 pixels, not all of whose tiles are written.
+    constexpr std::size_t kLeast = 9'000'000;
+    if (bytes < kLeast) return;
     constexpr std::uintptr_t kPage = std::uintptr_t(2) << 20;
     const auto from = reinterpret_cast<std::uintptr_t>(piece);
     const std::uintptr_t first = (from + kPage - 1) / kPage * kPage, end = (from + bytes) / kPage * kPage;

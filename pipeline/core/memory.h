@@ -13,9 +13,9 @@ void keepFreedMemory();
 // Gives the system back what is free now: for once, when much of it was needed for a moment.
 void giveBackFreedMemory();
 
-// Asks for pages of 2 MB instead of 4 KB where whole ones lie in a piece of memory that is about to be written. The system
-// clears a page when it is first written, and at ten million polygons that took a third of a frame, page by page. No more
-// memory is taken, and nothing that stands in the piece changes.
+// Asks for pages of 2 MB instead of 4 KB where whole ones lie in a piece of memory, of 9 MB and more, that is about to be
+// written as a whole. The system clears a page when it is first written, and at ten million polygons that took a third of
+// a frame, page by page. Nothing that stands in the piece changes.
 void preferLargePages(void* piece, std::size_t bytes);
 
 }  // namespace pipeline

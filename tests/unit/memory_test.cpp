@@ -14,9 +14,9 @@
 namespace pipeline {
 namespace {
 
-// Of 2 MB and more there are whole large pages in a piece, wherever it begins; in a smaller one there may be none.
+// Of 9 MB and more whole pages in a piece become large ones, wherever it begins.
 TEST(Memory, UnderLargePagesWhatStandsThereStays) {
-    for (const std::size_t count : {0, 1, 1000, 1'000'000, 3'000'000}) {
+    for (const std::size_t count : {0, 1, 1000, 1'000'000, 6'000'000}) {
         std::vector<std::uint32_t> numbers(count);
         std::iota(numbers.begin(), numbers.end(), 7U);
         for (const std::size_t from : {0, 1, 500})
