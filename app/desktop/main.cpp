@@ -9,8 +9,8 @@
 #include "app/cli/cli.h"
 #include "app/state/cue_list.h"
 #include "app/state/state_scene.h"
-#include "pipeline/core/text.h"
 #include "pipeline/core/memory.h"
+#include "pipeline/core/text.h"
 #ifdef SHADESCOPE_WINDOW
 #include "app/desktop/window_main.h"
 #include "app/view3d/offscreen.h"

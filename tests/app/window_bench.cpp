@@ -21,8 +21,8 @@
 #include "app/desktop/window_main.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/view3d/vtk_widget.h"
-#include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/core/memory.h"
+#include "pipeline/formats/built_in_scenes.h"
 
 namespace {
 

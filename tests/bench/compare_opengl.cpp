@@ -9,8 +9,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "pipeline/export/json.h"
 #include "pipeline/core/memory.h"
+#include "pipeline/export/json.h"
 #include "pipeline/run/runner.h"
 #include "tests/bench/gl_scene.h"
 #include "tests/bench/rounds.h"

@@ -8,8 +8,8 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "pipeline/formats/model_reader.h"
 #include "pipeline/core/memory.h"
+#include "pipeline/formats/model_reader.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"
 #include "tests/bench/workloads.h"
