@@ -238,7 +238,7 @@ public:
         m_corners.clear(), m_others.clear();
         for (std::size_t i = 0; i < faces.positions.size(); ++i)
             faces.positions[i] = vertex({faces.positions[i], hasNormals ? faces.normals[i] : kNone});
-        faces.normals = {};
+        faces.normals = std::vector<std::uint32_t>();
         Mesh mesh;
         mesh.positions.reserve(m_corners.size());
         if (hasNormals) mesh.normals.reserve(m_corners.size());

@@ -61,7 +61,7 @@ std::shared_ptr<const NormalsOutput<Real>> runNormals(const NormalsInputs& input
     findPolygonNormals(inputs, in, out->polygon.size(), threads, *out);
     for (std::size_t object = 0; object < in.topology->meshes.size() && inputs.vertexNormals; ++object)
         if (!threads.stopped()) findVertexNormals(inputs, in, object, threads, *out);
-    out->weighted = {};
+    out->weighted = RawVector<Vec3<Real>>();
     return out;
 }
 
