@@ -12,10 +12,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// Twice the areas of triangles along their normals, outward, as polygonNormals sums them. toSecond, toThird: from corner 0;
-// polygonOf(l): that of lane l.
+// Twice the areas of triangles along their normals, outward, as polygonNormals sums them. mirrors: in.anyMirrored(), which
+// looks at every object; toSecond, toThird: from corner 0; polygonOf(l): that of lane l.
 template <class PolygonOf>
-HWY_INLINE Floats3 areaVectors(const TransformOutput<float>& in, Floats3 toSecond, Floats3 toThird,
+HWY_INLINE Floats3 areaVectors(const TransformOutput<float>& in, bool mirrors, Floats3 toSecond, Floats3 toThird,
                                PolygonOf polygonOf) {
     const auto minor = [](Floats p, Floats q, Floats r, Floats s)
                            HWY_ATTR { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
@@ -23,7 +23,7 @@ HWY_INLINE Floats3 areaVectors(const TransformOutput<float>& in, Floats3 toSecon
     // Added to zero, as the sum over a polygon's triangles is: a negative zero becomes a positive one.
     const Floats3 sum =
         all(Vec3<float>(0)) + Floats3{minor(a.y, b.z, b.y, a.z), minor(a.z, b.x, b.z, a.x), minor(a.x, b.y, b.x, a.y)};
-    if (!in.anyMirrored()) return sum;
+    if (!mirrors) return sum;
     HWY_ALIGN float turned[16];
     for (std::size_t l = 0; l < hn::Lanes(F()); ++l)
         turned[l] = in.mirrored[in.topology->objectOfPolygon(polygonOf(l))] != 0 ? -1.0F : 1.0F;

@@ -25,6 +25,7 @@ void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& 
                      NormalsOutput<float>& out) {
     const std::span<const Triangle> triangles = in.topology->triangles;
     const std::size_t lanes = hn::Lanes(F());
+    const bool mirrors = in.anyMirrored();
     std::size_t base = begin;
     for (; base + lanes <= end; base += lanes) {
         const Triangle* const here = &triangles[base];
@@ -32,7 +33,7 @@ void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& 
             return loadThrees(in.world, [&](std::size_t l) { return here[l].vertices[i]; });
         };
         const Floats3 origin = corner(0), a = corner(1) - origin, b = corner(2) - origin;
-        const Floats3 sum = areaVectors(in, a, b, [&](std::size_t l) { return base + l; });
+        const Floats3 sum = areaVectors(in, mirrors, a, b, [&](std::size_t l) { return base + l; });
         if (!out.weighted.empty()) hn::StoreInterleaved3(sum.x, sum.y, sum.z, F(), &out.weighted[base].x);
         storeUnit(sum, &out.polygon[base].x);
     }

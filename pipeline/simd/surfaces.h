@@ -17,6 +17,7 @@
 
 #include "pipeline/simd/area_vectors.h"
 #include "pipeline/simd/arithmetic.h"
+#include "pipeline/simd/rows.h"
 #include "pipeline/simd/seen.h"
 #include "pipeline/simd/seen_blocks.h"
 #include "pipeline/stages/shading.h"
@@ -24,36 +25,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
-
-// Numbers of the pixels of a row of blocks. What shading computes goes from row to row in short loops, which keep what
-// they work on in registers and find what others left in the nearest cache.
-constexpr std::size_t kRowPixels = std::size_t(kBlocksAcross) * kBlockPixels;
-constexpr std::size_t kRowVectors = kRowPixels / std::min<std::size_t>(16, HWY_LANES(float));
-struct Row {
-    alignas(64) float of[kRowPixels];
-};
-struct Row3 {
-    Row x, y, z;
-};
-HWY_INLINE Floats load(const Row& from, std::size_t i) { return hn::Load(F(), from.of + i); }
-HWY_INLINE Floats3 load(const Row3& from, std::size_t i) { return {load(from.x, i), load(from.y, i), load(from.z, i)}; }
-HWY_INLINE void store(Floats v, Row& to, std::size_t i) { hn::Store(v, F(), to.of + i); }
-HWY_INLINE void store(Floats3 v, Row3& to, std::size_t i) {
-    store(v.x, to.x, i), store(v.y, to.y, i), store(v.z, to.z, i);
-}
-HWY_INLINE Floats3 choose(Mask mask, Floats3 yes, Floats3 no) {
-    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
-}
-
-// Vectors of a row, and which of their pixels: as bits, for GCC aligns no memory that a container asks for to vectors
-// wider than those it compiles for by default.
-struct Group {
-    std::size_t object = 0, count = 0;  // object: that all of the pixels are of, where that makes a difference
-    std::size_t at[kRowVectors];
-    std::uint32_t bits[kRowVectors];
-    void add(std::size_t i, Mask pixels) { at[count] = i, bits[count++] = bitsOf(pixels); }
-    HWY_INLINE Mask mask(std::size_t n) const { return maskOf(bits[n]); }
-};
 
 // What is seen in a row of blocks. Numbers of pixels in which nothing is seen are any.
 struct SurfaceRow {
@@ -109,6 +80,7 @@ public:
           m_positioned(inputs.parts.position),
           m_tellsObjects(m_perPixel && inputs.materials.size() > 1),
           m_isViewed(m_perPixel && inputs.parts.viewVector),
+          m_mirrors(in.transform.anyMirrored()),
           m_eye(in.transform.view.eye),
           m_back(-Vec3<float>(in.transform.view.forward)) {
         if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
@@ -263,7 +235,7 @@ private:
             const Quantity world = cornersOf(m_in.transform.world);
             if constexpr (kPositions) placeAt(interpolate(world), seen, i, out);
             if (findsFacing) {
-                const Floats3 sum = areaVectors(m_in.transform, world.toSecond, world.toThird, polygonOf);
+                const Floats3 sum = areaVectors(m_in.transform, m_mirrors, world.toSecond, world.toThird, polygonOf);
                 store(Exact::unit(sum, seen), out.facing, i);
             }
         }
@@ -383,7 +355,7 @@ private:
     const ShadingSources<float>& m_in;
     Tile m_tile;
     bool m_isFine = false;  // for triangles of few pixels
-    bool m_perPixel, m_positioned, m_tellsObjects, m_isViewed, m_facing = false, m_isDrawn = true;
+    bool m_perPixel, m_positioned, m_tellsObjects, m_isViewed, m_mirrors, m_facing = false, m_isDrawn = true;
     Vec3<float> m_eye, m_back;                 // of the view; against its direction
     std::size_t m_index = 0;                   // of the tile
     const std::uint32_t* m_records = nullptr;  // of the tile; null where the stage's own text drew
