@@ -221,7 +221,7 @@ void addTranslucent(const Scene& scene, const FrameData<Real>& data, const std::
         if (!drawn[p]) continue;
         polygons.push_back(p);
         const Topology::Corners corners = topology.corners(p);
-        for (std::size_t i = 0; i < corners.size(); ++i) mean[p] += double(data.transform->viewSpace[corners[i]].z);
+        for (std::size_t i = 0; i < corners.size(); ++i) mean[p] += double(data.transform->viewSpace(corners[i]).z);
         mean[p] /= double(corners.size());
     }
     if (polygons.empty()) return;

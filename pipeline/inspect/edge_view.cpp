@@ -24,7 +24,7 @@ std::optional<EdgeView> viewAt(const FrameData<Real>& data, glm::ivec2 pixel) {
     const Triangle& triangle = in.topology->triangles[id];
     const auto& v = triangle.vertices;
     std::optional<EdgeView> found;
-    setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, id,
+    setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, id,
                         [&](const RasterTriangle<Real>& piece) {
                             const EdgeView view{triangle.polygon, piece.snapped.corners, piece.snapped.area2()};
                             if (!found || edgesAt(view, pixel).covered()) found = view;

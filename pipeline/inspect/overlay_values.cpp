@@ -18,7 +18,7 @@ std::vector<double> areasOf(const FrameData<Real>& data) {
         const Triangle& triangle = in.topology->triangles[t];
         if (areas.size() <= triangle.polygon) areas.resize(triangle.polygon + 1);
         const auto& v = triangle.vertices;
-        setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, std::uint32_t(t),
+        setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, std::uint32_t(t),
                             [&](const RasterTriangle<Real>& piece) {
                                 constexpr double kUnits = 2.0 * double(kSubPixels) * double(kSubPixels);
                                 areas[triangle.polygon] += double(piece.snapped.area2()) / kUnits;

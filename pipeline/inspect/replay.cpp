@@ -21,7 +21,7 @@ bool mayCover(const TransformOutput<Real>& in, std::span<const std::uint32_t, 3>
         high(glm::dvec2(tile.max + 1) - view.centre);
     glm::bvec4 beside(true);  // left, right, above, below
     for (const std::uint32_t i : v) {
-        const Vec3<Real>& p = in.viewSpace[i];
+        const Vec3<Real> p = in.viewSpace(i);
         if (view.perspective && !(p.z >= Real(view.near))) return true;
         const Real spread = view.perspective ? p.z : Real(1), x = scale.x * p.x, y = -scale.y * p.y;
         beside.x = beside.x && x < low.x * spread, beside.y = beside.y && x > high.x * spread;
@@ -39,7 +39,7 @@ TriangleBins<Real> piecesAt(const FrameData<Real>& data, Tile tile, const std::s
         const Triangle& triangle = in.topology->triangles[t];
         const auto& v = triangle.vertices;
         if (!mayCover(in, v, tile) || !keep(triangle.polygon)) continue;
-        setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, std::uint32_t(t),
+        setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, std::uint32_t(t),
                             [&](const RasterTriangle<Real>& piece) {
                                 bool covers = false;
                                 forEachCovered(piece.snapped, tile, [&](glm::ivec2, const auto&) { covers = true; });
@@ -60,8 +60,8 @@ template <class Real>
 std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, Tile tile) {
     const TransformOutput<Real>& in = *data.transform;
     const TriangleBins<Real> bins =
-        binTriangles<Real>(*in.topology, in.view, in.viewSpace, data.verdicts(), {}, opaquePolygons(data));
-    const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.viewSpace, bins, data.keys.zBuffer.split);
+        binTriangles<Real>(*in.topology, in.view, in.world, data.verdicts(), {}, opaquePolygons(data));
+    const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.world, bins, data.keys.zBuffer.split);
     std::vector<std::uint32_t> pieces(order.pieces.size());
     std::iota(pieces.begin(), pieces.end(), 0u);
     ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, in.depthFormat);

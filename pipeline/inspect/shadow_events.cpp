@@ -17,7 +17,7 @@ Vec3<Real> worldAt(const FrameData<Real>& data, std::uint32_t triangle, glm::ive
     const TransformOutput<Real>& in = *data.transform;
     const auto& v = in.topology->triangles[triangle].vertices;
     Vec3<Real> position(0);
-    setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, triangle,
+    setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, triangle,
                         [&](const RasterTriangle<Real>& piece) {
                             forEachCovered(piece.snapped, {pixel, pixel + 1}, [&](glm::ivec2, const auto& e) {
                                 const Fragment<Real> fragment = interpolate(piece, e, in.view.perspective);

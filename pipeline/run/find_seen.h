@@ -24,11 +24,11 @@ void markShown(const ShadingSources<Real>& in, std::size_t tile, std::vector<std
     };
     const Tile pixels = tileOf(in.transform.view.size, tile);
     if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
-        const std::uint32_t* records = seen->record.tile(tile)->of;
+        const std::uint32_t* names = seen->name.tile(tile)->of;
         for (std::size_t at = 0; at < kTilePixels; ++at) {
             const glm::ivec2 pixel = pixels.min + pixelOf(at);
             if (pixel.x < pixels.max.x && pixel.y < pixels.max.y)
-                mark(records[at], [&](std::uint32_t record) { return seen->pieces.triangleOf(record); });
+                mark(names[at], [&](std::uint32_t name) { return seen->pieces.triangleOf(name); });
         }
         return;
     }

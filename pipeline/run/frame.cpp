@@ -126,9 +126,11 @@ std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& dat
     using enum BufferId;
     switch (name.id) {
         case VerticesWorld: return view(name, data.transform->world, data.transform);
-        case VerticesView: return view(name, data.transform->viewSpace, data.transform);
+        case VerticesView:
         case VerticesScreen: {
-            const auto places = std::make_shared<const std::vector<Vec3<Real>>>(screenPlaces(*data.transform));
+            const TransformOutput<Real>& in = *data.transform;
+            const auto places = std::make_shared<const std::vector<Vec3<Real>>>(
+                name.id == VerticesView ? viewPlaces(in) : screenPlaces(in));
             return view(name, *places, places);
         }
         case PolygonsVerdict: {

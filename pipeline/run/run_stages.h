@@ -24,9 +24,12 @@
 namespace pipeline {
 
 // What the kernels of pipeline/simd read beside; in float alone.
-inline void snapVertices(TransformOutput<float>& out, Threads& threads) {
+inline void prepareSnapped(TransformOutput<float>& out) {
     out.snapped.bits = out.view.subPixelBits;
     out.snapped.of.resize(out.world.size());
+}
+inline void snapVertices(TransformOutput<float>& out, Threads& threads) {
+    prepareSnapped(out);
     threads.forRange(out.world.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
         snapInVectors(out.view, out.world, begin, end, out.snapped);
     });
@@ -35,15 +38,19 @@ inline void snapVertices(TransformOutput<float>& out, Threads& threads) {
 template <class Real>
 std::shared_ptr<const TransformOutput<Real>> runTransform(const TransformInputs& inputs, Threads& threads) {
     auto out = std::make_shared<TransformOutput<Real>>(prepareTransform<Real>(inputs));
-    for (std::size_t object = 0; object < inputs.transforms.size(); ++object)
+    if constexpr (std::is_same_v<Real, float>) prepareSnapped(*out);
+    for (std::size_t object = 0; object < inputs.transforms.size(); ++object) {
+        const std::size_t first = inputs.topology->firstVertex[object];
         threads.forRange(inputs.topology->meshes[object]->positions.size(), kVertexGrain,
                          [&](std::size_t begin, std::size_t end) {
-                             if constexpr (std::is_same_v<Real, float>)
+                             if constexpr (std::is_same_v<Real, float>) {
                                  transformInVectors(inputs, object, begin, end, *out);
-                             else
+                                 snapInVectors(out->view, out->world, first + begin, first + end, out->snapped);
+                             } else {
                                  transform(inputs, object, begin, end, *out);
+                             }
                          });
-    if constexpr (std::is_same_v<Real, float>) snapVertices(*out, threads);
+    }
     return out;
 }
 
@@ -107,22 +114,24 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBu
     auto seen = std::make_shared<SeenBlocks>();
     seen->pieces = prepareSetUp(setUp);
     setUpPieces(setUp, seen->pieces, threads);
-    seen->z = BlockBuffer2D<float>(in.view.size), seen->record = BlockBuffer2D<std::uint32_t>(in.view.size);
+    seen->z = BlockBuffer2D<float>(in.view.size), seen->name = BlockBuffer2D<std::uint32_t>(in.view.size);
     const TrianglePieces& pieces = seen->pieces;
     for (const TrianglePiece& piece : pieces.pieces) out->clipped += piece.clipped, out->unclipped += piece.unclipped;
     for (std::size_t tile = 0; tile < pieces.tileCount(); ++tile) out->tileIsDrawn.push_back(pieces.touches(tile));
     std::vector<TileCounts> counts(pieces.tileCount());
     threads.forRange(counts.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) counts[tile] = zBufferInVectors(in.view, tile, *seen, *out);
+        for (std::size_t tile = begin; tile < end; ++tile) counts[tile] = zBufferInVectors(setUp, tile, *seen, *out);
     });
     for (const TileCounts& tile : counts)
         out->arrived += tile.arrived, out->won += tile.won, out->seenPixels += tile.seen;
+    seen->triangles = pieces.count();
+    seen->pieces.forgetDrawn();
     out->seen = seen;
     const std::vector<std::uint8_t>& drawn = out->tileIsDrawn;
     out->zView =
         LateBuffer2D<float>([seen, drawn] { return rowsOf(seen->z, drawn, std::numeric_limits<float>::infinity()); });
     out->triangle = LateBuffer2D<std::uint32_t>([seen, drawn] {
-        Buffer2D<std::uint32_t> rows = rowsOf(seen->record, drawn, kNoTriangle);
+        Buffer2D<std::uint32_t> rows = rowsOf(seen->name, drawn, kNoTriangle);
         for (std::uint32_t& i : rows.pixels)
             if (i != kNoTriangle) i = seen->pieces.triangleOf(i);
         return rows;
@@ -145,11 +154,11 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
                 inputs, in, {*in.topology, in.view, in.world, in.snapped, verdicts, inside, drawn, inputs.clipAll},
                 threads);
     auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
-    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.viewSpace, verdicts, inside, drawn);
+    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.world, verdicts, inside, drawn);
     out->clipped = bins.clipped, out->unclipped = bins.unclipped;
     for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
     if (inputs.visibility == Visibility::Painter) {
-        const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.viewSpace, bins, inputs.split);
+        const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.world, bins, inputs.split);
         const auto tiles = binPieces(bins, order);
         threads.forRange(tiles.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
             for (std::size_t tile = begin; tile < end; ++tile)

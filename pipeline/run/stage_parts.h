@@ -108,7 +108,7 @@ inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, st
         threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
             for (std::size_t tile = begin; tile < end; ++tile) {
                 blocks->fill(tile, std::numeric_limits<float>::infinity());
-                shadowBufferInVectors(face, pieces, tile, *blocks);
+                shadowBufferInVectors(setUp, pieces, tile, *blocks);
             }
         });
     }

@@ -300,6 +300,8 @@ struct Distances {
     Floats w0, toW1, toW2;
     HWY_INLINE Distances(float first, float second, float third)
         : w0(all(first)), toW1(all(second - first)), toW2(all(third - first)) {}
+    HWY_INLINE Distances(Floats first, Floats second, Floats third)
+        : w0(first), toW1(hn::Sub(second, first)), toW2(hn::Sub(third, first)) {}
     template <bool kPerspective>
     HWY_INLINE Floats z(Floats l1, Floats l2) const {
         const Floats w = hn::Add(hn::Add(w0, hn::Mul(l1, toW1)), hn::Mul(l2, toW2));

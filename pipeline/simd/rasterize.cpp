@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 //
 #include "pipeline/simd/seen.h"
+#include "pipeline/simd/tiny_triangles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
@@ -27,7 +28,7 @@ struct CountedTile {
 
 struct DrawnTile {
     Block<float>* z;
-    Block<std::uint32_t>* record;
+    Block<std::uint32_t>* name;
     CountedTile* counted;  // null where nobody asks
 };
 
@@ -57,8 +58,9 @@ HWY_INLINE Floats nowhereOutside(Ints outside, Floats z) {
 // The lists of tiles jump about in the triangles.
 HWY_INLINE void fetchAhead(const TrianglePiece& piece, std::span<const std::uint32_t> list, std::size_t n) {
     constexpr std::size_t kAhead = 12;
-    if (n + kAhead >= list.size() || list[n + kAhead] & TrianglePiece::kOther) return;
-    hwy::Prefetch(&piece.small[list[n + kAhead]]);
+    if (n + kAhead >= list.size()) return;
+    const std::uint32_t i = list[n + kAhead];
+    if ((i & (TrianglePiece::kOther | TrianglePiece::kTiny)) == 0) hwy::Prefetch(&piece.small[i]);
 }
 
 // Calls visit(at, edges, distances) for the vectors of a tile that a triangle which is not small covers a part of, and
@@ -77,7 +79,8 @@ HWY_INLINE void forEachOfOther(const RasterTriangle<float>& t, Tile tile, int bi
 template <bool kPerspective, bool kPlain>
 class TileDrawer {
 public:
-    TileDrawer(const View& view, Tile tile, const DrawnTile& out) : m_view(view), m_tile(tile), m_out(out) {}
+    TileDrawer(const SetUpInputs& in, Tile tile, const DrawnTile& out)
+        : m_bits(in.view.subPixelBits), m_tile(tile), m_out(out), m_tiny(in, tile) {}
 
     TileCounts draw(const TrianglePieces& all, std::size_t index) {
         Sums sums;
@@ -86,47 +89,60 @@ public:
             const auto list = piece.list(index);
             for (std::size_t n = 0; n < list.size(); ++n) {
                 fetchAhead(piece, list, n);
-                const std::uint32_t i = list[n], record = TrianglePieces::record(number, i);
-                if (i & TrianglePiece::kOther)
-                    drawOther(piece.others[i & TrianglePieces::kIndex], record);
+                const std::uint32_t i = list[n];
+                if (i & TrianglePiece::kTiny) {
+                    m_tiny.add(piece.tiny[i & ~TrianglePiece::kTiny]);
+                    if (m_tiny.isFull()) drawTiny();
+                    continue;
+                }
+                drawTiny();  // they come first
+                if (const std::uint32_t other = i & ~TrianglePiece::kOther; other != i)
+                    drawOther(piece.others[other], TrianglePieces::nameOfOther(number, other));
                 else
-                    drawSmall(piece.small[i], record, sums);
+                    drawSmall(piece.small[i], sums);
             }
         }
+        drawTiny();
         sums.addTo(m_counts);
         return m_counts;
     }
 
 private:
-    HWY_INLINE void drawSmall(const SmallTriangle& t, std::uint32_t record, Sums& sums) {
+    HWY_INLINE void drawTiny() {
+        m_tiny.template draw<kPerspective>([&](std::size_t at, float z, std::uint32_t id) { drawPixel(at, z, id); });
+    }
+    HWY_INLINE void drawPixel(std::size_t at, float z, std::uint32_t name) {
+        float& stored = m_out.z[0].of[at];
+        std::uint32_t& seen = m_out.name[0].of[at];
+        const bool won = z < stored;
+        stored = won ? z : stored, seen = won ? name : seen;
+        ++m_counts.arrived, m_counts.won += won;
+        if (!kPlain && m_out.counted) ++m_out.counted->arrived[0].of[at], m_out.counted->won[0].of[at] += won;
+    }
+    HWY_INLINE void drawSmall(const SmallTriangle& t, Sums& sums) {
         const Distances distances(t.w0, t.w1, t.w2);
-        const auto seen = hn::Set(U(), record);
+        const auto name = hn::Set(U(), t.id);
         forEachVector(t, m_tile, [&](std::size_t at, const EdgesAt& edges) HWY_ATTR {
-            drawVector(at, edges, distances, seen, sums);
+            drawVector(at, edges, distances, name, sums);
         });
     }
-    HWY_NOINLINE void drawOther(const RasterTriangle<float>& t, std::uint32_t record) {
+    HWY_NOINLINE void drawOther(const RasterTriangle<float>& t, std::uint32_t name) {
         Sums sums;
-        const auto seen = hn::Set(U(), record);
+        const auto names = hn::Set(U(), name);
         forEachOfOther(
-            t, m_tile, m_view.subPixelBits,
+            t, m_tile, m_bits,
             [&](std::size_t at, const EdgesAt& edges, const Distances& distances)
-                HWY_ATTR { drawVector(at, edges, distances, seen, sums); },
+                HWY_ATTR { drawVector(at, edges, distances, names, sums); },
             [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
-                const std::size_t at = placeOf(pixel - m_tile.min);
-                const float z = interpolate(t, e, kPerspective).z;
-                const bool won = z < m_out.z[0].of[at];
-                ++m_counts.arrived, m_counts.won += won;
-                if (m_out.counted) ++m_out.counted->arrived[0].of[at], m_out.counted->won[0].of[at] += won;
-                if (won) m_out.z[0].of[at] = z, m_out.record[0].of[at] = record;
+                drawPixel(placeOf(pixel - m_tile.min), interpolate(t, e, kPerspective).z, name);
             });
         sums.addTo(m_counts);
     }
     // What a triangle has in one vector.
-    HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances& distances, hn::Vec<U> record,
+    HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances& distances, hn::Vec<U> name,
                                Sums& sums) {
         float* const to = &m_out.z[0].of[at];
-        std::uint32_t* const seen = &m_out.record[0].of[at];
+        std::uint32_t* const seen = &m_out.name[0].of[at];
         const Ints outside =
             kPlain ? edges.outside
                    : hn::IfThenElse(hn::RebindMask(I(), within(m_tile, at)), edges.outside, hn::Set(I(), -1));
@@ -136,7 +152,7 @@ private:
         sums.add(outside, won);
         // Stored as a whole: what follows may load the same block, and a store through a mask is not passed on to it.
         hn::Store(hn::IfThenElse(won, z, stored), F(), to);
-        hn::Store(hn::IfThenElse(hn::RebindMask(U(), won), record, hn::Load(U(), seen)), U(), seen);
+        hn::Store(hn::IfThenElse(hn::RebindMask(U(), won), name, hn::Load(U(), seen)), U(), seen);
         if (kPlain || !m_out.counted) return;
         const auto count = [&](std::int32_t* counts, Mask mask) HWY_ATTR {
             hn::Store(hn::Sub(hn::Load(I(), counts), hn::VecFromMask(I(), hn::RebindMask(I(), mask))), I(), counts);
@@ -145,10 +161,11 @@ private:
         count(&m_out.counted->won[0].of[at], won);
     }
 
-    const View& m_view;
+    int m_bits;
     Tile m_tile;
     DrawnTile m_out;
     TileCounts m_counts;
+    TinyTriangles m_tiny;  // of the list, not drawn yet
 };
 
 // Whether a triangle was turned round for its corners to run clockwise. One that clipping has cut counts as facing.
@@ -198,18 +215,18 @@ private:
 };
 
 // The weights of what is seen in a tile, as rows.
-void writeWeights(const View& view, const SeenBlocks& seen, std::size_t index, Buffer2D<Vec3<float>>& out) {
+void writeWeights(const SetUpInputs& inputs, const SeenBlocks& seen, std::size_t index, Buffer2D<Vec3<float>>& out) {
     const Tile tile = tileOf(seen.pieces.size, index);
-    const SeenIn in{view, seen.pieces, tile, seen.z.tile(index)->of};
+    const SeenIn in{inputs.view, inputs.topology, inputs.vertices, seen.pieces, tile, seen.z.tile(index)->of};
     SeenTriangle triangle;
-    std::uint32_t record = kNoTriangle;
+    std::uint32_t name = kNoTriangle;
     for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F())) {
         HWY_ALIGN float of[3][16]{};
-        const std::uint32_t* const records = &seen.record.tile(index)->of[at];
-        for (Mask left = seenIn(records); !hn::AllFalse(F(), left);) {
-            const std::uint32_t next = records[hn::FindKnownFirstTrue(F(), left)];
-            if (next != record) record = next, triangle.become(in, record);
-            const Mask mask = seesIn(records, record);
+        const std::uint32_t* const names = &seen.name.tile(index)->of[at];
+        for (Mask left = seenIn(names); !hn::AllFalse(F(), left);) {
+            const std::uint32_t next = names[hn::FindKnownFirstTrue(F(), left)];
+            if (next != name) name = next, triangle.become(in, name);
+            const Mask mask = seesIn(names, name);
             left = hn::AndNot(mask, left);
             const Shares b = triangle.weights(in, VectorPlace(at));
             hn::BlendedStore(hn::Sub(hn::Sub(all(1), b.one), b.two), mask, F(), of[0]);
@@ -225,38 +242,41 @@ void writeWeights(const View& view, const SeenBlocks& seen, std::size_t index, B
 
 }  // namespace
 
-TileCounts drawTile(const View& view, std::size_t index, SeenBlocks& seen, ZBufferOutput<float>& out) {
+TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, ZBufferOutput<float>& out) {
     const TrianglePieces& all = seen.pieces;
     const Tile tile = tileOf(all.size, index);
     if (!all.touches(index)) return {};
-    seen.z.fill(index, kFar), seen.record.fill(index, kNoTriangle);
+    seen.z.fill(index, kFar), seen.name.fill(index, kNoTriangle);
     std::optional<CountedTile> counted;
-    const DrawnTile drawn{seen.z.tile(index), seen.record.tile(index),
+    const DrawnTile drawn{seen.z.tile(index), seen.name.tile(index),
                           out.overdraw.empty() ? nullptr : &counted.emplace()};
     const glm::ivec2 size = tile.max - tile.min;
     const auto draw = [&](auto drawer) { return drawer.draw(all, index); };
     const bool isPlain = !counted && size.x % kBlock == 0 && size.y % kBlock == 0;
-    TileCounts counts = isPlain            ? view.perspective ? draw(TileDrawer<true, true>(view, tile, drawn))
-                                                              : draw(TileDrawer<false, true>(view, tile, drawn))
-                                   : view.perspective ? draw(TileDrawer<true, false>(view, tile, drawn))
-                                           : draw(TileDrawer<false, false>(view, tile, drawn));
+    TileCounts counts;
+    if (in.view.perspective)
+        counts =
+            isPlain ? draw(TileDrawer<true, true>(in, tile, drawn)) : draw(TileDrawer<true, false>(in, tile, drawn));
+    else
+        counts =
+            isPlain ? draw(TileDrawer<false, true>(in, tile, drawn)) : draw(TileDrawer<false, false>(in, tile, drawn));
     for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F()))
-        counts.seen += static_cast<long long>(hn::CountTrue(F(), seenIn(&drawn.record[0].of[at])));
+        counts.seen += static_cast<long long>(hn::CountTrue(F(), seenIn(&drawn.name[0].of[at])));
     if (counted) {
         copyRows(counted->arrived.data(), tile, out.overdraw);
         copyRows(counted->won.data(), tile, out.depthWrites);
     }
-    if (!out.barycentric.empty()) writeWeights(view, seen, index, out.barycentric);
+    if (!out.barycentric.empty()) writeWeights(in, seen, index, out.barycentric);
     return counts;
 }
 
 // Draws triangles into a tile of a shadow buffer. The nearest remains, whatever the order. What faces the light comes
-// first: of a solid, it hides the rest.
+// first: of a solid, it hides the rest. Of tiny triangles, to draw them takes no longer than to ask.
 template <bool kPerspective>
 class ShadowDrawer {
 public:
-    ShadowDrawer(const View& face, Tile tile, Block<float>* blocks)
-        : m_bits(face.subPixelBits), m_tile(tile), m_blocks(blocks) {}
+    ShadowDrawer(const SetUpInputs& in, Tile tile, Block<float>* blocks)
+        : m_bits(in.view.subPixelBits), m_tile(tile), m_blocks(blocks), m_tiny(in, tile) {}
 
     void draw(const TrianglePieces& all, std::size_t index) {
         std::vector<std::pair<const TrianglePiece*, std::uint32_t>> rest;
@@ -265,6 +285,11 @@ public:
             for (std::size_t n = 0; n < list.size(); ++n) {
                 fetchAhead(piece, list, n);
                 const std::uint32_t i = list[n];
+                if (i & TrianglePiece::kTiny) {
+                    m_tiny.add(piece.tiny[i & ~TrianglePiece::kTiny]);
+                    if (m_tiny.isFull()) drawTiny();
+                    continue;
+                }
                 if (const bool isOther = i & TrianglePiece::kOther;
                     isOther ? !facesViewer(otherOf(piece, i)) : !piece.small[i].facesViewer())
                     rest.emplace_back(&piece, i);
@@ -274,6 +299,7 @@ public:
                     drawSmall(piece.small[i]);
             }
         }
+        drawTiny();
         if (rest.empty()) return;
         const Farthest farthest(m_blocks);
         for (const auto& [piece, i] : rest) drawUnlessHidden(farthest, *piece, i);
@@ -281,7 +307,7 @@ public:
 
 private:
     static const RasterTriangle<float>& otherOf(const TrianglePiece& piece, std::uint32_t i) {
-        return piece.others[i & TrianglePieces::kIndex];
+        return piece.others[i & ~TrianglePiece::kOther];
     }
     void drawUnlessHidden(const Farthest& farthest, const TrianglePiece& piece, std::uint32_t i) {
         const auto isHidden = [&](std::array<float, 3> w, Tile box) {
@@ -301,14 +327,20 @@ private:
         forEachVector(t, m_tile,
                       [&](std::size_t at, const EdgesAt& edges) HWY_ATTR { drawVector(at, edges, distances); });
     }
+    HWY_INLINE void drawTiny() {
+        m_tiny.template draw<kPerspective>([&](std::size_t at, float z, std::uint32_t) { drawTexel(at, z); });
+    }
+    HWY_INLINE void drawTexel(std::size_t at, float z) {
+        float& stored = m_blocks[0].of[at];
+        stored = std::min(stored, z);
+    }
     HWY_NOINLINE void drawOther(const RasterTriangle<float>& t) {
         forEachOfOther(
             t, m_tile, m_bits,
             [&](std::size_t at, const EdgesAt& edges, const Distances& distances)
                 HWY_ATTR { drawVector(at, edges, distances); },
             [&](glm::ivec2 texel, const std::array<std::int64_t, 3>& e) {
-                float& stored = m_blocks[0].of[placeOf(texel - m_tile.min)];
-                stored = std::min(stored, interpolate(t, e, kPerspective).z);
+                drawTexel(placeOf(texel - m_tile.min), interpolate(t, e, kPerspective).z);
             });
     }
     HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances& distances) {
@@ -321,14 +353,15 @@ private:
     int m_bits;
     Tile m_tile;
     Block<float>* m_blocks;
+    TinyTriangles m_tiny;  // not drawn yet
 };
 
-void drawShadowTile(const View& face, const TrianglePieces& all, std::size_t index, BlockBuffer2D<float>& depth) {
+void drawShadowTile(const SetUpInputs& in, const TrianglePieces& all, std::size_t index, BlockBuffer2D<float>& depth) {
     const Tile tile = tileOf(all.size, index);
-    if (face.perspective)
-        ShadowDrawer<true>(face, tile, depth.tile(index)).draw(all, index);
+    if (in.view.perspective)
+        ShadowDrawer<true>(in, tile, depth.tile(index)).draw(all, index);
     else
-        ShadowDrawer<false>(face, tile, depth.tile(index)).draw(all, index);
+        ShadowDrawer<false>(in, tile, depth.tile(index)).draw(all, index);
 }
 
 }  // namespace pipeline::HWY_NAMESPACE
@@ -340,13 +373,13 @@ namespace pipeline {
 HWY_EXPORT(drawTile);
 HWY_EXPORT(drawShadowTile);
 
-TileCounts zBufferInVectors(const View& view, std::size_t tile, SeenBlocks& seen, ZBufferOutput<float>& out) {
-    return HWY_DYNAMIC_DISPATCH(drawTile)(view, tile, seen, out);
+TileCounts zBufferInVectors(const SetUpInputs& in, std::size_t tile, SeenBlocks& seen, ZBufferOutput<float>& out) {
+    return HWY_DYNAMIC_DISPATCH(drawTile)(in, tile, seen, out);
 }
 
-void shadowBufferInVectors(const View& face, const TrianglePieces& pieces, std::size_t tile,
+void shadowBufferInVectors(const SetUpInputs& in, const TrianglePieces& pieces, std::size_t tile,
                            BlockBuffer2D<float>& depth) {
-    HWY_DYNAMIC_DISPATCH(drawShadowTile)(face, pieces, tile, depth);
+    HWY_DYNAMIC_DISPATCH(drawShadowTile)(in, pieces, tile, depth);
 }
 
 }  // namespace pipeline

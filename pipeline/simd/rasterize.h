@@ -15,9 +15,10 @@ struct TileCounts {
 };
 // For the depth format Linear, into the blocks of `seen`. Overdraw, depth writes and barycentric weights only where `out`
 // has room for them.
-TileCounts zBufferInVectors(const View& view, std::size_t tile, SeenBlocks& seen, ZBufferOutput<float>& out);
-// Onto what stands in the tile; +infinity where nothing does.
-void shadowBufferInVectors(const View& face, const TrianglePieces& pieces, std::size_t tile,
+// in: what the pieces of `seen` were set up from.
+TileCounts zBufferInVectors(const SetUpInputs& in, std::size_t tile, SeenBlocks& seen, ZBufferOutput<float>& out);
+// Onto what stands in the tile; +infinity where nothing does. in: what the pieces were set up from.
+void shadowBufferInVectors(const SetUpInputs& in, const TrianglePieces& pieces, std::size_t tile,
                            BlockBuffer2D<float>& depth);
 
 }  // namespace pipeline

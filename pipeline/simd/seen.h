@@ -12,19 +12,20 @@
 #include <optional>
 
 #include "pipeline/simd/blocks.h"
+#include "pipeline/simd/snapped_corners.h"
 #include "pipeline/stages/z_buffer.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
 // In which pixels of a vector something is seen.
-HWY_INLINE Mask seenIn(const std::uint32_t* records) {
-    return hn::RebindMask(F(), hn::Ne(hn::Load(U(), records), hn::Set(U(), kNoTriangle)));
+HWY_INLINE Mask seenIn(const std::uint32_t* names) {
+    return hn::RebindMask(F(), hn::Ne(hn::Load(U(), names), hn::Set(U(), kNoTriangle)));
 }
 
 // And in which of them this triangle is.
-HWY_INLINE Mask seesIn(const std::uint32_t* records, std::uint32_t record) {
-    return hn::RebindMask(F(), hn::Eq(hn::Load(U(), records), hn::Set(U(), record)));
+HWY_INLINE Mask seesIn(const std::uint32_t* names, std::uint32_t name) {
+    return hn::RebindMask(F(), hn::Eq(hn::Load(U(), names), hn::Set(U(), name)));
 }
 
 // The weights of corners 1 and 2 in a pixel; what they leave of 1 is that of corner 0.
@@ -35,67 +36,47 @@ struct Shares {
 // What the triangles that are seen in a tile are found in.
 struct SeenIn {
     const View& view;
-    const TrianglePieces& pieces;
+    const Topology& topology;
+    const SnappedVertices& vertices;
+    const TrianglePieces& pieces;  // whose others are seen
     Tile tile;
     const float* z;  // of the tile's blocks: z_view of what is seen
 };
 
-// Whether what is seen in a vector are small triangles alone.
-HWY_INLINE bool areSmall(const std::uint32_t* records, Mask seen) {
-    const auto other = hn::And(hn::Load(U(), records), hn::Set(U(), TrianglePiece::kOther));
+// Whether none of what is seen in a vector are other triangles.
+HWY_INLINE bool areSmall(const std::uint32_t* names, Mask seen) {
+    const auto other = hn::And(hn::Load(U(), names), hn::Set(U(), TrianglePiece::kOther));
     return hn::AllFalse(F(), hn::And(seen, hn::RebindMask(F(), hn::Ne(other, hn::Zero(U())))));
 }
 
-// The small triangles that the pixels of a vector see, each its own, and their weights there, with the bits of
-// SeenTriangle's. Where nothing is seen, any triangle of them.
+// The triangles that the pixels of a vector see, each its own and none of the others, and their weights there, with the
+// bits of SeenTriangle's. Where nothing is seen, any triangle of them.
 struct SeenInPixels {
-    HWY_ALIGN std::uint32_t id[16];  // index into Topology::triangles
+    HWY_ALIGN std::uint32_t vertices[3][16], polygon[16];
     Shares weights;
 
     // seen: at least one.
-    HWY_INLINE SeenInPixels(const SeenIn& in, const VectorPlace& place, const std::uint32_t* records, Mask seen) {
-        HWY_ALIGN std::uint32_t wanted[16];
-        const auto some = hn::Set(U(), records[hn::FindKnownFirstTrue(F(), seen)]);
-        hn::Store(hn::IfThenElse(hn::RebindMask(U(), seen), hn::Load(U(), records), some), U(), wanted);
-        const std::int32_t* of[16];
-        for (std::size_t l = 0; l < hn::Lanes(F()); ++l) of[l] = &in.pieces.smallOf(wanted[l]).a1;
-        const I whole;
-        static_assert(offsetof(SmallTriangle, b2) == 16 && offsetof(SmallTriangle, biasedArea) == 32);
-        static_assert(offsetof(SmallTriangle, inverseArea2) == 48 && offsetof(SmallTriangle, x) == 56);
-        const auto quarter = [&](int number) HWY_ATTR {
-            return loadFours(whole, [&](std::size_t l) { return of[l] + std::ptrdiff_t(4) * number; });
+    HWY_INLINE SeenInPixels(const SeenIn& in, const VectorPlace& place, const std::uint32_t* names, Mask seen) {
+        HWY_ALIGN std::uint32_t id[16];
+        const auto some = hn::Set(U(), names[hn::FindKnownFirstTrue(F(), seen)]);
+        hn::Store(hn::IfThenElse(hn::RebindMask(U(), seen), hn::Load(U(), names), some), U(), id);
+        const auto triangles = loadFours(U(), [&](std::size_t l) { return in.topology.triangles[id[l]].vertices; });
+        for (int corner = 0; corner < 3; ++corner) hn::Store(triangles.of[corner], U(), vertices[corner]);
+        hn::Store(triangles.of[3], U(), polygon);
+        const SnappedCorners corners(in.vertices, [&](std::size_t l, std::size_t i) { return vertices[i][l]; });
+        const int bits = in.vertices.bits;
+        const auto centre = [&](Ints inTile, int first)
+                                HWY_ATTR { return SnappedCorners::centre(hn::Add(inTile, hn::Set(I(), first)), bits); };
+        const Ints x = centre(place.column, in.tile.min.x), y = centre(place.row, in.tile.min.y);
+        const Ints area = corners.area2();
+        const auto turned = hn::Lt(area, hn::Zero(I()));
+        const Floats inverse = inverseOf(hn::Abs(area)), z = hn::Load(F(), in.z + place.at);
+        const auto share = [&](int from, int to, Floats w) HWY_ATTR {
+            const Ints e = corners.edge(from, to, bits, x, y).c;
+            const Floats linear = hn::Mul(hn::ConvertTo(F(), hn::IfThenElse(turned, hn::Neg(e), e)), inverse);
+            return in.view.perspective ? hn::Mul(hn::Mul(linear, w), z) : linear;
         };
-        const Fours<I> one = quarter(0), two = quarter(1), three = quarter(2), four = quarter(3);
-        hn::Store(hn::BitCast(U(), four.of[1]), U(), id);
-        const Ints left = hn::ShiftRight<16>(hn::ShiftLeft<16>(four.of[2])), top = hn::ShiftRight<16>(four.of[2]);
-        const Ints x = hn::Sub(hn::Add(place.column, hn::Set(whole, in.tile.min.x)), left);
-        const Ints y = hn::Sub(hn::Add(place.row, hn::Set(whole, in.tile.min.y)), top);
-        const auto edge = [&](Ints a, Ints b, Ints c)
-                              HWY_ATTR { return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), c); };
-        const auto order = hn::And(hn::ShiftRight<16>(four.of[3]), hn::Set(whole, 255));
-        const Ints bias0 = hn::BitCast(whole, hn::ShiftRight<24>(hn::BitCast(U(), four.of[3])));
-        const Ints e1 = edge(one.of[0], one.of[1], one.of[2]), e2 = edge(one.of[3], two.of[0], two.of[1]);
-        const Ints e0 = hn::Sub(hn::Sub(hn::Add(three.of[0], bias0), e1), e2);
-        const auto inFloat = [](Ints bits) HWY_ATTR { return hn::BitCast(F(), bits); };
-        const Floats inverse = inFloat(four.of[0]), z = hn::Load(F(), in.z + place.at);
-        const auto share = [&](auto isFirst, auto isSecond) HWY_ATTR {
-            const Ints e = hn::IfThenElse(isFirst, e0, hn::IfThenElse(isSecond, e1, e2));
-            const Ints w = hn::IfThenElse(isFirst, three.of[1], hn::IfThenElse(isSecond, three.of[2], three.of[3]));
-            const Floats linear = hn::Mul(hn::ConvertTo(F(), e), inverse);
-            return in.view.perspective ? hn::Mul(hn::Mul(linear, inFloat(w)), z) : linear;
-        };
-        weights = {share(isDrawnAs<1, 0>(order), isDrawnAs<1, 1>(order)),
-                   share(isDrawnAs<2, 0>(order), isDrawnAs<2, 1>(order))};
-    }
-
-private:
-    // In which of these orders a triangle's own corner is drawn as that corner.
-    template <int kOwn, int kDrawn>
-    HWY_INLINE static hn::Mask<I> isDrawnAs(Ints order) {
-        auto is = hn::Ne(order, order);
-        for (int i = 0; i < 6; ++i)
-            if (SmallTriangle::kCorners[i][kOwn] == kDrawn) is = hn::Or(is, hn::Eq(order, hn::Set(I(), i)));
-        return is;
+        weights = {share(2, 0, corners.w[1]), share(0, 1, corners.w[2])};
     }
 };
 
@@ -103,30 +84,37 @@ private:
 // of a piece.
 class SeenTriangle {
 public:
-    HWY_NOINLINE void become(const SeenIn& in, std::uint32_t record) {
-        if (record & TrianglePiece::kOther)
-            return becomeOther(in, in.pieces.pieceOf(record).others[record & TrianglePieces::kIndex]);
-        const SmallTriangle& t = in.pieces.smallOf(record);
-        m_small = &t, m_id = t.id, m_isCut = false;
-        using Wraps = std::uint32_t;
-        const auto rest = [](std::int32_t all, std::int32_t one, std::int32_t two) {
-            return std::int32_t(Wraps(all) - Wraps(one) - Wraps(two));
-        };
-        const PixelFunction edges[3]{
-            {rest(t.biasedArea + t.bias0, t.c1, t.c2), rest(0, t.a1, t.a2), rest(0, t.b1, t.b2)},
-            {t.c1, t.a1, t.b1},
-            {t.c2, t.a2, t.b2}};
-        const float w[3]{t.w0, t.w1, t.w2};
-        const int x = in.tile.min.x - t.x, y = in.tile.min.y - t.y;  // from the box's first pixel to the tile's
+    HWY_NOINLINE void become(const SeenIn& in, std::uint32_t name) {
+        m_isOther = TrianglePieces::isOther(name);
+        if (m_isOther) return becomeOther(in, in.pieces.other(name));
+        m_id = name, m_isCut = false;
+        using Wraps = std::uint32_t;  // exact wherever an edge function fits
+        Wraps x[3], y[3];
+        const int bits = in.vertices.bits;
         for (int corner = 0; corner < 3; ++corner) {
-            const int drawn = t.corner(corner);
-            m_w[corner] = w[drawn], m_edges[corner] = edges[drawn];
-            m_edges[corner].value = edges[drawn].atPixel(x, y);
+            const SnappedVertex& v = in.vertices.of[in.topology.triangles[name].vertices[corner]];
+            x[corner] = Wraps(v.x), y[corner] = Wraps(v.y), m_w[corner] = v.w;
         }
+        const auto area =
+            std::int32_t((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]));  // below 0: anticlockwise
+        m_inverse = float(1 / std::abs(double(area)));
+        const auto centre = [&](int pixel) { return (Wraps(pixel) << bits) + (Wraps(1) << (bits - 1)); };
+        for (int corner = 0; corner < 3; ++corner) {
+            const int from = (corner + 1) % 3, to = (corner + 2) % 3;
+            const Wraps sign = area < 0 ? ~Wraps(0) : 1;
+            const Wraps dx = sign * (x[to] - x[from]), dy = sign * (y[to] - y[from]);
+            const Wraps value = dx * (centre(in.tile.min.y) - y[from]) - dy * (centre(in.tile.min.x) - x[from]);
+            m_edges[corner] = {std::int32_t(value), std::int32_t(Wraps(0) - (dy << bits)), std::int32_t(dx << bits)};
+        }
+        const auto firstPixel = [&](const Wraps(&of)[3]) {  // SnappedTriangle::pixels
+            const std::int32_t least = std::min({std::int32_t(of[0]), std::int32_t(of[1]), std::int32_t(of[2])});
+            return ((least - 1 - (1 << (bits - 1))) >> bits) + 1;
+        };
+        m_firstPixel = {firstPixel(x), firstPixel(y)};
     }
     std::uint32_t id() const { return m_id; }  // index into Topology::triangles
     // Else it is so large that weights() is all that is known of it.
-    bool isLinear() const { return m_small || m_other->middle; }
+    bool isLinear() const { return !m_isOther || m_other->middle; }
     float w(std::size_t corner) const { return m_w[corner]; }
     // A quantity of the triangle's own corners at one of its corners.
     Vec3<float> atCorner(std::span<const Vec3<float>> values, const std::uint32_t (&v)[3], std::size_t corner) const {
@@ -135,23 +123,19 @@ public:
         return share.x * values[v[0]] + share.y * values[v[1]] + share.z * values[v[2]];
     }
     // Its first pixel in the tile.
-    glm::ivec2 firstPixel(Tile tile) const {
-        const glm::ivec2 first = m_small ? glm::ivec2(m_small->x, m_small->y) : m_other->triangle->snapped.pixels().min;
-        return glm::max(first - tile.min, 0);
-    }
+    glm::ivec2 firstPixel(Tile tile) const { return glm::max(m_firstPixel - tile.min, 0); }
     // The weight of a corner that is linear in the picture.
     Slope slope(int corner, glm::ivec2 first) const {
-        if (!m_small) return m_other->middle->slope(m_other->drawn[corner], first);
+        if (m_isOther) return m_other->middle->slope(m_other->drawn[corner], first);
         const PixelFunction& edge = m_edges[corner];
-        const float inverse = m_small->inverseArea2;
-        return {float(edge.atPixel(first.x, first.y)) * inverse, float(edge.column) * inverse,
-                float(edge.row) * inverse};
+        return {float(edge.atPixel(first.x, first.y)) * m_inverse, float(edge.column) * m_inverse,
+                float(edge.row) * m_inverse};
     }
     // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not
     // seen, any numbers.
     HWY_INLINE Shares weights(const SeenIn& in, const VectorPlace& place) const {
-        if (HWY_UNLIKELY(!m_small)) return weightsOfOther(in, place);
-        const Floats inverse = all(m_small->inverseArea2);
+        if (HWY_UNLIKELY(m_isOther)) return weightsOfOther(in, place);
+        const Floats inverse = all(m_inverse);
         const auto share = [&](int corner) HWY_ATTR {
             return corrected(in, place, corner, hn::Mul(hn::ConvertTo(F(), m_edges[corner].in(place)), inverse));
         };
@@ -195,7 +179,7 @@ private:
     }
     void becomeOther(const SeenIn& in, const RasterTriangle<float>& t) {
         if (!m_other) m_other = std::make_unique<Other>();
-        m_small = nullptr, m_id = t.id, m_other->triangle = &t;
+        m_id = t.id, m_other->triangle = &t, m_firstPixel = t.snapped.pixels().min;
         m_other->middle = MiddleEdges(t, in.tile, in.view.subPixelBits);
         if (!m_other->middle->fits()) m_other->middle.reset(), m_other->large = LargeEdges(t, in.tile);
         int whole = 0;
@@ -215,10 +199,11 @@ private:
         std::optional<LargeEdges> large;  // where `middle` does not fit
     };
     std::uint32_t m_id;
-    bool m_isCut;
+    bool m_isOther, m_isCut;
     float m_w[3];
-    const SmallTriangle* m_small;    // null where it is not one
-    PixelFunction m_edges[3];        // of the edge opposite each corner, of a small one
+    glm::ivec2 m_firstPixel;         // of its box, in the picture
+    float m_inverse;                 // of its area, unless it is one of the others, and
+    PixelFunction m_edges[3];        // its edge functions, of the edge opposite each corner
     std::unique_ptr<Other> m_other;  // kept for the next one
 };
 

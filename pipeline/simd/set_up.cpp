@@ -13,7 +13,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
-#include "pipeline/simd/lanes.h"
+#include "pipeline/simd/snapped_corners.h"
 
 #ifndef SHADESCOPE_SET_UP_BINNER
 #define SHADESCOPE_SET_UP_BINNER
@@ -102,6 +102,7 @@ namespace {
 struct Fields {
     HWY_ALIGN std::int32_t quarters[4][16 * 4];
     HWY_ALIGN std::int32_t lowX[16], lowY[16], highX[16], highY[16];
+    HWY_ALIGN std::int32_t covered[16];  // of tiny ones
 
     HWY_INLINE void storeQuarter(int i, Ints one, Ints two, Ints three, Ints four) {
         hn::StoreInterleaved4(one, two, three, four, I(), quarters[i]);
@@ -115,21 +116,30 @@ struct Fields {
     }
 };
 
-// 1 / area, rounded once from double.
-HWY_INLINE Floats inverseOf(Ints area) {
-#if HWY_TARGET == HWY_SCALAR
-    return hn::Set(F(), float(1 / double(hn::GetLane(area))));
-#else
-    const hn::Half<I> half;
-    const hn::Rebind<double, hn::Half<F>> d;
-    const auto inverse = [&](auto some) HWY_ATTR {
-        return hn::DemoteTo(hn::Half<F>(), hn::Div(hn::Set(d, 1), hn::PromoteTo(d, some)));
-    };
-    return hn::Combine(F(), inverse(hn::UpperHalf(half, area)), inverse(hn::LowerHalf(half, area)));
-#endif
+// Which pixels of a square triangles cover, of biased edge functions at its first pixel: TinyTriangle::covered.
+template <int kSide>
+HWY_INLINE Ints coveredIn(Ints e0, Ints e1, Ints e2, const EdgeInVectors& edge1, const EdgeInVectors& edge2) {
+    const Ints a0 = hn::Neg(hn::Add(edge1.a, edge2.a)), b0 = hn::Neg(hn::Add(edge1.b, edge2.b));
+    Ints covered = hn::Zero(I());
+    for (int y = 0; y < kSide; ++y) {
+        Ints here0 = e0, here1 = e1, here2 = e2;
+        for (int x = 0; x < kSide; ++x) {
+            const Ints more = hn::Or(covered, hn::Set(I(), 1 << (kBlock * y + x)));
+            covered = hn::IfNegativeThenElse(hn::Or(here0, hn::Or(here1, here2)), covered, more);
+            here0 = hn::Add(here0, a0), here1 = hn::Add(here1, edge1.a), here2 = hn::Add(here2, edge2.a);
+        }
+        e0 = hn::Add(e0, b0), e1 = hn::Add(e1, edge1.b), e2 = hn::Add(e2, edge2.b);
+    }
+    return covered;
 }
 
-HWY_INLINE Ints pick(Mask mask, Ints yes, Ints no) { return hn::IfThenElse(hn::RebindMask(I(), mask), yes, no); }
+// The same bits of all pixels of boxes up to a block in size; of others any.
+HWY_INLINE Ints pixelsOfBox(Ints width, Ints height) {
+    const Ints one = hn::Set(I(), 1), most = hn::Set(I(), kBlock);
+    const auto first = [&](Ints count) HWY_ATTR { return hn::Sub(hn::Shl(one, count), one); };
+    const Ints columns = hn::Mul(first(hn::Min(width, most)), hn::Set(I(), 0x1111));
+    return hn::And(columns, first(hn::Mul(hn::Min(height, most), most)));
+}
 
 // Bit i: whether triangle i's object is turned inside out.
 HWY_INLINE std::uint32_t mirroredOf(const SetUpInputs& in, const Triangle* triangles, std::uint32_t live) {
@@ -142,22 +152,23 @@ HWY_INLINE std::uint32_t mirroredOf(const SetUpInputs& in, const Triangle* trian
     return mirrored;
 }
 
-// The triangles in `live`, set up; gives those that are small, whose boxes are below `limit`, and in `others` those that
-// are set up one by one. firstId: the index of the first in Topology::triangles.
-HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* triangles, std::size_t firstId,
-                                     std::int32_t limit, std::uint32_t live, Fields& out, std::uint32_t& others) {
+// Of as many triangles as a vector holds, those that are set up together, of which some are tiny and stand in no quarters,
+// and those that are set up one by one.
+struct SetUpBits {
+    std::uint32_t drawn = 0, tiny = 0, others = 0;
+};
+
+// The triangles in `live`, set up together where their boxes are below `limit`. firstId: the index of the first in
+// Topology::triangles.
+HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangles, std::size_t firstId,
+                                 std::int32_t limit, std::uint32_t live, Fields& out) {
     const I whole;
-    const SnappedVertices& from = in.vertices;
-    Ints x[3], y[3], p[3];
-    Floats w[3];
-    for (int i = 0; i < 3; ++i) {
-        const auto corner = loadFours(whole, [&](std::size_t l) { return &from.of[triangles[l].vertices[i]].x; });
-        x[i] = corner.of[0], y[i] = corner.of[1], w[i] = hn::BitCast(F(), corner.of[2]), p[i] = corner.of[3];
-    }
+    const Ints zero = hn::Zero(whole), one = hn::Set(whole, 1);
+    SnappedCorners corners(in.vertices, [&](std::size_t l, std::size_t i) { return triangles[l].vertices[i]; });
+    const Ints(&x)[3] = corners.x, (&y)[3] = corners.y, (&p)[3] = corners.planes;
     const Ints beside = hn::Or(hn::Or(p[0], p[1]), p[2]), outside = hn::And(hn::And(p[0], p[1]), p[2]);
-    const auto has = [&](Ints bits, std::uint32_t mask) HWY_ATTR {
-        return hn::Ne(hn::And(bits, hn::Set(whole, std::int32_t(mask))), hn::Zero(whole));
-    };
+    const auto has = [&](Ints bits, std::uint32_t mask)
+                         HWY_ATTR { return hn::Ne(hn::And(bits, hn::Set(whole, std::int32_t(mask))), zero); };
     // What is beyond one plane with all of its corners, clipping would leave nothing of.
     if (!in.clipAll) live &= ~bitsOf(asFloats(has(outside, SnappedVertex::kOutside)));
     const auto cut = has(beside, SnappedVertex::kCut);
@@ -166,80 +177,64 @@ HWY_INLINE std::uint32_t setUpVector(const SetUpInputs& in, const Triangle* tria
     const auto isBelow = [&](Ints high, Ints low)
                              HWY_ATTR { return hn::Lt(hn::Sub(high, low), hn::Set(whole, limit)); };
     const auto isSmall = hn::AndNot(cut, hn::And(isBelow(highX, lowX), isBelow(highY, lowY)));
-    const std::uint32_t small = bitsOf(asFloats(isSmall)) & live;
-    others = live & ~small;
-    if (small == 0) return 0;
+    SetUpBits bitsFound;
+    bitsFound.drawn = bitsOf(asFloats(isSmall)) & live;
+    bitsFound.others = live & ~bitsFound.drawn;
+    if (bitsFound.drawn == 0) return bitsFound;
 
     // SnappedTriangle::pixels, within the picture.
-    const int bits = from.bits;
-    const Ints half = hn::Set(whole, 1 << (bits - 1)), one = hn::Set(whole, 1);
+    const int bits = in.vertices.bits;
+    const Ints half = hn::Set(whole, 1 << (bits - 1));
     const auto pixelsBelow = [&](Ints steps) HWY_ATTR { return hn::ShiftRightSame(hn::Sub(steps, half), bits); };
-    const auto firstFrom = [&](Ints steps) HWY_ATTR {
-        return hn::Max(hn::Zero(whole), hn::Add(pixelsBelow(hn::Sub(steps, one)), one));
-    };
+    const auto firstFrom = [&](Ints steps)
+                               HWY_ATTR { return hn::Max(zero, hn::Add(pixelsBelow(hn::Sub(steps, one)), one)); };
     const Ints minX = firstFrom(lowX), minY = firstFrom(lowY);
     const Ints maxX = hn::Min(hn::Add(pixelsBelow(highX), one), hn::Set(whole, in.view.size.x));
     const Ints maxY = hn::Min(hn::Add(pixelsBelow(highY), one), hn::Set(whole, in.view.size.y));
-    const auto area2 = [&](int a, int b, int c) HWY_ATTR {
-        return hn::Sub(hn::Mul(hn::Sub(x[b], x[a]), hn::Sub(y[c], y[a])),
-                       hn::Mul(hn::Sub(y[b], y[a]), hn::Sub(x[c], x[a])));
-    };
-    const Ints area = area2(0, 1, 2);
-    const auto seen = hn::And(hn::Ne(area, hn::Zero(whole)), hn::And(hn::Lt(minX, maxX), hn::Lt(minY, maxY)));
-    const Mask turned = asFloats(hn::Lt(area, hn::Zero(whole)));
-    std::uint32_t drawn = bitsOf(asFloats(seen)) & small;
+    const Ints area = corners.area2(), size = hn::Abs(area);
+    const auto seen = hn::And(hn::Ne(area, zero), hn::And(hn::Lt(minX, maxX), hn::Lt(minY, maxY)));
+    const Mask turned = asFloats(hn::Lt(area, zero));
+    std::uint32_t& drawn = bitsFound.drawn;
+    drawn &= bitsOf(asFloats(seen));
     if (in.facing.cull != ShadowCull::None) {  // FacingFilter::keeps
         const std::uint32_t faces = bitsOf(turned) ^ mirroredOf(in, triangles, drawn);
         drawn &= in.facing.cull == ShadowCull::Back ? faces : ~faces;
     }
-    if (drawn == 0) return 0;
+    if (drawn == 0) return bitsFound;
 
-    const auto turn = [&](auto& values, auto choose) HWY_ATTR {
-        const auto one_ = values[1];
-        values[1] = choose(turned, values[2], values[1]), values[2] = choose(turned, one_, values[2]);
-    };
-    const auto choose = [&](Mask mask, Ints yes, Ints no) HWY_ATTR { return pick(mask, yes, no); };
-    const auto chooseFloats = [&](Mask mask, Floats yes, Floats no) HWY_ATTR { return hn::IfThenElse(mask, yes, no); };
-    turn(x, choose), turn(y, choose), turn(w, chooseFloats);
-    // The first of the smallest w comes first.
-    const Mask second = hn::Lt(w[2], hn::Min(w[0], w[1]));
-    const Mask first = hn::AndNot(second, hn::Lt(w[1], w[0]));
-    const auto rotate = [&](auto& values, auto choose_) HWY_ATTR {
-        const auto a = values[0], b = values[1], c = values[2];
-        values[0] = choose_(second, c, choose_(first, b, a));
-        values[1] = choose_(second, a, choose_(first, c, b));
-        values[2] = choose_(second, b, choose_(first, a, c));
-    };
-    rotate(x, choose), rotate(y, choose), rotate(w, chooseFloats);
-    const Ints order = hn::Add(pick(second, hn::Set(whole, 2), pick(first, one, hn::Zero(whole))),
-                               pick(turned, hn::Set(whole, 3), hn::Zero(whole)));
-
-    const Ints atX = hn::Add(hn::ShiftLeftSame(minX, bits), half), atY = hn::Add(hn::ShiftLeftSame(minY, bits), half);
-    struct Edge {
-        Ints a, b, c, bias;
-    };
-    const auto edge = [&](int from_, int to) HWY_ATTR {
-        const Ints dx = hn::Sub(x[to], x[from_]), dy = hn::Sub(y[to], y[from_]);
-        const auto owns =
-            hn::Or(hn::Lt(dy, hn::Zero(whole)), hn::And(hn::Eq(dy, hn::Zero(whole)), hn::Gt(dx, hn::Zero(whole))));
-        return Edge{hn::ShiftLeftSame(hn::Neg(dy), bits), hn::ShiftLeftSame(dx, bits),
-                    hn::Sub(hn::Mul(dx, hn::Sub(atY, y[from_])), hn::Mul(dy, hn::Sub(atX, x[from_]))),
-                    hn::IfThenZeroElse(owns, one)};
-    };
+    const Ints order = corners.putInOrder(turned);
+    const Ints atX = SnappedCorners::centre(minX, bits), atY = SnappedCorners::centre(minY, bits);
+    const auto edge = [&](int from, int to) HWY_ATTR { return corners.edge(from, to, bits, atX, atY); };
+    const EdgeInVectors edge1 = edge(2, 0), edge2 = edge(0, 1);
     const Ints bias0 = edge(1, 2).bias;  // what else there is of that of corner 0 follows from the others
-    const Edge edge1 = edge(2, 0), edge2 = edge(0, 1);
-    const Ints size = hn::Abs(area);
+    const Ints width = hn::Sub(maxX, minX), height = hn::Sub(maxY, minY);
+    hn::Store(minX, whole, out.lowX), hn::Store(minY, whole, out.lowY);
+    hn::Store(maxX, whole, out.highX), hn::Store(maxY, whole, out.highY);
+
+    const auto areWithin = [&](int side) HWY_ATTR {
+        const Ints beyond = hn::Set(whole, side + 1);
+        return bitsOf(asFloats(hn::And(hn::Lt(width, beyond), hn::Lt(height, beyond)))) & drawn;
+    };
+    if (const std::uint32_t tiny = areWithin(kBlock); tiny != 0) {
+        const Ints e1 = hn::Sub(edge1.c, edge1.bias), e2 = hn::Sub(edge2.c, edge2.bias);
+        const Ints e0 = hn::Sub(hn::Sub(size, bias0), hn::Add(edge1.c, edge2.c));
+        const Ints square =
+            areWithin(2) == tiny ? coveredIn<2>(e0, e1, e2, edge1, edge2) : coveredIn<kBlock>(e0, e1, e2, edge1, edge2);
+        const Ints covered = hn::And(square, pixelsOfBox(width, height));
+        hn::Store(covered, whole, out.covered);
+        drawn &= ~(tiny & bitsOf(asFloats(hn::Eq(covered, zero))));
+        bitsFound.tiny = tiny & drawn;
+        if (bitsFound.tiny == drawn) return bitsFound;
+    }
     const auto bitsIn = [](Floats value) HWY_ATTR { return hn::BitCast(I(), value); };
-    const Ints corner = hn::Or(minX, hn::ShiftLeft<16>(minY));
-    const Ints box = hn::Or(hn::Sub(maxX, minX), hn::ShiftLeft<8>(hn::Sub(maxY, minY)));
+    const Ints corner = hn::Or(minX, hn::ShiftLeft<16>(minY)), box = hn::Or(width, hn::ShiftLeft<8>(height));
+    const Floats(&w)[3] = corners.w;
     out.storeQuarter(0, edge1.a, edge1.b, edge1.c, edge2.a);
     out.storeQuarter(1, edge2.b, edge2.c, edge1.bias, edge2.bias);
     out.storeQuarter(2, hn::Sub(size, bias0), bitsIn(w[0]), bitsIn(w[1]), bitsIn(w[2]));
     out.storeQuarter(3, bitsIn(inverseOf(size)), hn::Iota(whole, std::int32_t(firstId)), corner,
                      hn::Or(box, hn::Or(hn::ShiftLeft<16>(order), hn::ShiftLeft<24>(bias0))));
-    hn::Store(minX, whole, out.lowX), hn::Store(minY, whole, out.lowY);
-    hn::Store(maxX, whole, out.highX), hn::Store(maxY, whole, out.highY);
-    return drawn;
+    return bitsFound;
 }
 
 // Bit i: whether triangle i goes on, which is counted. alone: each polygon is one triangle, of its number.
@@ -289,18 +284,23 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         const std::uint32_t live = liveOf(in, from, count, alone, out);
         if (live == 0) continue;
         if (count < lanes) std::copy_n(from, count, rest), from = rest;
-        std::uint32_t others = 0;
-        const std::uint32_t small = setUpVector(in, from, base, limit, live, fields, others);
+        const SetUpBits bits = setUpVector(in, from, base, limit, live, fields);
         // In the order of their polygons.
-        for (std::uint32_t left = small | others; left != 0; left &= left - 1) {
+        for (std::uint32_t left = bits.drawn | bits.others; left != 0; left &= left - 1) {
             const auto l = std::size_t(std::countr_zero(left));
-            if (others >> l & 1) {
+            if (bits.others >> l & 1) {
                 setUpOther(in, std::uint32_t(base + l), binner);
                 continue;
             }
-            const auto index = std::uint32_t(out.small.size());
-            fields.copyTo(out.small.emplace_back(), l);
-            binner.add(index, {fields.lowX[l], fields.lowY[l]}, {fields.highX[l], fields.highY[l]});
+            const glm::ivec2 low(fields.lowX[l], fields.lowY[l]), high(fields.highX[l], fields.highY[l]);
+            if (bits.tiny >> l & 1) {
+                binner.add(std::uint32_t(out.tiny.size()) | TrianglePiece::kTiny, low, high);
+                out.tiny.push_back({std::uint32_t(base + l), std::int16_t(low.x), std::int16_t(low.y),
+                                    std::uint32_t(fields.covered[l])});
+            } else {
+                binner.add(std::uint32_t(out.small.size()), low, high);
+                fields.copyTo(out.small.emplace_back(), l);
+            }
         }
     }
     binner.finish();
@@ -316,6 +316,18 @@ HWY_EXPORT(setUpTriangles);
 
 bool TrianglePieces::touches(std::size_t tile) const {
     return std::ranges::any_of(pieces, [&](const TrianglePiece& piece) { return !piece.list(tile).empty(); });
+}
+std::size_t TrianglePieces::count() const {
+    std::size_t count = 0;
+    for (const TrianglePiece& piece : pieces) count += piece.small.size() + piece.tiny.size();
+    return count;
+}
+void TrianglePieces::forgetDrawn() {
+    for (TrianglePiece& piece : pieces) {
+        TrianglePiece kept;
+        kept.others = std::move(piece.others);
+        piece = std::move(kept);
+    }
 }
 
 std::size_t trianglesOfPiece(const SetUpInputs& inputs, const TrianglePieces& pieces) {

@@ -9,8 +9,9 @@
 
 namespace pipeline {
 
-// The triangles of a picture, set up and sorted into its tiles: what binTriangles does, many triangles at a time, into
-// records whose edge functions fit into 32 bits. It reads vertices that have been projected before.
+// The triangles of a picture, set up and sorted into its tiles: what binTriangles does, many triangles at a time, from
+// vertices that have been projected before. Of a triangle whose edge functions fit into 32 bits a record is kept until it
+// is drawn; of a tiny one only what it covers, for its edge functions are found again sooner than they are fetched.
 
 // Edge functions in steps² of the grid, c at the first pixel of its box, a more at the next column, b at the next row.
 // The one of corner 0 is its triangle's area, doubled, - e1 - e2. Corners and w as in RasterTriangle: clockwise, the
@@ -33,10 +34,18 @@ struct alignas(64) SmallTriangle {
 };
 static_assert(sizeof(SmallTriangle) == 64);
 
+// A triangle whose box is at most a block in size, and which covers a pixel's centre: most of a fine mesh's cover none.
+struct TinyTriangle {
+    std::uint32_t id;       // index into Topology::triangles
+    std::int16_t x, y;      // the box's first pixel
+    std::uint32_t covered;  // bit kBlock y + x: of the pixel in column x and row y of the box
+};
+
 // Those of a range of polygons. What is too large for 32 bits, or had to be clipped, stands in `others`.
 struct TrianglePiece {
-    static constexpr std::uint32_t kOther = 1u << 31;  // an index into `others`
+    static constexpr std::uint32_t kOther = 1u << 31, kTiny = 1u << 30;  // an index into `others`; into `tiny`
     std::vector<SmallTriangle, AlignsPieces<SmallTriangle>> small;
+    std::vector<TinyTriangle, LeavesRaw<TinyTriangle>> tiny;
     std::vector<RasterTriangle<float>> others;
     std::vector<std::uint32_t> firstOfTile;  // per tile, and one past the last: where its list begins
     std::vector<std::uint32_t> lists;        // indices, tile after tile, in the order of the polygons
@@ -51,24 +60,26 @@ struct TrianglePiece {
 
 // Drawn piece after piece, the order is that of the polygons.
 struct TrianglePieces {
-    // A record of all pieces: its index in a list of its piece, and which piece, in bits that no index reaches.
+    // The name of a triangle that is seen: its index in Topology::triangles; of one of the others kOther, its piece and
+    // where it stands there, in bits that no index reaches, for clipping makes several of one.
     static constexpr int kPieceBit = 26, kMostPieces = 32;
-    static constexpr std::uint32_t kIndex = (1u << kPieceBit) - 1;
-    static std::uint32_t record(std::size_t piece, std::uint32_t index) {
-        return index + (std::uint32_t(piece) << kPieceBit);
+    static std::uint32_t nameOfOther(std::size_t piece, std::uint32_t index) {
+        return TrianglePiece::kOther + (std::uint32_t(piece) << kPieceBit) + index;
     }
-    const TrianglePiece& pieceOf(std::uint32_t record) const { return pieces[record >> kPieceBit & (kMostPieces - 1)]; }
-    const SmallTriangle& smallOf(std::uint32_t record) const { return pieceOf(record).small[record & kIndex]; }
+    static bool isOther(std::uint32_t name) { return (name & TrianglePiece::kOther) != 0; }
+    const RasterTriangle<float>& other(std::uint32_t name) const {
+        return pieces[name >> kPieceBit & (kMostPieces - 1)].others[name & ((1u << kPieceBit) - 1)];
+    }
     // Index into Topology::triangles.
-    std::uint32_t triangleOf(std::uint32_t record) const {
-        return record & TrianglePiece::kOther ? pieceOf(record).others[record & kIndex].id : smallOf(record).id;
-    }
+    std::uint32_t triangleOf(std::uint32_t name) const { return isOther(name) ? other(name).id : name; }
 
     glm::ivec2 size{0}, tiles{0};  // of the picture, pixels; columns and rows of tiles
     std::vector<TrianglePiece> pieces;
 
     std::size_t tileCount() const { return std::size_t(tiles.x) * std::size_t(tiles.y); }
     bool touches(std::size_t tile) const;
+    std::size_t count() const;  // of the triangles that are not others
+    void forgetDrawn();         // but the others, which are looked into later as well
 };
 
 struct SetUpInputs {

@@ -86,11 +86,11 @@ public:
         if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
             m_index = tileAt(in.transform.view.size, tile);
             m_isDrawn = in.zBuffer.tileIsDrawn[m_index] != 0;
-            m_records = seen->record.tile(m_index)->of;
-            m_seenIn.emplace(SeenIn{in.transform.view, seen->pieces, tile, seen->z.tile(m_index)->of});
-            long long triangles = 0;
-            for (const TrianglePiece& piece : seen->pieces.pieces) triangles += std::ssize(piece.small);
-            m_isFine = in.zBuffer.seenPixels < 4 * triangles;
+            m_drawnNames = seen->name.tile(m_index)->of;
+            const TransformOutput<float>& from = in.transform;
+            m_seenIn.emplace(
+                SeenIn{from.view, *from.topology, from.snapped, seen->pieces, tile, seen->z.tile(m_index)->of});
+            m_isFine = in.zBuffer.seenPixels < 4 * static_cast<long long>(seen->triangles);
         }
         m_names.fill(kNoTriangle);
         if (inputs.illumination.model == Model::OpenGl) return;
@@ -121,7 +121,7 @@ public:
     }
 
 private:
-    HWY_INLINE bool fromDepth() const { return !A::kExact && m_records; }
+    HWY_INLINE bool fromDepth() const { return !A::kExact && m_drawnNames; }
 
     // What the stage's own text has drawn, which keeps the weights, in the pixels of a vector.
     struct Drawn {
@@ -142,9 +142,9 @@ private:
     void findRow(std::size_t begin, SurfaceRow& out) {
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const VectorPlace place(begin + i);
-            if (!m_records) m_drawn.read(m_in.zBuffer, m_tile, place.at);
+            if (!m_drawnNames) m_drawn.read(m_in.zBuffer, m_tile, place.at);
             if (m_isFine) fetchAhead(place.at);
-            const std::uint32_t* const names = m_records ? m_records + place.at : m_drawn.triangle;
+            const std::uint32_t* const names = m_drawnNames ? m_drawnNames + place.at : m_drawn.triangle;
             const Mask seen = seenIn(names);
             out.seen[i / hn::Lanes(F())] = bitsOf(seen);
             if constexpr (kPerPixel) {
@@ -178,7 +178,7 @@ private:
                         continue;
                     }
                 }
-                const Shares b = m_records
+                const Shares b = m_drawnNames
                                      ? surface.triangle.weights(*m_seenIn, place)
                                      : Shares{hn::Load(F(), m_drawn.weights[0]), hn::Load(F(), m_drawn.weights[1])};
                 if constexpr (kPerPixel)
@@ -209,18 +209,14 @@ private:
     // whole vectors for the sake of one pixel.
     template <bool kPositions, bool kFacing>
     HWY_NOINLINE void findByPixel(const VectorPlace& place, Mask seen, std::size_t i, SurfaceRow& out) const {
-        const SeenInPixels in(*m_seenIn, place, m_records + place.at, seen);
+        const SeenInPixels in(*m_seenIn, place, m_drawnNames + place.at, seen);
         const Topology& topology = *m_in.transform.topology;
-        HWY_ALIGN std::uint32_t vertices[3][16], polygon[16];
-        const auto triangles = loadFours(U(), [&](std::size_t l) { return topology.triangles[in.id[l]].vertices; });
-        for (int corner = 0; corner < 3; ++corner) hn::Store(triangles.of[corner], U(), vertices[corner]);
-        hn::Store(triangles.of[3], U(), polygon);
         struct Quantity {
             Floats3 origin, toSecond, toThird;
         };
         const auto cornersOf = [&](std::span<const Vec3<float>> values) HWY_ATTR {
             const auto at = [&](int corner) HWY_ATTR {
-                return loadThrees(values, [&](std::size_t l) { return vertices[corner][l]; });
+                return loadThrees(values, [&](std::size_t l) { return in.vertices[corner][l]; });
             };
             const Floats3 origin = at(0);
             return Quantity{origin, at(1) - origin, at(2) - origin};
@@ -229,7 +225,7 @@ private:
             return scaledPlus<A>(q.toThird, in.weights.two, scaledPlus<A>(q.toSecond, in.weights.one, q.origin));
         };
         store(A::unit(interpolate(cornersOf(m_in.normals.vertex)), seen), out.N, i);
-        const auto polygonOf = [&](std::size_t l) { return std::size_t(polygon[l]); };
+        const auto polygonOf = [&](std::size_t l) { return std::size_t(in.polygon[l]); };
         const bool findsFacing = kFacing && m_in.normals.polygon.empty();
         if (kPositions || findsFacing) {
             const Quantity world = cornersOf(m_in.transform.world);
@@ -241,26 +237,25 @@ private:
         }
         if (kFacing && !findsFacing) store(loadThrees(m_in.normals.polygon, polygonOf), out.facing, i);
         for (std::size_t l = 0; m_tellsObjects && l < hn::Lanes(F()); ++l)
-            out.object[i + l] = std::int32_t(topology.objectOfPolygon(polygon[l]));
+            out.object[i + l] = std::int32_t(topology.objectOfPolygon(in.polygon[l]));
     }
     // Of a fine mesh each pixel has another triangle, and nothing of it is in the caches next to the processor: what later
     // vectors ask for is on its way while this one is looked at.
     HWY_INLINE void fetchAhead(std::size_t at) const {
-        constexpr std::size_t kRecords = 48, kTriangles = 16;  // pixels
+        constexpr std::size_t kTriangles = 48, kVertices = 16;  // pixels
         const std::size_t lanes = hn::Lanes(F());
-        if (at + kRecords + lanes > kTilePixels) return;
-        const auto smallAt = [&](std::size_t pixel) -> const SmallTriangle* {
-            const std::uint32_t record = m_records[pixel];
-            if (record & TrianglePiece::kOther) return nullptr;
-            return &m_seenIn->pieces.smallOf(record);
+        if (at + kTriangles + lanes > kTilePixels) return;
+        const auto triangleAt = [&](std::size_t pixel) -> const Triangle* {
+            const std::uint32_t name = m_drawnNames[pixel];
+            return TrianglePieces::isOther(name) ? nullptr : &m_in.transform.topology->triangles[name];
         };
         for (std::size_t l = 0; l < lanes; ++l) {
-            if (const SmallTriangle* t = smallAt(at + kRecords + l)) hwy::Prefetch(t);
-            if (const SmallTriangle* t = smallAt(at + kTriangles + l))
-                hwy::Prefetch(&m_in.transform.topology->triangles[t->id]);
+            if (const Triangle* t = triangleAt(at + kTriangles + l)) hwy::Prefetch(t);
+            if (const Triangle* t = triangleAt(at + kVertices + l))
+                hwy::Prefetch(&m_in.transform.snapped.of[t->vertices[0]]);
         }
     }
-    // By the name of a triangle: its record in the blocks, of which one that clipping has cut has several, or its index.
+    // By the name of a triangle in the blocks, where they are; else its index.
     HWY_INLINE const SeenSurface& surfaceOf(std::uint32_t name) {
         const std::size_t slot = name % kSlots;
         if (m_names[slot] != name) m_names[slot] = name, become(m_surfaces[slot], name);
@@ -268,7 +263,7 @@ private:
     }
     HWY_NOINLINE void become(SeenSurface& seen, std::uint32_t name) const {
         seen.id = name, seen.isPlane = false;
-        if (m_records) seen.triangle.become(*m_seenIn, name), seen.id = seen.triangle.id();
+        if (m_drawnNames) seen.triangle.become(*m_seenIn, name), seen.id = seen.triangle.id();
         const Triangle& triangle = m_in.transform.topology->triangles[seen.id];
         seen.polygon = std::int32_t(triangle.polygon);
         if (m_tellsObjects) seen.object = std::int32_t(m_in.transform.topology->objectOfPolygon(triangle.polygon));
@@ -303,6 +298,7 @@ private:
         const TransformOutput<float>& in = m_in.transform;
         const auto* words = reinterpret_cast<const std::int32_t*>(in.topology->triangles.data());
         auto nearest = float(in.view.near);  // the least z in front of the near plane
+        const Floats3 eye = all(Vec3<float>(in.view.eye)), forward = all(Vec3<float>(in.view.forward));
         if (double(nearest) < in.view.near) nearest = std::nextafter(nearest, std::numeric_limits<float>::infinity());
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const Mask seen = out.seenAt(i);
@@ -312,7 +308,9 @@ private:
             Mask isInFront = seen;
             const auto scaledByZ = [&](Floats weight, int corner) HWY_ATTR {
                 const Ints vertex = hn::GatherIndex(I(), words, hn::Add(first, hn::Set(I(), corner)));
-                const Floats z = hn::GatherIndex(F(), &in.viewSpace[0].z, hn::Add(vertex, hn::Add(vertex, vertex)));
+                const Ints at = hn::Add(vertex, hn::Add(vertex, vertex));
+                const auto world = [&](int part) HWY_ATTR { return hn::GatherIndex(F(), &in.world[0].x + part, at); };
+                const Floats z = Exact::dot(forward, Floats3{world(0), world(1), world(2)} - eye);
                 isInFront = hn::And(isInFront, hn::Ge(z, all(nearest)));
                 return hn::Mul(weight, z);
             };
@@ -356,11 +354,11 @@ private:
     Tile m_tile;
     bool m_isFine = false;  // for triangles of few pixels
     bool m_perPixel, m_positioned, m_tellsObjects, m_isViewed, m_mirrors, m_facing = false, m_isDrawn = true;
-    Vec3<float> m_eye, m_back;                 // of the view; against its direction
-    std::size_t m_index = 0;                   // of the tile
-    const std::uint32_t* m_records = nullptr;  // of the tile; null where the stage's own text drew
-    std::optional<SeenIn> m_seenIn;            // likewise
-    Drawn m_drawn;                             // where it did
+    Vec3<float> m_eye, m_back;                    // of the view; against its direction
+    std::size_t m_index = 0;                      // of the tile
+    const std::uint32_t* m_drawnNames = nullptr;  // in the tile; null where the stage's own text drew
+    std::optional<SeenIn> m_seenIn;               // likewise
+    Drawn m_drawn;                                // where it did
     // Triangles as they were seen last. Neighbours mostly see the same few.
     static constexpr std::size_t kSlots = 128;
     std::array<std::uint32_t, kSlots> m_names;

@@ -58,7 +58,6 @@ void transformVertices(const TransformInputs& inputs, std::size_t object, std::s
     const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
     const glm::mat3 linear(matrix.linear);
     const Vec3<float> translation(matrix.translation);
-    const Axes axes(inputs.view);
     const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
     const D d;
@@ -72,14 +71,25 @@ void transformVertices(const TransformInputs& inputs, std::size_t object, std::s
         auto x = hn::Zero(d), y = x, z = x;
         hn::LoadInterleaved3(d, &positions[i].x, x, y, z);
         const Floats3 p{hn::DemoteTo(f, x), hn::DemoteTo(f, y), hn::DemoteTo(f, z)};
-        const Floats3 world{row(0, p), row(1, p), row(2, p)};
-        store(world, &out.world[first + i]);
-        store(axes.toView(world), &out.viewSpace[first + i]);
+        store({row(0, p), row(1, p), row(2, p)}, &out.world[first + i]);
     }
     transform(inputs, object, i, end, out);
 }
 
 namespace {
+
+// v / z, with the bits of a division, from the inverse of z, which has the bits of a float, and not nearly as far from 1 as
+// double reaches. P. Markstein, "Computation of elementary functions on the IBM RISC System/6000 processor", IBM Journal
+// of Research and Development 1990.
+HWY_INLINE hn::Vec<D> quotient(hn::Vec<D> v, hn::Vec<D> z, hn::Vec<D> inverse) {
+#if HWY_NATIVE_FMA
+    const auto guess = hn::Mul(v, inverse);
+    return hn::MulAdd(hn::NegMulAdd(guess, z, v), inverse, guess);
+#else
+    (void)inverse;
+    return hn::Div(v, z);
+#endif
+}
 
 // Of as many vertices as a vector holds.
 HWY_INLINE void snapVertices(const View& view, const Axes& axes, const Vec3<float>* world, SnappedVertex* to) {
@@ -92,12 +102,13 @@ HWY_INLINE void snapVertices(const View& view, const Axes& axes, const Vec3<floa
     const auto spread = view.perspective ? pz : one;
     const auto x = hn::Mul(hn::Set(d, view.scale.x), px), y = hn::Mul(hn::Set(d, view.scale.y), py);
     const auto places = hn::Set(d, double(1 << view.subPixelBits));
-    const auto divided = [&](auto v) HWY_ATTR { return view.perspective ? hn::Div(v, pz) : v; };
+    const auto inverse = hn::Div(one, pz);
+    const auto divided = [&](auto v) HWY_ATTR { return view.perspective ? quotient(v, pz, inverse) : v; };
     const auto sx = hn::Add(hn::Set(d, view.centre.x), divided(x));
     const auto sy = hn::Sub(hn::Set(d, view.centre.y), divided(y));
     const auto snapped = [&](auto v)
                              HWY_ATTR { return hn::DemoteTo(whole, hn::Floor(hn::Add(hn::Mul(v, places), half))); };
-    const Floats w = hn::DemoteTo(f, view.perspective ? hn::Div(one, pz) : pz);
+    const Floats w = hn::DemoteTo(f, view.perspective ? inverse : pz);
 
     // planesAgainst, of the picture and of the guard band. Bits as sums of powers of two.
     const auto zero = hn::Zero(d);

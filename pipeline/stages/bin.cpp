@@ -5,7 +5,7 @@
 namespace pipeline {
 
 template <class Real>
-TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> positions,
+TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
                                 std::span<const Verdict> verdicts, std::span<const std::uint8_t> inside,
                                 std::span<const std::uint8_t> drawn, const FacingFilter& facing) {
     TriangleBins<Real> out;
@@ -32,7 +32,7 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
         ++(whole ? out.unclipped : out.clipped);
         parts.clear();
         const std::int64_t area2 = setUpTriangle<Real>(
-            view, {positions[v[0]], positions[v[1]], positions[v[2]]}, std::uint32_t(t),
+            view, {toView(view, world[v[0]]), toView(view, world[v[1]]), toView(view, world[v[2]])}, std::uint32_t(t),
             [&](const RasterTriangle<Real>& part) { parts.push_back(part); }, whole);
         if (facing.keeps(area2, topology.objectOfPolygon(triangle.polygon))) std::ranges::for_each(parts, addToBins);
     }

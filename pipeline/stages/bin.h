@@ -35,11 +35,11 @@ struct FacingFilter {
     }
 };
 
-// positions: per vertex, in the view's space. verdicts: per polygon, or empty when all go on.
+// world: per vertex. verdicts: per polygon, or empty when all go on.
 // inside: per polygon, whether it is known to need no clipping; empty when all are sent through it.
 // drawn: per polygon, whether this pass draws it; empty when it draws all.
 template <class Real>
-TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> positions,
+TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
                                 std::span<const Verdict> verdicts, std::span<const std::uint8_t> inside = {},
                                 std::span<const std::uint8_t> drawn = {}, const FacingFilter& facing = {});
 

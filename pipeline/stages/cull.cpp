@@ -48,7 +48,7 @@ Verdict outside(const TransformOutput<Real>& in, const Topology::Corners& corner
     const glm::dvec2 picture = glm::dvec2(in.view.size) / 2.0;
     unsigned all = ~0u, any = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const PlaneBits bits = planesAgainst(in.view, Vec3<AtLeastDouble<Real>>(in.viewSpace[corners[i]]), picture);
+        const PlaneBits bits = planesAgainst(in.view, Vec3<AtLeastDouble<Real>>(in.viewSpace(corners[i])), picture);
         all &= bits.outside, any |= bits.notInside;
     }
     if (all != 0) return Verdict(unsigned(Verdict::OutsideNear) + unsigned(std::countr_zero(all)));
@@ -71,7 +71,7 @@ ScreenArea screenArea(const TransformOutput<Real>& in, std::size_t polygon, bool
     for (std::size_t t = first; t < first + in.topology->triangleCountOf(polygon); ++t) {
         const auto& v = in.topology->triangles[t].vertices;
         area2 += setUpTriangle<Real>(
-            in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, std::uint32_t(t),
+            in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, std::uint32_t(t),
             [&](const RasterTriangle<Real>&) { covers = true; }, inside);
     }
     if (in.mirrored[in.topology->objectOfPolygon(polygon)]) area2 = -area2;

@@ -80,8 +80,8 @@ void addOutline(const TransformOutput<Real>& in, std::uint32_t polygon, std::vec
         std::uint32_t from = corners[i], to = corners[i + 1 == corners.size() ? 0 : i + 1];
         if (from > to) std::swap(from, to);
         const EdgePlace place = findEdge(*in.topology, polygon, from, to);
-        std::array<ClipCorner<W>, 2> ends{ClipCorner<W>{Vec3<W>(in.viewSpace[from]), Vec3<W>(0)},
-                                          ClipCorner<W>{Vec3<W>(in.viewSpace[to]), Vec3<W>(0)}};
+        std::array<ClipCorner<W>, 2> ends{ClipCorner<W>{Vec3<W>(in.viewSpace(from)), Vec3<W>(0)},
+                                          ClipCorner<W>{Vec3<W>(in.viewSpace(to)), Vec3<W>(0)}};
         ends[0].weights[place.from] = 1, ends[1].weights[place.to] = 1;
         if (!clipLine(view, ends)) continue;
         OutlineEdge<Real> edge{};

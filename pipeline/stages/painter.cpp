@@ -12,7 +12,7 @@ bool PaintingOrder::has(const PaintPiece& piece, glm::ivec2 pixel) const {
 }
 
 template <class Real>
-PaintingOrder paintingOrder(const Topology& topology, const View& view, std::span<const Vec3<Real>> viewSpace,
+PaintingOrder paintingOrder(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
                             const TriangleBins<Real>& bins, bool split) {
     std::vector<PaintTriangle> triangles;
     triangles.reserve(bins.triangles.size());
@@ -20,7 +20,7 @@ PaintingOrder paintingOrder(const Topology& topology, const View& view, std::spa
         PaintTriangle paint{t.snapped, {}, 0, topology.triangles[t.id].polygon};
         for (std::size_t i = 0; i < 3; ++i) paint.depth[i] = double(view.perspective ? -t.exactW[i] : t.exactW[i]);
         const Topology::Corners corners = topology.corners(paint.polygon);
-        for (std::size_t i = 0; i < corners.size(); ++i) paint.mean += double(viewSpace[corners[i]].z);
+        for (std::size_t i = 0; i < corners.size(); ++i) paint.mean += double(toView(view, world[corners[i]]).z);
         paint.mean /= double(corners.size());
         triangles.push_back(paint);
     }

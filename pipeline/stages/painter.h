@@ -58,9 +58,9 @@ inline constexpr std::size_t kMaxPiecesPerTriangle = 4, kMaxExtraPieces = 10'000
 // the other's plane. Triangles that lie in one plane keep their order.
 PaintingOrder paintingOrder(std::span<const PaintTriangle> triangles, bool split);
 
-// The order of bins.triangles. viewSpace: per vertex.
+// The order of bins.triangles. world: per vertex.
 template <class Real>
-PaintingOrder paintingOrder(const Topology& topology, const View& view, std::span<const Vec3<Real>> viewSpace,
+PaintingOrder paintingOrder(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
                             const TriangleBins<Real>& bins, bool split);
 
 // Per tile the indices of the pieces that touch it, in the order of painting.

@@ -122,9 +122,7 @@ FacingFilter facingFilter(ShadowCull cull, const TransformOutput<Real>& in) {
 template <class Real>
 TriangleBins<Real> binForLight(const TransformOutput<Real>& in, const View& face, ShadowCull cull,
                                std::span<const std::uint8_t> drawn) {
-    std::vector<Vec3<Real>> positions(in.world.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = toView(face, in.world[i]);
-    return binTriangles<Real>(*in.topology, face, positions, {}, {}, drawn, facingFilter(cull, in));
+    return binTriangles<Real>(*in.topology, face, in.world, {}, {}, drawn, facingFilter(cull, in));
 }
 
 template <class Real>

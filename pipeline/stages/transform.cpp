@@ -74,7 +74,6 @@ TransformOutput<Real> prepareTransform(const TransformInputs& inputs) {
     }
     const std::size_t count = inputs.topology->vertexCount();
     out.world.resize(count);
-    out.viewSpace.resize(count);
     out.done = count;
     return out;
 }
@@ -88,11 +87,14 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
     const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
 
-    for (std::size_t i = begin; i < end; ++i) {
-        const Vec3<Real> world = linear * Vec3<Real>(positions[i]) + translation;
-        out.world[first + i] = world;
-        out.viewSpace[first + i] = toView(inputs.view, world);
-    }
+    for (std::size_t i = begin; i < end; ++i) out.world[first + i] = linear * Vec3<Real>(positions[i]) + translation;
+}
+
+template <class Real>
+std::vector<Vec3<Real>> viewPlaces(const TransformOutput<Real>& in) {
+    std::vector<Vec3<Real>> places(in.world.size(), Vec3<Real>(0));
+    for (std::size_t i = 0; i < in.done; ++i) places[i] = in.viewSpace(i);
+    return places;
 }
 
 template <class Real>
@@ -100,9 +102,9 @@ std::vector<Vec3<Real>> screenPlaces(const TransformOutput<Real>& in) {
     const View& view = in.view;
     const Vec2<Real> scale(view.scale), centre(view.centre);
     const DepthCode depth(view, in.depthFormat);
-    std::vector<Vec3<Real>> places(in.viewSpace.size(), Vec3<Real>(0));
+    std::vector<Vec3<Real>> places(in.world.size(), Vec3<Real>(0));
     for (std::size_t i = 0; i < in.done; ++i) {
-        const Vec3<Real>& v = in.viewSpace[i];
+        const Vec3<Real> v = in.viewSpace(i);
         if (view.perspective && v.z < Real(view.near)) continue;
         const Real spread = view.perspective ? v.z : Real(1);
         const AtLeastDouble<Real> z(v.z);
@@ -117,6 +119,7 @@ std::vector<Vec3<Real>> screenPlaces(const TransformOutput<Real>& in) {
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                \
     template TransformOutput<Real> prepareTransform(const TransformInputs&);                                        \
     template void transform(const TransformInputs&, std::size_t, std::size_t, std::size_t, TransformOutput<Real>&); \
+    template std::vector<Vec3<Real>> viewPlaces(const TransformOutput<Real>&);                                      \
     template std::vector<Vec3<Real>> screenPlaces(const TransformOutput<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

@@ -44,13 +44,15 @@ struct TransformOutput {
     std::shared_ptr<const Topology> topology;
     View view;
     DepthFormat depthFormat = DepthFormat::Linear;
-    std::vector<std::uint8_t> mirrored;      // per object
-    std::vector<std::uint8_t> transparent;   // per object, 1 where it is as if not there; empty when none is
-    std::vector<glm::dmat3> normalMatrix;    // per object: cofactors, which hold for a flattened object too
-    RawVector<Vec3<Real>> world, viewSpace;  // per vertex
-    std::size_t done = 0;       // of the vertices, from the first; all, but while stepping inside the stage
-    SnappedVertices snapped{};  // in float, for pipeline/simd; else empty
+    std::vector<std::uint8_t> mirrored;     // per object
+    std::vector<std::uint8_t> transparent;  // per object, 1 where it is as if not there; empty when none is
+    std::vector<glm::dmat3> normalMatrix;   // per object: cofactors, which hold for a flattened object too
+    RawVector<Vec3<Real>> world;            // per vertex
+    std::size_t done = 0;                   // of the vertices, from the first; all, but while stepping inside the stage
+    SnappedVertices snapped{};              // in float, for pipeline/simd; else empty
 
+    // Of a vertex. Found where it is asked for: to keep it takes longer.
+    Vec3<Real> viewSpace(std::size_t vertex) const { return toView(view, world[vertex]); }
     bool anyMirrored() const {
         return std::ranges::any_of(mirrored, [](std::uint8_t one) { return one != 0; });
     }
@@ -63,6 +65,9 @@ template <class Real>
 void transform(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
                TransformOutput<Real>& out);
 
+// Per vertex: its place in view space; (0, 0, 0) for one that is not done. Found when somebody looks.
+template <class Real>
+std::vector<Vec3<Real>> viewPlaces(const TransformOutput<Real>& in);
 // Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is not in front of the near plane: it has no
 // place on the screen, and no infinity may stand in for one. Found when somebody looks: no stage reads it.
 template <class Real>

@@ -46,14 +46,14 @@ LayerBins<Real> binLayers(const ShadingInputs& inputs, const ShadingSources<Real
     std::span<const Verdict> verdicts;
     if (in.cull) verdicts = in.cull->verdicts;
     LayerBins<Real> out;
-    out.bins = binTriangles<Real>(*t.topology, t.view, t.viewSpace, verdicts, {}, drawn);
+    out.bins = binTriangles<Real>(*t.topology, t.view, t.world, verdicts, {}, drawn);
     if (inputs.layers.order == Translucency::Exact) {
         out.order = out.bins.bins;
         // One triangle that clipping has cut is more than one here.
         out.sorts = inputs.layers.sorted || out.bins.triangles.size() > 1;
         return out;
     }
-    const PaintingOrder order = paintingOrder<Real>(*t.topology, t.view, t.viewSpace, out.bins, false);
+    const PaintingOrder order = paintingOrder<Real>(*t.topology, t.view, t.world, out.bins, false);
     out.order = binPieces(out.bins, order);
     for (std::vector<std::uint32_t>& tile : out.order)
         for (std::uint32_t& i : tile) i = order.pieces[i].triangle;

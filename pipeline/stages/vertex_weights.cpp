@@ -26,7 +26,7 @@ Vec3<Real> affineOfPiece(const TransformOutput<Real>& in, std::uint32_t triangle
                       l2 * (piece.weights[2] - piece.weights[0]);
         });
     };
-    setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, triangle, look);
+    setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, triangle, look);
     return weights;
 }
 
@@ -36,7 +36,7 @@ VertexWeights<Real> affine(const TransformOutput<Real>& in, std::uint32_t id, Ve
     if (!in.view.perspective) return ofTriangle(triangle, b, Interpolation::Affine);
     Vec3<Real> l;
     for (int i = 0; i < 3; ++i) {
-        const Real z = in.viewSpace[triangle.vertices[i]].z;
+        const Real z = in.viewSpace(triangle.vertices[i]).z;
         if (!inFront(in.view, double(z)))
             return ofTriangle(triangle, affineOfPiece(in, id, b, pixel), Interpolation::Affine);
         l[i] = b[i] * z;
@@ -48,7 +48,7 @@ VertexWeights<Real> affine(const TransformOutput<Real>& in, std::uint32_t id, Ve
 template <class Real>
 glm::dvec2 placeInPicture(const TransformOutput<Real>& in, std::uint32_t vertex) {
     const View& view = in.view;
-    const Vec3d v(in.viewSpace[vertex]);
+    const Vec3d v(in.viewSpace(vertex));
     const double spread = view.perspective ? v.z : 1;
     const double places = std::exp2(view.subPixelBits);
     const auto onGrid = [&](double x) { return std::floor(x * places + 0.5) / places; };
@@ -63,7 +63,7 @@ void cross(const TransformOutput<Real>& in, std::uint32_t polygon, int y, RowCro
     out.crossings.clear();
     const Topology::Corners corners = in.topology->corners(polygon);
     for (std::size_t i = 0; i < corners.size(); ++i)
-        if (!inFront(in.view, double(in.viewSpace[corners[i]].z))) return;
+        if (!inFront(in.view, double(in.viewSpace(corners[i]).z))) return;
     const double middle = y + 0.5;
     glm::dvec2 p = placeInPicture(in, corners[corners.size() - 1]);
     for (std::size_t i = 0; i < corners.size(); ++i) {

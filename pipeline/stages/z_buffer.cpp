@@ -28,7 +28,7 @@ Vec3<Real> barycentricAt(const TransformOutput<Real>& in, std::uint32_t triangle
             weights = interpolate(piece, e, in.view.perspective).barycentric;
         });
     };
-    setUpTriangle<Real>(in.view, {in.viewSpace[v[0]], in.viewSpace[v[1]], in.viewSpace[v[2]]}, triangle, look);
+    setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, triangle, look);
     return weights;
 }
 

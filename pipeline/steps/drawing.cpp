@@ -98,13 +98,13 @@ Drawing<Real> takeApart(const FrameData<Real>& data) {
     std::span<const std::uint8_t> inside;
     if (data.cull && !inputs.clipAll) inside = data.cull->inside;
     out.bins =
-        binTriangles<Real>(*in.topology, in.view, in.viewSpace, data.verdicts(), inside,
+        binTriangles<Real>(*in.topology, in.view, in.world, data.verdicts(), inside,
                            drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, data.cull.get()));
     const auto polygonOf = [&](std::uint32_t triangle) {
         return in.topology->triangles[out.bins.triangles[triangle].id].polygon;
     };
     if (inputs.visibility == Visibility::Painter) {
-        out.order = paintingOrder<Real>(*in.topology, in.view, in.viewSpace, out.bins, inputs.split);
+        out.order = paintingOrder<Real>(*in.topology, in.view, in.world, out.bins, inputs.split);
         out.tiles = binPieces(out.bins, out.order);
         groupByPolygon(
             out.order.pieces.size(), [&](std::uint32_t i) { return polygonOf(out.order.pieces[i].triangle); }, out);

@@ -26,7 +26,7 @@ TransformOutput<Real> transformSoFar(const FrameData<Real>& data, std::size_t ve
     out.done = vertices;
     for (std::size_t object = 0; object < inputs.transforms.size() && first[object] < vertices; ++object)
         transform(inputs, object, 0, std::min<std::size_t>(vertices, first[object + 1]) - first[object], out);
-    fillFrom(vertices, out.world), fillFrom(vertices, out.viewSpace);
+    fillFrom(vertices, out.world);
     return out;
 }
 

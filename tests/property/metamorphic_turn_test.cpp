@@ -97,7 +97,7 @@ std::vector<bool> samplesOnEdges(const Frame& frame) {
     const FrameData<double>& data = *dataOf<double>(frame);
     const View& view = data.transform->view;
     std::vector<bool> on(std::size_t(view.size.x) * std::size_t(view.size.y));
-    const RawVector<Vec3d>& places = data.transform->viewSpace;
+    const std::vector<Vec3d> places = viewPlaces(*data.transform);
     const auto mark = [&](const RasterTriangle<double>& triangle) {
         const auto& c = triangle.snapped.corners;
         for (int y = 0; y < view.size.y; ++y)
@@ -132,7 +132,8 @@ TEST_P(MetamorphicTurn, Mirrored) {
         const FramePtr plain = test::frameOf(scene, test::everyBuffer(), 1);
         const FramePtr other = test::frameOf(mirrored(scene), test::everyBuffer(), 1);
         double deepest = 0;
-        for (const Vec3d& v : dataOf<double>(*plain)->transform->viewSpace) deepest = std::max(deepest, std::abs(v.z));
+        for (const Vec3d& v : viewPlaces(*dataOf<double>(*plain)->transform))
+            deepest = std::max(deepest, std::abs(v.z));
         const std::vector<bool> on = samplesOnEdges(*plain);
         const int width = scene.settings.width, height = scene.settings.height;
         const auto same = [&](BufferId id, int x, int y) {
