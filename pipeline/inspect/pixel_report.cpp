@@ -159,7 +159,8 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
             }
             break;
         case Shading::Phong:
-            report.evaluations.push_back(evaluate(inputs, pixelSurface(inputs, sources, triangleId, b, weights),
+            report.evaluations.push_back(evaluate(inputs,
+                                                  pixelSurface(inputs, sources, triangleId, report.pixel, b, weights),
                                                   material, "at the pixel", 1, report.shadow));
             break;
     }

@@ -199,8 +199,8 @@ struct Decision {
         const bool perPixel = scene.settings.shading == Shading::Phong;
         const auto near = [](const Light& l) { return l.kind != LightKind::AtInfinity; };
         const bool read =
-            anyWanted(wanted, {BufferId::Position, BufferId::ViewVector}) || bool(needs.shadowBuffers) ||
-            (perPixel && bool(needs.viewVector)) ||
+            anyWanted(wanted, {BufferId::Position}) || bool(needs.shadowBuffers) ||
+            (model() == Model::OpenGl && bool(needs.viewVector)) ||
             std::ranges::any_of(scene.lights, [&](const Light& l) { return near(l) && (perPixel || l.castsShadow); });
         return unless(Rule::Position, read ? "" : "No light and nobody reads it.");
     }

@@ -81,7 +81,7 @@ public:
           m_tellsObjects(m_perPixel && inputs.materials.size() > 1),
           m_isViewed(m_perPixel && inputs.parts.viewVector),
           m_mirrors(in.transform.anyMirrored()),
-          m_eye(in.transform.view.eye),
+          m_rays(in.transform.view),
           m_back(-Vec3<float>(in.transform.view.forward)) {
         if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
             m_index = tileAt(in.transform.view.size, tile);
@@ -114,8 +114,7 @@ public:
         else
             m_facing ? findRow<false, false, true>(begin, out) : findRow<false, false, false>(begin, out);
         if (m_positioned && fromDepth()) findPositions(row, out);
-        if (m_isViewed && !m_in.transform.view.perspective)
-            for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) store(all(m_back), out.V, i);
+        if (m_isViewed) findViewVectors(row, out);
         const bool isAffine = m_inputs.shading == Shading::Gouraud && m_inputs.interpolation == Interpolation::Affine;
         if (isAffine && m_in.transform.view.perspective) makeAffine(begin, out);
     }
@@ -196,14 +195,27 @@ private:
                 store(weights, out.weights, i);
             }
             if constexpr (kFacing) store(facing, out.facing, i);
-            if constexpr (kPositions) placeAt(position, seen, i, out);
+            if constexpr (kPositions) store(position, out.position, i);
         }
     }
-    // Where the pixels of a vector stand, and towardsEye there. Units are divided here, and not once all rows are found,
-    // for the processor divides while it looks for what is seen.
-    HWY_INLINE void placeAt(Floats3 position, Mask seen, std::size_t i, SurfaceRow& out) const {
-        store(position, out.position, i);
-        if (m_isViewed && m_in.transform.view.perspective) store(A::unit(all(m_eye) - position, seen), out.V, i);
+    // towardsEye of the pixels of a row.
+    void findViewVectors(int row, SurfaceRow& out) const {
+        if (!m_in.transform.view.perspective) {
+            for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) store(all(m_back), out.V, i);
+            return;
+        }
+        const Floats3 right = all(m_rays.right), up = all(m_rays.up), forward = all(m_rays.forward);
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+            const Mask seen = out.seenAt(i);
+            if (hn::AllFalse(F(), seen)) continue;
+            const VectorPlace place(std::size_t(row) * kRowPixels + i);
+            const auto along = [&](Ints inTile, int part) HWY_ATTR {
+                const Floats pixel = hn::ConvertTo(F(), hn::Add(inTile, hn::Set(I(), m_tile.min[part])));
+                return hn::Mul(hn::Add(pixel, all(m_rays.first[part])), all(m_rays.step[part]));
+            };
+            const Floats3 back = (scaled(up, along(place.row, 1)) - forward) - scaled(right, along(place.column, 0));
+            store(A::unit(back, seen), out.V, i);
+        }
     }
     // In the pixels of vector i of a row, each of which sees a triangle of its own: to go through triangles would compute
     // whole vectors for the sake of one pixel.
@@ -229,7 +241,7 @@ private:
         const bool findsFacing = kFacing && m_in.normals.polygon.empty();
         if (kPositions || findsFacing) {
             const Quantity world = cornersOf(m_in.transform.world);
-            if constexpr (kPositions) placeAt(interpolate(world), seen, i, out);
+            if constexpr (kPositions) store(interpolate(world), out.position, i);
             if (findsFacing) {
                 const Floats3 sum = areaVectors(m_in.transform, m_mirrors, world.toSecond, world.toThird, polygonOf);
                 store(Exact::unit(sum, seen), out.facing, i);
@@ -345,7 +357,7 @@ private:
             const Floats depth = hn::Load(F(), z + i);
             const Floats3 position = view.perspective ? scaledPlus<A>(beside + all(forward), depth, all(eye))
                                                       : beside + scaledPlus<A>(all(forward), depth, all(eye));
-            placeAt(position, out.seenAt(i), i, out);
+            store(position, out.position, i);
         }
     }
 
@@ -354,7 +366,8 @@ private:
     Tile m_tile;
     bool m_isFine = false;  // for triangles of few pixels
     bool m_perPixel, m_positioned, m_tellsObjects, m_isViewed, m_mirrors, m_facing = false, m_isDrawn = true;
-    Vec3<float> m_eye, m_back;                    // of the view; against its direction
+    PixelRays<float> m_rays;                      // of the view
+    Vec3<float> m_back;                           // against its direction
     std::size_t m_index = 0;                      // of the tile
     const std::uint32_t* m_drawnNames = nullptr;  // in the tile; null where the stage's own text drew
     std::optional<SeenIn> m_seenIn;               // likewise

@@ -98,10 +98,10 @@ Wanted wantedOf(const ShadingOutput<Real>& out) {
 // the shading or somebody who looks needs them.
 template <class Real>
 Surface<Real> shownSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
-                           Vec3<Real> barycentric, const VertexWeights<Real>& weights, bool wanted) {
+                           glm::ivec2 at, Vec3<Real> barycentric, const VertexWeights<Real>& weights, bool wanted) {
     const Triangle& corners = in.transform.topology->triangles[triangle];
     if (inputs.shading == Shading::Phong || (wanted && inputs.shading == Shading::Gouraud))
-        return pixelSurface(inputs, in, triangle, barycentric, weights);
+        return pixelSurface(inputs, in, triangle, at, barycentric, weights);
     const Vec3<Real> position =
         inputs.parts.position ? interpolated(in.transform.world, corners.vertices, barycentric) : Vec3<Real>(0);
     if (!wanted) return {position, Vec3<Real>(0), Vec3<Real>(0)};
@@ -120,7 +120,7 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
         vertexWeights(inputs.interpolation, in.transform, id, barycentric, at, scratch.row);
     counts.affineInstead += weights.used != inputs.interpolation;
     const Pixel<Real> pixel{triangle, weights, material, back,
-                            shownSurface(inputs, in, id, barycentric, weights, wanted.surfaces)};
+                            shownSurface(inputs, in, id, at, barycentric, weights, wanted.surfaces)};
     write.put(BufferId::Position, pixel.surface.position);
     write.put(BufferId::Normal, pixel.surface.N);
     write.put(BufferId::ViewVector, pixel.surface.V);

@@ -43,7 +43,7 @@ Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Re
 
 template <class Real>
 Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
-                           Vec3<Real> barycentric, const VertexWeights<Real>& weights) {
+                           glm::ivec2 pixel, Vec3<Real> barycentric, const VertexWeights<Real>& weights) {
     const auto& v = in.transform.topology->triangles[triangle].vertices;
     const std::uint32_t polygon = in.transform.topology->triangles[triangle].polygon;
     const Vec3<Real> position =
@@ -53,8 +53,12 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
             ? in.normals.polygon[polygon]
             : normalized(interpolated(weights, [&](std::uint32_t vertex) { return in.normals.vertex[vertex]; }),
                          inputs.illumination.detail.unit);
-    return {position, showsBack(inputs, in, polygon) ? -normal : normal,
-            inputs.parts.viewVector ? viewVector(inputs, in.transform.view, position) : Vec3<Real>(0)};
+    Vec3<Real> V(0);
+    if (inputs.parts.viewVector)
+        V = inputs.illumination.model == Model::OpenGl
+                ? viewVector(inputs, in.transform.view, position)
+                : towardsEye<Real>(in.transform.view, pixel, inputs.illumination.detail.unit);
+    return {position, showsBack(inputs, in, polygon) ? -normal : normal, V};
 }
 
 ShadingInputs withAllVectors(ShadingInputs inputs) {
@@ -151,8 +155,8 @@ Color8 frameBufferValue(Vec3d intensity, double iMax) {
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                  \
     template Surface<Real> polygonSurface(const ShadingInputs&, const ShadingSources<Real>&, std::size_t);            \
     template Surface<Real> vertexSurface(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, bool);       \
-    template Surface<Real> pixelSurface(const ShadingInputs&, const ShadingSources<Real>&, std::uint32_t, Vec3<Real>, \
-                                        const VertexWeights<Real>&);                                                  \
+    template Surface<Real> pixelSurface(const ShadingInputs&, const ShadingSources<Real>&, std::uint32_t, glm::ivec2, \
+                                        Vec3<Real>, const VertexWeights<Real>&);                                      \
     template ShadingCounts shadeOutlines(const ShadingSources<Real>&, Tile, ShadingOutput<Real>&);                    \
     template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);        \
     template Real shadowAt(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::uint32_t, Vec3<Real>);

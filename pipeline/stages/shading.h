@@ -183,10 +183,10 @@ Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<R
 template <class Real>
 Surface<Real> vertexSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t vertex, bool back);
 // Normals are interpolated with `weights` and renormalised when the normals stage left vertex normals;
-// the position is perspective-correct.
+// the position is perspective-correct. V follows from the pixel, in OpenGL's model from the position.
 template <class Real>
 Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
-                           Vec3<Real> barycentric, const VertexWeights<Real>& weights);
+                           glm::ivec2 pixel, Vec3<Real> barycentric, const VertexWeights<Real>& weights);
 // The same inputs with every vector of a surface and of a light computed: for those who look.
 ShadingInputs withAllVectors(ShadingInputs inputs);
 
