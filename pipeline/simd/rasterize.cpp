@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
@@ -251,15 +252,13 @@ TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, 
     const DrawnTile drawn{seen.z.tile(index), seen.name.tile(index),
                           out.overdraw.empty() ? nullptr : &counted.emplace()};
     const glm::ivec2 size = tile.max - tile.min;
-    const auto draw = [&](auto drawer) { return drawer.draw(all, index); };
     const bool isPlain = !counted && size.x % kBlock == 0 && size.y % kBlock == 0;
-    TileCounts counts;
-    if (in.view.perspective)
-        counts =
-            isPlain ? draw(TileDrawer<true, true>(in, tile, drawn)) : draw(TileDrawer<true, false>(in, tile, drawn));
-    else
-        counts =
-            isPlain ? draw(TileDrawer<false, true>(in, tile, drawn)) : draw(TileDrawer<false, false>(in, tile, drawn));
+    const auto draw = [&](auto perspective) {
+        constexpr bool kPerspective = decltype(perspective)::value;
+        return isPlain ? TileDrawer<kPerspective, true>(in, tile, drawn).draw(all, index)
+                       : TileDrawer<kPerspective, false>(in, tile, drawn).draw(all, index);
+    };
+    TileCounts counts = in.view.perspective ? draw(std::true_type()) : draw(std::false_type());
     for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F()))
         counts.seen += static_cast<long long>(hn::CountTrue(F(), seenIn(&drawn.name[0].of[at])));
     if (counted) {

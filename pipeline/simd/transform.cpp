@@ -110,27 +110,32 @@ HWY_INLINE void snapVertices(const View& view, const Axes& axes, const Vec3<floa
                              HWY_ATTR { return hn::DemoteTo(whole, hn::Floor(hn::Add(hn::Mul(v, places), half))); };
     const Floats w = hn::DemoteTo(f, view.perspective ? inverse : pz);
 
-    // planesAgainst, of the picture and of the guard band. Bits as sums of powers of two.
+    // planesAgainst, of the picture and of the guard band. Bits as sums of powers of two, of which most vertices have none.
     const auto zero = hn::Zero(d);
     auto bits = zero;
-    const auto add = [&](auto mask, std::uint32_t bit)
-                         HWY_ATTR { bits = hn::Add(bits, hn::IfThenElseZero(mask, hn::Set(d, double(bit)))); };
     const auto sideOf = [&](double band) HWY_ATTR { return hn::Mul(hn::Set(d, band), spread); };
     const auto near = hn::Sub(pz, hn::Set(d, view.near)), far = hn::Sub(hn::Set(d, view.far), pz);
     const glm::dvec2 picture = glm::dvec2(view.size) / 2.0;
     const auto side = sideOf(picture.x), top = sideOf(picture.y), guard = sideOf(kGuardBand);
-    const auto distances = [&](auto visit) HWY_ATTR {
-        visit(0, near), visit(1, far), visit(2, hn::Add(side, x)), visit(3, hn::Sub(side, x));
-        visit(4, hn::Sub(top, y)), visit(5, hn::Add(top, y));
+    const auto isInside = [&](auto right, auto above) HWY_ATTR {  // of bands on either side
+        const auto across = hn::And(hn::Ge(hn::Add(right, x), zero), hn::Ge(hn::Sub(right, x), zero));
+        const auto down = hn::And(hn::Ge(hn::Sub(above, y), zero), hn::Ge(hn::Add(above, y), zero));
+        return hn::And(hn::And(hn::Ge(near, zero), hn::Ge(far, zero)), hn::And(across, down));
     };
-    distances([&](unsigned plane, auto distance) HWY_ATTR {
-        add(hn::Lt(distance, zero), 1u << plane);
-        add(hn::Not(hn::Ge(distance, zero)), 1u << (SnappedVertex::kNotInside + plane));
-    });
-    const auto within = hn::And(hn::And(hn::Ge(near, zero), hn::Ge(far, zero)),
-                                hn::And(hn::And(hn::Ge(hn::Add(guard, x), zero), hn::Ge(hn::Sub(guard, x), zero)),
-                                        hn::And(hn::Ge(hn::Sub(guard, y), zero), hn::Ge(hn::Add(guard, y), zero))));
-    add(hn::Not(within), SnappedVertex::kCut);
+    const auto within = isInside(guard, guard);
+    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::And(within, isInside(side, top))))) {
+        const auto add = [&](auto mask, std::uint32_t bit)
+                             HWY_ATTR { bits = hn::Add(bits, hn::IfThenElseZero(mask, hn::Set(d, double(bit)))); };
+        const auto distances = [&](auto visit) HWY_ATTR {
+            visit(0, near), visit(1, far), visit(2, hn::Add(side, x)), visit(3, hn::Sub(side, x));
+            visit(4, hn::Sub(top, y)), visit(5, hn::Add(top, y));
+        };
+        distances([&](unsigned plane, auto distance) HWY_ATTR {
+            add(hn::Lt(distance, zero), 1u << plane);
+            add(hn::Not(hn::Ge(distance, zero)), 1u << (SnappedVertex::kNotInside + plane));
+        });
+        add(hn::Not(within), SnappedVertex::kCut);
+    }
     hn::StoreInterleaved4(snapped(sx), snapped(sy), hn::BitCast(whole, w), hn::DemoteTo(whole, bits), whole, &to->x);
 }
 
