@@ -109,24 +109,43 @@ private:
     Ints m_right1, m_right2, m_down1, m_down2;
 };
 
-// A triangle's edge functions over a tile, for the rows of blocks that it has pixels in.
-struct EdgeRows {
-    double value[3], column[3], row[3];  // at the tile's first pixel, at least 0 where covered; more at the next pixel
-    // Of the blocks [min, max) in row y of blocks, those outside of which an edge function leaves no pixel; a few more,
-    // for rounding.
+// For the rows of blocks of a tile: between which blocks of it a triangle's edge functions leave pixels inside.
+class EdgeRows {
+public:
+    // Of each edge function its value at the tile's first pixel, at least 0 where covered, and what it has more at the
+    // next column and row.
+    EdgeRows(const double (&value)[3], const double (&column)[3], const double (&row)[3]) {
+        for (int i = 0; i < 3; ++i) {
+            // Where it is largest in the first block: at one of its corners. And more at the next block's.
+            const double most = value[i] + (std::max(column[i], 0.0) + std::max(row[i], 0.0)) * (kBlock - 1);
+            const double right = column[i] * kBlock, down = row[i] * kBlock;
+            if (right == 0)
+                m_level[m_levels++] = {most, down};
+            else if (right > 0)
+                m_left[m_lefts++] = {-most / right, -down / right};
+            else
+                m_right[m_rights++] = {-most / right, -down / right};
+        }
+    }
+    // Of the blocks [min, max) in row y of blocks, those outside of which an edge function leaves no pixel; one or two
+    // more, which rounding may not lose.
     std::pair<int, int> blocksInRow(int y, int min, int max) const {
         double low = min, high = max;
-        for (int i = 0; i < 3; ++i) {
-            // Where the edge function is largest in the block: at one of its corners.
-            const double atFirst = value[i] + row[i] * (kBlock * y + (row[i] > 0 ? kBlock - 1 : 0)) +
-                                   std::max(column[i], 0.0) * (kBlock - 1);
-            const double step = column[i] * kBlock;
-            if (step == 0 && atFirst < 0) return {min, min};
-            if (step > 0) low = std::max(low, std::floor(-atFirst / step));
-            if (step < 0) high = std::min(high, std::ceil(-atFirst / step) + 1);
-        }
-        return {int(low), int(std::max(low, high))};
+        for (int i = 0; i < m_lefts; ++i) low = std::max(low, m_left[i].at(y));
+        for (int i = 0; i < m_rights; ++i) high = std::min(high, m_right[i].at(y));
+        for (int i = 0; i < m_levels; ++i)
+            if (m_level[i].at(y) < 0) return {min, min};
+        const int first = int(std::min(low, double(max)));
+        return {first, std::max(first, std::min(max, int(std::max(high, double(min))) + 2))};
     }
+
+private:
+    struct Line {  // over the rows of blocks
+        double first, more;
+        double at(int y) const { return first + more * y; }
+    };
+    Line m_left[3], m_right[3], m_level[3];  // which block it begins in, which it ends in; the largest value
+    int m_lefts = 0, m_rights = 0, m_levels = 0;
 };
 
 // Those of a triangle of up to some thousands of pixels, in a tile. From pixel to pixel an edge function grows by
@@ -154,10 +173,9 @@ public:
     }
     bool fits() const { return m_fits; }  // else nothing of it holds
     EdgeRows rows() const {
-        EdgeRows rows{};
-        for (int i = 0; i < 3; ++i)
-            rows.value[i] = m_edges[i].value, rows.column[i] = m_edges[i].column, rows.row[i] = m_edges[i].row;
-        return rows;
+        double value[3], column[3], row[3];
+        for (int i = 0; i < 3; ++i) value[i] = m_edges[i].value, column[i] = m_edges[i].column, row[i] = m_edges[i].row;
+        return {value, column, row};
     }
     // What it has of them in a vector, from which it goes to the next block's.
     struct Walk {
@@ -226,10 +244,8 @@ public:
     }
     bool exact() const { return m_exact; }  // double holds all of them in the tile
     EdgeRows rows() const {
-        EdgeRows rows{};
-        for (int i = 0; i < 3; ++i)
-            rows.value[i] = m_value[i] - m_bias[i], rows.column[i] = m_column[i], rows.row[i] = m_row[i];
-        return rows;
+        const double value[3]{m_value[0] - m_bias[0], m_value[1] - m_bias[1], m_value[2] - m_bias[2]};
+        return {value, m_column, m_row};
     }
     // A vector, from which it goes to the next block's.
     struct Walk {

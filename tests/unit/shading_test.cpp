@@ -199,5 +199,37 @@ TEST(Shading, AnEmptySceneIsBackground) {
     EXPECT_EQ(statistics(*frame->buffer({BufferId::PolygonId})).max, -1);
 }
 
+// A camera somewhere, and the point that its ray through a pixel's centre reaches.
+View viewFrom(Vec3d eye, Vec3d target, double fovY) {
+    Scene scene = test::spheres();
+    scene.camera.kind = CameraKind::LookAt, scene.camera.eye = eye, scene.camera.target = target;
+    scene.camera.up = kUp, scene.camera.fovY = fovY, scene.camera.near = 1, scene.camera.far = 1e4;
+    return makeView(scene);
+}
+
+TEST(ViewVector, OfAPixelPointsFromWhatItsRayReachesToTheEye) {
+    for (const double fovY : {5.0, 40.0, 120.0}) {
+        const View view = viewFrom({300, -200, 100}, {0, 10, 20}, fovY);
+        for (const glm::ivec2 pixel : {glm::ivec2(0, 0), glm::ivec2(17, 31), view.size - 1})
+            for (const double z : {1.0, 77.0, 5000.0}) {
+                const Vec3d surface = worldPoint(view, glm::dvec2(pixel) + 0.5, z);
+                const Vec3d expected = normalized(view.eye - surface), V = towardsEye<double>(view, pixel);
+                EXPECT_LT(glm::length(V - expected), 1e-11) << fovY << ' ' << pixel.x << ' ' << z;
+            }
+    }
+}
+
+// Far from the origin eye and surface differ in their last digits alone; the pixel's ray does not know where they are.
+TEST(ViewVector, OfAPixelKeepsItsDigitsFarFromTheOrigin) {
+    const Vec3d far(3e6, -2e6, 1e6);
+    const View view = viewFrom(far + Vec3d(30, -20, 10), far, 40);
+    const glm::ivec2 pixel(17, 31);
+    const Vec3d exact = towardsEye<double>(view, pixel);
+    // Two dozen roundings of numbers below 2, each of 2^-24 at most.
+    EXPECT_LT(glm::length(Vec3d(towardsEye<float>(view, pixel)) - exact), 24 * 0x1p-24);
+    const Vec3<float> surface(worldPoint(view, glm::dvec2(pixel) + 0.5, 3));  // floats stand 1/4 apart there
+    EXPECT_GT(glm::length(Vec3d(towardsEye<float>(view, surface)) - exact), 1e-3);
+}
+
 }  // namespace
 }  // namespace pipeline
