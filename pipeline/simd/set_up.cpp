@@ -37,7 +37,14 @@ public:
     void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
         const glm::uvec2 first = glm::uvec2(low) / kSide, last = glm::uvec2(high - 1) / kSide;
         for (std::uint32_t y = first.y; y <= last.y; ++y)
-            for (std::uint32_t x = first.x; x <= last.x; ++x) addTo(y * std::uint32_t(m_all.tiles.x) + x, index);
+            for (std::uint32_t x = first.x; x <= last.x; ++x) addRun(y * std::uint32_t(m_all.tiles.x) + x, index, 1);
+    }
+    // `count` triangles side by side, all in one tile.
+    void addRun(std::uint32_t tile, std::uint32_t first, std::uint32_t count) {
+        if (!m_runs.empty() && m_runs.back().tile == tile && m_runs.back().first + m_runs.back().count == first)
+            m_runs.back().count += count;
+        else
+            m_runs.push_back({tile, first, count});
     }
     void addOther(const RasterTriangle<float>& triangle) {
         const Tile box = triangle.snapped.pixels();
@@ -67,12 +74,6 @@ private:
     struct Run {
         std::uint32_t tile, first, count;
     };
-    void addTo(std::uint32_t tile, std::uint32_t index) {
-        if (!m_runs.empty() && m_runs.back().tile == tile && m_runs.back().first + m_runs.back().count == index)
-            ++m_runs.back().count;
-        else
-            m_runs.push_back({tile, index, 1});
-    }
     std::vector<Run> m_runs;
 };
 
@@ -237,6 +238,36 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     return bitsFound;
 }
 
+// Takes up triangles of a vector that are all tiny, at once where they are all in one tile; whether they are.
+HWY_INLINE bool addTinyAtOnce(const Fields& fields, std::uint32_t drawn, std::size_t firstId, int tilesAcross,
+                              Binner& binner, TrianglePiece& out) {
+    static_assert(kTileSize == 64);
+    const I whole;
+    const Ints lowX = hn::Load(whole, fields.lowX), lowY = hn::Load(whole, fields.lowY), one = hn::Set(whole, 1);
+    const Ints highX = hn::Sub(hn::Load(whole, fields.highX), one);
+    const Ints highY = hn::Sub(hn::Load(whole, fields.highY), one);
+    const auto l = std::size_t(std::countr_zero(drawn));
+    const int column = fields.lowX[l] / kTileSize, row = fields.lowY[l] / kTileSize;
+    const auto beside = [&](Ints low, Ints high, int tile) HWY_ATTR {
+        const Ints here = hn::Set(whole, tile);
+        return hn::Or(hn::Xor(hn::ShiftRight<6>(low), here), hn::Xor(hn::ShiftRight<6>(high), here));
+    };
+    const auto inside = hn::Eq(hn::Or(beside(lowX, highX, column), beside(lowY, highY, row)), hn::Zero(whole));
+    const Mask mask = maskOf(drawn);
+    if (!hn::AllTrue(F(), hn::Or(asFloats(inside), hn::Not(mask)))) return false;
+    const auto put = [&](Ints values) HWY_ATTR { return hn::Compress(values, hn::RebindMask(whole, mask)); };
+    HWY_ALIGN std::int32_t words[3 * 16];
+    hn::StoreInterleaved3(put(hn::Iota(whole, std::int32_t(firstId))), put(hn::Or(lowX, hn::ShiftLeft<16>(lowY))),
+                          put(hn::Load(whole, fields.covered)), whole, words);
+    const std::size_t first = out.tiny.size(), count = std::size_t(std::popcount(drawn));
+    out.tiny.resize(first + count);
+    static_assert(sizeof(TinyTriangle) == 12 && offsetof(TinyTriangle, x) == 4 && offsetof(TinyTriangle, covered) == 8);
+    std::memcpy(&out.tiny[first], words, count * sizeof(TinyTriangle));
+    binner.addRun(std::uint32_t(row * tilesAcross + column), std::uint32_t(first) | TrianglePiece::kTiny,
+                  std::uint32_t(count));
+    return true;
+}
+
 // Bit i: whether triangle i goes on, which is counted. alone: each polygon is one triangle, of its number.
 HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, const Triangle* triangles, std::size_t count, bool alone,
                                 TrianglePiece& out) {
@@ -285,6 +316,8 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         if (live == 0) continue;
         if (count < lanes) std::copy_n(from, count, rest), from = rest;
         const SetUpBits bits = setUpVector(in, from, base, limit, live, fields);
+        const bool areTiny = bits.others == 0 && bits.drawn != 0 && bits.tiny == bits.drawn;
+        if (areTiny && addTinyAtOnce(fields, bits.drawn, base, all.tiles.x, binner, out)) continue;
         // In the order of their polygons.
         for (std::uint32_t left = bits.drawn | bits.others; left != 0; left &= left - 1) {
             const auto l = std::size_t(std::countr_zero(left));
