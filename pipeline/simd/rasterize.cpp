@@ -290,7 +290,7 @@ public:
                     continue;
                 }
                 if (const bool isOther = i & TrianglePiece::kOther;
-                    isOther ? !facesViewer(otherOf(piece, i)) : !piece.small[i].facesViewer())
+                    isOther ? !facesViewer(otherOf(piece, i)) : !piece.small[i].facesViewer)
                     rest.emplace_back(&piece, i);
                 else if (isOther)
                     drawOther(otherOf(piece, i));

@@ -203,7 +203,7 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     }
     if (drawn == 0) return bitsFound;
 
-    const Ints order = corners.putInOrder(turned);
+    corners.putInOrder(turned);
     const Ints atX = SnappedCorners::centre(minX, bits), atY = SnappedCorners::centre(minY, bits);
     const auto edge = [&](int from, int to) HWY_ATTR { return corners.edge(from, to, bits, atX, atY); };
     const EdgeInVectors edge1 = edge(2, 0), edge2 = edge(0, 1);
@@ -234,7 +234,7 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     out.storeQuarter(1, edge2.b, edge2.c, edge1.bias, edge2.bias);
     out.storeQuarter(2, hn::Sub(size, bias0), bitsIn(w[0]), bitsIn(w[1]), bitsIn(w[2]));
     out.storeQuarter(3, bitsIn(inverseOf(size)), hn::Iota(whole, std::int32_t(firstId)), corner,
-                     hn::Or(box, hn::Or(hn::ShiftLeft<16>(order), hn::ShiftLeft<24>(bias0))));
+                     hn::Or(box, hn::Or(pick(turned, hn::Set(whole, 1 << 16), zero), hn::ShiftLeft<24>(bias0))));
     return bitsFound;
 }
 

@@ -11,11 +11,11 @@ namespace pipeline {
 
 // The triangles of a picture, set up and sorted into its tiles: what binTriangles does, many triangles at a time, from
 // vertices that have been projected before. Of a triangle whose edge functions fit into 32 bits a record is kept until it
-// is drawn; of a tiny one only what it covers, for its edge functions are found again sooner than they are fetched.
+// is drawn; of a tiny one only what it covers, for to find its edge functions again takes no longer than to fetch them.
 
 // Edge functions in steps² of the grid, c at the first pixel of its box, a more at the next column, b at the next row.
 // The one of corner 0 is its triangle's area, doubled, - e1 - e2. Corners and w as in RasterTriangle: clockwise, the
-// farthest first. One line of the cache: what draws and what shades jumps about in them.
+// farthest first. One line of the cache: what draws jumps about in them.
 struct alignas(64) SmallTriangle {
     std::int32_t a1, b1, c1, a2, b2, c2;
     std::int32_t bias1, bias2;       // 0 where the edge owns the samples on it, else 1: e - bias is below 0 outside
@@ -24,13 +24,8 @@ struct alignas(64) SmallTriangle {
     std::uint32_t id;                // index into Topology::triangles
     std::int16_t x, y;               // the box's first pixel
     std::uint8_t width, height;      // of the box within the picture, pixels, at least 1
-    std::uint8_t order;              // of its corners: 0 to 2 as the triangle's own, 3 to 5 turned round
+    std::uint8_t facesViewer;        // 1 where its own corners run anticlockwise, else 0
     std::uint8_t bias0;              // of edge 0, as bias1
-
-    bool facesViewer() const { return order >= 3; }
-    // By the order: which of its corners each of the triangle's own is.
-    static constexpr std::uint8_t kCorners[6][3]{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-    int corner(int own) const { return kCorners[order][own]; }
 };
 static_assert(sizeof(SmallTriangle) == 64);
 

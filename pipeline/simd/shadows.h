@@ -70,10 +70,12 @@ struct SeenByLight {
     Floats nDotP;
 };
 
-// What the pixels of a row look up on a face of a light: the column and row of their texel, how far away they are and
-// the bias of their polygon. Of orthographic views the texel may lie beyond the buffer.
+// What the pixels of a row look up on a face of a light: the column and row of their texel, where the nearest that there
+// is stands in the blocks, how far away they are and the bias of their polygon. Of orthographic views the texel may lie
+// beyond the buffer.
 struct LookUps {
     Row x, y, z, bias;
+    alignas(64) std::int32_t place[kRowPixels];
 };
 
 // The faces of a cube adjoin: what lies beyond the last texel counts as that.
@@ -97,8 +99,8 @@ HWY_INLINE void prepareLookUps(const LightFace& face, const ShadowSettings& sett
         x = hn::Floor(A::mulAdd(stepX, p.x, centreX));
         y = hn::Floor(A::mulAdd(stepY, p.y, centreY));
     }
-    HWY_ALIGN std::int32_t places[16];
-    hn::Store(texelPlace(*face.depth, nearestTexel(face, x), nearestTexel(face, y)), I(), places);
+    const std::int32_t* const places = out.place + i;
+    hn::Store(texelPlace(*face.depth, nearestTexel(face, x), nearestTexel(face, y)), I(), out.place + i);
     for (std::size_t l = 0; l < hn::Lanes(F()); ++l) hwy::Prefetch(&face.depth->blocks[0].of[std::size_t(places[l])]);
     Floats bias = all(float(settings.biasValue));
     if (settings.bias != ShadowBias::Constant) {
@@ -123,23 +125,22 @@ HWY_INLINE Floats litOnFace(const LightFace& face, const ShadowSettings& setting
                             std::size_t i, Mask wanted) {
     const Floats zero = all(0), one = all(1), last = all(face.last());
     const Floats x = load(lookUps.x, i), y = load(lookUps.y, i), z = load(lookUps.z, i), bias = load(lookUps.bias, i);
-    const auto isLit = [&](Floats u, Floats v) HWY_ATTR {
+    const auto isLit = [&](Floats u, Floats v, Ints place) HWY_ATTR {
         Mask inside = wanted;
-        if (!face.perspective) {
+        if (!face.perspective)
             inside = hn::And(hn::And(hn::Ge(u, zero), hn::Le(u, last)),
                              hn::And(hn::And(hn::Ge(v, zero), hn::Le(v, last)), wanted));
-            u = hn::IfThenElseZero(inside, u), v = hn::IfThenElseZero(inside, v);
-        }
-        const Floats stored = hn::GatherIndex(F(), face.depth->blocks[0].of, texelPlace(*face.depth, u, v));
+        const Floats stored = hn::GatherIndex(F(), face.depth->blocks[0].of, place);
         return hn::IfThenZeroElse(hn::And(inside, hn::Gt(z, hn::Add(stored, bias))), one);
     };
     const int r = settings.filter;
-    if (r == 0) return isLit(x, y);
+    if (r == 0) return isLit(x, y, hn::Load(I(), lookUps.place + i));
     Floats lit = zero;
     for (int dy = -r; dy <= r; ++dy) {
         for (int dx = -r; dx <= r; ++dx) {
             const Floats u = hn::Add(x, all(float(dx))), v = hn::Add(y, all(float(dy)));
-            lit = hn::Add(lit, face.perspective ? isLit(nearestTexel(face, u), nearestTexel(face, v)) : isLit(u, v));
+            const Ints place = texelPlace(*face.depth, nearestTexel(face, u), nearestTexel(face, v));
+            lit = hn::Add(lit, isLit(u, v, place));
         }
     }
     return lit;

@@ -39,8 +39,8 @@ struct SnappedCorners {
                        hn::Mul(hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0])));
     }
     // Puts corners into the order of RasterTriangle: clockwise, the first of those that are farthest before the others.
-    // Gives the order, of SmallTriangle.
-    HWY_INLINE Ints putInOrder(Mask turned) {
+    // turned: which of them run anticlockwise.
+    HWY_INLINE void putInOrder(Mask turned) {
         const auto turn = [&](auto& values, auto choose) HWY_ATTR {
             const auto one = values[1];
             values[1] = choose(turned, values[2], values[1]), values[2] = choose(turned, one, values[2]);
@@ -58,9 +58,6 @@ struct SnappedCorners {
             values[2] = choose_(second, b, choose_(first, a, c));
         };
         rotate(x, choose), rotate(y, choose), rotate(w, chooseFloats);
-        const Ints zero = hn::Zero(I());
-        return hn::Add(pick(second, hn::Set(I(), 2), pick(first, hn::Set(I(), 1), zero)),
-                       pick(turned, hn::Set(I(), 3), zero));
     }
     // The edge function of an edge, c at a place. bits: of the grid.
     HWY_INLINE EdgeInVectors edge(int from, int to, int bits, Ints atX, Ints atY) const {
