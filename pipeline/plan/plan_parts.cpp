@@ -111,7 +111,7 @@ void shadingParts(Parts& out) {
             out.runs("powers", "All: where the result rounds to 0 is known of numerics.power = log1p alone.");
     }
     out.add("V at a pixel", needs.viewVector, "A specular term, or somebody, reads it.", "a normalisation a pixel");
-    out.add("position at a pixel", needs.position, "A light, a shadow, V or somebody reads it.",
+    out.add("position at a pixel", needs.position, "A light, a shadow, V in OpenGL's model or somebody reads it.",
             "an interpolation a pixel");
     if (needs.shadowBuffers)
         out.within("shadow look-up", Rule::ShadowLookup, "Not where the terms that it would multiply are 0.",
