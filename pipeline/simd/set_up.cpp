@@ -178,10 +178,10 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     const auto isBelow = [&](Ints high, Ints low)
                              HWY_ATTR { return hn::Lt(hn::Sub(high, low), hn::Set(whole, limit)); };
     const auto isSmall = hn::AndNot(cut, hn::And(isBelow(highX, lowX), isBelow(highY, lowY)));
-    SetUpBits bitsFound;
-    bitsFound.drawn = bitsOf(asFloats(isSmall)) & live;
-    bitsFound.others = live & ~bitsFound.drawn;
-    if (bitsFound.drawn == 0) return bitsFound;
+    SetUpBits found;
+    found.drawn = bitsOf(asFloats(isSmall)) & live;
+    found.others = live & ~found.drawn;
+    if (found.drawn == 0) return found;
 
     // SnappedTriangle::pixels, within the picture.
     const int bits = in.vertices.bits;
@@ -195,13 +195,13 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     const Ints area = corners.area2(), size = hn::Abs(area);
     const auto seen = hn::And(hn::Ne(area, zero), hn::And(hn::Lt(minX, maxX), hn::Lt(minY, maxY)));
     const Mask turned = asFloats(hn::Lt(area, zero));
-    std::uint32_t& drawn = bitsFound.drawn;
+    std::uint32_t& drawn = found.drawn;
     drawn &= bitsOf(asFloats(seen));
     if (in.facing.cull != ShadowCull::None) {  // FacingFilter::keeps
         const std::uint32_t faces = bitsOf(turned) ^ mirroredOf(in, triangles, drawn);
         drawn &= in.facing.cull == ShadowCull::Back ? faces : ~faces;
     }
-    if (drawn == 0) return bitsFound;
+    if (drawn == 0) return found;
 
     corners.putInOrder(turned);
     const Ints atX = SnappedCorners::centre(minX, bits), atY = SnappedCorners::centre(minY, bits);
@@ -224,8 +224,8 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
         const Ints covered = hn::And(square, pixelsOfBox(width, height));
         hn::Store(covered, whole, out.covered);
         drawn &= ~(tiny & bitsOf(asFloats(hn::Eq(covered, zero))));
-        bitsFound.tiny = tiny & drawn;
-        if (bitsFound.tiny == drawn) return bitsFound;
+        found.tiny = tiny & drawn;
+        if (found.tiny == drawn) return found;
     }
     const auto bitsIn = [](Floats value) HWY_ATTR { return hn::BitCast(I(), value); };
     const Ints corner = hn::Or(minX, hn::ShiftLeft<16>(minY)), box = hn::Or(width, hn::ShiftLeft<8>(height));
@@ -235,7 +235,7 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     out.storeQuarter(2, hn::Sub(size, bias0), bitsIn(w[0]), bitsIn(w[1]), bitsIn(w[2]));
     out.storeQuarter(3, bitsIn(inverseOf(size)), hn::Iota(whole, std::int32_t(firstId)), corner,
                      hn::Or(box, hn::Or(pick(turned, hn::Set(whole, 1 << 16), zero), hn::ShiftLeft<24>(bias0))));
-    return bitsFound;
+    return found;
 }
 
 // Takes up triangles of a vector that are all tiny, at once where they are all in one tile; whether they are.
