@@ -17,6 +17,31 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
+// Which pixels of a square triangles cover, of biased edge functions at its first pixel: TinyTriangle::covered.
+template <int kSide>
+HWY_INLINE Ints coveredIn(Ints e0, Ints e1, Ints e2, const EdgeInVectors& edge1, const EdgeInVectors& edge2) {
+    const Ints a0 = hn::Neg(hn::Add(edge1.a, edge2.a)), b0 = hn::Neg(hn::Add(edge1.b, edge2.b));
+    Ints covered = hn::Zero(I());
+    for (int y = 0; y < kSide; ++y) {
+        Ints here0 = e0, here1 = e1, here2 = e2;
+        for (int x = 0; x < kSide; ++x) {
+            const Ints more = hn::Or(covered, hn::Set(I(), 1 << (kBlock * y + x)));
+            covered = hn::IfNegativeThenElse(hn::Or(here0, hn::Or(here1, here2)), covered, more);
+            here0 = hn::Add(here0, a0), here1 = hn::Add(here1, edge1.a), here2 = hn::Add(here2, edge2.a);
+        }
+        e0 = hn::Add(e0, b0), e1 = hn::Add(e1, edge1.b), e2 = hn::Add(e2, edge2.b);
+    }
+    return covered;
+}
+
+// The same bits of all pixels of boxes up to a block in size; of others any.
+HWY_INLINE Ints pixelsOfBox(Ints width, Ints height) {
+    const Ints one = hn::Set(I(), 1), most = hn::Set(I(), kBlock);
+    const auto first = [&](Ints count) HWY_ATTR { return hn::Sub(hn::Shl(one, count), one); };
+    const Ints columns = hn::Mul(first(hn::Min(width, most)), hn::Set(I(), 0x1111));
+    return hn::And(columns, first(hn::Mul(hn::Min(height, most), most)));
+}
+
 // Tiny triangles in a tile, drawn as many at a time as a vector has lanes: a vector of pixels would hold the two or three
 // that one of them covers, and many that it does not.
 class TinyTriangles {
