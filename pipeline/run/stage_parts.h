@@ -103,7 +103,7 @@ inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, st
     TrianglePieces pieces = prepareSetUp(setUp);
     setUpPieces(setUp, pieces, threads);
     std::shared_ptr<BlockBuffer2D<float>> blocks;
-    if (!std::ranges::all_of(pieces.pieces, [](const auto& piece) { return piece.lists.empty(); })) {
+    if (!std::ranges::all_of(pieces.pieces, [](const auto& piece) { return piece.runs.empty(); })) {
         blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
         threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
             for (std::size_t tile = begin; tile < end; ++tile) {

@@ -14,7 +14,6 @@
 #include <hwy/highway.h>
 //
 #include "pipeline/simd/seen.h"
-#include "pipeline/simd/tiny_triangles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
@@ -56,12 +55,43 @@ HWY_INLINE Floats nowhereOutside(Ints outside, Floats z) {
     return hn::BitCast(F(), hn::IfNegativeThenElse(outside, hn::BitCast(I(), all(kFar)), hn::BitCast(I(), z)));
 }
 
-// The lists of tiles jump about in the triangles.
-HWY_INLINE void fetchAhead(const TrianglePiece& piece, std::span<const std::uint32_t> list, std::size_t n) {
-    constexpr std::size_t kAhead = 12;
-    if (n + kAhead >= list.size()) return;
-    const std::uint32_t i = list[n + kAhead];
-    if ((i & (TrianglePiece::kOther | TrianglePiece::kTiny)) == 0) hwy::Prefetch(&piece.small[i]);
+// The runs of a tile jump about in the small triangles: those that are drawn next are on their way before.
+class FetchedAhead {
+public:
+    FetchedAhead(const TrianglePiece& piece, std::span<const TriangleRun> runs) : m_piece(piece), m_runs(runs) {
+        for (int i = 0; i < kAhead; ++i) fetch();
+    }
+    HWY_INLINE void fetch() {
+        while (m_run < m_runs.size() && (m_runs[m_run].first & (TriangleRun::kOther | TriangleRun::kTiny)) != 0)
+            ++m_run;
+        if (m_run == m_runs.size()) return;
+        hwy::Prefetch(&m_piece.small[m_runs[m_run].first + m_at]);
+        if (++m_at == m_runs[m_run].count) m_at = 0, ++m_run;
+    }
+
+private:
+    static constexpr int kAhead = 12;
+    const TrianglePiece& m_piece;
+    std::span<const TriangleRun> m_runs;
+    std::size_t m_run = 0;
+    std::uint32_t m_at = 0;
+};
+// Calls visit(triangle) for the small triangles of a run.
+template <class Visit>
+HWY_INLINE void forEachSmall(const TrianglePiece& piece, TriangleRun run, FetchedAhead& ahead, Visit visit) {
+    for (std::uint32_t i = 0; i < run.count; ++i) ahead.fetch(), visit(piece.small[run.first + i]);
+}
+// Calls visit(at, z, id) for those of a run of fragments.
+template <class Visit>
+HWY_INLINE void forEachFragment(const Fragments& all, TriangleRun run, Visit visit) {
+    const std::size_t first = run.first & ~TriangleRun::kTiny;
+    for (std::size_t i = first; i < first + run.count; ++i) visit(std::size_t(all.at[i]), all.z[i], all.id[i]);
+}
+// Calls visit(triangle, index) for those of a run of others.
+template <class Visit>
+HWY_INLINE void forEachOther(const TrianglePiece& piece, TriangleRun run, Visit visit) {
+    const std::uint32_t first = run.first & ~TriangleRun::kOther;
+    for (std::uint32_t i = first; i < first + run.count; ++i) visit(piece.others[i], i);
 }
 
 // Calls visit(at, edges, distances) for the vectors of a tile that a triangle which is not small covers a part of, and
@@ -81,37 +111,30 @@ template <bool kPerspective, bool kPlain>
 class TileDrawer {
 public:
     TileDrawer(const SetUpInputs& in, Tile tile, const DrawnTile& out)
-        : m_bits(in.view.subPixelBits), m_tile(tile), m_out(out), m_tiny(in, tile) {}
+        : m_bits(in.view.subPixelBits), m_tile(tile), m_out(out) {}
 
     TileCounts draw(const TrianglePieces& all, std::size_t index) {
         Sums sums;
         for (std::size_t number = 0; number < all.pieces.size(); ++number) {
             const TrianglePiece& piece = all.pieces[number];
-            const auto list = piece.list(index);
-            for (std::size_t n = 0; n < list.size(); ++n) {
-                fetchAhead(piece, list, n);
-                const std::uint32_t i = list[n];
-                if (i & TrianglePiece::kTiny) {
-                    m_tiny.add(piece.tiny[i & ~TrianglePiece::kTiny]);
-                    if (m_tiny.isFull()) drawTiny();
-                    continue;
-                }
-                drawTiny();  // they come first
-                if (const std::uint32_t other = i & ~TrianglePiece::kOther; other != i)
-                    drawOther(piece.others[other], TrianglePieces::nameOfOther(number, other));
+            FetchedAhead ahead(piece, piece.list(index));
+            for (const TriangleRun run : piece.list(index)) {
+                if (run.first & TriangleRun::kTiny)
+                    forEachFragment(piece.fragments, run,
+                                    [&](std::size_t at, float z, std::uint32_t id) { drawPixel(at, z, id); });
+                else if (run.first & TriangleRun::kOther)
+                    forEachOther(piece, run, [&](const RasterTriangle<float>& t, std::uint32_t i) {
+                        drawOther(t, TrianglePieces::nameOfOther(number, i));
+                    });
                 else
-                    drawSmall(piece.small[i], sums);
+                    forEachSmall(piece, run, ahead, [&](const SmallTriangle& t) HWY_ATTR { drawSmall(t, sums); });
             }
         }
-        drawTiny();
         sums.addTo(m_counts);
         return m_counts;
     }
 
 private:
-    HWY_INLINE void drawTiny() {
-        m_tiny.template draw<kPerspective>([&](std::size_t at, float z, std::uint32_t id) { drawPixel(at, z, id); });
-    }
     HWY_INLINE void drawPixel(std::size_t at, float z, std::uint32_t name) {
         float& stored = m_out.z[0].of[at];
         std::uint32_t& seen = m_out.name[0].of[at];
@@ -166,7 +189,6 @@ private:
     Tile m_tile;
     DrawnTile m_out;
     TileCounts m_counts;
-    TinyTriangles m_tiny;  // of the list, not drawn yet
 };
 
 // Whether a triangle was turned round for its corners to run clockwise. One that clipping has cut counts as facing.
@@ -270,64 +292,50 @@ TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, 
 }
 
 // Draws triangles into a tile of a shadow buffer. The nearest remains, whatever the order. What faces the light comes
-// first: of a solid, it hides the rest. Of tiny triangles, to draw them takes no longer than to ask.
+// first: of a solid, it hides the rest. Of fragments, to draw them takes no longer than to ask.
 template <bool kPerspective>
 class ShadowDrawer {
 public:
     ShadowDrawer(const SetUpInputs& in, Tile tile, Block<float>* blocks)
-        : m_bits(in.view.subPixelBits), m_tile(tile), m_blocks(blocks), m_tiny(in, tile) {}
+        : m_bits(in.view.subPixelBits), m_tile(tile), m_blocks(blocks) {}
 
     void draw(const TrianglePieces& all, std::size_t index) {
-        std::vector<std::pair<const TrianglePiece*, std::uint32_t>> rest;
+        std::vector<const SmallTriangle*> rest;
+        std::vector<const RasterTriangle<float>*> otherRest;
         for (const TrianglePiece& piece : all.pieces) {
-            const auto list = piece.list(index);
-            for (std::size_t n = 0; n < list.size(); ++n) {
-                fetchAhead(piece, list, n);
-                const std::uint32_t i = list[n];
-                if (i & TrianglePiece::kTiny) {
-                    m_tiny.add(piece.tiny[i & ~TrianglePiece::kTiny]);
-                    if (m_tiny.isFull()) drawTiny();
-                    continue;
-                }
-                if (const bool isOther = i & TrianglePiece::kOther;
-                    isOther ? !facesViewer(otherOf(piece, i)) : !piece.small[i].facesViewer)
-                    rest.emplace_back(&piece, i);
-                else if (isOther)
-                    drawOther(otherOf(piece, i));
+            FetchedAhead ahead(piece, piece.list(index));
+            for (const TriangleRun run : piece.list(index)) {
+                if (run.first & TriangleRun::kTiny)
+                    forEachFragment(piece.fragments, run,
+                                    [&](std::size_t at, float z, std::uint32_t) { drawTexel(at, z); });
+                else if (run.first & TriangleRun::kOther)
+                    forEachOther(piece, run, [&](const RasterTriangle<float>& t, std::uint32_t) {
+                        facesViewer(t) ? drawOther(t) : otherRest.push_back(&t);
+                    });
                 else
-                    drawSmall(piece.small[i]);
+                    forEachSmall(piece, run, ahead, [&](const SmallTriangle& t) HWY_ATTR {
+                        t.facesViewer ? drawSmall(t) : rest.push_back(&t);
+                    });
             }
         }
-        drawTiny();
-        if (rest.empty()) return;
+        if (rest.empty() && otherRest.empty()) return;
         const Farthest farthest(m_blocks);
-        for (const auto& [piece, i] : rest) drawUnlessHidden(farthest, *piece, i);
-    }
-
-private:
-    static const RasterTriangle<float>& otherOf(const TrianglePiece& piece, std::uint32_t i) {
-        return piece.others[i & ~TrianglePiece::kOther];
-    }
-    void drawUnlessHidden(const Farthest& farthest, const TrianglePiece& piece, std::uint32_t i) {
         const auto isHidden = [&](std::array<float, 3> w, Tile box) {
             return farthest.hides(w, box, m_tile, kPerspective);
         };
-        if (i & TrianglePiece::kOther) {
-            const RasterTriangle<float>& t = otherOf(piece, i);
-            if (!isHidden(t.w, t.snapped.pixels())) drawOther(t);
-            return;
+        for (const RasterTriangle<float>* t : otherRest)
+            if (!isHidden(t->w, t->snapped.pixels())) drawOther(*t);
+        for (const SmallTriangle* t : rest) {
+            const glm::ivec2 low(t->x, t->y);
+            if (!isHidden({t->w0, t->w1, t->w2}, {low, low + glm::ivec2(t->width, t->height)})) drawSmall(*t);
         }
-        const SmallTriangle& t = piece.small[i];
-        const glm::ivec2 low(t.x, t.y);
-        if (!isHidden({t.w0, t.w1, t.w2}, {low, low + glm::ivec2(t.width, t.height)})) drawSmall(t);
     }
+
+private:
     HWY_INLINE void drawSmall(const SmallTriangle& t) {
         const Distances distances(t.w0, t.w1, t.w2);
         forEachVector(t, m_tile,
                       [&](std::size_t at, const EdgesAt& edges) HWY_ATTR { drawVector(at, edges, distances); });
-    }
-    HWY_INLINE void drawTiny() {
-        m_tiny.template draw<kPerspective>([&](std::size_t at, float z, std::uint32_t) { drawTexel(at, z); });
     }
     HWY_INLINE void drawTexel(std::size_t at, float z) {
         float& stored = m_blocks[0].of[at];
@@ -352,7 +360,6 @@ private:
     int m_bits;
     Tile m_tile;
     Block<float>* m_blocks;
-    TinyTriangles m_tiny;  // not drawn yet
 };
 
 void drawShadowTile(const SetUpInputs& in, const TrianglePieces& all, std::size_t index, BlockBuffer2D<float>& depth) {

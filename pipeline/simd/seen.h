@@ -45,7 +45,7 @@ struct SeenIn {
 
 // Whether none of what is seen in a vector are other triangles.
 HWY_INLINE bool areSmall(const std::uint32_t* names, Mask seen) {
-    const auto other = hn::And(hn::Load(U(), names), hn::Set(U(), TrianglePiece::kOther));
+    const auto other = hn::And(hn::Load(U(), names), hn::Set(U(), TriangleRun::kOther));
     return hn::AllFalse(F(), hn::And(seen, hn::RebindMask(F(), hn::Ne(other, hn::Zero(U())))));
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <numeric>
 
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
@@ -32,49 +31,52 @@ std::int32_t largestBox(int bits) {
 // Takes up triangles in order, and sorts them by tile in the end.
 class Binner {
 public:
-    Binner(const TrianglePieces& all, TrianglePiece& out) : m_all(all), m_out(out) {}
+    Binner(const TrianglePieces& all, TrianglePiece& out)
+        : m_all(all), m_out(out), m_last(all.tileCount(), ~std::uint32_t(0)) {}
 
     void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
         const glm::uvec2 first = glm::uvec2(low) / kSide, last = glm::uvec2(high - 1) / kSide;
         for (std::uint32_t y = first.y; y <= last.y; ++y)
-            for (std::uint32_t x = first.x; x <= last.x; ++x) addRun(y * std::uint32_t(m_all.tiles.x) + x, index, 1);
+            for (std::uint32_t x = first.x; x <= last.x; ++x) addRun(y * std::uint32_t(m_all.tiles.x) + x, {index, 1});
     }
-    // `count` triangles side by side, all in one tile.
-    void addRun(std::uint32_t tile, std::uint32_t first, std::uint32_t count) {
-        if (!m_runs.empty() && m_runs.back().tile == tile && m_runs.back().first + m_runs.back().count == first)
-            m_runs.back().count += count;
-        else
-            m_runs.push_back({tile, first, count});
+    void addRun(std::uint32_t tile, TriangleRun of) {
+        std::uint32_t& last = m_last[tile];
+        if (last < m_runs.size()) {
+            TriangleRun& before = m_runs[last].of;
+            if (before.first + before.count == of.first) {
+                before.count += of.count;
+                return;
+            }
+        }
+        last = std::uint32_t(m_runs.size());
+        m_runs.push_back({tile, of});
     }
     void addOther(const RasterTriangle<float>& triangle) {
         const Tile box = triangle.snapped.pixels();
         const glm::ivec2 low = glm::max(box.min, glm::ivec2(0)), high = glm::min(box.max, m_all.size);
         if (low.x >= high.x || low.y >= high.y) return;
-        add(std::uint32_t(m_out.others.size()) | TrianglePiece::kOther, low, high);
+        add(std::uint32_t(m_out.others.size()) | TriangleRun::kOther, low, high);
         m_out.others.push_back(triangle);
     }
     void finish() {
         m_out.firstOfTile.assign(m_all.tileCount() + 1, 0);
-        for (const Run& run : m_runs) m_out.firstOfTile[run.tile + 1] += run.count;
+        for (const Run& run : m_runs) ++m_out.firstOfTile[run.tile + 1];
         for (std::size_t i = 1; i < m_out.firstOfTile.size(); ++i) m_out.firstOfTile[i] += m_out.firstOfTile[i - 1];
-        m_out.lists.resize(m_out.firstOfTile.back());
+        m_out.runs.resize(m_runs.size());
         std::vector<std::uint32_t> next(m_out.firstOfTile.begin(), m_out.firstOfTile.end() - 1);
-        for (const Run& run : m_runs) {
-            const auto to = m_out.lists.begin() + next[run.tile];
-            std::iota(to, to + run.count, run.first);
-            next[run.tile] += run.count;
-        }
+        for (const Run& run : m_runs) m_out.runs[next[run.tile]++] = run.of;
     }
 
 private:
     static constexpr std::uint32_t kSide = kTileSize;
     const TrianglePieces& m_all;
     TrianglePiece& m_out;
-    // Triangles side by side in a list, all in one tile: a mesh's neighbours mostly are.
     struct Run {
-        std::uint32_t tile, first, count;
+        std::uint32_t tile;
+        TriangleRun of;
     };
     std::vector<Run> m_runs;
+    std::vector<std::uint32_t> m_last;  // per tile: its run that grows
 };
 
 // One that is not small, or has to be clipped.
@@ -103,7 +105,8 @@ namespace {
 struct Fields {
     HWY_ALIGN std::int32_t quarters[4][16 * 4];
     HWY_ALIGN std::int32_t lowX[16], lowY[16], highX[16], highY[16];
-    HWY_ALIGN std::int32_t covered[16];  // of tiny ones
+    HWY_ALIGN std::int32_t covered[16];  // of tiny ones: TinyTriangles::covered
+    TinyFragments fragments;
 
     HWY_INLINE void storeQuarter(int i, Ints one, Ints two, Ints three, Ints four) {
         hn::StoreInterleaved4(one, two, three, four, I(), quarters[i]);
@@ -134,10 +137,11 @@ struct SetUpBits {
     std::uint32_t drawn = 0, tiny = 0, others = 0;
 };
 
-// The triangles in `live`, set up together where their boxes are below `limit`. firstId: the index of the first in
-// Topology::triangles.
+// The triangles in `live`, set up together where their boxes are below `limit`; of tiny ones the fragments are taken up.
+// firstId: the index of the first in Topology::triangles.
 HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangles, std::size_t firstId,
-                                 std::int32_t limit, std::uint32_t live, Fields& out) {
+                                 std::int32_t limit, std::uint32_t live, int tilesAcross, Fields& out,
+                                 Fragments& fragments) {
     const I whole;
     const Ints zero = hn::Zero(whole), one = hn::Set(whole, 1);
     SnappedCorners corners(in.vertices, [&](std::size_t l, std::size_t i) { return triangles[l].vertices[i]; });
@@ -196,10 +200,15 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
         const Ints e0 = hn::Sub(hn::Sub(size, bias0), hn::Add(edge1.c, edge2.c));
         const Ints square =
             areWithin(2) == tiny ? coveredIn<2>(e0, e1, e2, edge1, edge2) : coveredIn<kBlock>(e0, e1, e2, edge1, edge2);
-        const Ints covered = hn::And(square, pixelsOfBox(width, height));
-        hn::Store(covered, whole, out.covered);
+        const Ints covered = pick(maskOf(tiny), hn::And(square, pixelsOfBox(width, height)), zero);
         drawn &= ~(tiny & bitsOf(asFloats(hn::Eq(covered, zero))));
         found.tiny = tiny & drawn;
+        if (found.tiny != 0) {
+            hn::Store(covered, whole, out.covered);
+            const Distances distances(corners.w[0], corners.w[1], corners.w[2]);
+            out.fragments.append({edge1, edge2, inverseOf(size), distances, minX, minY, covered, firstId}, in,
+                                 tilesAcross, fragments);
+        }
         if (found.tiny == drawn) return found;
     }
     const auto bitsIn = [](Floats value) HWY_ATTR { return hn::BitCast(I(), value); };
@@ -211,36 +220,6 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     out.storeQuarter(3, bitsIn(inverseOf(size)), hn::Iota(whole, std::int32_t(firstId)), corner,
                      hn::Or(box, hn::Or(pick(turned, hn::Set(whole, 1 << 16), zero), hn::ShiftLeft<24>(bias0))));
     return found;
-}
-
-// Takes up triangles of a vector that are all tiny, at once where they are all in one tile; whether they are.
-HWY_INLINE bool addTinyAtOnce(const Fields& fields, std::uint32_t drawn, std::size_t firstId, int tilesAcross,
-                              Binner& binner, TrianglePiece& out) {
-    static_assert(kTileSize == 64);
-    const I whole;
-    const Ints lowX = hn::Load(whole, fields.lowX), lowY = hn::Load(whole, fields.lowY), one = hn::Set(whole, 1);
-    const Ints highX = hn::Sub(hn::Load(whole, fields.highX), one);
-    const Ints highY = hn::Sub(hn::Load(whole, fields.highY), one);
-    const auto l = std::size_t(std::countr_zero(drawn));
-    const int column = fields.lowX[l] / kTileSize, row = fields.lowY[l] / kTileSize;
-    const auto beside = [&](Ints low, Ints high, int tile) HWY_ATTR {
-        const Ints here = hn::Set(whole, tile);
-        return hn::Or(hn::Xor(hn::ShiftRight<6>(low), here), hn::Xor(hn::ShiftRight<6>(high), here));
-    };
-    const auto inside = hn::Eq(hn::Or(beside(lowX, highX, column), beside(lowY, highY, row)), hn::Zero(whole));
-    const Mask mask = maskOf(drawn);
-    if (!hn::AllTrue(F(), hn::Or(asFloats(inside), hn::Not(mask)))) return false;
-    const auto put = [&](Ints values) HWY_ATTR { return hn::Compress(values, hn::RebindMask(whole, mask)); };
-    HWY_ALIGN std::int32_t words[3 * 16];
-    hn::StoreInterleaved3(put(hn::Iota(whole, std::int32_t(firstId))), put(hn::Or(lowX, hn::ShiftLeft<16>(lowY))),
-                          put(hn::Load(whole, fields.covered)), whole, words);
-    const std::size_t first = out.tiny.size(), count = std::size_t(std::popcount(drawn));
-    out.tiny.resize(first + count);
-    static_assert(sizeof(TinyTriangle) == 12 && offsetof(TinyTriangle, x) == 4 && offsetof(TinyTriangle, covered) == 8);
-    std::memcpy(&out.tiny[first], words, count * sizeof(TinyTriangle));
-    binner.addRun(std::uint32_t(row * tilesAcross + column), std::uint32_t(first) | TrianglePiece::kTiny,
-                  std::uint32_t(count));
-    return true;
 }
 
 // Bit i: whether triangle i goes on, which is counted. alone: each polygon is one triangle, of its number.
@@ -290,23 +269,28 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         const std::uint32_t live = liveOf(in, from, count, alone, out);
         if (live == 0) continue;
         if (count < lanes) std::copy_n(from, count, rest), from = rest;
-        const SetUpBits bits = setUpVector(in, from, base, limit, live, fields);
-        const bool areTiny = bits.others == 0 && bits.drawn != 0 && bits.tiny == bits.drawn;
-        if (areTiny && addTinyAtOnce(fields, bits.drawn, base, all.tiles.x, binner, out)) continue;
+        const SetUpBits bits = setUpVector(in, from, base, limit, live, all.tiles.x, fields, out.fragments);
+        out.tiny += std::size_t(std::popcount(bits.tiny));
+        const auto fragment = [&](std::size_t n) {
+            return std::uint32_t(fields.fragments.first + n) | TriangleRun::kTiny;
+        };
+        if (bits.tiny != 0 && bits.tiny == (bits.drawn | bits.others) && fields.fragments.areInOneTile) {
+            binner.addRun(std::uint32_t(fields.fragments.tile[0]),
+                          {fragment(0), std::uint32_t(fields.fragments.count)});
+            continue;
+        }
         // In the order of their polygons.
+        std::size_t next = 0;  // of the fragments
         for (std::uint32_t left = bits.drawn | bits.others; left != 0; left &= left - 1) {
             const auto l = std::size_t(std::countr_zero(left));
             if (bits.others >> l & 1) {
                 setUpOther(in, std::uint32_t(base + l), binner);
-                continue;
-            }
-            const glm::ivec2 low(fields.lowX[l], fields.lowY[l]), high(fields.highX[l], fields.highY[l]);
-            if (bits.tiny >> l & 1) {
-                binner.add(std::uint32_t(out.tiny.size()) | TrianglePiece::kTiny, low, high);
-                out.tiny.push_back({std::uint32_t(base + l), std::int16_t(low.x), std::int16_t(low.y),
-                                    std::uint32_t(fields.covered[l])});
+            } else if (bits.tiny >> l & 1) {
+                for (int n = std::popcount(std::uint32_t(fields.covered[l])); n > 0; --n, ++next)
+                    binner.addRun(std::uint32_t(fields.fragments.tile[next]), {fragment(next), 1});
             } else {
-                binner.add(std::uint32_t(out.small.size()), low, high);
+                binner.add(std::uint32_t(out.small.size()), {fields.lowX[l], fields.lowY[l]},
+                           {fields.highX[l], fields.highY[l]});
                 fields.copyTo(out.small.emplace_back(), l);
             }
         }
@@ -327,7 +311,7 @@ bool TrianglePieces::touches(std::size_t tile) const {
 }
 std::size_t TrianglePieces::count() const {
     std::size_t count = 0;
-    for (const TrianglePiece& piece : pieces) count += piece.small.size() + piece.tiny.size();
+    for (const TrianglePiece& piece : pieces) count += piece.small.size() + piece.tiny;
     return count;
 }
 void TrianglePieces::forgetDrawn() {

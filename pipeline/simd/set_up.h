@@ -11,7 +11,7 @@ namespace pipeline {
 
 // The triangles of a picture, set up and sorted into its tiles: what binTriangles does, many triangles at a time, from
 // vertices that have been projected before. Of a triangle whose edge functions fit into 32 bits a record is kept until it
-// is drawn; of a tiny one only what it covers, for to find its edge functions again takes no longer than to fetch them.
+// is drawn; of a tiny one its fragments are, which take less room, and less time than its edge functions once more.
 
 // Edge functions in steps² of the grid, c at the first pixel of its box, a more at the next column, b at the next row.
 // The one of corner 0 is its triangle's area, doubled, - e1 - e2. Corners and w as in RasterTriangle: clockwise, the
@@ -29,27 +29,38 @@ struct alignas(64) SmallTriangle {
 };
 static_assert(sizeof(SmallTriangle) == 64);
 
-// A triangle whose box is at most a block in size, and which covers a pixel's centre: most of a fine mesh's cover none.
-struct TinyTriangle {
-    std::uint32_t id;       // index into Topology::triangles
-    std::int16_t x, y;      // the box's first pixel
-    std::uint32_t covered;  // bit kBlock y + x: of the pixel in column x and row y of the box
+// The pixels' centres that tiny triangles cover: those whose boxes are at most a block in size, of which most cover none.
+// Found while their corners are at hand, in the order of the polygons.
+struct Fragments {
+    RawVector<std::uint32_t> id;  // index into Topology::triangles
+    RawVector<float> z;           // z_view
+    RawVector<std::uint16_t> at;  // the pixel's place in the blocks of its tile
+
+    std::size_t size() const { return id.size(); }
+    void resize(std::size_t size) { id.resize(size), z.resize(size), at.resize(size); }
+};
+
+// Triangles that stand side by side, or fragments, all in one tile: a mesh's neighbours mostly are.
+struct TriangleRun {
+    static constexpr std::uint32_t kOther = 1u << 31, kTiny = 1u << 30;
+    std::uint32_t first,
+        count;  // first: an index into TrianglePiece::small; with kOther into `others`, kTiny `fragments`
 };
 
 // Those of a range of polygons. What is too large for 32 bits, or had to be clipped, stands in `others`.
 struct TrianglePiece {
-    static constexpr std::uint32_t kOther = 1u << 31, kTiny = 1u << 30;  // an index into `others`; into `tiny`
     std::vector<SmallTriangle, AlignsPieces<SmallTriangle>> small;
-    std::vector<TinyTriangle, LeavesRaw<TinyTriangle>> tiny;
+    Fragments fragments;
     std::vector<RasterTriangle<float>> others;
-    std::vector<std::uint32_t> firstOfTile;  // per tile, and one past the last: where its list begins
-    std::vector<std::uint32_t> lists;        // indices, tile after tile, in the order of the polygons
+    std::vector<std::uint32_t> firstOfTile;  // per tile, and one past the last: where its runs begin
+    std::vector<TriangleRun> runs;           // tile after tile, in the order of the polygons
+    std::size_t tiny = 0;                    // triangles that the fragments are of
     long long clipped = 0, unclipped = 0;
 
     // Empty where the run was stopped before the piece was set up.
-    std::span<const std::uint32_t> list(std::size_t tile) const {
+    std::span<const TriangleRun> list(std::size_t tile) const {
         if (firstOfTile.empty()) return {};
-        return {lists.data() + firstOfTile[tile], lists.data() + firstOfTile[tile + 1]};
+        return {runs.data() + firstOfTile[tile], runs.data() + firstOfTile[tile + 1]};
     }
 };
 
@@ -59,9 +70,9 @@ struct TrianglePieces {
     // where it stands there, in bits that no index reaches, for clipping makes several of one.
     static constexpr int kPieceBit = 26, kMostPieces = 32;
     static std::uint32_t nameOfOther(std::size_t piece, std::uint32_t index) {
-        return TrianglePiece::kOther + (std::uint32_t(piece) << kPieceBit) + index;
+        return TriangleRun::kOther + (std::uint32_t(piece) << kPieceBit) + index;
     }
-    static bool isOther(std::uint32_t name) { return (name & TrianglePiece::kOther) != 0; }
+    static bool isOther(std::uint32_t name) { return (name & TriangleRun::kOther) != 0; }
     const RasterTriangle<float>& other(std::uint32_t name) const {
         return pieces[name >> kPieceBit & (kMostPieces - 1)].others[name & ((1u << kPieceBit) - 1)];
     }

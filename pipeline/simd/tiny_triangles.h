@@ -6,8 +6,6 @@
 #define SHADESCOPE_TINY_TRIANGLES_H
 #endif
 
-#include <hwy/cache_control.h>
-
 #include <bit>
 #include <cstring>
 
@@ -17,7 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// Which pixels of a square triangles cover, of biased edge functions at its first pixel: TinyTriangle::covered.
+// Which pixels of a square triangles cover, of biased edge functions at its first pixel:
+// TinyTriangles::covered.
 template <int kSide>
 HWY_INLINE Ints coveredIn(Ints e0, Ints e1, Ints e2, const EdgeInVectors& edge1, const EdgeInVectors& edge2) {
     const Ints a0 = hn::Neg(hn::Add(edge1.a, edge2.a)), b0 = hn::Neg(hn::Add(edge1.b, edge2.b));
@@ -42,118 +41,100 @@ HWY_INLINE Ints pixelsOfBox(Ints width, Ints height) {
     return hn::And(columns, first(hn::Mul(hn::Min(height, most), most)));
 }
 
-// Tiny triangles in a tile, drawn as many at a time as a vector has lanes: a vector of pixels would hold the two or three
-// that one of them covers, and many that it does not.
-class TinyTriangles {
-public:
-    TinyTriangles(const SetUpInputs& in, Tile tile) : m_in(in), m_tile(tile) {}
+// Tiny triangles, as many as a vector holds.
+struct TinyTriangles {
+    EdgeInVectors edge1, edge2;  // c at their boxes' first pixels
+    Floats inverse;              // of their areas
+    Distances distances;
+    Ints x, y;       // the boxes' first pixels
+    Ints covered;    // bit kBlock y + x: whether it covers the pixel in column x and row y of its box; of others 0
+    std::size_t id;  // index of the first of them into Topology::triangles
 
-    bool isFull() const { return m_count == kLanes; }
-    void add(const TinyTriangle& t) {
-        m_id[m_count] = t.id, m_left[m_count] = t.x, m_top[m_count] = t.y;
-        m_covered[m_count++] = std::int32_t(t.covered);
-        hwy::Prefetch(&m_in.topology.triangles[t.id]);
-    }
-    // Calls visit(at, z, id) for the pixels in the tile that they cover, triangle after triangle in the order in which they
-    // were added, and forgets them. at: the pixel's place in the blocks.
-    template <bool kPerspective, class Visit>
-    HWY_INLINE void draw(Visit visit) {
-        if (m_count == 0) return;
-        const std::size_t fragments = findFragments<kPerspective>();
-        for (std::size_t n = 0; n < fragments; ++n) {
-            const std::uint32_t i = m_fragments[n];
-            visit(std::size_t(m_at[i]), m_z[i], m_id[i % kRoom]);
-        }
-        m_count = 0;
-    }
-
-private:
-    // Leaves in m_fragments where in m_z and m_at the pixels stand; gives how many there are.
-    template <bool kPerspective>
-    HWY_NOINLINE std::size_t findFragments() {
-        for (int l = m_count; l < kLanes; ++l)
-            m_id[l] = m_id[0], m_left[l] = m_left[0], m_top[l] = m_top[0], m_covered[l] = 0;
-        const I whole;
-        const Ints x = hn::Load(whole, m_left), y = hn::Load(whole, m_top);
-        const Ints left = hn::Sub(x, hn::Set(whole, m_tile.min.x)), top = hn::Sub(y, hn::Set(whole, m_tile.min.y));
-        hn::Store(hn::And(hn::Load(whole, m_covered), pixelsInTile(left, top)), whole, m_covered);
-        std::uint32_t anywhere = 0;
-        const std::size_t fragments = listFragments(anywhere);
-
-        const std::span<const Triangle> triangles = m_in.topology.triangles;
-        SnappedCorners corners(m_in.vertices,
-                               [&](std::size_t l, std::size_t i) { return triangles[m_id[l]].vertices[i]; });
-        const Ints area = corners.area2();
-        corners.putInOrder(asFloats(hn::Lt(area, hn::Zero(whole))));
-        const int bits = m_in.vertices.bits;
-        const Ints atX = SnappedCorners::centre(x, bits), atY = SnappedCorners::centre(y, bits);
-        const EdgeInVectors edge1 = corners.edge(2, 0, bits, atX, atY), edge2 = corners.edge(0, 1, bits, atX, atY);
-        const Floats inverse = inverseOf(hn::Abs(area));
-        const Distances distances(corners.w[0], corners.w[1], corners.w[2]);
-        Ints row1 = edge1.c, row2 = edge2.c;
-        for (int row = 0; row < kBlock; ++row, row1 = hn::Add(row1, edge1.b), row2 = hn::Add(row2, edge2.b)) {
-            const Ints rowAt = placeOfRow(hn::Add(top, hn::Set(whole, row)));
-            Ints e1 = row1, e2 = row2;
-            for (int column = 0; column < kBlock; ++column, e1 = hn::Add(e1, edge1.a), e2 = hn::Add(e2, edge2.a)) {
-                const int pixel = kBlock * row + column;
-                if ((anywhere >> pixel & 1) == 0) continue;
-                const auto share = [&](Ints e) HWY_ATTR { return hn::Mul(hn::ConvertTo(F(), e), inverse); };
-                hn::Store(distances.z<kPerspective>(share(e1), share(e2)), F(), m_z + pixel * kRoom);
-                const Ints columnAt = placeOfColumn(hn::Add(left, hn::Set(whole, column)));
-                hn::Store(hn::Add(rowAt, columnAt), whole, m_at + pixel * kRoom);
-            }
-        }
-        return fragments;
-    }
-    // Which pixels of blocks that begin there are in the tile: TinyTriangle::covered.
-    HWY_INLINE static Ints pixelsInTile(Ints left, Ints top) {
-        const auto within = [](Ints first, int bitsEach, int all) HWY_ATTR {
-            const Ints zero = hn::Zero(I()), each = hn::Set(I(), bitsEach), pixels = hn::Set(I(), all);
-            const Ints before = hn::Max(hn::Neg(first), zero);
-            const Ints behind = hn::Max(hn::Sub(first, hn::Set(I(), kTileSize - kBlock)), zero);
-            return hn::And(hn::Shl(pixels, hn::Mul(before, each)), hn::Shr(pixels, hn::Mul(behind, each)));
-        };
-        return hn::And(hn::Mul(within(left, 1, 15), hn::Set(I(), 0x1111)), within(top, kBlock, 0xffff));
-    }
-    // Without a loop whose end cannot be guessed: four pixels of each triangle are noted, and the next triangle's over
-    // those that it does not have.
-    HWY_INLINE std::size_t listFragments(std::uint32_t& anywhere) {
-        static_assert(std::endian::native == std::endian::little);
+    // Which pixels they cover, triangle after triangle: kBlockPixels l + pixel, of lane l. `codes` has room for three more.
+    HWY_INLINE std::size_t listCovered(std::uint8_t* codes) const {
+        static_assert(std::endian::native == std::endian::little && kBlockPixels == 16);
+        constexpr int kWords = 4, kInWord = 4;  // triangles of a word
+        const hn::Rebind<std::uint16_t, I> each;
+        std::uint16_t bitsOfLane[kWords * kInWord]{};
+        hn::StoreU(hn::DemoteTo(each, covered), each, bitsOfLane);
+        std::uint64_t words[kWords];
+        std::memcpy(words, bitsOfLane, sizeof words);
         std::size_t count = 0;
-        for (int l = 0; l < m_count; ++l) {
-            auto bits = std::uint32_t(m_covered[l]);
-            anywhere |= bits;
-            std::uint16_t* to = m_fragments + count;
+        for (int word = 0; word * kInWord < kLanes; ++word) {
+            std::uint64_t bits = words[word];
+            std::uint8_t* to = codes + count;
             count += std::size_t(std::popcount(bits));
-            do {
-                std::uint64_t four = 0;
-                for (int i = 0; i < 4; ++i, bits &= bits - 1)
-                    four |= std::uint64_t(std::countr_zero(bits | 1u << kBlockPixels)) << (16 * i);
-                four = four * kRoom + std::uint64_t(l) * 0x0001000100010001;
-                std::memcpy(to, &four, sizeof four), to += 4;
-            } while (HWY_UNLIKELY(bits != 0));
+            // Four at a time, for the fewer ends of a loop that cannot be guessed; what is too many the next word writes over.
+            while (bits != 0)
+                for (int i = 0; i < 4; ++i, bits &= bits - 1) *to++ = std::uint8_t(64 * word + std::countr_zero(bits));
         }
         return count;
     }
+};
+
+// The fragments of tiny triangles, appended to those of a piece, as many at a time as a vector has lanes: a vector of
+// pixels would hold the two or three that one of them covers, and many that it does not.
+struct TinyFragments {
+    std::size_t first = 0, count = 0;  // in TrianglePiece::fragments
+    bool areInOneTile = true;
+    HWY_ALIGN std::int32_t tile[17 * 16];  // of each; and numbers behind them
+
+    HWY_INLINE void append(const TinyTriangles& t, const SetUpInputs& in, int tilesAcross, Fragments& out) {
+        HWY_ALIGN std::uint8_t codes[17 * 16];
+        first = out.size(), count = t.listCovered(codes);
+        out.resize(first + count + kLanes);  // the last vector is stored as a whole
+        Ints elsewhere = hn::Zero(I());
+        for (std::size_t n = 0; n < count; n += kLanes) {
+            const Ints tiles = in.view.perspective ? find<true>(t, codes + n, tilesAcross, first + n, out)
+                                                   : find<false>(t, codes + n, tilesAcross, first + n, out);
+            hn::Store(tiles, I(), tile + n);
+            const Ints apart = hn::Xor(tiles, hn::Set(I(), tile[0]));
+            const auto inList = hn::FirstN(I(), count - n);
+            elsewhere = hn::Or(elsewhere, hn::IfThenElseZero(inList, apart));
+        }
+        areInOneTile = hn::AllTrue(I(), hn::Eq(elsewhere, hn::Zero(I())));
+        out.resize(first + count);
+    }
+
+private:
+    // A vector of them, put at `at`; gives their tiles.
+    template <bool kPerspective>
+    HWY_INLINE static Ints find(const TinyTriangles& t, const std::uint8_t* codes, int tilesAcross, std::size_t at,
+                                Fragments& out) {
+        static_assert(kTileSize == 64 && kBlock == 4);
+        const I whole;
+        const hn::Rebind<std::uint8_t, I> bytes;
+        const Ints code = hn::PromoteTo(whole, hn::LoadU(bytes, codes)), three = hn::Set(whole, 3);
+        const Ints lane = hn::And(hn::ShiftRight<4>(code), hn::Set(whole, kLanes - 1));
+        const auto ofInts = hn::IndicesFromVec(whole, lane);
+        const auto ofFloats = hn::IndicesFromVec(F(), lane);
+        const auto pickInts = [&](Ints of) HWY_ATTR { return hn::TableLookupLanes(of, ofInts); };
+        const auto pickFloats = [&](Floats of) HWY_ATTR { return hn::TableLookupLanes(of, ofFloats); };
+        const Ints column = hn::And(code, three), row = hn::And(hn::ShiftRight<2>(code), three);
+        const auto share = [&](const EdgeInVectors& edge) HWY_ATTR {
+            const Ints right = hn::Mul(pickInts(edge.a), column), down = hn::Mul(pickInts(edge.b), row);
+            return hn::Mul(hn::ConvertTo(F(), hn::Add(hn::Add(pickInts(edge.c), right), down)), pickFloats(t.inverse));
+        };
+        Distances distances = t.distances;
+        for (Floats* of : {&distances.w0, &distances.toW1, &distances.toW2}) *of = pickFloats(*of);
+        hn::StoreU(distances.z<kPerspective>(share(t.edge1), share(t.edge2)), F(), &out.z[at]);
+        hn::StoreU(hn::Add(lane, hn::Set(whole, std::int32_t(t.id))), whole,
+                   reinterpret_cast<std::int32_t*>(&out.id[at]));
+        const Ints x = hn::Add(pickInts(t.x), column), y = hn::Add(pickInts(t.y), row),
+                   inTile = hn::Set(whole, kTileSize - 1);
+        const Ints place = hn::Add(placeOfColumn(hn::And(x, inTile)), placeOfRow(hn::And(y, inTile)));
+        const hn::Rebind<std::uint16_t, I> shorts;
+        hn::StoreU(hn::DemoteTo(shorts, place), shorts, &out.at[at]);
+        return hn::Add(hn::Mul(hn::ShiftRight<6>(y), hn::Set(whole, tilesAcross)), hn::ShiftRight<6>(x));
+    }
     // placeOf is the sum of the two.
     HWY_INLINE static Ints placeOfColumn(Ints x) {
-        static_assert(kBlock == 4);
         return hn::Add(hn::ShiftLeft<4>(hn::ShiftRight<2>(x)), hn::And(x, hn::Set(I(), 3)));
     }
     HWY_INLINE static Ints placeOfRow(Ints y) {
         static_assert(kBlocksAcross == 16);
         return hn::Add(hn::ShiftLeft<8>(hn::ShiftRight<2>(y)), hn::ShiftLeft<2>(hn::And(y, hn::Set(I(), 3))));
     }
-
-    static constexpr int kRoom = 16;
-    const SetUpInputs& m_in;
-    Tile m_tile;
-    int m_count = 0;
-    std::uint32_t m_id[kRoom];
-    HWY_ALIGN std::int32_t m_left[kRoom], m_top[kRoom], m_covered[kRoom];
-    std::uint16_t m_fragments[kRoom * kBlockPixels + 4];  // the pixel, and in which lane
-    HWY_ALIGN float m_z[kBlockPixels * kRoom];            // of each pixel of the boxes, triangle beside triangle
-    HWY_ALIGN std::int32_t m_at[kBlockPixels * kRoom];
 };
 
 }  // namespace pipeline::HWY_NAMESPACE
