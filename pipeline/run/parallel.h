@@ -5,6 +5,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <stop_token>
@@ -22,17 +23,20 @@ public:
             m_more.emplace(oneapi::tbb::global_control::max_allowed_parallelism, std::size_t(count));
     }
 
-    // body(begin, end) over [0, count) in pieces of at most grain; one piece runs here and now.
+    // body(begin, end) over [0, count) in pieces of grain, of which the last may be shorter; one piece runs here and now.
     // Pieces not begun when the request is stopped are dropped.
     template <class Body>
     void forRange(std::size_t count, std::size_t grain, Body body) {
         if (count == 0 || stopped()) return;
         if (count <= grain) return body(std::size_t(0), count);
+        // Ranges of pieces, for TBB halves what it is given: its own pieces of a range would be no multiple of a vector.
+        const std::size_t pieces = (count + grain - 1) / grain;
         m_arena.execute([&] {
             oneapi::tbb::parallel_for(
-                oneapi::tbb::blocked_range<std::size_t>(0, count, grain),
+                oneapi::tbb::blocked_range<std::size_t>(0, pieces),
                 [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-                    if (!stopped()) body(range.begin(), range.end());
+                    for (std::size_t piece = range.begin(); piece < range.end() && !stopped(); ++piece)
+                        body(piece * grain, std::min(count, (piece + 1) * grain));
                 },
                 oneapi::tbb::simple_partitioner());
         });
