@@ -68,7 +68,7 @@ struct SeenSurface {
 };
 
 // Finds what is seen in a tile, row of blocks after row of blocks. In fast arithmetic a normal is interpolated linearly
-// in the picture, as n/z of the corners, which has its direction; and a position is found from z_view.
+// in the picture, as n/z of the corners, which has its direction, unless positions are found.
 template <class A>
 class Surfaces {
 public:
@@ -91,6 +91,7 @@ public:
             m_seenIn.emplace(
                 SeenIn{from.view, *from.topology, from.snapped, seen->pieces, tile, seen->z.tile(m_index)->of});
             m_isFine = in.zBuffer.seenPixels < 4 * static_cast<long long>(seen->triangles);
+            m_findsPlanes = !A::kExact && !m_positioned;  // else the weights are found, and serve the normals too
         }
         m_names.fill(kNoTriangle);
         if (inputs.illumination.model == Model::OpenGl) return;
@@ -104,24 +105,20 @@ public:
             return;
         }
         const std::size_t begin = std::size_t(row) * kRowPixels;
-        const bool positions = m_positioned && !fromDepth();
-        if (m_perPixel && positions)
+        if (m_perPixel && m_positioned)
             m_facing ? findRow<true, true, true>(begin, out) : findRow<true, true, false>(begin, out);
         else if (m_perPixel)
             m_facing ? findRow<true, false, true>(begin, out) : findRow<true, false, false>(begin, out);
-        else if (positions)
+        else if (m_positioned)
             m_facing ? findRow<false, true, true>(begin, out) : findRow<false, true, false>(begin, out);
         else
             m_facing ? findRow<false, false, true>(begin, out) : findRow<false, false, false>(begin, out);
-        if (m_positioned && fromDepth()) findPositions(row, out);
         if (m_isViewed) findViewVectors(row, out);
         const bool isAffine = m_inputs.shading == Shading::Gouraud && m_inputs.interpolation == Interpolation::Affine;
         if (isAffine && m_in.transform.view.perspective) makeAffine(begin, out);
     }
 
 private:
-    HWY_INLINE bool fromDepth() const { return !A::kExact && m_drawnNames; }
-
     // What the stage's own text has drawn, which keeps the weights, in the pixels of a vector.
     struct Drawn {
         HWY_ALIGN std::uint32_t triangle[16];
@@ -263,8 +260,13 @@ private:
         };
         for (std::size_t l = 0; l < lanes; ++l) {
             if (const Triangle* t = triangleAt(at + kTriangles + l)) hwy::Prefetch(t);
-            if (const Triangle* t = triangleAt(at + kVertices + l))
-                hwy::Prefetch(&m_in.transform.snapped.of[t->vertices[0]]);
+            const Triangle* const t = triangleAt(at + kVertices + l);
+            for (int corner = 0; t && corner < 3; corner += 2) {  // two: the third is mostly beside one of them
+                const std::uint32_t vertex = t->vertices[corner];
+                hwy::Prefetch(&m_in.transform.snapped.of[vertex]);
+                if (m_perPixel) hwy::Prefetch(&m_in.normals.vertex[vertex]);
+                if (m_positioned) hwy::Prefetch(&m_in.transform.world[vertex]);
+            }
         }
     }
     // By the name of a triangle in the blocks, where they are; else its index.
@@ -279,10 +281,10 @@ private:
         const Triangle& triangle = m_in.transform.topology->triangles[seen.id];
         seen.polygon = std::int32_t(triangle.polygon);
         if (m_tellsObjects) seen.object = std::int32_t(m_in.transform.topology->objectOfPolygon(triangle.polygon));
-        if (m_positioned && !fromDepth()) seen.positions.become(m_in.transform.world, triangle.vertices);
+        if (m_positioned) seen.positions.become(m_in.transform.world, triangle.vertices);
         if (m_facing) seen.facing = m_in.polygonNormal(triangle.polygon);
         if (!m_perPixel) return;
-        if (fromDepth() && seen.triangle.isLinear()) becomePlane(seen, triangle);
+        if (m_findsPlanes && seen.triangle.isLinear()) becomePlane(seen, triangle);
         if (!seen.isPlane) seen.normals.become(m_in.normals.vertex, triangle.vertices);
     }
     // What is linear in the picture is the normal over z_view, which has the normal's direction. Where the triangle is
@@ -342,29 +344,11 @@ private:
             }
         }
     }
-    // World space, from z_view: worldPoint.
-    void findPositions(int row, SurfaceRow& out) const {
-        const View& view = m_in.transform.view;
-        const float* z = m_in.zBuffer.seen->z.tile(m_index)->of + std::size_t(row) * kRowPixels;
-        const Vec3<float> eye(view.eye), forward(view.forward);
-        const Vec3<float> right(view.right / view.scale.x), down(-view.up / view.scale.y);
-        const auto first = glm::vec2(glm::dvec2(m_tile.min) + 0.5 - view.centre);
-        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            const VectorPlace place(std::size_t(row) * kRowPixels + i);
-            const Floats x = hn::Add(hn::ConvertTo(F(), place.column), all(first.x));
-            const Floats y = hn::Add(hn::ConvertTo(F(), place.row), all(first.y));
-            const Floats3 beside = scaledPlus<A>(all(right), x, scaled(all(down), y));
-            const Floats depth = hn::Load(F(), z + i);
-            const Floats3 position = view.perspective ? scaledPlus<A>(beside + all(forward), depth, all(eye))
-                                                      : beside + scaledPlus<A>(all(forward), depth, all(eye));
-            store(position, out.position, i);
-        }
-    }
-
     const ShadingInputs& m_inputs;
     const ShadingSources<float>& m_in;
     Tile m_tile;
-    bool m_isFine = false;  // for triangles of few pixels
+    bool m_isFine = false;       // for triangles of few pixels
+    bool m_findsPlanes = false;  // SeenSurface::isPlane
     bool m_perPixel, m_positioned, m_tellsObjects, m_isViewed, m_mirrors, m_facing = false, m_isDrawn = true;
     PixelRays<float> m_rays;                      // of the view
     Vec3<float> m_back;                           // against its direction

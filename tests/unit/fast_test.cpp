@@ -129,6 +129,30 @@ TEST(Fast, ThrowsTheSameShadows) {
     }
 }
 
+// Nothing stands between a floor and the light straight above it, where a shadow's bias is least: a position that were
+// found from z_view would lie beside the floor, by a share of what snapping moves its corners.
+TEST(Fast, ThrowsNoShadowOnAFloorBelowItsLight) {
+    for (const LightKind kind : {LightKind::AtInfinity, LightKind::Point, LightKind::Area}) {
+        Mesh mesh;
+        mesh.positions = {{-6, -5, 0}, {6, -5, 0}, {6, 5, 0}, {-6, 5, 0}};
+        mesh.addPolygon(std::array{0U, 1U, 2U, 3U});
+        Scene scene;
+        scene.objects.push_back({"floor", makeMesh(std::move(mesh)), {}, {Vec3d(0.8), Vec3d(0), 1}});
+        scene.lights.push_back({kind, {0, 0, 4}, 100, Vec3d(1), true});
+        scene.lights[0].area = {{0, 0, -1}, 1, 1, 2};
+        scene.camera.kind = CameraKind::LookAt;
+        scene.camera.eye = {3, -9, 7}, scene.camera.target = {0, 0, 0}, scene.camera.up = {0, 0, 1};
+        scene.settings.width = 96, scene.settings.height = 72, scene.settings.shading = Shading::Phong;
+        scene = in(scene, Arithmetic::Fast);
+        const FramePtr shadowed = picture(scene);
+        ASSERT_TRUE(ranFast(*shadowed));
+        scene.lights[0].castsShadow = false;
+        const Difference found = difference(*shadowed, *picture(scene));
+        EXPECT_GT(found.pixels, 1000);
+        EXPECT_EQ(found.beyond, 0) << "kind " << int(kind);
+    }
+}
+
 TEST(Fast, LeavesTheOtherBuffersToTheBit) {
     const Scene scene = spheres();
     BufferSet others;
