@@ -83,7 +83,7 @@ std::vector<FragmentRecord> replayOutlines(const FrameData<Real>& data, Tile til
 
 template <class Real>
 std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile, const std::stop_token& stop) {
-    const std::vector<Verdict>& verdicts = data.verdicts();
+    const RawVector<Verdict>& verdicts = data.verdicts();
     if (data.keys.zBuffer.visibility == Visibility::Painter) return replayPainter(data, tile);
     if (data.keys.zBuffer.visibility == Visibility::None)
         return replayOutlines(data, tile, [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
@@ -118,7 +118,7 @@ std::vector<Layer<Real>> replayLayers(const FrameData<Real>& data, glm::ivec2 pi
 
 template <class Real>
 std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixel, const std::stop_token& stop) {
-    const std::vector<Verdict>& verdicts = data.verdicts();
+    const RawVector<Verdict>& verdicts = data.verdicts();
     if (verdicts.empty()) return {};
     const Tile tile{pixel, pixel + 1};
     std::vector<std::uint32_t> polygons;

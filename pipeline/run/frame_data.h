@@ -49,8 +49,8 @@ struct FrameData {
         }
         return false;
     }
-    const std::vector<Verdict>& verdicts() const {
-        static const std::vector<Verdict> kNone;
+    const RawVector<Verdict>& verdicts() const {
+        static const RawVector<Verdict> kNone;
         return cull ? cull->verdicts : kNone;
     }
     // Whether visibility none draws a polygon's outline: with cull = none of every polygon, degenerate ones too.

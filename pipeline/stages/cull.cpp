@@ -29,8 +29,7 @@ std::string_view name(Verdict verdict) {
 char letter(Verdict verdict) { return "KBDOOOOOOCT-"[std::size_t(verdict)]; }
 
 CullOutput prepareCull(std::size_t polygons) {
-    return {std::vector<Verdict>(polygons, Verdict::Kept), std::vector<std::uint8_t>(polygons, 0),
-            std::vector<std::uint8_t>(polygons, 0)};
+    return {RawVector<Verdict>(polygons), RawVector<std::uint8_t>(polygons), RawVector<std::uint8_t>(polygons)};
 }
 
 namespace {
@@ -86,7 +85,7 @@ void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t
     for (std::size_t polygon = begin; polygon < end; ++polygon) {
         const std::uint32_t object = in.topology->objectOfPolygon(polygon);
         if (!in.transparent.empty() && in.transparent[object]) {
-            out.verdicts[polygon] = Verdict::Transparent;
+            out.verdicts[polygon] = Verdict::Transparent, out.isBack[polygon] = out.inside[polygon] = 0;
             continue;
         }
         Crossed crossed;

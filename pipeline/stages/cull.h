@@ -33,12 +33,12 @@ struct CullInputs {
 };
 
 struct CullOutput {
-    std::vector<Verdict> verdicts;       // per polygon
-    std::vector<std::uint8_t> isBack{};  // per polygon: its signed area is below 0
-    std::vector<std::uint8_t> inside{};  // per polygon: neither a plane nor the picture's border runs through it
+    RawVector<Verdict> verdicts;     // per polygon
+    RawVector<std::uint8_t> isBack;  // per polygon: its signed area is below 0
+    RawVector<std::uint8_t> inside;  // per polygon: neither a plane nor the picture's border runs through it
 };
 
-CullOutput prepareCull(std::size_t polygons);
+CullOutput prepareCull(std::size_t polygons);  // nothing is written yet
 // Polygons [begin, end).
 template <class Real>
 void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,

@@ -77,6 +77,7 @@ void sumAroundVertices(const NormalsInputs& inputs, const TransformOutput<Real>&
     const Topology& topology = *in.topology;
     const Mesh& mesh = *topology.meshes[object];
     const RawVector<Vec3<Real>>& normals = inputs.weight == NormalWeight::Area ? out.weighted : out.polygon;
+    std::fill_n(out.vertex.begin() + topology.firstVertex[object], mesh.positions.size(), Vec3<Real>(0));
     for (std::size_t p = 0, count = mesh.polygonCount(); p < count; ++p) {
         const Topology::Corners corners{mesh.polygon(p), topology.firstVertex[object]};
         const Vec3<Real> normal = normals[topology.firstPolygon[object] + p];
