@@ -32,7 +32,7 @@ std::int32_t largestBox(int bits) {
 class Binner {
 public:
     Binner(const TrianglePieces& all, TrianglePiece& out)
-        : m_all(all), m_out(out), m_last(all.tileCount(), ~std::uint32_t(0)) {}
+        : m_all(all), m_out(out), m_runs{{0, kNoRun}}, m_last(all.tileCount(), 0) {}
 
     void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
         const glm::uvec2 first = glm::uvec2(low) / kSide, last = glm::uvec2(high - 1) / kSide;
@@ -40,16 +40,22 @@ public:
             for (std::uint32_t x = first.x; x <= last.x; ++x) addRun(y * std::uint32_t(m_all.tiles.x) + x, {index, 1});
     }
     void addRun(std::uint32_t tile, TriangleRun of) {
-        std::uint32_t& last = m_last[tile];
-        if (last < m_runs.size()) {
-            TriangleRun& before = m_runs[last].of;
-            if (before.first + before.count == of.first) {
-                before.count += of.count;
-                return;
-            }
+        TriangleRun& last = m_runs[m_last[tile]].of;
+        if (last.first + last.count == of.first) {
+            last.count += of.count;
+            return;
         }
-        last = std::uint32_t(m_runs.size());
+        m_last[tile] = std::uint32_t(m_runs.size());
         m_runs.push_back({tile, of});
+    }
+    // Fragments side by side: [first, first + count), and of each its tile.
+    void addFragments(std::size_t first, std::size_t count, const std::int32_t* tile) {
+        for (std::size_t i = 0; i < count;) {
+            const std::size_t begin = i;
+            while (i < count && tile[i] == tile[begin]) ++i;
+            addRun(std::uint32_t(tile[begin]),
+                   {std::uint32_t(first + begin) | TriangleRun::kTiny, std::uint32_t(i - begin)});
+        }
     }
     void addOther(const RasterTriangle<float>& triangle) {
         const Tile box = triangle.snapped.pixels();
@@ -60,11 +66,12 @@ public:
     }
     void finish() {
         m_out.firstOfTile.assign(m_all.tileCount() + 1, 0);
-        for (const Run& run : m_runs) ++m_out.firstOfTile[run.tile + 1];
+        const std::span<const Run> runs = std::span<const Run>(m_runs).subspan(1);
+        for (const Run& run : runs) ++m_out.firstOfTile[run.tile + 1];
         for (std::size_t i = 1; i < m_out.firstOfTile.size(); ++i) m_out.firstOfTile[i] += m_out.firstOfTile[i - 1];
-        m_out.runs.resize(m_runs.size());
+        m_out.runs.resize(runs.size());
         std::vector<std::uint32_t> next(m_out.firstOfTile.begin(), m_out.firstOfTile.end() - 1);
-        for (const Run& run : m_runs) m_out.runs[next[run.tile]++] = run.of;
+        for (const Run& run : runs) m_out.runs[next[run.tile]++] = run.of;
     }
 
 private:
@@ -75,8 +82,9 @@ private:
         std::uint32_t tile;
         TriangleRun of;
     };
-    std::vector<Run> m_runs;
-    std::vector<std::uint32_t> m_last;  // per tile: its run that grows
+    static constexpr TriangleRun kNoRun{~std::uint32_t(0), 0};  // that nothing goes on from
+    std::vector<Run> m_runs;                                    // behind kNoRun
+    std::vector<std::uint32_t> m_last;                          // per tile: its run that grows
 };
 
 // One that is not small, or has to be clipped.
@@ -271,29 +279,33 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         if (count < lanes) std::copy_n(from, count, rest), from = rest;
         const SetUpBits bits = setUpVector(in, from, base, limit, live, all.tiles.x, fields, out.fragments);
         out.tiny += std::size_t(std::popcount(bits.tiny));
-        const auto fragment = [&](std::size_t n) {
-            return std::uint32_t(fields.fragments.first + n) | TriangleRun::kTiny;
-        };
-        if (bits.tiny != 0 && bits.tiny == (bits.drawn | bits.others) && fields.fragments.areInOneTile) {
-            binner.addRun(std::uint32_t(fields.fragments.tile[0]),
-                          {fragment(0), std::uint32_t(fields.fragments.count)});
+        const TinyFragments& tiny = fields.fragments;
+        if (bits.tiny != 0 && bits.tiny == (bits.drawn | bits.others) && tiny.areInOneTile) {
+            binner.addRun(std::uint32_t(tiny.tile[0]),
+                          {std::uint32_t(tiny.first) | TriangleRun::kTiny, std::uint32_t(tiny.count)});
             continue;
         }
         // In the order of their polygons.
-        std::size_t next = 0;  // of the fragments
+        std::size_t added = 0, found = 0;  // of the fragments
+        const auto addFragments = [&] {
+            binner.addFragments(tiny.first + added, found - added, tiny.tile + added), added = found;
+        };
         for (std::uint32_t left = bits.drawn | bits.others; left != 0; left &= left - 1) {
             const auto l = std::size_t(std::countr_zero(left));
+            if (bits.tiny >> l & 1) {
+                found += std::size_t(std::popcount(std::uint32_t(fields.covered[l])));
+                continue;
+            }
+            if (found != added) addFragments();
             if (bits.others >> l & 1) {
                 setUpOther(in, std::uint32_t(base + l), binner);
-            } else if (bits.tiny >> l & 1) {
-                for (int n = std::popcount(std::uint32_t(fields.covered[l])); n > 0; --n, ++next)
-                    binner.addRun(std::uint32_t(fields.fragments.tile[next]), {fragment(next), 1});
             } else {
                 binner.add(std::uint32_t(out.small.size()), {fields.lowX[l], fields.lowY[l]},
                            {fields.highX[l], fields.highY[l]});
                 fields.copyTo(out.small.emplace_back(), l);
             }
         }
+        addFragments();
     }
     binner.finish();
 }

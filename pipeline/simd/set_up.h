@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -35,9 +36,13 @@ struct Fragments {
     RawVector<std::uint32_t> id;  // index into Topology::triangles
     RawVector<float> z;           // z_view
     RawVector<std::uint16_t> at;  // the pixel's place in the blocks of its tile
+    std::size_t count = 0;        // of those that are written; there may be room for more
 
-    std::size_t size() const { return id.size(); }
-    void resize(std::size_t size) { id.resize(size), z.resize(size), at.resize(size); }
+    void makeRoomFor(std::size_t more) {
+        if (count + more <= id.size()) return;
+        const std::size_t size = std::max(count + more, 2 * id.size());
+        id.resize(size), z.resize(size), at.resize(size);
+    }
 };
 
 // Triangles that stand side by side, or fragments, all in one tile: a mesh's neighbours mostly are.

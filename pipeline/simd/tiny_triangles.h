@@ -81,8 +81,8 @@ struct TinyFragments {
 
     HWY_INLINE void append(const TinyTriangles& t, const SetUpInputs& in, int tilesAcross, Fragments& out) {
         HWY_ALIGN std::uint8_t codes[17 * 16];
-        first = out.size(), count = t.listCovered(codes);
-        out.resize(first + count + kLanes);  // the last vector is stored as a whole
+        first = out.count, count = t.listCovered(codes);
+        out.makeRoomFor(count + kLanes);  // the last vector is stored as a whole
         Ints elsewhere = hn::Zero(I());
         for (std::size_t n = 0; n < count; n += kLanes) {
             const Ints tiles = in.view.perspective ? find<true>(t, codes + n, tilesAcross, first + n, out)
@@ -93,7 +93,7 @@ struct TinyFragments {
             elsewhere = hn::Or(elsewhere, hn::IfThenElseZero(inList, apart));
         }
         areInOneTile = hn::AllTrue(I(), hn::Eq(elsewhere, hn::Zero(I())));
-        out.resize(first + count);
+        out.count += count;
     }
 
 private:
