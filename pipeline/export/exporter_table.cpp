@@ -10,6 +10,7 @@
 #include "pipeline/export/gl_calls.h"
 #include "pipeline/export/npy_file.h"
 #include "pipeline/export/png_file.h"
+#include "pipeline/export/vtk_file.h"
 #include "pipeline/formats/toml_writer.h"
 
 namespace pipeline {
@@ -33,6 +34,16 @@ std::string_view floatPicturesOnly(const BufferInfo& info) {
     return picturesOnly(info);
 }
 
+std::string_view pointsOnly(const BufferInfo& info) {
+    switch (info.domain) {
+        case Domain::Vertex:
+        case Domain::Polygon: return "It stands with the polygons, in the format polydata.";
+        case Domain::Pixel:
+        case Domain::Texel: break;
+    }
+    return {};
+}
+
 std::string anyScene(const Scene&) { return {}; }
 
 Result<std::uint64_t> writeSceneFile(const Frame& frame, const std::filesystem::path& file) {
@@ -51,10 +62,15 @@ constexpr std::array kTable{
     Exporter{"csv", "A table: one line a pixel, vertex or polygon.", false, holdsAll, csvEstimate, false, writeCsv},
     Exporter{"exr", "A picture of 32-bit floats, for OpenEXR; the numbers of a run in double are rounded.", false,
              floatPicturesOnly, exrEstimate, false, writeExr},
+    Exporter{"vtk", "The numbers as a picture of points, for VTK and ParaView.", false, pointsOnly, vtkSize, true,
+             writeVtk},
 };
 
 constexpr std::array kFrameTable{
     FrameExporter{"scene", "The scene and its settings as TOML, which opens again.", ".toml", anyScene, writeSceneFile},
+    FrameExporter{"polydata",
+                  "The polygons in world space, with what stands at vertices and polygons, for VTK and ParaView.",
+                  ".polydata.vtk", anyScene, writeVtkPolygons},
     FrameExporter{"opengl", "The OpenGL calls that draw the scene, as a C function.", ".gl.c", glRefuses, writeGlC},
 };
 

@@ -297,7 +297,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"Stage", {"--until", "zbuffer"}, "no stage \"zbuffer\"; the nearest is \"z-buffer\""},
         Wrong{
             "Late", {"--until", "cull", "--buffers", "color"}, "color comes from shading, and the run ends after cull"},
-        Wrong{"Format", {"--format", "npy,bmp"}, "no format \"bmp\", expected npy, png, csv, exr, scene, opengl"},
+        Wrong{"Format", {"--format", "npy,bmp"}, "no format \"bmp\", expected npy, png, csv, exr, vtk, scene, polydata, opengl"},
         Wrong{"Threads", {"--threads", "-1"}, "--threads"}, Wrong{"Option", {"--colour"}, "--colour"},
         Wrong{"PixelAlone", {"--pixel", "1,1"}, "--pixel goes with --views"}),
     [](const auto& wrong) { return std::string(wrong.param.name); });

@@ -100,6 +100,35 @@ TEST_F(Exporting, CsvNamesWhatItsLinesAre) {
     EXPECT_EQ(test::readText(write("csv", item(BufferId::VerticesNormal, {0, 3}, none))), "vertex,x,y,z\n");
 }
 
+// The last row comes first, for y points up; 1.5 is 3fc00000, of which 3f comes first.
+TEST_F(Exporting, VtkHoldsPointsFromTheLastRowUp) {
+    const std::vector<float> depth{0, 1.5f, kInf, -2};
+    const std::string numbers("\x7f\x80\0\0\xc0\0\0\0\0\0\0\0\x3f\xc0\0\0", 16);
+    EXPECT_EQ(test::readText(write("vtk", item(BufferId::Depth, {2, 2}, depth))),
+              "# vtk DataFile Version 3.0\ndepth\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 1\n"
+              "ORIGIN 0.5 0.5 0\nSPACING 1 1 1\nPOINT_DATA 4\nSCALARS depth float 1\nLOOKUP_TABLE default\n" +
+                  numbers + "\n");
+}
+
+TEST_F(Exporting, VtkHoldsVectorsColorsAndFaces) {
+    const std::vector<double> normal{0, 0, 1};
+    const std::string vectors = test::readText(write("vtk", item(BufferId::Normal, {1, 1, 3}, normal)));
+    EXPECT_NE(vectors.find("POINT_DATA 1\nVECTORS normal double\n"), std::string::npos) << vectors;
+    std::filesystem::remove(folder / "file.vtk");
+    const std::vector<std::uint8_t> color{1, 2, 3, 4, 5, 6};
+    const std::string colors = test::readText(write("vtk", item(BufferId::Color, {2, 1, 3}, color)));
+    EXPECT_NE(colors.find("SCALARS color unsigned_char 3\nLOOKUP_TABLE default\n\4\5\6\1\2\3\n"), std::string::npos);
+    std::filesystem::remove(folder / "file.vtk");
+    // Faces one behind the other, each from its own last row up.
+    std::vector<float> texels(6 * 2 * 1);
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = i % 2 == 1 ? 0 : 1.5f;
+    const std::string faces = test::readText(write("vtk", item(BufferId::ShadowBuffer, {6, 2, 1}, texels)));
+    EXPECT_NE(faces.find("DIMENSIONS 1 2 6\n"), std::string::npos) << faces;
+    std::string numbers;
+    for (int face = 0; face < 6; ++face) numbers += std::string("\0\0\0\0\x3f\xc0\0\0", 8);
+    EXPECT_TRUE(faces.ends_with("LOOKUP_TABLE default\n" + numbers + "\n"));
+}
+
 TEST_F(Exporting, PngHoldsTheFrameBufferAsItIs) {
     std::vector<std::uint8_t> color(2 * 3 * 3);
     for (std::size_t i = 0; i < color.size(); ++i) color[i] = std::uint8_t(13 * i);
