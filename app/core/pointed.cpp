@@ -63,7 +63,7 @@ QString maximumText(const pipeline::Scene& scene, double iMax) {
     QStringList most;
     double sum = 0;
     for (int c = 0; c < 3; ++c) {  // the channel in which it is largest
-        const double ambient = std::max(0.0, scene.ambient.intensity * scene.ambient.color[c]);
+        const double ambient = std::max(0.0, scene.ambient.lightIn(scene.settings.model)[c]);
         QStringList terms{QStringLiteral("%1·%2").arg(fullPrecision(diffuse), fullPrecision(ambient))};
         double total = diffuse * ambient;
         for (const pipeline::Light& light : scene.lights) {

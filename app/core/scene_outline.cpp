@@ -54,7 +54,7 @@ std::vector<OutlineRow> outline(const Scene& scene) {
                                                                            : "point";
         rows.push_back({{Kind::Light, i}, QStringLiteral("light %1").arg(i), kind + ", " + number(light.intensity)});
     }
-    rows.push_back({{Kind::Ambient, 0}, "ambient light", number(scene.ambient.intensity)});
+    rows.push_back({{Kind::Ambient, 0}, "ambient light", number(scene.ambient.intensityIn(scene.settings.model))});
     rows.push_back(
         {{Kind::Camera, 0}, "camera", scene.camera.kind == pipeline::CameraKind::Spherical ? "spherical" : "look-at"});
     return rows;

@@ -96,7 +96,7 @@ bool isDark(const pipeline::Scene& scene, const BufferName& name) {
                                    [&](const pipeline::Object& o) { return part(o.material) == pipeline::Vec3d(0); });
     };
     const bool isGl = scene.settings.model == pipeline::Model::OpenGl;
-    if (name.id == BufferId::Ambient) return !isGl && scene.ambient.intensity == 0;
+    if (name.id == BufferId::Ambient) return !isGl && scene.ambient.intensityIn(scene.settings.model) == 0;
     if (name.id != BufferId::Specular && name.id != BufferId::Diffuse) return false;
     const pipeline::Light& light = scene.lights[std::size_t(name.light)];
     if (light.intensity == 0) return true;

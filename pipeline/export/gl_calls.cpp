@@ -110,7 +110,7 @@ void addLighting(const Scene& scene, Calls& calls) {
     calls.add("glShadeModel", {scene.settings.shading == Shading::Flat ? "GL_FLAT" : "GL_SMOOTH"});
     calls.enable("GL_LIGHTING", true);
     calls.enable("GL_NORMALIZE", true);
-    calls.color("glLightModelfv", {"GL_LIGHT_MODEL_AMBIENT"}, scene.ambient.intensity * scene.ambient.color);
+    calls.color("glLightModelfv", {"GL_LIGHT_MODEL_AMBIENT"}, scene.ambient.lightIn(Model::OpenGl));
     calls.add("glLightModeli", {"GL_LIGHT_MODEL_LOCAL_VIEWER", truth(scene.settings.localViewer)});
     calls.add("glLightModeli", {"GL_LIGHT_MODEL_TWO_SIDE", truth(scene.settings.twoSided)});
     for (std::size_t k = 0; k < scene.lights.size(); ++k) addLight(scene.lights[k], k, calls);

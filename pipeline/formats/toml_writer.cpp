@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "pipeline/core/text.h"
@@ -30,6 +31,8 @@ public:
         }
         settings("", 0);
         table("[camera]", "camera.", 0);
+        // One that is given stays given, also where it is what the model has by itself.
+        if (m_scene.ambient.intensity) m_known.ambient.intensity = std::numeric_limits<double>::quiet_NaN();
         table("[ambient]", "ambient.", 0);
         for (std::size_t k = 0; k < m_scene.lights.size(); ++k) table("[[light]]", "light.#.", k, true);
         for (std::size_t i = 0; i < m_scene.objects.size() && m_text.size() <= kMaxTomlBytes; ++i) object(i);

@@ -37,9 +37,10 @@ double maximumIntensity(Model model, const std::vector<Material>& materials, con
         specular = std::max(specular, most(material.specular));
     }
     // Colour by colour: a red and a green light never add up in one of them.
+    const Vec3d ambientLight = ambient.lightIn(model);
     double maximum = 0;
     for (int c = 0; c < 3; ++c) {
-        double sum = diffuse * std::max(0.0, ambient.intensity * ambient.color[c]);
+        double sum = diffuse * std::max(0.0, ambientLight[c]);
         for (const Light& light : lights) sum += std::max(0.0, light.intensity * light.color[c]) * (diffuse + specular);
         maximum = std::max(maximum, sum);
     }

@@ -43,8 +43,7 @@ LightSample<Real> sampleLight(const Illumination& illumination, const Light& lig
 // Lecture 1 reflects ambient light by k_d, the other models by a coefficient of its own.
 template <class Real>
 Vec3<Real> ambientTerm(Model model, const AmbientLight& ambient, const Material& material) {
-    return Vec3<Real>(ambient.intensity * ambient.color) *
-           Vec3<Real>(model == Model::Phong ? material.diffuse : material.ambient);
+    return Vec3<Real>(ambient.lightIn(model)) * Vec3<Real>(model == Model::Phong ? material.diffuse : material.ambient);
 }
 
 template <class Real>

@@ -72,7 +72,7 @@ struct Writer {
     }
 
     double lightIntensity(std::size_t k) const { return scene.lights[k].intensity * scene.lights[k].color[c]; }
-    double ambientIntensity() const { return scene.ambient.intensity * scene.ambient.color[c]; }
+    double ambientIntensity() const { return scene.ambient.lightIn(model())[c]; }
     bool hasSpecular() const { return material().specular[c] != 0; }
 
     void symbols(std::string remark);

@@ -145,7 +145,7 @@ void addLights(const FramePtr& frame, SceneTable& table) {
     table.rows = scene.lights.size();
     table.meaning = "Lighting parameters: light k.";
     table.facts = {{"num_lights", "lights", "", std::int64_t(table.rows)},
-                   {"la", "ambient.intensity", "", scene.ambient.intensity}};
+                   {"la", "ambient.intensity", "", scene.ambient.intensityIn(scene.settings.model)}};
     if (scene.ambient.color != Vec3d(1.0))
         for (const auto& [key, axis] : {std::pair("ambient.red", 0), {"ambient.green", 1}, {"ambient.blue", 2}})
             table.facts.push_back({"", key, "", scene.ambient.color[axis]});

@@ -183,7 +183,7 @@ struct Decision {
     Need ambient() const {
         // A factor below 0, or −0, would make a term of −0, whose sign a buffer shows.
         const auto anySign = [](Vec3d v) { return std::signbit(v.x) || std::signbit(v.y) || std::signbit(v.z); };
-        const Vec3d product = scene.ambient.intensity * scene.ambient.color;
+        const Vec3d product = scene.ambient.lightIn(scene.settings.model);
         const bool negative = anySign(product) || anyMaterial(scene, [&](const Material& m) {
                                   return anySign(m.diffuse) || anySign(m.ambient);
                               });

@@ -99,8 +99,12 @@ struct Light {
 };
 
 struct AmbientLight {
-    double intensity = 0.0;  // I_a
+    std::optional<double> intensity{};  // I_a, where the scene gives one
     Vec3d color{1.0};
+
+    // What OpenGL begins with, GL_LIGHT_MODEL_AMBIENT, holds in its model until a scene says otherwise.
+    double intensityIn(Model model) const { return intensity.value_or(model == Model::OpenGl ? 0.2 : 0.0); }
+    Vec3d lightIn(Model model) const { return intensityIn(model) * color; }
     bool operator==(const AmbientLight&) const = default;
 };
 

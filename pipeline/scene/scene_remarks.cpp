@@ -76,9 +76,9 @@ private:
     void ofLights() {
         if (m_scene.lights.empty())
             add("light", "The scene has no light: surfaces show ambient light and emission alone.");
-        const AmbientLight& ambient = m_scene.ambient;
-        if (ambient.intensity < 0) add("ambient.intensity", negative("I_a", ambient.intensity));
-        ofColor("ambient", {"red", "green", "blue"}, "the ambient light", ambient.color);
+        const double ambient = m_scene.ambient.intensityIn(m_scene.settings.model);
+        if (ambient < 0) add("ambient.intensity", negative("I_a", ambient));
+        ofColor("ambient", {"red", "green", "blue"}, "the ambient light", m_scene.ambient.color);
         for (std::size_t k = 0; k < m_scene.lights.size(); ++k) {
             const Light& light = m_scene.lights[k];
             const std::string key = fmt::format("light.{}", k), name = fmt::format("light {}", k);

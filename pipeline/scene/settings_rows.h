@@ -126,4 +126,12 @@ constexpr Setting component(Words words, Range range, Idle idle = neverIdle) {
             idle};
 }
 
+// I_a: what the model has by itself until it is set.
+constexpr Setting ambientIntensity(Words words, Range range) {
+    Setting setting = component<OfAmbient, &AmbientLight::color, 0>(words, range);
+    setting.get = [](const Scene& scene, std::size_t) { return scene.ambient.intensityIn(scene.settings.model); };
+    setting.set = [](Scene& scene, std::size_t, double value) { scene.ambient.intensity = value; };
+    return setting;
+}
+
 }  // namespace pipeline::settings_rows

@@ -207,8 +207,9 @@ constexpr auto kSceneTable = std::to_array<Setting>({
                                        "Corners are snapped to 2^-bits pixels before coverage is decided."},
                                       {1, 16, 4, 16}),
 
-    row<OfAmbient, &AmbientLight::intensity>(
-        {"ambient.intensity", "I_a intensity", "", "Intensity of the ambient light."}, kIntensity),
+    ambientIntensity({"ambient.intensity", "I_a intensity", "",
+                      "Intensity of the ambient light; where none is given, 0.2 in OpenGL's model, else 0."},
+                     kIntensity),
     component<OfAmbient, &AmbientLight::color, 0>({"ambient.red", "I_a red", "", "Red part of the ambient light."},
                                                   kFraction),
     component<OfAmbient, &AmbientLight::color, 1>(

@@ -119,7 +119,7 @@ RayLighting<Real> makeLighting(const Scene& scene) {
     if (!openGl) out.exponentFactor = Real(settings.exponentFactor);
     out.infiniteViewer = openGl && !settings.localViewer;
     out.twoSided = openGl && settings.twoSided;
-    out.ambient = Real(scene.ambient.intensity) * Vec3<Real>(scene.ambient.color);
+    out.ambient = Real(scene.ambient.intensityIn(out.model)) * Vec3<Real>(scene.ambient.color);
     out.camera = makeCamera<Real>(scene);
     for (const Light& light : scene.lights) out.lights.push_back(makeLight<Real>(light, out.camera, openGl));
     for (const Object& object : scene.objects) {

@@ -228,7 +228,7 @@ private:
         };
         vector("eye", data.transform->view.eye);
         vector("towardsLight", glm::normalize(light.position));
-        vector("ambient", inputs.ambient.intensity * inputs.ambient.color * material.diffuse / data.shading->iMax);
+        vector("ambient", inputs.ambient.lightIn(inputs.illumination.model) * material.diffuse / data.shading->iMax);
         vector("diffuse", shining * material.diffuse);
         vector("specular", shining * material.specular);
         glUniform1f(glGetUniformLocation(m_litProgram, "exponent"), float(material.exponent));

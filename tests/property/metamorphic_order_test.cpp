@@ -155,7 +155,7 @@ TEST_P(MetamorphicOrder, ExtendedAndQuadAgree) {
         scene.settings.width = 9, scene.settings.height = 7;
         scene.settings.depthFormat = DepthFormat::Linear;
         scene.camera.near = 1, scene.camera.far = 40;
-        double brightest = 1 + scene.ambient.intensity;
+        double brightest = 1 + scene.ambient.intensityIn(scene.settings.model);
         for (Light& light : scene.lights) {
             light.castsShadow = false, light.kind = LightKind::AtInfinity;
             brightest += 2 * light.intensity;

@@ -54,6 +54,19 @@ TEST(TomlRoundTripOf, AnUnchangedSceneWritesNoDefaults) {
     EXPECT_EQ(*toTomlScene(scene), "title = \"empty\"\n");
 }
 
+// Given or not is kept too: in OpenGL's model 0.2 stands for what is not given, in the others 0.
+TEST(TomlRoundTripOf, AnAmbientLightStaysGivenOrNot) {
+    for (const Model model : {Model::Phong, Model::BlinnPhong, Model::OpenGl})
+        for (const std::optional<double> intensity : {std::optional<double>(), {0.0}, {0.2}, {-0.0}, {40.0}}) {
+            Scene scene;
+            scene.settings.model = model;
+            scene.ambient.intensity = intensity;
+            const Result<Scene> again = readAgain(scene);
+            ASSERT_TRUE(again) << format(again.errors());
+            EXPECT_EQ(again->ambient, scene.ambient) << int(model) << ' ' << intensity.value_or(-1);
+        }
+}
+
 TEST(TomlMesh, MistakesHaveTheirPlace) {
     const auto errors = [](std::string_view object) {
         const std::string text = "[[object]]\n" + std::string(object);

@@ -26,10 +26,15 @@ protected:
         const FramePtr frame = test::frameOf(scene);
         const auto calls = glCalls(*frame);
         ASSERT_TRUE(calls) << format(calls.errors());
+        expectThePicture(name, frame, *calls);
+    }
+
+    void expectThePicture(const std::string& name, const FramePtr& frame, const std::vector<GlCall>& calls) {
+        const Settings& settings = frame->scene().settings;
         // OpenGL's polygons are counted by glBegin: one each.
-        ASSERT_EQ(std::size_t(std::ranges::count(*calls, "glBegin", &GlCall::function)),
+        ASSERT_EQ(std::size_t(std::ranges::count(calls, "glBegin", &GlCall::function)),
                   frame->topology().polygonCount());
-        const GlPicture picture = m_gl->draw(*calls, {scene.settings.width, scene.settings.height});
+        const GlPicture picture = m_gl->draw(calls, {settings.width, settings.height});
         EXPECT_EQ(picture.error, "") << name;
         const Comparison found = compare(*frame, picture);
         fmt::print("{}: {}\n", name, found.text());
@@ -49,6 +54,25 @@ private:
 TEST_P(Twin, DrawsTheSamePicture) { expectTheSamePicture(GetParam().name, GetParam().scene); }
 
 INSTANTIATE_TEST_SUITE_P(OpenGl, Twin, testing::ValuesIn(featureScenes()),
+                         [](const auto& scene) { return scene.param.name; });
+
+// Nobody tells OpenGL of an ambient light here: what it has by itself is the reference.
+class AmbientTwin : public Twin {};
+
+TEST_P(AmbientTwin, IsOpenGlsOwnWhereTheSceneGivesNone) {
+    Scene scene = GetParam().scene;
+    scene.ambient.intensity.reset();
+    const FramePtr frame = test::frameOf(scene);
+    auto calls = glCalls(*frame);
+    ASSERT_TRUE(calls) << format(calls.errors());
+    std::vector<GlCall> untold = *calls;
+    ASSERT_EQ(
+        std::erase_if(untold, [](const GlCall& call) { return toC(call).find("MODEL_AMBIENT") != std::string::npos; }),
+        1u);
+    expectThePicture(GetParam().name, frame, untold);
+}
+
+INSTANTIATE_TEST_SUITE_P(OpenGl, AmbientTwin, testing::Values(featureScenes().front()),
                          [](const auto& scene) { return scene.param.name; });
 
 class RandomTwin : public Twin {};

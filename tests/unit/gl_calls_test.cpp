@@ -44,6 +44,12 @@ TEST(GlCalls, AreThoseOfTheLecture) {
     EXPECT_EQ(std::ranges::count(lines, "glEnd();"), 6);
 }
 
+TEST(GlCalls, SetTheAmbientLightThatOpenGlHasByItself) {
+    Scene scene = lectureCube();
+    scene.ambient.intensity.reset();
+    placeOf(linesOf(scene), "glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (const GLfloat[]){0.2, 0.2, 0.2, 1});");
+}
+
 TEST(GlCalls, TurnInTheOrderInWhichTheyAreWritten) {
     const auto lines = linesOf(lectureCube());
     const auto moved = placeOf(lines, "glTranslated(0, 0, -3);");

@@ -69,7 +69,7 @@ const Case kCases[] = {
     {"negative colour of ambient light", [](Scene& s) { s.ambient.color.x = -1; }, 40, "ambient.red"},
     {"no light", [](Scene& s) { s.lights.clear(); }, 10, "light"},
     {"no object", [](Scene& s) { s.objects.clear(); }, {}, "object"},
-    {"I_max is 0", [](Scene& s) { s.lights[0].intensity = s.ambient.intensity = 0; }, 0, "ambient.intensity"},
+    {"I_max is 0", [](Scene& s) { s.lights[0].intensity = 0, s.ambient.intensity = 0; }, 0, "ambient.intensity"},
     {"light at infinity without a direction",
      [](Scene& s) { s.lights[0].position = Vec3d(0); },
      {},

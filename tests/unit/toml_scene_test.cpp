@@ -5,6 +5,7 @@
 
 #include "pipeline/formats/format_table.h"
 #include "pipeline/formats/scene_reader.h"
+#include "pipeline/scene/settings_table.h"
 #include "tests/support/files.h"
 #include "tests/support/scenes.h"
 
@@ -97,6 +98,23 @@ TEST(TomlScene, AnObjectWithoutANameHasItsNumber) {
     ASSERT_TRUE(scene) << format(scene.errors());
     EXPECT_EQ(scene->objects[0].name, "object 0");
     EXPECT_EQ(scene->objects[1].name, "sphere");
+}
+
+// OpenGL's GL_LIGHT_MODEL_AMBIENT is (0.2, 0.2, 0.2) until a program sets it; a colour alone sets no intensity.
+TEST(TomlScene, AnAmbientLightThatIsNotGivenIsTheModels) {
+    const auto ambient = [](std::string_view text, std::string_view assignment) {
+        const auto scene = withSetting(*read(text), assignment);
+        return scene->ambient.lightIn(scene->settings.model);
+    };
+    EXPECT_EQ(ambient("model = \"opengl\"", "width=9"), Vec3d(0.2));
+    EXPECT_EQ(ambient("model = \"opengl\"\n[ambient]\ncolor = [1, 0, 0.5]", "width=9"), Vec3d(0.2, 0, 0.1));
+    EXPECT_EQ(ambient("model = \"opengl\"\n[ambient]\nintensity = 0", "width=9"), Vec3d(0));
+    EXPECT_EQ(ambient("", "width=9"), Vec3d(0));
+    EXPECT_EQ(ambient("", "model=blinn-phong"), Vec3d(0));
+    EXPECT_EQ(ambient("", "model=opengl"), Vec3d(0.2));
+    EXPECT_EQ(ambient("model = \"opengl\"", "model=phong"), Vec3d(0));
+    EXPECT_EQ(ambient("[ambient]\nintensity = 50", "model=opengl"), Vec3d(50));
+    EXPECT_EQ(ambient("model = \"opengl\"", "ambient.intensity=0"), Vec3d(0));
 }
 
 TEST(TomlScene, ListsATableOnceAmongTheKeys) {
