@@ -115,7 +115,9 @@ int printRow(const std::shared_ptr<const pipeline::Scene>& scene, const InspectO
     if (!frame) return cancelled();
     const auto section = shadedSection(frame, row, options.threads, options.stop);
     if (!section) return cancelled();
-    if (options.format == "svg")
+    if (options.json)
+        fmt::print("{}\n", toJson(*section).dump(2));
+    else if (options.format == "svg")
         fmt::print("{}",
                    plotSvg(layOut(pipeline::ScanlinePlot{&*section}, {1200, 600, 16}), pipeline::PlotTheme::Light));
     else
@@ -206,7 +208,8 @@ void declareInspect(CLI::App& program, const CliHost&, int& status) {
             ->type_name("CONDITION");
     CLI::Option* verdicts = what->add_flag("--shadow-verdicts", options->shadowVerdicts,
                                            "Per light the pixels lit, shadowed, acne and leak, against exact rays");
-    what->add_option("--row", options->row, "The section along a row: depths and intensities, as CSV")->type_name("Y");
+    what->add_option("--row", options->row, "The section along a row: depths and intensities, as CSV, SVG or JSON")
+        ->type_name("Y");
     what->require_option(1);
     std::vector<std::string> formats(pipeline::kTableFormats.begin(), pipeline::kTableFormats.end());
     formats.emplace_back("svg");

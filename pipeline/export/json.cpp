@@ -1,6 +1,6 @@
 #include "pipeline/export/json.h"
 
-#include <set>
+#include <cmath>
 
 #include "pipeline/export/file_hash.h"
 #include "pipeline/scene/scene_remarks.h"
@@ -184,6 +184,23 @@ Json toJson(const Frame& frame, const PixelReport& report) {
     json["fragments"] = fragments;
     json["culled"] = culled;
     return json;
+}
+
+Json toJson(const ScanlineSection& section) {
+    Json runs = Json::array(), intensity = Json::object();
+    for (const ScanlineRun& run : section.runs) {
+        Json samples = Json::array();
+        for (const ScanlineRun::Sample& sample : run.samples)
+            samples.push_back({{"x", sample.x}, {"depth", sample.depth}, {"seen", sample.stays}});
+        runs.push_back({{"polygon", run.polygon}, {"samples", samples}});
+    }
+    for (std::size_t i = 0; i < section.intensity.size(); ++i) {
+        if (section.intensity[i].empty()) continue;
+        Json& row = intensity[std::string(kSectionShadings[i])] = Json::array();
+        for (const Vec3d& value : section.intensity[i]) row.push_back(std::isnan(value.x) ? Json() : toJson(value));
+    }
+    return {{"row", section.row}, {"width", section.width}, {"depth", section.storesDepth ? "depth" : "z_view"},
+            {"runs", runs},       {"intensity", intensity}, {"i_max", section.iMax}};
 }
 
 Json remarksToJson(const Scene& scene) {

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/inspect/pixel_report.h"
+#include "pipeline/inspect/scanline.h"
 #include "pipeline/run/frame.h"
 
 namespace pipeline {
@@ -20,6 +21,10 @@ Json sceneToJson(const Scene& scene);
 // What `inspect` prints, as values. The equation for each of r, g and b.
 Json toJson(const Frame& frame, const PixelReport& report);
 Json toJson(const std::vector<EquationLine>& lines);  // role, text, latex, remark of each
+
+// A section along a row: the runs of each polygon, and per shading method and x the intensity, null where nothing is
+// drawn; only of the methods that it holds.
+Json toJson(const ScanlineSection& section);
 
 Json toJson(const Vec3d& vector);  // [x, y, z]
 // What is strange about a scene: about and text of each remark.

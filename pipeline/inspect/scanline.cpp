@@ -15,7 +15,6 @@ namespace pipeline {
 namespace {
 
 constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
-constexpr std::array<std::string_view, 3> kShadingNames{"flat", "gouraud", "phong"};
 
 template <class Real>
 void addRuns(const FrameData<Real>& data, ScanlineSection& section) {
@@ -130,9 +129,9 @@ std::string sectionCsv(const ScanlineSection& section) {
         if (std::ranges::find(polygons, run.polygon) == polygons.end()) polygons.push_back(run.polygon);
     std::string out = "x,seen";
     for (const int polygon : polygons) out += fmt::format(",{}.{}", section.storesDepth ? "depth" : "z_view", polygon);
-    for (std::size_t i = 0; i < kShadingNames.size(); ++i)
+    for (std::size_t i = 0; i < kSectionShadings.size(); ++i)
         if (!section.intensity[i].empty())
-            for (const char* channel : {"r", "g", "b"}) out += fmt::format(",{}.{}", kShadingNames[i], channel);
+            for (const char* channel : {"r", "g", "b"}) out += fmt::format(",{}.{}", kSectionShadings[i], channel);
     out += "\r\n";
     for (int x = 0; x < section.width; ++x) {
         const auto winner = section.winnerAt(x);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/core/real.h"
@@ -24,13 +25,15 @@ struct ScanlineRun {
     std::vector<Sample> samples;
 };
 
+inline constexpr std::array<std::string_view, 3> kSectionShadings{"flat", "gouraud", "phong"};
+
 struct ScanlineSection {
     int row = 0;
     int width = 0;                  // of the picture, pixels
     bool storesDepth = false;       // depths are those of a depth format, else z_view in world units
     bool nearIsLarger = false;      // of a reversed format
     std::vector<ScanlineRun> runs;  // in the order of drawing
-    // Per shading method (flat, Gouraud, Phong) and x the intensity before it is scaled by I_max, r g b; NaN where
+    // Per shading method of kSectionShadings and x the intensity before it is scaled by I_max, r g b; NaN where
     // nothing is drawn. Empty until they are computed.
     std::array<std::vector<Vec3d>, 3> intensity;
     double iMax = 0;  // of the frame's own shading

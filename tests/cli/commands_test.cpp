@@ -174,6 +174,20 @@ TEST(Inspect, WritesTheSectionAlongARow) {
     EXPECT_EQ(csv.status, 0) << csv.err;
     EXPECT_TRUE(csv.out.starts_with("x,seen,z_view.1,z_view.2,flat.r,")) << csv.out.substr(0, 80);
     EXPECT_TRUE(has(run({"inspect", "pyramid", "--row", "281", "--format", "svg"}).out, "<svg"));
+    const Json json = Json::parse(run({"inspect", "pyramid", "--row", "281", "--json"}).out);
+    EXPECT_EQ(json["row"], 281);
+    EXPECT_EQ(json["width"], 640);
+    EXPECT_EQ(json["depth"], "z_view");
+    // At x = 268 the third polygon is seen, and its flat intensity is that of lecture1_pyramid_test.cpp.
+    int seen = -1;
+    for (const Json& polygon : json["runs"])
+        for (const Json& sample : polygon["samples"])
+            if (sample["x"] == 268 && sample["seen"] == true) seen = polygon["polygon"];
+    EXPECT_EQ(seen, 2);
+    ASSERT_EQ(json["intensity"]["flat"].size(), 640u);
+    EXPECT_NEAR(json["intensity"]["flat"][268][2].get<double>(), 114.7386, 5e-5);
+    EXPECT_TRUE(json["intensity"]["phong"][0].is_null()) << "nothing is drawn there";
+    EXPECT_EQ(run({"inspect", "pyramid", "--row", "281", "--format", "csv", "--json"}).status, 2);
     EXPECT_EQ(run({"inspect", "pyramid", "--row", "480"}).status, 2);
     EXPECT_EQ(run({"inspect", "pyramid", "--row", "281", "--format", "latex"}).status, 2);
 }
