@@ -2,6 +2,7 @@
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <thread>
 
 #include "app/cli/commands.h"
@@ -19,13 +20,13 @@ namespace app {
 
 namespace {
 
-constexpr int kScalingRepeats = 5;  // at most: its frames are many and long
-
 struct BenchOptions {
     SceneArgument scene;
     FrameArgument frame{{"color"}, {}, 0};
-    int warmups = 3, repeats = 20;
+    int warmups = 3;
+    std::optional<int> repeated;  // --repeat
     bool json = false, leaveOut = false, scaling = false;
+    int repeats() const { return repeated.value_or(scaling ? 5 : 20); }  // the frames of --scaling are many and long
 };
 
 // Milliseconds of every repetition.
@@ -39,7 +40,7 @@ struct Times {
 std::optional<Times> measure(const std::shared_ptr<const pipeline::Scene>& scene, const pipeline::FrameRequest& request,
                              const BenchOptions& options) {
     Times times;
-    for (int i = -options.warmups; i < options.repeats; ++i) {
+    for (int i = -options.warmups; i < options.repeats(); ++i) {
         times.last = runFrame(scene, request, nullptr);
         if (!times.last) return std::nullopt;
         if (i < 0) continue;
@@ -83,7 +84,7 @@ std::string tallyText(const pipeline::Tally& tally) {
 void printTable(const Times& times, const BenchOptions& options) {
     const pipeline::Scene& scene = times.last->scene();
     fmt::print("{}, {} × {}, {} threads; {} frames from nothing after {} to warm up; ms\n\n", scene.name,
-               scene.settings.width, scene.settings.height, threadsUsed(options), options.repeats, options.warmups);
+               scene.settings.width, scene.settings.height, threadsUsed(options), options.repeats(), options.warmups);
     fmt::print("{:<14} {:>9} {:>9} {:>9} {:>8}   {:<20} {}\n", "", "min", "median", "p95", "share", "median, 95 %", "");
     for (const pipeline::StageId stage : pipeline::kStages) {
         const std::string_view label = stageInfo(stage).name;
@@ -126,7 +127,7 @@ void printJson(const Times& times, const BenchOptions& options) {
                               {"settings", settingsToJson(times.last->scene())},
                               {"threads", threadsUsed(options)},
                               {"warmups", options.warmups},
-                              {"repeats", options.repeats},
+                              {"repeats", options.repeats()},
                               {"milliseconds", summaryJson(times.frame)},
                               {"stages", stages},
                               {"peak_memory_bytes", peakMemory()}};
@@ -154,7 +155,7 @@ int runLeaveOutBench(const BenchOptions& options) {
             printErrors(wanted.errors());
             return kWrongUsage;
         }
-        LeaveOutOptions measured{wanted->request, options.warmups, options.repeats};
+        LeaveOutOptions measured{wanted->request, options.warmups, options.repeats()};
         measured.request.stop = interrupt.token();
         const auto times = measureLeavingOut(*scene, measured);
         if (!times) {
@@ -172,8 +173,7 @@ int runLeaveOutBench(const BenchOptions& options) {
 
 int runScalingBench(const BenchOptions& options) {
     const Interrupt interrupt;
-    const auto series =
-        measureScaling({std::min(options.repeats, kScalingRepeats), options.frame.threads, interrupt.token()});
+    const auto series = measureScaling({options.repeats(), options.frame.threads, interrupt.token()});
     if (!series) {
         fmt::print(stderr, "Cancelled.\n");
         return kInterrupted;
@@ -185,7 +185,19 @@ int runScalingBench(const BenchOptions& options) {
     return kDone;
 }
 
-int runBench(const BenchOptions& options) {
+// What of a command line says nothing to --scaling, or null.
+const char* notForScaling(const CLI::App& command) {
+    for (const char* name :
+         {"SCENE", "--set", "--size", "--no-leave-out", "--leave-out", "--buffers", "--until", "--warm-up"})
+        if (command.count(name) > 0) return name;
+    return nullptr;
+}
+
+int runBench(const BenchOptions& options, const CLI::App& command) {
+    if (const char* name = options.scaling ? notForScaling(command) : nullptr) {
+        fmt::print(stderr, "{} does not go with --scaling, which measures whole frames of spheres of its own.\n", name);
+        return kWrongUsage;
+    }
     if (options.scaling) return runScalingBench(options);
     if (options.leaveOut) return runLeaveOutBench(options);
     if (options.scene.scene.empty()) {
@@ -222,10 +234,9 @@ void declareBench(CLI::App& program, const CliHost&, int& status) {
     declareSceneArgument(*command, options->scene);
     command->get_option("SCENE")->required(false);
     declareFrameArgument(*command, options->frame);
-    command->add_option("--repeat", options->repeats, "Frames that are measured")
+    command->add_option("--repeat", options->repeated, "Frames that are measured [20, with --scaling 5]")
         ->type_name("N")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
+        ->check(CLI::Range(1, 100000));
     command->add_option("--warm-up", options->warmups, "Frames before them that are not")
         ->type_name("N")
         ->check(CLI::Range(0, 100000))
@@ -235,7 +246,7 @@ void declareBench(CLI::App& program, const CliHost&, int& status) {
     command->add_flag("--scaling", options->scaling,
                       "How time grows with polygons and with pixels: spheres of its own, no SCENE");
     command->add_flag("--json", options->json, "Print JSON");
-    command->callback([options, &status] { status = runBench(*options); });
+    command->callback([options, command, &status] { status = runBench(*options, *command); });
 }
 
 }  // namespace app

@@ -267,6 +267,27 @@ TEST(Bench, FitsHowTimeGrows) {
     }
 }
 
+TEST(Bench, RefusesWhatSaysNothingToItsOwnSpheres) {
+    for (const std::vector<std::string>& more : {std::vector<std::string>{"no_such_scene"},
+                                                 {"pyramid"},
+                                                 {"--set", "shading=phong"},
+                                                 {"--set", "nothing"},
+                                                 {"--size", "9x9"},
+                                                 {"--no-leave-out"},
+                                                 {"--leave-out"},
+                                                 {"--buffers", "depth"},
+                                                 {"--until", "cull"},
+                                                 {"--warm-up", "1"}}) {
+        std::vector<std::string> arguments{"bench", "--scaling"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const auto done = run(arguments);
+        EXPECT_EQ(done.status, 2) << more[0];
+        EXPECT_EQ(done.out, "") << more[0];
+        EXPECT_TRUE(has(done.err, more[0].starts_with('-') ? more[0] : "SCENE")) << done.err;
+        EXPECT_TRUE(has(done.err, "does not go with --scaling")) << done.err;
+    }
+}
+
 // Some seconds of rays: to sixteen places of an area light.
 TEST(Inspect, CtrlCIsStatus130) {
     const auto done = test::runAndInterrupt(
