@@ -15,6 +15,16 @@ using pipeline::StageId;
 
 namespace {
 
+pipeline::Result<StageId> stageNamed(const std::string& text) {
+    if (const auto stage = pipeline::findStage(text)) return *stage;
+    std::vector<std::string> names;
+    for (const StageId stage : pipeline::kStages) names.emplace_back(pipeline::stageInfo(stage).name);
+    return pipeline::Error{
+        {}, fmt::format("no stage {}; {}", pipeline::inQuotes(text), pipeline::insteadOf(text, names)), {}};
+}
+
+}  // namespace
+
 pipeline::Result<BufferName> bufferNamed(const pipeline::Scene& scene, const std::string& text) {
     const auto name = pipeline::findBuffer(text);
     if (!name)
@@ -26,16 +36,6 @@ pipeline::Result<BufferName> bufferNamed(const pipeline::Scene& scene, const std
             {}, fmt::format("no buffer \"{}\": this scene has {} light{}", text, lights, lights == 1 ? "" : "s"), {}};
     return *name;
 }
-
-pipeline::Result<StageId> stageNamed(const std::string& text) {
-    if (const auto stage = pipeline::findStage(text)) return *stage;
-    std::vector<std::string> names;
-    for (const StageId stage : pipeline::kStages) names.emplace_back(pipeline::stageInfo(stage).name);
-    return pipeline::Error{
-        {}, fmt::format("no stage {}; {}", pipeline::inQuotes(text), pipeline::insteadOf(text, names)), {}};
-}
-
-}  // namespace
 
 void declareThreads(CLI::App& command, int& threads) {
     command.add_option("--threads", threads, "Threads to use; 0 is as many as the machine has")

@@ -21,6 +21,9 @@ struct FrameArgument {
 void declareFrameArgument(CLI::App& command, FrameArgument& argument);
 void declareThreads(CLI::App& command, int& threads);
 
+// Errors name the nearest buffer there is, or how many lights the scene has.
+pipeline::Result<pipeline::BufferName> bufferNamed(const pipeline::Scene& scene, const std::string& text);
+
 struct WantedFrame {
     pipeline::FrameRequest request;
     std::vector<pipeline::BufferName> buffers;  // those asked for by name; empty: all that the frame holds

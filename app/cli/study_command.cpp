@@ -11,6 +11,7 @@
 #include "app/cli/study_job.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/study_pictures.h"
+#include "pipeline/study/errors.h"
 
 namespace app {
 
@@ -51,6 +52,27 @@ std::optional<pipeline::ErrorChoice> parseChoice(const std::string& text) {
     return std::nullopt;
 }
 
+std::string textOf(const pipeline::ErrorChoice& choice) {
+    return fmt::format("{}:{}:{}", choice.buffer, choice.measure, name(choice.kind));
+}
+
+std::string listed(const std::vector<pipeline::ErrorChoice>& choices) {
+    std::string text;
+    for (const pipeline::ErrorChoice& one : choices) text += "\n  " + textOf(one);
+    return text;
+}
+
+// Why no study of the scene can have the error; empty where one may.
+std::string whyNoError(const pipeline::Scene& scene, const pipeline::ErrorChoice& choice) {
+    const auto buffer = bufferNamed(scene, choice.buffer);
+    if (!buffer) return buffer.errors().front().found;
+    const std::vector<pipeline::ErrorChoice> known = knownErrors(*buffer);
+    if (std::ranges::find(known, choice) != known.end()) return {};
+    if (known.empty()) return fmt::format("no error of {} is measured", choice.buffer);
+    return fmt::format("no {} error {} of {} is measured; there are{}", name(choice.kind),
+                       pipeline::inQuotes(choice.measure), choice.buffer, listed(known));
+}
+
 // What the same study takes as arguments, for a process that takes its times.
 std::vector<std::string> argumentsOf(const StudyOptions& options) {
     std::vector<std::string> arguments{"study", options.scene.scene};
@@ -85,11 +107,8 @@ std::string chooseError(const StudyOptions& options, pipeline::StudyReport& repo
         report.choice = same == there.end() ? there.front() : *same;
         return {};
     }
-    std::vector<std::string> names;
-    for (const pipeline::ErrorChoice& one : there)
-        names.push_back(fmt::format("{}:{}:{}", one.buffer, one.measure, name(one.kind)));
-    return fmt::format("--error {}: no point has this error; there are\n  {}", pipeline::inQuotes(options.error),
-                       fmt::join(names, "\n  "));
+    return fmt::format("--error {}: no point has this error; there are{}", pipeline::inQuotes(options.error),
+                       listed(there));
 }
 
 int runStudyCommand(const StudyOptions& options) {
@@ -105,6 +124,13 @@ int runStudyCommand(const StudyOptions& options) {
     if (!shard)
         return wrongUsage(
             fmt::format("--shard is {}, expected I/N with I from 1 to N", pipeline::inQuotes(options.shard)));
+    const char* const ofReport = options.json             ? "--json"
+                                 : options.errorLimit > 0 ? "--within"
+                                 : options.timeLimit > 0  ? "--in"
+                                                          : nullptr;
+    if (shard->y > 1 && ofReport)
+        return wrongUsage(fmt::format(
+            "{} does not go with --shard: a part of a study has no report; give it to study merge", ofReport));
 
     const Interrupt interrupt;
     int status = kDone;
@@ -122,6 +148,8 @@ int runStudyCommand(const StudyOptions& options) {
         if (!job.request.choice)
             return wrongUsage(fmt::format("--error is {}, expected BUFFER:MEASURE or BUFFER:MEASURE:KIND",
                                           pipeline::inQuotes(options.error)));
+        if (const std::string why = whyNoError(*job.request.scene, *job.request.choice); !why.empty())
+            return wrongUsage(fmt::format("--error {}: {}", pipeline::inQuotes(options.error), why));
     }
     job.request.threads = options.threads, job.request.warmups = options.warmups, job.request.repeats = options.repeats;
     job.request.shard = std::size_t(shard->x - 1), job.request.shards = std::size_t(shard->y);

@@ -46,6 +46,10 @@ struct ErrorReferences {
 //                     steps lost of the linear intensity
 std::vector<ErrorRow> compare(const Frame& frame, const Picture& ours, const ErrorReferences& references);
 
+// The errors of a buffer that compare() may find in some scene, as a plot shows them: without PSNR and mean SSIM, of
+// which more is better.
+std::vector<ErrorChoice> knownErrors(const BufferName& buffer);
+
 // ours − reference of the intensity at every pixel, in shares of white (I_max); what is not seen is black.
 Buffer2D<Vec3d> signedError(const Picture& ours, const Picture& reference, double white);
 

@@ -101,6 +101,24 @@ TEST(StudyCommand, saysWhatIsWrong) {
     EXPECT_NE(message({"--sweep", "shadng=flat"}, 2).find("the nearest is \"shading\""), std::string::npos);
     EXPECT_NE(message({"--sweep", "shading", "--shard", "4/3"}, 2).find("I from 1 to N"), std::string::npos);
     EXPECT_NE(message({"--sweep", "shading", "--error", "color"}, 2).find("BUFFER:MEASURE"), std::string::npos);
+    // Before anything is computed: the study would take as long as it has points.
+    const auto error = [&](const char* text) { return message({"--sweep", "shading", "--error", text}, 2); };
+    EXPECT_NE(error("colour:RMSE").find("no buffer \"colour\"; the nearest is \"color\""), std::string::npos);
+    EXPECT_NE(error("shadow.1:leak").find("this scene has 1 light"), std::string::npos);
+    EXPECT_NE(error("overdraw:RMSE").find("no error of overdraw is measured"), std::string::npos);
+    EXPECT_NE(error("intensity:RMS")
+                  .find("no model error \"RMS\" of intensity is measured; there are\n"
+                        "  intensity:RMSE:model\n"),
+              std::string::npos);
+    EXPECT_NE(error("depth:RMSE").find("depth:RMSE:storage"), std::string::npos);
+    EXPECT_NE(error("color:PSNR").find("no model error \"PSNR\""), std::string::npos) << "of which more is better";
+    // A part of a study has no report.
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{"--json"}, {"--within", "0.1"}, {"--in", "5"}}) {
+        std::vector<std::string> arguments{"--sweep", "shading", "--shard", "1/2"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_NE(message(arguments, 2).find(more[0] + " does not go with --shard"), std::string::npos);
+    }
     const auto merge = test::run({"study", "merge", "/nonexistent.json", "-o", folder.path().string()});
     EXPECT_EQ(merge.status, 3);
     EXPECT_NE(merge.err.find("/nonexistent.json: could not read"), std::string::npos) << merge.err;

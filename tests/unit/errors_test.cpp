@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "pipeline/study/analysis.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -47,6 +49,44 @@ TEST_F(ErrorRowsTest, EqualPicturesHaveNoErrorAndNoPsnr) {
             EXPECT_EQ(*model, row.measure == "mean SSIM" ? 1 : 0) << row.buffer << " " << row.measure;
         }
     }
+}
+
+// What a study can be asked for before it runs: every error that is found is known, and every known one is found in one
+// of these scenes.
+TEST(KnownErrors, AreThoseThatComparingFinds) {
+    std::vector<ErrorChoice> found, known;
+    std::set<std::string> buffers;
+    for (const bool isGouraud : {false, true}) {
+        Scene scene = test::boxOverGround();
+        scene.settings.width = 40, scene.settings.height = 30;
+        scene.settings.shading = isGouraud ? Shading::Gouraud : Shading::Phong;
+        scene.settings.depthFormat = DepthFormat::Fixed16;
+        scene.settings.antialiasing = isGouraud ? 1 : 2;
+        scene.settings.rules.reset();
+        const BufferSet all = errorsNeed() | setOf({BufferId::Antialiased, BufferId::VerticesNormal});
+        const FramePtr frame = test::frameOf(scene, all);
+        scene.settings.precision = Precision::Double;
+        const FramePtr wider = test::frameOf(scene, all);
+        const Picture reference = pictureOf(*wider);
+        for (const ErrorRow& row : compare(*frame, pictureOf(*frame), {&reference, wider.get()}))
+            for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
+                if (row.value[kind] && isError(row.measure)) {
+                    found.push_back({row.buffer, row.measure, ErrorKind(kind)});
+                    buffers.insert(row.buffer);
+                }
+    }
+    for (const std::string& buffer : buffers)
+        for (const ErrorChoice& one : knownErrors(*findBuffer(buffer))) known.push_back(one);
+    for (const ErrorChoice& one : found)
+        EXPECT_NE(std::ranges::find(known, one), known.end())
+            << one.buffer << ':' << one.measure << ':' << name(one.kind);
+    for (const ErrorChoice& one : known)
+        EXPECT_NE(std::ranges::find(found, one), found.end())
+            << one.buffer << ':' << one.measure << ':' << name(one.kind);
+    // Those of errors.h's list.
+    EXPECT_EQ(buffers, (std::set<std::string>{"object_id", "z_view", "depth", "vertices.screen", "polygons.verdict",
+                                              "polygons.normal", "vertices.normal", "normal", "shadow_buffer.0",
+                                              "shadow.0", "intensity", "antialiased", "color"}));
 }
 
 TEST_F(ErrorRowsTest, CoverageTellsFalseFromMissingAndFromOther) {
