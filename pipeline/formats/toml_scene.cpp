@@ -74,12 +74,19 @@ private:
             if (vector != kVectors.end())
                 readVector(node, path, *vector, index);
             else if (row != rows.end())
-                m_values.setting(node, path, *row, m_scene, index);
+                readSetting(node, path, *row, index);
             else if (prefix.empty() && isGroup(wanted)) {
                 if (const toml::table* group = m_values.table(node, path)) readTable(*group, wanted + '.', 0, {});
             } else
                 m_values.unknown(key, path, knownKeys(prefix, others));
         }
+    }
+
+    void readSetting(const toml::node& node, const std::string& path, const Setting& row, std::size_t index) {
+        if (const std::string_view absent = row.absent(m_scene, index); !absent.empty())
+            m_values.fail(node.source(), fmt::format("no key {}: {}", inQuotes(path), absent));
+        else
+            m_values.setting(node, path, row, m_scene, index);
     }
 
     void readVector(const toml::node& node, const std::string& path, const VectorKey& vector, std::size_t index) {
@@ -148,10 +155,10 @@ private:
         if (shape) {
             std::vector<std::string_view> kinds;
             for (std::size_t k = 0; k < kShapeCount; ++k) kinds.push_back(name(static_cast<ShapeKind>(k)));
-            if (const auto kind = m_values.choice(*shape, path + ".shape", kinds)) {
-                object.name = kinds[*kind];
-                object.shape = Shape{static_cast<ShapeKind>(*kind)};
-            }
+            // Where there is no such shape, the file is refused; whatever else is said of it is read all the same.
+            const std::size_t kind = m_values.choice(*shape, path + ".shape", kinds).value_or(0);
+            object.name = kinds[kind];
+            object.shape = Shape{static_cast<ShapeKind>(kind)};
         } else if (mesh) {
             readMesh(*mesh, path + ".mesh", object);
         } else if (inPlace) {

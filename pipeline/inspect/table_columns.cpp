@@ -52,6 +52,7 @@ void addSettings(const FramePtr& frame, SettingGroup group, std::vector<TableCol
                            -1,
                            {},
                            [frame, &setting, isWord, isWhole](std::size_t i) -> Cell {
+                               if (!setting.absent(frame->scene(), i).empty()) return {};
                                const double value = setting.get(frame->scene(), i);
                                if (isWord) return std::string(setting.choices[std::size_t(value)]);
                                if (isWhole) return std::int64_t(value);

@@ -134,4 +134,36 @@ constexpr Setting ambientIntensity(Words words, Range range) {
     return setting;
 }
 
+// Remakes the mesh of a built-in shape; a mesh that was read from a file has none.
+constexpr Setting tessellation(Words words, Range range, Idle idle) {
+    constexpr auto get = [](const Scene& scene, std::size_t i) {
+        return static_cast<double>(scene.objects[i].shape.value_or(Shape()).tessellation);
+    };
+    constexpr auto set = [](Scene& scene, std::size_t i, double value) {
+        Object& object = scene.objects[i];
+        if (!object.shape || object.shape->tessellation == static_cast<int>(value)) return;
+        object.shape->tessellation = static_cast<int>(value);
+        object.mesh = makeShape(*object.shape);
+    };
+    constexpr auto absent = [](const Scene& scene, std::size_t i) -> std::string_view {
+        return scene.objects[i].shape ? "" : "the object is a mesh, not a built-in shape";
+    };
+    return {words.key,
+            words.label,
+            words.unit,
+            words.meaning,
+            SettingGroup::Object,
+            SettingKind::Integer,
+            range.min,
+            range.max,
+            range.low,
+            range.high,
+            {},
+            OfObject::count,
+            get,
+            set,
+            idle,
+            absent};
+}
+
 }  // namespace pipeline::settings_rows

@@ -21,34 +21,6 @@ constexpr Setting specular(Words words, Range range) {
     return setting;
 }
 
-// Remakes the mesh of a built-in shape; a mesh that was read from a file stays as it is.
-constexpr Setting tessellation(Words words, Range range, Idle idle) {
-    constexpr auto get = [](const Scene& scene, std::size_t i) {
-        return static_cast<double>(scene.objects[i].shape.value_or(Shape()).tessellation);
-    };
-    constexpr auto set = [](Scene& scene, std::size_t i, double value) {
-        Object& object = scene.objects[i];
-        if (!object.shape || object.shape->tessellation == static_cast<int>(value)) return;
-        object.shape->tessellation = static_cast<int>(value);
-        object.mesh = makeShape(*object.shape);
-    };
-    return {words.key,
-            words.label,
-            words.unit,
-            words.meaning,
-            SettingGroup::Object,
-            SettingKind::Integer,
-            range.min,
-            range.max,
-            range.low,
-            range.high,
-            {},
-            OfObject::count,
-            get,
-            set,
-            idle};
-}
-
 using S = Settings;
 using C = Camera;
 using G = OpenGlLight;
@@ -390,7 +362,8 @@ std::vector<SettingRef> settingsOf(const Scene& scene) {
     for (auto first = kTable.begin(); first != kTable.end();) {
         const auto last = std::find_if(first, kTable.end(), [&](const Setting& s) { return s.group != first->group; });
         for (std::size_t i = 0; i < first->count(scene); ++i)
-            for (auto row = first; row != last; ++row) refs.push_back({&*row, i});
+            for (auto row = first; row != last; ++row)
+                if (row->absent(scene, i).empty()) refs.push_back({&*row, i});
         first = last;
     }
     return refs;

@@ -44,6 +44,10 @@ struct Setting {
     void (*set)(Scene&, std::size_t index, double value);
     // Why the setting has no effect in this scene, or empty. It may be changed all the same.
     std::string_view (*idle)(const Scene&);
+    // Why this one of the lights or objects does not have the setting, or empty.
+    std::string_view (*absent)(const Scene&, std::size_t index) = [](const Scene&, std::size_t) {
+        return std::string_view();
+    };
 };
 
 std::span<const Setting> settingsTable();
@@ -58,7 +62,7 @@ struct SettingRef {
     bool operator==(const SettingRef&) const = default;
 };
 
-// Every setting that a scene has, lights and objects counted out.
+// Every setting that a scene has, lights and objects counted out, without what is absent.
 std::vector<SettingRef> settingsOf(const Scene& scene);
 
 // A key that does not exist is answered with the nearest one that does.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "pipeline/core/text.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -67,7 +69,11 @@ Result<SettingRef> findSetting(const Scene& scene, std::string_view key) {
     const auto found = std::ranges::find(rows, std::string_view(wanted.pattern), &Setting::key);
     if (found != rows.end() && wanted.index.has_value() == (found->key.find('#') != found->key.npos)) {
         const std::size_t index = wanted.index.value_or(0), count = found->count(scene);
-        if (index < count) return SettingRef{&*found, index};
+        if (index < count) {
+            const std::string_view absent = found->absent(scene, index);
+            if (absent.empty()) return SettingRef{&*found, index};
+            return Error{{}, fmt::format("no setting {}: {}", inQuotes(key), absent), {}};
+        }
         const std::string kind(found->key.substr(0, found->key.find('.')));
         if (count == 0) return Error{{}, "no setting " + inQuotes(key) + ": this scene has no " + kind, {}};
         return Error{{}, "no setting " + inQuotes(key), kind + " 0 to " + std::to_string(count - 1)};

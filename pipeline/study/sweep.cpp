@@ -93,8 +93,14 @@ Result<std::vector<SettingRef>> sweptSettings(const Scene& scene, std::string_vi
         return std::vector<SettingRef>{*one};
     }
     std::vector<SettingRef> refs;
-    for (std::size_t i = 0; i < row->count(scene); ++i) refs.push_back({&*row, i});
+    std::string_view absent;
+    for (std::size_t i = 0; i < row->count(scene); ++i)
+        if (const std::string_view why = row->absent(scene, i); why.empty())
+            refs.push_back({&*row, i});
+        else
+            absent = why;
     if (!refs.empty()) return refs;
+    if (!absent.empty()) return Error{{}, fmt::format("no setting {}: {}", inQuotes(key), absent), {}};
     const std::string_view owner = row->key.substr(0, row->key.find('.'));
     return Error{{}, fmt::format("no setting {}: this scene has no {}", inQuotes(key), owner), {}};
 }

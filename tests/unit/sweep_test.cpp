@@ -46,7 +46,8 @@ TEST(Sweep, changesTheSameSettingOfEveryObject) {
     const Scene scene = sphereScene();
     const auto axis = parseSweep(scene, "tessellation=8");
     ASSERT_TRUE(axis);
-    EXPECT_EQ(sweptSettings(scene, "tessellation")->size(), 2u);
+    EXPECT_EQ(sweptSettings(scene, "tessellation")->size(), 1u);  // the pyramid is a mesh
+    EXPECT_EQ(sweptSettings(scene, "material.#.n")->size(), 2u);
     EXPECT_EQ(sweptSettings(scene, "object.1.tessellation")->size(), 1u);
     // "width" is the picture's, though light.#.width ends like it.
     EXPECT_EQ(sweptSettings(scene, "width")->front().key(), "width");
@@ -69,6 +70,7 @@ TEST(Sweep, refusesWhatSaysNothingOrTooMuch) {
     EXPECT_NE(message("width=4..7+0.5").find("holds 4.5, expected whole numbers"), std::string::npos);
     EXPECT_NE(message("nothing").find("KEY=VALUES or one of shading, depth"), std::string::npos);
     EXPECT_NE(message("shadow.bias_value=1,2").find("has no effect"), std::string::npos);
+    EXPECT_EQ(message("tessellation=4,8"), "no setting \"tessellation\": the object is a mesh, not a built-in shape");
     EXPECT_NE(message("normals").find("needs a built-in shape"), std::string::npos);
     const auto twice = parseSweeps(scene, Texts{"width=4", "width=5"});
     EXPECT_EQ(format(twice.errors().front()), "width is swept twice, expected each setting once");

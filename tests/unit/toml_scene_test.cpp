@@ -142,6 +142,12 @@ TEST(TomlScene, GivesPlaceAndExpectationOfWhatIsWrong) {
               "s.toml:3:10: the axis of a turn is (0, 0, 0), expected a direction\n");
     EXPECT_EQ(errorsIn("[[object]]\nname = \"a\"\n"),
               "s.toml:1:1: object.0 has none or several of shape, mesh, model and vertices, expected one of them\n");
+    EXPECT_EQ(errorsIn("[[object]]\nmesh = \"t.des\"\ntessellation = 4\n"),
+              "s.toml:3:16: no key \"object.0.tessellation\": the object is a mesh, not a built-in shape\n");
+    EXPECT_EQ(errorsIn("[[object]]\nshape = \"bal\"\ntessellation = 4\n"),
+              "s.toml:2:9: object.0.shape is \"bal\", expected \"plane\", \"box\", \"sphere\", \"cylinder\", "
+              "\"torus\" or \"teapot\"\n")
+        << "and no more about its tessellation";
     for (const char* header : {"[=]\n", "[\x04]\n", "[.a]\n", "[[\xC3\xA9]]\n"})
         EXPECT_TRUE(errorsIn(header).starts_with("s.toml:1:")) << header;
     EXPECT_TRUE(errorsIn("a = \n").starts_with("s.toml:1:")) << errorsIn("a = \n");
