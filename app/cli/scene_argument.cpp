@@ -9,6 +9,7 @@
 #include "app/cli/cli.h"
 #include "app/state/state_scene.h"
 #include "pipeline/core/text.h"
+#include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace app {
@@ -17,6 +18,16 @@ using pipeline::Errors;
 using pipeline::Scene;
 
 namespace {
+
+// Where a setting was given on the command line; the last option for it counts.
+pipeline::KeyPlaces optionsOf(const SceneArgument& argument) {
+    pipeline::KeyPlaces places;
+    if (!argument.size.empty())
+        for (const char* key : {"width", "height"}) places.add(key, {"--size " + argument.size, 0, 0});
+    for (const std::string& assignment : argument.set)
+        places.add(std::string(pipeline::assignedKey(assignment)), {"--set " + assignment, 0, 0});
+    return places;
+}
 
 pipeline::Result<Scene> applySettings(Scene scene, const SceneArgument& argument) {
     if (!argument.size.empty()) {
@@ -57,14 +68,10 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, int& statu
     };
     auto read = argument.state ? sceneOf(*argument.state, argument.folder) : readNamedScene(argument.scene, {});
     if (!read) return refuse(read.errors(), kBadInput);
-    if (Errors errors = checkScene(*read); !errors.empty()) {
-        for (pipeline::Error& error : errors)
-            if (error.where.file.empty()) error.where.file = argument.scene;
-        return refuse(errors, kBadInput);
-    }
     auto changed = applySettings(std::move(read).value(), argument);
     if (!changed) return refuse(changed.errors(), kWrongUsage);
-    if (const Errors errors = checkScene(*changed); !errors.empty()) return refuse(errors, kWrongUsage);
+    if (const Errors errors = checkScene(*changed); !errors.empty())
+        return refuse(optionsOf(argument).placed(errors), kWrongUsage);
     return std::make_shared<const Scene>(std::move(changed).value());
 }
 

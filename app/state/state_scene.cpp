@@ -56,10 +56,7 @@ Result<Scene> sceneOf(const WindowState& state, const Scene& original) {
         const pipeline::FileLoader none = [](std::string_view) -> Result<pipeline::NamedFile> {
             return Error{{}, "the scene's text names a file", "a scene that needs none"};
         };
-        Result<Scene> scene = readTomlScene({state.sceneText, "scene_text"}, none);
-        if (!scene) return scene;
-        if (const Errors errors = checkScene(*scene); !errors.empty()) return errors;
-        return scene;
+        return readTomlScene({state.sceneText, "scene_text"}, none);
     }
     Scene scene = original;
     for (const std::string& assignment : state.set) {

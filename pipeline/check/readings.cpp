@@ -48,9 +48,7 @@ Reading read(const std::string& name, const std::string& text) {
         const Result<Scene> scene =
             ending == ".toml" ? readTomlScene(source, noFile) : readLectureScene(source, noFile);
         if (!scene) return {scene.errors(), {}};
-        Errors errors = checkScene(*scene);
-        for (Error& error : errors) error.where.file = name;  // as for a scene that is a file
-        return {errors, scene->objects};
+        return {{}, scene->objects};
     }
     const Result<LoadedModel> model = readModel(source, ending, noFile);
     if (!model) return {model.errors(), {}};

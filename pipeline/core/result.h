@@ -20,6 +20,9 @@ struct Error {
     SourceLocation where;
     std::string found;     // "found \"x4\"", "pyramid.des announces 9 vertices"
     std::string expected;  // "a vertex index from 0 to 4"
+    // Of the settings that it comes from, the likeliest first: "light.0.x", or "light.0" for all of them. Who knows
+    // where a key was given fills in `where`.
+    std::vector<std::string> keys{};
 
     Error() = default;
     Error(SourceLocation at, std::string wrong, std::string right = {})

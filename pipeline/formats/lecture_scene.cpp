@@ -29,6 +29,7 @@ public:
     Result<Scene> read() {
         readAll();
         if (m_errors.empty()) checkSize();
+        if (m_errors.empty()) m_errors = m_places.placed(checkScene(m_scene));
         if (!m_errors.empty()) return m_errors;
         tellApart(m_scene.objects);
         return std::move(m_scene);
@@ -42,7 +43,7 @@ private:
 
     // Leaves where the rest of the file cannot be made sense of.
     void readAll() {
-        readSettings(m_scanner, kCameraKeys, m_scene);
+        readSettings(m_scanner, kCameraKeys, m_scene, 0, &m_places);
         const std::optional<std::size_t> objects = readCount(m_scanner, kObjects);
         for (std::size_t i = 0; objects && i < *objects && m_scanner.good(); ++i)
             if (!readObject()) return;
@@ -50,10 +51,10 @@ private:
         const std::optional<std::size_t> lights = readCount(m_scanner, kLights);
         for (std::size_t k = 0; lights && k < *lights && m_scanner.good(); ++k) {
             m_scene.lights.emplace_back();
-            readSettings(m_scanner, kLightKeys, m_scene, k);
+            readSettings(m_scanner, kLightKeys, m_scene, k, &m_places);
         }
         if (!lights || !m_scanner.good()) return;
-        readSettings(m_scanner, kAmbientKeys, m_scene);
+        readSettings(m_scanner, kAmbientKeys, m_scene, 0, &m_places);
         expectEnd(m_scanner);
     }
 
@@ -64,6 +65,7 @@ private:
             m_scanner.refuse("the file name of object " + std::to_string(m_scene.objects.size()));
             return false;
         }
+        m_places.add("object." + std::to_string(m_scene.objects.size()), m_scanner.where());
         const KnownObject& known = objectFile(std::string(name));
         Object& object = m_scene.objects.emplace_back();
         object.name = std::filesystem::path(name).stem().string();
@@ -109,6 +111,7 @@ private:
     Errors m_errors;
     TextScanner m_scanner;
     Scene m_scene;
+    KeyPlaces m_places;
     std::map<std::string, KnownObject> m_known;
 };
 

@@ -43,10 +43,12 @@ std::string numberFrom(double min, double max) {
     return "a number from " + shortestText(min) + " to " + shortestText(max);
 }
 
-void readSettings(TextScanner& scanner, std::span<const std::string_view> keys, Scene& scene, std::size_t index) {
+void readSettings(TextScanner& scanner, std::span<const std::string_view> keys, Scene& scene, std::size_t index,
+                  KeyPlaces* places) {
     for (const std::string_view key : keys) {
         const Setting& row = settingRow(key);
         const std::optional<double> value = parseNumber(scanner.next());
+        if (places) places->add(SettingRef{&row, index}.key(), scanner.where());
         if (value && *value >= row.min && *value <= row.max)
             row.set(scene, index, *value);
         else

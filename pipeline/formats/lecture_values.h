@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/formats/text_scanner.h"
+#include "pipeline/scene/key_places.h"
 #include "pipeline/scene/scene.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -33,8 +34,9 @@ std::optional<std::size_t> readCount(TextScanner& scanner, const Countable& thin
 const Setting& settingRow(std::string_view key);
 std::string numberFrom(double min, double max);
 
-// One number for each key. What a file may say is what the setting may be.
-void readSettings(TextScanner& scanner, std::span<const std::string_view> keys, Scene& scene, std::size_t index = 0);
+// One number for each key. What a file may say is what the setting may be. Their places go to `places`, if given.
+void readSettings(TextScanner& scanner, std::span<const std::string_view> keys, Scene& scene, std::size_t index = 0,
+                  KeyPlaces* places = nullptr);
 
 void expectEnd(TextScanner& scanner);
 

@@ -168,6 +168,11 @@ TextPosition TextScanner::place() {
     return {m_line, m_column};
 }
 
+SourceLocation TextScanner::where() {
+    const TextPosition at = place();
+    return {m_file, at.line, at.column};
+}
+
 void TextScanner::refuse(std::string expected) {
     const std::string_view word = m_text.substr(m_begin, m_end - m_begin);
     if (word.empty()) {
@@ -182,8 +187,7 @@ void TextScanner::refuse(std::string expected) {
 
 void TextScanner::fail(std::string found, std::string expected) {
     if (m_errors.size() >= kMaxErrors) return;
-    const TextPosition at = place();
-    m_errors.push_back({{m_file, at.line, at.column}, std::move(found), std::move(expected)});
+    m_errors.push_back({where(), std::move(found), std::move(expected)});
 }
 
 }  // namespace pipeline

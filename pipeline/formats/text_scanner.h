@@ -40,6 +40,7 @@ public:
 
     // Of the word read last, or of the end of the text.
     TextPosition place();
+    SourceLocation where();
     // Bytes of the text, and of what follows the word read last.
     std::size_t size() const { return m_text.size(); }
     std::size_t bytesLeft() const { return m_text.size() - m_end; }

@@ -18,6 +18,7 @@
 #include "pipeline/formats/toml_text.h"
 #include "pipeline/formats/toml_values.h"
 #include "pipeline/formats/toml_vectors.h"
+#include "pipeline/scene/key_places.h"
 
 namespace pipeline {
 namespace {
@@ -52,25 +53,31 @@ public:
             for (const toml::table* light : m_values.tables(*node, "light", kMaxLights)) readLight(*light);
         if (const toml::node* node = top.get("object"))
             for (const toml::table* object : m_values.tables(*node, "object", kMaxObjects)) readObject(*object);
-        const Errors errors = m_values.errors();
-        if (!errors.empty()) return errors;
+        if (Errors errors = m_values.errors(); !errors.empty()) return errors;
+        m_values.add(m_places.placed(checkScene(m_scene)));
+        if (Errors errors = m_values.errors(); !errors.empty()) return errors;
         tellApart(m_scene.objects);
         return std::move(m_scene);
     }
 
 private:
-    // The settings and vectors of one table; `others` are read by the caller.
+    // The settings and vectors of one table; `others` are read by the caller. `named`: the prefix in messages.
     void readTable(const toml::table& table, const std::string& prefix, std::size_t index,
-                   std::span<const std::string_view> others) {
+                   std::span<const std::string_view> others, std::string named = {}) {
+        if (named.empty()) named = prefix;
+        if (!prefix.empty())
+            m_places.add(shown(named.substr(0, named.size() - 1), index), m_values.place(table.source()));
         for (const auto& [key, node] : table) {
             const std::string_view name = key.str();
             if (std::ranges::find(others, name) != others.end()) continue;
             const std::string wanted = prefix + std::string(name);
-            const std::string path = shown(wanted, index);
+            const std::string path = shown(named + std::string(name), index);
             const auto rows = settingsTable();
             const auto vector =
                 std::ranges::find_if(kVectors, [&](const VectorKey& v) { return v.prefix == prefix && v.key == name; });
             const auto row = std::ranges::find(rows, std::string_view(wanted), &Setting::key);
+            m_places.add(vector == kVectors.end() ? path : shown(std::string(vector->first), index),
+                         m_values.place(node.source()));
             if (vector != kVectors.end())
                 readVector(node, path, *vector, index);
             else if (row != rows.end())
@@ -90,7 +97,7 @@ private:
     }
 
     void readVector(const toml::node& node, const std::string& path, const VectorKey& vector, std::size_t index) {
-        const Setting& range = settingRow(vector.range);
+        const Setting& range = settingRow(vector.first);
         Vec3d& parts = vector.parts(m_scene, index);
         if (vector.isColor && !node.is_array()) {
             if (const auto grey = m_values.number(node, path, range.min, range.max)) parts = Vec3d(*grey);
@@ -117,6 +124,7 @@ private:
         addObjects(table, path);
         for (std::size_t i = first; i < m_scene.objects.size(); ++i) {
             readTable(table, "object.#.", i, kObjectKeys);
+            m_places.add(fmt::format("material.{}", i), m_values.place(table.source()));  // of a mesh's or model's file
             Object& object = m_scene.objects[i];
             if (object.shape) object.mesh = shapeMesh(*object.shape);
             if (const toml::node* node = table.get("name"))
@@ -126,7 +134,7 @@ private:
             if (const toml::node* node = table.get("material")) readMaterial(*node, path + ".material", i);
             if (const toml::node* node = table.get("back_material")) {
                 const Material front = m_scene.objects[i].material;
-                readMaterial(*node, path + ".back_material", i);
+                readMaterial(*node, path + ".back_material", i, "back_material.#.");
                 m_scene.objects[i].backMaterial = std::exchange(m_scene.objects[i].material, front);
             }
             m_vertices += m_scene.objects[i].mesh->positions.size();
@@ -218,12 +226,13 @@ private:
         }
     }
 
-    void readMaterial(const toml::node& node, const std::string& path, std::size_t index) {
+    void readMaterial(const toml::node& node, const std::string& path, std::size_t index,
+                      const std::string& named = "material.#.") {
         const toml::table* table = m_values.table(node, path);
         if (!table) return;
         const Material before = m_scene.objects[index].material;
         m_scene.objects[index].material.ambient = Vec3d(kNotGiven);
-        readTable(*table, "material.#.", index, {});
+        readTable(*table, "material.#.", index, {}, named);
         Material& material = m_scene.objects[index].material;
         fillIn(material.ambient, material.diffuse == before.diffuse ? before.ambient : material.diffuse);
     }
@@ -262,6 +271,7 @@ private:
     const SourceText& m_source;
     const FileLoader& m_load;
     TomlValues m_values;
+    KeyPlaces m_places;
     Scene m_scene;
     std::size_t m_vertices = 0, m_triangles = 0;
     std::map<std::pair<ShapeKind, int>, std::shared_ptr<const Mesh>> m_shapes;

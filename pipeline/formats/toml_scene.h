@@ -15,7 +15,7 @@ namespace pipeline {
 //     [[object]]  name; one of shape, mesh, model; turns; [object.material], [object.back_material]
 //     [[light]]   attenuation = [c, l, q]
 // Where a file gives none, a material's ambient is its diffuse, and a light's OpenGL specular its color.
-// At most kMaxTomlBytes; meshes and models come from `load`.
+// At most kMaxTomlBytes; meshes and models come from `load`. The scene has passed checkScene.
 Result<Scene> readTomlScene(const SourceText& source, const FileLoader& load);
 inline constexpr std::size_t kMaxTomlBytes = std::size_t{16} << 20;
 

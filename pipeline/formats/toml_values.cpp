@@ -154,8 +154,7 @@ void TomlValues::refuse(const toml::node& node, const std::string& path, std::st
 }
 
 void TomlValues::fail(const toml::source_region& where, std::string found, std::string expected) {
-    const SourceLocation place{m_file, static_cast<int>(where.begin.line), static_cast<int>(where.begin.column)};
-    m_errors.emplace_back(place, std::move(found), std::move(expected));
+    m_errors.emplace_back(place(where), std::move(found), std::move(expected));
 }
 
 Errors TomlValues::errors() const {

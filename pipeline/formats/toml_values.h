@@ -46,6 +46,9 @@ public:
     void unknown(const toml::key& key, const std::string& path, std::span<const std::string> known);
     void refuse(const toml::node& node, const std::string& path, std::string expected);
     void fail(const toml::source_region& where, std::string found, std::string expected = {});
+    SourceLocation place(const toml::source_region& where) const {
+        return {m_file, static_cast<int>(where.begin.line), static_cast<int>(where.begin.column)};
+    }
     void add(const Errors& errors) { m_errors.insert(m_errors.end(), errors.begin(), errors.end()); }
 
     // In the order of the file, each once, at most kMaxErrors.

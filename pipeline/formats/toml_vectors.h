@@ -8,9 +8,9 @@ namespace pipeline {
 
 using Parts = Vec3d& (*)(Scene&, std::size_t);
 
-// Vectors. Each component has the range of a setting; colours may be one number, a grey.
+// Vectors. `first` is the setting of the first component; all have its range. Colours may be one number, a grey.
 struct VectorKey {
-    std::string_view prefix, key, range;
+    std::string_view prefix, key, first;
     bool isColor;
     Parts parts;
 };
@@ -22,11 +22,11 @@ inline constexpr auto kVectors = std::to_array<VectorKey>({
     {"light.#.", "position", "light.#.x", false,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].position; }},
     {"light.#.", "color", "light.#.red", true, [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].color; }},
-    {"light.#.", "ambient", "light.#.red", true,
+    {"light.#.", "ambient", "light.#.ambient_red", true,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.ambient; }},
-    {"light.#.", "specular", "light.#.red", true,
+    {"light.#.", "specular", "light.#.specular_red", true,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.specular; }},
-    {"light.#.", "spot_direction", "light.#.x", false,
+    {"light.#.", "spot_direction", "light.#.spot_x", false,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].gl.spotDirection; }},
     {"light.#.", "facing", "light.#.facing_x", false,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.lights[i].area.facing; }},
@@ -38,11 +38,11 @@ inline constexpr auto kVectors = std::to_array<VectorKey>({
      [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].transform.translation; }},
     {"material.#.", "diffuse", "material.#.kr", true,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.diffuse; }},
-    {"material.#.", "specular", "material.#.kr", true,
+    {"material.#.", "specular", "material.#.ksr", true,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.specular; }},
-    {"material.#.", "ambient", "material.#.kr", true,
+    {"material.#.", "ambient", "material.#.kar", true,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.ambient; }},
-    {"material.#.", "emission", "material.#.kr", true,
+    {"material.#.", "emission", "material.#.ker", true,
      [](Scene& s, std::size_t i) -> Vec3d& { return s.objects[i].material.emission; }},
 });
 

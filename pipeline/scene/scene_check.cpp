@@ -1,11 +1,17 @@
 // What a single setting's range cannot say.
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "pipeline/core/text.h"
 #include "pipeline/scene/area_light.h"
+#include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace pipeline {
@@ -15,68 +21,92 @@ namespace {
 constexpr double kMemoryLimit = 4.0 * 1024 * 1024 * 1024;  // bytes
 constexpr double kFarthest = 1e9;  // world units, as in the settings' ranges: a normal's squared length stays a float
 
+void refuse(Errors& errors, std::vector<std::string> keys, std::string found, std::string expected) {
+    errors.emplace_back(SourceLocation(), std::move(found), std::move(expected)).keys = std::move(keys);
+}
+
+// The keys of one light, object or material: "light.3.x" …
+std::vector<std::string> keysOf(std::string_view kind, std::size_t index, std::span<const std::string_view> names) {
+    std::vector<std::string> keys;
+    for (const std::string_view name : names) keys.push_back(fmt::format("{}.{}.{}", kind, index, name));
+    return keys;
+}
+
 void checkRanges(const Scene& scene, Errors& errors) {
     for (const SettingRef& ref : settingsOf(scene)) {
         const double value = ref.get(scene), min = ref.setting->min, max = ref.setting->max;
         if (value >= min && value <= max) continue;  // false for NaN
-        errors.push_back({{},
-                          fmt::format("{} is {}", ref.key(), shortestText(value)),
-                          fmt::format("a value from {} to {}", shortestText(min), shortestText(max))});
+        refuse(errors, {ref.key()}, fmt::format("{} is {}", ref.key(), shortestText(value)),
+               fmt::format("a value from {} to {}", shortestText(min), shortestText(max)));
     }
 }
 
 void checkCamera(const Camera& camera, Errors& errors) {
     if (camera.near > 0 && camera.far > 0 && camera.near >= camera.far)
-        errors.push_back({{},
-                          fmt::format("camera.near is {}", shortestText(camera.near)),
-                          fmt::format("less than camera.far, which is {}", shortestText(camera.far))});
+        refuse(errors, {"camera.near", "camera.far"}, fmt::format("camera.near is {}", shortestText(camera.near)),
+               fmt::format("less than camera.far, which is {}", shortestText(camera.far)));
 }
 
 void checkLights(const Scene& scene, Errors& errors) {
+    constexpr std::string_view kPlace[] = {"x", "y", "z", "kind"};
+    constexpr std::string_view kFacing[] = {"facing_x", "facing_y", "facing_z", "kind"};
     for (std::size_t k = 0; k < scene.lights.size(); ++k)
         if (scene.lights[k].kind == LightKind::AtInfinity && scene.lights[k].position == Vec3d(0.0))
-            errors.push_back({{},
-                              fmt::format("light {} is at infinity in the direction (0, 0, 0)", k),
-                              "a direction that is not zero"});
+            refuse(errors, keysOf("light", k, kPlace),
+                   fmt::format("light {} is at infinity in the direction (0, 0, 0)", k),
+                   "a direction that is not zero");
         else if (scene.lights[k].kind == LightKind::Area && scene.lights[k].area.facing == Vec3d(0.0))
-            errors.push_back(
-                {{}, fmt::format("area light {} faces the direction (0, 0, 0)", k), "a direction that is not zero"});
+            refuse(errors, keysOf("light", k, kFacing), fmt::format("area light {} faces the direction (0, 0, 0)", k),
+                   "a direction that is not zero");
 }
 
 // What OpenGL refuses.
 void checkOpenGl(const Scene& scene, Errors& errors) {
     if (scene.settings.model != Model::OpenGl) return;
+    constexpr std::string_view kSpot[] = {"spot_x", "spot_y", "spot_z", "spot_cutoff"};
+    const auto withModel = [&](std::vector<std::string> keys, std::string found, std::string expected) {
+        keys.emplace_back(tableOf(keys.front()));
+        keys.emplace_back("model");
+        refuse(errors, std::move(keys), std::move(found), std::move(expected));
+    };
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
         const OpenGlLight& gl = scene.lights[k].gl;
+        const std::string cutoff = fmt::format("light.{}.spot_cutoff", k);
         if (gl.spotCutoff > 90 && gl.spotCutoff != 180)
-            errors.push_back({{},
-                              fmt::format("light.{}.spot_cutoff is {}", k, shortestText(gl.spotCutoff)),
-                              "an angle from 0 to 90, or 180 for no spot"});
+            withModel({cutoff}, fmt::format("{} is {}", cutoff, shortestText(gl.spotCutoff)),
+                      "an angle from 0 to 90, or 180 for no spot");
         if (gl.spotCutoff != 180 && gl.spotDirection == Vec3d(0))
-            errors.push_back(
-                {{}, fmt::format("the spot of light {} points nowhere", k), "a direction that is not zero"});
+            withModel(keysOf("light", k, kSpot), fmt::format("the spot of light {} points nowhere", k),
+                      "a direction that is not zero");
     }
     if (scene.lights.size() > 8)
-        errors.push_back({{}, fmt::format("{} lights", scene.lights.size()), "at most 8 in OpenGL's model"});
-    for (std::size_t i = 0; i < scene.objects.size(); ++i)
-        if (scene.objects[i].material.exponent > 128 ||
-            (scene.objects[i].backMaterial && scene.objects[i].backMaterial->exponent > 128))
-            errors.push_back({{},
-                              fmt::format("material.{}.n is {}", i, shortestText(scene.objects[i].material.exponent)),
-                              "at most 128 in OpenGL's model"});
+        withModel({"light.8"}, fmt::format("{} lights", scene.lights.size()), "at most 8 in OpenGL's model");
+    const auto checkExponent = [&](const std::string& key, const Material& material) {
+        if (material.exponent > 128)
+            withModel({key}, fmt::format("{} is {}", key, shortestText(material.exponent)),
+                      "at most 128 in OpenGL's model");
+    };
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        checkExponent(fmt::format("material.{}.n", i), scene.objects[i].material);
+        if (const auto& back = scene.objects[i].backMaterial)
+            checkExponent(fmt::format("back_material.{}.n", i), *back);
+    }
 }
 
 // No vertex may end up so far away that the squares of the stages overflow.
 void checkExtent(const Scene& scene, Errors& errors) {
+    constexpr std::string_view kScale[] = {"sx", "sy", "sz"}, kTranslation[] = {"tx", "ty", "tz"};
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         Vec3d largest(0.0);
         for (const Vec3d& p : object.mesh->positions) largest = glm::max(largest, glm::abs(p));
-        const double reach = glm::length(largest * object.transform.scale) + glm::length(object.transform.translation);
-        if (!(reach <= kFarthest))
-            errors.push_back({{},
-                              fmt::format("object {} reaches {:.3g} world units", i, reach),
-                              fmt::format("at most {}", shortestText(kFarthest))});
+        const double size = glm::length(largest * object.transform.scale);
+        const double away = glm::length(object.transform.translation);
+        if (size + away <= kFarthest) continue;  // false for NaN
+        std::vector<std::string> keys = keysOf("object", i, away > size ? kTranslation : kScale);
+        std::ranges::move(keysOf("object", i, away > size ? kScale : kTranslation), std::back_inserter(keys));
+        refuse(errors, std::move(keys), fmt::format("object {} reaches {:.3g} world units", i, size + away),
+               fmt::format("at most {}", shortestText(kFarthest)));
     }
 }
 
@@ -110,13 +140,20 @@ void checkMemory(const Scene& scene, Errors& errors) {
     Scene hard = scene;
     for (Light& light : hard.lights) light.area.samples = 1;
     const bool softShadows = memoryEstimate(hard) <= kMemoryLimit;
-    errors.push_back({{},
-                      fmt::format("the buffers of a {} × {} picture with {} lights and {} shadow buffers of {} × {} "
-                                  "take {:.1f} GiB",
-                                  s.width, s.height, scene.lights.size(), faces, s.shadowSize, s.shadowSize,
-                                  bytes / kMemoryLimit * 4),
-                      softShadows ? "at most 4 GiB; make shadow.size or the samples of the area lights smaller"
-                                  : "at most 4 GiB; make the picture smaller"});
+    std::vector<std::string> keys{"width", "height", "shadow.size", "antialiasing", "precision"};
+    if (softShadows) keys = {"shadow.size"};
+    // Then what makes them many.
+    constexpr std::string_view kSamples[] = {"samples", "kind", "shadow"};
+    for (std::size_t k = scene.lights.size(); k-- > 0;)
+        if (!softShadows || scene.lights[k].kind == LightKind::Area)
+            std::ranges::move(keysOf("light", k, kSamples), std::back_inserter(keys));
+    refuse(errors, std::move(keys),
+           fmt::format("the buffers of a {} × {} picture with {} lights and {} shadow buffers of {} × {} "
+                       "take {:.1f} GiB",
+                       s.width, s.height, scene.lights.size(), faces, s.shadowSize, s.shadowSize,
+                       bytes / kMemoryLimit * 4),
+           softShadows ? "at most 4 GiB; make shadow.size or the samples of the area lights smaller"
+                       : "at most 4 GiB; make the picture smaller");
 }
 
 }  // namespace

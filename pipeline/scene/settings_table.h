@@ -73,10 +73,11 @@ Result<SettingRef> findSetting(const Scene& scene, std::string_view key);
 Result<double> parseSetting(const SettingRef& setting, std::string_view text);
 std::string formatSetting(const SettingRef& setting, double value);
 
-// "KEY=VALUE", as --set and lessons write it.
+// "KEY=VALUE", as --set and lessons write it; assignedKey gives KEY.
+std::string_view assignedKey(std::string_view assignment);
 Result<Scene> withSetting(Scene scene, std::string_view assignment);
 
-// What a single setting's range cannot say: near < far, sizes within limits.
+// What a single setting's range cannot say: near < far, sizes within limits. The errors have keys, and no place.
 Errors checkScene(const Scene& scene);
 
 }  // namespace pipeline

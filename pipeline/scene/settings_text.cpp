@@ -108,10 +108,14 @@ std::string formatSetting(const SettingRef& ref, double value) {
     return std::string(choices[static_cast<std::size_t>(std::clamp(value, 0.0, last))]);
 }
 
+std::string_view assignedKey(std::string_view assignment) {
+    return trimmed(assignment.substr(0, assignment.find('=')));
+}
+
 Result<Scene> withSetting(Scene scene, std::string_view assignment) {
     const auto equals = assignment.find('=');
     if (equals == assignment.npos) return Error{{}, "found " + inQuotes(assignment), "KEY=VALUE"};
-    const auto ref = findSetting(scene, trimmed(assignment.substr(0, equals)));
+    const auto ref = findSetting(scene, assignedKey(assignment));
     if (!ref) return ref.errors();
     const auto value = parseSetting(*ref, assignment.substr(equals + 1));
     if (!value) return value.errors();

@@ -56,6 +56,29 @@ TEST(Program, BadInputIsStatus3WithItsPlace) {
     EXPECT_EQ(unknown.err, "no file and no built-in scene \"pyramyd\"; the nearest is \"pyramid\"\n");
 }
 
+// What the scene's values together are refused for: in the file with the place of one, and as the option that gave it.
+TEST(Program, ValuesThatDoNotGoTogetherHaveTheirPlaceOrOption) {
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "s.toml").string();
+    test::writeText(file, "[camera]\nnear = 5\nfar = 4\n");
+    const auto done = run({"plan", file});
+    EXPECT_EQ(done.status, 3);
+    EXPECT_EQ(done.err, file + ":2:8: camera.near is 5, expected less than camera.far, which is 4\n");
+    const auto refusal = [](std::vector<std::string> more) {
+        more.insert(more.begin(), {"plan", "pyramid"});
+        const auto refused = run(more);
+        EXPECT_EQ(refused.status, 2) << refused.err;
+        return refused.err;
+    };
+    EXPECT_EQ(refusal({"--set", "camera.near=2", "--set", "camera.far=1"}),
+              "--set camera.near=2: camera.near is 2, expected less than camera.far, which is 1\n");
+    EXPECT_EQ(refusal({"--set", "model=opengl", "--set", "material.0.n=129"}),
+              "--set material.0.n=129: material.0.n is 129, expected at most 128 in OpenGL's model\n");
+    EXPECT_EQ(refusal({"--set", "object.0.tessellation=4"}),
+              "no setting \"object.0.tessellation\": the object is a mesh, not a built-in shape\n");
+    EXPECT_TRUE(refusal({"--size", "16384x16384"}).starts_with("--size 16384x16384: the buffers of a 16384 × 16384"));
+}
+
 TEST(Program, AFullDiskBehindStandardOutputIsStatus4) {
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"plan", "pyramid"},
                                                       {"plan", "pyramid", "--json"},

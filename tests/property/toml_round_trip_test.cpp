@@ -1,6 +1,8 @@
 // A scene that was written as TOML and read again gives the same frame, bit for bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "pipeline/formats/toml_scene.h"
 #include "pipeline/formats/toml_writer.h"
 #include "tests/support/scenes.h"
@@ -26,6 +28,9 @@ TEST_P(TomlRoundTrip, KeepsEveryBitOfTheFrame) {
             if (seed % 3 == 0) scene.settings.forms.power = PowerForm::Schlick;
             if (seed % 5 == 0 && !scene.objects.empty()) scene.objects[0].backMaterial = Material{Vec3d(0.1, 0.2, 0.3)};
             if (seed % 7 == 0 && !scene.objects.empty()) scene.objects[0].transform.turns = {{33.3, {1, 2, 3}}};
+            if (scene.settings.model == Model::OpenGl)  // which refuses more
+                for (Object& object : scene.objects)
+                    object.material.exponent = std::min(object.material.exponent, 128.0);
             scene.name = "quotes \" and\ttabs \u00e9";
             const Result<Scene> again = readAgain(scene);
             ASSERT_TRUE(again) << seed << ' ' << format(again.errors());

@@ -194,8 +194,9 @@ TEST_F(SceneReader, TextAfterTheEnd) {
 }
 
 TEST_F(SceneReader, WhatTheSettingsTableRefusesTogether) {
-    EXPECT_EQ(errorsIn("200 1000 45 60\n1\nt.des 1 1 1 0 0 0 0 0 0\n1\n0 0 0 100\n50\n"),
-              "s.scene: light 0 is at infinity in the direction (0, 0, 0), expected a direction that is not zero\n");
+    EXPECT_EQ(
+        errorsIn("200 1000 45 60\n1\nt.des 1 1 1 0 0 0 0 0 0\n1\n0 0 0 100\n50\n"),
+        "s.scene:5:1: light 0 is at infinity in the direction (0, 0, 0), expected a direction that is not zero\n");
 }
 
 TEST_F(SceneReader, NamesOfObjectsAreDistinct) {
