@@ -81,6 +81,16 @@ TEST(Normals, OfADoubleSidedSheetAreTheFirstPolygons) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(vertexNormal(frameOf(sheet), i), Vec3d(0, 0, 1));
 }
 
+// Said where a stage's counts are: in the window, by plan --counts, bench, and in the manifest.
+TEST(Normals, AVanishingMeanIsReported) {
+    const auto counts = [](std::vector<std::vector<std::uint32_t>> polygons) {
+        return frameOf(test::mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, polygons))->run(StageId::Normals).counts;
+    };
+    EXPECT_EQ(counts({{0, 1, 2}, {0, 2, 1}}),
+              "2 polygon normals; 3 vertex normals; 3 without a mean, the first polygon's instead");
+    EXPECT_EQ(counts({{0, 1, 2}}), "1 polygon normal; 3 vertex normals");
+}
+
 TEST(Normals, ASliverIsRightToTheStoredInput) {
     const auto sliver = test::mesh({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-6, 1e-6}}, {{0, 1, 2}});
     // (1,0,0) x (0.5, h, h) = (0, -h, h).
