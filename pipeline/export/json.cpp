@@ -38,6 +38,10 @@ Json evaluationToJson(const Evaluation& evaluation) {
             {"intensity", toJson(evaluation.intensity)}};
 }
 
+Json placeToJson(const std::optional<SourceLocation>& place) {
+    return place ? Json{{"file", place->file}, {"line", place->line}, {"column", place->column}} : Json();
+}
+
 Json vectorsToJson(const std::vector<Vec3d>& vectors) {
     Json array = Json::array();
     for (const Vec3d& vector : vectors) array.push_back(toJson(vector));
@@ -140,14 +144,17 @@ Json toJson(const Frame& frame, const PixelReport& report) {
                              {"text", comparisonText(fragment).whole()},
                              {"shadows", fragment.shadows}});
     for (const CulledReport& polygon : report.culled)
-        culled.push_back(
-            {{"polygon", polygon.polygon}, {"letter", std::string(1, polygon.letter)}, {"reason", polygon.reason}});
+        culled.push_back({{"polygon", polygon.polygon},
+                          {"letter", std::string(1, polygon.letter)},
+                          {"reason", polygon.reason},
+                          {"signed_area", polygon.signedArea}});
     if (report.covered) {
         Json evaluations = Json::array(), weights = Json::array();
         for (const auto& [vertex, weight] : report.weights) weights.push_back({{"vertex", vertex}, {"weight", weight}});
         for (const Evaluation& evaluation : report.evaluations) evaluations.push_back(evaluationToJson(evaluation));
         json.update({{"object", report.object},
                      {"polygon", report.polygon},
+                     {"defined_at", placeToJson(definedAt(frame, report.polygon))},
                      {"vertices", report.vertices},
                      {"barycentric", toJson(report.barycentric)},
                      {"interpolation", report.interpolation},

@@ -235,8 +235,9 @@ void reportFragments(const FrameData<Real>& data, const std::stop_token& stop, P
         if (record[i].won && i < arrived)
             report.fragments[i].shadows = shadowEvents(data, record[i].triangle, report.pixel);
     for (std::uint32_t polygon : culledAt(data, report.pixel, stop))
-        report.culled.push_back(
-            {int(polygon), letter(data.cull->verdicts[polygon]), reason(*data.transform, *data.cull, polygon)});
+        report.culled.push_back({int(polygon), letter(data.cull->verdicts[polygon]),
+                                 reason(*data.transform, *data.cull, polygon),
+                                 signedArea(*data.transform, *data.cull, polygon)});
 }
 
 template <class Real>

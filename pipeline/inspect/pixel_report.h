@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/core/real.h"
+#include "pipeline/core/result.h"
 #include "pipeline/inspect/formula.h"
 #include "pipeline/run/frame.h"
 
@@ -39,6 +40,7 @@ struct CulledReport {
     int polygon;
     char letter;         // B back-facing, D degenerate, O outside
     std::string reason;  // "back-facing, signed area −1 991.6 px²"
+    double signedArea;   // px², on the screen, below 0 where its back is seen; 0 where the verdict did not take it
 };
 
 // A translucent surface over the pixel, in the order in which they are laid over it.
@@ -129,6 +131,9 @@ struct EquationLine {
 };
 std::vector<EquationLine> equation(const Scene& scene, const PixelReport& report, int channel,
                                    const NumberText& chosen = {});
+
+// Where a polygon stands in the mesh's file, or in the scene's where the mesh stands in it; nothing where no file has it.
+std::optional<SourceLocation> definedAt(const Frame& frame, int polygon);
 
 // What `inspect` prints.
 std::string toText(const Frame& frame, const PixelReport& report);

@@ -16,10 +16,8 @@ void addWhy(std::string& out, const Frame& frame, const PixelReport& r) {
     const Frame::PolygonPlace place = frame.placeOf(r.polygon);
     const Object& object = frame.scene().objects[place.object];
     out += fmt::format("  polygon      {} ({} of {})\n", r.polygon, place.polygon, object.name);
-    if (place.polygon < object.mesh->polygonPlaces.size()) {
-        const TextPosition at = object.mesh->polygonPlaces[place.polygon];
-        out += fmt::format("  defined at   {}:{}:{}\n", object.mesh->file, at.line, at.column);
-    }
+    if (const auto at = definedAt(frame, r.polygon))
+        out += fmt::format("  defined at   {}:{}:{}\n", at->file, at->line, at->column);
     if (r.outline) out += "  seen         its outline, drawn in white and not shaded\n";
     out += fmt::format("  triangle     vertices {}, {}, {}\n", r.vertices[0], r.vertices[1], r.vertices[2]);
     out += fmt::format("  barycentric  {}\n", triple(r.barycentric));
@@ -83,6 +81,14 @@ void addFragments(std::string& out, const PixelReport& r) {
 }
 
 }  // namespace
+
+std::optional<SourceLocation> definedAt(const Frame& frame, int polygon) {
+    const Frame::PolygonPlace place = frame.placeOf(polygon);
+    const Mesh& mesh = *frame.scene().objects[place.object].mesh;
+    const std::string& file = mesh.file.empty() ? frame.scene().file : mesh.file;
+    if (file.empty() || place.polygon >= mesh.polygonPlaces.size()) return std::nullopt;
+    return SourceLocation{file, mesh.polygonPlaces[place.polygon].line, mesh.polygonPlaces[place.polygon].column};
+}
 
 std::string toText(const Frame& frame, const PixelReport& r) {
     std::string out = fmt::format("pixel {}, {}: color {} {} {}\n", r.pixel.x, r.pixel.y, int(r.color.r),

@@ -38,10 +38,10 @@ struct MeshFacts {
 // Immutable once shared, so that its address is its identity: two scenes that hold the
 // same pointer hold the same mesh.
 struct Mesh {
-    std::string file;                         // as the scene names it; empty for a built-in shape
+    std::string file;  // as the scene names it; empty for a built-in shape, and where it stands in the scene's own
     std::vector<Vec3d> positions;             // object space; 24 bytes a vertex
     std::vector<Vec3d> normals;               // per vertex, as the file or shape gives them; empty: none
-    std::vector<TextPosition> polygonPlaces;  // where each polygon stands in `file`, 8 bytes; may be empty
+    std::vector<TextPosition> polygonPlaces;  // where each polygon stands there, 8 bytes; may be empty
 
     // Polygon by polygon, 16 bytes each. While all polygons are triangles these are the polygons, and the lists below
     // are empty; of others makeMesh finds them.

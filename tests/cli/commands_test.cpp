@@ -142,6 +142,25 @@ TEST(Inspect, AsJson) {
     EXPECT_NEAR(json["intensity"][2].get<double>(), 114.739, 5e-4);
     EXPECT_EQ(json["color"], Json::array({37, 93, 167}));
     EXPECT_EQ(json["fragments"][0]["verdict"], "won, stays");
+    // The third polygon of pyramid.des: 3,(0,1,4), 3,(1,2,4), 3,(2,3,4) … in its line 11. Base, behind it, faces away;
+    // the shoelace sum of its corners on the screen is derived in lecture1_pyramid_test.cpp. Snapped, they move by at
+    // most √2/512 px each, along an outline of less than 350 px.
+    EXPECT_EQ(json["defined_at"], (Json{{"file", "pyramid.des"}, {"line", 11}, {"column", 23}}));
+    ASSERT_EQ(json["culled"].size(), 1u);
+    EXPECT_NEAR(json["culled"][0]["signed_area"].get<double>(), -1991.6, 1);
+}
+
+TEST(Inspect, NamesTheScenesFileWhereTheMeshStandsInIt) {
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "s.toml").string();
+    test::writeText(file,
+                    "width = 9\nheight = 9\n[camera]\nkind = \"look-at\"\neye = [0, 0, 5]\nup = [0, 1, 0]\n"
+                    "[[object]]\nvertices = [[-5, -5, 0], [5, -5, 0], [0, 5, 0]]\npolygons = [[0, 1, 2]]\n");
+    EXPECT_TRUE(has(run({"inspect", file, "--pixel", "4,4"}).out, "defined at   " + file + ":9:13\n"));
+    const Json json = Json::parse(run({"inspect", file, "--pixel", "4,4", "--json"}).out);
+    EXPECT_EQ(json["defined_at"], (Json{{"file", file}, {"line", 9}, {"column", 13}}));
+    const Json shape = Json::parse(run({"inspect", "lambert", "--pixel", "320,240", "--json"}).out);
+    EXPECT_TRUE(shape["covered"] == true && shape["defined_at"].is_null()) << "a built-in shape stands in no file";
 }
 
 TEST(Inspect, WritesTheEquationForAPage) {
