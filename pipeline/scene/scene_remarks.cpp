@@ -111,7 +111,7 @@ private:
 
     void ofOpenGl(const Light& light, const std::string& key, const std::string& name) {
         const OpenGlLight& gl = light.gl;
-        if (light.kind == LightKind::Point && gl.constant == 0 && gl.linear == 0 && gl.quadratic == 0)
+        if (light.kind != LightKind::AtInfinity && gl.constant == 0 && gl.linear == 0 && gl.quadratic == 0)
             add(key + ".constant",
                 fmt::format("The attenuation of {} divides by 0 everywhere: the light adds nothing.", name));
         ofColor(key, {"ambient_red", "ambient_green", "ambient_blue"}, name, gl.ambient);

@@ -149,6 +149,13 @@ const Case kCases[] = {
          s.lights[0].gl.constant = 0;
      },
      0.1, "light.0.constant"},
+    {"OpenGL's attenuation of an area light divides by 0",
+     [](Scene& s) {
+         s.settings.model = Model::OpenGl, s.ambient.intensity = 0.2;
+         s.lights[0].kind = LightKind::Area, s.lights[0].position = {0, 0, 5};
+         s.lights[0].gl.constant = 0;
+     },
+     0.1, "light.0.constant"},
     {"emission above 1, in OpenGL's model alone",  // clamped
      [](Scene& s) { s.settings.model = Model::OpenGl, s.objects[0].material.emission = Vec3d(2); }, 1,
      "material.0.ker"},
