@@ -17,7 +17,7 @@ std::string_view placeNames(Domain domain) {
         case Domain::Pixel:
         case Domain::Texel: break;
     }
-    return "x,y";
+    return "column,row";  // x and y are components
 }
 
 std::string_view valueNames(const BufferInfo& info) {

@@ -81,7 +81,7 @@ TEST_F(Exporting, SizesThatAreSaidToBeExactAreExact) {
 TEST_F(Exporting, CsvIsATableWithNames) {
     const std::vector<float> depth{0.1f, kInf, kNan, -kInf};
     EXPECT_EQ(test::readText(write("csv", item(BufferId::Depth, {2, 2}, depth))),
-              "x,y,value\n0,0,0.1\n1,0,inf\n0,1,nan\n1,1,-inf\n");
+              "column,row,value\n0,0,0.1\n1,0,inf\n0,1,nan\n1,1,-inf\n");
 }
 
 TEST_F(Exporting, CsvNamesWhatItsLinesAre) {
@@ -94,7 +94,12 @@ TEST_F(Exporting, CsvNamesWhatItsLinesAre) {
               "polygon,value\n0,0\n1,1\n");
     std::filesystem::remove(folder / "file.csv");
     const std::vector<std::uint8_t> color{1, 2, 3};
-    EXPECT_EQ(test::readText(write("csv", item(BufferId::Color, {1, 1, 3}, color))), "x,y,r,g,b\n0,0,1,2,3\n");
+    EXPECT_EQ(test::readText(write("csv", item(BufferId::Color, {1, 1, 3}, color))), "column,row,r,g,b\n0,0,1,2,3\n");
+    std::filesystem::remove(folder / "file.csv");
+    const std::vector<float> normal{0, 0.5f, 1};
+    EXPECT_EQ(test::readText(write("csv", item(BufferId::Normal, {1, 1, 3}, normal))),
+              "column,row,x,y,z\n0,0,0,0.5,1\n")
+        << "no name stands twice";
     std::filesystem::remove(folder / "file.csv");
     const std::vector<float> none;
     EXPECT_EQ(test::readText(write("csv", item(BufferId::VerticesNormal, {0, 3}, none))), "vertex,x,y,z\n");
