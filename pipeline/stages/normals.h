@@ -20,7 +20,7 @@ struct NormalsInputs {
 
 template <class Real>
 struct NormalsOutput {
-    RawVector<Vec3<Real>> polygon;   // per polygon; (0, 0, 0) for one without area; empty when not needed of all
+    RawVector<Vec3<Real>> polygon;  // per polygon; (0, 0, 0) for one without area; empty when not needed of all
     RawVector<Vec3<Real>> vertex;   // per vertex; empty when not asked for
     // Where the mean of the normals around a vertex vanishes, the first of them stands in: how often.
     std::size_t vanishing = 0;
