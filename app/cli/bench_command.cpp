@@ -9,6 +9,7 @@
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/leave_out_bench.h"
+#include "app/cli/message.h"
 #include "app/cli/scaling_bench.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/core/sample.h"
@@ -159,7 +160,7 @@ int runLeaveOutBench(const BenchOptions& options) {
         measured.request.stop = interrupt.token();
         const auto times = measureLeavingOut(*scene, measured);
         if (!times) {
-            fmt::print(stderr, "Cancelled.\n");
+            tell("Cancelled.\n");
             return kInterrupted;
         }
         if (options.json)
@@ -175,7 +176,7 @@ int runScalingBench(const BenchOptions& options) {
     const Interrupt interrupt;
     const auto series = measureScaling({options.repeats(), options.frame.threads, interrupt.token()});
     if (!series) {
-        fmt::print(stderr, "Cancelled.\n");
+        tell("Cancelled.\n");
         return kInterrupted;
     }
     if (options.json)
@@ -201,8 +202,7 @@ int runBench(const BenchOptions& options, const CLI::App& command) {
     if (options.scaling) return runScalingBench(options);
     if (options.leaveOut) return runLeaveOutBench(options);
     if (options.scene.scene.empty()) {
-        fmt::print(stderr,
-                   "SCENE is required; --leave-out takes every built-in scene without it, --scaling its own.\n");
+        tell("SCENE is required; --leave-out takes every built-in scene without it, --scaling its own.\n");
         return kWrongUsage;
     }
     const Interrupt interrupt;
@@ -218,7 +218,7 @@ int runBench(const BenchOptions& options, const CLI::App& command) {
     request.stop = interrupt.token();
     const auto times = measure(scene, request, options);
     if (!times) {
-        fmt::print(stderr, "Cancelled.\n");
+        tell("Cancelled.\n");
         return kInterrupted;
     }
     (options.json ? printJson : printTable)(*times, options);

@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/message.h"
 #include "pipeline/check/check_json.h"
 #include "pipeline/core/text.h"
 
@@ -53,7 +54,7 @@ std::string nearestCase(const std::string& id) {
 bool readFilter(const CheckOptions& options, pipeline::check::Filter& filter) {
     for (const std::string& id : options.cases) {
         if (!pipeline::check::findCase(id)) {
-            fmt::print(stderr, "there is no case {}; the nearest is {}\n", pipeline::inQuotes(id), nearestCase(id));
+            tell("there is no case {}; the nearest is {}\n", pipeline::inQuotes(id), nearestCase(id));
             return false;
         }
         filter.ids.push_back(id);
@@ -63,8 +64,7 @@ bool readFilter(const CheckOptions& options, pipeline::check::Filter& filter) {
     for (const std::string& text : options.groups) {
         const auto group = std::ranges::find(names, text);
         if (group == names.end()) {
-            fmt::print(stderr, "there is no group {}; the nearest is {}\n", pipeline::inQuotes(text),
-                       pipeline::nearest(text, names));
+            tell("there is no group {}; the nearest is {}\n", pipeline::inQuotes(text), pipeline::nearest(text, names));
             return false;
         }
         filter.groups.push_back(Group(group - names.begin()));
@@ -114,7 +114,7 @@ int runCheck(const CheckOptions& options) {
     std::vector<CaseResult> results = runChecks(filter, options.threads, interrupt.token());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (interrupt.asked()) {
-        fmt::print(stderr, "Cancelled.\n");
+        tell("Cancelled.\n");
         return kInterrupted;
     }
     const auto holding = std::size_t(std::ranges::count(results, true, &CaseResult::holds));

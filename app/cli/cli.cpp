@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "app/cli/commands.h"
+#include "app/cli/message.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
 
@@ -46,7 +47,7 @@ void declareProgram(CLI::App& program, const CliHost& host, int& status) {
 }
 
 int couldNotWrite(int error) {
-    fmt::print(stderr, "standard output: could not write: {}\n", std::generic_category().message(error));
+    tell("standard output: could not write: {}\n", std::generic_category().message(error));
     return kCouldNotWrite;
 }
 
@@ -81,7 +82,7 @@ int runCli(int argc, const char* const* argv, const CliHost& host) {
             program.exit(error);
             return flushed(kDone);
         }
-        fmt::print(stderr, "shadescope: {}\nRun shadescope --help to see what there is.\n", error.what());
+        tell("shadescope: {}\nRun shadescope --help to see what there is.\n", error.what());
         return kWrongUsage;
     } catch (const std::system_error& error) {  // fmt::print has no other way to say that it could not
         return couldNotWrite(error.code().value());

@@ -7,6 +7,7 @@
 #include "app/cli/derived_argument.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
 #include "app/state/cue_list.h"
 #include "pipeline/core/text.h"
@@ -73,7 +74,7 @@ void tellLeftOut(const pipeline::Frame& frame, const pipeline::ExportRequest& re
         const auto written = [&](const pipeline::PlannedFile& file) { return of(file) && !file.file.empty(); };
         const auto why = std::ranges::find_if(files, of);
         if (why == files.end() || std::ranges::any_of(files, written)) continue;  // no format for buffers
-        fmt::print(stderr, "{}: no file. {}\n", buffer.text(), why->whyNot);
+        tell("{}: no file. {}\n", buffer.text(), why->whyNot);
     }
 }
 
@@ -138,7 +139,7 @@ std::string stateToCarry(const ExportOptions& options, const std::optional<pipel
 
 int runExport(ExportOptions options, const CliHost& host) {
     if (const std::string wrong = wrongUsage(options, host); !wrong.empty()) {
-        fmt::print(stderr, "shadescope export: {}\n", wrong);
+        tell("shadescope export: {}\n", wrong);
         return kWrongUsage;
     }
     const Interrupt interrupt;
@@ -147,7 +148,7 @@ int runExport(ExportOptions options, const CliHost& host) {
     const auto scene = loadScene(options.scene, status);
     if (!scene) return status;
     if (const std::string why = refused(*scene, options.formats); !why.empty()) {
-        fmt::print(stderr, "shadescope export: {}\n", why);
+        tell("shadescope export: {}\n", why);
         return kWrongUsage;
     }
     FrameArgument argument = options.frame;
@@ -197,7 +198,7 @@ int runExport(ExportOptions options, const CliHost& host) {
         request.writeMore = [&](const std::filesystem::path& folder) { return host.writeViews(*frame, pixel, folder); };
     const auto goOn = [&](double, std::string_view) { return !interrupt.asked(); };
     const auto cancelled = [] {
-        fmt::print(stderr, "Cancelled. Nothing was written.\n");
+        tell("Cancelled. Nothing was written.\n");
         return kInterrupted;
     };
     if (!frame) return cancelled();
@@ -215,8 +216,7 @@ int runExport(ExportOptions options, const CliHost& host) {
     }
     if (summary->cancelled) return cancelled();
     tellLeftOut(*frame, request);
-    fmt::print(stderr, "{} files, {}, in {}\n", summary->files.size(), pipeline::sizeText(summary->bytes),
-               options.folder);
+    tell("{} files, {}, in {}\n", summary->files.size(), pipeline::sizeText(summary->bytes), options.folder);
     return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/message.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/core/text.h"
@@ -26,7 +27,7 @@ struct FilmOptions {
 std::optional<pipeline::Place> placeNamed(const std::string& option, const std::string& text) {
     const auto place = pipeline::parsePlace(text);
     if (place) return *place;
-    fmt::print(stderr, "shadescope film: {}: {}\n", option, format(place.errors()));
+    tell("shadescope film: {}: {}\n", option, format(place.errors()));
     return std::nullopt;
 }
 
@@ -43,7 +44,7 @@ int runFilm(const FilmOptions& options) {
     const pipeline::BufferName buffer = wanted->buffers[0];
     const pipeline::BufferInfo& info = bufferInfo(buffer.id);
     if (info.domain != pipeline::Domain::Pixel && info.domain != pipeline::Domain::Texel) {
-        fmt::print(stderr, "shadescope film: {} has no pixels, so that there is nothing to film\n", buffer.text());
+        tell("shadescope film: {} has no pixels, so that there is nothing to film\n", buffer.text());
         return kWrongUsage;
     }
     pipeline::Place from{info.stage}, to{info.stage};
@@ -61,12 +62,12 @@ int runFilm(const FilmOptions& options) {
     frameRequest.stop = interrupt.token();
     const pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
     const auto cancelled = [] {
-        fmt::print(stderr, "Cancelled. Nothing was written.\n");
+        tell("Cancelled. Nothing was written.\n");
         return kInterrupted;
     };
     if (!frame) return cancelled();
     if (!frame->buffer(buffer)) {
-        fmt::print(stderr, "shadescope film: no {}. {}\n", buffer.text(), frame->whyAbsent(buffer));
+        tell("shadescope film: no {}. {}\n", buffer.text(), frame->whyAbsent(buffer));
         return kWrongUsage;
     }
     const pipeline::Steps steps(frame);
@@ -78,7 +79,7 @@ int runFilm(const FilmOptions& options) {
                                         options.milliseconds,
                                         !options.noCaptions};
     if (request.to < request.from) {
-        fmt::print(stderr, "shadescope film: --to comes before --from\n");
+        tell("shadescope film: --to comes before --from\n");
         return kWrongUsage;
     }
     ProgressLine line("film");
@@ -91,8 +92,7 @@ int runFilm(const FilmOptions& options) {
         return kCouldNotWrite;
     }
     if (summary->cancelled) return cancelled();
-    fmt::print(stderr, "{} pictures, {}, in {}\n", summary->pictures, pipeline::sizeText(summary->bytes),
-               options.target);
+    tell("{} pictures, {}, in {}\n", summary->pictures, pipeline::sizeText(summary->bytes), options.target);
     return kDone;
 }
 

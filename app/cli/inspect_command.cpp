@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/condition.h"
 #include "pipeline/export/json.h"
@@ -40,7 +41,7 @@ pipeline::FramePtr frameOf(std::shared_ptr<const pipeline::Scene> scene, const I
 }
 
 int cancelled() {
-    fmt::print(stderr, "Cancelled.\n");
+    tell("Cancelled.\n");
     return kInterrupted;
 }
 

@@ -5,6 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/export/json.h"
 #include "pipeline/plan/needs.h"
@@ -115,7 +116,7 @@ int runPlan(const PlanOptions& options) {
     request.stop = interrupt.token();
     const pipeline::FramePtr frame = runFrame(scene, request, nullptr);
     if (!frame) {
-        fmt::print(stderr, "Cancelled.\n");
+        tell("Cancelled.\n");
         return kInterrupted;
     }
     (options.json ? printPlanAsJson : printPlan)(*scene, frame->plan(), *wanted, frame.get());

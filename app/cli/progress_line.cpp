@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/cli/message.h"
+
 namespace app {
 
 std::string timeLeftText(double seconds) {
@@ -18,7 +20,7 @@ ProgressLine::ProgressLine(std::string what)
     : m_what(std::move(what)), m_terminal(isatty(STDERR_FILENO) != 0), m_start(Clock::now()), m_last(m_start) {}
 
 ProgressLine::~ProgressLine() {
-    if (m_shown) fmt::print(stderr, "\r\x1b[K");
+    if (m_shown) tell("\r\x1b[K");
 }
 
 void ProgressLine::show(std::size_t done, std::size_t all, std::string_view now) {
@@ -34,9 +36,9 @@ void ProgressLine::show(std::size_t done, std::size_t all, std::string_view now)
         text +=
             fmt::format("; {} left", timeLeftText(spent * static_cast<double>(all - done) / static_cast<double>(done)));
     if (m_terminal)
-        fmt::print(stderr, "\r\x1b[K{}", text);
+        tell("\r\x1b[K{}", text);
     else
-        fmt::print(stderr, "{}\n", text);
+        tell("{}\n", text);
     std::fflush(stderr);
     m_shown = m_terminal;
 }

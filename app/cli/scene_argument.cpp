@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "app/cli/cli.h"
+#include "app/cli/message.h"
 #include "app/state/state_scene.h"
 #include "pipeline/core/text.h"
 #include "pipeline/scene/key_places.h"
@@ -97,6 +98,6 @@ std::optional<glm::ivec2> pixelIn(const Scene& scene, const std::string& text) {
     return std::nullopt;
 }
 
-void printErrors(const Errors& errors) { fmt::print(stderr, "{}", format(errors)); }
+void printErrors(const Errors& errors) { tell("{}", format(errors)); }
 
 }  // namespace app

@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/frame_argument.h"
+#include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
 #include "app/cli/study_folder.h"
 #include "app/cli/study_job.h"
@@ -92,7 +93,7 @@ std::vector<std::string> argumentsOf(const StudyOptions& options) {
 }
 
 int wrongUsage(const std::string& message) {
-    fmt::print(stderr, "shadescope study: {}\n", message);
+    tell("shadescope study: {}\n", message);
     return kWrongUsage;
 }
 
@@ -166,8 +167,7 @@ int runStudyCommand(const StudyOptions& options) {
             printErrors(written.errors());
             return kCouldNotWrite;
         }
-        fmt::print(stderr, "{} of {} points are in {}\n", report->points.size(), pointCount(report->axes),
-                   file.string());
+        tell("{} of {} points are in {}\n", report->points.size(), pointCount(report->axes), file.string());
     } else {
         const auto pictures = frontPictures(job.request, *report, kPictures, interrupt.token());
         status = reportStudy(*report, {options.errorLimit, options.timeLimit}, pictures, options.folder, options.json);
@@ -194,8 +194,8 @@ int runMerge(const StudyOptions& options) {
         return kBadInput;
     }
     if (const std::size_t missing = missingPoints(*merged); missing > 0)
-        fmt::print(stderr, "{} of {} points are missing: a part of the study has not been given.\n", missing,
-                   pointCount(merged->axes));
+        tell("{} of {} points are missing: a part of the study has not been given.\n", missing,
+             pointCount(merged->axes));
     return reportStudy(*merged, {options.errorLimit, options.timeLimit}, {}, options.folder, options.json);
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/cli/child_process.h"
 #include "app/cli/cli.h"
+#include "app/cli/message.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/scene_argument.h"
 #include "app/cli/study_folder.h"
@@ -50,8 +51,7 @@ struct Run {
     }
     bool cancelled() {
         if (!keep()) return false;
-        fmt::print(stderr, "Cancelled. The same command goes on from here; what there is stands in {}\n",
-                   part().string());
+        tell("Cancelled. The same command goes on from here; what there is stands in {}\n", part().string());
         status = kInterrupted;
         return false;
     }
@@ -69,9 +69,8 @@ struct Run {
         if (!*before) return true;
         report = **before;
         report.processes = job.processes;
-        fmt::print(stderr, "Goes on: {} of {} points have their errors, {} of {} processes their times.\n",
-                   std::ranges::count_if(report.points, isFound), report.points.size(), report.load.size(),
-                   job.processes);
+        tell("Goes on: {} of {} points have their errors, {} of {} processes their times.\n",
+             std::ranges::count_if(report.points, isFound), report.points.size(), report.load.size(), job.processes);
         return true;
     }
 
@@ -158,7 +157,7 @@ int reportStudy(const StudyReport& report, pipeline::StudyLimits limits,
         fmt::print("{}", studyFileText(report));
     else
         fmt::print("{}", studyText(report, analysis, limits));
-    fmt::print(stderr, "{} are in {}\n", fmt::join(*written, ", "), folder.string());
+    tell("{} are in {}\n", fmt::join(*written, ", "), folder.string());
     return kDone;
 }
 

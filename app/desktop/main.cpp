@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/cli/cli.h"
+#include "app/cli/message.h"
 #include "app/state/cue_list.h"
 #include "app/state/state_scene.h"
 #include "pipeline/core/memory.h"
@@ -75,6 +76,7 @@ int present(int argc, char** argv, bool session) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    app::keepStandardFiles();
     pipeline::keepFreedMemory();
     const bool session = !(argc > 1 && std::string_view(argv[1]) == kNoSession);
     if (!session) std::rotate(argv + 1, argv + 2, argv + argc--);  // Qt reads the rest

@@ -90,6 +90,25 @@ TEST(Program, AFullDiskBehindStandardOutputIsStatus4) {
     }
 }
 
+// Nobody can be told; what happened is the same.
+TEST(Program, AMessageThatCannotBeWrittenChangesNoStatus) {
+    const test::TemporaryFolder folder;
+    for (const char* closed : {"/dev/full", ""}) {
+        const auto status = [&](const std::vector<std::string>& arguments) {
+            return test::runTellingInto(closed, arguments).status;
+        };
+        const auto out = (folder / (std::string("out") + (*closed ? "Full" : "Closed"))).string();
+        EXPECT_EQ(status({"export", "pyramid", "--size", "8x8", "--format", "npy,scene", "-o", out}), 0) << closed;
+        const std::string scene = test::readText(out + "/pyramid.toml");
+        EXPECT_FALSE(has(scene, "files, ")) << "a message in a file that was given standard error's number";
+        EXPECT_EQ(status({"export", "pyramid", "--size", "0x1", "-o", out}), 2) << closed;
+        EXPECT_EQ(status({"plan", "--bogus"}), 2) << closed;
+        EXPECT_EQ(status({"plan", "nosuch"}), 3) << closed;
+        EXPECT_EQ(status({"export", "pyramid", "--size", "8x8", "-o", "/proc/out"}), 4) << closed;
+        EXPECT_EQ(status({"film", "pyramid", "--size", "8x8", "-o", out + ".gif"}), 0) << closed;
+    }
+}
+
 TEST(Plan, SaysWhatIsLeftOutAndWhy) {
     const auto done = run({"plan", scene("pyramid.scene")});
     EXPECT_EQ(done.status, 0);

@@ -16,11 +16,14 @@ namespace test {
 
 namespace {
 
-Finished start(const std::vector<std::string>& arguments, std::string out,
+constexpr const char* kClosed = "closed";
+
+// Standard output and error go to these files; empty: to ones whose text is given back.
+Finished start(const std::vector<std::string>& arguments, std::string out, std::string err,
                const std::function<void(pid_t)>& meanwhile) {
     const TemporaryFolder folder;
     if (out.empty()) out = (folder / "out").string();
-    const std::string err = (folder / "err").string();
+    if (err.empty()) err = (folder / "err").string();
 
     std::vector<std::string> words{SHADESCOPE_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
@@ -34,7 +37,10 @@ Finished start(const std::vector<std::string>& arguments, std::string out,
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
+    if (err == kClosed)
+        posix_spawn_file_actions_addclose(&actions, STDERR_FILENO);
+    else
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
     pid_t program = 0;
     const int failed = posix_spawn(&program, argv[0], &actions, nullptr, argv.data(), environment);
     posix_spawn_file_actions_destroy(&actions);
@@ -46,7 +52,7 @@ Finished start(const std::vector<std::string>& arguments, std::string out,
     Finished finished;
     finished.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     if (out.starts_with(folder.path().string())) finished.out = readText(out);
-    finished.err = readText(err);
+    if (err.starts_with(folder.path().string())) finished.err = readText(err);
     return finished;
 }
 
@@ -55,11 +61,15 @@ Finished start(const std::vector<std::string>& arguments, std::string out,
 Finished run(const std::vector<std::string>& arguments) { return runInto("", arguments); }
 
 Finished runInto(const std::string& file, const std::vector<std::string>& arguments) {
-    return start(arguments, file, [](pid_t) {});
+    return start(arguments, file, "", [](pid_t) {});
+}
+
+Finished runTellingInto(const std::string& file, const std::vector<std::string>& arguments) {
+    return start(arguments, "", file.empty() ? kClosed : file, [](pid_t) {});
 }
 
 Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds) {
-    return start(arguments, "", [&](pid_t program) {
+    return start(arguments, "", "", [&](pid_t program) {
         std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
         kill(program, SIGINT);
     });

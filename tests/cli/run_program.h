@@ -15,6 +15,9 @@ Finished run(const std::vector<std::string>& arguments);
 // The same, with standard output going to a file.
 Finished runInto(const std::string& file, const std::vector<std::string>& arguments);
 
+// The same, with standard error going to a file; closed where it has no name.
+Finished runTellingInto(const std::string& file, const std::vector<std::string>& arguments);
+
 // The same, with Ctrl+C after some time.
 Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds);
 
