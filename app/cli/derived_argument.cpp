@@ -3,6 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/cli/frame_argument.h"
+#include "pipeline/study/shadow_verdict.h"
+
 namespace app {
 
 using pipeline::BufferId;
@@ -29,25 +32,30 @@ void declareDerived(CLI::App& command, DerivedArgument& argument) {
 
 namespace {
 
-// Which option a buffer's words stand in.
-std::string optionOf(const BufferName& name) {
-    switch (name.id) {
-        case BufferId::Mix: return "--mix";
-        case BufferId::ShadowVerdict: return "--shadow-verdicts";
-        default: return "--where";
-    }
-}
+constexpr const char* kVerdicts = "--shadow-verdicts";
 
+// With the option that a buffer's words stand in, and their place; a buffer of no words is named itself.
 Errors at(Errors errors, const BufferName& name) {
+    const bool isText = name.id == BufferId::Condition || name.id == BufferId::Expression;
+    const bool hasWords = isText || name.id == BufferId::Mix;
     for (Error& error : errors) {
-        error.where.file = optionOf(name);
-        error.where.line = 1;
+        error.where.file = isText ? "--where" : hasWords ? "--mix" : name.text();
+        error.where.line = hasWords ? 1 : 0;
         error.where.column = std::max(error.where.column, 1);
     }
     return errors;
 }
 
 }  // namespace
+
+Errors noShadowVerdicts(const pipeline::Scene& scene) {
+    std::string why = "The scene has no lights.";
+    for (std::size_t light = 0; light < scene.lights.size(); ++light) {
+        why = whyNoShadowVerdicts(scene, light);
+        if (why.empty()) return {};
+    }
+    return {Error{{kVerdicts}, why, {}}};
+}
 
 Result<DerivedWanted> derivedWanted(const DerivedArgument& argument, const std::vector<BufferName>& named,
                                     const pipeline::Scene& scene) {
@@ -56,27 +64,24 @@ Result<DerivedWanted> derivedWanted(const DerivedArgument& argument, const std::
     const auto mix = pipeline::parseMix(argument.mix, scene.lights.size());
     if (!mix) return at(mix.errors(), {BufferId::Mix});
     wanted.recipe.mix = *mix;
-    bool anyMap = false;
-    Errors noMap{Error{{}, "The scene has no lights.", {}}};
+    if (argument.shadowVerdicts)
+        if (Errors none = noShadowVerdicts(scene); !none.empty()) return none;
+    for (const BufferName& name : named)
+        if (const auto none = noSuchLight(scene, name)) return *none;
     for (const BufferName& name : pipeline::allDerived(scene.lights.size())) {
         const bool isNamed = std::ranges::find(named, name) != named.end();
-        const bool isMap = name.id == BufferId::ShadowVerdict && argument.shadowVerdicts && !isNamed;
+        const bool isVerdict = name.id == BufferId::ShadowVerdict && argument.shadowVerdicts;
         const bool isMix = name.id == BufferId::Mix && !argument.mix.empty();
         // Text that gives numbers is no condition.
         const bool isText = name.id == BufferId::Condition && !argument.where.empty() &&
                             std::ranges::find(named, BufferName{BufferId::Expression}) == named.end();
-        if (!isNamed && !isMap && !isMix && !isText) continue;
+        if (!isNamed && !isVerdict && !isMix && !isText) continue;
         const auto buffers = buffersFor(name, wanted.recipe, scene);
-        if (!buffers && isMap) {
-            noMap = buffers.errors();
-            continue;
-        }
+        if (!buffers && isVerdict && !isNamed) continue;  // of another light
         if (!buffers) return at(buffers.errors(), name);
-        anyMap = anyMap || isMap;
         wanted.names.push_back(name);
         wanted.buffers |= *buffers;
     }
-    if (argument.shadowVerdicts && !anyMap && named.empty()) return at(noMap, {BufferId::ShadowVerdict});
     return wanted;
 }
 

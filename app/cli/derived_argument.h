@@ -19,6 +19,9 @@ struct DerivedArgument {
 };
 void declareDerived(CLI::App& command, DerivedArgument& argument);
 
+// Why --shadow-verdicts has nothing to say of any light of the scene, if so.
+pipeline::Errors noShadowVerdicts(const pipeline::Scene& scene);
+
 // The derived buffers of the options and of `named`, each once, after their names in the table.
 // Errors: what is wrong with the words, or why the scene has no such buffer.
 struct DerivedWanted {

@@ -30,10 +30,7 @@ pipeline::Result<BufferName> bufferNamed(const pipeline::Scene& scene, const std
     if (!name)
         return pipeline::Error{
             {}, fmt::format("no buffer {}; {}", pipeline::inQuotes(text), pipeline::insteadOfBuffer(text)), {}};
-    const std::size_t lights = scene.lights.size();
-    if (name->light >= static_cast<int>(lights))
-        return pipeline::Error{
-            {}, fmt::format("no buffer \"{}\": this scene has {} light{}", text, lights, lights == 1 ? "" : "s"), {}};
+    if (const auto none = noSuchLight(scene, *name)) return *none;
     return *name;
 }
 
@@ -54,6 +51,15 @@ void declareFrameArgument(CLI::App& command, FrameArgument& argument) {
     command.add_option("--until", argument.until, fmt::format("Stop after this stage: {}", fmt::join(stages, ", ")))
         ->type_name("STAGE");
     declareThreads(command, argument.threads);
+}
+
+std::optional<pipeline::Error> noSuchLight(const pipeline::Scene& scene, const BufferName& name) {
+    const std::size_t lights = scene.lights.size();
+    if (name.light < static_cast<int>(lights)) return std::nullopt;
+    return pipeline::Error{
+        {},
+        fmt::format("no buffer \"{}\": this scene has {} light{}", name.text(), lights, lights == 1 ? "" : "s"),
+        {}};
 }
 
 pipeline::Result<WantedFrame> wantedFrame(const pipeline::Scene& scene, const FrameArgument& argument) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct WantedFrame {
     pipeline::FrameRequest request;
     std::vector<pipeline::BufferName> buffers;  // those asked for by name; empty: all that the frame holds
 };
+
+// Why the scene has no such buffer: it has fewer lights.
+std::optional<pipeline::Error> noSuchLight(const pipeline::Scene& scene, const pipeline::BufferName& name);
 
 // Errors name the buffer or stage that does not exist, and the nearest that does.
 pipeline::Result<WantedFrame> wantedFrame(const pipeline::Scene& scene, const FrameArgument& argument);

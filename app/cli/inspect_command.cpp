@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/cli/commands.h"
+#include "app/cli/derived_argument.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
@@ -128,6 +129,10 @@ int printRow(const std::shared_ptr<const pipeline::Scene>& scene, const InspectO
 
 // Per light how many pixels are lit, shadowed, and wrong in either way.
 int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const InspectOptions& options) {
+    if (const pipeline::Errors none = noShadowVerdicts(*scene); !none.empty()) {
+        printErrors(none);
+        return kWrongUsage;
+    }
     const pipeline::FramePtr frame = frameOf(scene, options, pipeline::setOf({pipeline::BufferId::Shadow}));
     if (!frame) return cancelled();
     pipeline::Json lights = pipeline::Json::array();

@@ -257,7 +257,22 @@ TEST(Inspect, HoldsShadowsAgainstRays) {
     const Json json = Json::parse(run({"inspect", "shadow_bias", "--shadow-verdicts", "--json"}).out);
     EXPECT_GT(json[0]["acne"], 1000) << "a coarse shadow buffer without a bias";
     EXPECT_TRUE(has(run({"inspect", "shadow_bias", "--shadow-verdicts"}).out, "acne"));
-    EXPECT_TRUE(has(run({"inspect", "gl_cube", "--shadow-verdicts"}).out, "OpenGL's model has no shadows."));
+    // As export refuses it.
+    for (const std::vector<std::string>& lit :
+         {std::vector<std::string>{"gl_cube"}, {"pyramid", "--set", "light.0.shadow=off"}}) {
+        std::vector<std::string> inspect{"inspect"},
+            write{"export", "-o", "/proc/none", "--buffers", "color,condition", "--where", "x > 1"};
+        for (std::vector<std::string>* all : {&inspect, &write}) {
+            all->insert(all->end(), lit.begin(), lit.end());
+            all->push_back("--shadow-verdicts");
+        }
+        const auto printed = run(inspect), written = run(write);
+        EXPECT_EQ(printed.status, 2);
+        EXPECT_EQ(written.status, 2);
+        EXPECT_EQ(printed.out, "");
+        EXPECT_TRUE(printed.err.starts_with("--shadow-verdicts: ")) << printed.err;
+        EXPECT_EQ(printed.err, written.err);
+    }
 }
 
 TEST(Inspect, WantsAPixelOrATable) {

@@ -294,6 +294,12 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"Huge", {"--size", "16384x16384"}, "expected at most 4 GiB; make the picture smaller"},
         Wrong{"Buffer", {"--buffers", "colour"}, "no buffer \"colour\"; the nearest is \"color\""},
         Wrong{"Light", {"--buffers", "n_dot_l.1"}, "no buffer \"n_dot_l.1\": this scene has 1 light"},
+        Wrong{"LightOfVerdicts",
+              {"--buffers", "shadow_verdict.7,depth"},
+              "no buffer \"shadow_verdict.7\": this scene has 1 light"},
+        Wrong{"LightOfVerdictsBesideThem",
+              {"--buffers", "shadow_verdict.1", "--shadow-verdicts"},
+              "no buffer \"shadow_verdict.1\": this scene has 1 light"},
         Wrong{"Stage", {"--until", "zbuffer"}, "no stage \"zbuffer\"; the nearest is \"z-buffer\""},
         Wrong{
             "Late", {"--until", "cull", "--buffers", "color"}, "color comes from shading, and the run ends after cull"},
