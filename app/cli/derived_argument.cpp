@@ -58,7 +58,7 @@ Errors noShadowVerdicts(const pipeline::Scene& scene) {
 }
 
 Result<DerivedWanted> derivedWanted(const DerivedArgument& argument, const std::vector<BufferName>& named,
-                                    const pipeline::Scene& scene) {
+                                    const pipeline::Scene& scene, std::optional<pipeline::StageId> until) {
     DerivedWanted wanted;
     wanted.recipe.text = argument.where;
     const auto mix = pipeline::parseMix(argument.mix, scene.lights.size());
@@ -79,6 +79,8 @@ Result<DerivedWanted> derivedWanted(const DerivedArgument& argument, const std::
         const auto buffers = buffersFor(name, wanted.recipe, scene);
         if (!buffers && isVerdict && !isNamed) continue;  // of another light
         if (!buffers) return at(buffers.errors(), name);
+        if (until)
+            if (const auto late = comesTooLate(name, lastStageOf(*buffers), *until)) return *late;
         wanted.names.push_back(name);
         wanted.buffers |= *buffers;
     }

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -23,7 +24,7 @@ void declareDerived(CLI::App& command, DerivedArgument& argument);
 pipeline::Errors noShadowVerdicts(const pipeline::Scene& scene);
 
 // The derived buffers of the options and of `named`, each once, after their names in the table.
-// Errors: what is wrong with the words, or why the scene has no such buffer.
+// Errors: what is wrong with the words, or why the scene has no such buffer, or a run until `until`, if it ends early.
 struct DerivedWanted {
     std::vector<pipeline::BufferName> names;
     DerivedRecipe recipe;
@@ -31,7 +32,7 @@ struct DerivedWanted {
 };
 pipeline::Result<DerivedWanted> derivedWanted(const DerivedArgument& argument,
                                               const std::vector<pipeline::BufferName>& named,
-                                              const pipeline::Scene& scene);
+                                              const pipeline::Scene& scene, std::optional<pipeline::StageId> until);
 
 // Errors: what cannot be made of this frame, and why. Empty when stopped.
 pipeline::Result<std::vector<pipeline::ExportRequest::Derived>> derivedOf(const DerivedWanted& wanted,

@@ -89,14 +89,8 @@ std::vector<pipeline::BufferName> takeDerived(std::vector<std::string>& names) {
     return derived;
 }
 
-pipeline::StageId lastStageOf(pipeline::BufferSet buffers) {
-    auto last = pipeline::StageId::Transform;
-    for (const pipeline::BufferInfo& info : pipeline::bufferTable())
-        if (buffers.test(index(info.id))) last = std::max(last, info.stage);
-    return last;
-}
-
-// What the cue shows, where the other options do not say otherwise. False: the reasons went to standard error.
+// The cue's scene, place and pixel, where the other options do not say otherwise. False: the reasons went to standard
+// error.
 bool takeCue(ExportOptions& options, int& status) {
     const auto refuse = [&](const pipeline::Errors& errors, int why) {
         printErrors(errors);
@@ -115,13 +109,31 @@ bool takeCue(ExportOptions& options, int& status) {
     if (options.at.empty() && options.frame.until.empty() && state.place) options.at = text(*state.place);
     if (options.views && options.pixel.empty() && state.pixel)
         options.pixel = fmt::format("{},{}", (*state.pixel)[0], (*state.pixel)[1]);
-    if (options.derived.where.empty()) options.derived.where = state.condition;
-    if (options.derived.mix.empty()) options.derived.mix = state.mix;
-    if (options.frame.buffers == FrameArgument().buffers) {
-        options.frame.buffers.clear();
-        for (const BufferShown& view : state.views) options.frame.buffers.push_back(view.buffer);
-    }
     return true;
+}
+
+// What a cue looks at, where the options name nothing else. It was not asked for here: what comes after the end of the
+// run is left out, and where nothing else is looked at, all that the run holds is meant.
+void takeViews(ExportOptions& options, const pipeline::Scene& scene, std::optional<pipeline::StageId> until) {
+    const WindowState& state = *options.scene.state;
+    const auto whyNot = [&](const pipeline::BufferName& name) -> std::optional<pipeline::Error> {
+        if (!until) return std::nullopt;
+        if (!isDerived(name.id)) return comesTooLate(name, bufferInfo(name.id).stage, *until);
+        const auto buffers = buffersFor(name, {state.condition, {}}, scene);
+        return buffers ? comesTooLate(name, lastStageOf(*buffers), *until) : std::nullopt;  // its error is told later
+    };
+    using B = pipeline::BufferId;
+    if (options.derived.where.empty() && !whyNot({B::Condition}) && !whyNot({B::Expression}))
+        options.derived.where = state.condition;
+    if (options.derived.mix.empty() && !whyNot({B::Mix})) options.derived.mix = state.mix;
+    if (options.frame.buffers != FrameArgument().buffers) return;
+    std::vector<std::string> shown;
+    for (const BufferShown& view : state.views)
+        if (const auto why = whyNot(pipeline::findAnyBuffer(view.buffer).value()))  // the reader knows the name
+            tell("left out: {}\n", format(*why));
+        else
+            shown.push_back(view.buffer);
+    if (!shown.empty()) options.frame.buffers = std::move(shown);
 }
 
 // What a picture opens again beside its scene: the cue, or place and pixel.
@@ -151,8 +163,8 @@ int runExport(ExportOptions options, const CliHost& host) {
         tell("shadescope export: {}\n", why);
         return kWrongUsage;
     }
-    FrameArgument argument = options.frame;
     std::optional<pipeline::Place> at;
+    std::optional<pipeline::StageId> until = pipeline::findStage(options.frame.until);
     if (!options.at.empty()) {
         const auto place = pipeline::parsePlace(options.at);
         if (!place) {
@@ -160,15 +172,18 @@ int runExport(ExportOptions options, const CliHost& host) {
             return kWrongUsage;
         }
         at = *place;
-        argument.until = pipeline::stageInfo(at->stage).name;  // nothing later is looked at
+        until = at->stage;  // nothing later is looked at
     }
+    if (!options.cue.empty()) takeViews(options, *scene, until);
+    FrameArgument argument = options.frame;
+    if (at) argument.until = pipeline::stageInfo(at->stage).name;
     const std::vector<pipeline::BufferName> named = takeDerived(argument.buffers);
     const auto wanted = wantedFrame(*scene, argument);
     if (!wanted) {
         printErrors(wanted.errors());
         return kWrongUsage;
     }
-    const auto derivedOnes = derivedWanted(options.derived, named, *scene);
+    const auto derivedOnes = derivedWanted(options.derived, named, *scene, until);
     if (!derivedOnes) {
         printErrors(derivedOnes.errors());
         return kWrongUsage;

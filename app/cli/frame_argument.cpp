@@ -62,6 +62,21 @@ std::optional<pipeline::Error> noSuchLight(const pipeline::Scene& scene, const B
         {}};
 }
 
+StageId lastStageOf(const pipeline::BufferSet& buffers) {
+    auto last = StageId::Transform;
+    for (const pipeline::BufferInfo& info : pipeline::bufferTable())
+        if (buffers.test(index(info.id))) last = std::max(last, info.stage);
+    return last;
+}
+
+std::optional<pipeline::Error> comesTooLate(const BufferName& name, StageId from, StageId until) {
+    if (from <= until) return std::nullopt;
+    return pipeline::Error{{},
+                           fmt::format("{} comes from {}, and the run ends after {}", name.text(),
+                                       pipeline::stageInfo(from).name, pipeline::stageInfo(until).name),
+                           {}};
+}
+
 pipeline::Result<WantedFrame> wantedFrame(const pipeline::Scene& scene, const FrameArgument& argument) {
     WantedFrame wanted;
     wanted.request.threads = argument.threads;
@@ -84,14 +99,8 @@ pipeline::Result<WantedFrame> wantedFrame(const pipeline::Scene& scene, const Fr
     if (argument.until.empty()) return wanted;
     const auto until = stageNamed(argument.until);
     if (!until) return until.errors();
-    for (const BufferName& buffer : wanted.buffers) {
-        const StageId stage = pipeline::bufferInfo(buffer.id).stage;
-        if (index(stage) > index(*until))
-            return pipeline::Error{{},
-                                   fmt::format("{} comes from {}, and the run ends after {}", buffer.text(),
-                                               pipeline::stageInfo(stage).name, argument.until),
-                                   {}};
-    }
+    for (const BufferName& buffer : wanted.buffers)
+        if (const auto late = comesTooLate(buffer, pipeline::bufferInfo(buffer.id).stage, *until)) return *late;
     wanted.request.until = *until;
     return wanted;
 }

@@ -33,6 +33,12 @@ struct WantedFrame {
 // Why the scene has no such buffer: it has fewer lights.
 std::optional<pipeline::Error> noSuchLight(const pipeline::Scene& scene, const pipeline::BufferName& name);
 
+// The last stage that leaves any of them.
+pipeline::StageId lastStageOf(const pipeline::BufferSet& buffers);
+// Why a buffer that comes from a stage is not there at the end of a run until another, if so.
+std::optional<pipeline::Error> comesTooLate(const pipeline::BufferName& name, pipeline::StageId from,
+                                            pipeline::StageId until);
+
 // Errors name the buffer or stage that does not exist, and the nearest that does.
 pipeline::Result<WantedFrame> wantedFrame(const pipeline::Scene& scene, const FrameArgument& argument);
 

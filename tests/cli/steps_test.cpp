@@ -80,6 +80,46 @@ TEST(ExportCue, WritesWhatTheCueShows) {
     EXPECT_FALSE(fs::exists(folder / "none"));
 }
 
+// A cue was made for the window: what it looks at and the run does not reach was not asked for here.
+TEST(ExportCue, LeavesOutWhatComesAfterItsPlace) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "talk.cues",
+                    "[[cue]]\nname = \"bare\"\nscene = \"pyramid\"\nplace = \"z-buffer/polygon=2\"\n"
+                    "[[cue]]\nname = \"shown\"\nscene = \"pyramid\"\ncondition = \"n_dot_l.0 > 0.5\"\n"
+                    "[[cue.view]]\nbuffer = \"color\"\n[[cue.view]]\nbuffer = \"depth\"\n"
+                    "[[cue.view]]\nbuffer = \"condition\"\n[[cue.view]]\nbuffer = \"mix\"\n");
+    const auto exported = [&](const char* cue, const char* out, std::vector<std::string> more) {
+        std::vector<std::string> all{"export",   "--cue", (folder / "talk.cues").string() + cue, "-o", folder / out,
+                                     "--format", "npy"};
+        all.insert(all.end(), more.begin(), more.end());
+        return run(all);
+    };
+    // No view of its own: all that there is at its place.
+    const auto bare = exported(":bare", "bare", {});
+    EXPECT_EQ(bare.status, 0) << bare.err;
+    EXPECT_TRUE(fs::exists(folder / "bare/depth.npy"));
+    EXPECT_TRUE(fs::exists(folder / "bare/vertices.world.npy"));
+    EXPECT_FALSE(fs::exists(folder / "bare/color.npy"));
+
+    for (const char* end : {"--at", "--until"}) {
+        const auto shown = exported(":shown", end, {end, "z-buffer"});
+        EXPECT_EQ(shown.status, 0) << shown.err;
+        EXPECT_NE(shown.err.find("left out: color comes from shading, and the run ends after z-buffer\n"),
+                  std::string::npos)
+            << shown.err;
+        EXPECT_TRUE(fs::exists(folder / end / "depth.npy"));
+        for (const char* late : {"color.npy", "condition.npy", "mix.npy", "vertices.world.npy"})
+            EXPECT_FALSE(fs::exists(folder / end / late)) << late;
+    }
+    EXPECT_EQ(exported(":shown", "whole", {}).status, 0);
+    for (const char* file : {"color.npy", "depth.npy", "condition.npy", "mix.npy"})
+        EXPECT_TRUE(fs::exists(folder / "whole" / file)) << file;
+    // Asked for by name, it is refused as ever.
+    EXPECT_EQ(exported(":shown", "none", {"--at", "cull", "--buffers", "color"}).status, 2);
+    EXPECT_EQ(exported(":shown", "none", {"--at", "cull", "--where", "n_dot_l.0 > 0.5"}).status, 2);
+    EXPECT_FALSE(fs::exists(folder / "none"));
+}
+
 TEST(Film, IsAGifOrAFolderOfPictures) {
     const test::TemporaryFolder folder;
     const auto gif = run({"film", "pyramid", "--size", "320x240", "--buffer", "z_view", "-o", folder / "film.gif"});
