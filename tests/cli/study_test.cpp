@@ -75,7 +75,7 @@ TEST(StudyCommand, goesOnWhereItWasInterrupted) {
     auto arguments = studyOf(folder.path(), {});
     for (std::string& argument : arguments)
         if (argument == "2" && &argument != &arguments.front())
-            argument = "4000";  // repeats: long enough to be stopped
+            argument = "100000";  // repeats: long enough to be stopped
     const auto stopped = test::runAndInterrupt(arguments, 1500);
     ASSERT_EQ(stopped.status, 130) << stopped.err;
     ASSERT_TRUE(fs::exists(folder.path() / "study.part.json"));
