@@ -11,6 +11,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/scene_argument.h"
 #include "app/cli/study_folder.h"
+#include "pipeline/export/staging.h"
 #include "pipeline/export/study_files.h"
 #include "pipeline/export/study_json.h"
 #include "pipeline/export/study_text.h"
@@ -57,6 +58,12 @@ struct Run {
     }
 
     bool begin() {
+        // What a folder cannot hold would be measured for nothing.
+        if (const auto folder = pipeline::Staging::begin(job.folder); !folder) {
+            printErrors(folder.errors());
+            status = kCouldNotWrite;
+            return false;
+        }
         report = beginStudy(job.request);
         report.processes = job.processes;
         if (job.restart) return true;

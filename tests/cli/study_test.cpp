@@ -1,6 +1,8 @@
 // shadescope study: reports, shards and their merge, going on after an interruption, what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -85,6 +87,23 @@ TEST(StudyCommand, goesOnWhereItWasInterrupted) {
     EXPECT_NE(refused.err.find("another study"), std::string::npos) << refused.err;
     const auto again = test::run(studyOf(folder.path(), {"--restart"}));
     EXPECT_EQ(again.status, 0) << again.err;
+}
+
+TEST(StudyCommand, refusesItsFolderBeforeItMeasures) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "file", "");
+    const auto seconds = [&](const fs::path& out, int status) {
+        const auto start = std::chrono::steady_clock::now();
+        auto arguments = studyOf(out, {});
+        std::ranges::replace(arguments, "48x36", "320x240");
+        const auto done = test::run(arguments);
+        EXPECT_EQ(done.status, status) << done.err;
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    const double whole = seconds(folder / "out", 0);
+    for (const fs::path& out : {folder / "file", folder / "file/out", fs::path("/proc/out")})
+        EXPECT_LT(seconds(out, 4), whole / 4) << out << ": errors are found all the same";
+    EXPECT_EQ(test::readText(folder / "file"), "");
 }
 
 TEST(StudyCommand, saysWhatIsWrong) {
