@@ -231,7 +231,9 @@ int runExport(ExportOptions options, const CliHost& host) {
     }
     if (summary->cancelled) return cancelled();
     tellLeftOut(*frame, request);
-    tell("{} files, {}, in {}\n", summary->files.size(), pipeline::sizeText(summary->bytes), options.folder);
+    const std::size_t removed = summary->removed.size();
+    tell("{} files, {}, in {}{}\n", summary->files.size(), pipeline::sizeText(summary->bytes), options.folder,
+         removed == 0 ? "" : fmt::format("; {} of the export before removed", removed));
     return kDone;
 }
 

@@ -143,7 +143,10 @@ QWidget* ExportDialog::makeTarget() {
     m_total = makeLabel("exportTotal", 1, right);
     m_files = makeLabel("exportFiles", 2, right);
     auto* note = makeLabel("exportNote", 2, right);
-    note->setText(tr("Files appear whole or not at all; those in the folder with the same names are replaced."));
+    note->setText(
+        tr("Files appear whole or not at all. An export that is in the folder already is replaced, with all files that "
+           "its "
+           "manifest names; other files stay."));
     auto* column = new QVBoxLayout(right);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(form);

@@ -7,6 +7,7 @@
 #include "pipeline/export/manifest.h"
 #include "pipeline/export/png_file.h"
 #include "pipeline/export/staging.h"
+#include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/toml_writer.h"
 
 namespace pipeline {
@@ -81,6 +82,21 @@ Result<std::vector<WrittenScene>> writeScene(const Frame& frame, const ExportReq
         written.push_back({file, &exporter, *bytes});
     }
     return written;
+}
+
+// Files of the export that is in the folder which the new one does not replace: they would say something else than its
+// manifest.
+std::vector<std::string> staleFiles(const fs::path& folder, const std::vector<std::string>& written) {
+    const Result<std::string> earlier = readFile(folder / kManifest, kMaxFileBytes);
+    if (!earlier) return {};
+    std::vector<std::string> names = filesNamedBy(*earlier);
+    std::erase_if(names, [&](const std::string& name) {
+        std::error_code ignored;
+        const fs::file_status status = fs::symlink_status(folder / name, ignored);
+        return !(fs::is_regular_file(status) || fs::is_symlink(status)) ||
+               std::ranges::find(written, name) != written.end();
+    });
+    return names;
 }
 
 // The staging folder's name must not reach the user: they asked for `folder`.
@@ -179,7 +195,8 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
     summary.bytes += *bytes;
 
     if (!goOn(1, kManifest)) return cancelled;
-    const auto published = staging.publish();
+    summary.removed = staleFiles(request.folder, summary.files);
+    const auto published = staging.publish(summary.removed);
     if (!published) return published.errors();
     return summary;
 }

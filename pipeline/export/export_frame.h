@@ -43,16 +43,17 @@ struct PlannedFile {
 std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& request);
 
 struct ExportSummary {
-    bool cancelled = false;          // nothing was written
-    std::vector<std::string> files;  // names in the folder, manifest.json last
+    bool cancelled = false;              // nothing was written
+    std::vector<std::string> files;      // names in the folder, manifest.json last
+    std::vector<std::string> removed{};  // of the export that was there before, and are not among them
     std::uint64_t bytes = 0;
 };
 
 // Called before each file with the share that is done, 0 to 1; false cancels.
 using ExportProgress = std::function<bool(double share, std::string_view file)>;
 
-// Writes the buffers of a frame and manifest.json: all of them, or nothing. A file that is in
-// the folder already is replaced, other files stay. Errors: what could not be written, and why.
+// Writes the buffers of a frame and manifest.json: all of them, or nothing. An export that is in the folder already is
+// replaced, all files that its manifest names; other files stay. Errors: what could not be written, and why.
 Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& request,
                                   const ExportProgress& progress = {});
 

@@ -1,6 +1,7 @@
 #include "pipeline/export/manifest.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "pipeline/core/version.h"
 #include "pipeline/export/png_file.h"
@@ -96,6 +97,31 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
     if (!derived.empty()) all["derived"] = std::move(derived);
     if (!at.empty()) all["at"] = at;
     return all;
+}
+
+std::vector<std::string> filesNamedBy(std::string_view manifest) {
+    std::vector<std::string> names;
+    const Json all = Json::parse(manifest, nullptr, false);
+    const auto add = [&](const Json& name) {
+        if (!name.is_string()) return;
+        const std::filesystem::path file = name.get<std::string>();
+        const bool isPlain = file.has_filename() && file == file.filename() && file != "." && file != "..";
+        if (isPlain && std::ranges::find(names, file.string()) == names.end()) names.push_back(file.string());
+    };
+    const auto each = [](const Json& json, const char* key, const auto& visit) {
+        if (json.is_object() && json.contains(key) && json[key].is_array()) std::ranges::for_each(json[key], visit);
+    };
+    const auto addFiles = [&](const Json& json) {
+        each(json, "files", [&](const Json& file) {
+            if (file.is_object() && file.contains("file")) add(file["file"]);
+        });
+    };
+    const Json::json_pointer program("/program/name");
+    if (!all.contains(program) || all[program] != "Shadescope") return names;
+    for (const char* buffers : {"buffers", "derived"}) each(all, buffers, addFiles);
+    addFiles(all);
+    each(all, "views", add);
+    return names;
 }
 
 }  // namespace pipeline

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/export/exporter.h"
@@ -31,5 +32,9 @@ struct WrittenScene {
 // and what each file holds. `asked` are the buffers that were to be exported.
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
               const std::vector<WrittenScene>& whole, const std::vector<std::string>& views, const std::string& at);
+
+// The names of the files that such a text says are beside it; none where it is not one of this program's. A name that
+// leads out of its folder is left out: anybody may have written the text.
+std::vector<std::string> filesNamedBy(std::string_view manifest);
 
 }  // namespace pipeline

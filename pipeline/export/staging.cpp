@@ -64,7 +64,7 @@ Staging::~Staging() {
     for (auto p = m_made.rbegin(); p != m_made.rend(); ++p) fs::remove(*p, ignored);  // only while empty
 }
 
-Result<std::monostate> Staging::publish() {
+Result<std::monostate> Staging::publish(const std::vector<std::string>& gone) {
     std::error_code error;
     if (!fs::exists(m_target)) {
         fs::rename(m_folder, m_target, error);
@@ -76,11 +76,25 @@ Result<std::monostate> Staging::publish() {
         // Looked at before the first one moves: either all can, or none does.
         for (const fs::path& name : names)
             if (fs::is_directory(m_target / name, error)) return writeError(m_target / name, EISDIR);
+        // Put aside before they are removed: they come back where a file cannot move after all.
+        const fs::path aside = m_folder / "aside";
+        std::vector<fs::path> putAside;
+        const auto refuse = [&](const fs::path& name) {
+            std::error_code ignored;
+            for (const fs::path& old : putAside) fs::rename(aside / old, m_target / old, ignored);
+            return folderError(m_target / name, error);
+        };
+        if (!gone.empty()) fs::create_directory(aside, error);
+        for (const std::string& name : gone) {
+            if (!error) fs::rename(m_target / name, aside / name, error);
+            if (error) return refuse(name);
+            putAside.emplace_back(name);
+        }
         for (const fs::path& name : names) {
             fs::rename(m_folder / name, m_target / name, error);
-            if (error) return folderError(m_target / name, error);
+            if (error) return refuse(name);
         }
-        fs::remove(m_folder, error);
+        fs::remove_all(m_folder, error);
     }
     m_folder.clear();
     m_made.clear();

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "pipeline/core/result.h"
@@ -8,7 +9,7 @@ namespace pipeline {
 
 // Files that appear in a folder together or not at all: they are written into a hidden folder
 // on the same disk and moved when all are there. What was in the folder stays, but for files of
-// the same name. Gone without a trace when it is destroyed unpublished.
+// the same name and those that are to go. Gone without a trace when it is destroyed unpublished.
 class Staging {
 public:
     // `target` may exist, or not; missing parents are made.
@@ -18,7 +19,8 @@ public:
     ~Staging();
 
     const std::filesystem::path& folder() const { return m_folder; }  // to write into
-    Result<std::monostate> publish();
+    // gone: names of files in the target that go when the new ones come.
+    Result<std::monostate> publish(const std::vector<std::string>& gone = {});
 
 private:
     Staging() = default;

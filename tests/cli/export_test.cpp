@@ -206,6 +206,17 @@ TEST(Export, DoubleRunsLeaveDoubles) {
     EXPECT_EQ(test::readNpy(folder / "out/color.npy").descr, "|u1");
 }
 
+TEST(Export, SaysHowManyFilesOfTheExportBeforeAreRemoved) {
+    const test::TemporaryFolder folder;
+    const auto exported = [&](const char* size, const char* buffers) {
+        return run({"export", "pyramid", "-o", folder / "out", "--format", "npy", "--size", size, "--buffers", buffers})
+            .err;
+    };
+    EXPECT_EQ(exported("8x8", "depth,color").find("removed"), std::string::npos);
+    EXPECT_NE(exported("16x16", "color").find("; 1 of the export before removed\n"), std::string::npos);
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"out", "out/color.npy", "out/manifest.json"}));
+}
+
 TEST(Export, SaysWhichNamedBufferHasNoFile) {
     const test::TemporaryFolder folder;
     const auto done =

@@ -87,6 +87,72 @@ TEST(Staging, MovesNothingWhenOneFileCannotMove) {
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"a", "b"}));
 }
 
+TEST(Staging, BringsBackWhatIsToGoWhenOneFileCannotMove) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "stale", "old");
+    for (const bool fails : {true, false}) {
+        auto begun = Staging::begin(folder.path());
+        ASSERT_TRUE(begun);
+        Staging staging = std::move(begun).value();
+        test::writeText(staging.folder() / "a", "new");
+        // A name that is not there any more fails after the first has been put aside.
+        const auto published =
+            staging.publish(fails ? std::vector<std::string>{"stale", "missing"} : std::vector<std::string>{"stale"});
+        EXPECT_EQ(bool(published), !fails);
+        EXPECT_EQ(fs::exists(folder / "stale"), fails);
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"a"});
+}
+
+TEST(ExportFrame, ReplacesTheExportBefore) {
+    const test::TemporaryFolder folder;
+    const FramePtr frame = usefulFrame();
+    ExportRequest both{folder / "out", {{BufferId::Depth}, {BufferId::Color}}, {"npy", "scene"}, {}};
+    both.writeMore = [](const fs::path& where) -> Result<std::vector<fs::path>> {
+        test::writeText(where / "world.png", "");
+        return std::vector{where / "world.png"};
+    };
+    ASSERT_TRUE(exportFrame(*frame, both));
+    test::writeText(folder / "out/normal.npy", "of somebody else");
+    const ExportRequest one{folder / "out", {{BufferId::Color}}, {"npy"}, {}};
+
+    const auto cancelled = exportFrame(*frame, one, [](double share, std::string_view) { return share < 1; });
+    ASSERT_TRUE(cancelled);
+    EXPECT_TRUE(fs::exists(folder / "out/depth.npy"));
+
+    const auto summary = exportFrame(*frame, one);
+    ASSERT_TRUE(summary);
+    EXPECT_EQ(summary->removed, (std::vector<std::string>{"depth.npy", "pyramid.toml", "world.png"}));
+    EXPECT_EQ(folder.names(),
+              (std::vector<std::string>{"out", "out/color.npy", "out/manifest.json", "out/normal.npy"}));
+    const auto again = exportFrame(*frame, one);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->removed, std::vector<std::string>{});
+}
+
+// Anybody may have written it.
+TEST(ExportFrame, RemovesNothingThatAManifestHasNoRightTo) {
+    const FramePtr frame = usefulFrame();
+    const auto exported = [&](const std::string& manifest) {
+        const test::TemporaryFolder folder;
+        fs::create_directories(folder / "out/inner");
+        for (const char* file : {"mine", "out/mine", "out/inner/mine"}) test::writeText(folder / file, "mine");
+        test::writeText(folder / "out/manifest.json", manifest);
+        const auto summary = exportFrame(*frame, {folder / "out", {{BufferId::Color}}, {"npy"}, {}});
+        EXPECT_TRUE(summary);
+        EXPECT_EQ(folder.names(), (std::vector<std::string>{"mine", "out", "out/color.npy", "out/inner",
+                                                            "out/inner/mine", "out/manifest.json", "out/mine"}))
+            << manifest;
+    };
+    const std::string ours = R"({"program": {"name": "Shadescope"}, )";
+    exported(ours + R"("views": ["../mine", "inner/mine", "inner", "..", ".", "", "missing", 1, null, ["mine"]]})");
+    exported(ours + R"("files": [{"file": "../mine"}, "mine", {"file": 3}, {}], "buffers": [{"files": "mine"}, 7]})");
+    exported(ours + R"("files": "mine", "buffers": {"files": ["mine"]}})");
+    exported(R"({"program": {"name": "Another"}, "views": ["mine"]})");
+    exported(R"(["program", "views", "mine"])");
+    exported("{\"views\": [\"mine\"");
+}
+
 TEST(ExportFrame, WritesWhatItPlanned) {
     const test::TemporaryFolder folder;
     const FramePtr frame = usefulFrame();
