@@ -16,8 +16,9 @@ namespace {
 bool hasNoMark(std::string_view) { return false; }
 
 constexpr auto kFormats = std::to_array<Format>({
-    {"scene description", ".scene", looksLikeLectureScene, readLectureScene},
+    // Before the scene: numbers alone are an object rather than a scene without objects, unless the extension says so.
     {"object description", ".des", looksLikeLectureObject, readLectureObject},
+    {"scene description", ".scene", looksLikeLectureScene, readLectureScene},
     {"TOML scene", ".toml", looksLikeTomlScene, readTomlScene},
     {"Wavefront model", ".obj", hasNoMark, readModelScene},
     {"polygon file", ".ply", hasNoMark, readModelScene},

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <ranges>
 
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/lecture_values.h"
@@ -123,8 +124,12 @@ Result<Scene> readLectureScene(const SourceText& source, const FileLoader& load)
 
 bool looksLikeLectureScene(std::string_view start) {
     const std::vector<std::string_view> words = firstWords(start, 6);
-    return words.size() >= 5 && std::all_of(words.begin(), words.begin() + 4, parseNumber) && parseCount(words[4]) &&
-           (words.size() == 5 || !parseNumber(words[5]));
+    const auto isNumber = [](std::string_view word) { return parseNumber(word).has_value(); };
+    if (words.empty() || !std::ranges::all_of(words | std::views::take(4), isNumber)) return false;
+    if (words.size() < 5) return true;  // as far as it goes
+    const std::optional<std::uint64_t> objects = parseCount(words[4]);
+    // The first object's file follows, or, without objects, the number of lights.
+    return objects && (words.size() == 5 || isNumber(words[5]) == (*objects == 0));
 }
 
 }  // namespace pipeline

@@ -217,6 +217,16 @@ TEST(Export, SaysHowManyFilesOfTheExportBeforeAreRemoved) {
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"out", "out/color.npy", "out/manifest.json"}));
 }
 
+TEST(Export, NoObjectGivesTheBackground) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "empty.scene", "200, 1000, 45, 60\n0\n0\n50\n");
+    const auto done = run({"export", folder / "empty.scene", "-o", folder / "out", "--size", "8x8"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_TRUE(std::ranges::all_of(test::readNpy(folder / "out/color.npy").values, [](double v) { return v == 0; }));
+    EXPECT_TRUE(
+        std::ranges::all_of(test::readNpy(folder / "out/polygon_id.npy").values, [](double v) { return v == -1; }));
+}
+
 TEST(Export, SaysWhichNamedBufferHasNoFile) {
     const test::TemporaryFolder folder;
     const auto done =

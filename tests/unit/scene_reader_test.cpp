@@ -219,6 +219,29 @@ TEST_F(SceneReader, ContentsDecideTheFormatAndTheExtensionWhereTheyDoNot) {
     EXPECT_EQ(errorsOf(readScene(file)), "a.txt: found no scene, expected " + knownFormats() + "\n");
 }
 
+TEST_F(SceneReader, AScenesBeginningIsNotTakenForAnObject) {
+    const std::string whole = sceneOf("t.des");
+    ASSERT_TRUE(findFormat(whole, ".scene"));
+    for (std::size_t end = whole.find_first_of(" \n"); end != whole.npos; end = whole.find_first_of(" \n", end + 1)) {
+        const std::string begun = whole.substr(0, end);
+        EXPECT_EQ(findFormat(begun, ".scene")->extension, ".scene") << begun;
+        EXPECT_EQ(errorsIn(begun).find("vertices"), std::string::npos) << errorsIn(begun);
+    }
+    EXPECT_EQ(errorsIn("200 1000 45\n"),
+              "s.scene:2:1: found the end of the file, expected φ from z, a number from -1000000 to 1000000\n");
+    // An object stays one, whatever it is called.
+    EXPECT_EQ(findFormat("3 1\n0 0 5 1 0 0 0 1 0\n3 0 1 2\n0.2 0.5 0.9 0.4 8\n", ".scene")->extension, ".des");
+}
+
+TEST_F(SceneReader, ASceneMayHaveNoObject) {
+    const Result<Scene> dark = read("200, 1000, 45, 60\n0\n0\n50\n");
+    ASSERT_TRUE(dark) << errorsOf(dark);
+    EXPECT_EQ(dark->objects.size() + dark->lights.size(), 0u);
+    const Result<Scene> lit = read("200, 1000, 45, 60\n0\n1\n5 5 5 100\n50\n");
+    ASSERT_TRUE(lit) << errorsOf(lit);
+    EXPECT_EQ(lit->lights.size(), 1u);
+}
+
 TEST_F(SceneReader, ModelOpensAsAScene) {
     // A box of 2, 4 and 4 around (1, 2, 2): half its diagonal is 3, the eye is four times as far.
     const std::string square = "v 0 0 0\nv 2 0 0\nv 2 4 0\nv 0 4 4\n";
