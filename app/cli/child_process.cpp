@@ -18,13 +18,17 @@ pipeline::Result<int> runOurselves(const std::vector<std::string>& arguments, st
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
 
-    // Signals that Interrupt keeps for itself must reach the other one.
+    // Signals that Interrupt keeps for itself must reach the other one, also where a shell has them ignored.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t none;
     sigemptyset(&none);
     posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+    sigset_t stopping;
+    sigemptyset(&stopping);
+    sigaddset(&stopping, SIGTERM);
+    posix_spawnattr_setsigdefault(&attributes, &stopping);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
     pid_t child = 0;
     const int error = posix_spawn(&child, kProgram, nullptr, &attributes, argv.data(), environ);
     posix_spawnattr_destroy(&attributes);
@@ -34,7 +38,7 @@ pipeline::Result<int> runOurselves(const std::vector<std::string>& arguments, st
 
     {
         // Its number stays taken until it is waited for below: the signal never reaches another one.
-        const std::stop_callback passOn(std::move(stop), [child] { kill(child, SIGINT); });
+        const std::stop_callback passOn(std::move(stop), [child] { kill(child, SIGTERM); });
         siginfo_t ended;
         while (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
         }

@@ -17,7 +17,7 @@ enum ExitStatus {
     kWrongUsage = 2,
     kBadInput = 3,
     kCouldNotWrite = 4,
-    kInterrupted = 130,  // Ctrl+C, as shells have it
+    kInterrupted = 130,  // Ctrl+C, as shells have it; the others that ask to stop too
 };
 
 // What only a build with a window can do.

@@ -7,8 +7,11 @@ namespace app {
 Interrupt::Interrupt() {
     sigset_t ours;
     sigemptyset(&ours);
-    sigaddset(&ours, SIGINT);
-    sigaddset(&ours, SIGTERM);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        // What is ignored stays so: nohup does it, and a shell for what runs in the background.
+        struct sigaction now {};
+        if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) sigaddset(&ours, signal);
+    }
     pthread_sigmask(SIG_BLOCK, &ours, &m_before);
     m_waiting = std::jthread([this, ours](const std::stop_token& over) {
         // A signal handler may do next to nothing; a thread that waits for the signal may do all.

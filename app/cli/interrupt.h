@@ -6,8 +6,8 @@
 
 namespace app {
 
-// While it lives, Ctrl+C (and a plain kill) asks to stop instead of ending the program, so that
-// nothing half done stays behind. Made before any other thread, which then leaves the signals to it.
+// While it lives, Ctrl+C (and a plain kill, and a terminal that is closed) asks to stop instead of ending the program,
+// so that nothing half done stays behind. Made before any other thread, which then leaves the signals to it.
 class Interrupt {
 public:
     Interrupt();

@@ -268,16 +268,34 @@ TEST(Export, AnUnwritableFolderIsStatus4AndLeavesNothing) {
     EXPECT_EQ(folder.names(), std::vector<std::string>{"file"});
 }
 
-TEST(Export, CtrlCLeavesNothing) {
+// Ctrl+C, a terminal that is closed, a plain kill.
+TEST(Export, BeingAskedToStopLeavesNothing) {
+    for (const int signal : {SIGINT, SIGHUP, SIGTERM}) {
+        const test::TemporaryFolder folder;
+        const auto before = std::signal(signal, SIG_DFL);  // the tests may run under nohup themselves
+        // Some seconds of work: 81 million numbers as text.
+        const auto done =
+            test::runAndInterrupt({"export", "pyramid", "-o", folder / "out", "--size", "3000x3000", "--buffers",
+                                   "position,normal,view_vector", "--format", "csv", "--set", "camera.scale=6"},
+                                  300, signal);
+        std::signal(signal, before);
+        EXPECT_EQ(done.status, 130);
+        EXPECT_EQ(done.err, "Cancelled. Nothing was written.\n");
+        EXPECT_EQ(folder.names(), std::vector<std::string>{});
+    }
+}
+
+// As nohup has it.
+TEST(Export, ASignalThatIsIgnoredStopsNothing) {
     const test::TemporaryFolder folder;
-    // Some seconds of work: 81 million numbers as text.
+    const auto before = std::signal(SIGHUP, SIG_IGN);  // the program takes this over
     const auto done =
-        test::runAndInterrupt({"export", "pyramid", "-o", folder / "out", "--size", "3000x3000", "--buffers",
-                               "position,normal,view_vector", "--format", "csv", "--set", "camera.scale=6"},
-                              300);
-    EXPECT_EQ(done.status, 130);
-    EXPECT_EQ(done.err, "Cancelled. Nothing was written.\n");
-    EXPECT_EQ(folder.names(), std::vector<std::string>{});
+        test::runAndInterrupt({"export", "pyramid", "-o", folder / "out", "--size", "2000x2000", "--buffers",
+                               "position,normal", "--format", "csv", "--set", "camera.scale=4"},
+                              100, SIGHUP);
+    std::signal(SIGHUP, before);
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_TRUE(fs::exists(folder / "out/position.csv"));
 }
 
 struct Wrong {

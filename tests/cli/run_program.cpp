@@ -68,10 +68,10 @@ Finished runTellingInto(const std::string& file, const std::vector<std::string>&
     return start(arguments, "", file.empty() ? kClosed : file, [](pid_t) {});
 }
 
-Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds) {
+Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds, int signal) {
     return start(arguments, "", "", [&](pid_t program) {
         std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-        kill(program, SIGINT);
+        kill(program, signal);
     });
 }
 

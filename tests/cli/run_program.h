@@ -1,4 +1,5 @@
 #pragma once
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,8 @@ Finished runInto(const std::string& file, const std::vector<std::string>& argume
 // The same, with standard error going to a file; closed where it has no name.
 Finished runTellingInto(const std::string& file, const std::vector<std::string>& arguments);
 
-// The same, with Ctrl+C after some time.
-Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds);
+// The same, with Ctrl+C, or another signal, after some time.
+Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds, int signal = SIGINT);
 
 // A file of resources/scenes.
 std::string scene(const std::string& name);
