@@ -52,7 +52,7 @@ struct FrameExporter {
 
 std::span<const FrameExporter> frameExporterTable();
 const FrameExporter* findFrameExporter(std::string_view name);  // null where there is none
-// "pyramid.gl.c" of the scene "pyramid.scene".
+// "pyramid.gl.c" of the scene "pyramid.scene"; a title that no file can have as its name is cut.
 std::string sceneFileName(const std::string& scene, const FrameExporter& exporter);
 
 // "could not write: no space left on device", at `file`; reason from errno.

@@ -92,6 +92,12 @@ const FrameExporter* findFrameExporter(std::string_view name) {
 
 std::string sceneFileName(const std::string& scene, const FrameExporter& exporter) {
     std::string file = std::filesystem::path(scene).stem().string();
+    constexpr std::size_t kLongest = 200;  // bytes; file systems allow 255, the endings too
+    if (file.size() > kLongest) {
+        std::size_t end = kLongest;
+        while ((static_cast<unsigned char>(file[end]) & 0xC0) == 0x80) --end;  // no half of a UTF-8 character
+        file.resize(end);
+    }
     if (file.empty()) file = "scene";
     return file.append(exporter.ending);
 }

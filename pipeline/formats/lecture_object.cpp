@@ -102,7 +102,7 @@ Result<Scene> readLectureObject(const SourceText& source, const FileLoader&) {
 
     Scene scene;
     Object& object = scene.objects.emplace_back();
-    object.name = file.stem().string();
+    object.name = printableText(file.stem().string());
     object.mesh = makeMesh(std::move(mesh));
     object.material = description.material;
     showAll(scene);

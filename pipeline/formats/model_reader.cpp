@@ -84,7 +84,7 @@ void dropUnusedVertices(Mesh& mesh) {
     mesh.renumberVertices(number);
 }
 
-std::string stemOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+std::string stemOf(const std::string& path) { return printableText(std::filesystem::path(path).stem().string()); }
 std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 std::string shownName(std::string_view name, const std::string& otherwise) {

@@ -49,7 +49,7 @@ Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress& p
         Result<Scene> result = readUnchecked(file, progress);
         if (!result) return inFile(result.errors(), name);
         Scene scene = std::move(result).value();
-        if (scene.name.empty()) scene.name = file.filename().string();
+        if (scene.name.empty()) scene.name = printableText(file.filename().string());
         scene.file = name;
         const Errors errors = checkScene(scene);
         if (!errors.empty()) return inFile(errors, name);

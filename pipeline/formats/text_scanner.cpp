@@ -100,6 +100,16 @@ bool isPrintable(std::string_view text) {
     return true;
 }
 
+std::string printableText(std::string_view text) {
+    std::string printable;
+    while (!text.empty()) {
+        const std::size_t length = printableLength(text);
+        printable += length > 0 ? text.substr(0, length) : "?";
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return printable;
+}
+
 std::string quotedInput(std::string_view input) {
     constexpr int kMostCharacters = 40;
     std::string text = "\"";

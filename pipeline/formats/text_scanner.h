@@ -22,6 +22,8 @@ std::optional<std::uint64_t> parseCount(std::string_view word);
 // Whether a text is UTF-8 without control characters and the like, so that a message, a table
 // or a JSON file can hold it.
 bool isPrintable(std::string_view text);
+// The same text with ? for what is no such character, for names that are taken from files' names.
+std::string printableText(std::string_view text);
 // Input in double quotes for a message: at most 40 characters, what cannot be printed escaped.
 std::string quotedInput(std::string_view input);
 // "4 294 967 295"

@@ -47,7 +47,7 @@ public:
 
     Result<Scene> read(const toml::table& top) {
         readTable(top, "", 0, kTopKeys);
-        if (const toml::node* node = top.get("title")) m_scene.name = m_values.text(*node, "title").value_or("");
+        if (const toml::node* node = top.get("title")) m_scene.name = m_values.name(*node, "title").value_or("");
         if (const toml::node* node = top.get("look")) m_scene.look = m_values.text(*node, "look").value_or("");
         if (const toml::node* node = top.get("light"))
             for (const toml::table* light : m_values.tables(*node, "light", kMaxLights)) readLight(*light);
@@ -128,7 +128,7 @@ private:
             Object& object = m_scene.objects[i];
             if (object.shape) object.mesh = shapeMesh(*object.shape);
             if (const toml::node* node = table.get("name"))
-                object.name = m_values.text(*node, path + ".name").value_or("");
+                object.name = m_values.name(*node, path + ".name").value_or("");
             if (object.name.empty()) object.name = fmt::format("object {}", i);
             if (const toml::node* node = table.get("turns")) readTurns(*node, path + ".turns", object.transform);
             if (const toml::node* node = table.get("material")) readMaterial(*node, path + ".material", i);

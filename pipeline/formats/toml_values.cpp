@@ -76,6 +76,13 @@ std::optional<std::string> TomlValues::text(const toml::node& node, const std::s
     return {};
 }
 
+std::optional<std::string> TomlValues::name(const toml::node& node, const std::string& path) {
+    std::optional<std::string> found = text(node, path);
+    if (!found || isPrintable(*found)) return found;
+    fail(node.source(), path + " is " + quotedInput(*found), "one line without control characters");
+    return {};
+}
+
 std::optional<std::size_t> TomlValues::choice(const toml::node& node, const std::string& path,
                                               std::span<const std::string_view> choices) {
     const auto* value = node.as_string();

@@ -109,6 +109,23 @@ TEST(Program, AMessageThatCannotBeWrittenChangesNoStatus) {
     }
 }
 
+// What a file says, or is called, does nothing to the terminal.
+TEST(Program, PrintsNoControlCharactersOfNames) {
+    const test::TemporaryFolder folder;
+    for (const char* escape : {"\\u001b[31m", "\\n", "\\u0000", "\\u202e"}) {
+        test::writeText(folder / "scene.toml", std::string("title = \"a") + escape + "b\"\n");
+        const auto done = run({"plan", folder / "scene.toml"});
+        EXPECT_EQ(done.status, 3);
+        EXPECT_TRUE(has(done.err, "scene.toml:1:9: title is \"a\\x")) << done.err;
+        EXPECT_TRUE(has(done.err, "expected one line without control characters")) << done.err;
+    }
+    test::writeText(folder / "scene.toml", "[[object]]\nshape = \"plane\"\nname = \"a\\tb\"\n");
+    EXPECT_TRUE(has(run({"plan", folder / "scene.toml"}).err, "scene.toml:3:8: object.0.name is "));
+    const auto file = folder / "a\x1b[31m\xe9.toml";
+    test::writeText(file, "[[object]]\nshape = \"plane\"\n");
+    EXPECT_TRUE(run({"plan", file}).out.starts_with("a?[31m?.toml, "));
+}
+
 TEST(Plan, SaysWhatIsLeftOutAndWhy) {
     const auto done = run({"plan", scene("pyramid.scene")});
     EXPECT_EQ(done.status, 0);

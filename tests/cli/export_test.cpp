@@ -217,6 +217,29 @@ TEST(Export, SaysHowManyFilesOfTheExportBeforeAreRemoved) {
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"out", "out/color.npy", "out/manifest.json"}));
 }
 
+// A title is anything that stands on one line; a file's name is shorter.
+TEST(Export, ASceneIsNamedAfterAnyTitle) {
+    const test::TemporaryFolder folder;
+    const std::string umlauts = [] {
+        std::string text;
+        for (int i = 0; i < 150; ++i) text += "ä";
+        return text;
+    }();
+    const std::pair<std::string, std::string> cases[] = {
+        {std::string(300, 'a'), std::string(200, 'a')},
+        {'b' + umlauts, 'b' + umlauts.substr(0, 198)},  // no half of an ä
+        {"c d", "c d"},
+    };
+    for (const auto& [title, name] : cases) {
+        test::writeText(folder / "scene.toml", "title = \"" + title + "\"\n");
+        const auto done = run({"export", folder / "scene.toml", "-o", folder / "out", "--size", "8x8", "--buffers",
+                               "color", "--format", "scene,opengl", "--set", "model=opengl"});
+        ASSERT_EQ(done.status, 0) << done.err;
+        for (const char* ending : {".toml", ".gl.c"})
+            EXPECT_TRUE(fs::exists(folder / "out" / (name + ending))) << name << ending;
+    }
+}
+
 TEST(Export, NoObjectGivesTheBackground) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "empty.scene", "200, 1000, 45, 60\n0\n0\n50\n");
