@@ -32,6 +32,10 @@ std::optional<pipeline::Place> placeNamed(const std::string& option, const std::
 }
 
 int runFilm(const FilmOptions& options) {
+    if (options.target.empty()) {
+        tell("shadescope film: -o needs the name of a file or a folder\n");
+        return kWrongUsage;
+    }
     const Interrupt interrupt;
     int status = kDone;
     const auto scene = loadScene(options.scene, status);

@@ -26,6 +26,7 @@ struct InspectOptions {
     std::stop_token stop{};  // asked for by Ctrl+C
     SceneArgument scene;
     std::string pixel, table, where;
+    bool hasWhere = false;  // which may be empty by mistake
     std::string format = "text";
     std::optional<int> row;
     int threads = 0;
@@ -172,7 +173,7 @@ int runInspect(InspectOptions options) {
     const auto scene = loadScene(options.scene, status);
     if (!scene) return status;
     if (!options.table.empty()) return printTable(scene, options);
-    if (!options.where.empty()) return printWhere(scene, options);
+    if (options.hasWhere) return printWhere(scene, options);
     if (options.shadowVerdicts) return printShadows(scene, options);
     if (options.row) return printRow(scene, options);
     const auto pixel = pixelIn(*scene, options.pixel);
@@ -229,7 +230,10 @@ void declareInspect(CLI::App& program, const CliHost&, int& status) {
     declareThreads(*command, options->threads);
     format->excludes(where)->excludes(verdicts);
     command->add_flag("--json", options->json, "Print JSON")->excludes(format);
-    command->callback([options, &status] { status = runInspect(*options); });
+    command->callback([options, where, &status] {
+        options->hasWhere = where->count() > 0;
+        status = runInspect(*options);
+    });
 }
 
 }  // namespace app

@@ -12,6 +12,7 @@
 #include "app/cli/study_job.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/study_pictures.h"
+#include "pipeline/formats/text_scanner.h"
 #include "pipeline/study/errors.h"
 
 namespace app {
@@ -199,15 +200,23 @@ int runMerge(const StudyOptions& options) {
     return reportStudy(*merged, {options.errorLimit, options.timeLimit}, {}, options.folder, options.json);
 }
 
+// What is wrong with a limit, if anything.
+std::string refuseLimit(const std::string& text) {
+    const auto limit = pipeline::parseNumber(text);  // NaN and infinity are none
+    if (limit && *limit > 0) return {};
+    return fmt::format("found {}, expected a number above 0", pipeline::inQuotes(text));
+}
+
 void declareReport(CLI::App& command, StudyOptions& options) {
     command.add_option("-o,--output", options.folder, "The folder to write into; made when it is missing")
+        ->required()
         ->type_name("DIR");
     command.add_option("--within", options.errorLimit, "Name the cheapest setting with at most this error")
         ->type_name("ERROR")
-        ->check(CLI::PositiveNumber);
+        ->check(refuseLimit);
     command.add_option("--in", options.timeLimit, "Name the best setting within this time")
         ->type_name("MS")
-        ->check(CLI::PositiveNumber);
+        ->check(refuseLimit);
     command.add_flag("--json", options.json, "Print the whole study as JSON instead of a table");
 }
 
@@ -216,8 +225,7 @@ void declareReport(CLI::App& command, StudyOptions& options) {
 void declareStudy(CLI::App& program, const CliHost&, int& status) {
     const auto options = std::make_shared<StudyOptions>();
     CLI::App* command = program.add_subcommand("study", "Measure error against run time over a sweep of settings");
-    declareSceneArgument(*command, options->scene);
-    command->get_option("SCENE")->required(false);
+    declareSceneArgument(*command, options->scene, SceneArgument::Need::Maybe);  // merge stands in its place
     declareReport(*command, *options);
     std::vector<std::string_view> names;
     for (const pipeline::NamedSweep& named : pipeline::namedSweeps()) names.push_back(named.name);
@@ -226,7 +234,7 @@ void declareStudy(CLI::App& program, const CliHost&, int& status) {
                      fmt::format("KEY=VALUE,VALUE,... or KEY=FIRST..LAST*FACTOR, once for each setting; or a "
                                  "ready-made sweep: {}",
                                  fmt::join(names, ", ")))
-        ->type_name("SWEEP")
+        ->type_name("SWEEP REQUIRED")  // said in words of its own, with the ready-made ones, where it is missing
         ->allow_extra_args(false);
     command->add_option("--error", options->error, "The error to plot, as in normal:RMSE:model")
         ->type_name("BUFFER:MEASURE:KIND");
@@ -256,6 +264,8 @@ void declareStudy(CLI::App& program, const CliHost&, int& status) {
         ->required()
         ->type_name("");
     declareReport(*merge, *mergeOptions);
+    // The folder is this one's then.
+    merge->preparse_callback([command](std::size_t) { command->get_option("--output")->required(false); });
     merge->callback([mergeOptions, &status] { status = runMerge(*mergeOptions); });
     command->callback([command, merge, options, &status] {
         if (!command->got_subcommand(merge)) status = runStudyCommand(*options);

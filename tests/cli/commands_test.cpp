@@ -36,6 +36,9 @@ TEST(Program, WrongUsageIsStatus2) {
     EXPECT_EQ(run({"export"}).status, 2);
     EXPECT_EQ(run({"export", "pyramid"}).status, 2);  // no -o
     EXPECT_EQ(run({"export", "pyramid", "-o", ""}).err, "shadescope export: -o needs the name of a folder\n");
+    const auto film = run({"film", "pyramid", "-o", ""});
+    EXPECT_EQ(film.status, 2);
+    EXPECT_EQ(film.err, "shadescope film: -o needs the name of a file or a folder\n");
     EXPECT_EQ(run({"plan", "pyramid", "surplus"}).status, 2);
     EXPECT_EQ(run({"lesson"}).status, 2);
     EXPECT_EQ(run({}).status, 2);  // no display, or no window at all
@@ -295,6 +298,7 @@ TEST(Inspect, HoldsShadowsAgainstRays) {
 TEST(Inspect, WantsAPixelOrATable) {
     for (const std::vector<std::string>& wrong :
          {std::vector<std::string>{"inspect", "pyramid"},
+          {"inspect", "pyramid", "--where", ""},
           {"inspect", "pyramid", "--where", "z_vew < 1"},
           {"inspect", "pyramid", "--where", "x < 1", "--pixel", "1,1"},
           {"inspect", "pyramid", "--table", "pixels"},

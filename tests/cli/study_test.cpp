@@ -138,6 +138,16 @@ TEST(StudyCommand, saysWhatIsWrong) {
         arguments.insert(arguments.end(), more.begin(), more.end());
         EXPECT_NE(message(arguments, 2).find(more[0] + " does not go with --shard"), std::string::npos);
     }
+    for (const char* limit : {"--within", "--in"})
+        for (const char* value : {"0", "-1", "nan", "inf", "1e999", "x", ""})
+            EXPECT_EQ(message({"--sweep", "shading", limit, value}, 2),
+                      std::string("shadescope: ") + limit + ": found \"" + value +
+                          "\", expected a number above 0\nRun shadescope --help to see what there is.\n");
+    EXPECT_NE(test::run({"study", "pyramid", "--sweep", "shading"}).err.find("--output is required"),
+              std::string::npos);
+    EXPECT_NE(test::run({"study", "merge", "a.json"}).err.find("--output is required"), std::string::npos);
+    for (const char* what : {"--output DIR REQUIRED", "--sweep SWEEP REQUIRED"})
+        EXPECT_NE(test::run({"study", "--help"}).out.find(what), std::string::npos) << what;
     const auto merge = test::run({"study", "merge", "/nonexistent.json", "-o", folder.path().string()});
     EXPECT_EQ(merge.status, 3);
     EXPECT_NE(merge.err.find("/nonexistent.json: could not read"), std::string::npos) << merge.err;
