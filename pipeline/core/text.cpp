@@ -40,6 +40,11 @@ std::string inQuotes(std::string_view words) {
     return text + '"';
 }
 
+bool sameLetters(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
 std::size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);  // distances of a's first i letters to every start of b
     std::iota(row.begin(), row.end(), std::size_t{0});

@@ -12,6 +12,9 @@ std::string shortestText(double value);
 // so that a message stays one line whatever the input was.
 std::string inQuotes(std::string_view words);
 
+// Whether two words are the same but for the case of A to Z.
+bool sameLetters(std::string_view a, std::string_view b);
+
 // How many letters must be changed, added or taken away to make a into b (Levenshtein).
 std::size_t editDistance(std::string_view a, std::string_view b);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "pipeline/core/text.h"
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/model_scene.h"
@@ -27,11 +28,6 @@ constexpr auto kFormats = std::to_array<Format>({
     {"binary glTF model", ".glb", hasNoMark, readModelScene},
     {"picture that carries its scene", ".png", looksLikePng, readPngScene},
 });
-
-bool sameLetters(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::ranges::equal(a, b, {}, lower, lower);
-}
 
 }  // namespace
 

@@ -10,7 +10,8 @@
 #include "pipeline/formats/model_formats.h"
 
 // STL in both forms (3D Systems, StereoLithography Interface Specification, 1989). The normals of
-// the facets are not read: they say nothing that the corners' order does not say.
+// the facets are not read: they say nothing that the corners' order does not say. Keywords are
+// small letters there; some programs write capitals.
 namespace pipeline {
 namespace {
 
@@ -126,16 +127,17 @@ Result<LoadedModel> readText(const SourceText& source) {
     while (scanner.nextLine()) {
         const std::string_view word = scanner.next();
         if (word.empty()) continue;
-        ended = word == "endsolid";
-        if (word == "solid") {
+        const auto is = [&](std::string_view keyword) { return sameLetters(word, keyword); };
+        ended = is("endsolid");
+        if (is("solid")) {
             name = shownName(scanner.rest(), stemOf(source.name));
-        } else if (word == "facet") {
+        } else if (is("facet")) {
             place = scanner.place();
-        } else if (word == "outer") {
+        } else if (is("outer")) {
             corners.clear();
-        } else if (word == "vertex") {
+        } else if (is("vertex")) {
             if (const std::optional<std::uint32_t> vertex = readVertex(scanner, welded)) corners.push_back(*vertex);
-        } else if (word == "endloop") {
+        } else if (is("endloop")) {
             if (corners.size() < 3 && errors.empty()) scanner.fail("a loop of fewer than three vertices", "three");
             if (place.line == 0) place = scanner.place();  // no facet so far: every polygon has a place, or none
             addPolygon(welded.mesh(), corners, place);
@@ -143,7 +145,7 @@ Result<LoadedModel> readText(const SourceText& source) {
         } else if (ended) {
             addObject(welded, source, name, model.objects);
             corners.clear();  // vertices of the object that is over
-        } else if (word != "endfacet") {
+        } else if (!is("endfacet")) {
             scanner.refuse("solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
         }
     }
@@ -163,7 +165,7 @@ bool isBinary(const SourceText& source) {
     LineScanner scanner(bytes, {}, none);
     std::string_view word;
     while (word.empty() && scanner.nextLine()) word = scanner.next();
-    return hasSize || word != "solid" || bytes.substr(0, 512).find('\0') != std::string_view::npos;
+    return hasSize || !sameLetters(word, "solid") || bytes.substr(0, 512).find('\0') != std::string_view::npos;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // PLY and STL: what small files written by hand become, and what wrong ones get.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <limits>
 
@@ -184,6 +186,21 @@ TEST(StlReader, TetrahedronIsWeldedAndClosed) {
     }
     EXPECT_EQ(objectsOf(textStl(), ".stl")[0].name, "part one");
     EXPECT_EQ(objectsOf(textStl() + textStl(), ".stl").size(), 2u) << "one object for each solid";
+}
+
+TEST(StlReader, KeywordsMayBeInCapitals) {
+    std::string capitals = textStl(), mixed = textStl();
+    std::ranges::transform(capitals, capitals.begin(), [](char c) { return char(std::toupper(c)); });
+    for (const char* word : {"solid", "facet", "vertex"})
+        mixed = withReplaced(mixed, word, std::string(1, char(std::toupper(word[0]))) + (word + 1));
+    const auto plain = objectsOf(textStl(), ".stl");
+    for (const std::string& text : {capitals, mixed}) {
+        const auto objects = objectsOf(text, ".stl");
+        ASSERT_EQ(objects.size(), 1u);
+        EXPECT_EQ(objects[0].mesh->positions, plain[0].mesh->positions);
+        EXPECT_EQ(objects[0].mesh->triangles, plain[0].mesh->triangles);
+    }
+    EXPECT_EQ(objectsOf(capitals, ".stl")[0].name, "PART ONE") << "a name is left as it is";
 }
 
 TEST(StlReader, MinusZeroIsZero) {
