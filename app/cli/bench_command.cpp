@@ -196,7 +196,7 @@ const char* notForScaling(const CLI::App& command) {
 
 int runBench(const BenchOptions& options, const CLI::App& command) {
     if (const char* name = options.scaling ? notForScaling(command) : nullptr) {
-        fmt::print(stderr, "{} does not go with --scaling, which measures whole frames of spheres of its own.\n", name);
+        tell("{} does not go with --scaling, which measures whole frames of spheres of its own.\n", name);
         return kWrongUsage;
     }
     if (options.scaling) return runScalingBench(options);

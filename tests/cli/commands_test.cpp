@@ -106,6 +106,7 @@ TEST(Program, AMessageThatCannotBeWrittenChangesNoStatus) {
         EXPECT_FALSE(has(scene, "files, ")) << "a message in a file that was given standard error's number";
         EXPECT_EQ(status({"export", "pyramid", "--size", "0x1", "-o", out}), 2) << closed;
         EXPECT_EQ(status({"plan", "--bogus"}), 2) << closed;
+        EXPECT_EQ(status({"bench", "pyramid", "--scaling"}), 2) << closed;
         EXPECT_EQ(status({"plan", "nosuch"}), 3) << closed;
         EXPECT_EQ(status({"export", "pyramid", "--size", "8x8", "-o", "/proc/out"}), 4) << closed;
         EXPECT_EQ(status({"film", "pyramid", "--size", "8x8", "-o", out + ".gif"}), 0) << closed;
