@@ -143,7 +143,7 @@ QWidget* ExportDialog::makeTarget() {
     m_total = makeLabel("exportTotal", 1, right);
     m_files = makeLabel("exportFiles", 2, right);
     auto* note = makeLabel("exportNote", 2, right);
-    note->setText(tr("Files appear whole or not at all; an export that the folder holds already is replaced."));
+    note->setText(tr("Files appear whole or not at all. An export of another frame in the folder is replaced."));
     auto* column = new QVBoxLayout(right);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(form);

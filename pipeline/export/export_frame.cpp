@@ -84,12 +84,16 @@ Result<std::vector<WrittenScene>> writeScene(const Frame& frame, const ExportReq
     return written;
 }
 
-// Files of the export that is in the folder which the new one does not replace: they would say something else than its
-// manifest.
-std::vector<std::string> staleFiles(const fs::path& folder, const std::vector<std::string>& written) {
-    const Result<std::string> earlier = readFile(folder / kManifest, kMaxFileBytes);
-    if (!earlier) return {};
-    std::vector<std::string> names = filesNamedBy(*earlier);
+// The manifest of the export that is in the folder; null where there is none.
+Json earlierManifest(const fs::path& folder) {
+    const Result<std::string> text = readFile(folder / kManifest, kMaxFileBytes);
+    return text ? Json::parse(*text, nullptr, false) : Json();
+}
+
+// The files of an earlier export in the folder which the new one does not write itself.
+std::vector<std::string> remaining(const Json& earlier, const fs::path& folder,
+                                   const std::vector<std::string>& written) {
+    std::vector<std::string> names = filesNamedBy(earlier);
     std::erase_if(names, [&](const std::string& name) {
         std::error_code ignored;
         const fs::file_status status = fs::symlink_status(folder / name, ignored);
@@ -184,18 +188,22 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
         if (!error) summary.bytes += size;
     }
 
+    Json all = manifest(frame, askedFor(frame, request), written, *whole, *views, request.at);
+    const Json earlier = earlierManifest(request.folder);
+    const std::vector<std::string> old = remaining(earlier, request.folder, summary.files);
+    if (areOfOneFrame(earlier, all))
+        addEarlier(earlier, old, all);
+    else
+        summary.removed = old;
     ByteFile out(staging.folder() / kManifest);
     // Replacing what is not UTF-8: a file's name may hold any bytes.
-    out.write(manifest(frame, askedFor(frame, request), written, *whole, *views, request.at)
-                  .dump(2, ' ', false, Json::error_handler_t::replace) +
-              '\n');
+    out.write(all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
     const auto bytes = out.close();
     if (!bytes) return inFolder(bytes.errors(), request.folder);
     summary.files.push_back(kManifest);
     summary.bytes += *bytes;
 
     if (!goOn(1, kManifest)) return cancelled;
-    summary.removed = staleFiles(request.folder, summary.files);
     const auto published = staging.publish(summary.removed);
     if (!published) return published.errors();
     return summary;

@@ -52,8 +52,9 @@ struct ExportSummary {
 // Called before each file with the share that is done, 0 to 1; false cancels.
 using ExportProgress = std::function<bool(double share, std::string_view file)>;
 
-// Writes the buffers of a frame and manifest.json: all of them, or nothing. An export that is in the folder already is
-// replaced, all files that its manifest names; other files stay. Errors: what could not be written, and why.
+// Writes the buffers of a frame and manifest.json: all of them, or nothing. To an export of the same frame that is in the
+// folder already they are added; one of another frame is replaced, all files that its manifest names. Other files stay.
+// Errors: what could not be written, and why.
 Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& request,
                                   const ExportProgress& progress = {});
 

@@ -1,6 +1,7 @@
 #include "pipeline/export/manifest.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "pipeline/core/version.h"
@@ -99,29 +100,74 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
     return all;
 }
 
-std::vector<std::string> filesNamedBy(std::string_view manifest) {
+namespace {
+
+// Whatever is not as a manifest has it is passed over.
+template <class Visit>
+void forEach(const Json& json, const char* key, Visit visit) {
+    if (json.is_object() && json.contains(key) && json[key].is_array()) std::ranges::for_each(json[key], visit);
+}
+std::string textAt(const Json& json, const char* key) {
+    return json.is_object() && json.contains(key) && json[key].is_string() ? json[key].get<std::string>()
+                                                                           : std::string();
+}
+Json* entryOf(Json& buffers, const std::string& name) {
+    const auto found = std::ranges::find(buffers, name, [](const Json& one) { return textAt(one, "name"); });
+    return found == buffers.end() ? nullptr : &*found;
+}
+
+constexpr std::array kBufferLists{"buffers", "derived"};
+
+}  // namespace
+
+std::vector<std::string> filesNamedBy(const Json& manifest) {
     std::vector<std::string> names;
-    const Json all = Json::parse(manifest, nullptr, false);
-    const auto add = [&](const Json& name) {
-        if (!name.is_string()) return;
-        const std::filesystem::path file = name.get<std::string>();
+    const auto add = [&](const std::string& name) {
+        const std::filesystem::path file = name;
         const bool isPlain = file.has_filename() && file == file.filename() && file != "." && file != "..";
-        if (isPlain && std::ranges::find(names, file.string()) == names.end()) names.push_back(file.string());
-    };
-    const auto each = [](const Json& json, const char* key, const auto& visit) {
-        if (json.is_object() && json.contains(key) && json[key].is_array()) std::ranges::for_each(json[key], visit);
+        if (isPlain && std::ranges::find(names, name) == names.end()) names.push_back(name);
     };
     const auto addFiles = [&](const Json& json) {
-        each(json, "files", [&](const Json& file) {
-            if (file.is_object() && file.contains("file")) add(file["file"]);
-        });
+        forEach(json, "files", [&](const Json& file) { add(textAt(file, "file")); });
     };
     const Json::json_pointer program("/program/name");
-    if (!all.contains(program) || all[program] != "Shadescope") return names;
-    for (const char* buffers : {"buffers", "derived"}) each(all, buffers, addFiles);
-    addFiles(all);
-    each(all, "views", add);
+    if (!manifest.contains(program) || manifest[program] != "Shadescope") return names;
+    for (const char* buffers : kBufferLists) forEach(manifest, buffers, addFiles);
+    addFiles(manifest);
+    forEach(manifest, "views", [&](const Json& view) { add(view.is_string() ? view.get<std::string>() : ""); });
     return names;
+}
+
+bool areOfOneFrame(const Json& a, const Json& b) {
+    const auto same = [&](const char* key) { return a.value(key, Json()) == b.value(key, Json()); };
+    return a.is_object() && b.is_object() && same("program") && same("scene") && same("settings") && same("at");
+}
+
+void addEarlier(const Json& earlier, const std::vector<std::string>& staying, Json& manifest) {
+    const auto stays = [&](const std::string& file) { return std::ranges::find(staying, file) != staying.end(); };
+    const auto addFiles = [&](const Json& from, Json& to) {
+        forEach(from, "files", [&](const Json& file) {
+            if (stays(textAt(file, "file"))) to.push_back(file);
+        });
+    };
+    for (const char* list : kBufferLists)
+        forEach(earlier, list, [&](const Json& buffer) {
+            Json files = Json::array();
+            addFiles(buffer, files);
+            if (files.empty()) return;
+            Json* entry = manifest.contains(list) ? entryOf(manifest[list], textAt(buffer, "name")) : nullptr;
+            if (!entry) {
+                entry = &manifest[list].emplace_back(buffer);
+                (*entry)["files"] = Json::array();
+            }
+            for (Json& file : files) (*entry)["files"].push_back(std::move(file));
+        });
+    addFiles(earlier, manifest["files"]);
+    forEach(earlier, "views", [&](const Json& view) {
+        if (view.is_string() && stays(view.get<std::string>())) manifest["views"].push_back(view);
+    });
+    std::erase_if(manifest["absent"].get_ref<Json::array_t&>(),
+                  [&](const Json& one) { return entryOf(manifest["buffers"], textAt(one, "name")) != nullptr; });
 }
 
 }  // namespace pipeline

@@ -35,6 +35,12 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
 
 // The names of the files that such a text says are beside it; none where it is not one of this program's. A name that
 // leads out of its folder is left out: anybody may have written the text.
-std::vector<std::string> filesNamedBy(std::string_view manifest);
+std::vector<std::string> filesNamedBy(const Json& manifest);
+
+// Whether both say the same program, scene, settings and place in the run: their buffers are of the same numbers.
+bool areOfOneFrame(const Json& a, const Json& b);
+
+// Adds to a manifest what an earlier one of the same frame says of files that stay beside the new ones.
+void addEarlier(const Json& earlier, const std::vector<std::string>& staying, Json& manifest);
 
 }  // namespace pipeline

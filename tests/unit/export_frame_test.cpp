@@ -104,9 +104,47 @@ TEST(Staging, BringsBackWhatIsToGoWhenOneFileCannotMove) {
     EXPECT_EQ(folder.names(), std::vector<std::string>{"a"});
 }
 
-TEST(ExportFrame, ReplacesTheExportBefore) {
+Json manifestIn(const fs::path& folder) { return Json::parse(test::readText(folder / "manifest.json")); }
+
+std::vector<std::string> filesOf(const Json& manifest, const std::string& buffer) {
+    std::vector<std::string> names;
+    for (const Json& one : manifest["buffers"])
+        if (one["name"] == buffer)
+            for (const Json& file : one["files"]) names.push_back(file["file"]);
+    return names;
+}
+
+// Somebody who saves one buffer after the other into a folder has them all, and a manifest that says so.
+TEST(ExportFrame, AddsToAnExportOfTheSameFrame) {
     const test::TemporaryFolder folder;
     const FramePtr frame = usefulFrame();
+    const fs::path out = folder / "out";
+    const auto exported = [&](BufferId id, std::vector<std::string> formats) {
+        const auto summary = exportFrame(*frame, {out, {{id}}, std::move(formats), {}});
+        ASSERT_TRUE(summary);
+        EXPECT_EQ(summary->removed, std::vector<std::string>{});
+    };
+    exported(BufferId::Depth, {"npy", "scene"});
+    exported(BufferId::Color, {"npy"});
+    exported(BufferId::Depth, {"csv"});
+    const Json manifest = manifestIn(out);
+    EXPECT_EQ(manifest["buffers"].size(), 2u);
+    EXPECT_EQ(filesOf(manifest, "depth"), (std::vector<std::string>{"depth.csv", "depth.npy"}));
+    EXPECT_EQ(filesOf(manifest, "color"), std::vector<std::string>{"color.npy"});
+    EXPECT_EQ(manifest["files"].size(), 1u);
+    // One that somebody has taken away is not spoken of any more.
+    fs::remove(out / "color.npy");
+    exported(BufferId::Depth, {"npy"});
+    EXPECT_EQ(filesOf(manifestIn(out), "color"), std::vector<std::string>{});
+    EXPECT_EQ(filesOf(manifestIn(out), "depth"), (std::vector<std::string>{"depth.npy", "depth.csv"}));
+}
+
+TEST(ExportFrame, ReplacesAnExportOfAnotherFrame) {
+    const test::TemporaryFolder folder;
+    const FramePtr frame = usefulFrame();
+    Scene scene = frame->scene();
+    scene.settings.width /= 2;
+    const FramePtr other = test::frameOf(scene, setOf({BufferId::Color}));
     ExportRequest both{folder / "out", {{BufferId::Depth}, {BufferId::Color}}, {"npy", "scene"}, {}};
     both.writeMore = [](const fs::path& where) -> Result<std::vector<fs::path>> {
         test::writeText(where / "world.png", "");
@@ -116,16 +154,16 @@ TEST(ExportFrame, ReplacesTheExportBefore) {
     test::writeText(folder / "out/normal.npy", "of somebody else");
     const ExportRequest one{folder / "out", {{BufferId::Color}}, {"npy"}, {}};
 
-    const auto cancelled = exportFrame(*frame, one, [](double share, std::string_view) { return share < 1; });
+    const auto cancelled = exportFrame(*other, one, [](double share, std::string_view) { return share < 1; });
     ASSERT_TRUE(cancelled);
     EXPECT_TRUE(fs::exists(folder / "out/depth.npy"));
 
-    const auto summary = exportFrame(*frame, one);
+    const auto summary = exportFrame(*other, one);
     ASSERT_TRUE(summary);
     EXPECT_EQ(summary->removed, (std::vector<std::string>{"depth.npy", "pyramid.toml", "world.png"}));
     EXPECT_EQ(folder.names(),
               (std::vector<std::string>{"out", "out/color.npy", "out/manifest.json", "out/normal.npy"}));
-    const auto again = exportFrame(*frame, one);
+    const auto again = exportFrame(*other, one);
     ASSERT_TRUE(again);
     EXPECT_EQ(again->removed, std::vector<std::string>{});
 }
