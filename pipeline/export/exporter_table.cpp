@@ -68,9 +68,8 @@ constexpr std::array kTable{
 
 constexpr std::array kFrameTable{
     FrameExporter{"scene", "The scene and its settings as TOML, which opens again.", ".toml", anyScene, writeSceneFile},
-    FrameExporter{"polydata",
-                  "The polygons in world space, with what stands at vertices and polygons, for VTK and ParaView.",
-                  ".polydata.vtk", anyScene, writeVtkPolygons},
+    FrameExporter{"polydata", "The polygons in world space, for VTK and ParaView.", ".polydata.vtk", anyScene,
+                  writeVtkPolygons},
     FrameExporter{"opengl", "The OpenGL calls that draw the scene, as a C function.", ".gl.c", glRefuses, writeGlC},
 };
 
