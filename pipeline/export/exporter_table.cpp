@@ -35,13 +35,7 @@ std::string_view floatPicturesOnly(const BufferInfo& info) {
 }
 
 std::string_view pointsOnly(const BufferInfo& info) {
-    switch (info.domain) {
-        case Domain::Vertex:
-        case Domain::Polygon: return "It stands with the polygons, in the format polydata.";
-        case Domain::Pixel:
-        case Domain::Texel: break;
-    }
-    return {};
+    return picturesOnly(info).empty() ? "" : "It stands with the polygons, in the format polydata.";
 }
 
 std::string anyScene(const Scene&) { return {}; }

@@ -49,8 +49,13 @@ std::string attribute(const AnyBuffer& buffer) {
                        buffer.channels());
 }
 
+// Of a shadow buffer; any other picture is one.
+std::size_t facesOf(const AnyBuffer& buffer) {
+    return buffer.shape.size() > 2 && buffer.channels() == 1 ? buffer.shape[0] : 1;
+}
+
 std::string pictureHead(const AnyBuffer& buffer) {
-    const std::size_t faces = buffer.shape.size() > 2 && buffer.channels() == 1 ? buffer.shape[0] : 1;
+    const std::size_t faces = facesOf(buffer);
     return head(buffer.name.text(), "STRUCTURED_POINTS") +
            fmt::format("DIMENSIONS {} {} {}\nORIGIN 0.5 0.5 0\nSPACING 1 1 1\nPOINT_DATA {}\n", buffer.columns(),
                        buffer.rows() / faces, faces, buffer.rows() * buffer.columns()) +
@@ -82,7 +87,7 @@ Result<std::uint64_t> writeVtk(const ExportItem& item, const std::filesystem::pa
     ByteFile out(file);
     out.write(pictureHead(buffer));
     const std::size_t width = buffer.columns() * std::size_t(buffer.channels());
-    const std::size_t height = buffer.shape.size() > 2 && buffer.channels() == 1 ? buffer.shape[1] : buffer.rows();
+    const std::size_t height = buffer.rows() / facesOf(buffer);
     std::visit(
         [&](const auto& numbers) {
             for (std::size_t row = 0; row < buffer.rows() && out.good(); ++row) {
