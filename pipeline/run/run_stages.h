@@ -40,15 +40,12 @@ std::shared_ptr<const TransformOutput<Real>> runTransform(const TransformInputs&
     auto out = std::make_shared<TransformOutput<Real>>(prepareTransform<Real>(inputs));
     if constexpr (std::is_same_v<Real, float>) prepareSnapped(*out);
     for (std::size_t object = 0; object < inputs.transforms.size(); ++object) {
-        const std::size_t first = inputs.topology->firstVertex[object];
         threads.forRange(inputs.topology->meshes[object]->positions.size(), kVertexGrain,
                          [&](std::size_t begin, std::size_t end) {
-                             if constexpr (std::is_same_v<Real, float>) {
+                             if constexpr (std::is_same_v<Real, float>)
                                  transformInVectors(inputs, object, begin, end, *out);
-                                 snapInVectors(out->view, out->world, first + begin, first + end, out->snapped);
-                             } else {
+                             else
                                  transform(inputs, object, begin, end, *out);
-                             }
                          });
     }
     return out;

@@ -48,13 +48,15 @@ public:
         m_last[tile] = std::uint32_t(m_runs.size());
         m_runs.push_back({tile, of});
     }
-    // Fragments side by side: [first, first + count), and of each its tile.
-    void addFragments(std::size_t first, std::size_t count, const std::int32_t* tile) {
-        for (std::size_t i = 0; i < count;) {
-            const std::size_t begin = i;
-            while (i < count && tile[i] == tile[begin]) ++i;
+    // [begin, end) of the fragments that stand side by side from `first` on. tile: of each of them.
+    void addFragments(std::size_t first, std::size_t begin, std::size_t end, const std::int32_t* tile,
+                      bool areInOneTile) {
+        while (begin < end) {
+            std::size_t next = areInOneTile ? end : begin + 1;
+            while (next < end && tile[next] == tile[begin]) ++next;
             addRun(std::uint32_t(tile[begin]),
-                   {std::uint32_t(first + begin) | TriangleRun::kTiny, std::uint32_t(i - begin)});
+                   {std::uint32_t(first + begin) | TriangleRun::kTiny, std::uint32_t(next - begin)});
+            begin = next;
         }
     }
     void addOther(const RasterTriangle<float>& triangle) {
@@ -113,7 +115,8 @@ namespace {
 struct Fields {
     HWY_ALIGN std::int32_t quarters[4][16 * 4];
     HWY_ALIGN std::int32_t lowX[16], lowY[16], highX[16], highY[16];
-    HWY_ALIGN std::int32_t covered[16];  // of tiny ones: TinyTriangles::covered
+    HWY_ALIGN std::int32_t tile[16];  // of the box's first pixel
+    std::uint32_t inOneTile = 0;      // bit i: whether the whole box lies there
     TinyFragments fragments;
 
     HWY_INLINE void storeQuarter(int i, Ints one, Ints two, Ints three, Ints four) {
@@ -196,8 +199,6 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     const EdgeInVectors edge1 = edge(2, 0), edge2 = edge(0, 1);
     const Ints bias0 = edge(1, 2).bias;  // what else there is of that of corner 0 follows from the others
     const Ints width = hn::Sub(maxX, minX), height = hn::Sub(maxY, minY);
-    hn::Store(minX, whole, out.lowX), hn::Store(minY, whole, out.lowY);
-    hn::Store(maxX, whole, out.highX), hn::Store(maxY, whole, out.highY);
 
     const auto areWithin = [&](int side) HWY_ATTR {
         const Ints beyond = hn::Set(whole, side + 1);
@@ -206,19 +207,24 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     if (const std::uint32_t tiny = areWithin(kBlock); tiny != 0) {
         const Ints e1 = hn::Sub(edge1.c, edge1.bias), e2 = hn::Sub(edge2.c, edge2.bias);
         const Ints e0 = hn::Sub(hn::Sub(size, bias0), hn::Add(edge1.c, edge2.c));
+        const bool areInSquares = areWithin(2) == tiny;
         const Ints square =
-            areWithin(2) == tiny ? coveredIn<2>(e0, e1, e2, edge1, edge2) : coveredIn<kBlock>(e0, e1, e2, edge1, edge2);
+            areInSquares ? coveredIn<2>(e0, e1, e2, edge1, edge2) : coveredIn<kBlock>(e0, e1, e2, edge1, edge2);
         const Ints covered = pick(maskOf(tiny), hn::And(square, pixelsOfBox(width, height)), zero);
         drawn &= ~(tiny & bitsOf(asFloats(hn::Eq(covered, zero))));
         found.tiny = tiny & drawn;
         if (found.tiny != 0) {
-            hn::Store(covered, whole, out.covered);
             const Distances distances(corners.w[0], corners.w[1], corners.w[2]);
-            out.fragments.append({edge1, edge2, inverseOf(size), distances, minX, minY, covered, firstId}, in,
-                                 tilesAcross, fragments);
+            out.fragments.append({edge1, edge2, inverseOf(size), distances, minX, minY, covered, firstId, areInSquares},
+                                 in, tilesAcross, fragments);
         }
         if (found.tiny == drawn) return found;
     }
+    hn::Store(minX, whole, out.lowX), hn::Store(minY, whole, out.lowY);
+    hn::Store(maxX, whole, out.highX), hn::Store(maxY, whole, out.highY);
+    const Ints tile = tileAt(minX, minY, tilesAcross);
+    hn::Store(tile, whole, out.tile);
+    out.inOneTile = bitsOf(asFloats(hn::Eq(tile, tileAt(hn::Sub(maxX, one), hn::Sub(maxY, one), tilesAcross))));
     const auto bitsIn = [](Floats value) HWY_ATTR { return hn::BitCast(I(), value); };
     const Ints corner = hn::Or(minX, hn::ShiftLeft<16>(minY)), box = hn::Or(width, hn::ShiftLeft<8>(height));
     const Floats(&w)[3] = corners.w;
@@ -267,6 +273,8 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
     Binner binner(all, out);
     // Of a closed object, half face away.
     out.small.reserve(in.verdicts.empty() && in.facing.cull == ShadowCull::None ? end - begin : (end - begin) / 2);
+    // As many fragments as triangles, but not more than most pieces have.
+    out.fragments.makeRoomFor(std::min<std::size_t>(end - begin, 1 << 15));
     const std::int32_t limit = in.clipAll ? 0 : largestBox(in.vertices.bits) + 1;
     const bool alone = triangles.size() == in.topology.polygonCount();
     Fields fields{};
@@ -280,32 +288,27 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         const SetUpBits bits = setUpVector(in, from, base, limit, live, all.tiles.x, fields, out.fragments);
         out.tiny += std::size_t(std::popcount(bits.tiny));
         const TinyFragments& tiny = fields.fragments;
-        if (bits.tiny != 0 && bits.tiny == (bits.drawn | bits.others) && tiny.areInOneTile) {
-            binner.addRun(std::uint32_t(tiny.tile[0]),
-                          {std::uint32_t(tiny.first) | TriangleRun::kTiny, std::uint32_t(tiny.count)});
-            continue;
-        }
         // In the order of their polygons.
-        std::size_t added = 0, found = 0;  // of the fragments
-        const auto addFragments = [&] {
-            binner.addFragments(tiny.first + added, found - added, tiny.tile + added), added = found;
+        std::size_t added = 0;  // of the fragments
+        const auto addFragments = [&](std::size_t to) {
+            if (to == added) return;
+            binner.addFragments(tiny.first, added, to, tiny.tile, tiny.areInOneTile), added = to;
         };
-        for (std::uint32_t left = bits.drawn | bits.others; left != 0; left &= left - 1) {
+        for (std::uint32_t left = (bits.drawn | bits.others) & ~bits.tiny; left != 0; left &= left - 1) {
             const auto l = std::size_t(std::countr_zero(left));
-            if (bits.tiny >> l & 1) {
-                found += std::size_t(std::popcount(std::uint32_t(fields.covered[l])));
-                continue;
-            }
-            if (found != added) addFragments();
+            if (bits.tiny != 0) addFragments(tiny.countBefore(l));
             if (bits.others >> l & 1) {
                 setUpOther(in, std::uint32_t(base + l), binner);
             } else {
-                binner.add(std::uint32_t(out.small.size()), {fields.lowX[l], fields.lowY[l]},
-                           {fields.highX[l], fields.highY[l]});
+                const auto index = std::uint32_t(out.small.size());
+                if (fields.inOneTile >> l & 1)
+                    binner.addRun(std::uint32_t(fields.tile[l]), {index, 1});
+                else
+                    binner.add(index, {fields.lowX[l], fields.lowY[l]}, {fields.highX[l], fields.highY[l]});
                 fields.copyTo(out.small.emplace_back(), l);
             }
         }
-        addFragments();
+        if (bits.tiny != 0) addFragments(tiny.count);
     }
     binner.finish();
 }

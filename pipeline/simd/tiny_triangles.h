@@ -6,6 +6,7 @@
 #define SHADESCOPE_TINY_TRIANGLES_H
 #endif
 
+#include <array>
 #include <bit>
 #include <cstring>
 
@@ -14,6 +15,20 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
+
+// For each byte, codeOf its bits that are set, the lowest first, a byte each.
+template <class CodeOf>
+constexpr std::array<std::uint64_t, 256> setBits(CodeOf codeOf) {
+    std::array<std::uint64_t, 256> all{};
+    for (unsigned bits = 0; bits < all.size(); ++bits)
+        for (unsigned bit = 0, at = 0; bit < 8; ++bit)
+            if (bits >> bit & 1) all[bits] |= std::uint64_t(codeOf(bit)) << 8 * at++;
+    return all;
+}
+// Pixels of two rows of a block; and of two triangles that cover no more than the first two pixels of two rows.
+constexpr auto kBitsOfHalfBlock = setBits([](unsigned bit) { return bit; });
+constexpr auto kBitsOfSquares =
+    setBits([](unsigned bit) { return bit / 4 * kBlockPixels + bit / 2 % 2 * kBlock + bit % 2; });
 
 // Which pixels of a square triangles cover, of biased edge functions at its first pixel:
 // TinyTriangles::covered.
@@ -41,35 +56,21 @@ HWY_INLINE Ints pixelsOfBox(Ints width, Ints height) {
     return hn::And(columns, first(hn::Mul(hn::Min(height, most), most)));
 }
 
+// In which tile of a picture pixels lie.
+HWY_INLINE Ints tileAt(Ints x, Ints y, int tilesAcross) {
+    static_assert(kTileSize == 64);
+    return hn::Add(hn::Mul(hn::ShiftRight<6>(y), hn::Set(I(), tilesAcross)), hn::ShiftRight<6>(x));
+}
+
 // Tiny triangles, as many as a vector holds.
 struct TinyTriangles {
     EdgeInVectors edge1, edge2;  // c at their boxes' first pixels
     Floats inverse;              // of their areas
     Distances distances;
-    Ints x, y;       // the boxes' first pixels
-    Ints covered;    // bit kBlock y + x: whether it covers the pixel in column x and row y of its box; of others 0
-    std::size_t id;  // index of the first of them into Topology::triangles
-
-    // Which pixels they cover, triangle after triangle: kBlockPixels l + pixel, of lane l. `codes` has room for three more.
-    HWY_INLINE std::size_t listCovered(std::uint8_t* codes) const {
-        static_assert(std::endian::native == std::endian::little && kBlockPixels == 16);
-        constexpr int kWords = 4, kInWord = 4;  // triangles of a word
-        const hn::Rebind<std::uint16_t, I> each;
-        std::uint16_t bitsOfLane[kWords * kInWord]{};
-        hn::StoreU(hn::DemoteTo(each, covered), each, bitsOfLane);
-        std::uint64_t words[kWords];
-        std::memcpy(words, bitsOfLane, sizeof words);
-        std::size_t count = 0;
-        for (int word = 0; word * kInWord < kLanes; ++word) {
-            std::uint64_t bits = words[word];
-            std::uint8_t* to = codes + count;
-            count += std::size_t(std::popcount(bits));
-            // Four at a time, for the fewer ends of a loop that cannot be guessed; what is too many the next word writes over.
-            while (bits != 0)
-                for (int i = 0; i < 4; ++i, bits &= bits - 1) *to++ = std::uint8_t(64 * word + std::countr_zero(bits));
-        }
-        return count;
-    }
+    Ints x, y;          // the boxes' first pixels
+    Ints covered;       // bit kBlock y + x: whether it covers the pixel in column x and row y of its box; of others 0
+    std::size_t id;     // index of the first of them into Topology::triangles
+    bool areInSquares;  // of two pixels' side: no other bits are set than 0, 1, 4 and 5
 };
 
 // The fragments of tiny triangles, appended to those of a piece, as many at a time as a vector has lanes: a vector of
@@ -81,7 +82,9 @@ struct TinyFragments {
 
     HWY_INLINE void append(const TinyTriangles& t, const SetUpInputs& in, int tilesAcross, Fragments& out) {
         HWY_ALIGN std::uint8_t codes[17 * 16];
-        first = out.count, count = t.listCovered(codes);
+        const hn::Rebind<std::uint16_t, I> each;
+        hn::StoreU(hn::DemoteTo(each, t.covered), each, m_covered);
+        first = out.count, count = t.areInSquares ? listSquares(m_covered, codes) : listBlocks(m_covered, codes);
         out.makeRoomFor(count + kLanes);  // the last vector is stored as a whole
         Ints elsewhere = hn::Zero(I());
         for (std::size_t n = 0; n < count; n += kLanes) {
@@ -96,12 +99,44 @@ struct TinyFragments {
         out.count += count;
     }
 
+    // Of the triangles in lanes below l.
+    HWY_INLINE std::size_t countBefore(std::size_t l) const {
+        std::size_t before = 0;
+        for (std::size_t i = 0; i < l; ++i) before += std::size_t(std::popcount(m_covered[i]));
+        return before;
+    }
+
 private:
+    HWY_ALIGN std::uint16_t m_covered[16];  // of each triangle
+
+    // Which pixels they cover, triangle after triangle: kBlockPixels l + pixel, of lane l; returns how many. By table, for
+    // nobody could guess where a loop over bits ends; `codes` has room for one entry more.
+    HWY_INLINE static std::size_t listBlocks(const std::uint16_t* covered, std::uint8_t* codes) {
+        std::size_t count = 0;
+        for (std::size_t half = 0; half < 2 * std::size_t(kLanes); ++half)
+            count += put(kBitsOfHalfBlock, covered[half / 2] >> 8 * (half % 2) & 0xff, 8 * half, codes + count);
+        return count;
+    }
+    HWY_INLINE static std::size_t listSquares(const std::uint16_t* covered, std::uint8_t* codes) {
+        const auto square = [&](std::size_t l) { return (covered[l] & 3u) | (covered[l] >> 2 & 12u); };
+        std::size_t count = 0;
+        for (std::size_t l = 0; l < std::size_t(kLanes); l += 2)
+            count += put(kBitsOfSquares, square(l) | square(l + 1) << 4, kBlockPixels * l, codes + count);
+        return count;
+    }
+    // An entry, its codes from `first` on; returns how many it has.
+    HWY_INLINE static std::size_t put(const std::array<std::uint64_t, 256>& table, std::size_t bits, std::size_t first,
+                                      std::uint8_t* to) {
+        static_assert(std::endian::native == std::endian::little && kBlockPixels == 16);
+        const std::uint64_t entry = table[bits] + first * 0x0101010101010101;
+        std::memcpy(to, &entry, sizeof entry);
+        return std::size_t(std::popcount(bits));
+    }
     // A vector of them, put at `at`; gives their tiles.
     template <bool kPerspective>
     HWY_INLINE static Ints find(const TinyTriangles& t, const std::uint8_t* codes, int tilesAcross, std::size_t at,
                                 Fragments& out) {
-        static_assert(kTileSize == 64 && kBlock == 4);
+        static_assert(kBlock == 4);
         const I whole;
         const hn::Rebind<std::uint8_t, I> bytes;
         const Ints code = hn::PromoteTo(whole, hn::LoadU(bytes, codes)), three = hn::Set(whole, 3);
@@ -125,7 +160,7 @@ private:
         const Ints place = hn::Add(placeOfColumn(hn::And(x, inTile)), placeOfRow(hn::And(y, inTile)));
         const hn::Rebind<std::uint16_t, I> shorts;
         hn::StoreU(hn::DemoteTo(shorts, place), shorts, &out.at[at]);
-        return hn::Add(hn::Mul(hn::ShiftRight<6>(y), hn::Set(whole, tilesAcross)), hn::ShiftRight<6>(x));
+        return tileAt(x, y, tilesAcross);
     }
     // placeOf is the sum of the two.
     HWY_INLINE static Ints placeOfColumn(Ints x) {

@@ -22,6 +22,7 @@ using D = hn::ScalableTag<double>;
 using F = hn::Rebind<float, D>;
 using I = hn::RebindToSigned<F>;
 using Floats = hn::Vec<F>;
+using Ints = hn::Vec<I>;
 
 struct Floats3 {
     Floats x, y, z;
@@ -51,33 +52,6 @@ struct Axes {
     }
 };
 
-}  // namespace
-
-void transformVertices(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
-                       TransformOutput<float>& out) {
-    const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
-    const glm::mat3 linear(matrix.linear);
-    const Vec3<float> translation(matrix.translation);
-    const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
-    const std::size_t first = inputs.topology->firstVertex[object];
-    const D d;
-    const F f;
-    const auto row = [&](int r, Floats3 p) HWY_ATTR {
-        return hn::Add(dot({linear[0][r], linear[1][r], linear[2][r]}, p), all(translation[r]));
-    };
-    const std::size_t lanes = hn::Lanes(f);
-    std::size_t i = begin;
-    for (; i + lanes <= end; i += lanes) {
-        auto x = hn::Zero(d), y = x, z = x;
-        hn::LoadInterleaved3(d, &positions[i].x, x, y, z);
-        const Floats3 p{hn::DemoteTo(f, x), hn::DemoteTo(f, y), hn::DemoteTo(f, z)};
-        store({row(0, p), row(1, p), row(2, p)}, &out.world[first + i]);
-    }
-    transform(inputs, object, i, end, out);
-}
-
-namespace {
-
 // v / z, with the bits of a division, from the inverse of z, which has the bits of a float, and not nearly as far from 1 as
 // double reaches. P. Markstein, "Computation of elementary functions on the IBM RISC System/6000 processor", IBM Journal
 // of Research and Development 1990.
@@ -91,71 +65,151 @@ HWY_INLINE hn::Vec<D> quotient(hn::Vec<D> v, hn::Vec<D> z, hn::Vec<D> inverse) {
 #endif
 }
 
-// Of as many vertices as a vector holds.
-HWY_INLINE void snapVertices(const View& view, const Axes& axes, const Vec3<float>* world, SnappedVertex* to) {
-    const D d;
-    const F f;
-    const I whole;
-    const Floats3 p = axes.toView(load(world));
-    const auto px = hn::PromoteTo(d, p.x), py = hn::PromoteTo(d, p.y), pz = hn::PromoteTo(d, p.z);
-    const auto one = hn::Set(d, 1.0), half = hn::Set(d, 0.5);
-    const auto spread = view.perspective ? pz : one;
-    const auto x = hn::Mul(hn::Set(d, view.scale.x), px), y = hn::Mul(hn::Set(d, view.scale.y), py);
-    const auto places = hn::Set(d, double(1 << view.subPixelBits));
-    const auto inverse = hn::Div(one, pz);
-    const auto divided = [&](auto v) HWY_ATTR { return view.perspective ? quotient(v, pz, inverse) : v; };
-    const auto sx = hn::Add(hn::Set(d, view.centre.x), divided(x));
-    const auto sy = hn::Sub(hn::Set(d, view.centre.y), divided(y));
-    const auto snapped = [&](auto v)
-                             HWY_ATTR { return hn::DemoteTo(whole, hn::Floor(hn::Add(hn::Mul(v, places), half))); };
-    const Floats w = hn::DemoteTo(f, view.perspective ? inverse : pz);
+// A view as vertices are projected and snapped in it.
+template <bool kPerspective>
+class Snapper {
+public:
+    explicit Snapper(const View& view)
+        : m_axes(view),
+          m_scale(view.scale),
+          m_centre(view.centre),
+          m_half(glm::dvec2(view.size) / 2.0),
+          m_near(view.near),
+          m_far(view.far),
+          m_places(double(1 << view.subPixelBits)) {}
 
-    // planesAgainst, of the picture and of the guard band. Bits as sums of powers of two, of which most vertices have none.
-    const auto zero = hn::Zero(d);
-    auto bits = zero;
-    const auto sideOf = [&](double band) HWY_ATTR { return hn::Mul(hn::Set(d, band), spread); };
-    const auto near = hn::Sub(pz, hn::Set(d, view.near)), far = hn::Sub(hn::Set(d, view.far), pz);
-    const glm::dvec2 picture = glm::dvec2(view.size) / 2.0;
-    const auto side = sideOf(picture.x), top = sideOf(picture.y), guard = sideOf(kGuardBand);
-    const auto isInside = [&](auto right, auto above) HWY_ATTR {  // of bands on either side
-        const auto across = hn::And(hn::Ge(hn::Add(right, x), zero), hn::Ge(hn::Sub(right, x), zero));
-        const auto down = hn::And(hn::Ge(hn::Sub(above, y), zero), hn::Ge(hn::Add(above, y), zero));
-        return hn::And(hn::And(hn::Ge(near, zero), hn::Ge(far, zero)), hn::And(across, down));
+    // Vertices between two loops, as many as stay in the nearest cache. What needs a quotient waits for the divider; in a
+    // loop of its own, nothing behind it waits along.
+    static constexpr std::size_t kMost = 128;
+    struct InView {
+        HWY_ALIGN float x[kMost], y[kMost], z[kMost];
+        HWY_ALIGN double inverse[kMost];  // of z, in perspective
     };
-    const auto within = isInside(guard, guard);
-    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::And(within, isInside(side, top))))) {
+    HWY_INLINE void toView(Floats3 world, InView& to, std::size_t at) const {
+        const Floats3 p = m_axes.toView(world);
+        hn::Store(p.x, F(), &to.x[at]), hn::Store(p.y, F(), &to.y[at]), hn::Store(p.z, F(), &to.z[at]);
+        if (kPerspective) hn::Store(hn::Div(hn::Set(D(), 1), hn::PromoteTo(D(), p.z)), D(), &to.inverse[at]);
+    }
+    HWY_INLINE void snap(const InView& from, std::size_t at, SnappedVertex* to) const {
+        const D d;
+        const I whole;
+        const auto load = [&](const float* of) HWY_ATTR { return hn::PromoteTo(d, hn::Load(F(), of + at)); };
+        const auto z = load(from.z), one = hn::Set(d, 1);
+        const auto x = hn::Mul(hn::Set(d, m_scale.x), load(from.x)), y = hn::Mul(hn::Set(d, m_scale.y), load(from.y));
+        const auto inverse = kPerspective ? hn::Load(d, from.inverse + at) : one;
+        const auto divided = [&](auto v) HWY_ATTR { return kPerspective ? quotient(v, z, inverse) : v; };
+        const auto inSteps = [&](auto pixels)
+                                 HWY_ATTR { return hn::Add(hn::Mul(pixels, hn::Set(d, m_places)), hn::Set(d, 0.5)); };
+        auto column = inSteps(hn::Add(hn::Set(d, m_centre.x), divided(x)));
+        auto row = inSteps(hn::Sub(hn::Set(d, m_centre.y), divided(y)));
+
+        // Most vertices are in the picture: they have no bits, and to round steps down is to cut digits off.
+        const auto spread = kPerspective ? z : one;
+        const auto isWithin = [&](auto v, double band)
+                                  HWY_ATTR { return hn::Le(hn::Abs(v), hn::Mul(hn::Set(d, band), spread)); };
+        const auto isBetween = hn::And(hn::Ge(z, hn::Set(d, m_near)), hn::Le(z, hn::Set(d, m_far)));
+        const auto isInPicture = hn::And(isWithin(x, m_half.x), isWithin(y, m_half.y));
+        const auto isPositive = hn::Ge(hn::Min(column, row), hn::Zero(d));
+        Ints planes = hn::Zero(whole);
+        if (HWY_UNLIKELY(!hn::AllTrue(d, hn::And(hn::And(isBetween, isInPicture), isPositive)))) {
+            column = hn::Floor(column), row = hn::Floor(row);
+            planes = planesOf(x, y, z, spread);
+        }
+        const Floats w = hn::DemoteTo(F(), kPerspective ? inverse : z);
+        hn::StoreInterleaved4(hn::DemoteTo(whole, column), hn::DemoteTo(whole, row), hn::BitCast(whole, w), planes,
+                              whole, &to->x);
+    }
+
+private:
+    // planesAgainst, of the picture and of the guard band.
+    HWY_NOINLINE Ints planesOf(hn::Vec<D> x, hn::Vec<D> y, hn::Vec<D> z, hn::Vec<D> spread) const {
+        const D d;
+        const auto zero = hn::Zero(d);
+        auto bits = zero;  // sums of powers of two
         const auto add = [&](auto mask, std::uint32_t bit)
                              HWY_ATTR { bits = hn::Add(bits, hn::IfThenElseZero(mask, hn::Set(d, double(bit)))); };
-        const auto distances = [&](auto visit) HWY_ATTR {
-            visit(0, near), visit(1, far), visit(2, hn::Add(side, x)), visit(3, hn::Sub(side, x));
-            visit(4, hn::Sub(top, y)), visit(5, hn::Add(top, y));
-        };
-        distances([&](unsigned plane, auto distance) HWY_ATTR {
+        const auto visit = [&](unsigned plane, auto distance) HWY_ATTR {
             add(hn::Lt(distance, zero), 1u << plane);
             add(hn::Not(hn::Ge(distance, zero)), 1u << (SnappedVertex::kNotInside + plane));
-        });
-        add(hn::Not(within), SnappedVertex::kCut);
+        };
+        const auto near = hn::Sub(z, hn::Set(d, m_near)), far = hn::Sub(hn::Set(d, m_far), z);
+        const auto sideOf = [&](double band) HWY_ATTR { return hn::Mul(hn::Set(d, band), spread); };
+        const auto side = sideOf(m_half.x), top = sideOf(m_half.y), guard = sideOf(kGuardBand);
+        visit(0, near), visit(1, far), visit(2, hn::Add(side, x)), visit(3, hn::Sub(side, x));
+        visit(4, hn::Sub(top, y)), visit(5, hn::Add(top, y));
+        const auto isInside = [&](auto v) HWY_ATTR { return hn::Le(hn::Abs(v), guard); };
+        const auto isBetween = hn::And(hn::Ge(near, zero), hn::Ge(far, zero));
+        add(hn::Not(hn::And(isBetween, hn::And(isInside(x), isInside(y)))), SnappedVertex::kCut);
+        return hn::DemoteTo(I(), bits);
     }
-    hn::StoreInterleaved4(snapped(sx), snapped(sy), hn::BitCast(whole, w), hn::DemoteTo(whole, bits), whole, &to->x);
+
+    Axes m_axes;
+    glm::dvec2 m_scale, m_centre, m_half;  // the last: half the picture's size
+    double m_near, m_far, m_places;
+};
+
+// Snaps vertices from `begin` on, as long as they fill vectors; gives the first that is left. worldAt(i): as many places in
+// world space as a vector holds, from vertex i on.
+template <bool kPerspective, class WorldAt>
+HWY_INLINE std::size_t snapWith(const Snapper<kPerspective>& snapper, std::size_t begin, std::size_t end,
+                                SnappedVertex* to, WorldAt worldAt) {
+    typename Snapper<kPerspective>::InView some;
+    const std::size_t lanes = hn::Lanes(F()), last = begin + (end - begin) / lanes * lanes;
+    for (std::size_t first = begin; first < last; first += snapper.kMost) {
+        const std::size_t count = std::min(snapper.kMost, last - first);
+        for (std::size_t at = 0; at < count; at += lanes) snapper.toView(worldAt(first + at), some, at);
+        for (std::size_t at = 0; at < count; at += lanes) snapper.snap(some, at, to + first + at);
+    }
+    return last;
+}
+template <class WorldAt>
+HWY_INLINE std::size_t snapVertices(const View& view, std::size_t begin, std::size_t end, SnappedVertex* to,
+                                    WorldAt worldAt) {
+    return view.perspective ? snapWith(Snapper<true>(view), begin, end, to, worldAt)
+                            : snapWith(Snapper<false>(view), begin, end, to, worldAt);
 }
 
 }  // namespace
 
 void snapAll(const View& view, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
              SnappedVertices& out) {
-    const Axes axes(view);
-    const std::size_t lanes = hn::Lanes(F());
-    std::size_t i = begin;
-    for (; i + lanes <= end; i += lanes) snapVertices(view, axes, &world[i], &out.of[i]);
-    if (i == end) return;
+    const std::size_t first =
+        snapVertices(view, begin, end, out.of.data(), [&](std::size_t i) HWY_ATTR { return load(&world[i]); });
+    if (first == end) return;
     // The rest, in a vector's room of its own.
     std::array<Vec3<float>, 16> from;
-    from.fill(world[i]);
+    from.fill(world[first]);
     std::array<SnappedVertex, 16> snapped;
-    const std::size_t rest = std::min(end - i, from.size());
-    std::copy_n(&world[i], rest, from.begin());
-    snapVertices(view, axes, from.data(), snapped.data());
-    std::copy_n(snapped.begin(), rest, &out.of[i]);
+    const std::size_t rest = std::min(end - first, from.size());
+    std::copy_n(&world[first], rest, from.begin());
+    snapVertices(view, 0, from.size(), snapped.data(), [&](std::size_t i) HWY_ATTR { return load(&from[i]); });
+    std::copy_n(snapped.begin(), rest, &out.of[first]);
+}
+
+void transformVertices(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
+                       TransformOutput<float>& out) {
+    const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
+    const glm::mat3 linear(matrix.linear);
+    const Vec3<float> translation(matrix.translation);
+    const Vec3d* const positions = inputs.topology->meshes[object]->positions.data();
+    const std::size_t first = inputs.topology->firstVertex[object];
+    Vec3<float>* const world = out.world.data() + first;
+    const D d;
+    const F f;
+    const auto row = [&](int r, Floats3 p) HWY_ATTR {
+        return hn::Add(dot({linear[0][r], linear[1][r], linear[2][r]}, p), all(translation[r]));
+    };
+    const auto toWorld = [&](std::size_t i) HWY_ATTR {
+        auto x = hn::Zero(d), y = x, z = x;
+        hn::LoadInterleaved3(d, &positions[i].x, x, y, z);
+        const Floats3 p{hn::DemoteTo(f, x), hn::DemoteTo(f, y), hn::DemoteTo(f, z)};
+        const Floats3 moved{row(0, p), row(1, p), row(2, p)};
+        store(moved, &world[i]);
+        return moved;
+    };
+    const std::size_t rest = snapVertices(out.view, begin, end, out.snapped.of.data() + first, toWorld);
+    transform(inputs, object, rest, end, out);
+    snapAll(out.view, out.world, first + rest, first + end, out.snapped);
 }
 
 Bounds boundsOf(const View& view, std::span<const Vec3<float>> points) {

@@ -6,7 +6,7 @@
 
 namespace pipeline {
 
-// What transform does in float, several vertices at a time, with the same bits.
+// What transform does in float, several vertices at a time, with the same bits; and snaps them.
 void transformInVectors(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
                         TransformOutput<float>& out);
 
