@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "pipeline/simd/fetch_ahead.h"
 #include "pipeline/simd/targets.h"
 #include "pipeline/stages/rasterize.h"
 #undef HWY_TARGET_INCLUDE
@@ -30,6 +31,7 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
     std::size_t base = begin;
     for (; base + lanes <= end; base += lanes) {
         const Triangle* const here = &triangles[base];
+        fetchAhead(here, lanes);
         Ints x[3], y[3], beside = zero;
         for (int i = 0; i < 3; ++i) {
             const auto corner = loadFours(whole, [&](std::size_t l) { return &from.of[here[l].vertices[i]].x; });

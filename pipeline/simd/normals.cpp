@@ -1,5 +1,6 @@
 #include "pipeline/simd/normals.h"
 
+#include "pipeline/simd/fetch_ahead.h"
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pipeline/simd/normals.cpp"
@@ -29,6 +30,7 @@ void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& 
     std::size_t base = begin;
     for (; base + lanes <= end; base += lanes) {
         const Triangle* const here = &triangles[base];
+        fetchAhead(here, lanes);
         const auto corner = [&](int i) HWY_ATTR {
             return loadThrees(in.world, [&](std::size_t l) { return here[l].vertices[i]; });
         };
@@ -63,6 +65,7 @@ void unitGiven(const NormalsInputs& inputs, const TransformOutput<float>& in, st
     const std::size_t lanes = hn::Lanes(d), first = in.topology->firstVertex[object];
     std::size_t i = begin;
     for (; i + lanes <= end; i += lanes) {
+        fetchAhead(&given[i], lanes);
         auto x = hn::Zero(d), y = x, z = x;
         hn::LoadInterleaved3(d, &given[i].x, x, y, z);
         const auto row = [&](int r) HWY_ATTR {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "pipeline/simd/fetch_ahead.h"
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pipeline/simd/set_up.cpp"
@@ -282,6 +283,7 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
     for (std::size_t base = begin; base < end; base += lanes) {
         const std::size_t count = std::min(lanes, end - base);
         const Triangle* from = &triangles[base];
+        fetchAhead(from, lanes);
         const std::uint32_t live = liveOf(in, from, count, alone, out);
         if (live == 0) continue;
         if (count < lanes) std::copy_n(from, count, rest), from = rest;

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "pipeline/simd/fetch_ahead.h"
 #include "pipeline/simd/targets.h"
 #include "pipeline/stages/clip.h"
 #undef HWY_TARGET_INCLUDE
@@ -158,7 +159,8 @@ HWY_INLINE std::size_t snapWith(const Snapper<kPerspective>& snapper, std::size_
     for (std::size_t first = begin; first < last; first += snapper.kMost) {
         const std::size_t count = std::min(snapper.kMost, last - first);
         for (std::size_t at = 0; at < count; at += lanes) snapper.toView(worldAt(first + at), some, at);
-        for (std::size_t at = 0; at < count; at += lanes) snapper.snap(some, at, to + first + at);
+        for (std::size_t at = 0; at < count; at += lanes)
+            fetchAhead(to + first + at, lanes), snapper.snap(some, at, to + first + at);
     }
     return last;
 }
@@ -173,8 +175,10 @@ HWY_INLINE std::size_t snapVertices(const View& view, std::size_t begin, std::si
 
 void snapAll(const View& view, std::span<const Vec3<float>> world, std::size_t begin, std::size_t end,
              SnappedVertices& out) {
-    const std::size_t first =
-        snapVertices(view, begin, end, out.of.data(), [&](std::size_t i) HWY_ATTR { return load(&world[i]); });
+    const std::size_t first = snapVertices(view, begin, end, out.of.data(), [&](std::size_t i) HWY_ATTR {
+        fetchAhead(&world[i], hn::Lanes(D()));
+        return load(&world[i]);
+    });
     if (first == end) return;
     // The rest, in a vector's room of its own.
     std::array<Vec3<float>, 16> from;
@@ -200,6 +204,8 @@ void transformVertices(const TransformInputs& inputs, std::size_t object, std::s
         return hn::Add(dot({linear[0][r], linear[1][r], linear[2][r]}, p), all(translation[r]));
     };
     const auto toWorld = [&](std::size_t i) HWY_ATTR {
+        fetchAhead(&positions[i], hn::Lanes(d));
+        fetchAhead(&world[i], hn::Lanes(d));
         auto x = hn::Zero(d), y = x, z = x;
         hn::LoadInterleaved3(d, &positions[i].x, x, y, z);
         const Floats3 p{hn::DemoteTo(f, x), hn::DemoteTo(f, y), hn::DemoteTo(f, z)};
