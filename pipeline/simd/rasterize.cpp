@@ -35,20 +35,18 @@ struct DrawnTile {
 // How many fragments there were, lane by lane: sums of vectors stay in registers.
 class Sums {
 public:
-    HWY_INLINE Sums() : m_outside(hn::Zero(I())), m_won(hn::Zero(I())) {}
-    HWY_INLINE void add(Ints outside, Mask won) {
-        m_outside = hn::Add(m_outside, hn::BitCast(I(), hn::ShiftRight<31>(hn::BitCast(U(), outside))));
-        m_won = hn::Sub(m_won, hn::VecFromMask(I(), hn::RebindMask(I(), won)));
-        ++m_vectors;
-    }
+    HWY_INLINE Sums() : m_arrived(hn::Zero(I())), m_won(hn::Zero(I())) {}
+    HWY_INLINE void add(Mask inside, Mask won) { countWhere(inside, m_arrived), countWhere(won, m_won); }
     HWY_INLINE void addTo(TileCounts& counts) const {
-        counts.arrived += m_vectors * kLanes - hn::GetLane(hn::SumOfLanes(I(), m_outside));
+        counts.arrived += hn::GetLane(hn::SumOfLanes(I(), m_arrived));
         counts.won += hn::GetLane(hn::SumOfLanes(I(), m_won));
     }
 
 private:
-    Ints m_outside, m_won;
-    long long m_vectors = 0;
+    HWY_INLINE static void countWhere(Mask mask, Ints& sum) {
+        sum = hn::IfThenElse(hn::RebindMask(I(), mask), hn::Add(sum, hn::Set(I(), 1)), sum);
+    }
+    Ints m_arrived, m_won;
 };
 
 HWY_INLINE Floats nowhereOutside(Ints outside, Floats z) {
@@ -170,10 +168,11 @@ private:
         const Ints outside =
             kPlain ? edges.outside
                    : hn::IfThenElse(hn::RebindMask(I(), within(m_tile, at)), edges.outside, hn::Set(I(), -1));
-        const Floats z = nowhereOutside(outside, distances.template z<kPerspective>(edges.l1, edges.l2));
+        const Mask inside = asFloats(hn::Gt(outside, hn::Set(I(), -1)));
+        const Floats z = distances.template z<kPerspective>(edges.l1, edges.l2);
         const Floats stored = hn::Load(F(), to);
-        const Mask won = hn::Lt(z, stored);
-        sums.add(outside, won);
+        const Mask won = hn::And(inside, hn::Lt(z, stored));
+        sums.add(inside, won);
         // Stored as a whole: what follows may load the same block, and a store through a mask is not passed on to it.
         hn::Store(hn::IfThenElse(won, z, stored), F(), to);
         hn::Store(hn::IfThenElse(hn::RebindMask(U(), won), name, hn::Load(U(), seen)), U(), seen);
@@ -181,7 +180,7 @@ private:
         const auto count = [&](std::int32_t* counts, Mask mask) HWY_ATTR {
             hn::Store(hn::Sub(hn::Load(I(), counts), hn::VecFromMask(I(), hn::RebindMask(I(), mask))), I(), counts);
         };
-        count(&m_out.counted->arrived[0].of[at], asFloats(hn::Gt(outside, hn::Set(I(), -1))));
+        count(&m_out.counted->arrived[0].of[at], inside);
         count(&m_out.counted->won[0].of[at], won);
     }
 
@@ -353,8 +352,7 @@ private:
     HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances& distances) {
         float* const to = &m_blocks[0].of[at];
         const Floats z = nowhereOutside(edges.outside, distances.template z<kPerspective>(edges.l1, edges.l2));
-        const Floats stored = hn::Load(F(), to);
-        hn::Store(hn::IfThenElse(hn::Lt(z, stored), z, stored), F(), to);
+        hn::Store(hn::Min(z, hn::Load(F(), to)), F(), to);
     }
 
     int m_bits;
