@@ -96,7 +96,8 @@ int runFilm(const FilmOptions& options) {
         return kCouldNotWrite;
     }
     if (summary->cancelled) return cancelled();
-    tell("{} pictures, {}, in {}\n", summary->pictures, pipeline::sizeText(summary->bytes), options.target);
+    tell("{} pictures, {}, in {}{}\n", summary->pictures, pipeline::sizeText(summary->bytes), options.target,
+         summary->removed == 0 ? "" : fmt::format("; {} of a longer film before removed", summary->removed));
     return kDone;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <system_error>
 
 #include "pipeline/export/byte_file.h"
 #include "pipeline/export/gif_file.h"
@@ -101,6 +102,17 @@ Buffer2D<Color8> picture(const Steps& steps, Moment moment, const FilmRequest& r
     return out;
 }
 
+std::string pictureName(std::size_t number) { return fmt::format("step_{:04}.png", number); }
+
+// What a film in the folder goes on with behind its first `pictures`.
+std::vector<std::string> laterPictures(const std::filesystem::path& folder, std::size_t pictures) {
+    std::vector<std::string> later;
+    std::error_code error;
+    while (std::filesystem::is_regular_file(folder / pictureName(pictures + later.size() + 1), error))
+        later.push_back(pictureName(pictures + later.size() + 1));
+    return later;
+}
+
 }  // namespace
 
 std::vector<Moment> filmMoments(const Steps& steps, const FilmRequest& request) {
@@ -132,7 +144,7 @@ Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, co
     Staging hidden = std::move(staging).value();
     FilmSummary summary;
     const auto goOn = [&](std::size_t i) { return !progress || progress(i, moments.size()); };
-    const auto cancelled = [] { return FilmSummary{true, 0, 0}; };
+    const auto cancelled = [] { return FilmSummary{.cancelled = true}; };
     std::optional<GifFile> gif;
     if (single)
         gif.emplace(hidden.folder() / target.filename(),
@@ -145,7 +157,7 @@ Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, co
             gif->add(image, request.milliseconds * (i + 1 == moments.size() ? 10 : 1));
             continue;
         }
-        ByteFile file(hidden.folder() / fmt::format("step_{:04}.png", i + 1));
+        ByteFile file(hidden.folder() / pictureName(i + 1));
         file.write(pngOf(image));
         const auto bytes = file.close();
         if (!bytes) return bytes.errors();
@@ -156,7 +168,9 @@ Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, co
         if (!bytes) return bytes.errors();
         summary.bytes = *bytes;
     }
-    if (const auto done = hidden.publish(); !done) return done.errors();
+    const std::vector<std::string> later = single ? std::vector<std::string>() : laterPictures(target, moments.size());
+    summary.removed = later.size();
+    if (const auto done = hidden.publish(later); !done) return done.errors();
     return summary;
 }
 
