@@ -201,7 +201,7 @@ Finding runMany(Trial& trial) {
         if (std::abs(x - std::round(x)) < 0.02 || std::abs(y - std::round(y)) < 0.02) continue;
         const double exact = std::floor(y) * kCells + std::floor(x);
         ours += id != exact;
-        naive += double(std::uint16_t(exact)) != exact;
+        naive += double(std::uint16_t(std::uint32_t(exact))) != exact;
     }
     return {naive, ours};
 }

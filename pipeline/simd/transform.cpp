@@ -104,7 +104,8 @@ public:
         auto column = inSteps(hn::Add(hn::Set(d, m_centre.x), divided(x)));
         auto row = inSteps(hn::Sub(hn::Set(d, m_centre.y), divided(y)));
 
-        // Most vertices are in the picture: they have no bits, and to round steps down is to cut digits off.
+        // Most vertices are in the picture, which the guard band encloses: they have no bits, and to round steps down is to
+        // cut digits off.
         const auto spread = kPerspective ? z : one;
         const auto isWithin = [&](auto v, double band)
                                   HWY_ATTR { return hn::Le(hn::Abs(v), hn::Mul(hn::Set(d, band), spread)); };
