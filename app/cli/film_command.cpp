@@ -97,7 +97,7 @@ int runFilm(const FilmOptions& options) {
     }
     if (summary->cancelled) return cancelled();
     tell("{} pictures, {}, in {}{}\n", summary->pictures, pipeline::sizeText(summary->bytes), options.target,
-         summary->removed == 0 ? "" : fmt::format("; {} of a longer film before removed", summary->removed));
+         summary->behind == 0 ? "" : fmt::format("; {} behind them are not of this film", summary->behind));
     return kDone;
 }
 

@@ -138,10 +138,10 @@ void FilmDialog::start() {
     m_job = new FilmJob(std::make_shared<const pipeline::Scene>(m_document.scene()), order(), this);
     connect(m_job, &FilmJob::progressed, this, [this](double share) { m_foot->setProgress(share); });
     connect(m_job, &FilmJob::finished, this, [this](const pipeline::FilmSummary& summary) {
-        const QString removed =
-            summary.removed == 0 ? QString() : tr(" %1 of a longer film before removed.").arg(summary.removed);
+        const QString behind =
+            summary.behind == 0 ? QString() : tr(" %1 behind them are not of this film.").arg(summary.behind);
         finish(summary.cancelled ? tr("Cancelled. Nothing was written.")
-                                 : tr("%1 pictures, %2.").arg(summary.pictures).arg(sizeText(summary.bytes)) + removed,
+                                 : tr("%1 pictures, %2.").arg(summary.pictures).arg(sizeText(summary.bytes)) + behind,
                !summary.cancelled);
     });
     connect(m_job, &FilmJob::failed, this,

@@ -104,13 +104,12 @@ Buffer2D<Color8> picture(const Steps& steps, Moment moment, const FilmRequest& r
 
 std::string pictureName(std::size_t number) { return fmt::format("step_{:04}.png", number); }
 
-// What a film in the folder goes on with behind its first `pictures`.
-std::vector<std::string> laterPictures(const std::filesystem::path& folder, std::size_t pictures) {
-    std::vector<std::string> later;
+// How many pictures the folder goes on with behind its first `pictures`.
+std::size_t countBehind(const std::filesystem::path& folder, std::size_t pictures) {
+    std::size_t behind = 0;
     std::error_code error;
-    while (std::filesystem::is_regular_file(folder / pictureName(pictures + later.size() + 1), error))
-        later.push_back(pictureName(pictures + later.size() + 1));
-    return later;
+    while (std::filesystem::exists(folder / pictureName(pictures + behind + 1), error)) ++behind;
+    return behind;
 }
 
 }  // namespace
@@ -168,9 +167,8 @@ Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, co
         if (!bytes) return bytes.errors();
         summary.bytes = *bytes;
     }
-    const std::vector<std::string> later = single ? std::vector<std::string>() : laterPictures(target, moments.size());
-    summary.removed = later.size();
-    if (const auto done = hidden.publish(later); !done) return done.errors();
+    if (const auto done = hidden.publish(); !done) return done.errors();
+    if (!single) summary.behind = countBehind(target, summary.pictures);
     return summary;
 }
 

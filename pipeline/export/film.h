@@ -32,10 +32,10 @@ struct FilmSummary {
     bool cancelled = false;  // nothing was written
     std::size_t pictures = 0;
     std::uint64_t bytes = 0;
-    std::size_t removed = 0;  // pictures of a longer film that was there before
+    std::size_t behind = 0;  // pictures in the folder that go on where the film ends; not of this film, and left alone
 };
-// Writes "FILE.gif", or into a folder step_0001.png, step_0002.png… All of it, or nothing. Of a film that was in the
-// folder, what goes on behind the new one's last picture is removed. A GIF has at most 256 colours a picture. The same request gives the same bytes on one machine; another may have other letters.
+// Writes "FILE.gif", or into a folder step_0001.png, step_0002.png… All of it, or nothing. A GIF has at most 256
+// colours a picture. The same request gives the same bytes on one machine; another may have other letters.
 Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, const std::filesystem::path& target,
                               const FilmProgress& progress = {});
 
