@@ -97,7 +97,7 @@ int runFilm(const FilmOptions& options) {
     }
     if (summary->cancelled) return cancelled();
     tell("{} pictures, {}, in {}{}\n", summary->pictures, pipeline::sizeText(summary->bytes), options.target,
-         summary->behind == 0 ? "" : fmt::format("; {} behind them are not of this film", summary->behind));
+         summary->behind == 0 ? "" : fmt::format("; {} not of this film behind them", summary->behind));
     return kDone;
 }
 

@@ -139,7 +139,7 @@ void FilmDialog::start() {
     connect(m_job, &FilmJob::progressed, this, [this](double share) { m_foot->setProgress(share); });
     connect(m_job, &FilmJob::finished, this, [this](const pipeline::FilmSummary& summary) {
         const QString behind =
-            summary.behind == 0 ? QString() : tr(" %1 behind them are not of this film.").arg(summary.behind);
+            summary.behind == 0 ? QString() : tr(" %1 not of this film behind them.").arg(summary.behind);
         finish(summary.cancelled ? tr("Cancelled. Nothing was written.")
                                  : tr("%1 pictures, %2.").arg(summary.pictures).arg(sizeText(summary.bytes)) + behind,
                !summary.cancelled);
