@@ -18,14 +18,9 @@ constexpr PlotInk kGrid{PlotRole::Grid, 0}, kWords{PlotRole::Secondary, 0}, kBou
 
 bool shown(double error) { return std::isfinite(error) && error >= 0; }
 
-// 0, 20, 40, …: multiples of a round step, at most about `most`.
 std::vector<Tick> linearTicks(double low, double high, int most) {
-    const double power = std::pow(10.0, std::floor(std::log10((high - low) / most)));
-    double step = power;
-    for (const double digit : {2.0, 5.0, 10.0})
-        if ((high - low) / step > most) step = digit * power;
     std::vector<Tick> ticks;
-    for (double k = std::ceil(low / step); k * step <= high; ++k) ticks.push_back({k * step, shortestText(k * step)});
+    for (const double value : roundSteps(low, high, most)) ticks.push_back({value, shortestText(value)});
     return ticks;
 }
 

@@ -25,21 +25,6 @@ std::vector<double> timesPowers(const LogAxis& axis, std::initializer_list<doubl
     return values;
 }
 
-std::vector<double> multiples(const LogAxis& axis, int most) {
-    const double range = axis.high - axis.low;
-    int exponent = static_cast<int>(std::floor(std::log10(range / most)));
-    double step = power(exponent);
-    for (const double digit : {2.0, 5.0, 10.0})
-        if (range / step > most) step = digit * power(exponent);
-    std::vector<double> values;
-    for (double k = std::ceil(axis.low / step); k * step <= axis.high && values.size() < 50; ++k) {
-        // k / 10 is rounded once where k · 0.1 would be twice: 0.3, not 0.30000000000000004.
-        const double inverse = std::round(1 / step);
-        values.push_back(step < 1 ? k / inverse : k * step);
-    }
-    return values;
-}
-
 // "0.200000" and "2." become "0.2" and "2".
 void dropZeros(std::string& text) {
     text.erase(text.find_last_not_of('0') + 1);
@@ -47,6 +32,25 @@ void dropZeros(std::string& text) {
 }
 
 }  // namespace
+
+std::vector<double> roundSteps(double low, double high, int most) {
+    const double range = high - low;
+    if (!(range > 0) || !std::isfinite(range)) return {low};
+    const int exponent = static_cast<int>(std::floor(std::log10(range / most)));
+    double step = power(exponent);
+    for (const double digit : {2.0, 5.0, 10.0})
+        if (range / step > most) step = digit * power(exponent);
+    // k / 10 is rounded once where k · 0.1 would be twice: 0.3, not 0.30000000000000004.
+    const double inverse = std::round(1 / step), first = std::ceil(low / step);
+    std::vector<double> values;
+    // Counted from the first: where neighbours in double are farther apart than steps, k + 1 may be k.
+    for (int i = 0; i <= 2 * most; ++i) {
+        const double k = first + i, value = step < 1 ? k / inverse : k * step;
+        if (value > high) break;
+        if (value >= low && (values.empty() || value > values.back())) values.push_back(value);
+    }
+    return values;
+}
 
 double LogAxis::place(double value) const {
     return start + (end - start) * (std::log(value) - std::log(low)) / (std::log(high) - std::log(low));
@@ -71,7 +75,7 @@ std::vector<Tick> ticksOf(const LogAxis& axis, int most, double plainFrom) {
             values = timesPowers(axis, {1}, every);
     } else {
         values = timesPowers(axis, {1, 2, 5}, 1);
-        if (values.size() < 3) values = multiples(axis, std::min(most, 6));
+        if (values.size() < 3) values = roundSteps(axis.low, axis.high, std::min(most, 6));
     }
     std::vector<Tick> ticks;
     for (const double value : values) ticks.push_back({value, tickText(value, plainFrom)});

@@ -4,6 +4,10 @@
 
 namespace pipeline {
 
+// 0, 20, 40, …: multiples of 1, 2 or 5 times a power of ten from low to high, ascending, at most about `most` (at least
+// 1). `low` alone where there is no range between the two, or none that is finite.
+std::vector<double> roundSteps(double low, double high, int most);
+
 // A logarithmic axis from `low` to `high`, which lie a little outside of the values, at the ends of
 // a line from `start` to `end` in points.
 struct LogAxis {
@@ -21,7 +25,7 @@ struct Tick {
 };
 
 // Round values on an axis, at most about `most`: powers of ten (each, or each second, …) over two
-// decades and more; below that 1, 2 and 5 times a power; then multiples of a round step. plainFrom as in
+// decades and more; below that 1, 2 and 5 times a power; then roundSteps. plainFrom as in
 // tickText.
 std::vector<Tick> ticksOf(const LogAxis& axis, int most, double plainFrom);
 

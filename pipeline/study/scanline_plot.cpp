@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "pipeline/core/text.h"
+#include "pipeline/study/plot_axis.h"
 
 namespace pipeline {
 namespace {
@@ -17,19 +18,6 @@ constexpr PlotInk kGrid{PlotRole::Grid, 0}, kWords{PlotRole::Secondary, 0}, kTex
 constexpr std::array<const char*, 3> kShadings{"flat", "Gouraud", "Phong"}, kChannels{"red", "green", "blue"};
 constexpr double kLow = 16, kWide = 36;  // sizes of a label's text
 constexpr std::array kDashes{PlotDash::LongDash, PlotDash::Dashed, PlotDash::Solid};
-
-// 0, 20, 40, …: multiples of a round step, at most about `most`.
-std::vector<double> roundSteps(double low, double high, int most) {
-    const double span = high - low;
-    if (!(span > 0)) return {low};
-    const double power = std::pow(10.0, std::floor(std::log10(span / most)));
-    double step = power;
-    for (const double digit : {2.0, 5.0, 10.0})
-        if (span / step > most) step = digit * power;
-    std::vector<double> steps;
-    for (double k = std::ceil(low / step); k * step <= high; ++k) steps.push_back(k * step);
-    return steps;
-}
 
 // A linear axis from top to bottom.
 struct Rows {
@@ -76,11 +64,17 @@ void placeAxes(Layout& l, const PlotSize& size) {
     const bool shares = hasIntensity(section) && !l.x.isBeside;
     const double middle = shares ? top + (isLow ? 0.5 : 0.55) * (bottom - top) : bottom;
     double low = std::numeric_limits<double>::infinity(), high = -low;
+    bool isSingle = true;
     for (const ScanlineRun& run : section.runs)
-        for (const ScanlineRun::Sample& sample : run.samples)
+        for (const ScanlineRun::Sample& sample : run.samples) {
             low = std::min(low, sample.depth), high = std::max(high, sample.depth);
+            isSingle = isSingle && double(float(sample.depth)) == sample.depth;
+        }
     if (low > high) low = 0, high = 1;
-    const double margin = high > low ? 0.06 * (high - low) : std::max(1.0, std::abs(high)) * 0.01;
+    // Of one depth, but for rounding: that is no relief to fill the plot with.
+    const double largest = std::max(std::abs(low), std::abs(high)), unit = isSingle ? 0x1p-24 : 0x1p-53;
+    const bool isLevel = high - low <= 128 * unit * largest;
+    const double margin = !isLevel ? 0.06 * (high - low) : largest > 0 ? 0x1p14 * unit * largest : 1;
     low -= margin, high += margin;
     l.depth = {top, shares ? middle - gap / 2 : bottom, section.nearIsLarger ? high : low,
                section.nearIsLarger ? low : high};
@@ -139,7 +133,7 @@ void drawRows(Layout& l, const Rows& axis, const ScanlineAxis& x, const std::str
     for (const double value : roundSteps(low, high, down)) {
         const double y = axis.place(value);
         l.line({{x.left, y}, {x.right, y}}, kGrid, 1);
-        l.text({x.left - 0.5 * l.u, y + 0.3 * l.u}, Anchor::End, fmt::format("{:.6g}", value), kWords);
+        l.text({x.left - 0.5 * l.u, y + 0.3 * l.u}, Anchor::End, shortestText(value), kWords);
     }
     if (!name.empty()) l.text({x.left, axis.top - 0.5 * l.u}, Anchor::Start, name, kText, true);
 }
@@ -176,8 +170,8 @@ void drawRun(Layout& l, const ScanlineRun& run) {
                 neighbour < samples.size() && samples[neighbour].x != samples[at].x
                     ? (samples[neighbour].depth - samples[at].depth) / (samples[neighbour].x - samples[at].x)
                     : 0;
-            points.push_back(
-                {l.x.depth.place(samples[at].x + 0.5 + half), l.depth.place(samples[at].depth + half * slope)});
+            const double y = l.depth.place(samples[at].depth + half * slope);
+            points.push_back({l.x.depth.place(samples[at].x + 0.5 + half), std::clamp(y, l.depth.top, l.depth.bottom)});
         };
         beyond(i, i + 1 < samples.size() ? i + 1 : i - 1, -0.5);
         for (std::size_t k = i; k < end; ++k)

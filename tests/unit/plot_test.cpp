@@ -78,6 +78,18 @@ TEST(PlotAxis, TicksAreRound) {
     EXPECT_EQ(labelsOf({101, 104}, 5), (std::vector<std::string>{"101", "102", "103", "104"}));
 }
 
+TEST(PlotAxis, StepsEndWhereNumbersAreFartherApartThanTheyAre) {
+    EXPECT_EQ(roundSteps(0, 100, 5), (std::vector<double>{0, 20, 40, 60, 80, 100}));
+    EXPECT_EQ(roundSteps(0.25, 0.45, 2), (std::vector<double>{0.3, 0.4}));
+    // Neighbours in double, 2^-50 apart: 4.3 / 2^-50 lies above 2^52, where k + 1 is k or k + 2.
+    const double low = 4.2999999999999989, next = std::nextafter(low, 5.0);
+    const std::vector<double> steps = roundSteps(low, next, 4);
+    EXPECT_TRUE(std::ranges::is_sorted(steps, std::less_equal()));
+    for (const double step : steps) EXPECT_TRUE(step == low || step == next);
+    EXPECT_EQ(roundSteps(3, 3, 4), std::vector<double>{3});
+    EXPECT_EQ(roundSteps(-1e308, 1e308, 4), std::vector<double>{-1e308});  // their distance is no number
+}
+
 // log10 of 100 is half of that of 10^4: halfway along the axis.
 TEST(PlotAxis, IsLogarithmic) {
     const LogAxis axis{1, 1e4, 500, 100};
