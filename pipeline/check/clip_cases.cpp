@@ -221,6 +221,24 @@ Finding runOutlines(Trial& trial) {
     return {loosePixels(naive), loosePixels(overdrawOf(trial.frame(outlines())))};
 }
 
+Scene facingAt(double distance) {
+    Scene scene = frontScene(distance, {gridMesh(1, {-1, -1, 0}, {1, 1, 0})});
+    scene.settings.precision = Precision::Float;
+    scene.camera.projection = ProjectionKind::Orthographic, scene.camera.height = 1;
+    scene.camera.near = scene.camera.far = 0;
+    return scene;
+}
+Scene facing() { return facingAt(5.3); }
+Finding runFacing(Trial& trial) {
+    double naive = 0, ours = 0;
+    for (int tenths = 10; tenths < 160; ++tenths) {
+        const double distance = 0.1 * tenths, z = float(distance);
+        naive += z > distance * (1 + 0x1p-30) || z < distance * (1 - 0x1p-30);
+        ours += drawnPixels(trial.frame(facingAt(distance))) == 0;
+    }
+    return {naive, ours};
+}
+
 }  // namespace
 
 std::span<const Case> clipCases() {
@@ -318,6 +336,18 @@ std::span<const Case> clipCases() {
          .bound = 0,
          .run = runShuffled,
          .scene = inOrder},
+        {.id = "C22",
+         .group = Group::Raster,
+         .title = "A flat scene in parallel projection",
+         .input = "a square at 150 distances, single precision",
+         .naive = "near and far 2⁻³⁰ of the distance beside it",
+         .stable = "near and far 2⁻²⁰ of the distance beside it",
+         .measure = "pictures that are empty",
+         .unit = "pictures",
+         .reference = "it fills the picture",
+         .bound = 0,
+         .run = runFacing,
+         .scene = facing},
     };
     return cases;
 }

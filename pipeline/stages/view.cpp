@@ -62,8 +62,12 @@ void chooseRange(const Scene& scene, View& view) {
         view.far = farthest > 0 ? farthest * (1 + kMargin) : 2;
         view.near = std::max(nearest * (1 - kMargin), view.far * kDeepest);
     } else {
-        const double span = std::max({farthest - nearest, std::abs(nearest) * kDeepest, std::abs(farthest) * kDeepest});
-        const double margin = span > 0 ? span * kMargin : 1;
+        // z_view in float is off by some 2^-24 of these distances. A scene that is flat along the view, or far off for its
+        // depth, must not fall behind a plane for that.
+        const Vec3d eye = glm::abs(view.eye);
+        const double away = std::max({std::abs(nearest), std::abs(farthest), eye.x, eye.y, eye.z});
+        const double room = std::max((farthest - nearest) * kMargin, away * kDeepest);
+        const double margin = room > 0 ? room : 1;
         view.near = nearest - margin;
         view.far = farthest + margin;
     }
@@ -92,6 +96,9 @@ View makeView(const Scene& scene) {
     if (camera.near == 0 || camera.far == 0) chooseRange(scene, view);
     if (camera.near != 0) view.near = camera.near;
     if (camera.far != 0) view.far = camera.far;
+    // Where the whole scene lies beyond the plane that is given, the chosen one would lie there too: nothing is seen
+    // whichever it is, so long as near stays below far. Factors of two keep a scaled scene's bits.
+    if (!(view.near < view.far)) camera.far == 0 ? view.far = 2 * view.near : view.near = view.far / 2;
     return view;
 }
 

@@ -117,6 +117,44 @@ TEST(View, NearAndFarHoldEveryVertexInFrontOfTheEye) {
     EXPECT_LT(view.far, 900);
 }
 
+// The pyramid stands 700 to 1000 in front of the eye, wholly beyond a plane that is given.
+TEST(View, AChosenPlaneStaysBeyondTheOneThatIsGiven) {
+    for (const ProjectionKind projection : {ProjectionKind::Perspective, ProjectionKind::Orthographic}) {
+        Scene scene = test::pyramid();
+        scene.camera.projection = projection;
+        scene.settings.depthFormat = DepthFormat::Float;
+        const View whole = makeView(scene);
+        for (const auto& [near, far] : {std::pair(2000.0, 0.0), {whole.far, 0.0}, {0.0, 1.0}, {0.0, whole.near}}) {
+            scene.camera.near = near, scene.camera.far = far;
+            const View view = makeView(scene);
+            EXPECT_LT(view.near, view.far);
+            if (near > 0) EXPECT_EQ(view.near, near);
+            if (far > 0) EXPECT_EQ(view.far, far);
+            const FramePtr frame = test::frameOf(scene, setOf({BufferId::VerticesScreen, BufferId::Depth}));
+            for (const BufferId id : {BufferId::VerticesScreen, BufferId::Depth})
+                EXPECT_EQ(statistics(*frame->buffer({id})).nan, 0u);
+        }
+    }
+}
+
+// 5.3 in float lies 1.9e-7 beyond 5.3: a flat scene leaves no room between its planes but that for rounding.
+TEST(View, AFlatSceneIsSeenFromAnyDistance) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 8;
+    scene.camera.kind = CameraKind::LookAt, scene.camera.projection = ProjectionKind::Orthographic;
+    scene.camera.up = {0, 1, 0}, scene.camera.height = 1;
+    scene.objects.push_back(
+        {"square", test::mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}}), {}, {}});
+    for (int tenths = 10; tenths < 160; ++tenths)
+        for (const Vec3d shift : {Vec3d(0), Vec3d(3e4, 0, 7e5)}) {
+            scene.objects[0].transform.translation = shift;
+            scene.camera.eye = shift + Vec3d(0, 0, tenths * 0.1);
+            scene.camera.target = shift;
+            const AnyBuffer ids = *test::frameOf(scene)->buffer({BufferId::ObjectId});
+            for (std::size_t i = 0; i < ids.count(); ++i) ASSERT_EQ(ids.flat(i), 0) << tenths;
+        }
+}
+
 TEST(Transform, AVertexBehindTheEyeHasNoPlaceOnTheScreen) {
     Scene scene = test::pyramid();
     scene.camera.rho = 100;  // among the vertices
