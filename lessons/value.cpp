@@ -1,9 +1,10 @@
 #include "lessons/value.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace lessons {
 namespace {
@@ -15,9 +16,7 @@ constexpr double kExactWhole = 9007199254740992.0;  // 2^53: up to here a double
 std::string numberText(double number, std::optional<int> digits) {
     if (std::isnan(number)) return "NaN";
     if (std::isinf(number)) return std::string(number < 0 ? kMinus : "+") + "∞";
-    char buffer[352];  // DBL_MAX has 309 digits before the point
-    const int length = std::snprintf(buffer, sizeof buffer, "%.*f", digits.value_or(4), std::abs(number));
-    std::string plain(buffer, std::size_t(length));
+    std::string plain = fmt::format("{:.{}f}", std::abs(number), digits.value_or(4));
     if (!digits) plain.erase(plain.find_last_not_of('0') + 1);
     if (plain.ends_with('.')) plain.pop_back();
     const std::size_t point = std::min(plain.find('.'), plain.size());

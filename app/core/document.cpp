@@ -13,6 +13,7 @@
 #include "app/core/scene_step.h"
 #include "app/core/stage_status.h"
 #include "app/core/text.h"
+#include "pipeline/core/text.h"
 #include "pipeline/formats/toml_writer.h"
 
 namespace app {
@@ -151,7 +152,7 @@ void Document::change(const SettingRef& ref, double value, Change kind) {
     if (setting.kind != pipeline::SettingKind::Number) value = std::round(value);
     if (!(value >= setting.min && value <= setting.max)) {  // NaN is refused too
         emit failed({{{},
-                      std::string(setting.label) + " is " + std::to_string(value),
+                      std::string(setting.label) + " is " + pipeline::shortestText(value),
                       "a number from " + formatSetting(ref, setting.min) + " to " + formatSetting(ref, setting.max)}});
         return;
     }

@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
+#include <clocale>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +21,8 @@ QString wordFor(double value) {
 }
 
 }  // namespace
+
+void keepPointInNumbers() { std::setlocale(LC_NUMERIC, "C"); }
 
 QString number(double value, int decimals) {
     if (const QString word = wordFor(value); !word.isEmpty()) return word;

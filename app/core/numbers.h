@@ -6,6 +6,10 @@ namespace app {
 // How a person reads numbers in the window. Minus is U+2212; from 1 000 on, groups of three
 // stand apart by U+2009, before the point only; NaN, +∞ and −∞ are words of that form.
 
+// A point in what the C library and those that use it read and write. An application object of Qt takes on the user's
+// locale for them too, in which it may be a comma; to be called after one is made.
+void keepPointInNumbers();
+
 QString number(double value, int decimals);
 QString dotProduct(double value);  // 4 decimals; products and weights too
 QString intensity(double value);   // 3 decimals

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QSettings>
 
+#include "app/core/numbers.h"
 #include "app/core/session_file.h"
 #include "app/core/text.h"
 #include "app/desktop/layout_store.h"
@@ -22,6 +23,7 @@ void prepareApplication() {
 int runWindow(int argc, char** argv, const WindowStart& start) {
     prepareApplication();
     QApplication application(argc, argv);
+    keepPointInNumbers();
     restoreTheme();
     restoreNumbers();
     MainWindow window;

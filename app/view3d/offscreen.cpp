@@ -9,6 +9,7 @@
 #include <future>
 #include <thread>
 
+#include "app/core/numbers.h"
 #include "app/core/theme.h"
 #include "app/view3d/headless_window.h"
 #include "app/view3d/overlay.h"
@@ -39,8 +40,9 @@ constexpr std::array<View, 6> kViews{{{"world.png", ViewPreset::Iso},
 class FontSystem {
 public:
     FontSystem() {
-        if (!QCoreApplication::instance())
-            m_application = std::make_unique<QGuiApplication>(m_count, m_arguments.data());
+        if (QCoreApplication::instance()) return;
+        m_application = std::make_unique<QGuiApplication>(m_count, m_arguments.data());
+        keepPointInNumbers();
     }
     bool ready() const { return qobject_cast<QGuiApplication*>(QCoreApplication::instance()) != nullptr; }
 

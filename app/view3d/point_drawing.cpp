@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "app/core/numbers.h"
@@ -136,12 +135,10 @@ private:
         const auto at = [&](double a) { return radius * (std::cos(a) * from + std::sin(a) * aside); };
         constexpr int kPieces = 32;
         for (int i = 0; i < kPieces; ++i) line(at(whole * i / kPieces), at(whole * (i + 1) / kPieces), Ink::Text);
-        std::array<char, 32> text{};
-        std::snprintf(text.data(), text.size(), "%.1f°", glm::degrees(whole));
         m_drawing.labels.push_back({.kind = Label::Kind::Note,
                                     .at = (1 + 0.09 / radius) * at(whole / 2),
                                     .foot = Vec3d(0.0),
-                                    .text = text.data(),
+                                    .text = app::angle(glm::degrees(whole)).toStdString(),
                                     .distance = {},
                                     .ink = Ink::Text});
     }

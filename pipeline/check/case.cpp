@@ -1,6 +1,7 @@
 #include "pipeline/check/case.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <ranges>
@@ -87,7 +88,11 @@ std::string measured(double value, std::string_view unit) {
     if (std::isinf(value)) return "infinite";
     // Whole numbers are counts and stay; of others two digits say enough.
     const bool count = value == std::floor(value) && std::abs(value) < 1e7;
-    const double shown = count ? value : std::stod(fmt::format("{:.1e}", value));
+    double shown = value;
+    if (!count) {
+        const std::string digits = fmt::format("{:.1e}", value);
+        std::from_chars(digits.data(), digits.data() + digits.size(), shown);
+    }
     const bool joined = unit.empty() || unit == "°";
     return fmt::format("{}{}{}", shortestText(shown), joined ? "" : " ", unit);
 }

@@ -19,6 +19,9 @@ Breaches panelsIncludingPanels(const SourceTree& tree);
 Breaches misplacedToolkits(const SourceTree& tree);
 // The pipeline does not print. Its stages know no threads, plan or runner.
 Breaches impurePipeline(const SourceTree& tree);
+// Numbers are written by {fmt} and read by from_chars or Qt, which know no locale: in many of them a comma stands where
+// files and texts have a point.
+Breaches numbersOfALocale(const SourceTree& tree);
 // At most 400 lines a file, 250 a panel's, 200 a stage's .cpp.
 Breaches longFiles(const SourceTree& tree);
 // Every .cpp is named in the CMakeLists.txt of its folder or of one above.

@@ -94,11 +94,17 @@ TEST(Architecture, ThePipelineIsPure) {
               "pipeline/stages/cull.cpp:1:");
     expectOne(impurePipeline({{"pipeline/stages/cull.h", {"#include \"pipeline/plan/plan.h\""}}}),
               "pipeline/stages/cull.h:1:");
-    expectKept(impurePipeline(
-        {{"pipeline/core/text.cpp", {"std::snprintf(buffer, size, \"%g\", x);", "fmt::format(\"{}\", 1);"}},
-         {"pipeline/run/runner.cpp", {"#include <tbb/parallel_for.h>"}},
-         {"app/cli/plan.cpp", {"std::printf(\"plan\");"}}}));
+    expectKept(impurePipeline({{"pipeline/core/text.cpp", {"fmt::format(\"{}\", 1);"}},
+                               {"pipeline/run/runner.cpp", {"#include <tbb/parallel_for.h>"}},
+                               {"app/cli/plan.cpp", {"std::printf(\"plan\");"}}}));
     expectKept(impurePipeline(project()));
+}
+
+TEST(Architecture, NumbersAreTheSameInEveryLocale) {
+    expectOne(numbersOfALocale({{"lessons/value.cpp", {"std::snprintf(buffer, size, \"%g\", x);"}}}),
+              "lessons/value.cpp:1:");
+    expectOne(numbersOfALocale({{"pipeline/check/case.cpp", {"std::stod(text)"}}}), "pipeline/check/case.cpp:1:");
+    expectKept(numbersOfALocale(project()));
 }
 
 TEST(Architecture, FilesAreShort) {
