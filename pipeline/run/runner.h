@@ -16,7 +16,8 @@ FramePtr runFrame(std::shared_ptr<const Scene> scene, const FrameRequest& reques
 FramePtr unfinishedFrame(const Frame& whole, std::shared_ptr<const FrameStages> stages, StageId until);
 
 // The largest error of each stage's buffers against a double-precision run of the same scene:
-// pixels for transform, a share of the polygons for cull, radians for normals, relative for the others.
+// pixels for transform, a share of the polygons for cull, radians for normals; for the others the largest difference
+// over the largest magnitude in double, in pixels that show the same polygon in both.
 struct StageError {
     double value = 0;
     std::string text;  // "1.1e-5 px"

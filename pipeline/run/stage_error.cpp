@@ -9,7 +9,7 @@
 namespace pipeline {
 namespace {
 
-// The largest relative difference, by the larger of the two magnitudes; where both runs are finite.
+// The largest difference over the largest magnitude in double, of numbers that both runs have finite.
 double largestRelative(const AnyBuffer& a, const AnyBuffer& b, const std::vector<bool>& compared) {
     double largest = 0, scale = 0;
     const auto channels = std::size_t(a.channels());
@@ -23,11 +23,21 @@ double largestRelative(const AnyBuffer& a, const AnyBuffer& b, const std::vector
     return scale > 0 ? largest / scale : 0;
 }
 
+Vec3d vectorAt(const AnyBuffer& buffer, std::size_t i) {
+    return {buffer.value(0, i, 0), buffer.value(0, i, 1), buffer.value(0, i, 2)};
+}
+
+// visit(ours, theirs), but where one of them is (0, 0, 0): a vertex that has no place on the screen, a direction that is
+// not defined. Next to a plane or to 0 one precision may have what the other has not.
+template <class Visit>
+void forEachInBoth(const AnyBuffer& a, const AnyBuffer& b, Visit visit) {
+    for (std::size_t i = 0; i < a.rows(); ++i)
+        if (const Vec3d p = vectorAt(a, i), q = vectorAt(b, i); p != Vec3d(0) && q != Vec3d(0)) visit(p, q);
+}
+
 StageError transformError(const AnyBuffer& a, const AnyBuffer& b) {
     double largest = 0;
-    for (std::size_t i = 0; i < a.rows(); ++i)
-        largest =
-            std::max(largest, std::hypot(a.value(0, i, 0) - b.value(0, i, 0), a.value(0, i, 1) - b.value(0, i, 1)));
+    forEachInBoth(a, b, [&](Vec3d p, Vec3d q) { largest = std::max(largest, std::hypot(p.x - q.x, p.y - q.y)); });
     return {largest, fmt::format("{:.1e} px", largest)};
 }
 
@@ -39,11 +49,7 @@ StageError cullError(const AnyBuffer& a, const AnyBuffer& b) {
 
 StageError normalsError(const AnyBuffer& a, const AnyBuffer& b) {
     double largest = 0;
-    for (std::size_t i = 0; i < a.rows(); ++i) {
-        const Vec3d n{a.value(0, i, 0), a.value(0, i, 1), a.value(0, i, 2)};
-        const Vec3d m{b.value(0, i, 0), b.value(0, i, 1), b.value(0, i, 2)};
-        largest = std::max(largest, angleBetween(n, m));
-    }
+    forEachInBoth(a, b, [&](Vec3d n, Vec3d m) { largest = std::max(largest, angleBetween(n, m)); });
     return {largest, fmt::format("{:.1e} rad", largest)};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/core/numerics.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/scene/opacity.h"
 #include "pipeline/study/error_rows.h"
@@ -11,10 +12,7 @@
 namespace pipeline {
 namespace {
 
-// Degrees, also of vectors that are nearly parallel: W. Kahan, "How futile are mindless assessments of roundoff", 2006.
-double degreesBetween(Vec3d a, Vec3d b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / std::numbers::pi;
-}
+double degreesBetween(Vec3d a, Vec3d b) { return angleBetween(a, b) * 180 / std::numbers::pi; }
 
 // The pixels that two pictures can be compared in.
 using Same = std::vector<std::uint8_t>;
