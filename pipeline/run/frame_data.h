@@ -53,8 +53,11 @@ struct FrameData {
         static const RawVector<Verdict> kNone;
         return cull ? cull->verdicts : kNone;
     }
-    // Whether visibility none draws a polygon's outline: with cull = none of every polygon, degenerate ones too.
+    // Whether visibility none draws a polygon's outline: with cull = none of every polygon, degenerate ones too, but of
+    // none of a transparent object.
     bool hasOutline(std::uint32_t polygon) const {
+        const std::vector<std::uint8_t>& transparent = transform->transparent;
+        if (!transparent.empty() && transparent[transform->topology->objectOfPolygon(polygon)] != 0) return false;
         return keys.cull.mode == CullMode::None || goesOn(cull->verdicts[polygon]);
     }
     ShadingSources<Real> shadingSources() const {

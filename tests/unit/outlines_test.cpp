@@ -153,6 +153,23 @@ TEST(Outlines, AReportAgreesWithTheFrame) {
     EXPECT_GT(seen, 50);
 }
 
+TEST(Outlines, OfAnObjectThatIsAsIfNotThereAreNotDrawnWhateverIsCulled) {
+    Scene scene = fromAbove({{-4.5, -2.5, 0}, {4.5, -2.5, 0}, {4.5, 2.5, 0}});
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].transform.translation = {0, 4, 0};
+    scene.objects[0].material.alpha = 0;
+    for (const CullMode cull : {CullMode::Back, CullMode::None}) {
+        scene.settings.cull = cull;
+        const AnyBuffer ids = *test::frameOf(scene)->buffer({BufferId::ObjectId});
+        std::size_t seen = 0;
+        for (std::size_t i = 0; i < ids.count(); ++i) {
+            EXPECT_NE(ids.flat(i), 0);
+            seen += ids.flat(i) == 1;
+        }
+        EXPECT_EQ(seen, 23u);  // of ALineHasOnePixelAColumn: 26 fragments, two at each of three corners
+    }
+}
+
 TEST(Outlines, TheirPlanSaysWhatTheyDoNotNeed) {
     Scene scene = test::pyramid();
     scene.objects.push_back(scene.objects[0]);
