@@ -132,10 +132,11 @@ void InspectorPanel::refresh() {
     showHeader();
     m_why->show(frame, report);
     m_whyFold->setSentence(m_why->sentence());
-    for (Section* section : {m_equationFold, m_termsFold}) section->setVisible(report.covered);
+    const bool isLit = !report.evaluations.empty();  // not before the shading stage, nor where outlines are drawn
+    for (Section* section : {m_equationFold, m_termsFold}) section->setVisible(isLit);
     m_fragments->show(report);
     m_fragmentsFold->setSentence(m_fragments->sentence());
-    if (report.covered) {
+    if (isLit) {
         m_equation->show(frame, report);
         m_equationFold->setSentence(m_equation->sentence());
         m_terms->show(report, m_document.channel());

@@ -142,6 +142,7 @@ void TermsSection::show(const pipeline::PixelReport& report, int channel) {
     }
     m_intensity = report.intensity[channel];
     m_iMax = report.iMax;
+    m_isShaded = report.isShaded;
     if (m_strips.size() != mix.size()) build(mix.size());
     setAccessibleDescription(sentence());
     showMix();
@@ -196,16 +197,15 @@ void TermsSection::showMix() {
     }
     // Adding up in another order than the stage did costs a few last digits.
     const bool isZero = std::abs(residual()) <= 1e-6 * whole;
-    const bool isWaiting = !isZero && m_document.stepper().isInside();
     const ThemeColors& c = Theme::current().colors();
     const auto mono = [](const QString& text) {
         return QStringLiteral("<span style=\"font-family:'JetBrains Mono','DejaVu Sans Mono'\">%1</span>").arg(text);
     };
     QString text = tr("Sum %1 &nbsp; ").arg(mono(termText(sum())));
-    text += isWaiting ? tr("not shaded yet")
-                      : tr("residual ") +
-                            QStringLiteral("<span style=\"color:%1\">%2</span>")
-                                .arg((isZero ? c.run : c.failed).name(), mono(isZero ? "0" : errorText(residual())));
+    text += !m_isShaded ? tr("not shaded yet")
+                        : tr("residual ") +
+                              QStringLiteral("<span style=\"color:%1\">%2</span>")
+                                  .arg((isZero ? c.run : c.failed).name(), mono(isZero ? "0" : errorText(residual())));
     if (!mixer.isPlain()) {
         const int shown = pipeline::frameBufferValue(pipeline::Vec3d(mixed()), m_iMax).r;
         text += tr("<br>Mixed %1, in the frame buffer %2").arg(mono(termText(mixed())), mono(QString::number(shown)));

@@ -44,6 +44,7 @@ private:
     std::vector<Strip> m_strips;   // as the mix has them
     std::vector<double> m_values;  // likewise
     double m_intensity = 0, m_iMax = 0;
+    bool m_isShaded = true;
 };
 
 }  // namespace app

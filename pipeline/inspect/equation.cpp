@@ -229,19 +229,8 @@ void Writer::samples() {
                     toText(number(report.composed[c], 3))));
 }
 
-// Inside the shading stage a pixel, or a vertex of it, waits for its turn: the frame has not yet what the terms sum up to.
-bool isShaded(const PixelReport& report) {
-    Vec3d sum = report.emission + report.ambient;
-    for (std::size_t k = 0; k < report.diffuse.size(); ++k) sum += report.diffuse[k] + report.specular[k];
-    constexpr double kMuch = 0.02;  // more than any arithmetic loses
-    for (int c = 0; c < 3; ++c)
-        if (std::abs(sum[c] - report.intensity[c]) > kMuch * std::max(std::abs(sum[c]), std::abs(report.intensity[c])))
-            return false;
-    return true;
-}
-
 void Writer::frameBuffer() {
-    if (!isShaded(report)) return add("note", {text("This pixel is not shaded yet.")});
+    if (!report.isShaded) return add("note", {text("This pixel is not shaded yet.")});
     layers();
     samples();
     const Formula value = text(std::to_string(int(report.color[c])), "color");

@@ -300,7 +300,8 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, PixelReport&
     for (std::size_t i = 0; i < 3; ++i) report.vertices[i] = int(topology.triangles[triangle].vertices[i]);
     report.barycentric = Vec3d(b);
     report.zView = double(data.zBuffer->zView->pixels[at]);
-    report.depth = data.zBuffer->depth.empty() ? report.zView : double(data.zBuffer->depth.pixels[at]);
+    const bool storesDepth = data.keys.zBuffer.visibility == Visibility::ZBuffer && !data.zBuffer->depth.empty();
+    report.depth = storesDepth ? double(data.zBuffer->depth.pixels[at]) : report.zView;
     const Vec3<Real> position = interpolated(data.transform->world, topology.triangles[triangle].vertices, b);
     report.position = Vec3d(position);
     if (!data.shading) return;
@@ -313,6 +314,7 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, PixelReport&
         report.color = data.shading->color.pixels[at];
         return;
     }
+    report.isShaded = data.shading->pixelIsShaded.empty() || data.shading->pixelIsShaded[at] != 0;
     report.back = showsBack(data.keys.shading, data.shadingSources(), std::size_t(report.polygon));
     const std::size_t lights = data.keys.shading.lights.size();
     for (std::size_t k = 0; k < lights; ++k)

@@ -38,7 +38,7 @@ struct FragmentReport {
 // A polygon that would have covered the pixel but was dropped before.
 struct CulledReport {
     int polygon;
-    char letter;         // B back-facing, D degenerate, O outside
+    char letter;         // B back-facing, D degenerate, O outside, T wholly transparent
     std::string reason;  // "back-facing, signed area −1 991.6 px²"
     double signedArea;   // px², on the screen, below 0 where its back is seen; 0 where the verdict did not take it
 };
@@ -88,13 +88,14 @@ struct PixelReport {
     std::array<int, 3> vertices{-1, -1, -1};  // of the triangle, over all objects
     Vec3d barycentric{0.0};
     Vec3d position{0.0};  // world space
-    double zView = 0, depth = 0;
+    double zView = 0, depth = 0;  // depth: as stored; z_view where no depths are
     // What its intensity or normal is interpolated with; empty in flat shading.
     std::string interpolation;                    // "affine", "affine: scanline knows no clipped polygon"
     std::vector<std::pair<int, double>> weights;  // (vertex, weight), 2 to 4
     std::vector<Evaluation> evaluations;
     std::vector<double> shadow;             // S_k at the pixel, per light
     std::vector<std::string> shadowPlaces;  // "lit", "penumbra (S = 0.44)", "umbra"; empty where the model knows none
+    bool isShaded = true;                   // false where the frame stands inside the shading stage, before this pixel
     Vec3d ambient{0.0}, emission{0.0};
     Vec3d intensity{0.0};  // of the opaque surface: the sum of its terms
     std::vector<LayerReport> layers;

@@ -98,6 +98,8 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
         } else if (looksUp(data, k)) {
             const Comparison found = compare(data.shadowBuffer->lights[k][0], inputs.shadow, position, normal);
             text = found.text + (found.shadowed ? ": in shadow, only the ambient term" : ": lit");
+        } else if (!inputs.parts.lights[k]) {
+            text = "not looked for: the light adds nothing";
         } else {
             text = "lit, without a shadow buffer";
         }

@@ -112,6 +112,8 @@ struct ShadingOutput {
     Incidences incidence;
     // Which polygons and vertices are evaluated, a byte each; empty where all are.
     std::vector<std::uint8_t> polygonIsSeen, vertexIsSeen;
+    // Which pixels that see a surface have been shaded, a byte each; empty where all are, as but inside the stage.
+    std::vector<std::uint8_t> pixelIsShaded;
     ShadingCounts counts;  // the sum over all calls below
 };
 

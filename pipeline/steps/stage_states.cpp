@@ -153,11 +153,14 @@ ShadingOutput<Real> shadedSoFar(const FrameData<Real>& data, const ShadingOutput
     out.polygonIsSeen = data.shading->polygonIsSeen, out.vertexIsSeen = data.shading->vertexIsSeen;
     shadePolygons(inputs, in, 0, std::min(progress.polygonTerms, out.polygons.intensity.size()), out);
     shadeVertices(inputs, in, 0, std::min(progress.vertexTerms, out.vertices.intensity.size()), out);
-    const std::vector<std::uint8_t> done = shadedPixels(data, progress);
+    out.pixelIsShaded = shadedPixels(data, progress);
+    const std::vector<std::uint8_t>& done = out.pixelIsShaded;
     // What one pixel comes to depends on no other.
     threads.forRange(kBufferCount, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t id = begin; id < end; ++id) {
-            out.vectors[id].resize(opaque.vectors[id].size());  // intensity may have been left out
+            // Intensity may have been left out of the whole picture, and a picture that is reused may hold buffers that
+            // nobody asks for any more.
+            out.vectors[id].resize(std::min(out.vectors[id].size(), opaque.vectors[id].size()));
             for (std::size_t k = 0; k < out.vectors[id].size(); ++k)
                 take(done, opaque.vectors[id][k], out.vectors[id][k]);
             for (std::size_t k = 0; k < out.scalars[id].size(); ++k)

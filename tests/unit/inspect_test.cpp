@@ -193,6 +193,28 @@ TEST(PixelReport, OfTheBackgroundIsEmpty) {
 }
 
 // The report replays the stages: what it says is what the frame holds, at every pixel and for every shading.
+TEST(PixelReport, HasNoStoredDepthWhereThePainterStoresNone) {
+    Scene scene = test::pyramid();
+    scene.settings.visibility = Visibility::Painter, scene.settings.depthFormat = DepthFormat::Reversed;
+    const FramePtr frame = test::frameOf(scene);
+    const PixelReport report = inspectPixel(*frame, {268, 281});
+    ASSERT_TRUE(report.covered);
+    EXPECT_EQ(report.depth, report.zView);
+    EXPECT_EQ(toText(*frame, report).find("\n  depth "), std::string::npos);
+}
+
+TEST(PixelReport, CallsNothingLitByALightThatAddsNothing) {
+    Scene scene = test::pyramid();
+    for (const double intensity : {100.0, 0.0}) {
+        scene.lights[0].intensity = intensity;
+        const PixelReport report = inspectPixel(*test::frameOf(scene, setOf({BufferId::Color})), {268, 281});
+        ASSERT_FALSE(report.fragments.empty());
+        EXPECT_EQ(report.fragments.back().shadows,
+                  std::vector<std::string>{intensity > 0 ? "light 0: lit, without a shadow buffer"
+                                                         : "light 0: not looked for: the light adds nothing"});
+    }
+}
+
 TEST(PixelReport, AgreesWithTheFramesBuffers) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         const Scene scene = test::randomScene(seed);

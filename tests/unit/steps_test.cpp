@@ -50,6 +50,19 @@ TEST(Steps, ShadeInFastArithmeticToo) {
     for (std::size_t i = 0; i < dark.count(); ++i) ASSERT_EQ(dark.flat(i), 0);
 }
 
+// A picture that is reused holds the buffers that a frame before asked for, too.
+TEST(Steps, InsideAPictureThatIsReusedAreThoseOfAFreshOne) {
+    Scene scene = test::pyramid();
+    scene.settings.shading = Shading::Phong;
+    const BufferSet color = setOf({BufferId::Color});
+    const FramePtr more = test::frameOf(scene, setOf({BufferId::Color, BufferId::Normal, BufferId::NDotL}));
+    const FramePtr reused = test::frameOf(scene, color, 0, more);
+    ASSERT_EQ(reused->plan()[index(StageId::Shading)].action, Action::Reuse);
+    const Steps steps(reused), fresh(test::frameOf(scene, color));
+    const Moment half{StageId::Shading, steps.total(StageId::Shading) / 2};
+    EXPECT_EQ(test::firstDifference(*steps.frameAt(half), *fresh.frameAt(half), color), "");
+}
+
 TEST(Steps, AStageThatIsLeftOutIsPassedOver) {
     const Steps steps(test::frameOf(test::pyramid(), setOf({BufferId::Color})));
     const Moment normals{StageId::Normals, steps.total(StageId::Normals)};
@@ -197,19 +210,23 @@ TEST(Steps, InsideTheZBufferTheLedgerOfAPixelTellsWhatIsToCome) {
 
 // Polygon 2, which the pixel shows, comes after polygon 0.
 TEST(Steps, InsideShadingTheEquationOfAPixelSaysThatItWaits) {
-    const Steps steps = uncutPyramid();
-    const auto said = [&](std::int64_t done) {
-        const FramePtr frame = steps.frameAt({StageId::Shading, done});
-        std::string text;
-        for (const EquationLine& line : equation(frame->scene(), inspectPixel(*frame, {258, 270}), 2))
-            text += line.role + ": " + toText(line.formula) + '\n';
-        return text;
-    };
-    const std::string before = said(1), after = said(steps.total(StageId::Shading));
-    EXPECT_NE(before.find("note: This pixel is not shaded yet."), std::string::npos) << before;
-    EXPECT_EQ(before.find("frame buffer: "), std::string::npos);
-    EXPECT_NE(after.find("frame buffer: "), std::string::npos) << after;
-    EXPECT_EQ(after.find("not shaded yet"), std::string::npos);
+    for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+        Scene scene = test::pyramid();
+        scene.settings.cull = CullMode::None, scene.settings.shading = shading;
+        const Steps steps(test::frameOf(scene));
+        const auto said = [&](std::int64_t done) {
+            const FramePtr frame = steps.frameAt({StageId::Shading, done});
+            std::string text;
+            for (const EquationLine& line : equation(frame->scene(), inspectPixel(*frame, {258, 270}), 2))
+                text += line.role + ": " + toText(line.formula) + '\n';
+            return text;
+        };
+        const std::string before = said(1), after = said(steps.total(StageId::Shading));
+        EXPECT_NE(before.find("note: This pixel is not shaded yet."), std::string::npos) << before;
+        EXPECT_EQ(before.find("frame buffer: "), std::string::npos);
+        EXPECT_NE(after.find("frame buffer: "), std::string::npos) << after;
+        EXPECT_EQ(after.find("not shaded yet"), std::string::npos);
+    }
 }
 
 TEST(Steps, SayInWordsWhereTheyAre) {
