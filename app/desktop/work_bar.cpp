@@ -24,7 +24,7 @@ void WorkBar::showWork() {
     setVisible(runs || !stopped.isEmpty());
     setBar(runs);
     tell(runs ? tr("Computing %1").arg(running.join(", "))
-              : tr("Stopped: %1. What you see is of before.").arg(stopped.join(", ")));
+              : tr("Stopped: %1. What you see does not have it yet.").arg(stopped.join(", ")));
     link()->setText(runs ? tr("Cancel   Esc") : tr("Go on"));
     link()->setAccessibleName(runs ? tr("Cancel what is being computed") : tr("Go on with what was stopped"));
 }

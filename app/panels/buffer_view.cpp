@@ -81,6 +81,9 @@ void BufferView::observe() {
     });
 
     connect(&m_document, &Document::frameReady, this, &BufferView::refresh);
+    connect(&m_document, &Document::busyChanged, this, [this] {
+        if (!m_document.frame()) refresh();
+    });
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &BufferView::refresh);
     connect(&m_document, &Document::sceneOpened, this, [this] {
         m_kept.clear();
@@ -156,7 +159,12 @@ void BufferView::refresh() {
     if (!m_document.hasScene())
         return showMessage(tr("No scene yet. Open a file, or begin with the pyramid."), Offer::Nothing);
     const pipeline::FramePtr& frame = m_document.frame();
-    if (!frame) return;  // the first one is on its way
+    if (!frame) {
+        if (!m_shown)
+            showMessage(m_document.busy() ? tr("The first picture is being computed.") : tr("There is no picture yet."),
+                        Offer::Nothing);
+        return;
+    }
     const auto asked = request(frame);
     if (!asked) return;
     const auto answer = m_showing.answer(*asked);

@@ -176,7 +176,7 @@ QString captionOf(const BufferInfo& info, ShownChannel channel) {
     const bool isAll = channel == ShownChannel::All;
     const QString alone = isAll ? QString() : (isColor ? colors : channelNames(info))[index(channel)];
     if (info.element == Element::UInt8 && isColor) return isAll ? "sRGB, row 0 on top" : alone + ", row 0 on top";
-    if (info.unit == "intensity") return (isAll ? QString("red, green, blue") : alone) + ", before scaling";
+    if (info.unit == "intensity") return (isAll ? QString("red green blue") : alone) + ", before scaling";
     QString meaning = toQString(info.meaning);
     if (meaning.endsWith('.')) meaning.chop(1);
     return alone.isEmpty() ? meaning : alone + ", " + meaning;

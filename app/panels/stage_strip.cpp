@@ -33,6 +33,7 @@ StageStrip::StageStrip(Document& document, QWidget* parent) : QWidget(parent), m
         if (busy) return m_slow.start();
         m_slow.stop();
         m_frame->setBusy(false);
+        if (!m_document.frame()) showFrame();  // stopped before the first
     });
     // Nobody reads thirty times in a second.
     constexpr int kReadableMilliseconds = 150;

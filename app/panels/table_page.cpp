@@ -110,20 +110,25 @@ void TablePage::refresh() {
     m_remarks->setVisible(!m_remarks->text().isEmpty());
     if (first) fitColumns();
     markRows();
+    if (first) QTimer::singleShot(0, this, &TablePage::markRows);  // once the rows have their places
 }
 
-// Wide enough for the headings and the first rows; what is longer further down can be drawn wider.
+// Wide enough for the headings and for rows from the first to the last: numbers grow, and signs come and go. What is
+// longer between them can be drawn wider.
 void TablePage::fitColumns() {
-    constexpr int kLooked = 40;
+    constexpr int kLooked = 400;
+    const int rows = m_model->rowCount(), looked = std::min(rows, kLooked);
     const Theme& theme = Theme::current();
     QFont heads = theme.mono(13);
     heads.setWeight(QFont::DemiBold);
     const QFontMetrics digits(theme.mono(13)), bold(heads);
     for (int c = 0; c < m_model->columnCount(); ++c) {
         int width = bold.horizontalAdvance(m_model->headerData(c, Qt::Horizontal, Qt::DisplayRole).toString());
-        for (int row = 0; row < std::min(m_model->rowCount(), kLooked); ++row)
+        for (int i = 0; i < looked; ++i) {
+            const int row = looked == rows ? i : int(qint64(i) * (rows - 1) / (looked - 1));
             width = std::max(
                 width, digits.horizontalAdvance(m_model->data(m_model->index(row, c), Qt::DisplayRole).toString()));
+        }
         m_view->setColumnWidth(c, std::min(width, theme.px(260)) + theme.px(26));
     }
 }

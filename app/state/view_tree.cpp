@@ -217,8 +217,20 @@ ViewSize smallest(const ViewTree& tree, ViewSize least, int gap) {
 
 ViewTree fitted(ViewTree tree, ViewSize room, ViewSize least, int gap) {
     for (ViewSize needed = smallest(tree, least, gap); needed.width > room.width || needed.height > room.height;
-         needed = smallest(tree, least, gap))
-        if (!close(tree, leavesOf(tree).back())) break;
+         needed = smallest(tree, least, gap)) {
+        // The last one that makes room where there is none: what stands beside two views, one above the other, gives no
+        // height.
+        const auto leaves = leavesOf(tree);
+        const auto makesRoom = [&](const auto& leaf) {
+            ViewTree without = tree;
+            if (!close(without, leaf)) return false;
+            const ViewSize then = smallest(without, least, gap);
+            return (needed.width > room.width && then.width < needed.width) ||
+                   (needed.height > room.height && then.height < needed.height);
+        };
+        const auto last = std::find_if(leaves.rbegin(), leaves.rend(), makesRoom);
+        if (!close(tree, last == leaves.rend() ? leaves.back() : *last)) break;
+    }
     return tree;
 }
 

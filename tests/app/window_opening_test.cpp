@@ -115,7 +115,7 @@ TEST_F(WindowOpening, EscapeOrTheButtonStopsWhatTakesLongAndOneClickGoesOn) {
         EXPECT_TRUE(bar->findChild<QLabel*>()->text().contains("a test"));
         byKey ? press("Esc") : link->click();
         EXPECT_EQ(list.stopped(), QStringList("a test"));
-        EXPECT_EQ(bar->findChild<QLabel*>()->text(), "Stopped: a test. What you see is of before.");
+        EXPECT_EQ(bar->findChild<QLabel*>()->text(), "Stopped: a test. What you see does not have it yet.");
         EXPECT_EQ(link->text(), "Go on");
         link->click();
         EXPECT_TRUE(list.stopped().isEmpty());

@@ -157,5 +157,13 @@ TEST(ViewTree, WhereThereIsNoRoomTheLastViewsGo) {
     EXPECT_EQ(shown(10, 10), "buffer") << "one always stays";
 }
 
+// Two views above each other need 2 · 180 + 8: the one beside them would give no height.
+TEST(ViewTree, WhereHeightIsMissingTheViewBesideStays) {
+    const ViewTree two = *arrangementNamed("two");
+    EXPECT_EQ(text(fitted(two, {1000, 368}, {240, 180}, 8)), "(buffer / buffer) | 3d");
+    EXPECT_EQ(text(fitted(two, {1000, 367}, {240, 180}, 8)), "buffer | 3d");
+    EXPECT_EQ(text(fitted(two, {487, 368}, {240, 180}, 8)), "buffer / buffer") << "where width is, it goes";
+}
+
 }  // namespace
 }  // namespace app
