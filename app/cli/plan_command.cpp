@@ -24,9 +24,9 @@ struct PlanOptions {
 };
 
 // "k_s is 0 in every material. Saves a power a point. [specular]"
-std::string reason(const auto& row) {
-    std::string text = row.saves.empty() ? row.why : fmt::format("{} Saves {}.", row.why, row.saves);
-    if (row.rule) text += fmt::format(" [{}]", name(*row.rule));
+std::string reason(std::string text, const std::string& saves, std::optional<pipeline::Rule> rule) {
+    if (!saves.empty()) text += fmt::format(" Saves {}.", saves);
+    if (rule) text += fmt::format(" [{}]", name(*rule));
     return text;
 }
 
@@ -67,9 +67,9 @@ void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const W
                choice("shading"));
     for (const pipeline::PlanStep& step : plan) {
         fmt::print("{} {:<22} {:<9} {}\n", index(step.stage) + 1, stageInfo(step.stage).name, name(step.action),
-                   reason(step));
+                   reason(step.why, {}, step.rule));
         for (const pipeline::PlanPart& part : step.parts)
-            fmt::print("    {:<20} {:<9} {}\n", part.name, name(part.action), reason(part));
+            fmt::print("    {:<20} {:<9} {}\n", part.name, name(part.action), reason(part.why, part.saves, part.rule));
     }
     const auto left = buffersLeftOut(scene, wanted);
     if (!left.empty()) fmt::print("\nBuffers left out unless asked for by name\n");

@@ -47,7 +47,6 @@ QString tooltipText(const pipeline::StageInfo& stage, const PlanStep& step, cons
     QString html =
         QStringLiteral("<b>%1</b>, %2<br>%3").arg(toQString(stage.label), word(status.state), toQString(stage.summary));
     if (!step.why.empty()) html += QStringLiteral("<br>%1").arg(toQString(step.why).toHtmlEscaped());
-    if (!step.saves.empty()) html += QStringLiteral("<br>Saves %1.").arg(toQString(step.saves).toHtmlEscaped());
     if (!run.counts.empty()) html += QStringLiteral("<br>%1").arg(withGroups(toQString(run.counts)).toHtmlEscaped());
     for (const PlanPart& part : step.parts) {
         html += QStringLiteral("<br>· %1: %2. %3")

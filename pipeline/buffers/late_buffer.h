@@ -26,7 +26,8 @@ public:
     ~LateBuffer2D() = default;
 
     const Buffer2D<T>& operator*() const {
-        if (m_making) std::call_once(m_making->once, [this] { m_rows = std::exchange(m_making->make, {})(); });
+        // Where there is no memory for the rows the next reader tries again.
+        if (m_making) std::call_once(m_making->once, [this] { m_rows = m_making->make(), m_making->make = {}; });
         return m_rows;
     }
     const Buffer2D<T>* operator->() const { return &**this; }

@@ -48,7 +48,7 @@ Finding runThin(Trial& trial) {
     return {differing(exactCoverage(triangles, {64, 64}, 2), exact), againstExact(trial, thin())};
 }
 
-// Corners up to 10^6 pixels off the picture, in 28.4 fixed point and 32 bits against 24.8 and 64.
+// Corners up to 10^6 pixels off the picture, in 28.4 fixed point and 32 bits against 16.16 and 64.
 std::shared_ptr<const Mesh> farMesh() {
     Random random(7);
     std::vector<Corners> triangles;
@@ -269,7 +269,7 @@ std::span<const Case> coverageCases() {
          .title = "Random triangulation",
          .input = "3200 triangles over 64 × 64 pixels",
          .naive = "A x + B y + C ≥ 0 in float, 16 320 pixels off",
-         .stable = "24.8 fixed point in 64 bits",
+         .stable = "corners in steps of 2⁻⁸ pixel, 64 bits",
          .measure = "pixels not covered once",
          .unit = "pixels",
          .reference = "a planar surface covers each pixel once",
@@ -293,7 +293,7 @@ std::span<const Case> coverageCases() {
          .title = "Corners 10⁶ pixels off the picture",
          .input = "50 triangles",
          .naive = "28.4 fixed point in 32 bits",
-         .stable = "24.8 fixed point in 64 bits, a guard band at 2²⁰ pixels",
+         .stable = "steps of 2⁻¹⁶ pixel in 64 bits, a guard band at 2¹³ pixels",
          .measure = "pixels that differ",
          .unit = "pixels",
          .reference = "128-bit integers",

@@ -8,7 +8,7 @@ namespace pipeline {
 // The shortest text that reads back as the same double: "0.25", "640", "1e9", "-0".
 std::string shortestText(double value);
 
-// "words" in double quotes; control characters and more than 60 bytes of it are left out,
+// "words" in double quotes; control characters become "?" and more than 60 bytes of it are left out,
 // so that a message stays one line whatever the input was.
 std::string inQuotes(std::string_view words);
 

@@ -20,6 +20,8 @@ Json lightToJson(const LightReport& light) {
             {"n_dot_h", light.nDotH},
             {"specular_power", light.specularPower},
             {"shadow", light.shadow},
+            {"fading", light.fading},
+            {"ambient", toJson(light.ambient)},
             {"diffuse", toJson(light.diffuse)},
             {"specular", toJson(light.specular)},
             {"note", light.note}};
@@ -34,8 +36,10 @@ Json evaluationToJson(const Evaluation& evaluation) {
             {"N", toJson(evaluation.N)},
             {"V", toJson(evaluation.V)},
             {"lights", lights},
+            {"emission", toJson(evaluation.emission)},
             {"ambient", toJson(evaluation.ambient)},
-            {"intensity", toJson(evaluation.intensity)}};
+            {"intensity", toJson(evaluation.intensity)},
+            {"clamped", evaluation.clamped}};
 }
 
 Json placeToJson(const std::optional<SourceLocation>& place) {
@@ -81,7 +85,6 @@ Json toJson(const Plan& plan) {
         steps.push_back({{"stage", stageInfo(step.stage).name},
                          {"action", name(step.action)},
                          {"why", step.why},
-                         {"saves", step.saves},
                          {"rule", ruleJson(step.rule)},
                          {"parts", parts}});
     }

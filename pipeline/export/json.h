@@ -11,7 +11,7 @@ namespace pipeline {
 // (infinities, NaN) become null.
 using Json = nlohmann::ordered_json;
 
-// One object a stage: stage, action, why, saves, parts.
+// One object a stage: stage, action, why, rule, and its parts: part, action, why, saves, rule.
 Json toJson(const Plan& plan);
 Json toJson(const std::vector<Tally>& tallies);
 // Every setting of a scene: key to number, true or false, or the name of a choice.

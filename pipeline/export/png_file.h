@@ -8,14 +8,14 @@
 
 namespace pipeline {
 
-// 8-bit sRGB. The frame buffer as it is; other buffers through their palette, whose name and
-// range stand in text chunks, as does the scene where the item has it: pipeline/formats/png_scene.h reads it again.
-// Unbounded values as palette.h says.
+// Text chunks: the scene, which pipeline/formats/png_scene.h reads again, and what the window showed, as TOML; the scene
+// stands beside it.
 inline constexpr char kSceneChunk[] = "Shadescope scene";
-// What the window showed, as TOML; the scene stands beside it.
 inline constexpr char kStateChunk[] = "Shadescope state";
 inline constexpr std::size_t kMaxCarriedScene = std::size_t{1} << 20;  // bytes of text
 
+// 8-bit sRGB. The frame buffer as it is; other buffers through their palette, whose name and range stand in text chunks,
+// as does the scene where the item has it. Unbounded values as palette.h says.
 std::uint64_t pngEstimate(const AnyBuffer& buffer);
 Result<std::uint64_t> writePng(const ExportItem& item, const std::filesystem::path& file);
 
@@ -28,7 +28,7 @@ struct PngText {
 };
 std::string pngOf(std::span<const std::uint8_t> rgba, glm::ivec2 size, const std::vector<PngText>& texts);
 
-// "ember", "slope", "eight", "verdict", "direction", "color".
+// "ember", "slope", "eight", "verdict", "shadow verdict", "truth", "direction", "color".
 std::string_view paletteName(Palette palette);
 
 }  // namespace pipeline

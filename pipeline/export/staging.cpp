@@ -66,7 +66,7 @@ Staging::~Staging() {
 
 Result<std::monostate> Staging::publish(const std::vector<std::string>& gone) {
     std::error_code error;
-    if (!fs::exists(m_target)) {
+    if (!fs::exists(m_target, error)) {
         fs::rename(m_folder, m_target, error);
         if (error) return folderError(m_target, error);
     } else {

@@ -10,7 +10,7 @@ namespace pipeline {
 std::string studyText(const StudyReport& report, const StudyAnalysis& analysis, const StudyLimits& limits);
 
 // How and on what the times were measured, in sentences: "Times: median of 63 frames (3 processes of
-// 21, each after 2 that do not count), 1 thread. AMD EPYC 7763; GCC 12.2, release." Reports share it.
+// 21, each after 2 that do not count), 1 thread. AMD EPYC 7763; GCC 12.2.0, optimized." Reports share it.
 std::string protocolText(const StudyReport& report);
 // "model: analytic, intensities within 2e-16 of I_max (against the same rays in long double)"; of a kind without a
 // reference why: "storage: none. Nothing is stored with fewer digits."

@@ -159,13 +159,14 @@ bool checkRoom(PlyBody& body, const PlyElement& element, std::size_t fileSize) {
     std::size_t bytes = 0;
     for (const PlyProperty& property : element.properties)
         bytes += byteCount(property.isList ? property.countType : property.type);
-    const bool fits = element.count == 0 ||
-                      (body.hasRoom(element.count, element.properties.size(), bytes) && element.count <= kMaxVertices);
+    const bool fits = element.count == 0 || body.hasRoom(element.count, element.properties.size(), bytes);
+    const std::string announced =
+        fmt::format("{} elements {} announced", groupedDigits(element.count), quotedInput(element.name));
     if (!fits)
-        body.fail(fmt::format("{} elements {} announced, the file ends after {} bytes", groupedDigits(element.count),
-                              quotedInput(element.name), groupedDigits(fileSize)),
-                  {});
-    return fits;
+        body.fail(fmt::format("{}, the file ends after {} bytes", announced, groupedDigits(fileSize)), {});
+    else if (element.count > kMaxVertices)
+        body.fail(announced, fmt::format("at most {}", groupedDigits(kMaxVertices)));
+    return fits && element.count <= kMaxVertices;
 }
 
 void readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, Mesh& mesh) {

@@ -14,7 +14,7 @@ std::string readableText(const TableColumn& column, const Cell& cell);
 // The shortest text that reads back as the same number, plain ASCII; empty where there is none.
 std::string exactText(const Cell& cell);
 
-// Text: facts, aligned columns, and what each column means. Csv: RFC 4180, exact numbers.
+// Text: facts, aligned columns, and what each column means. Csv: RFC 4180 with LF at the ends of lines, exact numbers.
 // Markdown and Latex: a table for a page; LaTeX as a tabular, in words of plain LaTeX. NumPy: an expression in Python, a
 // structured array with a field a column, exact numbers, NaN where there is none.
 enum class TableFormat : std::uint8_t { Text, Csv, Markdown, Latex, NumPy };

@@ -28,7 +28,6 @@ struct PlanStep {
     StageId stage;
     Action action;
     std::string why;  // one sentence: "Material 0 changed.", "No light casts a shadow."
-    std::string saves;
     std::optional<Rule> rule{};
     std::vector<PlanPart> parts;
     // Of shading where nothing but materials, or intensities and colours of light, has changed: whether N·L, highlights

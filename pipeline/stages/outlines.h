@@ -19,7 +19,7 @@ namespace pipeline {
 // One edge of a polygon inside near, far and guard band.
 template <class Real>
 struct OutlineEdge {
-    std::array<glm::i64vec2, 2> ends;   // 1/256 pixel, y down
+    std::array<glm::i64vec2, 2> ends;   // 1/65536 pixel, y down
     std::array<Real, 2> w;              // 1/z_view in perspective, z_view in orthographic projection
     std::array<Vec3<Real>, 2> weights;  // over the corners of triangle `id`
     std::uint32_t id;                   // the triangle of the polygon that has the edge

@@ -68,8 +68,8 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
 // Per vertex: its place in view space; (0, 0, 0) for one that is not done. Found when somebody looks.
 template <class Real>
 std::vector<Vec3<Real>> viewPlaces(const TransformOutput<Real>& in);
-// Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is not in front of the near plane: it has no
-// place on the screen, and no infinity may stand in for one. Found when somebody looks: no stage reads it.
+// Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is nearer than the near plane, or whose place
+// is too far off for Real: it has no place on the screen, and no infinity may stand in for one. Found when somebody looks: no stage reads it.
 template <class Real>
 std::vector<Vec3<Real>> screenPlaces(const TransformOutput<Real>& in);
 

@@ -88,7 +88,7 @@ struct StudyReport {
     std::string file;     // as given; empty for a built-in scene
     std::string version;  // of the program
     int width = 0, height = 0, threads = 1, warmups = 0, repeats = 0, processes = 0;
-    std::string machine, compiler;                // "AMD EPYC 7763, 2 processors"; "GCC 12.2, release"
+    std::string machine, compiler;                // "AMD EPYC 7763, 2 processors"; "GCC 12.2.0, optimized"
     std::vector<double> load;                     // average number of running programs before each process
     std::map<std::string, std::string> settings;  // of the scene, those that no axis changes
     std::vector<SweepAxis> axes;
