@@ -59,9 +59,16 @@ void mergeReport(const StudyReport& from, StudyReport& to) {
     }
     if (to.errorWhy.empty()) to.errorWhy = from.errorWhy;
     to.load.insert(to.load.end(), from.load.begin(), from.load.end());
-    to.processes = std::max(to.processes, from.processes);
     addWords(to.machine, from.machine);
     addWords(to.compiler, from.compiler);
+}
+
+// Parts that hold times of the same points have more together than each of them; a part that was interrupted has fewer
+// than it was to have.
+void countProcesses(StudyReport& report) {
+    std::size_t most = 0;
+    for (const StudyPoint& point : report.points) most = std::max(most, point.frame.processes.size());
+    if (most > 0) report.processes = int(most);
 }
 
 }  // namespace
@@ -81,6 +88,7 @@ Result<StudyReport> mergeStudies(std::vector<StudyReport> parts) {
             return Error{{}, fmt::format("part {} is of another study than part 1: {}", i + 1, differs), {}};
         mergeReport(parts[i], merged);
     }
+    countProcesses(merged);
     return merged;
 }
 

@@ -154,4 +154,20 @@ TEST(RunStudy, partsOfOneStudyBecomeOneAndOthersAreRefused) {
     EXPECT_EQ(other.errors().front().found, "part 2 is of another study than part 1: ambient.intensity is 50 and 1");
 }
 
+// Two parts of 3 processes with the same points hold 6 a point; a part with other points adds none to these. Of a part
+// that was to have 3 and was interrupted after 2, 2 are there.
+TEST(RunStudy, partsWithTimesOfTheSamePointsHaveTheProcessesOfBoth) {
+    const auto part = [](std::size_t shard, std::size_t processes) {
+        StudyRequest request = requestOf(small(), {"shading=flat,phong"});
+        request.shards = 2, request.shard = shard;
+        StudyReport report = beginStudy(request);
+        for (StudyPoint& point : report.points) point.frame.processes.assign(processes, {1.0, 2.0});
+        report.processes = 3;
+        return report;
+    };
+    EXPECT_EQ(mergeStudies({part(0, 3), part(0, 3)})->processes, 6);
+    EXPECT_EQ(mergeStudies({part(0, 3), part(1, 3)})->processes, 3);
+    EXPECT_EQ(mergeStudies({part(0, 2), part(1, 2)})->processes, 2);
+}
+
 }  // namespace
