@@ -57,11 +57,13 @@ std::vector<std::uint8_t> opaquePolygons(const FrameData<Real>& data) {
 
 // The order is a matter of all triangles, not only of those that cover the pixel.
 template <class Real>
-std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, Tile tile) {
+std::vector<FragmentRecord> replayPainter(const FrameData<Real>& data, Tile tile, const std::stop_token& stop) {
     const TransformOutput<Real>& in = *data.transform;
     const TriangleBins<Real> bins =
         binTriangles<Real>(*in.topology, in.view, in.world, data.verdicts(), {}, opaquePolygons(data));
-    const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.world, bins, data.keys.zBuffer.split);
+    const PaintingOrder order =
+        paintingOrder<Real>(*in.topology, in.view, in.world, bins, data.keys.zBuffer.split, stop);
+    if (stop.stop_requested()) return {};
     std::vector<std::uint32_t> pieces(order.pieces.size());
     std::iota(pieces.begin(), pieces.end(), 0u);
     ZBufferOutput<Real> scratch = prepareZBuffer<Real>(tile, in.depthFormat);
@@ -84,7 +86,7 @@ std::vector<FragmentRecord> replayOutlines(const FrameData<Real>& data, Tile til
 template <class Real>
 std::vector<FragmentRecord> replayTile(const FrameData<Real>& data, Tile tile, const std::stop_token& stop) {
     const RawVector<Verdict>& verdicts = data.verdicts();
-    if (data.keys.zBuffer.visibility == Visibility::Painter) return replayPainter(data, tile);
+    if (data.keys.zBuffer.visibility == Visibility::Painter) return replayPainter(data, tile, stop);
     if (data.keys.zBuffer.visibility == Visibility::None)
         return replayOutlines(data, tile, [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
     const std::vector<std::uint8_t> drawn = opaquePolygons(data);

@@ -17,10 +17,10 @@ namespace {
 constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
 
 template <class Real>
-void addRuns(const FrameData<Real>& data, ScanlineSection& section) {
+void addRuns(const FrameData<Real>& data, const std::stop_token& stop, ScanlineSection& section) {
     if (!data.zBuffer) return;
     const Tile row{{0, section.row}, {section.width, section.row + 1}};
-    const std::vector<FragmentRecord> record = replayTile(data, row);
+    const std::vector<FragmentRecord> record = replayTile(data, row, stop);
     // While stepping inside the stage some of a pixel's fragments are still to come; a whole frame may not have counted.
     const Buffer2D<std::int32_t>& overdraw = data.zBuffer->overdraw;
     std::vector<std::int32_t> arrived(std::size_t(section.width), 0);
@@ -95,16 +95,17 @@ std::pair<int, int> ScanlineSection::extent() const {
     return {first, last};
 }
 
-ScanlineSection scanlineSection(const Frame& frame, int row) {
+ScanlineSection scanlineSection(const Frame& frame, int row, const std::stop_token& stop) {
     ScanlineSection section;
     section.row = row;
     section.width = frame.scene().settings.width;
-    readStages(frame, [&](const auto& data) { addRuns(data, section); });
+    readStages(frame, [&](const auto& data) { addRuns(data, stop, section); });
     return section;
 }
 
 std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int threads, std::stop_token stop) {
-    ScanlineSection section = scanlineSection(*frame, row);
+    ScanlineSection section = scanlineSection(*frame, row, stop);
+    if (stop.stop_requested()) return std::nullopt;
     if (frame->until() != StageId::Shading) return section;  // inside an earlier stage nothing is shaded yet
     const auto same = std::ranges::find(kShadings, frame->scene().settings.shading) - kShadings.begin();
     section.intensity[std::size_t(same)] = intensitiesOf(*frame, row);

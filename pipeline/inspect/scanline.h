@@ -43,8 +43,8 @@ struct ScanlineSection {
     std::pair<int, int> extent() const;        // first and last x of a fragment; {0, width − 1} where there is none
 };
 
-// row: within the picture. The frame's z-buffer stage has run.
-ScanlineSection scanlineSection(const Frame& frame, int row);
+// row: within the picture. The frame's z-buffer stage has run. What is stopped has fewer runs.
+ScanlineSection scanlineSection(const Frame& frame, int row, const std::stop_token& stop = {});
 // With the intensities of all three shading methods: two more frames, which reuse what they can of this one. Nothing
 // when stopped.
 std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int threads, std::stop_token stop = {});

@@ -42,6 +42,7 @@ public:
         });
     }
     bool stopped() const { return m_stop.stop_requested(); }
+    const std::stop_token& stop() const { return m_stop; }  // for a piece that is long in itself
 
 private:
     std::optional<oneapi::tbb::global_control> m_more;

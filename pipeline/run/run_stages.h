@@ -155,7 +155,8 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
     out->clipped = bins.clipped, out->unclipped = bins.unclipped;
     for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
     if (inputs.visibility == Visibility::Painter) {
-        const PaintingOrder order = paintingOrder<Real>(*in.topology, in.view, in.world, bins, inputs.split);
+        const PaintingOrder order =
+            paintingOrder<Real>(*in.topology, in.view, in.world, bins, inputs.split, threads.stop());
         const auto tiles = binPieces(bins, order);
         threads.forRange(tiles.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
             for (std::size_t tile = begin; tile < end; ++tile)

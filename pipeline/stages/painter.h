@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "pipeline/stages/z_buffer.h"
@@ -17,8 +19,12 @@ struct DepthPlane {
     glm::dvec2 origin{0}, slope{0}, slopeBound{0};  // sub-pixels; depth per sub-pixel
     double depth = 0, depthBound = 0;
     double at(glm::dvec2 p) const { return depth + slope.x * (p.x - origin.x) + slope.y * (p.y - origin.y); }
-    // Bound on the rounding error of at(p).
-    double error(glm::dvec2 p) const;
+    // Bound on the rounding error of at(p): eight roundings.
+    double error(glm::dvec2 p) const {
+        constexpr double kRoundoff = 0x1p-53;
+        return 8 * kRoundoff *
+               (depthBound + slopeBound.x * std::abs(p.x - origin.x) + slopeBound.y * std::abs(p.y - origin.y));
+    }
 };
 
 struct PaintTriangle {
@@ -41,6 +47,7 @@ struct PaintPiece {
 struct PaintingOrder {
     std::vector<DepthPlane> planes;  // per triangle
     std::vector<PaintPiece> pieces;  // in the order they are painted
+    std::size_t compared = 0;        // pairs of pieces
     std::size_t splits = 0;
     std::size_t unordered = 0;  // pieces painted although something behind them was still to come
 
@@ -55,13 +62,15 @@ inline constexpr std::size_t kMaxPiecesPerTriangle = 4, kMaxExtraPieces = 10'000
 // Without split: by mean z_view of the polygon, the farthest first, ties by number. With split: M. Newell, R. Newell,
 // T. Sancha, "A solution to the hidden surface problem", ACM 1972: sorted by the farthest point; where a triangle
 // hides one that comes later, that one comes first; where they hide each other, or a cycle closes, one is split by
-// the other's plane. Triangles that lie in one plane keep their order.
-PaintingOrder paintingOrder(std::span<const PaintTriangle> triangles, bool split);
+// the other's plane. Triangles that lie in one plane keep their order. Once maxComparisons are made, or it is stopped,
+// what is left is painted without being compared.
+PaintingOrder paintingOrder(std::span<const PaintTriangle> triangles, bool split, const std::stop_token& stop = {},
+                            std::size_t maxComparisons = kMaxComparisons);
 
 // The order of bins.triangles. world: per vertex.
 template <class Real>
 PaintingOrder paintingOrder(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
-                            const TriangleBins<Real>& bins, bool split);
+                            const TriangleBins<Real>& bins, bool split, const std::stop_token& stop = {});
 
 // Per tile the indices of the pieces that touch it, in the order of painting.
 template <class Real>

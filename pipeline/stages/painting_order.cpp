@@ -11,9 +11,13 @@ namespace {
 
 using namespace painting;
 
+constexpr std::size_t kPollEvery = 1024;  // comparisons: far below a millisecond
+
 class Newell {
 public:
-    Newell(std::span<const PaintTriangle> triangles, PaintingOrder& out) : m_triangles(triangles), m_out(out) {
+    Newell(std::span<const PaintTriangle> triangles, const std::stop_token& stop, std::size_t maxComparisons,
+           PaintingOrder& out)
+        : m_triangles(triangles), m_stop(stop), m_maxComparisons(maxComparisons), m_out(out) {
         for (std::uint32_t i = 0; i < triangles.size(); ++i) {
             const auto& c = triangles[i].snapped.corners;
             add({{i, {}}, {glm::dvec2(c[0]), glm::dvec2(c[1]), glm::dvec2(c[2])}, {}, {}, 0, 0});
@@ -26,12 +30,17 @@ public:
             if (m_stack.empty()) push(m_rest.begin()->second);
             const std::uint32_t p = m_stack.back();
             const Conflict conflict = firstConflict(p);
+            if (m_ended) break;
             if (conflict.relation == Relation::Free || !resolve(p, conflict)) {
                 m_out.unordered += conflict.relation != Relation::Free;
                 m_out.pieces.push_back(m_pieces[p].piece);
                 m_stack.pop_back();
             }
         }
+        // At the limit, where there is something left: those that wait, the last first, then by their farthest points.
+        m_out.unordered += m_stack.size() + m_rest.size();
+        for (auto p = m_stack.rbegin(); p != m_stack.rend(); ++p) m_out.pieces.push_back(m_pieces[*p].piece);
+        for (const auto& [farthest, p] : m_rest) m_out.pieces.push_back(m_pieces[p].piece);
     }
 
 private:
@@ -84,36 +93,37 @@ private:
         if (q.nearest >= p.farthest) return Relation::InFront;
         const SnappedTriangle &s = m_triangles[a].snapped, &t = m_triangles[b].snapped;
         if (separated(s, t) || separated(t, s)) return Relation::Free;
-        std::vector<glm::dvec2> common = p.outline;
-        for (std::size_t i = 0; i < q.outline.size() && !common.empty(); ++i) {
-            const glm::dvec2 from = q.outline[i], along = q.outline[(i + 1) % q.outline.size()] - from;
-            common =
-                cutOutline(common, [&](glm::dvec2 x) { return along.x * (x.y - from.y) - along.y * (x.x - from.x); });
-        }
-        return over(a, b, common);
+        return over(a, b, commonOutline(p.outline, q.outline));
+    }
+
+    // To be asked before each pair: whether it may be compared. Where not, none is any more.
+    bool mayCompare() {
+        m_ended = m_ended || m_out.compared == m_maxComparisons ||
+                  (m_out.compared % kPollEvery == 0 && m_stop.stop_requested());
+        m_out.compared += !m_ended;
+        return !m_ended;
     }
 
     // Something that p must not be painted before.
     Conflict firstConflict(std::uint32_t p) {
         const auto conflicts = [&](std::uint32_t q) {
-            if (++m_compared > kMaxComparisons) return Relation::Free;
+            if (!mayCompare()) return Relation::Free;
             const Relation r = relation(m_pieces[p], m_pieces[q]);
             return r == Relation::Behind ? Relation::Free : r;
         };
         for (const std::uint32_t q : m_stack)
             if (q != p)
-                if (const Relation r = conflicts(q); r != Relation::Free) return {r, q};
+                if (const Relation r = conflicts(q); r != Relation::Free || m_ended) return {r, q};
         for (const auto& [farthest, q] : m_rest) {
             if (-farthest <= m_pieces[p].nearest) break;
-            if (const Relation r = conflicts(q); r != Relation::Free) return {r, q};
+            if (const Relation r = conflicts(q); r != Relation::Free || m_ended) return {r, q};
         }
-        if (m_compared > kMaxComparisons) ++m_out.unordered;
         return {};
     }
 
     // Splits p, which stands in the stack no more afterwards, by the plane of triangle b.
     bool split(std::uint32_t p, std::uint32_t b) {
-        const Piece whole = m_pieces[p];
+        const Piece& whole = m_pieces[p];
         const std::uint32_t a = whole.piece.triangle;
         if (a == b || m_pieces.size() + 2 > m_limit || over(a, b, whole.outline) != Relation::Mixed) return false;
         if (std::ranges::any_of(whole.piece.cuts, [&](const PaintPiece::Cut& cut) { return cut.by == b; }))
@@ -144,36 +154,36 @@ private:
         const auto first = std::ranges::find(m_stack, q) - m_stack.begin();
         const std::vector<std::uint32_t> cycle(m_stack.begin() + first, m_stack.end());
         for (auto one = cycle.rbegin(); one != cycle.rend(); ++one)
-            for (const std::uint32_t other : cycle)
-                if (split(*one, m_pieces[other].piece.triangle)) {
-                    for (const std::uint32_t member : cycle)
-                        if (member != *one) await(member);
-                    m_stack.resize(std::size_t(first));
-                    return true;
-                }
+            for (const std::uint32_t other : cycle) {
+                if (!mayCompare()) return false;
+                if (!split(*one, m_pieces[other].piece.triangle)) continue;
+                for (const std::uint32_t member : cycle)
+                    if (member != *one) await(member);
+                m_stack.resize(std::size_t(first));
+                return true;
+            }
         return false;
     }
 
     std::span<const PaintTriangle> m_triangles;
+    const std::stop_token& m_stop;
+    std::size_t m_maxComparisons;
     PaintingOrder& m_out;
     std::vector<Piece> m_pieces;
     std::set<std::pair<double, std::uint32_t>> m_rest;  // the farthest first
     std::vector<std::uint32_t> m_stack;                 // each but the last waits for the next
-    std::size_t m_limit = 0, m_compared = 0;
+    std::size_t m_limit = 0;
+    bool m_ended = false;
 };
 
 }  // namespace
 
-double DepthPlane::error(glm::dvec2 p) const {
-    return 8 * kRoundoff *
-           (depthBound + slopeBound.x * std::abs(p.x - origin.x) + slopeBound.y * std::abs(p.y - origin.y));
-}
-
-PaintingOrder paintingOrder(std::span<const PaintTriangle> triangles, bool split) {
+PaintingOrder paintingOrder(std::span<const PaintTriangle> triangles, bool split, const std::stop_token& stop,
+                            std::size_t maxComparisons) {
     PaintingOrder out;
     for (const PaintTriangle& t : triangles) out.planes.push_back(planeOf(t));
     if (split) {
-        Newell(triangles, out).run();
+        Newell(triangles, stop, maxComparisons, out).run();
         return out;
     }
     for (std::uint32_t i = 0; i < triangles.size(); ++i) out.pieces.push_back({i, {}});

@@ -8,8 +8,6 @@
 // What painting_order.cpp compares: the planes and outlines of pieces in the picture. It alone reads it.
 namespace pipeline::painting {
 
-inline constexpr double kRoundoff = 0x1p-53;
-
 inline DepthPlane planeOf(const PaintTriangle& t) {
     const auto& c = t.snapped.corners;
     const glm::dvec2 a(c[1] - c[0]), b(c[2] - c[0]);
@@ -46,6 +44,16 @@ std::vector<glm::dvec2> cutOutline(const std::vector<glm::dvec2>& in, Value valu
         if ((fa >= 0) != (fb >= 0)) out.push_back(a + fa / (fa - fb) * (b - a));
     }
     return out;
+}
+
+// The part that two convex outlines have in common.
+inline std::vector<glm::dvec2> commonOutline(const std::vector<glm::dvec2>& p, const std::vector<glm::dvec2>& q) {
+    std::vector<glm::dvec2> common = p;
+    for (std::size_t i = 0; i < q.size() && !common.empty(); ++i) {
+        const glm::dvec2 from = q[i], along = q[(i + 1) % q.size()] - from;
+        common = cutOutline(common, [&](glm::dvec2 x) { return along.x * (x.y - from.y) - along.y * (x.x - from.x); });
+    }
+    return common;
 }
 
 inline bool separated(const SnappedTriangle& a, const SnappedTriangle& b) {

@@ -181,6 +181,51 @@ TEST(PaintingOrder, EveryPixelBelongsToOnePieceOfATriangle) {
                           1);
 }
 
+PaintTriangle triangleAt(std::array<glm::i64vec2, 3> pixels, std::array<double, 3> depth, std::uint32_t polygon) {
+    for (glm::i64vec2& corner : pixels) corner *= std::int64_t(kSubPixels);
+    return {{pixels}, depth, (depth[0] + depth[1] + depth[2]) / 3, polygon};
+}
+
+// A hundred triangles side by side, of the same depths: none is behind another, and the n-th to be painted is compared
+// with the 100 - n that are left. Ten take 99 + 98 + ... + 90 = 945 comparisons, and the eleventh's 89 pass 1000.
+TEST(PaintingOrder, AtTheLimitTheRestIsPaintedWithoutBeingCompared) {
+    std::vector<PaintTriangle> triangles;
+    for (std::uint32_t i = 0; i < 100; ++i)
+        triangles.push_back(triangleAt({{{4 * i, 0}, {4 * i + 2, 0}, {4 * i, 2}}}, {1, 9, 9}, i));
+    const PaintingOrder whole = paintingOrder(triangles, true), limited = paintingOrder(triangles, true, {}, 1000);
+    EXPECT_EQ(whole.compared, 4950u);
+    EXPECT_EQ(whole.unordered, 0u);
+    EXPECT_EQ(limited.compared, 1000u);
+    EXPECT_EQ(limited.unordered, 90u);
+    EXPECT_EQ(numbers(limited), numbers(whole)) << "the farthest first, which is right here";
+}
+
+// Three bars along the sides of a triangle, from depth 10 where each begins to 20 to 22 where it ends: each ends behind
+// the beginning of the next. Compared are 0 with 1, which is before it, and with 2, which is behind it and goes first;
+// 2 with 0 and 1, which goes first; and 1 with 0, which closes the cycle. The sixth comparison finds that 1 crosses the
+// plane of 0: (90, 3) is before it, 10 < 20.8, and (40, 89) behind, 21 > 14.8.
+TEST(PaintingOrder, TheSearchForASplitInACycleCountsToo) {
+    const std::vector<PaintTriangle> bars{triangleAt({{{0, 15}, {100, 20}, {0, 25}}}, {10, 22, 10}, 0),
+                                          triangleAt({{{94, 5}, {40, 89}, {86, 1}}}, {10, 21, 10}, 1),
+                                          triangleAt({{{56, 92}, {10, 3}, {64, 87}}}, {10, 20, 10}, 2)};
+    const PaintingOrder before = paintingOrder(bars, true, {}, 5), after = paintingOrder(bars, true, {}, 6);
+    EXPECT_EQ(before.splits, 0u);
+    EXPECT_EQ(numbers(before), (std::vector<std::uint32_t>{1, 2, 0})) << "those that wait, the last first";
+    EXPECT_EQ(before.unordered, 3u);
+    EXPECT_EQ(after.splits, 1u);
+    EXPECT_EQ(after.unordered, 4u);
+    EXPECT_EQ(paintingOrder(bars, true).unordered, 0u);
+}
+
+TEST(PaintingOrder, StoppedItComparesNothing) {
+    std::stop_source stop;
+    stop.request_stop();
+    const std::vector<PaintTriangle> triangles{flat(5, 0), flat(9, 1), flat(5, 2)};
+    const PaintingOrder order = paintingOrder(triangles, true, stop.get_token());
+    EXPECT_EQ(order.compared, 0u);
+    EXPECT_EQ(order.pieces.size(), 3u);
+}
+
 TEST(Painter, HasNoDepthBufferAndSaysWhy) {
     const FramePtr frame = test::frameOf(cycle());
     EXPECT_FALSE(frame->buffer({BufferId::Depth}));
