@@ -67,13 +67,34 @@ std::vector<Vec3d> intensitiesOf(const Frame& frame, int row) {
     return values;
 }
 
-// Of a polygon's first fragment there.
-std::optional<double> depthAt(const ScanlineSection& section, int polygon, int x) {
-    for (const ScanlineRun& run : section.runs)
-        if (run.polygon == polygon)
-            for (const ScanlineRun::Sample& sample : run.samples)
-                if (sample.x == x) return sample.depth;
-    return std::nullopt;
+// What the lines of a table say beside the intensity, each sample looked at once: rows have many pixels and polygons.
+struct SectionTable {
+    struct Depth {
+        std::size_t column;
+        double depth;
+    };
+    std::vector<int> polygons;               // a column each, in the order of drawing
+    std::vector<std::optional<int>> winner;  // per x
+    std::vector<std::vector<Depth>>
+        depths;  // per x, by column; of a polygon's fragments there the first one comes first
+};
+
+SectionTable tableOf(const ScanlineSection& section) {
+    SectionTable table;
+    table.winner.resize(std::size_t(section.width));
+    table.depths.resize(std::size_t(section.width));
+    std::map<int, std::size_t> columns;
+    for (const ScanlineRun& run : section.runs) {
+        const auto [column, isNew] = columns.try_emplace(run.polygon, table.polygons.size());
+        if (isNew) table.polygons.push_back(run.polygon);
+        for (const ScanlineRun::Sample& sample : run.samples) {
+            const auto x = std::size_t(sample.x);
+            table.depths[x].push_back({column->second, sample.depth});
+            if (sample.stays && !table.winner[x]) table.winner[x] = run.polygon;
+        }
+    }
+    for (auto& depths : table.depths) std::ranges::stable_sort(depths, {}, &SectionTable::Depth::column);
+    return table;
 }
 
 }  // namespace
@@ -125,22 +146,25 @@ std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int
 }
 
 std::string sectionCsv(const ScanlineSection& section) {
-    std::vector<int> polygons;  // each once, in the order of drawing
-    for (const ScanlineRun& run : section.runs)
-        if (std::ranges::find(polygons, run.polygon) == polygons.end()) polygons.push_back(run.polygon);
+    const SectionTable table = tableOf(section);
     std::string out = "x,seen";
-    for (const int polygon : polygons) out += fmt::format(",{}.{}", section.storesDepth ? "depth" : "z_view", polygon);
+    for (const int polygon : table.polygons)
+        out += fmt::format(",{}.{}", section.storesDepth ? "depth" : "z_view", polygon);
     for (std::size_t i = 0; i < kSectionShadings.size(); ++i)
         if (!section.intensity[i].empty())
             for (const char* channel : {"r", "g", "b"}) out += fmt::format(",{}.{}", kSectionShadings[i], channel);
     out += "\r\n";
     for (int x = 0; x < section.width; ++x) {
-        const auto winner = section.winnerAt(x);
+        const std::optional<int> winner = table.winner[std::size_t(x)];
         out += fmt::format("{},{}", x, winner ? std::to_string(*winner) : std::string());
-        for (const int polygon : polygons) {
-            const auto depth = depthAt(section, polygon, x);
-            out += ',' + (depth ? shortestText(*depth) : std::string());
+        std::size_t written = 0;  // columns
+        for (const auto& [column, depth] : table.depths[std::size_t(x)]) {
+            if (column < written) continue;  // a further fragment of the same polygon
+            out.append(column + 1 - written, ',');
+            out += shortestText(depth);
+            written = column + 1;
         }
+        out.append(table.polygons.size() - written, ',');
         for (const std::vector<Vec3d>& intensity : section.intensity) {
             if (intensity.empty()) continue;
             const Vec3d value = intensity[std::size_t(x)];

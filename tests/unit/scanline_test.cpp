@@ -106,6 +106,21 @@ TEST(ScanlineSection, IsWrittenAsATable) {
     EXPECT_NE(csv.find("\r\n268,2,,671."), std::string::npos);
 }
 
+// Polygon 7 is drawn first, comes twice to x = 1 and has two runs; polygon 4 is seen at x = 0 and 1, nothing at x = 3.
+TEST(ScanlineSection, ATableHasAPolygonsFirstDepthInItsColumn) {
+    ScanlineSection section;
+    section.width = 4;
+    section.runs = {{7, {{0, 9.5, false}, {1, 8, false}, {1, 6, false}}},
+                    {7, {{2, 7, true}}},
+                    {4, {{0, 2, true}, {1, 2.25, true}}}};
+    EXPECT_EQ(sectionCsv(section),
+              "x,seen,z_view.7,z_view.4\r\n"
+              "0,4,9.5,2\r\n"
+              "1,4,8,2.25\r\n"
+              "2,7,7,\r\n"
+              "3,,,\r\n");
+}
+
 class ScanlinePlotOfACrowdedRow : public testing::Test {
 protected:
     const std::optional<ScanlineSection> section = [] {
