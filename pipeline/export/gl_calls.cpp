@@ -275,6 +275,19 @@ Result<std::vector<GlCall>> callsOf(const Scene& scene, const FrameData<Real>& d
     return std::move(calls.list);
 }
 
+// Whether a plane surface with one normal is lit differently from place to place.
+bool placeMatters(const Scene& scene) {
+    return std::ranges::any_of(scene.lights, [&](const Light& light) {
+        return light.kind != LightKind::AtInfinity || scene.settings.localViewer;
+    });
+}
+
+bool drawsPieces(const Mesh& mesh) {
+    for (std::size_t i = 0; i < mesh.polygonCount(); ++i)
+        if (!isFan(mesh, i)) return true;
+    return false;
+}
+
 }  // namespace
 
 std::string glRefuses(const Scene& scene) {
@@ -289,11 +302,21 @@ std::string glRefuses(const Scene& scene) {
     if (scene.settings.antialiasing > 1) return "OpenGL's calls draw one sample a pixel: set antialiasing to 1";
     if (scene.settings.visibility == Visibility::None)
         return "OpenGL's calls fill polygons: set visibility to z-buffer";
+    if (scene.settings.visibility == Visibility::Painter)
+        return "OpenGL's calls test depths, which the painter's algorithm does not: set visibility to z-buffer";
     if (scene.lights.size() > kLights.size())
         return fmt::format("OpenGL has {} lights, the scene {}", kLights.size(), scene.lights.size());
     for (const Object& object : scene.objects)
         if (const Vec3d s = object.transform.scale; s.x == 0 || s.y == 0 || s.z == 0)
             return fmt::format("{} is scaled by 0, which leaves its normals undefined in OpenGL", object.name);
+    // With flat shading a polygon is as bright as its first corner, and not each of its pieces has that.
+    if (scene.settings.shading == Shading::Flat && placeMatters(scene))
+        for (const Object& object : scene.objects)
+            if (drawsPieces(*object.mesh))
+                return fmt::format(
+                    "{} has a concave polygon, each of whose pieces OpenGL shades by a corner of its own: "
+                    "set shading to gouraud",
+                    object.name);
     return {};
 }
 

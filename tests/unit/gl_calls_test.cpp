@@ -94,6 +94,18 @@ TEST(GlCalls, ConcavePolygonsAreDrawnInPieces) {
     // An arrow head: the fan from its first corner would cover the notch.
     scene.objects[0].mesh = test::mesh({{-1, -1, 0}, {0, -0.5, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
     EXPECT_EQ(std::ranges::count(linesOf(scene), "glBegin(GL_POLYGON);"), 2);
+
+    // Of the two pieces one is without the polygon's first corner, by which flat shading goes; near a light, or seen
+    // from nearby, another corner is of another brightness.
+    const std::string refused =
+        "cube has a concave polygon, each of whose pieces OpenGL shades by a corner of its own: set shading to gouraud";
+    scene.settings.localViewer = true;
+    EXPECT_EQ(glRefuses(scene), refused);
+    scene.settings.localViewer = false;
+    scene.lights[0].kind = LightKind::Point;
+    EXPECT_EQ(glRefuses(scene), refused);
+    scene.settings.shading = Shading::Gouraud;
+    EXPECT_EQ(glRefuses(scene), "");
 }
 
 TEST(GlCalls, AreRefusedWhereOpenGlDrawsSomethingElse) {
@@ -105,6 +117,15 @@ TEST(GlCalls, AreRefusedWhereOpenGlDrawsSomethingElse) {
     EXPECT_NE(glRefuses(scene).find("set shading to flat or gouraud"), std::string::npos);
     scene.settings.model = Model::Phong;
     EXPECT_NE(glRefuses(scene).find("set model to opengl"), std::string::npos);
+    EXPECT_FALSE(glCalls(*test::frameOf(scene)));
+}
+
+// The calls enable the depth test, so that the order of drawing does not matter: not what the painter's algorithm shows.
+TEST(GlCalls, RefuseThePaintersAlgorithm) {
+    Scene scene = lectureCube();
+    scene.settings.visibility = Visibility::Painter;
+    EXPECT_EQ(glRefuses(scene),
+              "OpenGL's calls test depths, which the painter's algorithm does not: set visibility to z-buffer");
     EXPECT_FALSE(glCalls(*test::frameOf(scene)));
 }
 
