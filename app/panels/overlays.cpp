@@ -105,8 +105,8 @@ QString depthTest(const Frame& frame, QSize size, std::vector<QImage>& images) {
 
 // NaN and infinities have colours of their own already: they get a frame of marks, negative ones a hatch.
 QString strange(const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn, ShownChannel channel,
-                CanvasContent& content) {
-    auto found = pipeline::strangeNumbers(buffer, index(channel), drawn);
+                pipeline::ProjectionKind projection, CanvasContent& content) {
+    auto found = pipeline::strangeNumbers(buffer, index(channel), drawn, projection);
     if (found.nan + found.infinite + found.negative == 0) return {};
     const auto width = std::size_t(content.size.width());
     content.overlays.push_back(imageOf(content.size, [&](std::size_t i) {
@@ -180,7 +180,7 @@ void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown, co
     if (isOn(OverlayId::Strange) && mayBeStrange && !standsOnShapes(info)) {
         const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
         legend << strange(shown.buffer, drawnElements(shown.buffer, polygons, shown.look.channel), shown.look.channel,
-                          content);
+                          frame.scene().camera.projection, content);
     }
     if (whyNoOverlays(info).isEmpty()) {
         if (isOn(OverlayId::Fragments)) legend << fragments(frame, content.size, content.overlays);

@@ -47,15 +47,21 @@ std::vector<DepthTests> depthTests(const Frame& frame) {
     return tests;
 }
 
-bool mayBeNegative(const BufferInfo& info) {
-    return info.palette == Palette::Diverging || info.palette == Palette::Direction || isOfNames(info) ||
-           info.domain == Domain::Vertex || info.id == BufferId::Position || info.id == BufferId::Expression ||
-           info.id == BufferId::ZNdc;
+bool mayBeNegative(const BufferInfo& info, ProjectionKind projection) {
+    switch (info.id) {
+        case BufferId::Expression:
+        case BufferId::ZNdc: return true;
+        case BufferId::ZView:
+        case BufferId::Depth: return projection == ProjectionKind::Orthographic;  // what lies behind the eye is seen
+        default: break;
+    }
+    return info.palette == Palette::Diverging || info.palette == Palette::Direction || isOfNames(info);
 }
 
-StrangeNumbers strangeNumbers(const AnyBuffer& buffer, int channel, const std::vector<bool>& drawn) {
+StrangeNumbers strangeNumbers(const AnyBuffer& buffer, int channel, const std::vector<bool>& drawn,
+                              ProjectionKind projection) {
     const auto channels = std::size_t(buffer.channels());
-    const bool negativeToo = !mayBeNegative(*buffer.info);
+    const bool negativeToo = !mayBeNegative(*buffer.info, projection);
     StrangeNumbers found;
     found.elements.resize(buffer.count() / channels, Strange::No);
     std::visit(

@@ -28,9 +28,11 @@ struct StrangeNumbers {
     std::vector<Strange> elements;  // the first kind of an element's channels, in the order of the enumerators
     std::size_t nan = 0, infinite = 0, negative = 0;  // elements with at least one
 };
-// Whether a buffer may hold negative numbers: dot products, directions and positions may, names too.
-bool mayBeNegative(const BufferInfo& info);
+// Whether a buffer may hold negative numbers: dot products, directions and positions may, names too, and depths in an
+// orthographic view.
+bool mayBeNegative(const BufferInfo& info, ProjectionKind projection);
 // channel -1: all. drawn: which elements hold something; empty: all. Those that hold nothing are No.
-StrangeNumbers strangeNumbers(const AnyBuffer& buffer, int channel, const std::vector<bool>& drawn);
+StrangeNumbers strangeNumbers(const AnyBuffer& buffer, int channel, const std::vector<bool>& drawn,
+                              ProjectionKind projection);
 
 }  // namespace pipeline

@@ -110,20 +110,38 @@ TEST(StrangeNumbers, AreCountedOnceAnElement) {
     const std::vector<float> numbers{1, 2, 3, kNan, kNan, -1, kInf, 0, 0, -1, -2, 0};
     const AnyBuffer buffer{
         {BufferId::Intensity}, &bufferInfo(BufferId::Intensity), {1, 4, 3}, std::span<const float>(numbers), nullptr};
-    const StrangeNumbers all = strangeNumbers(buffer, -1, {});
+    const StrangeNumbers all = strangeNumbers(buffer, -1, {}, ProjectionKind::Perspective);
     EXPECT_EQ(all.nan, 1u);
     EXPECT_EQ(all.infinite, 1u);
     EXPECT_EQ(all.negative, 2u);  // the one that is NaN in another channel too
     EXPECT_EQ(all.elements, (std::vector{Strange::No, Strange::Nan, Strange::Infinite, Strange::Negative}));
-    EXPECT_EQ(strangeNumbers(buffer, 2, {}).negative, 1u);
-    EXPECT_EQ(strangeNumbers(buffer, -1, {true, false, false, true}).nan, 0u);
+    EXPECT_EQ(strangeNumbers(buffer, 2, {}, ProjectionKind::Perspective).negative, 1u);
+    EXPECT_EQ(strangeNumbers(buffer, -1, {true, false, false, true}, ProjectionKind::Perspective).nan, 0u);
 }
 
 TEST(StrangeNumbers, DotProductsAndNormalsMayBeNegative) {
-    EXPECT_TRUE(mayBeNegative(bufferInfo(BufferId::NDotL)));
-    EXPECT_TRUE(mayBeNegative(bufferInfo(BufferId::Normal)));
-    EXPECT_TRUE(mayBeNegative(bufferInfo(BufferId::PolygonId)));
-    EXPECT_TRUE(mayBeNegative(bufferInfo(BufferId::ZNdc)));
-    EXPECT_FALSE(mayBeNegative(bufferInfo(BufferId::Intensity)));
-    EXPECT_FALSE(mayBeNegative(bufferInfo(BufferId::ZView)));
+    const auto mayBe = [](BufferId id) { return mayBeNegative(bufferInfo(id), ProjectionKind::Perspective); };
+    EXPECT_TRUE(mayBe(BufferId::NDotL));
+    EXPECT_TRUE(mayBe(BufferId::Normal));
+    EXPECT_TRUE(mayBe(BufferId::PolygonId));
+    EXPECT_TRUE(mayBe(BufferId::ZNdc));
+    EXPECT_FALSE(mayBe(BufferId::Intensity));
+    EXPECT_FALSE(mayBe(BufferId::ZView));
+    for (const BufferId id : {BufferId::PolygonsIntensity, BufferId::VerticesIntensity}) EXPECT_FALSE(mayBe(id));
+    for (const BufferId id : {BufferId::Position, BufferId::VerticesWorld, BufferId::VerticesNormal})
+        EXPECT_TRUE(mayBe(id));
+}
+
+// A square half a unit behind the eye, in a view whose near plane lies one unit behind it: z_view is -1/2.
+TEST(StrangeNumbers, AnOrthographicViewSeesWhatLiesBehindTheEye) {
+    Scene scene = flatScene(test::mesh({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, {{0, 1, 2, 3}}), 8);
+    scene.camera.eye = {0, 0, -0.5}, scene.camera.target = {0, 0, -1};
+    scene.camera.near = scene.camera.far = 0;  // as far as the scene goes
+    const FramePtr frame = test::frameOf(scene);
+    for (const BufferId id : {BufferId::ZView, BufferId::Depth}) {
+        const AnyBuffer depths = *frame->buffer({id});
+        EXPECT_EQ(depths.value(4, 4), -0.5);
+        EXPECT_EQ(strangeNumbers(depths, -1, {}, ProjectionKind::Orthographic).negative, 0u);
+        EXPECT_EQ(strangeNumbers(depths, -1, {}, ProjectionKind::Perspective).negative, 16u) << "4 by 4 pixels";
+    }
 }
