@@ -22,12 +22,6 @@ glm::vec3 frameBufferColor(Vec3d intensity, double iMax) {
     return color;
 }
 
-double maximumIntensity(const pipeline::Scene& scene) {
-    std::vector<pipeline::Material> materials;
-    for (const pipeline::Object& object : scene.objects) materials.push_back(object.material);
-    return pipeline::maximumIntensity(scene.settings.model, materials, scene.lights, scene.ambient);
-}
-
 // Phong shading evaluates per pixel; a vertex of this view is one such pixel, taken as lit.
 Vec3d intensityAt(const pipeline::Scene& scene, const std::vector<pipeline::Light>& lights,
                   const pipeline::Material& material, Vec3d position, Vec3d normal, Vec3d towardsEye) {
@@ -52,7 +46,7 @@ void colorFaces(const pipeline::Frame& frame, const pipeline::Topology& topology
                 const std::stop_token& stop) {
     const pipeline::Scene& scene = frame.scene();
     const pipeline::Shading shading = scene.settings.shading;
-    const double iMax = maximumIntensity(scene);
+    const double iMax = pipeline::maximumIntensity(scene);
     const bool hasRun = frame.until() >= pipeline::StageId::Shading;
     const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
     const auto flat = frame.buffer({BufferId::PolygonsIntensity});

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pipeline/scene/opacity.h"
+
 namespace pipeline {
 
 Illumination illuminationOf(const Settings& settings) {
@@ -27,14 +29,15 @@ std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view) {
 }
 
 double maximumIntensity(Model model, const std::vector<Material>& materials, const std::vector<Light>& lights,
-                        const AmbientLight& ambient) {
+                        const AmbientLight& ambient, const std::vector<std::uint8_t>& transparent) {
     if (model != Model::Phong) return 1;
     // What is below 0 makes nothing brighter, and counts as 0.
     const auto most = [](Vec3d v) { return std::max({0.0, v.x, v.y, v.z}); };
     double diffuse = 0, specular = 0;
-    for (const Material& material : materials) {
-        diffuse = std::max(diffuse, most(material.diffuse));
-        specular = std::max(specular, most(material.specular));
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        if (!transparent.empty() && transparent[i]) continue;
+        diffuse = std::max(diffuse, most(materials[i].diffuse));
+        specular = std::max(specular, most(materials[i].specular));
     }
     // Colour by colour: a red and a green light never add up in one of them.
     const Vec3d ambientLight = ambient.lightIn(model);
@@ -45,6 +48,12 @@ double maximumIntensity(Model model, const std::vector<Material>& materials, con
         maximum = std::max(maximum, sum);
     }
     return maximum;
+}
+
+double maximumIntensity(const Scene& scene) {
+    std::vector<Material> materials;
+    for (const Object& object : scene.objects) materials.push_back(object.material);
+    return maximumIntensity(scene.settings.model, materials, scene.lights, scene.ambient, transparentObjects(scene));
 }
 
 }  // namespace pipeline

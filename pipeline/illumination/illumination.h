@@ -54,7 +54,9 @@ Vec3<Real> emissionTerm(Model model, const Material& material) {
 // What a frame buffer value of 255 stands for: in lecture 1's model the formula with every dot
 // product 1 and every reflection coefficient at its maximum over the materials and the three
 // colours, for the colour of light for which that is most; 1 in the others, whose colours are meant to lie in [0, 1].
+// transparent: per material 1 where its object draws nothing, which does not count; empty where none is.
 double maximumIntensity(Model model, const std::vector<Material>& materials, const std::vector<Light>& lights,
-                        const AmbientLight& ambient);
+                        const AmbientLight& ambient, const std::vector<std::uint8_t>& transparent = {});
+double maximumIntensity(const Scene& scene);
 
 }  // namespace pipeline

@@ -24,7 +24,7 @@ public:
         for (std::size_t i = 0; i < m_scene.objects.size(); ++i) ofObject(i);
         if (m_scene.objects.empty())
             add("object", "The scene has no object: every pixel is background.");
-        else if (maximumOf(m_scene) <= 0)
+        else if (maximumIntensity(m_scene) <= 0)
             add("ambient.intensity",
                 "I_max is 0, for no light and no material gives any intensity: the picture is black.");
         if (m_list.size() > kMaxRemarks) {
@@ -37,12 +37,6 @@ public:
 
 private:
     void add(std::string about, std::string text) { m_list.push_back({std::move(about), std::move(text)}); }
-
-    static double maximumOf(const Scene& scene) {
-        std::vector<Material> materials;
-        for (const Object& object : scene.objects) materials.push_back(object.material);
-        return maximumIntensity(scene.settings.model, materials, scene.lights, scene.ambient);
-    }
 
     void ofCamera() {
         const Camera& camera = m_scene.camera;
@@ -124,8 +118,8 @@ private:
     void ofObject(std::size_t i) {
         const Object& object = m_scene.objects[i];
         ofTransform(i);
-        ofMaterial(i, object.material, "");
-        if (object.backMaterial) ofMaterial(i, *object.backMaterial, "back ");
+        ofMaterial(i, object.material, false);
+        if (object.backMaterial && illuminationOf(m_scene.settings).twoSided) ofMaterial(i, *object.backMaterial, true);
         const MeshFacts& facts = object.mesh->facts;
         if (facts.nonPlanar > 0)
             add(object.name, fmt::format("{} not planar. Each such polygon is drawn as the triangles that it is split "
@@ -164,13 +158,15 @@ private:
     }
 
     // One remark a coefficient, about its first strange part.
-    void ofMaterial(std::size_t i, const Material& material, const char* side) {
+    void ofMaterial(std::size_t i, const Material& material, bool back) {
+        const std::string key = fmt::format("{}.{}.", back ? "back_material" : "material", i),
+                          side = back ? "back " : "";
         const Model model = m_scene.settings.model;
         const std::string name = inQuotes(m_scene.objects[i].name);
         const auto ofCoefficient = [&](std::string_view symbol, std::string_view rest, Vec3d value) {
             for (int c = 0; c < 3; ++c) {
                 if (value[c] >= 0 && value[c] <= 1) continue;
-                add(fmt::format("material.{}.{}{}", i, rest, "rgb"[c]),
+                add(fmt::format("{}{}{}", key, rest, "rgb"[c]),
                     fmt::format("{} of the {}material of {} is {}, {}. Computed as written.", symbol, side, name,
                                 shortestText(value[c]),
                                 value[c] < 0 ? "below 0: it takes light away"
@@ -183,13 +179,11 @@ private:
         if (model != Model::Phong) ofCoefficient("k_a", "ka", material.ambient);
         if (model == Model::OpenGl) ofCoefficient("The emission", "ke", material.emission);
         if (material.alpha < 0 || material.alpha > 1)
-            add(fmt::format("material.{}.alpha", i),
-                fmt::format("α of the {}material of {} is {}, beyond [0, 1]: it acts as {}.", side, name,
-                            shortestText(material.alpha), material.alpha < 0 ? 0 : 1));
+            add(key + "alpha", fmt::format("α of the {}material of {} is {}, beyond [0, 1]: it acts as {}.", side, name,
+                                           shortestText(material.alpha), material.alpha < 0 ? 0 : 1));
         if (material.exponent == 0 && material.specular != Vec3d(0))
-            add(fmt::format("material.{}.n", i),
-                fmt::format("n of the {}material of {} is 0: the highlight is as bright wherever it counts.", side,
-                            name));
+            add(key + "n", fmt::format("n of the {}material of {} is 0: the highlight is as bright wherever it counts.",
+                                       side, name));
     }
 
     const Scene& m_scene;

@@ -70,10 +70,8 @@ ShadingInputs withAllVectors(ShadingInputs inputs) {
 template <class Real>
 ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted) {
     ShadingOutput<Real> out;
-    std::vector<Material> seen = inputs.materials;
-    for (std::size_t i = 0; i < in.transform.transparent.size(); ++i)
-        if (in.transform.transparent[i]) seen[i].diffuse = seen[i].specular = Vec3d(0);
-    out.iMax = maximumIntensity(inputs.illumination.model, seen, inputs.lights, inputs.ambient);
+    out.iMax = maximumIntensity(inputs.illumination.model, inputs.materials, inputs.lights, inputs.ambient,
+                                in.transform.transparent);
     const auto makeRoom = [&](auto& elements, std::size_t count) {
         elements.base.resize(count);
         elements.terms.resize(count * inputs.lights.size());

@@ -6,7 +6,6 @@
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/illumination/illumination.h"
-#include "pipeline/scene/opacity.h"
 #include "pipeline/study/error_rows.h"
 
 namespace pipeline {
@@ -265,12 +264,7 @@ Picture pictureOf(const Frame& frame) {
     return picture;
 }
 
-double whiteOf(const Scene& scene) {
-    std::vector<Material> materials;
-    for (const Object& object : scene.objects)
-        if (!isTransparent(object, scene.settings)) materials.push_back(object.material);
-    return maximumIntensity(scene.settings.model, materials, scene.lights, scene.ambient);
-}
+double whiteOf(const Scene& scene) { return maximumIntensity(scene); }
 
 std::vector<ErrorRow> compare(const Frame& frame, const Picture& ours, const ErrorReferences& references) {
     ErrorRows rows;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "pipeline/illumination/illumination.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/support/scenes.h"
 
@@ -208,6 +209,32 @@ TEST(SceneRemarks, SayWhatIsStrangeAndWhatIsDone) {
          "k_d of the material of \"square\" is 1.4, above 1: it gives more light than it receives. Computed as "
          "written."}};
     EXPECT_EQ(sceneRemarks(scene), expected);
+}
+
+// k_d above 1 and n = 0 of a back material, which OpenGL's model alone reads, and that with two-sided lighting alone.
+TEST(SceneRemarks, OfABackMaterialNameItAndAreMadeWhereItIsRead) {
+    Scene scene = square();
+    scene.objects[0].backMaterial = Material{Vec3d(1.5), Vec3d(0.5), 0};
+    for (const bool openGl : {false, true})
+        for (const bool twoSided : {false, true}) {
+            scene.settings.model = openGl ? Model::OpenGl : Model::Phong, scene.settings.twoSided = twoSided;
+            std::vector<std::string> keys;
+            for (const Remark& remark : sceneRemarks(scene)) keys.push_back(remark.about);
+            const std::vector<std::string> both{"back_material.0.kr", "back_material.0.n"};
+            EXPECT_EQ(keys, openGl && twoSided ? both : std::vector<std::string>{});
+        }
+}
+
+// What draws nothing gives no intensity: I_max is 0, as in the frame.
+TEST(SceneRemarks, TransparentObjectsMakeNothingBright) {
+    Scene scene = square();
+    scene.objects[0].material.alpha = 0;
+    const std::vector<Remark> remarks = sceneRemarks(scene);
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_TRUE(remarks[0].text.starts_with("I_max is 0")) << remarks[0].text;
+    scene.objects.push_back(square().objects[0]);
+    EXPECT_TRUE(sceneRemarks(scene).empty());
+    EXPECT_EQ(maximumIntensity(scene), 60) << "0.5 (20 + 100)";
 }
 
 TEST(SceneRemarks, PolygonsThatAreNoPlaneConvexOnes) {
