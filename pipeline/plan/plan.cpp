@@ -81,6 +81,8 @@ std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (forms.power != others.power || forms.unit != others.unit) return "The form of a formula changed.";
     if (!(a.illumination == b.illumination)) return "The illumination model changed.";
     if (auto text = firstDifferent(a.materials, b.materials, "Material", "The materials"); !text.empty()) return text;
+    if (auto text = firstDifferent(a.backMaterials, b.backMaterials, "Back material", "The materials"); !text.empty())
+        return text;
     if (auto text = firstDifferent(a.lights, b.lights, "Light", "The lights"); !text.empty()) return text;
     if (!(a.ambient == b.ambient)) return "The ambient light changed.";
     if (!(a.shadow == b.shadow)) return "The settings of the shadow test changed.";

@@ -64,6 +64,16 @@ TEST(ReusePlan, AMaterialReRunsShadingAlone) {
     EXPECT_EQ(second->plan()[index(StageId::ZBuffer)].why, "Nothing that this stage reads has changed since frame 1.");
 }
 
+TEST(ReusePlan, ABackMaterialIsNamed) {
+    Scene scene = test::openGlCube();
+    scene.settings.width = scene.settings.height = 16, scene.settings.twoSided = true;
+    scene.objects[0].backMaterial = scene.objects[0].material;
+    const FramePtr first = test::frameOf(scene, {});
+    scene.objects[0].backMaterial->diffuse = {0, 1, 0};
+    const FramePtr second = test::frameOf(scene, {}, 0, first);
+    EXPECT_EQ(second->plan()[index(StageId::Shading)].why, "Back material 0 changed.");
+}
+
 TEST(ReusePlan, ALightReRunsItsShadowBufferAndShading) {
     Scene scene = test::pyramid();
     scene.objects.push_back(scene.objects[0]);
