@@ -103,13 +103,6 @@ std::vector<std::string> remaining(const Json& earlier, const fs::path& folder,
     return names;
 }
 
-// The staging folder's name must not reach the user: they asked for `folder`.
-Errors inFolder(Errors errors, const fs::path& folder) {
-    for (Error& error : errors)
-        if (!error.where.file.empty()) error.where.file = (folder / fs::path(error.where.file).filename()).string();
-    return errors;
-}
-
 }  // namespace
 
 std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& request) {

@@ -159,12 +159,12 @@ Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, co
         ByteFile file(hidden.folder() / pictureName(i + 1));
         file.write(pngOf(image));
         const auto bytes = file.close();
-        if (!bytes) return bytes.errors();
+        if (!bytes) return inFolder(bytes.errors(), target);
         summary.bytes += *bytes;
     }
     if (gif) {
         const auto bytes = gif->close();
-        if (!bytes) return bytes.errors();
+        if (!bytes) return inFolder(bytes.errors(), target.parent_path());
         summary.bytes = *bytes;
     }
     if (const auto done = hidden.publish(); !done) return done.errors();

@@ -101,4 +101,10 @@ Result<std::monostate> Staging::publish(const std::vector<std::string>& gone) {
     return std::monostate{};
 }
 
+Errors inFolder(Errors errors, const fs::path& folder) {
+    for (Error& error : errors)
+        if (!error.where.file.empty()) error.where.file = (folder / fs::path(error.where.file).filename()).string();
+    return errors;
+}
+
 }  // namespace pipeline

@@ -28,4 +28,7 @@ private:
     std::vector<std::filesystem::path> m_made;  // parents that were missing, outermost first
 };
 
+// Errors of files that were to appear in `folder`, as the user calls it: the hidden folder's name must not reach them.
+Errors inFolder(Errors errors, const std::filesystem::path& folder);
+
 }  // namespace pipeline

@@ -27,12 +27,7 @@ Result<std::vector<std::string>> writeStudyFiles(const StudyReport& report, cons
     for (const auto& [name, bytes] : files) {
         ByteFile out(target.folder() / name);
         out.write(bytes);
-        if (const auto written = out.close(); !written) {
-            // Named by where it was to be, not by where it was being made.
-            Error error = written.errors().front();
-            error.where.file = (folder / name).string();
-            return error;
-        }
+        if (const auto written = out.close(); !written) return inFolder(written.errors(), folder);
         names.push_back(name);
     }
     if (const auto published = target.publish(); !published) return published.errors();

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -29,6 +30,17 @@ std::vector<std::string> TemporaryFolder::names() const {
         names.push_back(fs::relative(entry.path(), m_path).string());
     std::ranges::sort(names);
     return names;
+}
+
+FullDisk::FullDisk(std::size_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &m_before);
+    const rlimit tight{bytes, m_before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &tight);
+}
+
+FullDisk::~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &m_before);
+    std::signal(SIGXFSZ, m_handler);
 }
 
 std::string readText(const fs::path& file) {

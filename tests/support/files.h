@@ -1,4 +1,6 @@
 #pragma once
+#include <sys/resource.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -21,6 +23,19 @@ public:
 
 private:
     std::filesystem::path m_path;
+};
+
+// Until its end no file grows beyond so many bytes: that fails the same calls as a full disk.
+class FullDisk {
+public:
+    explicit FullDisk(std::size_t bytes);
+    ~FullDisk();
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    rlimit m_before{};
+    void (*m_handler)(int);
 };
 
 std::string readText(const std::filesystem::path& file);

@@ -1,10 +1,8 @@
 #include "pipeline/export/export_frame.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <algorithm>
-#include <csignal>
 
 #include "pipeline/export/json.h"
 #include "pipeline/export/staging.h"
@@ -288,15 +286,10 @@ TEST(ExportFrame, ADiskThatIsFullLeavesTheOldFiles) {
     fs::create_directory(folder / "out");
     test::writeText(folder / "out/depth.npy", "old");
     const FramePtr frame = usefulFrame();
-    // A limit on the size of files fails the same calls as a full disk. 64 · 48 · 4 bytes are more.
-    rlimit before{};
-    getrlimit(RLIMIT_FSIZE, &before);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit tight{4096, before.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &tight);
-    const auto summary = exportFrame(*frame, {folder / "out", {{BufferId::Depth}}, {"npy"}, {}});
-    setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
+    const auto summary = [&] {
+        const test::FullDisk full(4096);  // 64 · 48 · 4 bytes are more
+        return exportFrame(*frame, {folder / "out", {{BufferId::Depth}}, {"npy"}, {}});
+    }();
     ASSERT_FALSE(summary);
     EXPECT_EQ(format(summary.errors()[0]), (folder / "out/depth.npy").string() + ": could not write: File too large");
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"out", "out/depth.npy"}));

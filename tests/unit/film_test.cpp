@@ -126,5 +126,20 @@ TEST(Film, SaysHowManyPicturesGoOnBehindIt) {
         EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
 }
 
+// Of the hidden folder in which a film is made nothing is said: the file is named as it was asked for.
+TEST(Film, ADiskThatIsFullNamesTheFileThatWasAskedFor) {
+    const test::TemporaryFolder folder;
+    const Steps steps = smallPyramid();
+    const FilmRequest request = zFilm(steps);
+    const auto errorOf = [&](const char* name) {
+        const test::FullDisk full(100);  // a GIF's colours alone are more, and a PNG's picture
+        const auto film = writeFilm(steps, request, folder / name);
+        return film ? "written" : format(film.errors());
+    };
+    EXPECT_EQ(errorOf("f.gif"), (folder / "f.gif").string() + ": could not write: File too large\n");
+    EXPECT_EQ(errorOf("film"), (folder / "film/step_0001.png").string() + ": could not write: File too large\n");
+    EXPECT_TRUE(folder.names().empty());
+}
+
 }  // namespace
 }  // namespace pipeline
