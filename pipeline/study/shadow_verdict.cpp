@@ -68,6 +68,7 @@ std::optional<ExactShadows> exactShadows(const Scene& scene, std::size_t light, 
 bool haveSameRays(const Scene& a, const Scene& b) {
     Scene other = b;
     other.settings.shadowSize = a.settings.shadowSize;
+    other.settings.shadowCull = a.settings.shadowCull;
     other.settings.shadowBias = a.settings.shadowBias;
     other.settings.shadowBiasValue = a.settings.shadowBiasValue;
     other.settings.shadowFilter = a.settings.shadowFilter;

@@ -80,6 +80,7 @@ TEST(ShadowVerdict, RaysHoldWhileOnlyTheBufferChanges) {
     const Scene scene = boxOverGround();
     Scene other = scene;
     other.settings.shadowBiasValue = 3, other.settings.shadowSize = 32, other.settings.shadowFilter = 2;
+    other.settings.shadowCull = ShadowCull::Front, other.settings.shadowBias = ShadowBias::Slope;
     EXPECT_TRUE(haveSameRays(scene, other));
     other.lights[0].position.x = 1;
     EXPECT_FALSE(haveSameRays(scene, other));
