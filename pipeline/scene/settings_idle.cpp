@@ -63,8 +63,10 @@ std::string_view onlyBias(const Scene& scene) {
     return scene.settings.shadowBias == ShadowBias::Automatic ? "Bias is automatic; choose constant to change it." : "";
 }
 std::string_view onlySpecular(const Scene& scene) {
-    const bool dull =
-        std::ranges::all_of(scene.objects, [](const Object& object) { return object.material.specular == Vec3d(0.0); });
+    const auto isDull = [](const Material& material) { return material.specular == Vec3d(0.0); };
+    const bool dull = std::ranges::all_of(scene.objects, [&](const Object& object) {
+        return isDull(object.material) && (!object.backMaterial || isDull(*object.backMaterial));
+    });
     return dull ? "k_s is 0 in every material." : "";
 }
 

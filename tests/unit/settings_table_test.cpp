@@ -177,6 +177,9 @@ TEST(SettingsTable, SaysWhyASettingIsIdle) {
     EXPECT_EQ(idle(with("camera.kind=look-at"), "camera.height"),
               "The projection is perspective; choose orthographic to change it.");
     EXPECT_EQ(idle(scene, "material.0.n"), "k_s is 0 in every material.");
+    Scene shinyBack = scene;
+    shinyBack.objects[0].backMaterial = Material{Vec3d(0.5), Vec3d(0.5), 8};
+    EXPECT_EQ(idle(shinyBack, "material.0.n"), "");
     EXPECT_EQ(idle(with("shading=phong"), "normal_weight"), "");
     Scene unshadowed = scene;
     for (Light& light : unshadowed.lights) light.castsShadow = false;
