@@ -56,10 +56,11 @@ public:
     // A point of the world that another view's cursor is on, marked lightly.
     void setProbe(std::optional<Vec3d> point);
 
-    // What can be dragged, of what is shown. While one is dragged the new ones wait.
+    // What can be dragged, of what is shown. One that is being dragged stays as it was when it was taken hold of.
     void setHandles(std::vector<Handle> handles);
     const std::vector<Handle>& handles() const { return m_handles; }
     bool isDragging() const { return m_drag == Drag::Handle; }
+    void cancelDrag();  // whatever the mouse holds; a handle goes back
     // Stands beside the cursor while a handle is dragged or the cursor is on one.
     void setNumbers(const QString& text);
     const QString& numbers() const { return m_numbers; }
@@ -169,6 +170,7 @@ private:
     OrbitCamera m_from, m_to;
 
     Drag m_drag = Drag::None;
+    Qt::MouseButton m_button = Qt::NoButton;  // that began it
     QPointF m_pressedAt, m_last;
 
     std::vector<Handle> m_handles;

@@ -94,12 +94,18 @@ void SceneView::endDrag() {
     findHandle(m_last);
 }
 
+void SceneView::cancelDrag() {
+    const bool held = isDragging();
+    m_drag = Drag::None;
+    if (!held) return updateOverlay();
+    emit dragCancelled(m_held);
+    findHandle(m_last);
+}
+
 // x, y and z hold it to an arm, and let go of it again; Esc puts it back.
 bool SceneView::dragKey(int key, Qt::KeyboardModifiers modifiers) {
     if (key == Qt::Key_Escape) {
-        m_drag = Drag::None;
-        emit dragCancelled(m_held);
-        findHandle(m_last);
+        cancelDrag();
         return true;
     }
     if (key != Qt::Key_X && key != Qt::Key_Y && key != Qt::Key_Z) return false;

@@ -21,8 +21,13 @@ std::optional<Hit> SceneView::hitAt(QPointF position) const {
     return hit;
 }
 
+// One drag at a time: other buttons do nothing meanwhile. A press of its own button again says that the release went elsewhere.
 void SceneView::mousePressEvent(QMouseEvent* event) {
+    if (m_drag != Drag::None && event->button() != m_button) return;
+    if (isDragging()) endDrag();
     endMove();
+    m_drag = Drag::None;
+    m_button = event->button();
     m_pressedAt = m_last = event->position();
     const bool shift = event->modifiers() & Qt::ShiftModifier, control = event->modifiers() & Qt::ControlModifier;
     if (event->button() == Qt::LeftButton && beginDrag(event->position())) {
@@ -61,7 +66,8 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_drag == Drag::Handle) return endDrag();
+    if (m_drag == Drag::None || event->button() != m_button) return;
+    if (isDragging()) return endDrag();
     const bool picks = m_drag == Drag::Click;
     m_drag = Drag::None;
     updateOverlay();  // labels take the places that they have at rest

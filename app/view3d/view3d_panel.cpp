@@ -51,7 +51,9 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     observeWork();
     connect(&document, &Document::sceneOpened, this, [this] {
         m_newScene = true;
+        m_beforeDrag.reset();  // of the scene before: nothing goes back to it
         m_building.forget();
+        m_view->cancelDrag();
         m_awaited.reset();
         m_view->setContent(nullptr, true);
         m_view->setEmptyText({});
@@ -214,6 +216,7 @@ void View3dPanel::showEvent(QShowEvent* event) {
     if (std::exchange(m_missed, false)) takeFrame();
 }
 
+    m_view->cancelDrag();  // the button's release goes elsewhere
 void View3dPanel::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
     wantBuffers();
