@@ -54,7 +54,7 @@ VtkWidget::~VtkWidget() {
 }
 
 void VtkWidget::soon() {
-    if (m_pending) return;
+    if (m_pending || m_fails) return;
     m_pending = true;
     QMetaObject::invokeMethod(this, &VtkWidget::render, Qt::QueuedConnection);
 }
@@ -89,7 +89,8 @@ void VtkWidget::render() {
         },
         [this, snapshot](const Rendered& rendered) {
             setBehind(false);
-            if (!rendered.works) emit unusable();
+            // Told once: whoever hears of it sets another view, which would only fail again.
+            if (!rendered.works && !std::exchange(m_fails, true)) emit unusable();
             if (rendered.result.image.isNull()) return;
             m_picture = rendered.result.image;
             m_isWhole = rendered.result.isWhole;

@@ -40,7 +40,7 @@ public:
     bool isCoarse() const { return m_isCoarse; }  // the picture on show has few of its many faces
 
 signals:
-    // OpenGL came up, but not in a version that VTK can use. Nothing will be drawn.
+    // OpenGL came up, but not in a version that VTK can use, or not beside the window. Nothing will be drawn.
     void unusable();
     void drawn();                 // another picture is on show
     void busyChanged(bool busy);  // it is being rendered
@@ -63,6 +63,7 @@ private:
     bool m_isWhole = false, m_isCoarse = false;  // the picture is
     bool m_rests = false;                        // what was asked for last is of a view at rest
     bool m_behind = false;
+    bool m_fails = false;    // for good: nothing is tried again
     bool m_pending = false;  // render() runs when control returns to the event loop
     QTimer m_rest;           // runs while the view moves
     QOffscreenSurface m_surface;

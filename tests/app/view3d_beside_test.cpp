@@ -60,3 +60,19 @@ TEST_F(View3dBeside, OfManyChangesMeanwhileTheNewestAloneIsDrawn) {
 }
 
 }  // namespace
+
+// As a driver does that gives no context beside the window. Whoever hears of it sets another view.
+TEST(View3dWithoutOpenGl, IsToldOnce) {
+    if (app::openGlProblem().isEmpty()) GTEST_SKIP() << "this machine has OpenGL 3.2";
+    app::VtkWidget widget;
+    int told = 0;
+    QObject::connect(&widget, &app::VtkWidget::unusable, [&] {
+        ++told;
+        widget.setView({}, {});
+    });
+    widget.resize(100, 100);
+    widget.show();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return told > 0; }, 5000));
+    QTest::qWait(300);
+    EXPECT_EQ(told, 1);
+}
