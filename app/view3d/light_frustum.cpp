@@ -28,15 +28,13 @@ LightFrustum frustumOf(int light, int face, const pipeline::View& view, const pi
         first = false;
         ++result.texels;
     }
-    if (result.texels == 0) {
-        // A face that sees nothing is shown as far as another one would see.
-        result.end = view.far / 2;
-        result.plane = view.perspective ? result.end / 4 : view.near;
-    }
+    // A face that sees nothing is shown as far as another one would see.
+    if (result.texels == 0) result.end = view.far / 2;
     const double range = result.end - result.begin;
     const double least = range > 0 ? range : std::max(std::abs(result.end), 1.0);
-    // Before what it shows: an eighth of the way, or for a point light half way to the nearest.
+    // Before what it shows: by a third of its depth, or for a point light half way to the nearest.
     result.plane = view.perspective ? result.begin / 2 : result.begin - 0.35 * least;
+    if (result.texels == 0) result.plane = view.perspective ? result.end / 4 : view.near;
     const int step = std::max(1, (depth.size.x + kMostTexels - 1) / kMostTexels);
     result.picture.size = (depth.size + step - 1) / step;
     result.picture.pixels.reserve(std::size_t(result.picture.size.x) * std::size_t(result.picture.size.y));

@@ -217,6 +217,7 @@ TEST(View3dSpace, APointLightHasSixFaces) {
         EXPECT_LT(frustum->plane, frustum->end);
         if (face == 4) {
             EXPECT_EQ(frustum->texels, 0u) << "upwards";
+            EXPECT_EQ(frustum->plane, frustum->end / 4) << "drawn, and not from a point";
         }
     }
     EXPECT_EQ(app::mapOf(world, {ViewSpace::Light, 0})->face, 5) << "the fullest looks down";
