@@ -8,7 +8,6 @@
 
 #include "app/core/icons.h"
 #include "app/core/large_frame.h"
-#include "app/core/numbers.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/pointed.h"
 #include "app/core/put_away.h"
@@ -51,11 +50,11 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     observeWork();
     connect(&document, &Document::sceneOpened, this, [this] {
         m_newScene = true;
-        m_beforeDrag.reset();  // of the scene before: nothing goes back to it
         m_building.forget();
-        m_view->cancelDrag();
         m_awaited.reset();
+        m_beforeDrag.reset();  // of the scene before: nothing goes back to it
         m_view->setContent(nullptr, true);
+        m_view->cancelDrag();
         m_view->setEmptyText({});
         if (m_view->space().space == ViewSpace::Light) setSpace({});
     });
@@ -108,16 +107,16 @@ void View3dPanel::buildHeader() {
     m_orthographic =
         addToggle("orthographic", tr("Orthographic"), tr("Orthographic (5): parallel lines stay parallel"));
     connect(m_orthographic, &QToolButton::clicked, m_view, &SceneView::setOrthographic);
-    m_normals = addToggle("normals", tr("Normals"), tr("Normals of the polygons or vertices"));
+    // What these four are for stands in showToggles().
+    m_normals = addToggle("normals", tr("Normals"), {});
     connect(m_normals, &QToolButton::clicked, this, [this](bool on) {
         ViewOptions options = m_view->options();
         options.normals = on ? m_lastNormals : NormalsShown::Off;
         changeOptions(options);
     });
-    m_vectors = addToggle("vectors", tr("Vectors"), tr("N, L, V, R and H at the picked point"));
-    m_lights = addToggle("light", tr("Lights"), tr("Where the lights are"));
-    m_eye = addToggle("eye", tr("Eye and frustum"),
-                      tr("The scene's eye, its picture plane, and the ray to the picked point"));
+    m_vectors = addToggle("vectors", tr("Vectors"), {});
+    m_lights = addToggle("light", tr("Lights"), {});
+    m_eye = addToggle("eye", tr("Eye and frustum"), {});
     const auto flip = [this](QToolButton* button, bool ViewOptions::*shown) {
         connect(button, &QToolButton::clicked, this, [this, shown](bool on) {
             ViewOptions options = m_view->options();
@@ -216,9 +215,9 @@ void View3dPanel::showEvent(QShowEvent* event) {
     if (std::exchange(m_missed, false)) takeFrame();
 }
 
-    m_view->cancelDrag();  // the button's release goes elsewhere
 void View3dPanel::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
+    m_view->cancelDrag();  // the button's release goes elsewhere
     wantBuffers();
 }
 
@@ -233,21 +232,10 @@ void View3dPanel::showOptions() {
     const ViewOptions& options = m_view->options();
     if (options.normals != NormalsShown::Off) m_lastNormals = options.normals;
     m_normals->setChecked(options.normals != NormalsShown::Off);
-    showNormalCount();
     m_vectors->setChecked(options.vectors);
     m_lights->setChecked(options.lights);
     m_eye->setChecked(options.eye);
-}
-
-// What is left out is said: of a dense mesh not every normal is shown.
-void View3dPanel::showNormalCount() {
-    const auto& content = m_view->content();
-    const ViewOptions& options = m_view->options();
-    const std::size_t all = content ? normalArrows(*content->mesh, options.normals).size() : 0;
-    const std::size_t shown = content ? shownNormals(*content, options).size() : 0;
-    QString tip = tr("Normals of the polygons or vertices");
-    if (shown < all) tip += tr(": %1 of %2 are shown").arg(count(qint64(shown)), count(qint64(all)));
-    m_normals->setToolTip(tip);
+    showToggles();
 }
 
 bool View3dPanel::wantsFrusta() const {
@@ -309,11 +297,14 @@ void View3dPanel::showContent(const std::shared_ptr<const ViewContent>& content,
         changeOptions(options);
     }
     m_view->setContent(content, newScene);
-    showNormalCount();
+    showToggles();
     showFace();
     showHandles();
-    if (m_awaited && mapOf(*content, *m_awaited)) setSpace(*m_awaited);
-    showWanted();
+    // What a file asks for has a camera too; the space alone is gone to where a user waits for it.
+    if (m_wanted)
+        showWanted();
+    else if (m_awaited && mapOf(*content, *m_awaited))
+        setSpace(*m_awaited);
     // Picked and selected meanwhile.
     if (m_document.selection() != made.selection) takeSelection();
     if (m_document.pixel() != made.pixel) takePixel();

@@ -51,7 +51,8 @@ private:
     QToolButton* addMenuButton(const QString& icon, const QString& name, const QString& tip);
     void applyTheme();
     void showOptions();
-    void showNormalCount();
+    QString normalsTip() const;
+    void showToggles();
     bool wantsFrusta() const;
     void addFrusta();
     void wantBuffers();

@@ -4,7 +4,9 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/core/numbers.h"
 #include "app/core/text.h"
+#include "app/view3d/normal_arrows.h"
 #include "app/view3d/view3d_panel.h"
 #include "pipeline/plan/needs.h"
 
@@ -70,21 +72,41 @@ void View3dPanel::addFrusta() {
 
 void View3dPanel::showSpace() {
     const SpaceId id = m_view->space();
-    const bool isPoint = id.space == ViewSpace::Point;
-    const bool keepsLengths = id.space != ViewSpace::Clip && id.space != ViewSpace::Screen;
     const QString name = toQString(nameOf({id.space, id.light}));
     m_space->setText(name);
+    m_space->setAccessibleName(tr("Space: %1").arg(name));
     m_space->setToolTip(tr("What this view shows: %1 (S the next space)").arg(name));
     showFace();
     m_remark->setText(remarkOf(id.space));
     arrangeHeader();
+    showToggles();
+}
+
+// What is left out is said: of a dense mesh not every normal is shown.
+QString View3dPanel::normalsTip() const {
+    const auto& content = m_view->content();
+    const ViewOptions& options = m_view->options();
+    const std::size_t all = content ? normalArrows(*content->mesh, options.normals).size() : 0;
+    const std::size_t shown = content ? shownNormals(*content, options).size() : 0;
+    const QString tip = tr("Normals of the polygons or vertices");
+    if (shown == all) return tip;
+    return tip + tr(": %1 of %2 are shown").arg(count(qint64(shown)), count(qint64(all)));
+}
+
+// What each shows, or why it shows nothing in this space.
+void View3dPanel::showToggles() {
+    const ViewSpace space = m_view->space().space;
+    const bool isPoint = space == ViewSpace::Point;
+    const bool keepsLengths = space != ViewSpace::Clip && space != ViewSpace::Screen;
     const auto enable = [](QToolButton* button, const QString& tip, bool enabled, const QString& whyNot) {
         button->setEnabled(enabled);
         button->setToolTip(enabled ? tip : whyNot + ' ' + tip);
     };
     const QString flat = tr("Here lengths and angles mean nothing: the space is no picture of the world's."),
                   atPoint = tr("Not at the point.");
-    enable(m_normals, tr("Normals of the polygons or vertices"), !isPoint && keepsLengths, isPoint ? atPoint : flat);
+    const bool hasNormals = !isPoint && keepsLengths;
+    enable(m_normals, hasNormals ? normalsTip() : tr("Normals of the polygons or vertices"), hasNormals,
+           isPoint ? atPoint : flat);
     enable(m_vectors, tr("N, L, V, R and H at the picked point"), keepsLengths, flat);
     enable(m_lights, tr("Where the lights are"), !isPoint && keepsLengths, isPoint ? atPoint : flat);
     enable(m_eye, tr("The scene's eye, its picture plane, and the ray to the picked point"), !isPoint, atPoint);
