@@ -18,28 +18,25 @@ constexpr std::array<Entry, 5> kEntries{
 constexpr double kEntryWidth = 62, kHeight = 32, kPadding = 10;
 constexpr double kLastGap = 8;  // beyond the last letter, which the padding has already
 
-// The tip in the plane: what the solid of the 3D view looks like from the side.
-void paintTip(QPainter& painter, VectorCode code, QPointF end, const QColor& ink, const QColor& back) {
+// The tip in the plane, in pixels of the design: what the solid of the 3D view looks like from the side.
+void paintTip(QPainter& painter, VectorCode code, const QColor& ink, const QColor& back) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(ink);
     switch (code) {
-        case VectorCode::N:
-            painter.drawPolygon(QPolygonF({end, end + QPointF(-12, -4.5), end + QPointF(-12, 4.5)}));
-            break;
-        case VectorCode::L: painter.drawEllipse(end - QPointF(4.5, 0), 4.5, 4.5); break;
+        case VectorCode::N: painter.drawPolygon(QPolygonF({QPointF(), QPointF(-12, -4.5), QPointF(-12, 4.5)})); break;
+        case VectorCode::L: painter.drawEllipse(QPointF(-4.5, 0), 4.5, 4.5); break;
         case VectorCode::V:
             painter.setPen(QPen(ink, 2.2));
             painter.setBrush(back);
-            painter.drawEllipse(end - QPointF(4.5, 0), 3.6, 3.6);
+            painter.drawEllipse(QPointF(-4.5, 0), 3.6, 3.6);
             break;
         case VectorCode::R:
             painter.setPen(QPen(ink, 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
             painter.setBrush(Qt::NoBrush);
-            painter.drawPolyline(QPolygonF({end + QPointF(-7, -5.5), end, end + QPointF(-7, 5.5)}));
+            painter.drawPolyline(QPolygonF({QPointF(-7, -5.5), QPointF(), QPointF(-7, 5.5)}));
             break;
         case VectorCode::H:
-            painter.drawPolygon(
-                QPolygonF({end, end + QPointF(-5.5, -4.5), end + QPointF(-11, 0), end + QPointF(-5.5, 4.5)}));
+            painter.drawPolygon(QPolygonF({QPointF(), QPointF(-5.5, -4.5), QPointF(-11, 0), QPointF(-5.5, 4.5)}));
             break;
         case VectorCode::None: break;
     }
@@ -78,16 +75,21 @@ void paintVectorSample(QPainter& painter, const QRectF& box, VectorCode code, bo
     const Theme& theme = Theme::current();
     const ThemeColors& colors = theme.colors();
     const QColor ink = shown ? theme.vector(code) : colors.text3;
-    const double s = theme.scale(), y = box.center().y();
-    const QPointF end(box.left() + 30 * s, y);
+    const double s = theme.scale();
+    const QPointF end(box.left() + 30 * s, box.center().y());
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setOpacity(shown ? 1 : 0.6);
+    // The arrow grows as the letter does.
+    painter.save();
+    painter.translate(end);
+    painter.scale(s, s);
     QPen pen(ink, 2.4, Qt::SolidLine, code == VectorCode::H ? Qt::RoundCap : Qt::FlatCap);
     if (const auto dash = Theme::dash(code); !dash.isEmpty()) pen.setDashPattern(dash);
     painter.setPen(pen);
-    painter.drawLine(QPointF(box.left(), y), end - QPointF(code == VectorCode::R ? 2 : 9, 0));
-    paintTip(painter, code, end, ink, colors.surface);
+    painter.drawLine(QPointF(-30, 0), QPointF(code == VectorCode::R ? -2 : -9, 0));
+    paintTip(painter, code, ink, colors.surface);
+    painter.restore();
     QFont font = theme.formula(17);
     font.setBold(true);
     font.setItalic(true);
@@ -162,17 +164,19 @@ void paintCube(QPainter& painter, const QRectF& box, const OrbitCamera& camera, 
     QFont font = theme.formula(13);
     font.setItalic(true);
     painter.setFont(font);
+    const double s = theme.scale();
     for (const Side& side : kSides) {
         if (!faces(camera, side)) continue;
         const QPolygonF polygon = outline(box, camera, side);
-        painter.setPen(QPen(colors.outline, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setPen(QPen(colors.outline, 1.3 * s, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.setBrush(colors.raised);
         painter.drawPolygon(polygon);
         // A face seen from the edge has no room for its letter.
         if (glm::dot(side.out, camera.forward) > -0.35) continue;
         painter.setPen(colors.text);
         const QPointF middle = onCube(box, camera, side.out);
-        painter.drawText(QRectF(middle - QPointF(12, 12), QSizeF(24, 24)), Qt::AlignCenter, letterOf(side.face, space));
+        painter.drawText(QRectF(middle - s * QPointF(12, 12), s * QSizeF(24, 24)), Qt::AlignCenter,
+                         letterOf(side.face, space));
     }
     painter.restore();
 }

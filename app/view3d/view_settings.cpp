@@ -54,11 +54,7 @@ private:
 ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("Settings of the 3D view"));
-    auto* grid = new QGridLayout(this);
-    const int padding = Theme::current().px(12);
-    grid->setContentsMargins(padding, padding, padding, padding);
-    grid->setHorizontalSpacing(padding);
-    grid->setVerticalSpacing(Theme::current().px(8));
+    new QGridLayout(this);
     m_normals = addChoice(tr("Normals"), tr("Which normals stand on the objects"),
                           {tr("Off"), tr("Polygon normals"), tr("Vertex normals")});
     m_normalLength = addSlider(tr("Length"), tr("Length of a normal's arrow, 4 to 400 pixels"), kShortest, kLongest);
@@ -86,6 +82,23 @@ ViewSettings::ViewSettings(QWidget* parent) : QWidget(parent, Qt::Popup) {
     addSwitch(tr("Law of reflection"), tr("R = 2(N·L)N − L as its construction"), &ViewOptions::reflection);
     setOptions({});
     setSpace(ViewSpace::World);
+    connect(&Theme::current(), &Theme::changed, this, &ViewSettings::applyTheme);
+    applyTheme();
+}
+
+void ViewSettings::applyTheme() {
+    const Theme& theme = Theme::current();
+    auto* grid = static_cast<QGridLayout*>(layout());
+    const int padding = theme.px(12);
+    grid->setContentsMargins(padding, padding, padding, padding);
+    grid->setHorizontalSpacing(padding);
+    grid->setVerticalSpacing(theme.px(8));
+    for (const Row& row : {m_normalLength, m_every, m_vectorLength}) {
+        row.slider->setMinimumSize(theme.px(150), theme.px(16));  // its handle has to fit
+        row.value->setFont(theme.mono(12));
+        row.value->setMinimumWidth(theme.px(56));
+    }
+    for (QLabel* heading : m_headings) heading->setFont(theme.text(12));
 }
 
 void ViewSettings::setSpace(ViewSpace space) {
@@ -116,11 +129,8 @@ ViewSettings::Row ViewSettings::addSlider(const QString& name, const QString& ti
     auto* grid = static_cast<QGridLayout*>(layout());
     const int row = grid->rowCount();
     Row result{new FactorSlider(low, high, this), new QLabel(this)};
-    result.slider->setMinimumWidth(Theme::current().px(150));
     result.slider->setAccessibleName(name);
     result.slider->setToolTip(tip);
-    result.value->setFont(Theme::current().mono(12));
-    result.value->setMinimumWidth(Theme::current().px(56));
     result.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* label = new QLabel(name, this);
     label->setBuddy(result.slider);
@@ -135,8 +145,8 @@ void ViewSettings::addHeading(const QString& words) {
     auto* grid = static_cast<QGridLayout*>(layout());
     auto* label = new QLabel(words, this);
     label->setProperty("tone", "3");
-    label->setFont(Theme::current().text(12));
     grid->addWidget(label, grid->rowCount(), 0, 1, 3);
+    m_headings.push_back(label);
 }
 
 void ViewSettings::addSwitch(const QString& name, const QString& tip, bool ViewOptions::*shown) {

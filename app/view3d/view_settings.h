@@ -35,6 +35,7 @@ private:
     Row addSlider(const QString& name, const QString& tip, double low, double high);
     void addSwitch(const QString& name, const QString& tip, bool ViewOptions::*shown);
     void addHeading(const QString& words);
+    void applyTheme();
     void take();
     void showValues();
 
@@ -42,6 +43,7 @@ private:
     QComboBox* addChoice(const QString& name, const QString& tip, const QStringList& choices);
     QComboBox *m_normals, *m_normalColors, *m_faces, *m_objectTool;
     std::vector<std::pair<QCheckBox*, bool ViewOptions::*>> m_switches;
+    std::vector<QLabel*> m_headings;
     Row m_normalLength{}, m_every{}, m_vectorLength{};
 };
 

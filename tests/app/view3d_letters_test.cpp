@@ -1,9 +1,12 @@
 // Where the words over a 3D view stand.
 #include <gtest/gtest.h>
 
+#include <QImage>
+
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/theme.h"
 #include "app/view3d/obstacles.h"
 #include "app/view3d/overlay.h"
 
@@ -121,6 +124,68 @@ TEST(Legend, StaysInsideItsRoom) {
             EXPECT_FALSE(entry.intersects(last.adjusted(1, 1, -1, -1)));
             last = entry;
         }
+    }
+}
+
+namespace {
+
+QImage painted(QSize size, const auto& paint) {
+    QImage image(size, QImage::Format_RGB32);
+    image.fill(app::Theme::current().colors().surface);
+    QPainter painter(&image);
+    paint(painter);
+    return image;
+}
+
+// Everything about letters twice as large; the usual size again afterwards.
+struct LettersOfScale {
+    explicit LettersOfScale(double scale) { app::Theme::current().setScale(scale); }
+    ~LettersOfScale() { app::Theme::current().setScale(1); }
+};
+
+}  // namespace
+
+// Four times the pixels at twice the size, the shaft's width and the tip as well as its length.
+TEST(Legend, AVectorsSampleGrowsWithItsLetter) {
+    using pipeline::VectorCode;
+    for (const VectorCode code : {VectorCode::N, VectorCode::L, VectorCode::V, VectorCode::R, VectorCode::H}) {
+        const auto ink = [&](double scale) {
+            const LettersOfScale letters(scale);
+            const QSize size = (scale * QSizeF(31, 32)).toSize();  // beside the letter
+            const QImage image = painted(size, [&](QPainter& painter) {
+                app::paintVectorSample(painter, QRectF(QPointF(), scale * QSizeF(62, 32)), code, true);
+            });
+            double sum = 0;
+            for (int y = 0; y < size.height(); ++y)
+                for (int x = 0; x < size.width(); ++x)
+                    sum += std::abs(qGreen(image.pixel(x, y)) - app::Theme::current().colors().surface.green());
+            return sum;
+        };
+        EXPECT_NEAR(ink(2) / ink(1), 4, 0.2) << int(code);
+    }
+}
+
+// Screen space's y axis points down, so that the letter above is "−y": two signs, which need their room.
+TEST(Legend, TheCubesLettersAreWholeAtAnySize) {
+    for (const double scale : {1.0, 2.0}) {
+        const LettersOfScale letters(scale);
+        const int side = app::Theme::current().px(56);
+        app::OrbitCamera camera;
+        app::lookAlong(camera, {0, 0, -1});
+        const QImage image = painted({side, side}, [&](QPainter& painter) {
+            app::paintCube(painter, QRectF(0, 0, side, side), camera, app::ViewSpace::Screen);
+        });
+        QFont font = app::Theme::current().formula(13);
+        font.setItalic(true);
+        const double width =
+            QFontMetricsF(font).tightBoundingRect(app::letterOf(app::CubeFace::Z, app::ViewSpace::Screen)).width();
+        // Inside the face's border.
+        const int border = int(0.27 * side - 4 * scale), middle = side / 2;
+        int left = side, right = 0;
+        for (int y = middle - border; y <= middle + border; ++y)
+            for (int x = middle - border; x <= middle + border; ++x)
+                if (qGray(image.pixel(x, y)) < 128) left = std::min(left, x), right = std::max(right, x);
+        EXPECT_NEAR(right - left + 1, width, 2) << scale;
     }
 }
 

@@ -1,10 +1,13 @@
 // Which normals a 3D view shows, and how long.
 #include <QAccessible>
+#include <QLabel>
+#include <QLayout>
 #include <QSignalSpy>
 #include <QSlider>
 #include <cmath>
 #include <iterator>
 
+#include "app/core/theme.h"
 #include "app/view3d/normal_arrows.h"
 #include "app/view3d/space_content.h"
 #include "app/view3d/view_settings.h"
@@ -118,6 +121,24 @@ TEST(View3dNormals, SlidersSpeakTheirNumbers) {
     const auto set = changed[0][0].value<ViewOptions>();
     EXPECT_EQ(set.normalLength, 40);  // half way from 4 to 400 by factors
     EXPECT_EQ(set.everyNormal, 33);
+}
+
+// The popup lives as long as its view: made before the letters grew it looks as one that is made afterwards.
+TEST(View3dNormals, SettingsFollowTheLettersSize) {
+    app::ViewSettings old;
+    old.show();
+    app::Theme::current().setScale(2);
+    app::ViewSettings made;
+    made.show();
+    const auto look = [](app::ViewSettings& settings) {
+        settings.adjustSize();
+        std::vector<int> look{settings.width(), settings.height(), settings.layout()->contentsMargins().left()};
+        for (const QLabel* label : settings.findChildren<QLabel*>())
+            look.push_back(QFontInfo(label->font()).pixelSize());
+        return look;
+    };
+    EXPECT_EQ(look(old), look(made));
+    app::Theme::current().setScale(1);
 }
 
 }  // namespace
