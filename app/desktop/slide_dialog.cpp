@@ -166,16 +166,19 @@ void SlideDialog::preview() {
     if (!m_ready) return;
     SlideRequest small = request();
     const QSize room = m_picture->size().expandedTo({480, 270});
-    const QSize shown = small.size.scaled(room, Qt::KeepAspectRatio);
-    small.size = shown;
+    // As many pixels as the screen has there.
+    const double ratio = devicePixelRatioF();
+    small.size = small.size.scaled((QSizeF(room) * ratio).toSize(), Qt::KeepAspectRatio);
     const auto image = slidePicture(m_document, m_views, small);
     m_save->setEnabled(bool(image));
     m_message->setText(image ? QString() : toQString(format(image.errors())).trimmed());
     if (!image) return m_picture->setPixmap({});
-    QPixmap pixmap(shown);
+    QPixmap pixmap(small.size);
+    pixmap.setDevicePixelRatio(ratio);
+    const QRectF all(QPointF(), pixmap.deviceIndependentSize());
     QPainter painter(&pixmap);
-    paintChecker(painter, pixmap.rect());
-    painter.drawImage(0, 0, *image);
+    paintChecker(painter, all.toAlignedRect());
+    painter.drawImage(all, *image);
     painter.end();
     m_picture->setPixmap(pixmap);
 }

@@ -14,13 +14,14 @@ using pipeline::Domain;
 namespace {
 
 QImage shapesImage(const pipeline::Frame& frame, const AnyBuffer& buffer, const BufferLook& look, const QRectF& focus,
-                   QSize size) {
-    QImage image(size, QImage::Format_ARGB32_Premultiplied);
+                   QSize size, double pixelRatio) {
+    QImage image((QSizeF(size) * pixelRatio).toSize(), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(pixelRatio);
     image.fill(Qt::transparent);
     QPainter painter(&image);
     const ShapePicture shapes = shapePicture(frame, buffer, look, true);
     const double zoom = size.width() / focus.width();
-    paintShapes(painter, shapes, -focus.topLeft() * zoom, zoom, image.rect());
+    paintShapes(painter, shapes, -focus.topLeft() * zoom, zoom, QRect(QPoint(), size));
     return image;
 }
 
@@ -53,7 +54,7 @@ QImage sampledImage(const AnyBuffer& buffer, const BufferLook& look, const QRect
 }  // namespace
 
 QImage thumbnail(const pipeline::Frame& frame, const AnyBuffer& buffer, QSize size,
-                 const std::optional<AnyBuffer>& polygonId) {
+                 const std::optional<AnyBuffer>& polygonId, double pixelRatio) {
     const BufferInfo& info = *buffer.info;
     const pipeline::Settings& settings = frame.scene().settings;
     constexpr auto kAll = ShownChannel::All;
@@ -65,8 +66,10 @@ QImage thumbnail(const pipeline::Frame& frame, const AnyBuffer& buffer, QSize si
     QRectF focus = onPicture ? focusOn(boundsOf(frame, true), whole) & all : all;
     if (focus.isEmpty()) focus = all;
     const QSize fitted = focus.size().scaled(size, Qt::KeepAspectRatio).toSize().expandedTo({1, 1});
-    return standsOnShapes(info) ? shapesImage(frame, buffer, look, focus, fitted)
-                                : sampledImage(buffer, look, focus, fitted, polygonId);
+    if (standsOnShapes(info)) return shapesImage(frame, buffer, look, focus, fitted, pixelRatio);
+    QImage image = sampledImage(buffer, look, focus, (QSizeF(fitted) * pixelRatio).toSize(), polygonId);
+    image.setDevicePixelRatio(pixelRatio);
+    return image;
 }
 
 }  // namespace app

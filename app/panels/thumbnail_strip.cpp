@@ -106,7 +106,7 @@ void ThumbnailStrip::paintItem(QPainter& painter, const Item& item, const QRect&
     }
     QRect picture = rect.adjusted(3, 3, -3, -theme.px(21));
     if (!item.picture.isNull()) {
-        QRect target(QPoint(), item.picture.size());
+        QRect target(QPoint(), item.picture.deviceIndependentSize().toSize());
         target.moveCenter(picture.center());
         painter.fillRect(picture, c.view);
         paintChecker(painter, target);

@@ -105,12 +105,12 @@ void ThumbnailStrip::refresh() {
                           QSize(rect.width() - 6, rect.height() - Theme::current().px(24))});
     }
     m_drawing.ask(
-        [frame, wanted](const BackgroundJob::Control& control) {
+        [frame, wanted, ratio = devicePixelRatioF()](const BackgroundJob::Control& control) {
             std::vector<Picture> pictures;
             const auto polygons = frame->buffer({BufferId::PolygonId});
             for (const auto& [name, buffer, size] : wanted)
                 if (!control.stop.stop_requested())
-                    pictures.push_back({name, buffer ? thumbnail(*frame, *buffer, size, polygons) : QImage()});
+                    pictures.push_back({name, buffer ? thumbnail(*frame, *buffer, size, polygons, ratio) : QImage()});
             return pictures;
         },
         [this](const std::vector<Picture>& pictures) { take(pictures); });

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "app/core/derived_buffers.h"
+#include "app/panels/thumbnail.h"
 #include "tests/support/scenes.h"
 
 namespace {
@@ -26,6 +27,20 @@ TEST(ThumbnailStrip, HatchesWhatIsLeftOutAndOpensWhatIsClicked) {
     QTest::keyClick(&strip, Qt::Key_Left);
     QTest::keyClick(&strip, Qt::Key_Return);
     ASSERT_EQ(chosen.size(), 1);
+}
+
+// Twice the pixels at the same size, and each of them the buffer's own, not a larger one of the coarse picture.
+TEST(ThumbnailStrip, APictureHasThePixelsOfTheScreen) {
+    const auto frame = test::frameOf(test::pyramid(), pipeline::setOf({BufferId::PolygonId, BufferId::PolygonsNormal}));
+    const auto ids = frame->buffer({BufferId::PolygonId});
+    for (const BufferId id : {BufferId::PolygonId, BufferId::PolygonsNormal}) {
+        const QImage usual = app::thumbnail(*frame, *frame->buffer({id}), {80, 60}, ids);
+        const QImage fine = app::thumbnail(*frame, *frame->buffer({id}), {80, 60}, ids, 2);
+        EXPECT_EQ(fine.size(), 2 * usual.size());
+        EXPECT_EQ(fine.deviceIndependentSize(), QSizeF(usual.size()));
+        EXPECT_NE(fine.convertToFormat(QImage::Format_ARGB32),
+                  usual.scaled(fine.size()).convertToFormat(QImage::Format_ARGB32));
+    }
 }
 
 TEST(ThumbnailStrip, ShowsADerivedBufferWhileSomebodyLooksAtIt) {
