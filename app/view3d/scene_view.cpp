@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QStyle>
+#include <utility>
 
 #include "app/core/large_frame.h"
 #include "app/core/numbers.h"
@@ -158,8 +159,10 @@ ViewFrame SceneView::viewFrame() const {
     return {m_camera, {std::max(width(), 1), std::max(height(), 1)}, Theme::current().scale()};
 }
 
-void SceneView::setContent(std::shared_ptr<const ViewContent> content, bool newScene) {
+void SceneView::setContent(std::shared_ptr<const ViewContent> content, bool newScene,
+                           std::shared_ptr<const ViewContent> moved) {
     m_content = std::move(content);
+    if (moved) m_moved = std::move(moved);
     if (newScene) {
         m_touched = false;
         m_cameras.clear();
@@ -215,11 +218,11 @@ void SceneView::endMove() {
 }
 
 void SceneView::showContent() {
-    m_moved.reset();
+    const auto before = std::exchange(m_moved, nullptr);
     if (m_content && isPoint()) m_moved = pointContent(*m_content);
     if (m_content && !isWorld() && !isPoint())
         if (const auto map = mapOf(*m_content, m_space))
-            m_moved = std::make_shared<const ViewContent>(inSpace(*m_content, *map));
+            m_moved = std::make_shared<const ViewContent>(inSpace(*m_content, *map, before.get()));
     std::vector<InkedLine> ground;
     if (shown() && !isPoint() && shown()->map.keepsLengths()) ground = groundLines(*m_content);
     if (shown())

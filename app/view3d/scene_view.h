@@ -31,8 +31,10 @@ public:
     explicit SceneView(QWidget* parent = nullptr);
     ~SceneView() override;
 
-    // Null shows the sentence of setEmptyText on a bare background. The camera stays, unless `newScene`.
-    void setContent(std::shared_ptr<const ViewContent> content, bool newScene);
+    // Null shows the sentence of setEmptyText on a bare background. The camera stays, unless `newScene`. `moved`: the same
+    // by inSpace, in the space on show, for content that takes its time; in any other it is made here.
+    void setContent(std::shared_ptr<const ViewContent> content, bool newScene,
+                    std::shared_ptr<const ViewContent> moved = nullptr);
     void setEmptyText(const QString& sentence);
     void setBuilding(bool building);  // newer content is on its way
     // It was, and has been given up; what is being drawn is, and is drawn after all.

@@ -2,23 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 namespace app {
 
 namespace {
 
+// z_view − near, per vertex of the world.
+double above(const ViewContent& world, std::uint32_t vertex) {
+    return depthOf(world.eye, world.mesh->positions[vertex]) - world.eye.near;
+}
+
 // Cuts polygons at z_view = near; a cut edge gets one vertex, shared by all that have the edge.
 class NearCut {
 public:
     explicit NearCut(const ViewContent& world) : m_world(world) {
-        for (const Vec3d& p : world.mesh->positions) m_above.push_back(depthOf(world.eye, p) - world.eye.near);
+        for (std::uint32_t v = 0; v < world.mesh->positions.size(); ++v) m_above.push_back(above(world, v));
     }
     bool needed() const {
         return std::ranges::any_of(m_above, [](double above) { return above < 0; });
     }
 
-    ViewContent take() {
+    ViewMesh take() {
         m_mesh = *m_world.mesh;
         m_mesh.tree.reset();
         m_mesh.coarse.reset();
@@ -29,18 +34,12 @@ public:
             if (m_above[a] < 0 && m_above[b] < 0) continue;
             m_mesh.edges.emplace_back(m_above[a] < 0 ? between(a, b) : a, m_above[b] < 0 ? between(a, b) : b);
         }
-        ViewContent result = m_world;
-        result.pickedLoop = cut(m_world.pickedLoop);
-        result.markedLoop = cut(m_world.markedLoop);
-        if (m_world.markedVertex && depthOf(m_world.eye, *m_world.markedVertex) < m_world.eye.near)
-            result.markedVertex.reset();
-        result.mesh = std::make_shared<const ViewMesh>(std::move(m_mesh));
-        return result;
+        return std::move(m_mesh);
     }
 
 private:
     std::uint32_t between(std::uint32_t a, std::uint32_t b) {
-        const auto [place, isNew] = m_cuts.try_emplace(std::minmax(a, b), std::uint32_t(m_mesh.positions.size()));
+        const auto [place, isNew] = m_mesh.cuts.try_emplace(std::minmax(a, b), std::uint32_t(m_mesh.positions.size()));
         if (isNew) {
             const double t = m_above[a] / (m_above[a] - m_above[b]);
             m_mesh.positions.push_back(glm::mix(m_mesh.positions[a], m_mesh.positions[b], t));
@@ -52,16 +51,6 @@ private:
     }
 
     // I. E. Sutherland and G. W. Hodgman, "Reentrant polygon clipping", Communications of the ACM, 1974.
-    std::vector<std::uint32_t> cut(const std::vector<std::uint32_t>& loop) {
-        std::vector<std::uint32_t> kept;
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
-            if (m_above[a] >= 0) kept.push_back(a);
-            if ((m_above[a] < 0) != (m_above[b] < 0)) kept.push_back(between(a, b));
-        }
-        return kept;
-    }
-
     void cut(const Face& face) {
         std::vector<std::pair<std::uint32_t, glm::vec3>> kept;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -79,10 +68,21 @@ private:
     }
 
     const ViewContent& m_world;
-    std::vector<double> m_above;  // z_view − near, per vertex of the world
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_cuts;
+    std::vector<double> m_above;  // per vertex of the world
     ViewMesh m_mesh;
 };
+
+// A polygon's outline, whose edges `mesh` has cut already.
+std::vector<std::uint32_t> cutLoop(const ViewContent& world, const ViewMesh& mesh,
+                                   const std::vector<std::uint32_t>& loop) {
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
+        if (above(world, a) >= 0) kept.push_back(a);
+        if (const auto cut = mesh.cuts.find(std::minmax(a, b)); cut != mesh.cuts.end()) kept.push_back(cut->second);
+    }
+    return kept;
+}
 
 double meanEdge(const ViewMesh& mesh) {
     double sum = 0;
@@ -95,9 +95,39 @@ void turnArrows(const SpaceMap& map, std::vector<NormalArrow>& arrows) {
         arrow.base = map.toSpace(arrow.base), arrow.direction = map.turned(arrow.direction);
 }
 
-void moveRigidly(const SpaceMap& map, ViewContent& content, ViewMesh& mesh) {
-    turnArrows(map, mesh.polygonNormals);
-    turnArrows(map, mesh.vertexNormals);
+Bounds boundsOf(const ViewMesh& mesh) {
+    Bounds bounds;
+    for (const Vec3d& p : mesh.positions) bounds.add(p);
+    if (!bounds.any || !(bounds.radius() > 0)) {
+        const Vec3d centre = bounds.any ? bounds.centre() : Vec3d(0.0);
+        bounds.add(centre - 0.5);
+        bounds.add(centre + 0.5);
+    }
+    return bounds;
+}
+
+// Corners made by the cut lie on the near plane but for their rounding.
+bool hasPlace(const pipeline::View& eye, const SpaceMap& map, Vec3d p) {
+    return map.keepsLengths() || depthOf(eye, p) >= eye.near - 1e-9 * std::abs(eye.near);
+}
+
+// Of a mesh that is cut at the near plane where the map asks for it.
+ViewMesh moved(ViewMesh mesh, const pipeline::View& eye, const SpaceMap& map) {
+    mesh.tree.reset();
+    // What was cut off is no polygon's corner any more: any place does.
+    for (Vec3d& p : mesh.positions) p = hasPlace(eye, map, p) ? map.toSpace(p) : Vec3d(0.0);
+    if (map.keepsLengths()) {
+        turnArrows(map, mesh.polygonNormals);
+        turnArrows(map, mesh.vertexNormals);
+    } else {
+        mesh.polygonNormals.clear();
+        mesh.vertexNormals.clear();
+    }
+    mesh.meanEdge = meanEdge(mesh);
+    return mesh;
+}
+
+void moveRigidly(const SpaceMap& map, ViewContent& content) {
     for (LightMark& light : content.lights) {
         light.direction = map.turned(light.direction);
         light.position = map.toSpace(light.position);
@@ -110,18 +140,9 @@ void moveRigidly(const SpaceMap& map, ViewContent& content, ViewMesh& mesh) {
         lobe.axis = map.turned(lobe.axis);
         lobe.probe = map.turned(lobe.probe);
     }
-    content.bounds = {};
-    for (const Vec3d& p : mesh.positions) content.bounds.add(p);
-    if (!content.bounds.any || !(content.bounds.radius() > 0)) {
-        const Vec3d centre = content.bounds.any ? content.bounds.centre() : Vec3d(0.0);
-        content.bounds.add(centre - 0.5);
-        content.bounds.add(centre + 0.5);
-    }
 }
 
-void leaveOutAngles(const SpaceMap& map, ViewContent& content, ViewMesh& mesh) {
-    mesh.polygonNormals.clear();
-    mesh.vertexNormals.clear();
+void leaveOutAngles(const SpaceMap& map, ViewContent& content) {
     content.vectors.clear();
     content.lobes.clear();
     content.lights.clear();
@@ -132,27 +153,24 @@ void leaveOutAngles(const SpaceMap& map, ViewContent& content, ViewMesh& mesh) {
     content.bounds = {box.min, box.max, true};
 }
 
-// Of content that is cut at the near plane where the map asks for it.
-ViewContent moved(const ViewContent& world, const SpaceMap& map) {
-    if (map.space == ViewSpace::World) return world;
-    ViewContent content = world;
-    ViewMesh mesh = *content.mesh;
-    mesh.tree.reset();
-    // Corners made by the cut lie on the plane but for their rounding.
-    const double near = world.eye.near - 1e-9 * std::abs(world.eye.near);
-    const auto hasPlace = [&](Vec3d p) { return map.keepsLengths() || depthOf(world.eye, p) >= near; };
-    // What was cut off is no polygon's corner any more: any place does.
-    for (Vec3d& p : mesh.positions) p = hasPlace(p) ? map.toSpace(p) : Vec3d(0.0);
+// Of content that is cut likewise; its mesh is in its place already.
+ViewContent withMoved(ViewContent content, std::shared_ptr<const ViewMesh> mesh, const SpaceMap& map) {
     for (std::optional<Vec3d>* p : {&content.point, &content.foot, &content.markedVertex})
-        if (*p) *p = hasPlace(**p) ? std::optional(map.toSpace(**p)) : std::nullopt;
+        if (*p) *p = hasPlace(content.eye, map, **p) ? std::optional(map.toSpace(**p)) : std::nullopt;
+    content.mesh = std::move(mesh);
     content.map = map;
-    if (map.keepsLengths())
-        moveRigidly(map, content, mesh);
-    else
-        leaveOutAngles(map, content, mesh);
-    mesh.meanEdge = meanEdge(mesh);
-    content.mesh = std::make_shared<const ViewMesh>(std::move(mesh));
+    map.keepsLengths() ? moveRigidly(map, content) : leaveOutAngles(map, content);
     return content;
+}
+
+// In world space, with the polygons of `mesh`: `world` cut at the near plane.
+ViewContent cutWith(const ViewContent& world, std::shared_ptr<const ViewMesh> mesh) {
+    ViewContent result = world;
+    result.pickedLoop = cutLoop(world, *mesh, world.pickedLoop);
+    result.markedLoop = cutLoop(world, *mesh, world.markedLoop);
+    if (world.markedVertex && depthOf(world.eye, *world.markedVertex) < world.eye.near) result.markedVertex.reset();
+    result.mesh = std::move(mesh);
+    return result;
 }
 
 // Where a point stands before a camera, in units of the distance to what it looks at.
@@ -184,11 +202,19 @@ std::optional<SpaceMap> mapOf(const ViewContent& world, SpaceId id) {
 
 ViewContent clippedAtNear(const ViewContent& world) {
     NearCut cut(world);
-    return cut.needed() ? cut.take() : world;
+    return cut.needed() ? cutWith(world, std::make_shared<const ViewMesh>(cut.take())) : world;
 }
 
-ViewContent inSpace(const ViewContent& world, const SpaceMap& map) {
-    return moved(map.keepsLengths() ? world : clippedAtNear(world), map);
+ViewContent inSpace(const ViewContent& world, const SpaceMap& map, const ViewContent* before) {
+    if (map.space == ViewSpace::World) return world;
+    const bool isSame = before && before->world == world.mesh && before->map == map;
+    const bool cuts = !map.keepsLengths();
+    ViewContent content = !cuts ? world : isSame ? cutWith(world, before->mesh) : clippedAtNear(world);
+    const auto mesh = isSame ? before->mesh : std::make_shared<const ViewMesh>(moved(*content.mesh, world.eye, map));
+    content = withMoved(std::move(content), mesh, map);
+    if (!cuts) content.bounds = isSame ? before->bounds : boundsOf(*mesh);
+    content.world = world.mesh;
+    return content;
 }
 
 SpaceMorph::SpaceMorph(const ViewContent& world, const SpaceMap& mapFrom, const OrbitCamera& from,
@@ -196,17 +222,16 @@ SpaceMorph::SpaceMorph(const ViewContent& world, const SpaceMap& mapFrom, const 
     : m_from(from), m_to(to) {
     const bool cut = !(mapFrom.keepsLengths() && mapTo.keepsLengths());
     const ViewContent both = cut ? clippedAtNear(world) : world;
-    const ViewContent begin = moved(both, mapFrom);
-    m_content = moved(both, mapTo);
-    m_end = m_content.mesh->positions;
-    for (const Vec3d& p : begin.mesh->positions) m_begin.push_back(placedBefore(to, before(from, p)));
-    ViewMesh mesh = *m_content.mesh;
-    mesh.tree.reset();
+    const ViewMesh begin = moved(*both.mesh, both.eye, mapFrom);
+    ViewMesh mesh = moved(*both.mesh, both.eye, mapTo);
+    m_end = mesh.positions;
+    for (const Vec3d& p : begin.positions) m_begin.push_back(placedBefore(to, before(from, p)));
     mesh.polygonNormals.clear();
     mesh.vertexNormals.clear();
     mesh.objects.clear();
     mesh.picture = {};
-    m_content.mesh = std::make_shared<const ViewMesh>(std::move(mesh));
+    m_content = withMoved(both, std::make_shared<const ViewMesh>(std::move(mesh)), mapTo);
+    if (mapTo.keepsLengths()) m_content.bounds = boundsOf(*m_content.mesh);
     m_content.vectors.clear();
     m_content.lobes.clear();
     m_content.lights.clear();

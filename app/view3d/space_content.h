@@ -16,7 +16,8 @@ ViewContent clippedAtNear(const ViewContent& world);
 
 // The content as a space shows it: `world` moved by `map`. Clip and Screen have no lengths and
 // angles to show: there normals, vectors, lights and spheres are left out.
-ViewContent inSpace(const ViewContent& world, const SpaceMap& map);
+// `before`, made by inSpace: where it is of the same mesh and space, its polygons are taken from it, which are the work.
+ViewContent inSpace(const ViewContent& world, const SpaceMap& map, const ViewContent* before = nullptr);
 
 // A change from one space to another: the same polygons, moved on straight lines of the picture.
 class SpaceMorph {

@@ -267,16 +267,20 @@ void View3dPanel::takeFrame() {
     const auto& inspected = m_document.inspection().newest();
     const bool isKnown = made.pixel && inspected && inspected->frame == frame && inspected->report.pixel == *made.pixel;
     const auto build = [made, before = m_view->content(), known = isKnown ? inspected : nullptr, frusta = wantsFrusta(),
-                        steps = inside ? stepper.steps() : nullptr,
+                        steps = inside ? stepper.steps() : nullptr, space = m_view->space(),
                         moment = stepper.moment()](const std::stop_token& stop) {
         const pipeline::Frame& of = *made.frame;
         ViewContent shown = contentOf(of, known ? std::nullopt : made.pixel, before.get(), stop);
-        if (stop.stop_requested()) return std::shared_ptr<const ViewContent>();  // nobody takes it
+        if (stop.stop_requested()) return Built();  // nobody takes it
         if (known) shown = withReport(shown, of, &known->report);
         shown = withSelection(shown, of, made.selection);
         if (frusta) shown.frusta = lightFrusta(of);
         if (steps) shown = withProgress(shown, *steps, *moment);
-        return std::shared_ptr<const ViewContent>(std::make_shared<ViewContent>(std::move(shown)));
+        Built built{std::make_shared<const ViewContent>(std::move(shown)), nullptr};
+        const auto map = mapOf(*built.content, space);
+        if (map && map->space != ViewSpace::World)
+            built.moved = std::make_shared<const ViewContent>(inSpace(*built.content, *map));
+        return built;
     };
     if (!isLarge(*frame)) {
         m_building.forget();
@@ -284,11 +288,11 @@ void View3dPanel::takeFrame() {
     }
     // While a slider moves what is under way may finish: it is better than none until the hand rests.
     m_building.ask([build](const BackgroundJob::Control& control) { return build(control.stop); },
-                   [this, made](const std::shared_ptr<const ViewContent>& content) { showContent(content, made); },
-                   BackgroundJob::Running::Finish);
+                   [this, made](const Built& built) { showContent(built, made); }, BackgroundJob::Running::Finish);
 }
 
-void View3dPanel::showContent(const std::shared_ptr<const ViewContent>& content, const Made& made) {
+void View3dPanel::showContent(const Built& built, const Made& made) {
+    const auto& content = built.content;
     m_made = made;
     const bool newScene = std::exchange(m_newScene, false);
     if (newScene) {
@@ -296,7 +300,7 @@ void View3dPanel::showContent(const std::shared_ptr<const ViewContent>& content,
         makeNormalsReadable(*content, options);  // the sliders show more or fewer, longer or shorter ones
         changeOptions(options);
     }
-    m_view->setContent(content, newScene);
+    m_view->setContent(content, newScene, built.moved);
     showToggles();
     showFace();
     showHandles();

@@ -66,7 +66,11 @@ private:
         std::optional<glm::ivec2> pixel;
         std::optional<Selection> selection;
     };
-    void showContent(const std::shared_ptr<const ViewContent>& content, const Made& made);
+    // In the world, and in the space that was on show when it was begun; that one null in the world.
+    struct Built {
+        std::shared_ptr<const ViewContent> content, moved;
+    };
+    void showContent(const Built& built, const Made& made);
     void takePixel();
     void takeSelection();
     void takeHover();

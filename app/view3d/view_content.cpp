@@ -209,10 +209,16 @@ pipeline::BufferSet contentBuffers(const pipeline::Scene& scene, bool vertexNorm
     return set;
 }
 
-std::optional<Hit> firstHit(const ViewContent& content, const Ray& ray) {
-    const ViewMesh& mesh = *content.mesh;
+namespace {
+
+struct MetFace {
+    double distance;
+    std::uint32_t face;
+};
+
+// The first one up to `nearest`.
+std::optional<MetFace> firstFace(const ViewMesh& mesh, const Ray& ray, double nearest) {
     const pipeline::rays::TriangleRay<double> line(ray);
-    double nearest = std::numeric_limits<double>::infinity();
     std::optional<std::uint32_t> first;
     // Of two at the same distance it is the one that comes first in the mesh.
     const auto meet = [&](std::uint32_t face) {
@@ -232,7 +238,34 @@ std::optional<Hit> firstHit(const ViewContent& content, const Ray& ray) {
     else
         for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) meet(i);
     if (!first) return {};
-    return Hit{ray.at(nearest), nearest, mesh.faces[*first].polygon};
+    return MetFace{nearest, *first};
+}
+
+// z_view of the farthest corner of a tree's box, and a little more.
+double farthestOf(const FaceTree& tree, const pipeline::View& view) {
+    const auto& [low, high, first, count] = tree.nodes.front();
+    const Bounds box{low, high, true};
+    double farthest = 0;
+    for (const Vec3d& corner : box.corners()) farthest = std::max(farthest, depthOf(view, corner));
+    return farthest * (1 + 1e-9);
+}
+
+}  // namespace
+
+// Of many faces that were moved through the tree of the world's: lines stay lines in every space.
+std::optional<Hit> firstHit(const ViewContent& content, const Ray& ray) {
+    constexpr double kForEver = std::numeric_limits<double>::infinity();
+    const bool throughWorld = content.world && content.world->tree && !content.world->tree->nodes.empty();
+    if (!throughWorld) {
+        const auto met = firstFace(*content.mesh, ray, kForEver);
+        if (!met) return {};
+        return Hit{ray.at(met->distance), met->distance, content.mesh->faces[met->face].polygon};
+    }
+    const auto there = content.map.toWorld(ray, farthestOf(*content.world->tree, content.map.view));
+    const auto met = there ? firstFace(*content.world, there->ray, there->length) : std::nullopt;
+    if (!met) return {};
+    const Vec3d at = content.map.toSpace(there->ray.at(met->distance));
+    return Hit{at, glm::dot(at - ray.origin, ray.direction), content.world->faces[met->face].polygon};
 }
 
 Shown pixelShowing(const Frame& frame, const ViewContent& content, const Hit& hit) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -107,12 +108,15 @@ struct ViewMesh {
     std::shared_ptr<const FaceTree> tree;
     // Of many faces, for pictures of a view that moves; null where there are few, or they are large.
     std::shared_ptr<const std::vector<CoarseFace>> coarse;
+    // Where it is cut at the near plane: the vertex that an edge, its lesser end first, was given there.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> cuts;
 };
 
 struct ViewContent {
-    std::shared_ptr<const ViewMesh> mesh;  // never null
-    SpaceMap map;                          // from world space to where this stands
-    double faceStrength = 1;               // of the faces' colours over the background; 0 leaves none
+    std::shared_ptr<const ViewMesh> mesh;   // never null
+    SpaceMap map;                           // from world space to where this stands
+    std::shared_ptr<const ViewMesh> world;  // what `mesh` was moved from; null where that is nothing else
+    double faceStrength = 1;                // of the faces' colours over the background; 0 leaves none
     std::vector<LightMark> lights;
     std::vector<LightFrustum> frusta;  // where they were asked for: see lightFrusta
     pipeline::View eye;                // the scene's camera

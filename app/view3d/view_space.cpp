@@ -1,5 +1,9 @@
 #include "app/view3d/view_space.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace app {
 
 using pipeline::View;
@@ -82,6 +86,32 @@ View SpaceMap::turned(const View& other) const {
     result.up = turned(other.up);
     result.forward = turned(other.forward);
     return result;
+}
+
+std::optional<SpaceMap::WorldRay> SpaceMap::toWorld(const Ray& shown, double farthest) const {
+    constexpr double kForEver = std::numeric_limits<double>::infinity();
+    if (space == ViewSpace::World || space == ViewSpace::Point) return WorldRay{shown, kForEver};
+    if (keepsLengths()) {
+        const Vec3d d = shown.direction;
+        return WorldRay{{toWorld(shown.origin), d.x * view.right + d.z * view.up + d.y * view.forward}, kForEver};
+    }
+    // Depth is drawn along y. Before the near plane, and beyond all that is far, there is nothing.
+    const double low = space == ViewSpace::Clip ? -1 : 0, range = space == ViewSpace::Clip ? 2 : view.size.y;
+    const double high = low + range * toDepth(view, farthest);
+    const double y = shown.origin.y, d = shown.direction.y;
+    double begin = 0, end = kForEver;
+    if (d != 0) {
+        const auto [first, last] = std::minmax({(low - y) / d, (high - y) / d});
+        begin = std::max(begin, first), end = last;
+    } else if (!(low <= y && y <= high)) {
+        return {};
+    }
+    if (!(farthest > view.near && begin < end)) return {};
+    const bool ends = std::isfinite(end);
+    const Vec3d from = toWorld(shown.at(begin)), to = toWorld(shown.at(ends ? end : begin + range));
+    const double length = glm::length(to - from);
+    if (!(length > 0)) return {};
+    return WorldRay{{from, (to - from) / length}, ends ? length : kForEver};
 }
 
 SpaceBox visibleBox(const SpaceMap& map) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 
 #include "app/view3d/orbit_camera.h"
@@ -42,6 +43,13 @@ struct SpaceMap {
     bool keepsLengths() const { return space != ViewSpace::Clip && space != ViewSpace::Screen; }
     Vec3d turned(Vec3d direction) const;  // where lengths are kept
     pipeline::View turned(const pipeline::View& other) const;
+    // What of a ray stands for places of the world up to z_view = farthest, as a ray of the world; nothing where none does.
+    // Places keep their order along it.
+    struct WorldRay {
+        Ray ray;
+        double length;  // infinite where it goes on for ever
+    };
+    std::optional<WorldRay> toWorld(const Ray& shown, double farthest) const;
     bool operator==(const SpaceMap&) const = default;
 };
 
