@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/core/numbers.h"
 #include "pipeline/core/numerics.h"
 
 namespace app {
@@ -19,11 +18,6 @@ void addCircle(Vec3d centre, Vec3d a, Vec3d b, Ink ink, float strength, std::vec
         return centre + std::cos(angle) * a + std::sin(angle) * b;
     };
     for (int i = 0; i < kAround; ++i) lines.push_back({at(i), at(i + 1), ink, strength, strength});
-}
-
-std::string distanceText(const char* plane, double distance) {
-    const int decimals = distance == 0 ? 0 : std::clamp(2 - int(std::floor(std::log10(std::abs(distance)))), 0, 9);
-    return plane + (' ' + number(distance, decimals)).toStdString();
 }
 
 }  // namespace
@@ -81,8 +75,8 @@ void addFrustum(const pipeline::View& eye, Drawing& drawing) {
                                   .distance = {},
                                   .ink = Ink::V});
     };
-    label(0, distanceText("near", eye.near));
-    label(5, distanceText("far", eye.far));
+    label(0, "near " + threeDigits(eye.near));
+    label(5, "far " + threeDigits(eye.far));
 }
 
 }  // namespace app

@@ -13,13 +13,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Any unit vector across a unit vector.
-Vec3d across(Vec3d along) {
-    const Vec3d a = glm::abs(along);
-    const Vec3d least = a.x <= a.y && a.x <= a.z ? Vec3d(1, 0, 0) : a.y <= a.z ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
-    return glm::normalize(glm::cross(along, least));
-}
-
 // A surface of revolution about z: rings of `sides` points with the given radii and heights, from
 // the foot to the top, closed with a fan where the end's radius is 0.
 Solid turned(std::span<const glm::dvec2> profile, int sides) {
@@ -86,6 +79,13 @@ Solid tip(VectorCode code, double length, double radius) {
 }
 
 }  // namespace
+
+// With the axis that it is farthest from.
+Vec3d across(Vec3d along) {
+    const Vec3d a = glm::abs(along);
+    const Vec3d least = a.x <= a.y && a.x <= a.z ? Vec3d(1, 0, 0) : a.y <= a.z ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
+    return glm::normalize(glm::cross(along, least));
+}
 
 void append(Solid& solid, const Solid& more) {
     const auto first = static_cast<unsigned>(solid.positions.size());

@@ -37,6 +37,8 @@ std::vector<Dash> dashes(VectorCode code, double length, double width);
 // How far the tip of a vector reaches back from its end, pixels, for a shaft of `radius` pixels.
 double tipLength(VectorCode code, double radius);
 
+Vec3d across(Vec3d along);  // any unit vector across a unit vector
+
 // The arrow of a vector: dashed shaft and tip, `length` pixels from its foot to the end of its
 // tip. N a cone, L a sphere, V a torus, R two bars at 40°, H an octahedron; None has no tip.
 Solid arrow(VectorCode code, double length, double radius, const ShapePlacement& placement);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/numbers.h"
+
 namespace app {
 
 Ink inkOf(VectorCode code) {
@@ -38,6 +40,13 @@ QColor mixed(const QColor& a, const QColor& b, double shareOfA) {
     const auto channel = [&](int x, int y) { return int(std::lround(x * shareOfA + y * (1 - shareOfA))); };
     return {channel(a.red(), b.red()), channel(a.green(), b.green()), channel(a.blue(), b.blue())};
 }
+
+int decimalsOf(double value) {
+    if (value == 0 || !std::isfinite(value)) return 0;
+    return std::clamp(2 - int(std::floor(std::log10(std::abs(value)))), 0, 9);
+}
+
+std::string threeDigits(double value) { return number(value, decimalsOf(value)).toStdString(); }
 
 void dimAllBut(const std::vector<VectorCode>& codes, Drawing& drawing) {
     if (codes.empty()) return;

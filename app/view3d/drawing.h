@@ -1,5 +1,6 @@
 #pragma once
 #include <QColor>
+#include <QPointF>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,11 @@ enum class Ink : unsigned char { N, L, V, R, H, Grid, Edge, Outline, Text, Hint 
 Ink inkOf(VectorCode code);
 QColor colorOf(Ink ink, const ThemeColors& colors);
 QColor mixed(const QColor& a, const QColor& b, double shareOfA);
+inline QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
+
+// Decimals that leave a number three digits, as lengths are read; more before the point stay.
+int decimalsOf(double value);
+std::string threeDigits(double value);  // "719", "0.0719"
 
 struct InkedSolid {
     Ink ink;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/view3d/view_mesh.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/stages/cull.h"
 
@@ -34,10 +35,6 @@ Vec3d intensityAt(const pipeline::Scene& scene, const std::vector<pipeline::Ligh
         sum += sample.ambient + sample.diffuse + sample.specular;
     }
     return sum;
-}
-
-Vec3d row3(const pipeline::AnyBuffer& buffer, std::size_t row) {
-    return {buffer.flat(3 * row), buffer.flat(3 * row + 1), buffer.flat(3 * row + 2)};
 }
 
 }  // namespace

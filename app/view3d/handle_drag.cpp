@@ -14,11 +14,7 @@ constexpr int kRingPieces = 64;
 
 // World units that a pixel spans at a point.
 double unitAt(const HandleView& handles, Vec3d point) {
-    const ViewFrame& view = handles.view;
-    const OrbitCamera& camera = view.camera;
-    const double unit = camera.unitsPerPixel(view.size.y);
-    if (camera.orthographic) return unit;
-    return unit * std::max(glm::dot(point - camera.position(), camera.forward) / camera.distance, 1e-3);
+    return handles.view.camera.unitsPerPixelAt(point, handles.view.size.y);
 }
 
 // Where a ray meets the plane through a point that faces along the camera's axis.
@@ -226,12 +222,7 @@ std::vector<glm::dvec2> armTips(const Handle& handle, const HandleView& view) {
 }
 
 std::vector<Vec3d> armRing(const Handle& handle, std::size_t arm, const HandleView& view) {
-    const Vec3d axis = handle.arms[arm].axis, away = glm::abs(axis);
-    // Across the axis: with the coordinate axis that it is farthest from.
-    const Vec3d other = away.x <= away.y && away.x <= away.z ? Vec3d(1, 0, 0)
-                        : away.y <= away.z                   ? Vec3d(0, 1, 0)
-                                                             : Vec3d(0, 0, 1);
-    const Vec3d u = glm::normalize(glm::cross(axis, other)), v = glm::cross(axis, u);
+    const Vec3d axis = handle.arms[arm].axis, u = across(axis), v = glm::cross(axis, u);
     const double radius = kArmLength * view.view.scale * unitAt(view, handle.at);
     std::vector<Vec3d> ring;
     for (int i = 0; i <= kRingPieces; ++i) {

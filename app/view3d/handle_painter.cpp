@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kRadius = 10;  // pixels of the design, as all sizes here
 
-QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
-
 // White in black is seen on every picture.
 void stroke(QPainter& painter, const QColor& ink, double width, double scale, const auto& draw) {
     painter.setBrush(Qt::NoBrush);

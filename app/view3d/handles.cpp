@@ -22,10 +22,7 @@ std::string three(const char* a, const char* b, const char* c, Vec3d v, int deci
 }
 
 // As many decimals as tell a thousandth of the largest apart.
-int decimalsOf(Vec3d v) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    return largest > 0 ? std::clamp(2 - int(std::floor(std::log10(largest))), 0, 9) : 0;
-}
+int decimalsOf(Vec3d v) { return app::decimalsOf(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); }
 
 // Takes directions through these turns.
 glm::dmat3 turnedBy(std::span<const pipeline::AxisTurn> turns) {

@@ -15,8 +15,6 @@ namespace {
 // Pixels of the design.
 constexpr double kLetterGap = 21, kTipGap = 17, kBeyondTip = 14, kBorder = 16, kBeside = 14, kAbove = 20, kMark = 10;
 
-QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
-
 QRectF around(glm::dvec2 p, double r) { return {p.x - r, p.y - r, 2 * r, 2 * r}; }
 
 glm::dvec2 unit(glm::dvec2 v, glm::dvec2 otherwise) {

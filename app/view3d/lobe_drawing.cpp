@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "app/core/numbers.h"
-#include "pipeline/core/numerics.h"
 
 namespace app {
 
@@ -14,12 +13,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kMeridians = 12, kAround = 36, kSteps = 28;
-
-Vec3d acrossOf(Vec3d axis) {
-    const Vec3d a = glm::abs(axis);
-    const Vec3d least = a.x <= a.y && a.x <= a.z ? Vec3d(1, 0, 0) : a.y <= a.z ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
-    return pipeline::normalized(glm::cross(axis, least));
-}
 
 // "8", "12.5"
 std::string exponentText(double exponent) {
@@ -42,7 +35,7 @@ std::vector<glm::dvec2> lobeProfile(double exponent, int steps) {
 
 void addLobe(const SpecularLobe& lobe, double length, Drawing& drawing) {
     const Ink ink = inkOf(lobe.code);
-    const Vec3d u = acrossOf(lobe.axis), v = glm::cross(lobe.axis, u);
+    const Vec3d u = across(lobe.axis), v = glm::cross(lobe.axis, u);
     const auto at = [&](glm::dvec2 p, double around) {
         return lobe.base +
                length * p.y *

@@ -30,6 +30,11 @@ double elevation(const OrbitCamera& camera) {
 
 double OrbitCamera::unitsPerPixel(double height) const { return 2 * distance * tanHalf(*this) / height; }
 
+double OrbitCamera::unitsPerPixelAt(Vec3d point, double height) const {
+    if (orthographic) return unitsPerPixel(height);
+    return unitsPerPixel(height) * std::max(glm::dot(point - position(), forward) / distance, 1e-3);
+}
+
 Projected project(const OrbitCamera& camera, glm::dvec2 size, Vec3d point) {
     const Vec3d d = point - camera.position();
     Projected result;

@@ -25,6 +25,7 @@ struct OrbitCamera {
     Vec3d position() const { return target - distance * forward; }
     // World units that a pixel spans at the target, in a view `height` pixels high.
     double unitsPerPixel(double height) const;
+    double unitsPerPixelAt(Vec3d point, double height) const;  // and at a point's depth
 };
 
 // Where a point appears. `depth` is the distance along forward; behind the camera (perspective

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kHalo = 5;  // pixels of the design
 
-QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
-
 // Text with a halo in the view's colour, so that it reads on any picture; its middle is the origin.
 void paintHaloedText(QPainter& painter, const QString& text, const QFont& font, const QColor& ink, double halo) {
     QPainterPath path;

@@ -77,7 +77,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_problem(openGlProblem
         connect(
             m_vtk, &VtkWidget::unusable, this,
             [this] {
-                m_problem = tr("This machine gives no OpenGL 3.2. Buffers still work.");
+                m_problem = noOpenGl();
                 refresh();
             },
             Qt::QueuedConnection);

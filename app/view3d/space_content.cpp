@@ -98,11 +98,7 @@ void turnArrows(const SpaceMap& map, std::vector<NormalArrow>& arrows) {
 Bounds boundsOf(const ViewMesh& mesh) {
     Bounds bounds;
     for (const Vec3d& p : mesh.positions) bounds.add(p);
-    if (!bounds.any || !(bounds.radius() > 0)) {
-        const Vec3d centre = bounds.any ? bounds.centre() : Vec3d(0.0);
-        bounds.add(centre - 0.5);
-        bounds.add(centre + 0.5);
-    }
+    bounds.giveExtent();
     return bounds;
 }
 

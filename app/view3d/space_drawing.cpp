@@ -1,21 +1,12 @@
 #include "app/view3d/space_drawing.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "app/core/numbers.h"
 #include "app/view3d/aids_drawing.h"
 
 namespace app {
 
 namespace {
-
-// Three digits, as distances are read.
-std::string threeDigits(double value) {
-    const int decimals = value == 0 ? 0 : std::clamp(2 - int(std::floor(std::log10(std::abs(value)))), 0, 9);
-    return number(value, decimals).toStdString();
-}
 
 Label words(Vec3d at, Vec3d foot, std::string text, Ink ink) {
     return {.kind = Label::Kind::Plane, .at = at, .foot = foot, .text = std::move(text), .distance = {}, .ink = ink};

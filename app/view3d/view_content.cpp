@@ -13,7 +13,6 @@
 
 namespace app {
 
-using pipeline::AnyBuffer;
 using pipeline::BufferId;
 using pipeline::Frame;
 
@@ -129,6 +128,13 @@ void Bounds::add(Vec3d point) {
     any = true;
 }
 
+void Bounds::giveExtent() {
+    if (any && radius() > 0) return;
+    const Vec3d middle = any ? centre() : Vec3d(0.0);
+    add(middle - 0.5);
+    add(middle + 0.5);
+}
+
 std::array<Vec3d, 8> Bounds::corners() const {
     std::array<Vec3d, 8> result;
     for (std::size_t i = 0; i < 8; ++i)
@@ -142,11 +148,7 @@ ViewContent contentOf(const Frame& frame, std::optional<glm::ivec2> pixel, const
     const pipeline::Topology& topology = frame.topology();
     auto mesh = std::make_shared<ViewMesh>();
     addPolygons(frame, before ? before->mesh.get() : nullptr, stop, *mesh, content.bounds);
-    if (!content.bounds.any || !(content.bounds.radius() > 0)) {
-        const Vec3d centre = content.bounds.any ? content.bounds.centre() : Vec3d(0.0);
-        content.bounds.add(centre - 0.5);
-        content.bounds.add(centre + 0.5);
-    }
+    content.bounds.giveExtent();
     colorFaces(frame, topology, *mesh, stop);
     addNormals(frame, stop, *mesh);
     if (!stop.stop_requested()) addPicture(frame, *mesh);

@@ -81,6 +81,7 @@ struct Bounds {
     Vec3d min{0.0}, max{0.0};
     bool any = false;
     void add(Vec3d point);
+    void giveExtent();  // where it has none, that of a unit cube
     Vec3d centre() const { return (min + max) / 2.0; }
     double radius() const { return glm::length(max - min) / 2; }  // of the sphere around it
     std::array<Vec3d, 8> corners() const;

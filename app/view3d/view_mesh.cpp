@@ -8,15 +8,10 @@
 
 namespace app {
 
-using pipeline::AnyBuffer;
 using pipeline::BufferId;
 using pipeline::Frame;
 
 namespace {
-
-Vec3d row3(const AnyBuffer& buffer, std::size_t row) {
-    return {buffer.flat(3 * row), buffer.flat(3 * row + 1), buffer.flat(3 * row + 2)};
-}
 
 template <class Visit>
 void forEachEdge(const pipeline::Topology& topology, const std::stop_token& stop, Visit visit) {
@@ -55,6 +50,10 @@ void addObjectBounds(const pipeline::Topology& topology, ViewMesh& mesh) {
 }
 
 }  // namespace
+
+Vec3d row3(const pipeline::AnyBuffer& buffer, std::size_t row) {
+    return {buffer.flat(3 * row), buffer.flat(3 * row + 1), buffer.flat(3 * row + 2)};
+}
 
 pipeline::rays::Corners<double> cornersOf(const ViewMesh& mesh, std::uint32_t face) {
     const auto& v = mesh.faces[face].vertices;

@@ -4,6 +4,7 @@
 
 namespace app {
 
+Vec3d row3(const pipeline::AnyBuffer& buffer, std::size_t row);  // of three components
 pipeline::rays::Corners<double> cornersOf(const ViewMesh& mesh, std::uint32_t face);
 
 // The places of a frame's vertices, and what stands on them: edges, bounds, faces without their colours, what finds them.

@@ -14,8 +14,10 @@ constexpr int kRestMilliseconds = 180;  // without a new view: it rests
 
 }  // namespace
 
+QString noOpenGl() { return VtkWidget::tr("This machine gives no OpenGL 3.2. Buffers still work."); }
+
 QString openGlProblem() {
-    const QString problem = QStringLiteral("This machine gives no OpenGL 3.2. Buffers still work.");
+    const QString problem = noOpenGl();
     QOpenGLContext context;
     context.setFormat(viewSurfaceFormat());
     if (!context.create() || context.isOpenGLES() || context.format().version() < qMakePair(3, 2)) return problem;

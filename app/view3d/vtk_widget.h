@@ -11,6 +11,7 @@ namespace app {
 
 // Why this machine cannot show 3D views, in a sentence; empty where it can.
 QString openGlProblem();
+QString noOpenGl();  // that sentence
 
 // A widget that shows what VTK renders, beside the screen and on a thread of its own: where the processor is the
 // OpenGL, or a mesh is large, the window neither waits for it nor is put together by it. The newest picture stays until

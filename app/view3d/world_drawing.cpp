@@ -59,15 +59,7 @@ RayPlace raysOf(const LightMark& light, const ViewContent& content) {
     return {content.bounds.centre() + (leaves + 0.7 * r) * light.direction, 0.2 * r * glm::normalize(aside), 0.42 * r};
 }
 
-std::string unitsAway(double distance) {
-    const double digits = std::floor(std::log10(std::max(distance, 1e-300)));
-    const double step = std::pow(10.0, digits - 2);  // three digits
-    const double rounded = std::round(distance / step) * step;
-    std::string text = std::to_string(rounded);
-    const auto dot = text.find('.');
-    const auto keep = digits >= 2 ? 0 : std::size_t(std::min(2 - digits, 6.0)) + 1;
-    return ", " + text.substr(0, dot + keep) + " units away";
-}
+std::string unitsAway(double distance) { return ", " + threeDigits(distance) + " units away"; }
 
 // Whether a face stands clearly before a point; the face that it lies on is as far as the point.
 bool isHidden(const ViewContent& content, const OrbitCamera& camera, Vec3d point) {
@@ -108,11 +100,7 @@ private:
         return camera.orthographic || !(glm::length(d) > 0) ? -camera.forward : glm::normalize(d);
     }
     // World units that a pixel of the design spans at a point: what keeps its size on the screen is scaled by it.
-    double unitAt(Vec3d point) const {
-        if (m_view.camera.orthographic) return m_unit;
-        const double depth = glm::dot(point - m_view.camera.position(), m_view.camera.forward);
-        return m_unit * std::max(depth / m_view.camera.distance, 1e-3);
-    }
+    double unitAt(Vec3d point) const { return m_view.scale * m_view.camera.unitsPerPixelAt(point, m_view.size.y); }
     // Marks far off or near keep their size; arrows share one scale, so that equal lengths look equal.
     void mark(Ink ink, Solid solid, Vec3d at, Vec3d along) {
         m_drawing.solids.push_back(
