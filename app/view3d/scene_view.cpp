@@ -187,7 +187,7 @@ void SceneView::setProbe(std::optional<Vec3d> point) {
     m_overlay->update();
 }
 
-void SceneView::setSpace(SpaceId space) {
+void SceneView::setSpace(SpaceId space, std::shared_ptr<const ViewContent> moved) {
     if (space == m_space) return;
     m_flight.stop();
     endMove();
@@ -199,6 +199,7 @@ void SceneView::setSpace(SpaceId space) {
     m_touched = kept != m_cameras.end();
     m_camera = m_touched ? kept->second : OrbitCamera();
     m_camera.orthographic = before.orthographic;
+    if (moved) m_moved = std::move(moved);
     showContent();
     const bool isLarge = m_content && m_content->mesh->faces.size() > kManyTriangles;  // too many to move in time
     if (from && shown() && !isPoint() && !isLarge && wantsMotion(*this)) moveTo(*from, before);

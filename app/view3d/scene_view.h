@@ -45,8 +45,8 @@ public:
     // As the space on show has it; null where no point is picked, or a light has no shadow buffer.
     const std::shared_ptr<const ViewContent>& shown() const;
     // Each space keeps its own camera. The polygons move there in 400 ms, or at once where motion is
-    // not wanted, or to and from the hemisphere at the point.
-    void setSpace(SpaceId space);
+    // not wanted, or to and from the hemisphere at the point. `moved`: as of setContent, of the space that it goes to.
+    void setSpace(SpaceId space, std::shared_ptr<const ViewContent> moved = nullptr);
     SpaceId space() const { return m_space; }
     bool isMoving() const { return m_morph.has_value(); }  // from one space to another
     void setOptions(const ViewOptions& options);

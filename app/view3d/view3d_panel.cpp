@@ -46,11 +46,14 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
     });
     connect(m_view, &SceneView::orthographicChanged, m_orthographic, &QToolButton::setChecked);
     connect(m_view, &SceneView::behindChanged, this, [this](bool behind) { m_document.hold(this, behind); });
-    connect(&m_building, &BackgroundJob::busyChanged, m_view, &SceneView::setBuilding);
+    for (const BackgroundJob* job : {&m_building, &m_moving})
+        connect(job, &BackgroundJob::busyChanged, this,
+                [this] { m_view->setBuilding(m_building.busy() || m_moving.busy()); });
     observeWork();
     connect(&document, &Document::sceneOpened, this, [this] {
         m_newScene = true;
         m_building.forget();
+        m_moving.forget();
         m_awaited.reset();
         m_beforeDrag.reset();  // of the scene before: nothing goes back to it
         m_view->setContent(nullptr, true);
@@ -239,7 +242,8 @@ void View3dPanel::showOptions() {
 }
 
 bool View3dPanel::wantsFrusta() const {
-    return m_view->options().lightFrusta || m_awaited || m_view->space().space == ViewSpace::Light;
+    const bool awaitsLight = m_awaited && m_awaited->space == ViewSpace::Light;
+    return m_view->options().lightFrusta || awaitsLight || m_view->space().space == ViewSpace::Light;
 }
 
 void View3dPanel::wantBuffers() {
@@ -307,7 +311,7 @@ void View3dPanel::showContent(const Built& built, const Made& made) {
     // What a file asks for has a camera too; the space alone is gone to where a user waits for it.
     if (m_wanted)
         showWanted();
-    else if (m_awaited && mapOf(*content, *m_awaited))
+    else if (m_awaited && !m_moving.busy() && mapOf(*content, *m_awaited))
         setSpace(*m_awaited);
     // Picked and selected meanwhile.
     if (m_document.selection() != made.selection) takeSelection();

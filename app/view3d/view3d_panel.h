@@ -24,7 +24,7 @@ public:
     void setBare(bool bare);          // without the header
     QMenu* menu() { return m_menu; }  // of its last button; the window adds what it can do with the view
     void changeOptions(const ViewOptions& options);
-    // A light's space waits for the frame that brings its shadow buffer.
+    // A light's space waits for the frame that brings its shadow buffer, and any for a large mesh to be moved there.
     void setSpace(SpaceId space);
 
     // How the view is looked at, and the same again; before the first frame of a scene, once it is there. Errors: what the
@@ -41,6 +41,8 @@ private:
     void buildHeader();
     void arrangeHeader();
     void fillSpaces(QMenu& menu);
+    void goTo(SpaceId space);
+    void enter(SpaceId space, std::shared_ptr<const ViewContent> moved);
     void showSpace();
     void stepSpace(int step);
     void fillFaces(QMenu& menu);
@@ -58,6 +60,7 @@ private:
     void wantBuffers();
     void observeWork();
     void showWanted();
+    void takeCamera(const std::optional<SpaceShown::Camera>& camera);
     bool misses();
     void takeFrame();
     // What content is made of.
@@ -98,10 +101,11 @@ private:
     std::optional<Wanted> m_wanted;  // once the scene's first frame is there
     Made m_made;                     // of the content on show
     BackgroundJob m_building;        // of the content, where there is much
+    BackgroundJob m_moving;          // of it to the space to go to
     bool m_newScene = true;
     bool m_missed = false;                                // a frame, or what is picked in it, while it was put away
     std::shared_ptr<const pipeline::Scene> m_beforeDrag;  // null while nothing is dragged
-    std::optional<SpaceId> m_awaited;                     // the space to go to when its frame is there
+    std::optional<SpaceId> m_awaited;                     // the space to go to when all of it is there
 };
 
 }  // namespace app

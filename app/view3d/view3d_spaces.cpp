@@ -3,7 +3,9 @@
 #include <QMenu>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
+#include "app/core/large_frame.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/view3d/normal_arrows.h"
@@ -44,6 +46,7 @@ QString whyNotLight(const Document& document, int light) {
 }  // namespace
 
 void View3dPanel::setSpace(SpaceId space) {
+    m_moving.forget();
     m_awaited.reset();
     m_wanted.reset();
     const auto isThere = [&] {
@@ -55,10 +58,32 @@ void View3dPanel::setSpace(SpaceId space) {
         wantBuffers();
         return;
     }
-    m_view->setSpace(space);
+    goTo(space);
+}
+
+// A large mesh is moved there beside the window, and again where another frame has come meanwhile.
+void View3dPanel::goTo(SpaceId space) {
+    const auto& content = m_view->content();
+    const bool isLarge = content && content->mesh->faces.size() > kManyTriangles;
+    const auto map = isLarge && space != m_view->space() ? mapOf(*content, space) : std::nullopt;
+    if (!map || map->space == ViewSpace::World) return enter(space, nullptr);
+    m_awaited = space;
+    m_moving.ask(
+        [content, map = *map](const BackgroundJob::Control&) {
+            return std::make_shared<const ViewContent>(inSpace(*content, map));
+        },
+        [this, space](const std::shared_ptr<const ViewContent>& moved) {
+            moved->world == m_view->content()->mesh ? enter(space, moved) : goTo(space);
+        });
+}
+
+void View3dPanel::enter(SpaceId space, std::shared_ptr<const ViewContent> moved) {
+    m_awaited.reset();
+    m_view->setSpace(space, std::move(moved));
     showSpace();
     showHandles();
     wantBuffers();
+    if (const auto wanted = std::exchange(m_wanted, std::nullopt)) takeCamera(wanted->camera);
 }
 
 // The frame may have the shadow buffers already, and then no other one comes.

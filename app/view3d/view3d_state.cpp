@@ -161,8 +161,12 @@ void View3dPanel::showWanted() {
         m_wanted = wanted;
         return;
     }
-    if (!wanted->camera) return m_view->frameAnew();
-    const auto& c = *wanted->camera;
+    takeCamera(wanted->camera);
+}
+
+void View3dPanel::takeCamera(const std::optional<SpaceShown::Camera>& camera) {
+    if (!camera) return m_view->frameAnew();
+    const auto& c = *camera;
     m_view->setCamera({c.target, c.distance, c.right, c.up, c.forward, c.fov, c.orthographic});
 }
 
@@ -173,6 +177,7 @@ void View3dPanel::observeWork() {
         this, tr("the 3D view"),
         [this] {
             m_building.forget();
+            m_moving.forget();
             m_view->cancelDrawing();
         },
         [this] {

@@ -2,6 +2,7 @@
 #include <mutex>
 
 #include "app/view3d/vtk_turn.h"
+#include "tests/app/large_scene.h"
 #include "tests/app/shown_view3d.h"
 
 namespace {
@@ -57,6 +58,32 @@ TEST_F(View3dBeside, OfManyChangesMeanwhileTheNewestAloneIsDrawn) {
     ASSERT_TRUE(waitUntilDrawn());
     EXPECT_LE(drawn, 3) << "the one that had begun, the newest, and that with smooth edges";
     EXPECT_EQ(vtk.shown()->view.camera, view.camera());
+}
+
+// On its way to another space it shows the one before; the last one that was asked for counts, and a camera asked for
+// with it is there when it is.
+TEST_F(View3dBeside, TheWindowDoesNotWaitForALargeMeshToBeMoved) {
+    using app::ViewSpace;
+    document.setScene(test::manyPolygons());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.content() && view.content()->mesh->faces.size() > 60000; }, 20000));
+    const auto comesTo = [&](ViewSpace space) {
+        return QTest::qWaitFor([&] { return view.space().space == space; }, 20000);
+    };
+    panel.setSpace({ViewSpace::Eye});
+    EXPECT_EQ(view.space().space, ViewSpace::World);
+    ASSERT_TRUE(comesTo(ViewSpace::Eye));
+    EXPECT_EQ(view.shown()->world, view.content()->mesh);
+    panel.setSpace({ViewSpace::Clip});
+    panel.setSpace({ViewSpace::World});
+    QTest::qWait(300);
+    EXPECT_EQ(view.space().space, ViewSpace::World);
+    app::SpaceShown asked;
+    asked.space = "screen";
+    asked.camera.emplace();
+    asked.camera->distance = 77;
+    EXPECT_TRUE(panel.lookAt(asked).empty());
+    ASSERT_TRUE(comesTo(ViewSpace::Screen));
+    EXPECT_EQ(view.camera().distance, 77);
 }
 
 }  // namespace
