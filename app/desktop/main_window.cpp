@@ -160,6 +160,7 @@ void MainWindow::makeDocks() {
     auto* settings = findChild<SettingsPanel*>();
     connect(tree, &SceneTree::selected, settings, &SettingsPanel::select);
     m_lessons = findChild<LessonPanel*>();
+    m_lessons->setMayLeave([this] { return mayLeaveScene(); });
     connect(m_lessons, &LessonPanel::showBuffers, m_views, &ViewArea::showBuffers);
     auto* inspector = findChild<InspectorPanel*>();
     connect(inspector, &InspectorPanel::bufferAsked, m_views, &ViewArea::showBuffer);
@@ -231,7 +232,8 @@ void MainWindow::showLessons() {
 }
 
 void MainWindow::openLesson(const QString& name) {
-    if (!mayLeaveScene() || !m_lessons->open(name)) return;
+    if (!m_lessons->open(name)) return;
+    showScene();  // one that was closed, and is the lesson's, is not opened anew
     for (PanelDock* dock : m_docks)
         if (dock->objectName() == "lesson") dock->show();
 }

@@ -245,7 +245,10 @@ void MainWindow::showPreferences() {
 }
 
 void MainWindow::showChecks() {
-    if (!m_checks) m_checks = new CheckPanel(m_document, this);
+    if (!m_checks) {
+        m_checks = new CheckPanel(m_document, this);
+        m_checks->setMayLeave([this] { return mayLeaveScene(); });
+    }
     showApart(*m_checks);
 }
 

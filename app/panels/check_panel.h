@@ -1,5 +1,6 @@
 #pragma once
 #include <QWidget>
+#include <functional>
 #include <memory>
 
 #include "app/core/check_job.h"
@@ -27,6 +28,8 @@ public:
 
     void run(pipeline::check::Filter filter);  // nothing while something runs
     bool running() const { return m_job != nullptr; }
+    // Asked before a case takes the place of the scene on show.
+    void setMayLeave(std::function<bool()> mayLeave) { m_mayLeave = std::move(mayLeave); }
     void select(std::size_t which);  // into pipeline::check::caseTable()
     std::size_t selected() const { return m_selected; }
     void setGroup(std::optional<pipeline::check::Group> group);
@@ -54,6 +57,7 @@ private:
     void turnKnob(double value, bool done);
 
     Document& m_document;
+    std::function<bool()> m_mayLeave = [] { return true; };
     CheckResults m_results;
     double m_seconds = 0;       // of the newest run of all
     std::size_t m_arrived = 0;  // of the cases that run now

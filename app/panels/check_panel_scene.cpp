@@ -40,6 +40,7 @@ bool CheckPanel::openAsScene() {
     auto scene = sceneAtKnob();
     if (!scene) return tell(tr("%1 is numbers or a file: it has no scene.").arg(toQString(which.id)));
     if (const auto errors = checkScene(*scene); !errors.empty()) return tell(toQString(format(errors.front())));
+    if (!m_mayLeave()) return false;
     m_document.setScene(*std::move(scene));
     m_open = m_selected;
     tell(which.knob.setting.empty()

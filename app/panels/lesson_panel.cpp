@@ -110,7 +110,9 @@ QWidget* LessonPanel::makePage() {
     connect(all, &QPushButton::clicked, this, &LessonPanel::close);
     connect(m_previous, &QToolButton::clicked, this, [this] { goTo(m_page - 1); });
     connect(m_next, &QToolButton::clicked, this, [this] { goTo(m_page + 1); });
-    connect(again, &QPushButton::clicked, this, &LessonPanel::setWindow);
+    connect(again, &QPushButton::clicked, this, [this] {
+        if (mayShow(current())) setWindow();
+    });
     connect(m_question, &QuestionCard::answered, this, &LessonPanel::check);
     connect(m_question, &QuestionCard::hintAsked, this, [this] {
         const auto hint = lessons::filled(current().question->hint, *m_pageFrame);
@@ -132,9 +134,11 @@ bool LessonPanel::open(const QString& name) {
     const lessons::Lesson* const found = m_shelf->find(name);
     if (!found) return false;
     const int reached = m_shelf->page(*found);
+    const int page = reached == 0 || reached == int(found->pages.size()) ? 0 : reached - 1;
+    if (!mayShow(found->pages[std::size_t(page)])) return false;
     m_lesson = found;
     m_stack->setCurrentIndex(1);
-    goTo(reached == 0 || reached == int(found->pages.size()) ? 0 : reached - 1);
+    showPage(page);
     m_next->setFocus();
     return true;
 }
@@ -149,6 +153,10 @@ void LessonPanel::close() {
 
 void LessonPanel::goTo(int page) {
     if (!m_lesson || page < 0 || page >= int(m_lesson->pages.size())) return;
+    if (mayShow(m_lesson->pages[std::size_t(page)])) showPage(page);
+}
+
+void LessonPanel::showPage(int page) {
     m_page = page;
     m_pageFrame.reset();
     m_shelf->setPage(*m_lesson, page + 1);
@@ -169,9 +177,16 @@ void LessonPanel::goTo(int page) {
     setWindow();
 }
 
+// Within one scene a page is a step of undo.
+static bool isOpen(const Document& document, const lessons::Page& page) {
+    return document.hasScene() && document.scene().file == page.state.scene.file;
+}
+
+bool LessonPanel::mayShow(const lessons::Page& page) const { return isOpen(m_document, page) || m_mayLeave(); }
+
 void LessonPanel::setWindow() {
     const lessons::PageState& state = current().state;
-    if (!m_document.hasScene() || m_document.scene().file != state.scene.file)
+    if (!isOpen(m_document, current()))
         m_document.setScene(state.scene);
     else
         m_document.replace(state.scene, tr("Lesson page %1").arg(m_page + 1));

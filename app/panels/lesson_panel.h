@@ -1,6 +1,7 @@
 #pragma once
 #include <QStringList>
 #include <QWidget>
+#include <functional>
 
 #include "app/core/document.h"
 #include "app/panels/lesson_shelf.h"
@@ -23,9 +24,12 @@ class LessonPanel : public QWidget {
 public:
     explicit LessonPanel(Document& document, QWidget* parent = nullptr);
 
+    // Asked before another scene takes the place of the one on show; where it says no, the panel stays as it is.
+    void setMayLeave(std::function<bool()> mayLeave) { m_mayLeave = std::move(mayLeave); }
+
     const LessonShelf& shelf() const { return *m_shelf; }
     // Opens a lesson where it was left, from its beginning when it was read to its end. False when
-    // there is none of that name.
+    // there is none of that name, or the scene on show is to stay.
     bool open(const QString& name);
     void goTo(int page);  // from 0; within the open lesson
     void close();         // back to the list
@@ -39,12 +43,15 @@ signals:
 private:
     QWidget* makeList();
     QWidget* makePage();
+    bool mayShow(const lessons::Page& page) const;
+    void showPage(int page);
     void setWindow();  // to the page on show
     void takeFrame();  // fills the page's numbers in once the frame of its own scene is there
     void check(const QString& typed);
     const lessons::Page& current() const { return m_lesson->pages[std::size_t(m_page)]; }
 
     Document& m_document;
+    std::function<bool()> m_mayLeave = [] { return true; };
     LessonShelf* m_shelf;
     QStackedWidget* m_stack;
     ErrorList* m_errors;
