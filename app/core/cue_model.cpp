@@ -2,11 +2,11 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <algorithm>
 
 #include "app/core/document_state.h"
 #include "app/core/text.h"
+#include "app/core/write_file.h"
 #include "app/state/cue_text.h"
 #include "app/state/state_scene.h"
 
@@ -14,11 +14,25 @@ namespace app {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// "talk 2.cues" beside "talk.cues".
+QString freeFile(const QString& file) {
+    const QFileInfo info(file);
+    for (int i = 2;; ++i) {
+        const QString name = QStringLiteral("%1 %2.%3").arg(info.completeBaseName()).arg(i).arg(info.suffix());
+        if (const QString free = info.dir().filePath(name); !QFileInfo::exists(free)) return free;
+    }
+}
+
+}  // namespace
+
 CueModel::CueModel(const QString& file, QObject* parent) : QAbstractListModel(parent), m_ownFile(file), m_file(file) {
     m_soon.setSingleShot(true);
     m_soon.setInterval(500);
     connect(&m_soon, &QTimer::timeout, this, &CueModel::write);
-    if (QFileInfo::exists(file)) open(file);
+    if (QFileInfo::exists(file)) m_unread = read(file);
+    if (!m_unread.empty()) m_ownFile = m_file = freeFile(file);
 }
 
 CueModel::~CueModel() {
@@ -39,12 +53,15 @@ void CueModel::tell(int i) { emit dataChanged(index(i), index(i)); }
 
 bool CueModel::open(const QString& file) {
     if (m_soon.isActive()) write();
+    const auto errors = read(file);
+    if (!errors.empty()) emit notRead(errors);
+    return errors.empty();
+}
+
+pipeline::Errors CueModel::read(const QString& file) {
     const auto text = readCueText(file.toStdString());
     const auto list = text ? readCues(*text, file.toStdString()) : pipeline::Result<CueList>(text.errors());
-    if (!list) {
-        emit failed(list.errors());
-        return false;
-    }
+    if (!list) return list.errors();
     beginResetModel();
     m_list = m_written = *list;
     m_text = *text;
@@ -53,15 +70,18 @@ bool CueModel::open(const QString& file) {
     m_removed.reset();
     endResetModel();
     emit changed();
-    return true;
+    return {};
 }
 
 bool CueModel::saveAs(const QString& file) {
     const fs::path from = folder(), to = QFileInfo(file).absolutePath().toStdString();
-    for (Cue& cue : m_list.cues)
+    CueList moved = m_list;
+    for (Cue& cue : moved.cues)
         if (!cue.state.scene.empty()) cue.state.scene = sceneName(sceneFile(cue.state.scene, from), to);
+    if (!writeTo(QFileInfo(file).absoluteFilePath(), moved)) return false;
+    m_list = std::move(moved);
     m_file = QFileInfo(file).absoluteFilePath();
-    write();
+    m_soon.stop();
     emit changed();
     return true;
 }
@@ -79,17 +99,20 @@ void CueModel::clear() {
     emit changed();
 }
 
-void CueModel::write() {
+bool CueModel::write() {
     m_soon.stop();
-    QDir().mkpath(QFileInfo(m_file).path());
-    QSaveFile out(m_file);
-    const std::string text = cueText(m_list, m_text, m_written);
-    const bool written = out.open(QIODevice::WriteOnly) &&
-                         out.write(text.data(), qint64(text.size())) == qint64(text.size()) && out.commit();
-    if (written)
-        m_text = text, m_written = m_list;
-    else
-        emit failed({{{m_file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}});
+    return writeTo(m_file, m_list);
+}
+
+bool CueModel::writeTo(const QString& file, const CueList& list) {
+    QDir().mkpath(QFileInfo(file).path());
+    const std::string text = cueText(list, m_text, m_written);
+    if (const auto errors = writeFile(file, text); !errors.empty()) {
+        emit notWritten(file, errors);
+        return false;
+    }
+    m_text = text, m_written = list;
+    return true;
 }
 
 void CueModel::setMinutes(int minutes) {

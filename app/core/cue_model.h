@@ -14,10 +14,12 @@ class CueModel : public QAbstractListModel {
 public:
     enum Role { PlaceRole = Qt::UserRole, NoteRole, CurrentRole };  // where the cue stands, in words; its note; bool
 
-    // file: where the list is until another one is opened; need not be there.
+    // file: where the list is until another one is opened; need not be there. One that cannot be read stays as it is:
+    // then the list begins empty in a file of a free name beside it, and unread() says why.
     explicit CueModel(const QString& file, QObject* parent = nullptr);
     ~CueModel() override;
 
+    const pipeline::Errors& unread() const { return m_unread; }
     const CueList& list() const { return m_list; }
     const QString& file() const { return m_file; }
     std::filesystem::path folder() const;  // from which scenes are named
@@ -27,11 +29,13 @@ public:
     const Cue* currentCue() const { return m_current < 0 ? nullptr : &cue(m_current); }
     void setCurrent(int i);
 
-    // When the file cannot be read the list stays, and failed() tells why.
+    // When the file cannot be read the list stays, and notRead() tells why.
     bool open(const QString& file);
-    bool saveAs(const QString& file);  // and goes on there; scenes are named from its folder
-    void write();                      // now, what has been changed
-    void clear();                      // an empty list in the file of the beginning
+    // And goes on there; scenes are named from its folder. When it cannot be written nothing changes, and notWritten()
+    // tells why.
+    bool saveAs(const QString& file);
+    bool write();  // now, what has been changed; likewise
+    void clear();  // an empty list in the file of the beginning
     void setMinutes(int minutes);
 
     int add(Cue cue);  // after the current one, under a free name; gives its row and makes it current
@@ -53,13 +57,17 @@ public:
 
 signals:
     void changed();  // the list, its file, or which cue is current
-    void failed(const pipeline::Errors& errors);
+    void notRead(const pipeline::Errors& errors);
+    void notWritten(const QString& file, const pipeline::Errors& errors);
 
 private:
     void writeSoon() { m_soon.start(); }
+    pipeline::Errors read(const QString& file);
+    bool writeTo(const QString& file, const CueList& list);
     void tell(int i);
 
     QString m_ownFile, m_file;
+    pipeline::Errors m_unread;
     CueList m_list;
     int m_current = -1;
     QTimer m_soon;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include "app/core/derived_buffers.h"
 #include "app/core/freed_aside.h"
@@ -13,6 +12,7 @@
 #include "app/core/scene_step.h"
 #include "app/core/stage_status.h"
 #include "app/core/text.h"
+#include "app/core/write_file.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/toml_writer.h"
 
@@ -105,16 +105,8 @@ bool Document::reload(const OpenedScene& again) {
 
 bool Document::save(const QString& file) {
     const auto text = toTomlScene(*m_scene);
-    if (!text) {
-        emit failed(text.errors());
-        return false;
-    }
-    QSaveFile out(file);
-    const bool written = out.open(QIODevice::WriteOnly) &&
-                         out.write(text->data(), qint64(text->size())) == qint64(text->size()) && out.commit();
-    if (!written) {
-        emit failed(
-            {pipeline::Error{{file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}});
+    if (const auto errors = text ? writeFile(file, *text) : text.errors(); !errors.empty()) {
+        emit notWritten(file, errors);
         return false;
     }
     m_kept = {QFileInfo(file).absoluteFilePath(), m_scene};

@@ -88,7 +88,7 @@ public:
     void open(const OpenedScene& opened);
     // Its file, read again: one step of undo. False where the scene in it has other settings, and nothing has changed.
     bool reload(const OpenedScene& again);
-    // Writes the scene with its settings as TOML, whole or not at all. When that fails failed() tells why.
+    // Writes the scene with its settings as TOML, whole or not at all. When that fails notWritten() tells why.
     bool save(const QString& file);
     void setScene(pipeline::Scene scene, KeptScene kept = {});  // as if opened: clears the undo stack
 
@@ -135,8 +135,9 @@ signals:
     void hoverChanged();
     void channelChanged();
     void pointedChanged();
-    void busyChanged(bool busy);  // a frame is being computed
-    void failed(const pipeline::Errors& errors);
+    void busyChanged(bool busy);                  // a frame is being computed
+    void failed(const pipeline::Errors& errors);  // a change that cannot be, or a file that could not be read
+    void notWritten(const QString& file, const pipeline::Errors& errors);
     void said(const QString& sentence);  // for the status bar
 
 private:

@@ -3,10 +3,10 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
-#include <QSaveFile>
 #include <QSettings>
 #include <QStandardPaths>
 
+#include "app/core/write_file.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/toml_scene.h"
 
@@ -49,10 +49,7 @@ bool SessionFile::giveBack() {
 
 bool SessionFile::write(const WindowState& state) {
     QDir().mkpath(QFileInfo(m_file).path());
-    const std::string text = toToml(state);
-    QSaveFile out(m_file);
-    return out.open(QIODevice::WriteOnly) && out.write(text.data(), qint64(text.size())) == qint64(text.size()) &&
-           out.commit();
+    return writeFile(m_file, toToml(state)).empty();
 }
 
 void SessionFile::remove() { QFile::remove(m_file); }

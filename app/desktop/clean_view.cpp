@@ -67,12 +67,20 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     connect(&document, &Document::stageChanged, this, &CleanView::showCaption);
     connect(&document.stepper(), &Stepper::changed, this, &CleanView::showCaption);
     // The list of errors stands in the window behind.
-    connect(&document, &Document::failed, this, [this](const pipeline::Errors& errors) {
+    const auto tell = [this](const QString& words) {
+        m_caption->setKey(words);
+        m_keyTime.start(kFailedMs);
+    };
+    connect(&document, &Document::failed, this, [tell](const pipeline::Errors& errors) {
         if (errors.empty()) return;
         const QString file = QFileInfo(toQString(errors.front().where.file)).fileName();
-        m_caption->setKey(file.isEmpty() ? toQString(errors.front().found) : tr("%1 could not be read").arg(file));
-        m_keyTime.start(kFailedMs);
+        tell(file.isEmpty() ? toQString(errors.front().found) : tr("%1 could not be read").arg(file));
     });
+    const auto tellNotWritten = [tell](const QString& file) {
+        tell(tr("%1 could not be written").arg(QFileInfo(file).fileName()));
+    };
+    connect(&document, &Document::notWritten, this, tellNotWritten);
+    connect(&cues, &CueModel::notWritten, this, tellNotWritten);
     connect(&cues, &CueModel::changed, this, [this] {
         m_pen->clearLines();
         showCaption();

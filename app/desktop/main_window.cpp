@@ -216,6 +216,9 @@ void MainWindow::connectDocument() {
         const QString still = m_document.hasScene() ? tr(" The scene before is still open.") : QString();
         m_errors->report(tr("%1 could not be read.").arg(file) + still, errors);
     });
+    connect(&m_document, &Document::notWritten, this, [this](const QString& file, const pipeline::Errors& errors) {
+        m_errors->report(tr("%1 could not be written. Nothing has changed.").arg(QFileInfo(file).fileName()), errors);
+    });
 }
 
 // The lessons on the start page, with how far the reader has come.

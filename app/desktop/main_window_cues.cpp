@@ -53,9 +53,25 @@ void MainWindow::connectCues() {
     });
     connect(m_cues, &CuePanel::presentAsked, this, &MainWindow::present);
     connect(&m_cues->model(), &CueModel::changed, this, &MainWindow::enableCueActions);
-    connect(&m_cues->model(), &CueModel::failed, this, [this](const pipeline::Errors& errors) {
+    connect(&m_cues->model(), &CueModel::notRead, this, [this](const pipeline::Errors& errors) {
         m_errors->report(tr("The cue list before is still open."), errors);
     });
+    connect(&m_cues->model(), &CueModel::notWritten, this, [this](const QString& file, const pipeline::Errors& errors) {
+        m_errors->report(tr("%1 could not be written. The cues are still here.").arg(QFileInfo(file).fileName()),
+                         errors);
+    });
+    if (const auto& unread = m_cues->model().unread(); !unread.empty()) {
+        const auto tell = [this, unread] {
+            m_errors->report(tr("%1 could not be read. It stays as it is; new cues go into %2.")
+                                 .arg(QFileInfo(toQString(unread.front().where.file)).fileName(),
+                                      QFileInfo(m_cues->model().file()).fileName()),
+                             unread);
+        };
+        tell();
+        // A scene that opens hides what is reported: the session's does so at once.
+        connect(&m_document, &Document::sceneOpened, this, tell,
+                Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+    }
     connect(m_presentation, &Presentation::cueAsked, this, [this](int cue) { goToCue(cue); });
     connect(m_presentation, &Presentation::ended, this, [this] { m_presents = false; });
     const auto on = [&](A id, auto run) { connect((*m_actions)[id], &QAction::triggered, this, run); };

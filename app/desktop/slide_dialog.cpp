@@ -12,13 +12,13 @@
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/core/put_away.h"
 #include "app/core/text.h"
+#include "app/core/write_file.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_painter.h"
 #include "app/panels/follow_theme.h"
@@ -212,12 +212,8 @@ void SlideDialog::make(std::function<void(Made&)> finish, std::function<void(con
 void SlideDialog::save(const QString& file) {
     const auto write = [file, scene = m_document.sharedScene(), state = m_state](Made& made) {
         const std::string png = slidePng(made.image, *scene, state);
-        QSaveFile out(file);
-        const bool written = !png.empty() && out.open(QIODevice::WriteOnly) &&
-                             out.write(png.data(), qint64(png.size())) == qint64(png.size()) && out.commit();
-        if (!written)
-            made.errors = {
-                pipeline::Error{{file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}};
+        made.errors = png.empty() ? pipeline::Errors{{{file.toStdString(), 0, 0}, "the picture cannot be packed", {}}}
+                                  : writeFile(file, png);
     };
     make(write, [this, file](const Made&) {
         const QString path = QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath());

@@ -3,12 +3,12 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSaveFile>
 #include <QSpinBox>
 #include <QToolButton>
 #include <algorithm>
 
 #include "app/core/text.h"
+#include "app/core/write_file.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/scanline_plot_view.h"
@@ -154,12 +154,8 @@ void ScanlinePanel::save(const QString& title, const QString& ending, const QStr
                                                 QStringLiteral("*.%1").arg(ending));
     if (file.isEmpty()) return;
     if (QFileInfo(file).suffix().isEmpty()) file += '.' + ending;
-    QSaveFile out(file);
-    const QByteArray bytes = text.toUtf8();
-    if (out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.commit())
-        return emit m_document.said(tr("Wrote %1.").arg(file));
-    emit m_document.failed(
-        {pipeline::Error{{file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}});
+    const auto errors = writeFile(file, text.toUtf8());
+    errors.empty() ? emit m_document.said(tr("Wrote %1.").arg(file)) : emit m_document.notWritten(file, errors);
 }
 
 }  // namespace app

@@ -185,6 +185,8 @@ TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.shownKey().isEmpty(); }, 5000));
     emit document().failed({pipeline::Error{{"gone.toml", 0, 0}, "no such file", {}}});
     EXPECT_EQ(view.shownKey(), "gone.toml could not be read") << "the window's list of errors is behind";
+    EXPECT_FALSE(document().save(folder.filePath("missing/mine.toml")));
+    EXPECT_EQ(view.shownKey(), "mine.toml could not be written");
     QTest::keyClick(&view, Qt::Key_B);
     EXPECT_EQ(view.grab().toImage().pixelColor(view.width() / 2, view.height() / 2), QColor(Qt::black));
     QTest::keyClick(&view, Qt::Key_W);

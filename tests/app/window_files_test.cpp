@@ -1,4 +1,5 @@
 // What the window writes: nothing is lost without a question, and what cannot be written is told as that.
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -20,8 +21,20 @@
 namespace app {
 namespace {
 
+QByteArray readAll(const QString& file) {
+    QFile in(file);
+    return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+}
+
+void write(const QString& file, const QByteArray& text) {
+    QFile out(file);
+    ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(text);
+}
+
 class WindowFiles : public WindowTest {
 protected:
+    QString reported() { return find<ErrorList>("errorList")->isVisible() ? find<ErrorList>("errorList")->text() : ""; }
     // A file that is no lesson's is open, and changed.
     void changeTwoPyramids() {
         ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
@@ -80,6 +93,60 @@ TEST_F(WindowFiles, ACaseAsASceneAsksBeforeChangesAreLost) {
     answer("Drop", [checks] { EXPECT_TRUE(checks->openAsScene()); });
     EXPECT_NE(document().scene().name, "two_pyramids.scene");
     checks->close();
+}
+
+TEST_F(WindowFiles, WhatCannotBeWrittenIsNotSaidToBeUnread) {
+    changeTwoPyramids();
+    EXPECT_FALSE(document().save(folder.filePath("missing/mine.toml")));
+    EXPECT_TRUE(reported().startsWith("mine.toml could not be written. Nothing has changed."))
+        << reported().toStdString();
+    EXPECT_TRUE(document().isChanged());
+
+    CueModel& model = window.cues().model();
+    model.clear();
+    write(folder.filePath("file"), "");
+    press("Ctrl+B");
+    const QString before = model.file();
+    const std::string scene = model.cue(0).state.scene;
+    EXPECT_FALSE(model.saveAs(folder.filePath("file/talk.cues")));  // a file is no folder
+    EXPECT_TRUE(reported().startsWith("talk.cues could not be written. The cues are still here."))
+        << reported().toStdString();
+    EXPECT_EQ(model.file(), before) << "later changes still go to the file before";
+    EXPECT_EQ(model.cue(0).state.scene, scene);
+    EXPECT_TRUE(model.saveAs(folder.filePath("talk.cues")));
+    EXPECT_EQ(model.file(), folder.filePath("talk.cues"));
+    EXPECT_TRUE(readAll(folder.filePath("talk.cues")).contains("[[cue]]"));
+}
+
+// Where the window finds a list of cues that somebody has written into, wrongly.
+QString wrongListFile() { return SessionFile::usualFolder() + "/talk.cues"; }
+constexpr char kWrongList[] = "[[cue]\nname = 'mine'\n";
+struct WrongList {
+    WrongList() {
+        QDir().mkpath(SessionFile::usualFolder());
+        for (const QString& name : QDir(SessionFile::usualFolder()).entryList({"talk*.cues"}))
+            QFile::remove(SessionFile::usualFolder() + '/' + name);
+        write(wrongListFile(), kWrongList);
+    }
+    ~WrongList() {
+        QFile::remove(wrongListFile());
+        QFile::remove(SessionFile::usualFolder() + "/talk 2.cues");
+    }
+};
+class WindowWithAWrongList : private WrongList, public WindowFiles {};
+
+TEST_F(WindowWithAWrongList, TheListIsToldAndNeverWrittenOver) {
+    const QString words = "talk.cues could not be read. It stays as it is; new cues go into talk 2.cues.";
+    EXPECT_TRUE(reported().startsWith(words)) << reported().toStdString();
+    openPyramid();
+    EXPECT_TRUE(reported().startsWith(words))
+        << "a scene that opens hides it, the first time only: " << reported().toStdString();
+    press("Ctrl+B");
+    EXPECT_TRUE(QTest::qWaitFor([] { return QFile::exists(SessionFile::usualFolder() + "/talk 2.cues"); }, 5000));
+    window.cues().model().clear();
+    EXPECT_EQ(readAll(wrongListFile()), kWrongList);
+    ASSERT_TRUE(window.openFile(resourceScene("two_pyramids.scene")));
+    EXPECT_EQ(reported(), "");
 }
 
 }  // namespace
