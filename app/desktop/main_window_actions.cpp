@@ -28,6 +28,7 @@
 #include "app/panels/export_dialog.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/inspector_panel.h"
+#include "app/panels/save_dialog.h"
 #include "app/panels/study_panel.h"
 #include "pipeline/formats/format_table.h"
 #include "pipeline/formats/scene_reader.h"
@@ -202,12 +203,12 @@ bool MainWindow::saveScene() {
 }
 
 bool MainWindow::saveSceneAs() {
-    const QFileInfo opened(toQString(m_document.scene().file));
-    const QString proposed = opened.dir().filePath(opened.completeBaseName() + QStringLiteral(".toml"));
-    QString file = QFileDialog::getSaveFileName(this, tr("Save the scene"), proposed, tr("Scenes (*.toml)"));
-    if (file.isEmpty()) return false;
-    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".toml");
-    return m_document.save(file);
+    const QFileInfo opened(toQString(m_document.scene().file)), named(toQString(m_document.scene().name));
+    const bool hasFile = !opened.fileName().isEmpty();
+    const QString proposed = (hasFile ? opened.dir() : QDir::home())
+                                 .filePath((hasFile ? opened : named).completeBaseName() + QStringLiteral(".toml"));
+    const QString file = askWhereToSave(this, tr("Save the scene"), proposed, tr("Scenes (*.toml)"), "toml");
+    return !file.isEmpty() && m_document.save(file);
 }
 
 void MainWindow::exportBuffers(bool onlyActive) {

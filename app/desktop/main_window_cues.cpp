@@ -12,6 +12,7 @@
 #include "app/desktop/view_area.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"
+#include "app/panels/save_dialog.h"
 
 namespace app {
 namespace {
@@ -46,10 +47,9 @@ void MainWindow::connectCues() {
         if (!file.isEmpty()) openFile(file);
     });
     connect(m_cues, &CuePanel::saveAsAsked, this, [this] {
-        QString file = QFileDialog::getSaveFileName(this, tr("Save the cue list"), m_cues->model().file(), cueFilter());
-        if (file.isEmpty()) return;
-        if (QFileInfo(file).suffix().isEmpty()) file += kCueEnding;
-        m_cues->model().saveAs(file);
+        const QString file =
+            askWhereToSave(this, tr("Save the cue list"), m_cues->model().file(), cueFilter(), kCueEnding + 1);
+        if (!file.isEmpty()) m_cues->model().saveAs(file);
     });
     connect(m_cues, &CuePanel::presentAsked, this, &MainWindow::present);
     connect(&m_cues->model(), &CueModel::changed, this, &MainWindow::enableCueActions);

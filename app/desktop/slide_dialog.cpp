@@ -5,7 +5,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -22,6 +21,7 @@
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_painter.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/save_dialog.h"
 #include "app/view3d/view3d_panel.h"
 
 namespace app {
@@ -227,11 +227,9 @@ void SlideDialog::save(const QString& file) {
 
 void SlideDialog::choose() {
     const QString base = QFileInfo(toQString(m_document.scene().name)).completeBaseName();
-    QString file = QFileDialog::getSaveFileName(this, tr("Picture for a slide"), QDir::home().filePath(base + ".png"),
-                                                tr("Pictures (*.png)"));
-    if (file.isEmpty()) return;
-    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".png");
-    save(file);
+    const QString file = askWhereToSave(this, tr("Picture for a slide"), QDir::home().filePath(base + ".png"),
+                                        tr("Pictures (*.png)"), "png");
+    if (!file.isEmpty()) save(file);
 }
 
 void SlideDialog::copy() {

@@ -1,6 +1,5 @@
 #include "app/panels/scanline_panel.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSpinBox>
@@ -11,6 +10,7 @@
 #include "app/core/write_file.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/save_dialog.h"
 #include "app/panels/scanline_plot_view.h"
 #include "pipeline/export/plot_file.h"
 
@@ -150,10 +150,9 @@ QString ScanlinePanel::svg() const {
 }
 
 void ScanlinePanel::save(const QString& title, const QString& ending, const QString& text) {
-    QString file = QFileDialog::getSaveFileName(this, title, QStringLiteral("row_%1.%2").arg(m_row).arg(ending),
-                                                QStringLiteral("*.%1").arg(ending));
+    const QString file = askWhereToSave(this, title, QStringLiteral("row_%1.%2").arg(m_row).arg(ending),
+                                        QStringLiteral("*.%1").arg(ending), ending);
     if (file.isEmpty()) return;
-    if (QFileInfo(file).suffix().isEmpty()) file += '.' + ending;
     const auto errors = writeFile(file, text.toUtf8());
     errors.empty() ? emit m_document.said(tr("Wrote %1.").arg(file)) : emit m_document.notWritten(file, errors);
 }

@@ -1,6 +1,7 @@
 // What the window writes: nothing is lost without a question, and what cannot be written is told as that.
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -8,6 +9,7 @@
 #include <QPushButton>
 #include <QTest>
 #include <QTimer>
+#include <deque>
 
 #include "app/core/session_file.h"
 #include "app/desktop/actions.h"
@@ -16,6 +18,7 @@
 #include "app/panels/cue_panel.h"
 #include "app/panels/error_list.h"
 #include "app/panels/lesson_panel.h"
+#include "app/panels/save_dialog.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -116,6 +119,35 @@ TEST_F(WindowFiles, WhatCannotBeWrittenIsNotSaidToBeUnread) {
     EXPECT_TRUE(model.saveAs(folder.filePath("talk.cues")));
     EXPECT_EQ(model.file(), folder.filePath("talk.cues"));
     EXPECT_TRUE(readAll(folder.filePath("talk.cues")).contains("[[cue]]"));
+}
+
+TEST_F(WindowFiles, ANameWithoutItsEndingReplacesNoFileUnasked) {
+    write(folder.filePath("talk.cues"), "mine");
+    QStringList asked;
+    QStringList names{"talk", "talk", "talk 2"};
+    std::deque<QMessageBox::StandardButton> answers{QMessageBox::No, QMessageBox::Yes};
+    QTimer user;
+    QObject::connect(&user, &QTimer::timeout, &window, [&] {
+        QWidget* modal = QApplication::activeModalWidget();
+        if (auto* box = qobject_cast<QMessageBox*>(modal)) {
+            asked << box->text();
+            const auto button = answers.front();
+            answers.pop_front();
+            box->button(button)->click();
+        } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
+            dialog->findChild<QLineEdit*>()->setText(folder.filePath(names.takeFirst()));
+            QMetaObject::invokeMethod(dialog, "accept", Qt::DirectConnection);
+        }
+    });
+    user.start(20);
+    const auto ask = [this] {
+        return askWhereToSave(&window, "Save", folder.filePath("talk.cues"), "Cue lists (*.cues)", "cues");
+    };
+    EXPECT_EQ(ask(), folder.filePath("talk.cues")) << "after No and, asked anew, Yes";
+    ASSERT_EQ(asked.size(), 2);
+    EXPECT_TRUE(asked[0].startsWith("talk.cues already exists.")) << asked[0].toStdString();
+    EXPECT_EQ(ask(), folder.filePath("talk 2.cues"));
+    EXPECT_EQ(asked.size(), 2) << "there is none of that name";
 }
 
 // Where the window finds a list of cues that somebody has written into, wrongly.
