@@ -6,7 +6,7 @@
 #include "app/cli/frame_argument.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
-#include "app/cli/progress_line.h"
+#include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/film.h"
@@ -86,7 +86,7 @@ int runFilm(const FilmOptions& options) {
         tell("shadescope film: --to comes before --from\n");
         return kWrongUsage;
     }
-    ProgressLine line("film");
+    ProgressPrinter line("film");
     const auto summary = writeFilm(steps, request, options.target, [&](std::size_t done, std::size_t all) {
         line.show(done, all);
         return !interrupt.asked();

@@ -136,7 +136,7 @@ int runStudyCommand(const StudyOptions& options) {
 
     const Interrupt interrupt;
     int status = kDone;
-    StudyJob job;
+    StudyOrder job;
     job.request.scene = loadScene(options.scene, status);
     if (!job.request.scene) return status;
     auto sweep = parseSweeps(*job.request.scene, options.sweeps);

@@ -8,7 +8,7 @@
 #include "app/cli/child_process.h"
 #include "app/cli/cli.h"
 #include "app/cli/message.h"
-#include "app/cli/progress_line.h"
+#include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "app/cli/study_folder.h"
 #include "pipeline/export/staging.h"
@@ -34,7 +34,7 @@ bool isFound(const StudyPoint& point) { return !point.failure.empty() || !point.
 constexpr std::chrono::seconds kKeptEvery{5};
 
 struct Run {
-    const StudyJob& job;
+    const StudyOrder& job;
     const Interrupt& interrupt;
     int& status;
     StudyReport report;
@@ -83,7 +83,7 @@ struct Run {
 
     bool findErrors() {
         pipeline::ErrorFinder finder(job.request);
-        ProgressLine progress("Errors");
+        ProgressPrinter progress("Errors");
         const auto all = report.points.size();
         for (StudyPoint& point : report.points) {
             if (isFound(point)) continue;
@@ -126,7 +126,7 @@ struct Run {
 
 }  // namespace
 
-std::optional<StudyReport> runStudy(const StudyJob& job, const Interrupt& interrupt, int& status) {
+std::optional<StudyReport> runStudy(const StudyOrder& job, const Interrupt& interrupt, int& status) {
     Run run{job, interrupt, status, {}};
     if (!run.begin() || !run.findErrors() || !run.measure()) return std::nullopt;
     return std::move(run.report);
@@ -138,7 +138,7 @@ int takeTimes(const pipeline::StudyRequest& request, const fs::path& file, const
     report.processes = 1;
     report.load = {pipeline::loadAverage()};
     {
-        ProgressLine progress(which.empty() ? "Times" : "Times, process " + which);
+        ProgressPrinter progress(which.empty() ? "Times" : "Times, process " + which);
         const auto show = [&](int done, int all) { progress.show(std::size_t(done), std::size_t(all), "rounds"); };
         if (!measureTimes(request, report.points, show, interrupt.token())) return kInterrupted;
     }

@@ -11,19 +11,18 @@
 
 namespace app {
 
-struct StudyJob {
+struct StudyOrder {
     pipeline::StudyRequest request;
     int processes = 3;
     std::filesystem::path folder;
     bool restart = false;
-    bool pictures = true;
     std::vector<std::string> arguments;  // that make the same request of a process that takes times
 };
 
 // Finds the errors of every point, has processes of their own take the times one after the other, and keeps what there
 // is in the folder all the way, so that the same call goes on where this one was stopped. Gives the report, or nothing
 // after the reason went to standard error and `status` was set.
-std::optional<pipeline::StudyReport> runStudy(const StudyJob& job, const Interrupt& interrupt, int& status);
+std::optional<pipeline::StudyReport> runStudy(const StudyOrder& job, const Interrupt& interrupt, int& status);
 
 // What such a process does: takes times and writes them to a file. Gives its exit status.
 int takeTimes(const pipeline::StudyRequest& request, const std::filesystem::path& file, const std::string& which,

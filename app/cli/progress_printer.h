@@ -7,12 +7,12 @@ namespace app {
 
 // How far long work is, on standard error: one line that is written over again on a terminal, and a
 // line every ten seconds where it is not one.
-class ProgressLine {
+class ProgressPrinter {
 public:
-    explicit ProgressLine(std::string what);
-    ~ProgressLine();  // leaves no half line behind
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
+    explicit ProgressPrinter(std::string what);
+    ~ProgressPrinter();  // leaves no half line behind
+    ProgressPrinter(const ProgressPrinter&) = delete;
+    ProgressPrinter& operator=(const ProgressPrinter&) = delete;
 
     // `now` says what is being done; the time that is left is taken from the speed so far.
     void show(std::size_t done, std::size_t all, std::string_view now = {});

@@ -1,4 +1,4 @@
-#include "app/cli/progress_line.h"
+#include "app/cli/progress_printer.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -16,14 +16,14 @@ std::string timeLeftText(double seconds) {
     return fmt::format("about {:.1f} h", seconds / 3600);
 }
 
-ProgressLine::ProgressLine(std::string what)
+ProgressPrinter::ProgressPrinter(std::string what)
     : m_what(std::move(what)), m_terminal(isatty(STDERR_FILENO) != 0), m_start(Clock::now()), m_last(m_start) {}
 
-ProgressLine::~ProgressLine() {
+ProgressPrinter::~ProgressPrinter() {
     if (m_shown) tell("\r\x1b[K");
 }
 
-void ProgressLine::show(std::size_t done, std::size_t all, std::string_view now) {
+void ProgressPrinter::show(std::size_t done, std::size_t all, std::string_view now) {
     const Clock::time_point at = Clock::now();
     // On a terminal five times a second is as fast as anybody reads.
     const auto pause = m_terminal ? std::chrono::milliseconds(200) : std::chrono::milliseconds(10'000);
