@@ -5,8 +5,6 @@
 #include "app/core/text.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/size_text.h"
-#include "pipeline/formats/scene_reader.h"
-#include "pipeline/scene/settings_table.h"
 
 namespace app {
 
@@ -68,10 +66,13 @@ std::vector<pipeline::PlannedFile> plannedDerived(const pipeline::Scene& scene,
     return files;
 }
 
-QString exportCommand(const pipeline::Scene& scene, const pipeline::ExportRequest& request, const DerivedRecipe& recipe,
-                      bool allBuffers) {
-    QStringList words{"shadescope", "export", shellWord(toQString(scene.file.empty() ? scene.name : scene.file)), "-o",
-                      shellWord(toQString(request.folder.string()))};
+QString sceneWord(const pipeline::Scene& scene) {
+    return shellWord(toQString(scene.file.empty() ? scene.name : scene.file));
+}
+
+QString exportCommand(const pipeline::Scene& scene, const QStringList& changes, const pipeline::ExportRequest& request,
+                      const DerivedRecipe& recipe, bool allBuffers) {
+    QStringList words{"shadescope", "export", sceneWord(scene), "-o", shellWord(toQString(request.folder.string()))};
     QStringList formats, buffers;
     bool anyDerived = false, needsText = false, needsMix = false;
     for (const std::string& format : request.formats) formats += toQString(format);
@@ -88,16 +89,7 @@ QString exportCommand(const pipeline::Scene& scene, const pipeline::ExportReques
     if (needsText) words << "--where" << shellWord(toQString(recipe.text));
     if (const std::string mix = mixText(recipe.mix); needsMix && !mix.empty())
         words << "--mix" << shellWord(toQString(mix));
-    const auto original = pipeline::readScene(scene.file);
-    if (original && original->objects.size() == scene.objects.size() &&
-        original->lights.size() == scene.lights.size()) {
-        for (const pipeline::SettingRef& setting : pipeline::settingsOf(scene)) {
-            const double value = setting.get(scene);
-            if (value != setting.get(*original))
-                words << "--set" << shellWord(toQString(setting.key() + "=" + formatSetting(setting, value)));
-        }
-    }
-    return words.join(' ');
+    return (words + changes).join(' ');
 }
 
 }  // namespace app

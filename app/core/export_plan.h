@@ -24,11 +24,13 @@ QString sizeText(std::uint64_t bytes);
 // What a shell needs quoted is quoted.
 QString shellWord(const QString& word);
 
-// The command line that writes the same files: settings that differ from the scene's file are
-// named by --set, buffers only where they are not `allBuffers`, the names an export takes by itself; the recipe where a
-// derived buffer needs it.
-QString exportCommand(const pipeline::Scene& scene, const pipeline::ExportRequest& request, const DerivedRecipe& recipe,
-                      bool allBuffers);
+// The scene as a command takes it: its file, or its name.
+QString sceneWord(const pipeline::Scene& scene);
+
+// The command line that writes the same files, with the words of ChangedSettings; buffers are named only where they are
+// not `allBuffers`, the names an export takes by itself, the recipe where a derived buffer needs it.
+QString exportCommand(const pipeline::Scene& scene, const QStringList& changes, const pipeline::ExportRequest& request,
+                      const DerivedRecipe& recipe, bool allBuffers);
 
 // The files of the request's derived buffers, which no frame holds, at the size of the scene's picture.
 std::vector<pipeline::PlannedFile> plannedDerived(const pipeline::Scene& scene, const pipeline::ExportRequest& request);

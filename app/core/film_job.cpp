@@ -1,5 +1,6 @@
 #include "app/core/film_job.h"
 
+#include "app/core/export_plan.h"
 #include "app/core/text.h"
 #include "pipeline/run/runner.h"
 
@@ -31,11 +32,6 @@ Result<FilmSummary> write(std::shared_ptr<const pipeline::Scene> scene, const Fi
     return writeFilm(steps, request, order.target, progress);
 }
 
-QString quoted(const std::string& text) {
-    const QString word = toQString(text);
-    return word.contains(u' ') ? u'"' + word + u'"' : word;
-}
-
 }  // namespace
 
 FilmOrder filmOf(const pipeline::BufferName& buffer) {
@@ -46,16 +42,17 @@ FilmOrder filmOf(const pipeline::BufferName& buffer) {
     return order;
 }
 
-QString filmCommand(const pipeline::Scene& scene, const FilmOrder& order) {
+QString filmCommand(const pipeline::Scene& scene, const QStringList& changes, const FilmOrder& order) {
     const FilmOrder usual = filmOf(order.buffer);
-    QString command = "shadescope film " + quoted(scene.file.empty() ? scene.name : scene.file) + " --buffer " +
-                      toQString(order.buffer.text()) + " --by " + toQString(name(order.level));
-    if (order.from != usual.from) command += " --from " + toQString(text(order.from));
-    if (order.to != usual.to) command += " --to " + toQString(text(order.to));
-    command += QString(" --pictures %1").arg(order.pictures);
-    if (order.target.extension() == ".gif") command += QString(" --milliseconds %1").arg(order.milliseconds);
-    if (!order.captions) command += " --no-captions";
-    return command + " -o " + quoted(order.target.string());
+    QStringList words{"shadescope", "film", sceneWord(scene)};
+    words << "--buffer" << toQString(order.buffer.text()) << "--by" << toQString(name(order.level));
+    if (order.from != usual.from) words << "--from" << shellWord(toQString(text(order.from)));
+    if (order.to != usual.to) words << "--to" << shellWord(toQString(text(order.to)));
+    words << "--pictures" << QString::number(order.pictures);
+    if (order.target.extension() == ".gif") words << "--milliseconds" << QString::number(order.milliseconds);
+    if (!order.captions) words << "--no-captions";
+    words << changes;
+    return words.join(' ') + " -o " + shellWord(toQString(order.target.string()));
 }
 
 FilmJob::FilmJob(std::shared_ptr<const pipeline::Scene> scene, FilmOrder order, QObject* parent) : QObject(parent) {

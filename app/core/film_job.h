@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <QStringList>
 #include <filesystem>
 #include <thread>
 
@@ -18,8 +19,9 @@ struct FilmOrder {
 };
 // From before the first step of the buffer's stage to its end.
 FilmOrder filmOf(const pipeline::BufferName& buffer);
-// "./run film pyramid.scene --buffer z_view -o film.gif": the same as a command.
-QString filmCommand(const pipeline::Scene& scene, const FilmOrder& order);
+// "shadescope film pyramid.scene --buffer z_view --by polygon --pictures 120 -o film": the same as a command, with the
+// words of ChangedSettings.
+QString filmCommand(const pipeline::Scene& scene, const QStringList& changes, const FilmOrder& order);
 
 // Writes a film on a thread of its own. One job, one film.
 class FilmJob : public QObject {

@@ -37,6 +37,7 @@ QLabel* makeLabel(const QString& name, int tone, QWidget* parent) {
 ExportDialog::ExportDialog(Document& document, QWidget* parent)
     : QDialog(parent),
       m_document(document),
+      m_changes(document),
       m_choices(makeChoices()),
       m_buffers(new ExportList(this)),
       m_foot(new JobFoot("export", tr("Export"), this)) {
@@ -200,8 +201,9 @@ void ExportDialog::showSummary() {
             .arg(sizeText(std::uint64_t(bytes))));
     const QString more = files.size() > 7 ? tr("\nand %1 more").arg(files.size() - 7) : QString();
     m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') + more);
-    m_foot->setCommand(
-        exportCommand(*sceneToExport(), wanted, m_document.derived().recipe(), m_buffers->isAllChosen()));
+    const auto scene = sceneToExport();
+    m_foot->setCommand(exportCommand(*scene, m_changes.words(*scene), wanted, m_document.derived().recipe(),
+                                     m_buffers->isAllChosen()));
     const bool ready = !wanted.buffers.empty() && !wanted.formats.empty() && !m_folder->text().isEmpty() &&
                        m_width->hasAcceptableInput() && m_height->hasAcceptableInput();
     m_foot->setReady(ready, tr("Choose a buffer, a format, a folder and a size first."));
@@ -209,7 +211,9 @@ void ExportDialog::showSummary() {
 
 void ExportDialog::start() {
     if (m_job) return;
-    m_job = new ExportJob(sceneToExport(), m_document.wholeFrame(), request(), m_document.derived().recipe(), this);
+    const pipeline::ExportRequest wanted = request();
+    m_written = toQString(wanted.folder.string());
+    m_job = new ExportJob(sceneToExport(), m_document.wholeFrame(), wanted, m_document.derived().recipe(), this);
     connect(m_job, &ExportJob::progressed, this,
             [this](double share, const QString& file) { m_foot->setProgress(share, file); });
     connect(m_job, &ExportJob::finished, this, [this](const pipeline::ExportSummary& summary) {
@@ -226,7 +230,7 @@ void ExportDialog::start() {
 void ExportDialog::finish(const QString& sentence, bool done) {
     m_job->deleteLater();
     m_job = nullptr;
-    m_foot->finish(sentence, done ? m_folder->text() : QString());
+    m_foot->finish(sentence, done ? m_written : QString());
 }
 
 }  // namespace app

@@ -1,6 +1,7 @@
 #pragma once
 #include <QDialog>
 
+#include "app/core/changed_settings.h"
 #include "app/core/document.h"
 #include "app/core/export_plan.h"
 #include "app/panels/tab_order.h"
@@ -42,6 +43,7 @@ private:
     void finish(const QString& sentence, bool done);
 
     Document& m_document;
+    ChangedSettings m_changes;
     QWidget* m_choices;
     QPushButton* m_onlyShown;
     ExportList* m_buffers;
@@ -51,6 +53,7 @@ private:
     QLabel *m_total, *m_files;
     JobFoot* m_foot;
     ExportJob* m_job = nullptr;
+    QString m_written;  // where the job's files go, whatever the field says meanwhile
     std::string m_state;
     std::vector<pipeline::BufferName> m_shown;
 };

@@ -31,7 +31,10 @@ bool hasPixels(const pipeline::BufferName& name) {
 }  // namespace
 
 FilmDialog::FilmDialog(Document& document, const pipeline::BufferName& buffer, QWidget* parent)
-    : QDialog(parent), m_document(document), m_foot(new JobFoot("film", tr("Write the film"), this)) {
+    : QDialog(parent),
+      m_document(document),
+      m_changes(document),
+      m_foot(new JobFoot("film", tr("Write the film"), this)) {
     setObjectName("filmDialog");
     setWindowTitle(tr("Step film"));
     auto* column = new QVBoxLayout(this);
@@ -124,7 +127,7 @@ void FilmDialog::showOrder() {
     m_milliseconds->setEnabled(single);
     m_milliseconds->setToolTip(single ? QString() : tr("PNG files have no speed; a file that ends in .gif has."));
     m_foot->setReady(!m_target->text().isEmpty(), tr("Choose a file that ends in .gif, or a folder."));
-    m_foot->setCommand(filmCommand(m_document.scene(), order()));
+    m_foot->setCommand(filmCommand(m_document.scene(), m_changes.words(m_document.scene()), order()));
 }
 
 void FilmDialog::chooseTarget() {
@@ -135,7 +138,9 @@ void FilmDialog::chooseTarget() {
 
 void FilmDialog::start() {
     if (m_job) return;
-    m_job = new FilmJob(std::make_shared<const pipeline::Scene>(m_document.scene()), order(), this);
+    const FilmOrder wanted = order();
+    m_written = toQString(wanted.target.string());
+    m_job = new FilmJob(std::make_shared<const pipeline::Scene>(m_document.scene()), wanted, this);
     connect(m_job, &FilmJob::progressed, this, [this](double share) { m_foot->setProgress(share); });
     connect(m_job, &FilmJob::finished, this, [this](const pipeline::FilmSummary& summary) {
         const QString behind =
@@ -152,7 +157,7 @@ void FilmDialog::start() {
 void FilmDialog::finish(const QString& sentence, bool done) {
     m_job->deleteLater();
     m_job = nullptr;
-    const QFileInfo target(m_target->text());
+    const QFileInfo target(m_written);
     m_foot->finish(sentence, !done ? QString() : target.isDir() ? target.filePath() : target.path());
 }
 

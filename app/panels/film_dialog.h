@@ -1,6 +1,7 @@
 #pragma once
 #include <QDialog>
 
+#include "app/core/changed_settings.h"
 #include "app/core/document.h"
 #include "app/core/film_job.h"
 #include "app/panels/tab_order.h"
@@ -36,12 +37,14 @@ private:
     void finish(const QString& sentence, bool done);
 
     Document& m_document;
+    ChangedSettings m_changes;
     QComboBox *m_buffer, *m_level, *m_end;
     QSpinBox *m_pictures, *m_milliseconds;
     QCheckBox* m_captions;
     QLineEdit* m_target;
     JobFoot* m_foot;
     FilmJob* m_job = nullptr;
+    QString m_written;  // where the job's film goes, whatever the field says meanwhile
 };
 
 }  // namespace app

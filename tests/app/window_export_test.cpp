@@ -122,6 +122,22 @@ TEST_F(WindowExport, CommandLineNamesWhatWasChanged) {
     EXPECT_FALSE(command.contains("--buffers"));  // all of them, as the command takes by itself
 }
 
+// The file of a large scene takes long to read: more than once would hold the window with every key.
+TEST_F(WindowExport, CommandLineNeedsTheSceneFileNoMore) {
+    openPyramid();
+    const QString file = folder.filePath("own.toml");
+    ASSERT_TRUE(document().save(file));
+    ASSERT_TRUE(window.openFile(file));
+    document().change(*findSetting(document().scene(), "material.0.n"), 4);
+    ASSERT_TRUE(waitForFrame());
+    ExportDialog* dialog = openDialog();
+    ASSERT_TRUE(QFile::remove(file));
+    dialog->findChild<QLineEdit*>("exportFolder")->setText(folder.filePath("other"));
+    const QString command = dialog->findChild<QLineEdit*>("exportCommand")->text();
+    EXPECT_TRUE(command.contains("other") && command.contains("--set material.0.n=4")) << command.toStdString();
+    document().undoStack()->setClean();
+}
+
 TEST_F(WindowExport, SaysWhyASceneHasNoOpenGlCalls) {
     openPyramid();
     ExportDialog* dialog = openDialog();

@@ -179,6 +179,15 @@ TEST_F(WindowSlide, ALargeSlideIsMadeAwayFromTheWindowAndCanBeCancelled) {
     EXPECT_EQ(QImage(file).size(), QSize(3000, 3000));
 }
 
+TEST_F(WindowSlide, AFilmsCommandWritesTheFilmOfTheSceneOnShow) {
+    document().change(*findSetting(document().scene(), "material.0.n"), 4);
+    FilmDialog dialog(document(), {pipeline::BufferId::ZView});
+    dialog.findChild<QLineEdit*>("filmTarget")->setText("my $HOME's film.gif");
+    const QString command = dialog.findChild<QLineEdit*>("filmCommand")->text();
+    EXPECT_TRUE(command.contains(" --set material.0.n=4 ")) << command.toStdString();
+    EXPECT_TRUE(command.endsWith(" -o 'my $HOME'\\''s film.gif'")) << command.toStdString();
+}
+
 TEST_F(WindowSlide, AFilmIsWrittenWithProgressAndCanBeCancelled) {
     FilmDialog dialog(document(), {pipeline::BufferId::ZView});
     EXPECT_EQ(dialog.order().buffer.id, pipeline::BufferId::ZView);
