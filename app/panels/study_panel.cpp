@@ -56,6 +56,10 @@ StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m
     m_run->setSweep(m_sweep->sweep());
 }
 
+// What is being measured goes on behind a closed panel, for studies take long; pictures are made for who sees them.
+void StudyPanel::showEvent(QShowEvent*) { showSelected(); }
+void StudyPanel::hideEvent(QHideEvent*) { m_images.forget(); }
+
 QWidget* StudyPanel::makeLeft() {
     auto* content = new QWidget;
     content->setProperty("kind", "page");
@@ -179,6 +183,7 @@ pipeline::Result<pipeline::Scene> StudyPanel::selectedScene() const {
 
 // Title and pictures of the selected point: with the settings of the open scene that the sweep does not change.
 void StudyPanel::showSelected() {
+    if (!isVisible()) return;
     if (!m_selected) {
         m_images.forget();
         return m_pictures->setPoint({}, {}, {});

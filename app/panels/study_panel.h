@@ -33,8 +33,12 @@ public:
     void select(std::optional<std::size_t> point);
     std::optional<std::size_t> selected() const { return m_selected; }
     bool openStudy(const QString& file);   // a study.json; what is wrong in it stands in the panel
-    bool exportTo(const QString& folder);  // everything about the study
+    bool exportTo(const QString& folder);  // its tables, plots and page
     void use();                            // takes the settings of the selected point over, in one step of undo
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     QWidget* makeLeft();

@@ -118,7 +118,8 @@ void StudyRun::showState() {
     m_begin->setToolTip(m_sweep ? running ? tr("A study is being measured.") : tr("Measures every point of the sweep.")
                                 : toQString(format(m_sweep.errors().front())));
     m_cancel->setEnabled(running);
-    m_cancel->setToolTip(running ? tr("Keeps the points that are done.") : tr("Nothing is being measured."));
+    m_cancel->setToolTip(running ? tr("Stops it. A first look at the times is kept, where it has come so far.")
+                                 : tr("Nothing is being measured."));
     m_repeats->setEnabled(!running);
     m_threads->setEnabled(!running);
     m_bar->setVisible(running);

@@ -250,3 +250,17 @@ TEST_F(StudyPanelTest, ShowsThePicturesOfTheSelectedPoint) {
     EXPECT_EQ(pictures.error.size(), QSize(64, 48));
     EXPECT_GT(pictures.range, 0);
 }
+
+// Reference pictures take rays: nobody waits for those of a panel that is closed.
+TEST_F(StudyPanelTest, ClosedItMakesNoPicturesAndOpenedAgainThoseOfTheSceneThen) {
+    const auto says = [&] { return panel.findChild<app::PictureFrame*>()->accessibleName(); };
+    click(0);
+    EXPECT_EQ(says(), "Image: computing");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return says() == "Image"; }, 20000));
+    panel.hide();
+    document.change(*findSetting(document.scene(), "camera.theta"), 80);
+    EXPECT_EQ(says(), "Image") << "that of before";
+    panel.show();
+    EXPECT_EQ(says(), "Image: computing");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says() == "Image"; }, 20000));
+}
