@@ -149,6 +149,7 @@ void ConditionBar::say(const QString& text, bool isWrong) {
     if (style != m_said->styleSheet()) m_said->setStyleSheet(style);
     m_said->setText(text);
     setAccessibleDescription(text);
+    m_searching.forget();  // of another text or scene, or of a bar that is closed
     const auto found = mask();
     const QString why = found && found->count > 0 ? QString() : tr("It holds for no pixel.");
     for (QToolButton* made : {m_previous, m_next}) made->setEnabled(why.isEmpty());
