@@ -26,9 +26,11 @@ protected:
         const QRect area = contentsRect();
         painter.drawText(area, int(alignment()), fontMetrics().elidedText(text(), Qt::ElideRight, area.width()));
     }
-    void resizeEvent(QResizeEvent* event) override {
-        QLabel::resizeEvent(event);
-        setToolTip(fontMetrics().horizontalAdvance(text()) > contentsRect().width() ? text() : QString());
+    // When it is asked for, since nothing tells of another text.
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::ToolTip || event->type() == QEvent::Resize)
+            setToolTip(fontMetrics().horizontalAdvance(text()) > contentsRect().width() ? text() : QString());
+        return QLabel::event(event);
     }
 };
 

@@ -11,7 +11,10 @@
 
 #include "app/core/numbers.h"
 #include "app/core/spoken.h"
+#include "app/core/text.h"
 #include "app/panels/follow_theme.h"
+#include "pipeline/core/text.h"
+#include "pipeline/formats/text_scanner.h"
 
 namespace app {
 
@@ -191,10 +194,15 @@ void PaletteBar::mouseDoubleClickEvent(QMouseEvent* event) {
     const double first = xOf(m_scale.range.first), last = xOf(m_scale.range.last), x = event->position().x();
     const Handle handle = std::abs(x - first) <= std::abs(x - last) ? Handle::First : Handle::Last;
     const double before = handle == Handle::First ? m_scale.range.first : m_scale.range.last;
+    // As text: a spin box has a fixed number of digits behind the point, and 3e-8 none of them.
     bool entered = false;
-    const double value = QInputDialog::getDouble(this, tr("Range"), tr("Value at this end of the palette"), before,
-                                                 -1e12, 1e12, 6, &entered);
-    if (entered) moveHandle(handle, value - before, m_scale.range);
+    QString text = toQString(pipeline::shortestText(before));
+    do {
+        text = QInputDialog::getText(this, tr("Range"), tr("Value at this end of the palette"), QLineEdit::Normal, text,
+                                     &entered);
+        const auto value = pipeline::parseNumber(text.trimmed().toStdString());
+        if (entered && value) return moveHandle(handle, *value - before, m_scale.range);
+    } while (entered);
 }
 
 void PaletteBar::keyPressEvent(QKeyEvent* event) {

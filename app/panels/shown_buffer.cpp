@@ -50,13 +50,12 @@ Findings look(const AnyBuffer& buffer, const std::vector<bool>& drawn, ShownChan
                 if (!drawn.empty() && !drawn[i]) continue;
                 ++found.drawn;
                 const double value = double(numbers[i * channels + c]);
-                if (value == last) continue;
-                last = value;
                 if (std::isnan(value)) {
                     ++found.nan;
                 } else if (std::isinf(value)) {
                     ++found.infinite;
-                } else {
+                } else if (value != last) {
+                    last = value;
                     if (value < found.min) {
                         found.min = value;
                         found.minAt = i;

@@ -142,8 +142,9 @@ void ValueSlider::keyPressEvent(QKeyEvent* event) {
 
 // Scrolling the panel must not change what happens to lie under the cursor.
 void ValueSlider::wheelEvent(QWheelEvent* event) {
-    if (!hasFocus()) return event->ignore();
-    stepBy(event->angleDelta().y() > 0 ? 1 : -1);
+    const int turn = event->angleDelta().y();
+    if (!hasFocus() || turn == 0) return event->ignore();  // 0: sideways
+    stepBy(turn > 0 ? 1 : -1);
 }
 
 }  // namespace app
