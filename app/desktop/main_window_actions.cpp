@@ -269,7 +269,7 @@ std::vector<PaletteEntry> MainWindow::commands() {
     const QString noLayout = (*m_actions)[ActionId::KeepLayout]->property("whyNot").toString();
     for (const QString& name : keptLayouts())
         all.push_back({name, tr("View › Layout"), QString(), noLayout, [this, name] { applyKeptLayout(name); }});
-    if (m_document.frame()) {
+    if (showsScene() && m_document.frame()) {
         const std::size_t lights = m_document.scene().lights.size();
         for (const auto& names : {pipeline::allBuffers(lights), pipeline::allDerived(lights)})
             for (const pipeline::BufferName& name : names)

@@ -15,7 +15,7 @@ Popover::Popover(QWidget* window) : QFrame(window) {
 }
 
 void Popover::open(QWidget* focus) {
-    m_before = QApplication::focusWidget();
+    if (!isVisible()) m_before = QApplication::focusWidget();  // else it is one of its own
     place();
     show();
     raise();

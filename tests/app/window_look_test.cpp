@@ -232,6 +232,30 @@ TEST_F(WindowLook, ACommandIsFoundByWordsInAnyOrderTheBestFirst) {
     EXPECT_EQ(list->item(0)->text(), "Shadow of a point light");
 }
 
+TEST_F(WindowLook, BuffersAreNoCommandsOnceTheSceneIsClosed) {
+    const auto offers = [this](const QString& name) {
+        press("Ctrl+Shift+P");
+        auto* palette = find<CommandPalette>("commandPalette");
+        const bool found = !palette->findChild<QListWidget*>()->findItems(name, Qt::MatchExactly).isEmpty();
+        palette->close();
+        return found;
+    };
+    openPyramid();
+    EXPECT_TRUE(offers("z_view"));
+    press("Ctrl+W");
+    EXPECT_FALSE(offers("z_view"));
+    EXPECT_TRUE(offers("Open…"));
+}
+
+TEST_F(WindowLook, ThePaletteOpenedTwiceGivesTheFocusBackToTheView) {
+    openPyramid();
+    canvas()->setFocus();
+    press("Ctrl+Shift+P");
+    window.actions()[ActionId::RunCommand]->trigger();
+    QTest::keyClick(find<QLineEdit>("commandField"), Qt::Key_Escape);
+    EXPECT_EQ(QApplication::focusWidget(), canvas());
+}
+
 TEST(CommandMatch, PrefersBeginningsThenWordsThenLettersInOrder) {
     EXPECT_GT(matchQuality("no", "Normals"), matchQuality("no", "Go to north"));
     EXPECT_GT(matchQuality("pix", "Go to pixel…"), matchQuality("gtp", "Go to pixel…"));
