@@ -8,16 +8,16 @@
 
 namespace app {
 
+constexpr int kRestMilliseconds = 300, kAbsentMilliseconds = 1000;
+
 bool FileWatch::readsAgain() { return QSettings().value("files/readAgain", false).toBool(); }
 void FileWatch::setReadsAgain(bool reads) { QSettings().setValue("files/readAgain", reads); }
 
 FileWatch::FileWatch(Document& document) : m_document(document) {
-    constexpr int kRestMilliseconds = 300;
     m_rest.setSingleShot(true);
-    m_rest.setInterval(kRestMilliseconds);
     connect(&document, &Document::sceneOpened, this, &FileWatch::settle);
     connect(document.undoStack(), &QUndoStack::cleanChanged, this, &FileWatch::settle);
-    connect(&m_watcher, &QFileSystemWatcher::fileChanged, &m_rest, qOverload<>(&QTimer::start));
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, [this] { m_rest.start(kRestMilliseconds); });
     connect(&m_rest, &QTimer::timeout, this, &FileWatch::look);
 }
 
@@ -39,10 +39,14 @@ void FileWatch::settle() {
 
 void FileWatch::look() {
     settle();
-    // An editor that writes a new file in place of the old one ends the watch.
-    if (!m_watcher.files().contains(m_kept.file)) m_watcher.addPath(m_kept.file);
+    if (m_kept.file.isEmpty()) return;
     const Stamp now = stampOf(m_kept.file);
-    if (now.size < 0 || now == m_told) return;
+    // A file that is gone may come back: some programs remove it and write another a while later. Looked for, not
+    // watched: its folder may be gone with it.
+    if (now.size < 0) return m_rest.start(kAbsentMilliseconds);
+    // The watch ended with the file before.
+    if (!m_watcher.files().contains(m_kept.file)) m_watcher.addPath(m_kept.file);
+    if (now == m_told) return;
     m_told = now;
     if (!ownFile(m_document).isEmpty()) m_known = now;  // it holds what this program wrote there
     m_changed = now != m_known;

@@ -90,6 +90,20 @@ TEST_F(WindowReload, AChangedFileIsToldAndReadByItselfWhereThatIsChosen) {
     document().undoStack()->setClean();
 }
 
+// As a program does that takes a file away and writes another one a while later.
+TEST_F(WindowReload, AFileThatWasGoneForAWhileIsSeenAgain) {
+    openOwn();
+    ASSERT_TRUE(QFile::remove(file));
+    QTest::qWait(1500);
+    write("60.5");
+    const auto told = [this] { return find<QLabel>("title")->text().contains("its file has changed (F5)"); };
+    EXPECT_TRUE(QTest::qWaitFor(told, 10000));
+    press("F5");
+    EXPECT_FALSE(told());
+    write("70");
+    EXPECT_TRUE(QTest::qWaitFor(told, 10000)) << "from then on as before";
+}
+
 // What the program itself writes is no news.
 TEST_F(WindowReload, SavingIsNoChangeByAnother) {
     openOwn();
