@@ -64,8 +64,6 @@ NotesWindow::NotesWindow(CueModel& cues, QWidget& audience) : m_cues(cues), m_au
     showTime();
 }
 
-NotesWindow::~NotesWindow() { m_worker.request_stop(); }
-
 QWidget* NotesWindow::makePictures() {
     auto* left = new QWidget(this);
     auto* column = new QVBoxLayout(left);
@@ -163,35 +161,33 @@ void NotesWindow::showCue() {
     showTime();
 }
 
-// On a thread of its own; a newer cue makes an older answer void.
+// A newer cue stops what is made for an older one, and waits for nothing.
 void NotesWindow::computeNext() {
-    const int next = m_cues.current() + 1, ticket = ++m_nextTicket;
+    const int next = m_cues.current() + 1;
     m_hasNext = false;
     m_nextImage = {};
     if (next >= m_cues.size()) {
         m_nextTitle->setText(tr("Next   this is the last cue"));
         showImage(m_next, {});
-        return;
+        return m_job.forget();
     }
     const Cue& cue = m_cues.cue(next);
     m_nextTitle->setText(tr("Next   cue %1: %2").arg(next + 1).arg(toQString(cue.name)));
-    m_worker.request_stop();
-    m_worker = std::jthread([this, ticket, state = cue.state, folder = m_cues.folder()](std::stop_token stop) {
-        auto scene = sceneOf(state, folder);
-        if (!scene || stop.stop_requested()) return;
-        auto frame = frameOf(state, std::make_shared<const pipeline::Scene>(std::move(scene).value()), stop);
-        if (!frame) return;
-        const QImage image = pictureOf(*frame, state, state.views.front(), {QSize(960, 720)}, stop);
-        QMetaObject::invokeMethod(
-            this,
-            [this, ticket, image] {
-                if (ticket != m_nextTicket) return;
-                m_nextImage = image;
-                m_hasNext = !m_nextImage.isNull();
-                showImage(m_next, m_nextImage);
-            },
-            Qt::QueuedConnection);
-    });
+    m_job.ask(
+        [state = cue.state, folder = m_cues.folder()](const BackgroundJob::Control& control) -> QImage {
+            const auto goesOn = [&](double, std::string_view) { return !control.stop.stop_requested(); };
+            auto scene = sceneOf(state, folder, goesOn);
+            if (!scene || control.stop.stop_requested()) return {};
+            const auto frame =
+                frameOf(state, std::make_shared<const pipeline::Scene>(std::move(scene).value()), control.stop);
+            if (!frame) return {};
+            return pictureOf(*frame, state, state.views.front(), {QSize(960, 720)}, control.stop);
+        },
+        [this](const QImage& image) {
+            m_nextImage = image;
+            m_hasNext = !m_nextImage.isNull();
+            showImage(m_next, m_nextImage);
+        });
 }
 
 void NotesWindow::showTime() {

@@ -2,9 +2,8 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
-#include <memory>
-#include <thread>
 
+#include "app/core/background_job.h"
 #include "app/core/cue_model.h"
 
 class QLabel;
@@ -19,7 +18,6 @@ class NotesWindow : public QWidget {
 public:
     // audience: what the others see; grabbed now and then.
     NotesWindow(CueModel& cues, QWidget& audience);
-    ~NotesWindow() override;
 
     QString place() const;  // "cue 6 of 9"
     QString timer() const;  // "23:41" since it was opened
@@ -53,8 +51,7 @@ private:
     QTimer m_second, m_grab;
     QImage m_nextImage;
     bool m_hasNext = false;
-    int m_nextTicket = 0;
-    std::jthread m_worker;
+    BackgroundJob m_job;
 };
 
 }  // namespace app

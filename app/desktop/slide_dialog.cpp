@@ -59,6 +59,7 @@ SlideDialog::SlideDialog(const Document& document, ViewArea& views, WindowState 
     connect(m_copy, &QPushButton::clicked, this, &SlideDialog::copy);
     connect(m_close, &QPushButton::clicked, this, [this] {
         if (!m_job.busy()) return reject();
+        if (m_decided->exchange(true)) return;  // a file half a moment from done is finished, and told
         m_job.forget();
         m_message->setText(tr("Cancelled. Nothing was written."));
     });
@@ -193,15 +194,16 @@ void SlideDialog::showWork() {
     if (works) m_message->clear();
 }
 
-void SlideDialog::make(std::function<void(Made&)> finish, std::function<void(const Made&)> done) {
+void SlideDialog::make(std::function<void(Made&, std::atomic<bool>&)> finish, std::function<void(const Made&)> done) {
     const auto content = slideContent(m_document, m_views, request());
     if (!content) return m_message->setText(toQString(format(content.errors())).trimmed());
+    m_decided = std::make_shared<std::atomic<bool>>(false);
     m_job.ask(
-        [content = *content, finish](const BackgroundJob::Control& control) {
+        [content = *content, finish, decided = m_decided](const BackgroundJob::Control& control) {
             auto image = drawSlide(content, control);
             if (!image) return Made{{}, image.errors()};
             Made made{std::move(image).value(), {}};
-            if (!control.stop.stop_requested()) finish(made);
+            if (!control.stop.stop_requested()) finish(made, *decided);
             return made;
         },
         [this, done](const Made& made) {
@@ -210,8 +212,10 @@ void SlideDialog::make(std::function<void(Made&)> finish, std::function<void(con
 }
 
 void SlideDialog::save(const QString& file) {
-    const auto write = [file, scene = m_document.sharedScene(), state = m_state](Made& made) {
+    const auto write = [file, scene = m_document.sharedScene(), state = m_state](Made& made,
+                                                                                 std::atomic<bool>& decided) {
         const std::string png = slidePng(made.image, *scene, state);
+        if (decided.exchange(true)) return;
         made.errors = png.empty() ? pipeline::Errors{{{file.toStdString(), 0, 0}, "the picture cannot be packed", {}}}
                                   : writeFile(file, png);
     };
@@ -233,7 +237,7 @@ void SlideDialog::choose() {
 }
 
 void SlideDialog::copy() {
-    make([](Made&) {},
+    make([](Made&, std::atomic<bool>&) {},
          [this](const Made& made) {
              QApplication::clipboard()->setImage(made.image);
              m_message->setText(tr("Copied the picture."));

@@ -1,5 +1,7 @@
 #pragma once
 #include <QDialog>
+#include <atomic>
+#include <memory>
 
 #include "app/desktop/slide_picture.h"
 
@@ -31,8 +33,8 @@ private:
         QImage image;
         pipeline::Errors errors;
     };
-    // finish(made) on the job's thread, done(made) here, where there are no errors.
-    void make(std::function<void(Made&)> finish, std::function<void(const Made&)> done);
+    // finish(made, decided) on the job's thread, done(made) here, where there are no errors.
+    void make(std::function<void(Made&, std::atomic<bool>&)> finish, std::function<void(const Made&)> done);
     void showWork();
     void choose();
     void copy();
@@ -47,6 +49,8 @@ private:
     QPushButton *m_save, *m_copy, *m_close;
     QProgressBar* m_progress;
     bool m_ready = false;
+    // Of the newest job: whether its file is being written, or it was cancelled; who says so first decides.
+    std::shared_ptr<std::atomic<bool>> m_decided;
     BackgroundJob m_job;
 };
 

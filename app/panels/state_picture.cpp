@@ -64,7 +64,7 @@ std::optional<ShownBuffer> shownIn(const Maker& make, const pipeline::BufferName
     if (!derived) return {};
     const auto polygons = make.frame.buffer({pipeline::BufferId::PolygonId});
     ShownBuffer shown = showBuffer(make.frame, derived->buffer, drawnElements(derived->buffer, polygons, view.channel),
-                                   view.channel, range);
+                                   view.channel, range, make.stop);
     if (derived->verdicts) shown.content.overlays.push_back(verdictPicture(*derived->verdicts, 0));
     return shown;
 }
@@ -140,7 +140,7 @@ QImage pictureOf(const pipeline::Frame& frame, const WindowState& state, const B
     auto shown = shownIn(make, *name, view);
     if (!shown) return {};
     const OverlaySet overlays = overlaysOf(view);
-    addOverlays(frame, overlays, *shown);
+    addOverlays(frame, overlays, *shown, stop);
     if (whyNoOverlays(bufferInfo(name->id)).isEmpty()) layOver(make, view, shown->content);
     CanvasContent& content = shown->content;
     content.hasGround = !look.transparent;
@@ -156,9 +156,9 @@ QImage pictureOf(const pipeline::Frame& frame, const WindowState& state, const B
     placement.origin /= growth, placement.zoom /= growth;
     const QRect visible = QRectF(QPointF(0, 0), QSizeF(look.size) / growth).toAlignedRect();
     painter.scale(growth, growth);
-    paintCanvas(painter, content, placement, visible, overlays[index(OverlayId::Edges)]);
+    paintCanvas(painter, content, placement, visible, overlays[index(OverlayId::Edges)], stop);
     paintMarks(painter, content, placement, visible);
-    return image;
+    return stop.stop_requested() ? QImage() : image;
 }
 
 }  // namespace app

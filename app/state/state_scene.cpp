@@ -68,9 +68,9 @@ Result<Scene> sceneOf(const WindowState& state, const Scene& original) {
     return scene;
 }
 
-Result<Scene> sceneOf(const WindowState& state, const fs::path& folder) {
+Result<Scene> sceneOf(const WindowState& state, const fs::path& folder, const pipeline::ReadProgress& progress) {
     if (!state.sceneText.empty()) return sceneOf(state, Scene());
-    const Result<Scene> original = readNamedScene(state.scene, folder);
+    const Result<Scene> original = readNamedScene(state.scene, folder, progress);
     return original ? sceneOf(state, *original) : original;
 }
 

@@ -24,7 +24,8 @@ void findFilesFrom(WindowState& state, const std::filesystem::path& folder);
 // whole text. Errors: a setting that the scene does not have, a text that is no scene. The result has passed checkScene.
 pipeline::Result<pipeline::Scene> sceneOf(const WindowState& state, const pipeline::Scene& original);
 // The same with the original read from its file.
-pipeline::Result<pipeline::Scene> sceneOf(const WindowState& state, const std::filesystem::path& folder);
+pipeline::Result<pipeline::Scene> sceneOf(const WindowState& state, const std::filesystem::path& folder,
+                                          const pipeline::ReadProgress& progress = {});
 
 // Makes the state show `scene`: by settings where these lead from `original` to it, else as text. original may be null.
 // Errors: the text is too large; `set` and `sceneText` are empty then.
