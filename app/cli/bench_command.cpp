@@ -241,8 +241,10 @@ void declareBench(CLI::App& program, const CliHost&, int& status) {
         ->type_name("N")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
-    command->add_flag("--leave-out", options->leaveOut,
-                      "Compare leaving out with running everything, in turns; without SCENE for every built-in scene");
+    command
+        ->add_flag("--leave-out", options->leaveOut,
+                   "Compare leaving out with running everything, in turns; without SCENE for every built-in scene")
+        ->excludes("--no-leave-out");
     command->add_flag("--scaling", options->scaling,
                       "How time grows with polygons and with pixels: spheres of its own, no SCENE");
     command->add_flag("--json", options->json, "Print JSON");

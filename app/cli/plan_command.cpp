@@ -130,7 +130,9 @@ void declarePlan(CLI::App& program, const CliHost&, int& status) {
     CLI::App* command = program.add_subcommand("plan", "Print what will run, what is left out, and why");
     declareSceneArgument(*command, options->scene);
     declareFrameArgument(*command, options->frame);
-    command->add_flag("--counts", options->counts, "Run the frame, and print what it did and left out in counts");
+    auto* counts =
+        command->add_flag("--counts", options->counts, "Run the frame, and print what it did and left out in counts");
+    command->get_option("--threads")->needs(counts);
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &status] { status = runPlan(*options); });
 }

@@ -171,6 +171,7 @@ int runStudyCommand(const StudyOptions& options) {
         tell("{} of {} points are in {}\n", report->points.size(), pointCount(report->axes), file.string());
     } else {
         const auto pictures = frontPictures(job.request, *report, kPictures, interrupt.token());
+        if (interrupt.asked()) return studyCancelled(job);
         status = reportStudy(*report, {options.errorLimit, options.timeLimit}, pictures, options.folder, options.json);
     }
     std::error_code ignored;

@@ -52,8 +52,7 @@ struct Run {
     }
     bool cancelled() {
         if (!keep()) return false;
-        tell("Cancelled. The same command goes on from here; what there is stands in {}\n", part().string());
-        status = kInterrupted;
+        status = studyCancelled(job);
         return false;
     }
 
@@ -107,11 +106,11 @@ struct Run {
                 status = kCouldNotWrite;
                 return false;
             }
-            if (interrupt.asked() || *ended == kInterrupted) return cancelled();
             auto measured =
                 *ended == kDone ? readStudy(times) : pipeline::Error{{}, "a process that took times ended early", {}};
             std::error_code ignored;
             fs::remove(times, ignored);
+            if (interrupt.asked() || *ended == kInterrupted) return cancelled();
             if (!measured) {
                 printErrors(measured.errors());
                 status = kCouldNotWrite;
@@ -125,6 +124,12 @@ struct Run {
 };
 
 }  // namespace
+
+int studyCancelled(const StudyOrder& job) {
+    tell("Cancelled. The same command goes on from here; what there is stands in {}\n",
+         partFile(job.folder, job.request).string());
+    return kInterrupted;
+}
 
 std::optional<StudyReport> runStudy(const StudyOrder& job, const Interrupt& interrupt, int& status) {
     Run run{job, interrupt, status, {}};

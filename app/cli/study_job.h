@@ -24,6 +24,9 @@ struct StudyOrder {
 // after the reason went to standard error and `status` was set.
 std::optional<pipeline::StudyReport> runStudy(const StudyOrder& job, const Interrupt& interrupt, int& status);
 
+// Says that the study goes on from what the folder keeps. Gives the exit status.
+int studyCancelled(const StudyOrder& job);
+
 // What such a process does: takes times and writes them to a file. Gives its exit status.
 int takeTimes(const pipeline::StudyRequest& request, const std::filesystem::path& file, const std::string& which,
               const Interrupt& interrupt);

@@ -90,5 +90,7 @@ int main(int argc, char** argv) {
     if (file && first.find_first_of("./") == first.npos && !std::filesystem::exists(scene, ignored))
         return refuse("there is no file and no command " + pipeline::inQuotes(first) + "; the nearest command is " +
                       app::nearestCommand(first));
+    if (file && argc > 2 && argv[2][0] != '-')
+        return refuse("the window takes one file, not also " + pipeline::inQuotes(argv[2]));
     return openWindow(argc, argv, scene, {}, session);
 }

@@ -40,6 +40,9 @@ TEST(Program, WrongUsageIsStatus2) {
     EXPECT_EQ(film.status, 2);
     EXPECT_EQ(film.err, "shadescope film: -o needs the name of a file or a folder\n");
     EXPECT_EQ(run({"plan", "pyramid", "surplus"}).status, 2);
+    const auto two = run({"a.toml", "b.toml"});
+    EXPECT_EQ(two.status, 2);
+    EXPECT_TRUE(has(two.err, "the window takes one file, not also \"b.toml\"")) << two.err;
     EXPECT_EQ(run({"lesson"}).status, 2);
     EXPECT_EQ(run({}).status, 2);  // no display, or no window at all
 }
@@ -217,6 +220,17 @@ TEST(Bench, FitsHowTimeGrows) {
         EXPECT_TRUE(series["exponent"].is_number());
         EXPECT_EQ(series["stages"].size(), 6u);
     }
+}
+
+// What would change nothing is refused, so that nobody takes the answer for one that it has changed.
+TEST(Program, OptionsThatDoNothingThereAreRefused) {
+    const auto threads = run({"plan", "pyramid", "--threads", "2"});
+    EXPECT_EQ(threads.status, 2);
+    EXPECT_TRUE(has(threads.err, "--threads requires --counts")) << threads.err;
+    EXPECT_EQ(run({"plan", "pyramid", "--threads", "2", "--counts"}).status, 0);
+    const auto both = run({"bench", "pyramid", "--leave-out", "--no-leave-out"});
+    EXPECT_EQ(both.status, 2);
+    EXPECT_TRUE(has(both.err, "--no-leave-out excludes --leave-out")) << both.err;
 }
 
 TEST(Bench, RefusesWhatSaysNothingToItsOwnSpheres) {
