@@ -225,7 +225,6 @@ QVariant CueModel::data(const QModelIndex& index, int role) const {
         case Qt::EditRole: return toQString(one.name);
         case Qt::ToolTipRole:
         case PlaceRole: return placeText(one.state);
-        case NoteRole: return toQString(one.note);
         case CurrentRole: return index.row() == m_current;
         case Qt::AccessibleTextRole: {
             const QString text =

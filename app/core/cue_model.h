@@ -12,7 +12,7 @@ namespace app {
 class CueModel : public QAbstractListModel {
     Q_OBJECT
 public:
-    enum Role { PlaceRole = Qt::UserRole, NoteRole, CurrentRole };  // where the cue stands, in words; its note; bool
+    enum Role { PlaceRole = Qt::UserRole, CurrentRole };  // where the cue stands, in words; bool
 
     // file: where the list is until another one is opened; need not be there. One that cannot be read stays as it is:
     // then the list begins empty in a file of a free name beside it, and unread() says why.

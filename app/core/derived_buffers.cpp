@@ -85,14 +85,15 @@ const DerivedBuffer* DerivedBuffers::made(const BufferName& name) const {
     return fits ? &*job->made() : nullptr;
 }
 
+QString DerivedBuffers::sentenceOf(const pipeline::Error& error) {
+    const QString sentence = tr("Column %1: %2").arg(error.where.column).arg(toQString(error.found));
+    return error.expected.empty() ? sentence : sentence + tr(", expected %1").arg(toQString(error.expected));
+}
+
 QString DerivedBuffers::whyNot(const BufferName& name) const {
     const DerivedJob* job = find(name);
     if (!job || made(name)) return {};
-    if (!job->errors().empty() && job->errors().front().where.column > 0) {
-        const pipeline::Error& error = job->errors().front();
-        const QString sentence = tr("Column %1: %2").arg(error.where.column).arg(toQString(error.found));
-        return error.expected.empty() ? sentence : sentence + tr(", expected %1").arg(toQString(error.expected));
-    }
+    if (!job->errors().empty() && job->errors().front().where.column > 0) return sentenceOf(job->errors().front());
     if (!job->why().isEmpty()) return job->why();
     if (name.id == pipeline::BufferId::ShadowVerdict && job->busy())
         return tr("Rays to light %1: %2 %").arg(name.light).arg(int(100 * job->share()));

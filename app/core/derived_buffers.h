@@ -28,6 +28,9 @@ public:
     // Why a view cannot show it now, with what is on its way; empty where it can.
     QString whyNot(const pipeline::BufferName& name) const;
 
+    // "Column 3: found x, expected y": what is wrong in the text.
+    static QString sentenceOf(const pipeline::Error& error);
+
 signals:
     void textChanged();
     void changed(const pipeline::BufferName& name);  // it came, or went, or is farther on its way

@@ -27,7 +27,7 @@ void showPlace(Document& document, const WindowState& state);
 // Whether the document has the file that the state's scene comes from.
 bool isOpen(const Document& document, const WindowState& state, const std::filesystem::path& folder);
 
-// "Z-buffer, polygon 2, row 270 · pixel 268, 281": where a state stands.
+// "z-buffer/polygon=2 · pixel 268, 281": where a state stands.
 QString placeText(const WindowState& state);
 
 }  // namespace app

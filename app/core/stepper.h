@@ -81,7 +81,6 @@ private:
     };
     void take(const Answer& answer);
     void tick();
-    void sortBookmarks();
 
     pipeline::FramePtr m_whole;
     StepsPtr m_steps;

@@ -17,8 +17,6 @@ QToolTip { background: @raised; color: @text; border: 1px solid @outline; paddin
 QLabel { background: transparent; color: @text; }
 QLabel[tone="2"] { color: @text2; }
 QLabel[tone="3"] { color: @text3; }
-QLabel[tone="2"] { color: @text2; }
-QLabel[tone="3"] { color: @text3; }
 QFrame[kind="panel"] { background: @surface; border: 1px solid @line; border-radius: 6u; }
 QFrame[kind="panel"][active="true"] { border-color: @accent; }
 QWidget[kind="page"] { background: @surface; }

@@ -134,14 +134,11 @@ std::span<const ActionRow> actionTable() {
 }
 
 Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
-    QHash<QString, QActionGroup*> exclusive;
     for (const ActionRow& row : actionTable()) {
         auto* action = new QAction(tr(row.text), this);
         action->setShortcuts(QKeySequence::listFromString(row.keys));
-        action->setStatusTip(QString());
         action->setToolTip(tr(row.tip));
         action->setCheckable(row.checkable);
-        action->setProperty("menu", QString(row.menu));
         action->setMenuRole(QAction::NoRole);
         window->addAction(action);
         m_actions[row.id] = action;

@@ -26,9 +26,6 @@ constexpr std::array kCopies{Copy{A::CopyEquationText, &MathView::asText, "text"
                              Copy{A::CopyEquationLatex, &MathView::asLatex, "LaTeX"},
                              Copy{A::CopyEquationJson, &MathView::asJson, "JSON"}};
 
-// The one that the keys go to, or went to last; the first one where that is a 3D view.
-BufferView& activeView(ViewArea& views) { return views.activeBuffer(); }
-
 }  // namespace
 
 void connectExplainActions(Actions& actions, Document& document, InspectorPanel& inspector, ViewArea& views) {
@@ -38,12 +35,13 @@ void connectExplainActions(Actions& actions, Document& document, InspectorPanel&
             emit document.said(Document::tr("Copied the equation as %1.").arg(copy.form));
         });
     QObject::connect(actions[A::Condition], &QAction::triggered, &views,
-                     [&views] { activeView(views).condition().open(); });
-    QObject::connect(actions[A::CopyValue], &QAction::triggered, &views, [&views] { activeView(views).copyValue(); });
+                     [&views] { views.activeBuffer().condition().open(); });
+    QObject::connect(actions[A::CopyValue], &QAction::triggered, &views,
+                     [&views] { views.activeBuffer().copyValue(); });
     QObject::connect(actions[A::CopyPicture], &QAction::triggered, &views,
-                     [&views] { activeView(views).copyPicture(); });
+                     [&views] { views.activeBuffer().copyPicture(); });
     QObject::connect(actions[A::StopWhere], &QAction::triggered, &views, [&views] {
-        ConditionBar& condition = activeView(views).condition();
+        ConditionBar& condition = views.activeBuffer().condition();
         condition.isVisible() && condition.hasCondition() ? condition.runToStop() : condition.open();
     });
     EquationSection& equation = inspector.equation();

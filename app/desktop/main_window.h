@@ -59,12 +59,12 @@ public:
     // Asks nothing.
     void showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes,
                    const Then& then = {});
-    // Keeps the session in a folder from now on; restores the last one first, unless it is switched off.
-    // And shows the cue, the first where none is named. False where there is no such list or cue.
+    // Opens a list and shows the cue, the first where none is named. False where there is no such list or cue.
     bool openCues(const QString& file, const QString& name = {}, const Then& then = {});
     void present();  // begins, or ends
     Presentation& presentation() { return *m_presentation; }
     CuePanel& cues() { return *m_cues; }
+    // Keeps the session in a folder from now on; restores the last one first, unless it is switched off.
     void startSession(const QString& folder, bool restore);
     void openLesson(const QString& name);
     void showStartPage();

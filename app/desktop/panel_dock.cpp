@@ -16,10 +16,7 @@ PanelDock::PanelDock(const QString& title, const QString& icon, QWidget* content
     auto* bar = new QWidget(this);
     m_heading = new QHBoxLayout(bar);
     auto* name = new QLabel(title, bar);
-    m_subtitle = new QLabel(bar);
-    m_subtitle->setProperty("tone", 3);
     m_heading->addWidget(name);
-    m_heading->addWidget(m_subtitle);
     m_heading->addStretch(1);
     setTitleBarWidget(bar);
 
@@ -36,7 +33,6 @@ PanelDock::PanelDock(const QString& title, const QString& icon, QWidget* content
         m_heading->setSpacing(theme.px(4));
         name->setFont(theme.text(13, 600));
         name->setFixedHeight(theme.px(32));  // the dock asks the heading for its hint alone
-        m_subtitle->setFont(theme.text(12));
         update();
     });
 }
@@ -52,8 +48,6 @@ void PanelDock::addButton(QAction* action, const QString& icon) {
     // It shows no words: those of undo, which change with every value of a drag, must not lay the window out anew.
     followTheme(button, [button] { button->setFixedSize(button->sizeHint()); });
 }
-
-void PanelDock::setSubtitle(const QString& text) { m_subtitle->setText(text); }
 
 void PanelDock::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();

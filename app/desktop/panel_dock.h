@@ -2,7 +2,6 @@
 #include <QDockWidget>
 
 class QHBoxLayout;
-class QLabel;
 
 namespace app {
 
@@ -16,7 +15,6 @@ public:
     const QString& iconName() const { return m_icon; }
     // Buttons at the right of the heading.
     void addButton(QAction* action, const QString& icon);
-    void setSubtitle(const QString& text);  // after the title, in the second tone
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -24,7 +22,6 @@ protected:
 private:
     QString m_icon;
     QHBoxLayout* m_heading;
-    QLabel* m_subtitle;
 };
 
 }  // namespace app

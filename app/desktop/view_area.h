@@ -42,7 +42,6 @@ public:
     void makeEven();
     // The active view in the whole room; the others come back to their places, or with another arrangement.
     void setAlone(bool alone);
-    bool isAlone() const { return m_alone; }
 
     // Buffer views of pictures of the same size zoom and move together.
     bool isLinked() const { return areLinked(m_tree, m_linked); }

@@ -2,12 +2,12 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <algorithm>
-#include <array>
 
 #include "app/core/derived_buffers.h"
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_compare.h"
+#include "app/state/state_text.h"
 
 namespace app {
 
@@ -71,19 +71,13 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
     if (!m_source) nothing->setToolTip(tr("Nothing is compared."));
 }
 
-namespace {
-
-constexpr std::array kModes{"a", "b", "blink", "wipe", "difference"};  // in files
-
-}  // namespace
-
 std::optional<BufferShown::Compared> BufferCompare::state() const {
     if (!m_source) return {};
     OtherSource source = *m_source;
     const auto change = m_document.lastChange();
     if (source.kind == OtherSource::Kind::Before && change)
         source = {.kind = OtherSource::Kind::Setting, .setting = change->setting, .value = change->before};
-    BufferShown::Compared state{keyOf(source), kModes[std::size_t(m_mode)], m_share,
+    BufferShown::Compared state{keyOf(source), std::string(kCompareModes[std::size_t(m_mode)]), m_share,
                                 std::string(pipeline::metricTable()[std::size_t(m_metric)].name)};
     if (m_range) state.range = {m_range->first, m_range->last};
     return state;
@@ -105,8 +99,8 @@ pipeline::Errors BufferCompare::lookAt(const std::optional<BufferShown::Compared
     compareWith(*source);
     if (state->range && (*state->range)[0] != (*state->range)[1])
         m_range = pipeline::PaletteRange{(*state->range)[0], (*state->range)[1]};
-    const auto mode = std::ranges::find(kModes, state->mode, [](const char* name) { return std::string(name); });
-    const auto wanted = mode == kModes.end() ? CompareMode::Wipe : CompareMode(mode - kModes.begin());
+    const auto mode = std::ranges::find(kCompareModes, state->mode);
+    const auto wanted = mode == kCompareModes.end() ? CompareMode::Wipe : CompareMode(mode - kCompareModes.begin());
     m_mode = CompareMode::A;
     setMode(wanted);
     return {};

@@ -64,6 +64,7 @@ QWidget* CheckPanel::makeLeft() {
     m_groups = new Segmented(
         {tr("All"), tr("Geometry"), tr("Camera"), tr("Raster"), tr("Depth"), tr("Shading"), tr("Shadow"), tr("Limits")},
         content);
+    m_groups->setAccessibleName(tr("Group of cases"));
     m_groups->setCurrent(0);
     m_cases = new CheckCases(content);
     m_runAll = new QPushButton(tr("Run all again"), content);

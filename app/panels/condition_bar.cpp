@@ -24,12 +24,6 @@ namespace {
 
 constexpr BufferName kMask{BufferId::Condition}, kNumbers{BufferId::Expression};
 
-QString sentenceOf(const pipeline::Error& error) {
-    const QString sentence = ConditionBar::tr("Column %1: %2").arg(error.where.column).arg(toQString(error.found));
-    return error.expected.empty() ? sentence
-                                  : sentence + ConditionBar::tr(", expected %1").arg(toQString(error.expected));
-}
-
 }  // namespace
 
 ConditionBar::ConditionBar(Document& document, QWidget* parent)
@@ -149,13 +143,13 @@ void ConditionBar::say(const QString& text, bool isWrong) {
     if (style != m_said->styleSheet()) m_said->setStyleSheet(style);
     m_said->setText(text);
     setAccessibleDescription(text);
-    m_searching.forget();  // of another text or scene, or of a bar that is closed
     const auto found = mask();
     const QString why = found && found->count > 0 ? QString() : tr("It holds for no pixel.");
     for (QToolButton* made : {m_previous, m_next}) made->setEnabled(why.isEmpty());
 }
 
 void ConditionBar::read() {
+    m_searching.forget();  // of another text or scene, or of a bar that is closed
     m_condition.reset();
     m_wrong.clear();
     m_isOfNumbers = false;
@@ -167,7 +161,7 @@ void ConditionBar::read() {
         if (condition)
             m_condition = std::move(condition).value();
         else if (!m_isOfNumbers)
-            m_wrong = sentenceOf(condition.errors().front());
+            m_wrong = DerivedBuffers::sentenceOf(condition.errors().front());
     }
     std::vector<BufferName> wanted;
     if (m_condition) wanted = {kMask};

@@ -18,7 +18,6 @@ public:
 
     void setCommand(const QString& command);
     void setReady(bool ready, const QString& whyNot);  // to start; not while it runs
-    bool isRunning() const { return m_running; }
     QString message() const;
 
     void begin();

@@ -37,7 +37,6 @@ QVariant LessonShelf::data(const QModelIndex& index, int role) const {
         case SummaryRole: return toQString(lesson.summary);
         case NameRole: return toQString(lesson.name);
         case TitleRole: return toQString(lesson.title);
-        case LectureRole: return toQString(lesson.lecture);
         case PageRole: return reached;
         case PagesRole: return pages;
         default: return {};

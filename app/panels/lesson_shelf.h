@@ -13,7 +13,6 @@ public:
     enum Role {  // Qt::DisplayRole is the title and the progress, in two lines
         NameRole = Qt::UserRole,
         TitleRole,
-        LectureRole,
         SummaryRole,
         PageRole,   // read last, from 1; 0 when not begun
         PagesRole,  // how many there are

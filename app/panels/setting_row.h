@@ -18,7 +18,6 @@ public:
     SettingRow(Document& document, pipeline::SettingRef setting, QGridLayout& form, int row, QWidget* parent);
 
     bool isIdle() const { return !m_idle.isEmpty(); }
-    const QString& idleReason() const { return m_idle; }
     void setShown(bool shown);
 
 private:

@@ -91,6 +91,7 @@ QWidget* StartPage::makeLeft() {
     column->addWidget(m_drop);
     column->addSpacing(8);
     auto* theme = new Segmented({tr("Dark"), tr("Light"), tr("Projector")}, left);
+    theme->setAccessibleName(tr("Theme"));
     connect(theme, &Segmented::chosen, this, [](int id) { Theme::current().set(ThemeId(id)); });
     auto* themeRow = new QHBoxLayout;
     auto* themeLabel = makeLabel(tr("Theme"), 13, 400, 2, left);

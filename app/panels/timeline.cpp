@@ -17,6 +17,8 @@
 namespace app {
 namespace {
 
+constexpr std::array kIcons{"first", "previous", "play", "next", "last"};
+
 constexpr std::array kSpeeds{0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 QString speedText(double speed) {
@@ -50,7 +52,6 @@ Timeline::Timeline(Document& document, const Transport& transport, QWidget* pare
     auto* row = new QHBoxLayout(this);
     const std::array actions{transport.first, transport.back, transport.play, transport.next, transport.last};
     constexpr std::array kNames{"firstStep", "stepBack", "play", "stepOn", "lastStep"};
-    constexpr std::array kIcons{"first", "previous", "play", "next", "last"};
     for (std::size_t i = 0; i < actions.size(); ++i)
         row->addWidget(m_buttons[i] = addButton(actions[i], kNames[i], kIcons[i]));
     m_by->setProperty("tone", 2);
@@ -127,7 +128,6 @@ void Timeline::show() {
     m_bar->setStage(m_document.stage());
     m_levels->setCurrent(int(stepper.level()));
     m_levelList->setCurrentIndex(int(stepper.level()));
-    constexpr std::array kIcons{"first", "previous", "play", "next", "last"};
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         const bool pauses = i == 2 && stepper.isPlaying();
         m_buttons[i]->setIcon(app::icon(pauses ? "pause" : kIcons[i]));

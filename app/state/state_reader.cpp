@@ -29,7 +29,6 @@ const KnownKeys kKeys{"scene", "set",      "scene_text",  "stage",     "place", 
 const KnownKeys kViewKeys{"buffer", "channel",    "range",   "overlays", "counts", "against", "compare", "wipe",
                           "metric", "difference", "flipped", "region",   "zoom",   "center",  "size"};
 constexpr std::array<string_view, 2> kCounts{"linear", "logarithmic"};
-constexpr std::array<string_view, 5> kCompareModes{"a", "b", "blink", "wipe", "difference"};
 const KnownKeys kSpaceKeys{"space", "target", "right", "up", "forward", "distance", "fov", "orthographic", "options"};
 
 std::vector<string_view> stageNames() {

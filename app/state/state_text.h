@@ -12,6 +12,9 @@ namespace app {
 // The kinds of what is selected, in files: "polygon 3".
 inline constexpr std::array<std::string_view, 4> kSelectedKinds{"object", "polygon", "vertex", "light"};
 
+// How a view is compared, in files; in the order of the buttons.
+inline constexpr std::array<std::string_view, 5> kCompareModes{"a", "b", "blink", "wipe", "difference"};
+
 // The keys of a state, then its tables; `prefix` stands before the tables' names: "cue.".
 std::string stateText(const WindowState& state, const std::string& prefix);
 
