@@ -66,8 +66,11 @@ struct Decision {
 
     // Left out for the reason where the rule is in force, else needed. An empty reason: needed.
     Need unless(Rule rule, std::string reason) const {
-        if (!rules[index(rule)] || reason.empty()) return {};
-        return {std::move(reason), rule};
+        if (reason.empty()) return {};
+        if (rules[index(rule)]) return {std::move(reason), rule};
+        reason.pop_back();  // the full stop
+        const std::string_view off = scene.settings.leaveOut ? kRules[index(rule)].key : "leave_out";
+        return {{}, {}, fmt::format("{}, but {} is off.", reason, off)};
     }
     bool has(BufferId id) const { return wanted[index(id)]; }
     Model model() const { return scene.settings.model; }
@@ -168,8 +171,10 @@ struct Decision {
         if (!light.castsShadow) return {"It casts no shadow.", {}};
         if (!counts) return counts;
         if (scene.objects.empty()) return {"The scene has no object.", {}};
-        if (const Need need = unless(Rule::ConvexShadow, whyNoSelfShadow(scene)); !need) return need;
-        return unless(Rule::DistantShadow, whyNoShadowBetween(scene, light));
+        Need convex = unless(Rule::ConvexShadow, whyNoSelfShadow(scene));
+        if (!convex) return convex;
+        Need distant = unless(Rule::DistantShadow, whyNoShadowBetween(scene, light));
+        return distant && distant.despite.empty() ? convex : distant;
     }
     // One sentence for all lights when they agree.
     Need shadowBuffers(const std::vector<Need>& each) const {
@@ -272,7 +277,7 @@ struct Decision {
     Need layerSort(const Need& layers) const {
         if (scene.settings.translucency == Translucency::Polygons)
             return {"Off in this scene: translucency = polygons.", {}};
-        if (!layers) return layers;
+        if (!layers || !layers.despite.empty()) return layers;
         const bool single = translucentTriangles(scene) == 1;
         return unless(Rule::LayerSort, single ? "There is one translucent triangle: no pixel has two layers." : "");
     }
@@ -335,10 +340,12 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
     const bool lights = !scene.lights.empty();
     const BufferInfo& info = bufferInfo(id);
     if (info.perLight && !lights) return "The scene has no light.";
+    const bool atPixels = info.stage == StageId::Shading && info.domain == Domain::Pixel;
     if (scene.settings.visibility == Visibility::None) {
-        if (info.stage == StageId::Shading && id != BufferId::Intensity && id != BufferId::Antialiased &&
-            id != BufferId::Color)
+        if (atPixels && id != BufferId::Intensity && id != BufferId::Antialiased && id != BufferId::Color)
             return kOutlines;
+    } else if (atPixels && !needs.rules[index(Rule::UnreadBuffers)]) {
+        return {};  // all of them are made
     }
     switch (id) {
         case BufferId::PolygonsVerdict: return needs.cull.notBecause;

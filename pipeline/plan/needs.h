@@ -17,6 +17,7 @@ namespace pipeline {
 struct Need {
     std::string notBecause{};
     std::optional<Rule> rule{};
+    std::string despite{};  // of what is needed only because a rule is off: what it would say, and that it is off
     explicit operator bool() const { return notBecause.empty(); }
 };
 

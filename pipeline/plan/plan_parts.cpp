@@ -18,7 +18,7 @@ struct Parts {
     void runs(std::string part, std::string why) { parts.push_back({std::move(part), action, std::move(why), "", {}}); }
     void add(std::string part, const Need& need, std::string why, std::string saves) {
         if (need)
-            runs(std::move(part), std::move(why));
+            runs(std::move(part), need.despite.empty() ? std::move(why) : need.despite);
         else
             parts.push_back(
                 {std::move(part), Action::LeaveOut, need.notBecause, need.rule ? std::move(saves) : "", need.rule});
@@ -38,7 +38,8 @@ void shadowParts(Parts& out) {
     const double texels = double(scene.settings.shadowSize) * scene.settings.shadowSize;
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
         const int faces = sampleGrid(scene.lights[k]).count() * shadowFacesPerSample(scene.lights[k].kind);
-        out.add(fmt::format("light {}", k), out.needs.shadowBuffer[k], "It casts a shadow.",
+        out.add(fmt::format("light {}", k), out.needs.shadowBuffer[k],
+                "It casts a shadow, or somebody reads its buffer.",
                 fmt::format("{} {}, {:.1f} MB", faces, faces == 1 ? "pass" : "passes",
                             bytesOf(scene, texels * faces) / 1e6));
     }
@@ -93,7 +94,8 @@ void shadingParts(Parts& out) {
                    "Not those all of whose polygons are hidden.", "Also those all of whose polygons are hidden.");
     out.add("ambient term", needs.ambient, "There is ambient light.", "a product a point");
     for (std::size_t k = 0; k < needs.light.size(); ++k) {
-        out.add(fmt::format("light {}", k), needs.light[k], "It shines.", "an evaluation a point");
+        out.add(fmt::format("light {}", k), needs.light[k], "It shines, or somebody reads what it adds.",
+                "an evaluation a point");
         out.add(fmt::format("specular of light {}", k), needs.specular[k], "A material has k_s above 0.",
                 "a power a point");
         if (model == Model::OpenGl)

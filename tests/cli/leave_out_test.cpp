@@ -2,9 +2,11 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "tests/cli/run_program.h"
+#include "tests/support/files.h"
 
 namespace {
 
@@ -42,6 +44,57 @@ TEST(LeaveOut, ThePlanNamesTheRule) {
     EXPECT_EQ(json["plan"][3]["rule"], "convex_shadow");
     const Json off = Json::parse(run({"plan", "pyramid", "--json", "--set", "rule.convex_shadow=off"}).out);
     EXPECT_EQ(off["plan"][3]["action"], "runs");
+}
+
+// The pyramid is convex and opaque, and has Phong's model: what else runs says for whom.
+TEST(LeaveOut, WhatRunsOnlyBecauseItsRuleIsOffSaysSo) {
+    const auto why = [](std::vector<std::string> more, std::size_t stage, const std::string& name) {
+        more.insert(more.begin(), {"plan", "pyramid", "--json"});
+        const Json plan = Json::parse(run(more).out)["plan"];
+        for (const Json& part : plan[stage]["parts"])
+            if (part["part"] == name) return part["action"].get<std::string>() + ": " + part["why"].get<std::string>();
+        return std::string("no such part");
+    };
+    const std::vector<std::string> all{"--no-leave-out"};
+    EXPECT_EQ(why(all, 5, "translucent pass"), "runs: Every surface is opaque, but leave_out is off.");
+    EXPECT_EQ(why(all, 5, "sort of layers"), "runs: Every surface is opaque, but leave_out is off.");
+    EXPECT_EQ(why({"--no-leave-out", "--buffers", "color"}, 3, "light 0"),
+              "runs: The only object is convex: it cannot shadow itself, but leave_out is off.");
+    EXPECT_EQ(why({"--set", "rule.translucent_pass=off"}, 5, "translucent pass"),
+              "runs: Every surface is opaque, but rule.translucent_pass is off.");
+    EXPECT_EQ(why({"--set", "rule.translucent_pass=off"}, 5, "H"),
+              "left out: The specular terms are Phong's, of R and not of H.");
+    EXPECT_EQ(why({"--no-leave-out", "--set", "material.0.ks=0"}, 5, "specular of light 0"),
+              "runs: k_s is 0 in every material, but leave_out is off.");
+}
+
+// Those that the plan calls left out are those that an export does not have.
+TEST(LeaveOut, ThePlanNamesTheBuffersThatAreNotThere) {
+    const auto names = [](const Json& buffers) {
+        std::set<std::string> found;
+        for (const Json& buffer : buffers) {
+            std::string name = buffer["name"];
+            if (name.ends_with(".0")) name.back() = 'k';
+            found.insert(name);
+        }
+        return found;
+    };
+    const test::TemporaryFolder folder;
+    for (const std::vector<std::string>& more : {std::vector<std::string>{},
+                                                 {"--no-leave-out"},
+                                                 {"--no-leave-out", "--set", "visibility=none"},
+                                                 {"--no-leave-out", "--set", "visibility=painter"},
+                                                 {"--set", "rule.unread_buffers=off"}}) {
+        const auto with = [&](std::vector<std::string> arguments) {
+            arguments.insert(arguments.end(), more.begin(), more.end());
+            return run(arguments);
+        };
+        const Json plan = Json::parse(with({"plan", "pyramid", "--json"}).out);
+        ASSERT_EQ(
+            with({"export", "pyramid", "--size", "16x12", "--format", "npy", "-o", folder.path().string()}).status, 0);
+        const Json manifest = Json::parse(test::readText(folder / "manifest.json"));
+        EXPECT_EQ(names(plan["absent"]), names(manifest["absent"])) << testing::PrintToString(more);
+    }
 }
 
 // The spheres of this scene give their normals, and no light casts a shadow.
