@@ -175,7 +175,7 @@ int runStudyCommand(const StudyOptions& options) {
         status = reportStudy(*report, {options.errorLimit, options.timeLimit}, pictures, options.folder, options.json);
     }
     std::error_code ignored;
-    if (status == kDone) std::filesystem::remove(partFile(job.folder, job.request), ignored);
+    if (status == kDone || status == kAnswerIsNo) std::filesystem::remove(partFile(job.folder, job.request), ignored);
     return status;
 }
 
@@ -212,10 +212,13 @@ void declareReport(CLI::App& command, StudyOptions& options) {
     command.add_option("-o,--output", options.folder, "The folder to write into; made when it is missing")
         ->required()
         ->type_name("DIR");
-    command.add_option("--within", options.errorLimit, "Name the cheapest setting with at most this error")
+    command
+        .add_option("--within", options.errorLimit,
+                    "Name the cheapest setting with at most this error; status 1 where there is none")
         ->type_name("ERROR")
         ->check(refuseLimit);
-    command.add_option("--in", options.timeLimit, "Name the best setting within this time")
+    command
+        .add_option("--in", options.timeLimit, "Name the best setting within this time; status 1 where there is none")
         ->type_name("MS")
         ->check(refuseLimit);
     command.add_flag("--json", options.json, "Print the whole study as JSON instead of a table");
@@ -237,7 +240,7 @@ void declareStudy(CLI::App& program, const CliHost&, int& status) {
                                  fmt::join(names, ", ")))
         ->type_name("SWEEP REQUIRED")  // said in words of its own, with the ready-made ones, where it is missing
         ->allow_extra_args(false);
-    command->add_option("--error", options->error, "The error to plot, as in normal:RMSE:model")
+    command->add_option("--error", options->error, "The error to plot, as in \"normal:mean angle:model\"")
         ->type_name("BUFFER:MEASURE:KIND");
     command->add_option("--threads", options->threads, "Threads of the frames whose time is taken; 0: all")
         ->type_name("N")

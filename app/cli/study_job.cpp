@@ -158,6 +158,8 @@ int reportStudy(const StudyReport& report, pipeline::StudyLimits limits,
                 const std::vector<pipeline::StudyPictures>& pictures, const fs::path& folder, bool json) {
     const pipeline::StudyAnalysis analysis = analyse(report, report.choice);
     const auto middle = middleOfFront(analysis).value_or(pipeline::StudyLimits());
+    const bool isNo = (limits.error > 0 && !cheapestWithin(analysis, limits.error)) ||
+                      (limits.milliseconds > 0 && !bestWithin(analysis, limits.milliseconds));
     if (limits.error == 0) limits.error = middle.error;
     if (limits.milliseconds == 0) limits.milliseconds = middle.milliseconds;
     const auto written = writeStudyFiles(report, analysis, limits, pictures, folder);
@@ -170,7 +172,7 @@ int reportStudy(const StudyReport& report, pipeline::StudyLimits limits,
     else
         fmt::print("{}", studyText(report, analysis, limits));
     tell("{} are in {}\n", fmt::join(*written, ", "), folder.string());
-    return kDone;
+    return isNo ? kAnswerIsNo : kDone;
 }
 
 }  // namespace app

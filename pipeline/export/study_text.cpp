@@ -99,10 +99,11 @@ std::string intervalText(const PointAnalysis& point) {
 }
 
 std::string protocolText(const StudyReport& report) {
+    const int frames = report.processes * report.repeats;
+    const std::string each = frames == 1 ? "one frame" : fmt::format("median of {} frames", frames);
     std::string text =
-        fmt::format("Times: median of {} frames ({} process{} of {}, each after {} that do not count), {}.",
-                    report.processes * report.repeats, report.processes, report.processes == 1 ? "" : "es",
-                    report.repeats, report.warmups, threadsText(report.threads));
+        fmt::format("Times: {} ({} process{} of {}, each after {} that do not count), {}.", each, report.processes,
+                    report.processes == 1 ? "" : "es", report.repeats, report.warmups, threadsText(report.threads));
     if (!report.machine.empty()) text += fmt::format(" {}.", report.machine);
     if (!report.compiler.empty()) text += fmt::format(" {}.", report.compiler);
     if (!report.load.empty()) text += fmt::format(" Load {:.1f} at most.", *std::ranges::max_element(report.load));

@@ -53,6 +53,27 @@ TEST(StudyCommand, writesEveryReport) {
     }
 }
 
+// "Ran, and the answer is no", with every report; without the file that an interrupted study goes on from.
+TEST(StudyCommand, aLimitThatNoSettingKeepsIsStatus1) {
+    const test::TemporaryFolder folder;
+    for (const auto& [limit, value, status] : std::vector<std::tuple<std::string, std::string, int>>{
+             {"--within", "1e-12", 1}, {"--within", "1", 0}, {"--in", "1e-9", 1}, {"--in", "1e9", 0}}) {
+        const auto out = folder / (limit + value);
+        const auto done = test::run(studyOf(out, {limit, value}));
+        EXPECT_EQ(done.status, status) << limit << ' ' << value << '\n' << done.out;
+        EXPECT_EQ(done.out.find("No setting ") != done.out.npos, status == 1) << done.out;
+        EXPECT_TRUE(fs::exists(out / "report.html"));
+        EXPECT_FALSE(fs::exists(out / "study.part.json"));
+    }
+    const auto merged = [&](const char* limit) {
+        return test::run({"study", "merge", (folder / "--in1e9/study.json").string(), "-o",
+                          (folder / "merged").string(), "--within", limit})
+            .status;
+    };
+    EXPECT_EQ(merged("1e-12"), 1);
+    EXPECT_EQ(merged("1"), 0);
+}
+
 // Errors and counters depend on the point alone, not on who computes it with what others.
 TEST(StudyCommand, shardsMergeToTheSameStudy) {
     const test::TemporaryFolder whole, parts, merged;
@@ -146,7 +167,8 @@ TEST(StudyCommand, saysWhatIsWrong) {
     EXPECT_NE(test::run({"study", "pyramid", "--sweep", "shading"}).err.find("--output is required"),
               std::string::npos);
     EXPECT_NE(test::run({"study", "merge", "a.json"}).err.find("--output is required"), std::string::npos);
-    for (const char* what : {"--output DIR REQUIRED", "--sweep SWEEP REQUIRED"})
+    EXPECT_NE(error("normal:RMSE").find("\n  normal:mean angle:model\n"), std::string::npos) << "as --help names it";
+    for (const char* what : {"--output DIR REQUIRED", "--sweep SWEEP REQUIRED", "normal:mean angle:model"})
         EXPECT_NE(test::run({"study", "--help"}).out.find(what), std::string::npos) << what;
     const auto merge = test::run({"study", "merge", "/nonexistent.json", "-o", folder.path().string()});
     EXPECT_EQ(merge.status, 3);

@@ -99,6 +99,9 @@ TEST(StudyText, SortsPointsByTimeAndEndsWithTheAnswers) {
         has(text, "  model: analytic, intensities within 2.0e-16 of I_max (against the same rays in long double)\n"));
     EXPECT_TRUE(has(text, "  storage: none. Nothing is stored with fewer digits.\n"));
     EXPECT_TRUE(has(text, "Times: median of 21 frames (1 process of 21, each after 2 that do not count), 1 thread."));
+    StudyReport one = report;
+    one.repeats = 1;
+    EXPECT_TRUE(protocolText(one).starts_with("Times: one frame (1 process of 1, each after 2 "));
 }
 
 TEST(StudyHtml, IsOneWholePage) {
