@@ -18,10 +18,17 @@ namespace app {
 
 namespace {
 
+// Its help alone: main opens the window.
+void declarePresent(CLI::App& program, const CliHost&, int&) {
+    CLI::App* command = program.add_subcommand("present", "Open a cue list in the window, as a talk");
+    command->add_option("FILE", "A cue list; FILE:CUE begins with another cue than the first, by its name or number")
+        ->type_name("[:CUE]");
+}
+
 constexpr std::array kCommands{
     Command{"export", declareExport}, Command{"plan", declarePlan},     Command{"inspect", declareInspect},
     Command{"study", declareStudy},   Command{"check", declareCheck},   Command{"bench", declareBench},
-    Command{"film", declareFilm},     Command{"lesson", declareLesson},
+    Command{"film", declareFilm},     Command{"lesson", declareLesson}, Command{"present", declarePresent},
 };
 
 constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", "--help-all"};
@@ -35,7 +42,8 @@ void declareProgram(CLI::App& program, const CliHost& host, int& status) {
     program.description(
         std::string("See how polygons become a picture, one step at a time.\n") +
         (host.hasWindow
-             ? "shadescope [FILE] opens the window, shadescope present FILE[:CUE] a talk; a command needs no display."
+             ? "shadescope [FILE] opens the window, shadescope present FILE[:CUE] a talk; a command needs no display.\n"
+               "--no-session, as the first argument, leaves the session alone for once: nothing is read, nothing kept."
              : "This build has no window: it has the commands alone."));
     program.set_help_flag("-h,--help", "Print this help");
     program.set_help_all_flag("--help-all", "Print the help of every command");

@@ -81,8 +81,9 @@ int main(int argc, char** argv) {
     const bool session = !(argc > 1 && std::string_view(argv[1]) == kNoSession);
     if (!session) std::rotate(argv + 1, argv + 2, argv + argc--);  // Qt reads the rest
     const std::string first = argc > 1 ? argv[1] : "";
+    const bool isHelp = std::any_of(argv, argv + argc, [](std::string_view a) { return a == "-h" || a == "--help"; });
+    if (first == "present" && !isHelp) return present(argc, argv, session);
     if (app::isForCli(first)) return app::runCli(argc, argv, makeHost());
-    if (first == "present") return present(argc, argv, session);
     if (first.starts_with("--")) return refuse("there is no option " + pipeline::inQuotes(first));
     const bool file = !first.empty() && first[0] != '-';  // "-platform" and the like are for Qt
     std::error_code ignored;

@@ -17,11 +17,11 @@ TEST(Program, HelpAndVersionGoToStandardOutput) {
     for (const char* option : {"-h", "--help"}) {
         const auto done = run({option});
         EXPECT_EQ(done.status, 0);
-        EXPECT_TRUE(has(done.out, "export")) << done.out;
+        for (const char* word : {"export", "present", "--no-session"}) EXPECT_TRUE(has(done.out, word)) << done.out;
         EXPECT_EQ(done.err, "");
     }
     EXPECT_EQ(run({"--version"}).out, "shadescope " SHADESCOPE_VERSION "\n");
-    for (const char* command : {"export", "plan", "inspect", "bench", "check", "lesson"}) {
+    for (const char* command : {"export", "plan", "inspect", "bench", "check", "lesson", "present"}) {
         const auto done = run({command, "--help"});
         EXPECT_EQ(done.status, 0) << command;
         EXPECT_TRUE(has(done.out, "Usage: shadescope " + std::string(command))) << done.out;
