@@ -2,6 +2,7 @@
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <optional>
 #include <thread>
 
@@ -143,14 +144,19 @@ int runLeaveOutBench(const BenchOptions& options) {
         names.clear();
         for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) names.push_back(scene.name);
     }
-    pipeline::Json rows = pipeline::Json::array();
-    if (!options.json) printLeaveOutHead();
+    std::vector<std::shared_ptr<const pipeline::Scene>> scenes;
+    std::size_t nameWidth = 0;
     for (const std::string& name : names) {
         SceneArgument argument = options.scene;
         argument.scene = name;
         int status = kDone;
-        const auto scene = loadScene(argument, status);
-        if (!scene) return status;
+        scenes.push_back(loadScene(argument, status));
+        if (!scenes.back()) return status;
+        nameWidth = std::max(nameWidth, scenes.back()->name.size());
+    }
+    pipeline::Json rows = pipeline::Json::array();
+    if (!options.json) printLeaveOutHead(nameWidth);
+    for (const auto& scene : scenes) {
         const auto wanted = wantedFrame(*scene, options.frame);
         if (!wanted) {
             printErrors(wanted.errors());
@@ -166,7 +172,7 @@ int runLeaveOutBench(const BenchOptions& options) {
         if (options.json)
             rows.push_back(leaveOutJson(*times));
         else
-            printLeaveOutRow(*times);
+            printLeaveOutRow(*times, nameWidth);
     }
     if (options.json) fmt::print("{}\n", rows.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
     return kDone;

@@ -57,14 +57,14 @@ std::optional<LeaveOutTimes> measureLeavingOut(const pipeline::Scene& scene, con
     return times;
 }
 
-void printLeaveOutHead() {
-    fmt::print("{:<20} {:>9} {:>9} {:>6} {:>9}   {:<23} {:<23} {:<23} {}\n", "", "with ms", "without", "times",
-               "deciding", "light evaluations", "powers", "shadow look-ups", "buffers MB");
+void printLeaveOutHead(std::size_t nameWidth) {
+    fmt::print("{:<{}} {:>9} {:>9} {:>6} {:>9}   {:<23} {:<23} {:<23} {}\n", "", nameWidth, "with ms", "without",
+               "times", "deciding", "light evaluations", "powers", "shadow look-ups", "buffers MB");
 }
 
-void printLeaveOutRow(const LeaveOutTimes& times) {
+void printLeaveOutRow(const LeaveOutTimes& times, std::size_t nameWidth) {
     const double with = median(times.with), without = median(times.without);
-    fmt::print("{:<20} {:>9.3f} {:>9.3f} {:>6.2f} {:>8.2f}%  ", times.withFrame->scene().name, with, without,
+    fmt::print("{:<{}} {:>9.3f} {:>9.3f} {:>6.2f} {:>8.2f}%  ", times.withFrame->scene().name, nameWidth, with, without,
                ratio(times), 100 * median(times.deciding) / with);
     for (const std::string_view what : kCounters)
         fmt::print(" {:<23}", fmt::format("{} of {}", done(*times.withFrame, what), done(*times.withoutFrame, what)));

@@ -23,9 +23,9 @@ struct LeaveOutOptions {
 // Nothing when interrupted.
 std::optional<LeaveOutTimes> measureLeavingOut(const pipeline::Scene& scene, const LeaveOutOptions& options);
 
-// One row a scene, with a line of heads before the first.
-void printLeaveOutHead();
-void printLeaveOutRow(const LeaveOutTimes& times);
+// One row a scene, with a line of heads before the first. nameWidth: columns of the longest scene's name.
+void printLeaveOutHead(std::size_t nameWidth);
+void printLeaveOutRow(const LeaveOutTimes& times, std::size_t nameWidth);
 pipeline::Json leaveOutJson(const LeaveOutTimes& times);
 
 }  // namespace app

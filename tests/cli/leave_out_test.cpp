@@ -125,6 +125,14 @@ TEST(LeaveOut, BenchComparesInOneRun) {
     EXPECT_GT(json[0]["buffer_megabytes"]["without"], json[0]["buffer_megabytes"]["with"]);
     const auto table = run({"bench", "--leave-out", "--repeat", "1", "--warm-up", "0", "--size", "64x48"});
     EXPECT_NE(table.out.find("Teapot"), std::string::npos) << table.out;
+    // Names of any length: the percentage of every row ends in the head's column.
+    std::istringstream lines(table.out);
+    std::string head, line;
+    std::getline(lines, head);
+    while (std::getline(lines, line)) {
+        std::erase_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; });  // "–"
+        EXPECT_EQ(line.find('%'), head.find("deciding") + 7) << line;
+    }
     EXPECT_EQ(run({"bench"}).status, 2);
 }
 
