@@ -102,7 +102,7 @@ Result<DerivedBuffer> makeZNdc(const Frame& frame) {
         z->data);
     return DerivedBuffer{
         .buffer = std::move(buffer),
-        .meaning = fmt::format("z in normalized device coordinates: -1 at z_view = {:.6g}, 1 at {:.6g}.", view.near,
+        .meaning = fmt::format("z in normalised device coordinates: -1 at z_view = {:.6g}, 1 at {:.6g}.", view.near,
                                view.far)};
 }
 

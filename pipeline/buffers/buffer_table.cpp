@@ -111,7 +111,7 @@ constexpr std::array<BufferInfo, kDerivedCount> kDerived{{
     {B::Expression, "expression", S::Shading, D::Pixel, E::Real, 1, false, "", "",
      "The number that the expression gives.", P::Sequential, 0},
     {B::ZNdc, "z_ndc", S::ZBuffer, D::Pixel, E::Real, 1, false, "", "clip",
-     "z in normalized device coordinates: -1 at the near plane, 1 at the far one.", P::Sequential, kInfinity},
+     "z in normalised device coordinates: -1 at the near plane, 1 at the far one.", P::Sequential, kInfinity},
 }};
 
 // findBuffer and bufferInfo index by BufferId.

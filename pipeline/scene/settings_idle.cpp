@@ -79,7 +79,7 @@ std::string_view onlyBlinnPhong(const Scene& scene) {
     if (scene.settings.model == Model::OpenGl) return "OpenGL's model takes the exponent as it is.";
     const bool any = std::ranges::any_of(
         scene.objects, [&](const Object& object) { return usesHalfway(scene.settings.model, object.material); });
-    return any || scene.settings.model == Model::BlinnPhong ? "" : "Only Blinn-Phong's highlight reads it.";
+    return any || scene.settings.model == Model::BlinnPhong ? "" : "Only Blinn–Phong's highlight reads it.";
 }
 std::string_view notInOpenGl(const Scene& scene) {
     return scene.settings.model == Model::OpenGl ? "OpenGL's model has a highlight of its own." : "";

@@ -104,7 +104,7 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     choice<OfShading, &S::model>({"model", "Model", "", "The illumination model that is evaluated."}, kModel),
     row<OfShading, &S::exponentFactor>(
         {"exponent_factor", "Exponent factor", "",
-         "What Blinn-Phong multiplies the exponent by; 4 gives a highlight about as wide as Phong's."},
+         "What Blinn–Phong multiplies the exponent by; 4 gives a highlight about as wide as Phong's."},
         {0, 1000, 1, 8}, {}, onlyBlinnPhong),
     row<OfShading, &S::localViewer>(
         {"local_viewer", "Local viewer", "", "Whether V points to the eye; if not, it points along the viewing axis."},

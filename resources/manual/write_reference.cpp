@@ -11,6 +11,7 @@
 #include "lessons/expression.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/core/text.h"
+#include "pipeline/formats/toml_scene.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace {
@@ -62,13 +63,27 @@ std::string valuesText(const pipeline::Setting& setting) {
     return shortestText(setting.min) + " to " + shortestText(setting.max);
 }
 
+std::string defaultText(const pipeline::Setting& setting, const pipeline::Scene& scene) {
+    const pipeline::SettingRef ref{&setting, 0};
+    const std::string text = formatSetting(ref, ref.get(scene));
+    return setting.choices.empty() ? text : fmt::format("`{}`", text);
+}
+
+// A scene that gives nothing, with a light and an object that give nothing, as its reader completes it.
+pipeline::Scene defaultScene() {
+    return pipeline::readTomlScene({"[[light]]\n[[object]]\nshape = \"sphere\"\n", "defaults.toml"}, {}).value();
+}
+
 std::string settings() {
     std::string text =
         "\n## Settings\n\nFor `--set KEY=VALUE`, and for `set:` in a lesson. `#` is the index of a light or an "
-        "object, from 0.\n\n| key | values | unit | what |\n|---|---|---|---|\n";
+        "object, from 0. The default is what a TOML scene has that does not give the key; k_a (`kar` to `kab`) is k_d "
+        "there, and the colour of OpenGL's specular part the light's.\n\n"
+        "| key | values | default | unit | what |\n|---|---|---|---|---|\n";
+    const pipeline::Scene scene = defaultScene();
     for (const pipeline::Setting& setting : pipeline::settingsTable())
-        text +=
-            fmt::format("| `{}` | {} | {} | {} |\n", setting.key, valuesText(setting), setting.unit, setting.meaning);
+        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", setting.key, valuesText(setting),
+                            defaultText(setting, scene), setting.unit, setting.meaning);
     return text;
 }
 
