@@ -1,5 +1,5 @@
-// write_pictures TOUR.cues FOLDER: the manual's pictures, taken of the real window at the cues of the tour. Needs a
-// display with OpenGL.
+// write_pictures TOUR.cues FOLDER: the manual's pictures of the window, taken at the cues of the tour. Needs a display
+// with OpenGL.
 #include <QApplication>
 #include <QDockWidget>
 #include <QElapsedTimer>
@@ -31,7 +31,6 @@ constexpr ManualPicture kPictures[]{
     {"light-space", "light-space", "viewArea"},
     {"compare", "compare", "viewArea"},
     {"inspector", "window", "inspector", {1440, 1300}},
-    {"scene", "window", "scene", {1440, 900}},
     {"settings", "window", "settings", {1440, 1300}},
     {"tables", "window", "tables"},
     {"section", "window", "scanline"},
@@ -41,13 +40,15 @@ constexpr ManualPicture kPictures[]{
 // The event loop turns so long after a frame is there: what comes at rest (smooth edges, the check of a frame, small
 // pictures) is in the picture too.
 constexpr int kRestMilliseconds = 2500;
+// The line that says how to go on has gone from the clean view.
+constexpr int kCleanMilliseconds = 7000;
 
-void rest(const app::Document& document) {
+void rest(const app::Document& document, int milliseconds = kRestMilliseconds) {
     QElapsedTimer still;
     still.start();
     QTimer wake;
     wake.start(10);
-    while (still.elapsed() < kRestMilliseconds) {
+    while (still.elapsed() < milliseconds) {
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         if (!document.frame() || document.busy()) still.restart();
     }
@@ -80,7 +81,7 @@ bool takeCleanView(app::MainWindow& window, const QString& tour, const QString& 
     window.present();
     app::CleanView* const clean = window.presentation().cleanView();
     if (!clean) return false;
-    rest(window.document());
+    rest(window.document(), kCleanMilliseconds);
     const QImage picture = clean->grab().toImage().scaledToWidth(1280, Qt::SmoothTransformation);
     window.present();  // ends it
     return write(picture, folder + "/clean-view.png");
