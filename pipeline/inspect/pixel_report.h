@@ -87,7 +87,7 @@ struct PixelReport {
     bool back = false;                        // lit from behind, with the back material
     std::array<int, 3> vertices{-1, -1, -1};  // of the triangle, over all objects
     Vec3d barycentric{0.0};
-    Vec3d position{0.0};  // world space
+    Vec3d position{0.0};          // world space
     double zView = 0, depth = 0;  // depth: as stored; z_view where no depths are
     // What its intensity or normal is interpolated with; empty in flat shading.
     std::string interpolation;                    // "affine", "affine: scanline knows no clipped polygon"

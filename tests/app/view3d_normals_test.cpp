@@ -132,10 +132,10 @@ TEST(View3dNormals, SettingsFollowTheLettersSize) {
     made.show();
     const auto look = [](app::ViewSettings& settings) {
         settings.adjustSize();
-        std::vector<int> look{settings.width(), settings.height(), settings.layout()->contentsMargins().left()};
+        std::vector<int> sizes{settings.width(), settings.height(), settings.layout()->contentsMargins().left()};
         for (const QLabel* label : settings.findChildren<QLabel*>())
-            look.push_back(QFontInfo(label->font()).pixelSize());
-        return look;
+            sizes.push_back(QFontInfo(label->font()).pixelSize());
+        return sizes;
     };
     EXPECT_EQ(look(old), look(made));
     app::Theme::current().setScale(1);
