@@ -233,6 +233,11 @@ struct Decision {
                                s.depthFormat == DepthFormat::Linear;
         return unless(Rule::UnreadBuffers, read || !inVectors ? "" : notBecause);
     }
+    Need seenPolygons() const {
+        return beside(until >= StageId::Shading ||
+                          anyWanted(wanted, {BufferId::ObjectId, BufferId::PolygonId, BufferId::Barycentric}),
+                      "Nobody asks for them.");
+    }
     Need fragmentCounts() const {
         return beside(anyWanted(wanted, {BufferId::Overdraw, BufferId::DepthWrites}), "Nobody asks for them.");
     }
@@ -325,6 +330,7 @@ Needs needsOf(const Scene& scene, BufferSet wanted, StageId until) {
     needs.depthTest = decide.depthTest();
     needs.vectorShading = decide.vectorShading();
     needs.fast = needs.vectorShading && scene.settings.arithmetic == Arithmetic::Fast;
+    needs.seenPolygons = decide.seenPolygons();
     needs.fragmentCounts = decide.fragmentCounts();
     needs.weights = decide.weights(needs.vectorShading);
     needs.layers = decide.layers();

@@ -28,7 +28,7 @@ struct Needs {
     std::vector<bool> ownNormals;  // per object: none of these sums is read; empty: of every object some may be
     Need polygonTerms, vertexTerms, ambient, position, viewVector;
     Need depthTest;                                                // of fragments at a pixel
-    Need fragmentCounts, weights;                                  // what stage 5 leaves beside distances and triangles
+    Need seenPolygons, fragmentCounts, weights;                    // what stage 5 leaves beside distances
     Need reflection, halfway;                                      // R and H
     Need vectorShading;                                            // several pixels at a time
     bool fast = false;                                             // these in the arithmetic `fast`

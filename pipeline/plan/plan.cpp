@@ -70,7 +70,8 @@ std::string difference(const ZBufferInputs& a, const ZBufferInputs& b) {
     if (a.visibility != b.visibility) return "The setting visibility changed.";
     if (a.translucent != b.translucent) return "Other objects are translucent.";
     if (a.split != b.split) return "The setting split changed.";
-    if ((b.counts && !a.counts) || (b.weights && !a.weights)) return "Other buffers are asked for.";
+    if ((b.names && !a.names) || (b.counts && !a.counts) || (b.weights && !a.weights))
+        return "Other buffers are asked for.";
     return a.clipAll == b.clipAll ? "" : "The rule of clipping was switched.";
 }
 

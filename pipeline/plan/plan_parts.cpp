@@ -55,6 +55,8 @@ void zBufferParts(Parts& out) {
     if (!outlines)
         out.within("clipping", Rule::Clipping, "Only of polygons that culling did not find whole in the picture.",
                    "Of every polygon.");
+    out.add("polygons seen", out.needs.seenPolygons, "Shading, or somebody, reads which polygon a pixel sees.",
+            "4 bytes a pixel");
     out.add("counts of fragments", out.needs.fragmentCounts, "They are asked for, or come by themselves.",
             "8 bytes a pixel");
     out.add("barycentric weights", out.needs.weights, "Shading, or somebody, reads them.", "12 bytes a pixel");

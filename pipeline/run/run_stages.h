@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -101,17 +102,18 @@ std::shared_ptr<const ZBufferOutput<Real>> runOutlines(const FrameData<Real>& da
     return out;
 }
 
-// In float in vectors, with the same bits.
-inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBufferInputs& inputs,
-                                                                       const TransformOutput<float>& in,
-                                                                       const SetUpInputs& setUp, Threads& threads) {
+// In float in vectors, with the same bits. findTriangles: finds which triangles are seen, where nobody asks for them yet.
+inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(
+    const ZBufferInputs& inputs, const TransformOutput<float>& in, const SetUpInputs& setUp,
+    std::function<Buffer2D<std::uint32_t>()> findTriangles, Threads& threads) {
     auto out = std::make_shared<ZBufferOutput<float>>();
     if (inputs.weights) out->barycentric = {in.view.size, Vec3<float>(0)};
     if (inputs.counts) out->overdraw = out->depthWrites = {in.view.size, 0};
     auto seen = std::make_shared<SeenBlocks>();
     seen->pieces = prepareSetUp(setUp);
     setUpPieces(setUp, seen->pieces, threads);
-    seen->z = BlockBuffer2D<float>(in.view.size), seen->name = BlockBuffer2D<std::uint32_t>(in.view.size);
+    seen->z = BlockBuffer2D<float>(in.view.size);
+    if (inputs.names) seen->name = BlockBuffer2D<std::uint32_t>(in.view.size);
     const TrianglePieces& pieces = seen->pieces;
     for (const TrianglePiece& piece : pieces.pieces) out->clipped += piece.clipped, out->unclipped += piece.unclipped;
     for (std::size_t tile = 0; tile < pieces.tileCount(); ++tile) out->tileIsDrawn.push_back(pieces.touches(tile));
@@ -127,6 +129,10 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBu
     const std::vector<std::uint8_t>& drawn = out->tileIsDrawn;
     out->zView =
         LateBuffer2D<float>([seen, drawn] { return rowsOf(seen->z, drawn, std::numeric_limits<float>::infinity()); });
+    if (!inputs.names) {
+        out->triangle = LateBuffer2D<std::uint32_t>(std::move(findTriangles));
+        return out;
+    }
     out->triangle = LateBuffer2D<std::uint32_t>([seen, drawn] {
         Buffer2D<std::uint32_t> rows = rowsOf(seen->name, drawn, kNoTriangle);
         for (std::uint32_t& i : rows.pixels)
@@ -137,19 +143,29 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(const ZBu
 }
 
 template <class Real>
-std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs, const TransformOutput<Real>& in,
-                                                      const CullOutput* cull, Threads& threads) {
+std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& inputs,
+                                                      const std::shared_ptr<const TransformOutput<Real>>& transform,
+                                                      const std::shared_ptr<const CullOutput>& cull, Threads& threads) {
+    const TransformOutput<Real>& in = *transform;
     std::span<const Verdict> verdicts;
     if (cull) verdicts = cull->verdicts;
     std::span<const std::uint8_t> inside;
     if (cull && !inputs.clipAll) inside = cull->inside;
     const std::vector<std::uint8_t> drawn =
-        drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, cull);
-    if constexpr (std::is_same_v<Real, float>)
-        if (inputs.visibility == Visibility::ZBuffer && in.depthFormat == DepthFormat::Linear)
+        drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, cull.get());
+    if constexpr (std::is_same_v<Real, float>) {
+        if (inputs.visibility == Visibility::ZBuffer && in.depthFormat == DepthFormat::Linear) {
+            // Once more, as it was; the stages before are kept for it.
+            const auto findTriangles = [again = inputs, transform, cull]() mutable {
+                Threads one(1, {});
+                again.names = true, again.counts = again.weights = false;
+                return *runZBuffer<float>(again, transform, cull, one)->triangle;
+            };
             return runZBufferInVectors(
                 inputs, in, {*in.topology, in.view, in.world, in.snapped, verdicts, inside, drawn, inputs.clipAll},
-                threads);
+                findTriangles, threads);
+        }
+    }
     auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
     const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.world, verdicts, inside, drawn);
     out->clipped = bins.clipped, out->unclipped = bins.unclipped;
@@ -179,7 +195,7 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
 template <class Real>
 std::shared_ptr<const ZBufferOutput<Real>> runVisibility(const FrameData<Real>& data, Threads& threads) {
     if (data.keys.zBuffer.visibility == Visibility::None) return runOutlines(data, threads);
-    return runZBuffer(data.keys.zBuffer, *data.transform, data.cull.get(), threads);
+    return runZBuffer<Real>(data.keys.zBuffer, data.transform, data.cull, threads);
 }
 
 // Takes up the counts of pieces that run at the same time.

@@ -58,7 +58,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
                     settings.forms.polygonNormal, settings.forms.cornerAngle, settings.forms.unit},
                    {{}, settings.shadowSize, settings.shadowCull},
                    {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene),
-                    bool(needs.fragmentCounts), bool(needs.weights)},
+                    bool(needs.seenPolygons), bool(needs.fragmentCounts), bool(needs.weights)},
                    {settings.shading,
                     settings.shading == Shading::Flat ? Interpolation::Perspective : settings.interpolation,
                     settings.visibility == Visibility::None,

@@ -4,7 +4,7 @@
 
 #include <array>
 #include <limits>
-#include <optional>
+#include <memory>
 #include <type_traits>
 
 #include "pipeline/simd/targets.h"
@@ -28,8 +28,8 @@ struct CountedTile {
 
 struct DrawnTile {
     Block<float>* z;
-    Block<std::uint32_t>* name;
-    CountedTile* counted;  // null where nobody asks
+    Block<std::uint32_t>* name;  // null where nobody asks
+    CountedTile* counted;        // null where nobody asks
 };
 
 // How many fragments there were, lane by lane: sums of vectors stay in registers.
@@ -104,14 +104,15 @@ HWY_INLINE void forEachOfOther(const RasterTriangle<float>& t, Tile tile, int bi
     forEachCovered(t.snapped, tile, visitPixel);
 }
 
-// Draws triangles into a tile. kPlain: all pixels of its blocks are in the picture, and nobody counts by pixel.
-template <bool kPerspective, bool kPlain>
+// Draws triangles into a tile. kPlain: all pixels of its blocks are in the picture, and nobody counts by pixel. kNames:
+// somebody asks which triangle is seen.
+template <bool kPerspective, bool kPlain, bool kNames>
 class TileDrawer {
 public:
     TileDrawer(const SetUpInputs& in, Tile tile, const DrawnTile& out)
         : m_bits(in.view.subPixelBits), m_tile(tile), m_out(out) {}
 
-    TileCounts draw(const TrianglePieces& all, std::size_t index) {
+    HWY_NOINLINE TileCounts draw(const TrianglePieces& all, std::size_t index) {
         Sums sums;
         for (std::size_t number = 0; number < all.pieces.size(); ++number) {
             const TrianglePiece& piece = all.pieces[number];
@@ -135,9 +136,9 @@ public:
 private:
     HWY_INLINE void drawPixel(std::size_t at, float z, std::uint32_t name) {
         float& stored = m_out.z[0].of[at];
-        std::uint32_t& seen = m_out.name[0].of[at];
         const bool won = z < stored;
-        stored = won ? z : stored, seen = won ? name : seen;
+        stored = won ? z : stored;
+        if constexpr (kNames) m_out.name[0].of[at] = won ? name : m_out.name[0].of[at];
         ++m_counts.arrived, m_counts.won += won;
         if (!kPlain && m_out.counted) ++m_out.counted->arrived[0].of[at], m_out.counted->won[0].of[at] += won;
     }
@@ -164,7 +165,6 @@ private:
     HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances& distances, hn::Vec<U> name,
                                Sums& sums) {
         float* const to = &m_out.z[0].of[at];
-        std::uint32_t* const seen = &m_out.name[0].of[at];
         const Ints outside =
             kPlain ? edges.outside
                    : hn::IfThenElse(hn::RebindMask(I(), within(m_tile, at)), edges.outside, hn::Set(I(), -1));
@@ -175,7 +175,10 @@ private:
         sums.add(inside, won);
         // Stored as a whole: what follows may load the same block, and a store through a mask is not passed on to it.
         hn::Store(hn::IfThenElse(won, z, stored), F(), to);
-        hn::Store(hn::IfThenElse(hn::RebindMask(U(), won), name, hn::Load(U(), seen)), U(), seen);
+        if constexpr (kNames) {
+            std::uint32_t* const seen = &m_out.name[0].of[at];
+            hn::Store(hn::IfThenElse(hn::RebindMask(U(), won), name, hn::Load(U(), seen)), U(), seen);
+        }
         if (kPlain || !m_out.counted) return;
         const auto count = [&](std::int32_t* counts, Mask mask) HWY_ATTR {
             hn::Store(hn::Sub(hn::Load(I(), counts), hn::VecFromMask(I(), hn::RebindMask(I(), mask))), I(), counts);
@@ -268,20 +271,26 @@ TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, 
     const TrianglePieces& all = seen.pieces;
     const Tile tile = tileOf(all.size, index);
     if (!all.touches(index)) return {};
-    seen.z.fill(index, kFar), seen.name.fill(index, kNoTriangle);
-    std::optional<CountedTile> counted;
-    const DrawnTile drawn{seen.z.tile(index), seen.name.tile(index),
-                          out.overdraw.empty() ? nullptr : &counted.emplace()};
+    const bool hasNames = !seen.name.blocks.empty();
+    seen.z.fill(index, kFar);
+    if (hasNames) seen.name.fill(index, kNoTriangle);
+    // Not an optional: GCC sets its room to 0 even when it is empty, which takes as long as all the depths.
+    const auto counted = out.overdraw.empty() ? nullptr : std::make_unique<CountedTile>();
+    const DrawnTile drawn{seen.z.tile(index), hasNames ? seen.name.tile(index) : nullptr, counted.get()};
     const glm::ivec2 size = tile.max - tile.min;
     const bool isPlain = !counted && size.x % kBlock == 0 && size.y % kBlock == 0;
-    const auto draw = [&](auto perspective) {
-        constexpr bool kPerspective = decltype(perspective)::value;
-        return isPlain ? TileDrawer<kPerspective, true>(in, tile, drawn).draw(all, index)
-                       : TileDrawer<kPerspective, false>(in, tile, drawn).draw(all, index);
+    const auto draw = [&](auto perspective, auto names) {
+        constexpr bool kPerspective = decltype(perspective)::value, kNames = decltype(names)::value;
+        return isPlain ? TileDrawer<kPerspective, true, kNames>(in, tile, drawn).draw(all, index)
+                       : TileDrawer<kPerspective, false, kNames>(in, tile, drawn).draw(all, index);
     };
-    TileCounts counts = in.view.perspective ? draw(std::true_type()) : draw(std::false_type());
+    const auto drawSeen = [&](auto perspective) {
+        return hasNames ? draw(perspective, std::true_type()) : draw(perspective, std::false_type());
+    };
+    TileCounts counts = in.view.perspective ? drawSeen(std::true_type()) : drawSeen(std::false_type());
     for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F()))
-        counts.seen += static_cast<long long>(hn::CountTrue(F(), seenIn(&drawn.name[0].of[at])));
+        counts.seen +=
+            static_cast<long long>(hn::CountTrue(F(), hn::Lt(hn::Load(F(), &drawn.z[0].of[at]), hn::Set(F(), kFar))));
     if (counted) {
         copyRows(counted->arrived.data(), tile, out.overdraw);
         copyRows(counted->won.data(), tile, out.depthWrites);
@@ -298,7 +307,7 @@ public:
     ShadowDrawer(const SetUpInputs& in, Tile tile, Block<float>* blocks)
         : m_bits(in.view.subPixelBits), m_tile(tile), m_blocks(blocks) {}
 
-    void draw(const TrianglePieces& all, std::size_t index) {
+    HWY_NOINLINE void draw(const TrianglePieces& all, std::size_t index) {
         std::vector<const SmallTriangle*> rest;
         std::vector<const RasterTriangle<float>*> otherRest;
         for (const TrianglePiece& piece : all.pieces) {

@@ -9,7 +9,7 @@ struct SeenBlocks {
     TrianglePieces pieces;              // once all is drawn, of the others alone
     std::size_t triangles = 0;          // that were drawn, but the others
     BlockBuffer2D<float> z;             // z_view; +infinity where nothing was drawn
-    BlockBuffer2D<std::uint32_t> name;  // of the triangle, in `pieces`; kNoTriangle
+    BlockBuffer2D<std::uint32_t> name;  // of the triangle, in `pieces`; kNoTriangle; empty where nobody asks
 };
 
 }  // namespace pipeline

@@ -22,9 +22,10 @@ struct ZBufferInputs {
     bool split = true;                            // Painter
     bool clipAll = true;                          // also polygons that culling found whole in the picture
     std::vector<TranslucentSides> translucent{};  // per object: what stage 6 draws later; empty when nothing
-    // What is left behind beside z_view, depth and triangle; pipeline/simd alone leaves it out.
+    // What is left behind beside z_view and depth; pipeline/simd alone leaves it out.
+    bool names = true;    // which triangle is seen; else it is found when somebody first reads it
     bool counts = true;   // overdraw and depth writes
-    bool weights = true;  // barycentric weights
+    bool weights = true;  // barycentric weights; with names alone
     bool operator==(const ZBufferInputs&) const = default;
 };
 
