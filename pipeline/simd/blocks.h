@@ -171,7 +171,13 @@ public:
             m_below[i] = float(value - (high << bits) + bias);
         }
     }
-    bool fits() const { return m_fits; }  // else nothing of it holds
+    bool fits() const { return m_fits; }          // else nothing of it holds
+    bool isNarrow() const { return m_isNarrow; }  // how many multiples there are fits into 24 bits
+    // Edge function i in a tile, bias included, is unit() · edge(i) + below(i); inverse(): of the area.
+    const PixelFunction& edge(int i) const { return m_edges[i]; }
+    float below(int i) const { return m_below[i]; }
+    float unit() const { return m_unit; }
+    float inverse() const { return m_inverse; }
     EdgeRows rows() const {
         double value[3], column[3], row[3];
         for (int i = 0; i < 3; ++i) value[i] = m_edges[i].value, column[i] = m_edges[i].column, row[i] = m_edges[i].row;

@@ -35,6 +35,9 @@ HWY_INLINE Floats3 operator-(Floats3 a, Floats3 b) { return {hn::Sub(a.x, b.x), 
 HWY_INLINE Floats3 operator+(Floats3 a, Floats3 b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
 HWY_INLINE Floats3 scaled(Floats3 a, Floats s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
 HWY_INLINE Mask asFloats(hn::Mask<I> mask) { return hn::RebindMask(F(), mask); }
+HWY_INLINE Floats3 where(Mask mask, Floats3 v) {
+    return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
+}
 // Bit i: of lane i.
 HWY_INLINE std::uint32_t bitsOf(Mask mask) {
     std::uint64_t bits = 0;

@@ -63,7 +63,9 @@ public:
         const auto packed = hn::TableLookupBytes(hn::BitCast(bytes, colors), hn::LoadDup128(bytes, kKept));
         HWY_ALIGN std::uint8_t rows[64];
         hn::Store(packed, bytes, rows);
-        for (std::size_t l = 0; l < hn::Lanes(F()); l += kBlock) std::memcpy(place(at + l), rows + 4 * l, 16);
+        std::uint8_t* const to = place(at);
+        for (std::size_t l = 0; l < hn::Lanes(F()); l += kBlock)
+            std::memcpy(to + l / kBlock * sizeof m_rows[0], rows + 4 * l, 16);
 #endif
     }
     // y: the first row's, in the tile.
@@ -140,16 +142,17 @@ private:
 };
 
 // Row y of a tile's blocks into the frame buffer, and the intensity where that is kept. blocks: bit i: of block i, the
-// others see nothing, and whatever numbers stand there, their pixels are 0.
-template <class A>
-HWY_INLINE void putRow(const Row3& intensity, std::uint32_t blocks, const ToBytes& bytes, Tile tile, int y,
-                       ShadingOutput<float>& out) {
+// others see nothing, and whatever numbers stand there, their pixels are 0. pixelsAt(i): likewise, the pixels of vector i.
+template <class A, class PixelsAt>
+HWY_INLINE void putRow(const Row3& intensity, std::uint32_t blocks, PixelsAt pixelsAt, const ToBytes& bytes, Tile tile,
+                       int y, ShadingOutput<float>& out) {
     auto& intensities = out.vectors[index(BufferId::Intensity)];
     ColorRows colors(blocks == (1U << kBlocksAcross) - 1);
     for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
         const bool isSeen = (blocks >> i / kBlockPixels & 1) != 0;
         if (!isSeen && intensities.empty()) continue;
-        const Floats3 v = isSeen ? load(intensity, i) : all(Vec3<float>(0));
+        const Mask pixels = isSeen ? pixelsAt(i) : maskOf(0);
+        const Floats3 v = isSeen ? where(pixels, load(intensity, i)) : all(Vec3<float>(0));
         if (isSeen) colors.put(bytes.template of<A>(v), i);
         if (intensities.empty()) continue;
         const std::size_t at = std::size_t(y) * kRowPixels + i;

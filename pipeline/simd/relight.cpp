@@ -36,7 +36,8 @@ public:
                 if (!relightPiece(i, (blocks & block) != 0, intensity)) return false;
                 blocks |= block;
             }
-            putRow<A>(intensity, blocks, bytes, tile, y, out);
+            const auto pixelsAt = [&](std::size_t) HWY_ATTR { return maskOf(~std::uint64_t(0)); };  // 0 already
+            putRow<A>(intensity, blocks, pixelsAt, bytes, tile, y, out);
         }
         counts.relit += m_relit, counts.powers += m_powers;
         return true;

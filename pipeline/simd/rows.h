@@ -42,7 +42,7 @@ struct Group {
     std::size_t object = 0, count = 0;  // object: that all of the pixels are of, where that makes a difference
     std::size_t at[kRowVectors];
     std::uint32_t bits[kRowVectors];
-    void add(std::size_t i, Mask pixels) { at[count] = i, bits[count++] = bitsOf(pixels); }
+    void add(std::size_t i, std::uint32_t pixels) { at[count] = i, bits[count++] = pixels; }
     HWY_INLINE Mask mask(std::size_t n) const { return maskOf(bits[n]); }
 };
 

@@ -80,14 +80,24 @@ struct SeenInPixels {
     }
 };
 
+// Of the edges opposite corners 1 and 2 of a triangle: how many units the edge functions have, bias included, what is
+// below, and 1 over the area. Whole numbers of units have 24 bits or are times 1.
+struct NarrowWeights {
+    PixelFunction edges[2];
+    float unit, below[2], inverse;
+};
+HWY_INLINE Floats linearWeight(Ints units, float unit, float below, float inverse) {
+    // Times the unit nothing is rounded, so that multiplying and adding at once leaves the same bits.
+    return hn::Mul(hn::MulAdd(hn::ConvertTo(F(), units), all(unit), all(below)), all(inverse));
+}
+
 // A triangle that is seen in a tile, for any vector of it. Its corners are its own, or, where clipping has cut it, those
 // of a piece.
 class SeenTriangle {
 public:
     HWY_NOINLINE void become(const SeenIn& in, std::uint32_t name) {
-        m_isOther = TrianglePieces::isOther(name);
-        if (m_isOther) return becomeOther(in, in.pieces.other(name));
-        m_id = name, m_isCut = false;
+        if (TrianglePieces::isOther(name)) return becomeOther(in, in.pieces.other(name));
+        m_id = name, m_kind = Kind::Small;
         using Wraps = std::uint32_t;  // exact wherever an edge function fits
         Wraps x[3], y[3];
         const int bits = in.vertices.bits;
@@ -97,15 +107,14 @@ public:
         }
         const auto area =
             std::int32_t((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]));  // below 0: anticlockwise
-        m_inverse = float(1 / std::abs(double(area)));
         const auto centre = [&](int pixel) { return (Wraps(pixel) << bits) + (Wraps(1) << (bits - 1)); };
-        for (int corner = 0; corner < 3; ++corner) {
-            const int from = (corner + 1) % 3, to = (corner + 2) % 3;
-            const Wraps sign = area < 0 ? ~Wraps(0) : 1;
+        const Wraps atX = centre(in.tile.min.x), atY = centre(in.tile.min.y), sign = area < 0 ? ~Wraps(0) : 1;
+        const auto edge = [&](int from, int to) {
             const Wraps dx = sign * (x[to] - x[from]), dy = sign * (y[to] - y[from]);
-            const Wraps value = dx * (centre(in.tile.min.y) - y[from]) - dy * (centre(in.tile.min.x) - x[from]);
-            m_edges[corner] = {std::int32_t(value), std::int32_t(Wraps(0) - (dy << bits)), std::int32_t(dx << bits)};
-        }
+            const Wraps value = dx * (atY - y[from]) - dy * (atX - x[from]);
+            return PixelFunction{std::int32_t(value), std::int32_t(Wraps(0) - (dy << bits)), std::int32_t(dx << bits)};
+        };
+        m_narrow = {{edge(2, 0), edge(0, 1)}, 1, {0, 0}, float(1 / std::abs(double(area)))};
         const auto firstPixel = [&](const Wraps(&of)[3]) {  // SnappedTriangle::pixels
             const std::int32_t least = std::min({std::int32_t(of[0]), std::int32_t(of[1]), std::int32_t(of[2])});
             return ((least - 1 - (1 << (bits - 1))) >> bits) + 1;
@@ -114,48 +123,54 @@ public:
     }
     std::uint32_t id() const { return m_id; }  // index into Topology::triangles
     // Else it is so large that weights() is all that is known of it.
-    bool isLinear() const { return !m_isOther || m_other->middle; }
+    bool isLinear() const { return m_kind == Kind::Small || m_other->middle; }
     float w(std::size_t corner) const { return m_w[corner]; }
     // A quantity of the triangle's own corners at one of its corners.
     Vec3<float> atCorner(std::span<const Vec3<float>> values, const std::uint32_t (&v)[3], std::size_t corner) const {
-        if (!m_isCut) return values[v[corner]];
+        if (m_kind != Kind::Cut) return values[v[corner]];
         const Vec3<float>& share = m_other->triangle->weights[corner];
         return share.x * values[v[0]] + share.y * values[v[1]] + share.z * values[v[2]];
     }
     // Its first pixel in the tile.
     glm::ivec2 firstPixel(Tile tile) const { return glm::max(m_firstPixel - tile.min, 0); }
-    // The weight of a corner that is linear in the picture.
+    // The weight of a corner, 1 or 2, that is linear in the picture.
     Slope slope(int corner, glm::ivec2 first) const {
-        if (m_isOther) return m_other->middle->slope(m_other->drawn[corner], first);
-        const PixelFunction& edge = m_edges[corner];
-        return {float(edge.atPixel(first.x, first.y)) * m_inverse, float(edge.column) * m_inverse,
-                float(edge.row) * m_inverse};
+        if (m_kind != Kind::Small) return m_other->middle->slope(m_other->drawn[corner], first);
+        const PixelFunction& edge = m_narrow.edges[corner - 1];
+        const float inverse = m_narrow.inverse;
+        return {float(edge.atPixel(first.x, first.y)) * inverse, float(edge.column) * inverse,
+                float(edge.row) * inverse};
     }
+    // Whether weight() gives its weights.
+    bool isNarrow() const { return m_kind <= Kind::Middle; }
+    const NarrowWeights& narrow() const { return m_narrow; }
     // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not
     // seen, any numbers.
     HWY_INLINE Shares weights(const SeenIn& in, const VectorPlace& place) const {
-        if (HWY_UNLIKELY(m_isOther)) return weightsOfOther(in, place);
-        const Floats inverse = all(m_inverse);
-        const auto share = [&](int corner) HWY_ATTR {
-            return corrected(in, place, corner, hn::Mul(hn::ConvertTo(F(), m_edges[corner].in(place)), inverse));
+        if (HWY_UNLIKELY(!isNarrow())) return weightsOfLarge(in, place.at);
+        const auto share = [&](std::size_t i) HWY_ATTR {
+            const Floats linear =
+                linearWeight(m_narrow.edges[i].in(place), m_narrow.unit, m_narrow.below[i], m_narrow.inverse);
+            return corrected(in, place, m_w[i + 1], linear);
         };
-        return {share(1), share(2)};
+        return {share(0), share(1)};
     }
 
 private:
-    HWY_INLINE Floats corrected(const SeenIn& in, const VectorPlace& place, int corner, Floats linear) const {
+    HWY_INLINE static Floats corrected(const SeenIn& in, const VectorPlace& place, float w, Floats linear) {
         if (!in.view.perspective) return linear;
-        return hn::Mul(hn::Mul(linear, all(m_w[corner])), hn::Load(F(), in.z + place.at));
+        return hn::Mul(hn::Mul(linear, all(w)), hn::Load(F(), in.z + place.at));
     }
-    HWY_NOINLINE Shares weightsOfOther(const SeenIn& in, const VectorPlace& place) const {
+    HWY_NOINLINE Shares weightsOfLarge(const SeenIn& in, std::size_t at) const {
+        const VectorPlace place(at);
         if (!m_other->middle && !m_other->large->exact()) return weightsOfHuge(in, place);
         const auto share = [&](int corner) HWY_ATTR {
             const int drawn = m_other->drawn[corner];
             const Floats linear =
                 m_other->middle ? m_other->middle->linear(drawn, place) : m_other->large->linear(drawn, place);
-            return corrected(in, place, corner, linear);
+            return corrected(in, place, m_w[corner], linear);
         };
-        if (!m_isCut) return {share(1), share(2)};
+        if (m_kind != Kind::Cut) return {share(1), share(2)};
         Shares sum{all(0), all(0)};
         for (int corner = 0; corner < 3; ++corner) {
             const Vec3<float>& own = m_other->triangle->weights[std::size_t(corner)];
@@ -180,15 +195,22 @@ private:
     void becomeOther(const SeenIn& in, const RasterTriangle<float>& t) {
         if (!m_other) m_other = std::make_unique<Other>();
         m_id = t.id, m_other->triangle = &t, m_firstPixel = t.snapped.pixels().min;
-        m_other->middle = MiddleEdges(t, in.tile, in.view.subPixelBits);
-        if (!m_other->middle->fits()) m_other->middle.reset(), m_other->large = LargeEdges(t, in.tile);
+        std::optional<MiddleEdges>& middle = m_other->middle;
+        middle = MiddleEdges(t, in.tile, in.view.subPixelBits);
+        if (!middle->fits()) middle.reset(), m_other->large = LargeEdges(t, in.tile);
         int whole = 0;
         for (int own = 0; own < 3; ++own)
             for (int corner = 0; corner < 3; ++corner)
                 if (t.weights[std::size_t(corner)][own] == 1) m_other->drawn[own] = corner, ++whole;
-        m_isCut = whole < 3;
-        if (m_isCut) m_other->drawn = {0, 1, 2};
+        m_kind = whole < 3 ? Kind::Cut : middle && middle->isNarrow() ? Kind::Middle : Kind::Large;
+        if (m_kind == Kind::Cut) m_other->drawn = {0, 1, 2};
         for (int corner = 0; corner < 3; ++corner) m_w[corner] = t.w[std::size_t(m_other->drawn[corner])];
+        if (m_kind != Kind::Middle) return;
+        const int one = m_other->drawn[1], two = m_other->drawn[2];
+        m_narrow = {{middle->edge(one), middle->edge(two)},
+                    middle->unit(),
+                    {middle->below(one), middle->below(two)},
+                    middle->inverse()};
     }
 
     // What is known of one that is not small.
@@ -198,12 +220,12 @@ private:
         std::optional<MiddleEdges> middle;
         std::optional<LargeEdges> large;  // where `middle` does not fit
     };
+    enum class Kind : std::uint8_t { Small, Middle, Large, Cut };
     std::uint32_t m_id;
-    bool m_isOther, m_isCut;
+    Kind m_kind;
     float m_w[3];
     glm::ivec2 m_firstPixel;         // of its box, in the picture
-    float m_inverse;                 // of its area, unless it is one of the others, and
-    PixelFunction m_edges[3];        // its edge functions, of the edge opposite each corner
+    NarrowWeights m_narrow;          // of small and middle ones
     std::unique_ptr<Other> m_other;  // kept for the next one
 };
 

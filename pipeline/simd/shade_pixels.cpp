@@ -1,7 +1,9 @@
 #include "pipeline/simd/shade_pixels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "pipeline/simd/targets.h"
@@ -11,6 +13,7 @@
 #include <hwy/highway.h>
 //
 #include "pipeline/simd/elements.h"
+#include "pipeline/simd/groups.h"
 #include "pipeline/simd/keep_incidence.h"
 #include "pipeline/simd/look.h"
 #include "pipeline/simd/power.h"
@@ -32,16 +35,15 @@ HWY_INLINE long long countOf(Mask mask) { return static_cast<long long>(hn::Coun
 HWY_INLINE Mask isZero(Floats3 v) {
     return hn::And(hn::Eq(v.x, all(0)), hn::And(hn::Eq(v.y, all(0)), hn::Eq(v.z, all(0))));
 }
-HWY_INLINE Floats3 where(Mask mask, Floats3 v) {
-    return {hn::IfThenElseZero(mask, v.x), hn::IfThenElseZero(mask, v.y), hn::IfThenElseZero(mask, v.z)};
-}
+HWY_INLINE Mask isZero(const Terms& of) { return hn::And(isZero(of.diffuse), isZero(of.specular)); }
+// Of the three numbers the one farthest from 0.
+HWY_INLINE float largest(Vec3<float> v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // A row of blocks on its way to the picture: what one of the loops over it leaves for the next.
 struct ShadedRow {
     SurfaceRow surface;
-    Row nDotL, q, log;       // of a light; q: 1 - R·V or 1 - N·H; log: of what q leaves of 1
-    Row power;               // likewise
-    Row3 diffuse, specular;  // of a light whose shadow is looked for
+    Row nDotL, q, log, power;  // of a light; q: 1 - R·V or 1 - N·H; log: of what q leaves of 1, where that is kept
+    Row3 diffuse, specular;    // of a light, where they were gathered
     Row S;
     Row3 intensity;  // the sum
 };
@@ -52,12 +54,18 @@ class TileShader {
 public:
     // Polygons or vertices of `out` have been shaded.
     TileShader(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile, ShadingOutput<float>& out)
-        : m_inputs(inputs), m_in(in), m_tile(tile), m_out(out), m_surfaces(inputs, in, tile), m_bytes(out.iMax) {
+        : m_inputs(inputs),
+          m_in(in),
+          m_tile(tile),
+          m_out(out),
+          m_casters(inputs, in),
+          m_surfaces(inputs, in, tile, m_casters.biases, m_casters.facing),
+          m_bytes(out.iMax) {
         for (std::size_t id = 0; id < kBufferCount; ++id)
             m_keeps = m_keeps || (id != index(BufferId::Intensity) && has(BufferId(id)));
         for (const Material& material : inputs.materials) m_looks.emplace_back(inputs, material);
         for (const Light& light : inputs.lights) m_lights.emplace_back(light);
-        for (std::size_t k = 0; k < inputs.lights.size(); ++k) m_shadows.emplace_back(inputs, in, k);
+        m_lookUps.resize(m_casters.biases.size());
         if (!m_keeps && !out.incidence.empty()) m_keeper.emplace(inputs.lights.size());
     }
 
@@ -65,14 +73,21 @@ public:
         for (int y = 0; y * kBlock < m_tile.max.y - m_tile.min.y; ++y) {
             m_first = std::size_t(y) * kRowPixels;
             m_surfaces.find(y, m_row.surface);
-            findGroups();
-            for (const Group& group : m_groups) {
+            for (std::size_t k = 0; k < m_lights.size(); ++k)
+                if (const auto bias = m_casters.biasOf[k]; bias && m_inputs.parts.lights[k])
+                    m_casters.lights[k].template prepare<A>(m_row.surface, m_row.surface.bias[*bias], m_lookUps[*bias]);
+            m_groups.find(m_row.surface, m_surfaces.tellsObjects());
+            m_isAlone = m_groups.areOne();
+            for (std::size_t i = 0; !m_isAlone && i < kRowPixels; i += hn::Lanes(F()))
+                store(all(Vec3<float>(0)), m_row.intensity, i);
+            for (const Group& group : m_groups.all()) {
                 if (m_inputs.shading == Shading::Phong)
                     m_keeps ? shadePhong<true>(group) : shadePhong<false>(group);
                 else
                     m_keeps ? shadeGathered<true>(group) : shadeGathered<false>(group);
             }
-            putRow<A>(m_row.intensity, m_seenBlocks, m_bytes, m_tile, y, m_out);
+            const auto pixelsAt = [&](std::size_t i) HWY_ATTR { return m_row.surface.seenAt(i); };
+            putRow<A>(m_row.intensity, m_groups.blocks(), pixelsAt, m_bytes, m_tile, y, m_out);
             if (m_keeper) m_keeper->endRow(std::size_t(y));
         }
         if (m_keeper) m_out.incidence[tileAt(m_in.transform.view.size, m_tile)] = m_keeper->whole();
@@ -90,41 +105,18 @@ private:
         if (!buffers.empty()) putPixels(value, mask, m_first + i, m_tile.min, buffers[k]);
     }
 
-    // What is seen in the row; object by object where that makes a difference.
-    void findGroups() {
-        m_groups.clear();
-        m_seenBlocks = 0;
-        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            Mask left = m_row.surface.seenAt(i);
-            store(all(Vec3<float>(0)), m_row.intensity, i);
-            if (hn::AllFalse(F(), left)) continue;
-            m_seenBlocks |= 1U << i / kBlockPixels;
-            if (!m_surfaces.tellsObjects()) {
-                groupOf(0).add(i, left);
-                continue;
-            }
-            const std::int32_t* const objects = m_row.surface.object + i;
-            const Ints object = hn::Load(I(), objects);
-            while (!hn::AllFalse(F(), left)) {
-                const std::int32_t one = objects[hn::FindKnownFirstTrue(F(), left)];
-                const Mask mine = hn::And(left, asFloats(hn::Eq(object, hn::Set(I(), one))));
-                groupOf(std::size_t(one)).add(i, mine);
-                left = hn::AndNot(mine, left);
-            }
-        }
-    }
-    Group& groupOf(std::size_t object) {
-        for (Group& group : m_groups)
-            if (group.object == object) return group;
-        Group& added = m_groups.emplace_back();
-        added.object = object;
-        return added;
+    // Of a group, which leaves the other pixels of its vectors alone where these are of another.
+    HWY_INLINE void putIntensity(Floats3 v, Mask mask, std::size_t i) {
+        store(m_isAlone ? v : choose(mask, v, load(m_row.intensity, i)), m_row.intensity, i);
     }
 
     template <bool kKeeps>
     void shadePhong(const Group& group) {
         const Look& look = m_looks[group.object];
-        leaveBase<kKeeps>(group, look);
+        const Floats3 base = all(sumOf(look.base));
+        // Where no other group and nobody else asks, the first light begins with what is there without any.
+        bool isLeft = kKeeps || !m_isAlone;
+        if (isLeft) leaveBase<kKeeps>(group, look);
         if (m_keeper) m_keeper->add(group, look.highlight);
         for (std::size_t k = 0; k < m_lights.size(); ++k) {
             if (!m_inputs.parts.lights[k]) continue;
@@ -135,18 +127,34 @@ private:
             }
             const bool shines = look.highlight != SpecularForm::None;
             if (shines) raise(group, look.exponent);
-            addLight<kKeeps>(group, k, [&](std::size_t n) HWY_ATTR {
+            const Reflected& reflected = look.lights[k];
+            const auto terms = [&](std::size_t n) HWY_ATTR {
                 const std::size_t i = group.at[n];
                 const Floats nDotL = load(m_row.nDotL, i), power = shines ? load(m_row.power, i) : all(0);
-                const Reflected& reflected = look.lights[k];
                 // Never -0: what is left out is +0.
                 return Terms{where(hn::Gt(nDotL, all(0)), scaled(all(reflected.diffuse), nDotL)),
                              scaled(all(reflected.specular), power) + all(Vec3<float>(0))};
+            };
+            const Floats mostDiffuse = all(largest(reflected.diffuse)), mostSpecular = all(largest(reflected.specular));
+            const auto areZero = [&](std::size_t n) HWY_ATTR {
+                if (HWY_UNLIKELY(!look.isFinite)) return isZero(terms(n));
+                // Of products with the same number that with the largest is the last to be rounded to 0.
+                const std::size_t i = group.at[n];
+                const Floats nDotL = load(m_row.nDotL, i), power = shines ? load(m_row.power, i) : all(0);
+                const Mask dark = hn::Or(hn::Le(nDotL, all(0)), hn::Eq(hn::Mul(mostDiffuse, nDotL), all(0)));
+                return hn::And(dark, hn::Eq(hn::Mul(mostSpecular, power), all(0)));
+            };
+            const bool isDimmed = dim<kKeeps>(group, k, areZero);
+            addLight<kKeeps>(group, k, isLeft ? nullptr : &base, [&](std::size_t n) HWY_ATTR {
+                const Terms of = terms(n);
+                return isDimmed ? dimmed(of, group.at[n]) : of;
             });
+            isLeft = true;
             if (m_keeper)
                 m_keeper->addLight(group, k, m_row.nDotL, shines ? &m_row.log : nullptr,
-                                   m_shadows[k].casts() ? &m_row.S : nullptr);
+                                   m_casters.lights[k].casts() ? &m_row.S : nullptr);
         }
+        if (!isLeft) leaveBase<kKeeps>(group, look);
     }
 
     // Leaves what is there without any light.
@@ -156,7 +164,7 @@ private:
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);
-            store(choose(mask, base, load(m_row.intensity, i)), m_row.intensity, i);
+            putIntensity(base, mask, i);
             if constexpr (kKeeps) {
                 keep(BufferId::Position, load(m_row.surface.position, i), mask, i);
                 keep(BufferId::Normal, load(m_row.surface.N, i), mask, i);
@@ -218,60 +226,65 @@ private:
             // Another exponent may not make them vanish.
             const Mask asked = hn::And(m_keeper ? there : hn::AndNot(vanishes, there), hn::Lt(q, all(1)));
             if (hn::AllFalse(F(), asked)) {
-                store(all(0), m_row.power, i), store(none, m_row.log, i);
+                store(all(0), m_row.power, i);
+                if (m_keeper) store(none, m_row.log, i);
                 continue;
             }
             const Floats log = logOneMinus<A>(hn::IfThenElseZero(asked, q));
             store(hn::IfThenElseZero(asked, expOfNegative<A>(hn::Mul(power, log))), m_row.power, i);
-            store(hn::IfThenElse(asked, log, none), m_row.log, i);
+            if (m_keeper) store(hn::IfThenElse(asked, log, none), m_row.log, i);
         }
         if (m_inputs.illumination.detail.vanishing) vanished = 0;
         m_counts.vanished += vanished, m_counts.powers += powers - vanished;
     }
 
-    // The terms of light k in its shadow, added to the intensity. terms(n): without it.
+    // What light k adds, added to the intensity, or to `base` where that is given. terms(n): in its shadow.
     template <bool kKeeps, class TermsOf>
-    void addLight(const Group& group, std::size_t k, TermsOf terms) {
-        const bool isDimmed = m_shadows[k].casts() || m_shadows[k].looksUp();
-        if (isDimmed) dim<kKeeps>(group, k, terms);
+    void addLight(const Group& group, std::size_t k, const Floats3* base, TermsOf terms) {
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);
-            const Terms of = isDimmed ? dimmed(i) : terms(n);
+            const Terms of = terms(n);
             if constexpr (kKeeps) {
-                keep(BufferId::Shadow, isDimmed ? load(m_row.S, i) : all(1), mask, i, k);
+                keep(BufferId::Shadow, isDimmed(k) ? load(m_row.S, i) : all(1), mask, i, k);
                 keep(BufferId::Diffuse, of.diffuse, mask, i, k), keep(BufferId::Specular, of.specular, mask, i, k);
             }
-            const Floats3 before = load(m_row.intensity, i);
-            store(choose(mask, before + of.diffuse + of.specular, before), m_row.intensity, i);
+            const Floats3 before = base ? *base : load(m_row.intensity, i);
+            putIntensity(before + of.diffuse + of.specular, mask, i);
         }
     }
+    bool isDimmed(std::size_t k) const { return m_casters.lights[k].casts() || m_casters.lights[k].looksUp(); }
     // S is 1, or any number, where the terms are 0.
-    HWY_INLINE Terms dimmed(std::size_t i) const {
+    HWY_INLINE Terms dimmed(const Terms& of, std::size_t i) const {
         const Floats S = load(m_row.S, i);
-        return {scaled(load(m_row.diffuse, i), S), scaled(load(m_row.specular, i), S)};
+        return {scaled(of.diffuse, S), scaled(of.specular, S)};
     }
-    // Leaves the terms of light k, and its S where they are not 0.
-    template <bool kKeeps, class TermsOf>
-    void dim(const Group& group, std::size_t k, TermsOf terms) {
-        const ShadowLight& light = m_shadows[k];
+    // Leaves S of light k where its terms are not 0, if it casts a shadow; whether it does. areZero(n): of vector n, where
+    // they are.
+    template <bool kKeeps, class AreZero>
+    bool dim(const Group& group, std::size_t k, AreZero areZero) {
+        if (!isDimmed(k)) return false;
+        const ShadowLight& light = m_casters.lights[k];
         const bool everywhere = m_inputs.parts.idleLookups || (kKeeps && has(BufferId::Shadow));
         Group wanted;
         long long lookups = 0, idle = 0;
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);
-            const Terms of = terms(n);
-            store(of.diffuse, m_row.diffuse, i), store(of.specular, m_row.specular, i), store(all(1), m_row.S, i);
-            const Mask none = hn::And(isZero(of.diffuse), isZero(of.specular));
-            const Mask asks = everywhere ? mask : hn::AndNot(none, mask);
-            lookups += countOf(asks), idle += countOf(hn::AndNot(asks, mask));
-            if (!hn::AllFalse(F(), asks)) wanted.add(i, asks);
+            store(all(1), m_row.S, i);
+            const Mask asks = everywhere ? mask : hn::AndNot(areZero(n), mask);
+            const std::uint32_t bits = bitsOf(asks);
+            lookups += std::popcount(bits), idle += std::popcount(group.bits[n] & ~bits);
+            if (bits != 0) wanted.add(i, bits);
         }
         if (light.looksUp()) m_counts.lookups += lookups, m_counts.idleLookups += idle;
-        if (!light.casts()) return;
-        light.template factors<A>(m_row.surface, wanted, m_row.S);
+        if (!light.casts()) return true;
+        if (const auto bias = m_casters.biasOf[k])
+            light.factorsByPolygon(m_lookUps[*bias], m_row.surface.bias[*bias], wanted, m_row.S);
+        else
+            light.template factors<A>(m_row.surface, wanted, m_row.S);
         if (m_keeper) markUnknown(group, wanted);
+        return true;
     }
 
     // S of the pixels of a group in which it is not wanted.
@@ -296,7 +309,7 @@ private:
             const Mask mask = group.mask(n);
             const Elements<A> at = elementsAt(n);
             const Floats3 emission = at.difference(elements.base, 0), ambient = at.difference(elements.base, 1);
-            store(choose(mask, all(Vec3<float>(0)) + emission + ambient, load(m_row.intensity, i)), m_row.intensity, i);
+            putIntensity(all(Vec3<float>(0)) + emission + ambient, mask, i);
             if constexpr (kKeeps) {
                 keep(BufferId::Position, load(m_row.surface.position, i), mask, i);
                 keep(BufferId::Emission, emission, mask, i), keep(BufferId::Ambient, ambient, mask, i);
@@ -305,9 +318,20 @@ private:
         const auto lights = std::int32_t(m_lights.size());
         for (std::int32_t k = 0; k < lights; ++k) {
             if (!m_inputs.parts.lights[std::size_t(k)]) continue;
-            addLight<kKeeps>(group, std::size_t(k), [&](std::size_t n) HWY_ATTR {
+            // Gathered once.
+            for (std::size_t n = 0; n < group.count; ++n) {
                 const Elements<A> at = elementsAt(n);
-                return Terms{at.sum(elements.terms, lights, k, 0), at.sum(elements.terms, lights, k, 1)};
+                store(at.sum(elements.terms, lights, k, 0), m_row.diffuse, group.at[n]);
+                store(at.sum(elements.terms, lights, k, 1), m_row.specular, group.at[n]);
+            }
+            const auto terms = [&](std::size_t n) HWY_ATTR {
+                return Terms{load(m_row.diffuse, group.at[n]), load(m_row.specular, group.at[n])};
+            };
+            const bool isDimmed =
+                dim<kKeeps>(group, std::size_t(k), [&](std::size_t n) HWY_ATTR { return isZero(terms(n)); });
+            addLight<kKeeps>(group, std::size_t(k), nullptr, [&](std::size_t n) HWY_ATTR {
+                const Terms of = terms(n);
+                return isDimmed ? dimmed(of, group.at[n]) : of;
             });
         }
     }
@@ -317,17 +341,18 @@ private:
     const ShadingSources<float>& m_in;
     Tile m_tile;
     ShadingOutput<float>& m_out;
+    Casters m_casters;
     Surfaces<A> m_surfaces;
     ToBytes m_bytes;
-    bool m_keeps = false;                // any buffer beside color and intensity
-    std::vector<Look> m_looks;           // per object
-    std::vector<Shining> m_lights;       // per light
-    std::vector<ShadowLight> m_shadows;  // per light
-    std::vector<Group> m_groups;
-    std::uint32_t m_seenBlocks = 0;  // of the row, in which anything is seen
+    bool m_keeps = false;           // any buffer beside color and intensity
+    std::vector<Look> m_looks;      // per object
+    std::vector<Shining> m_lights;  // per light
+    Groups m_groups;
+    bool m_isAlone = false;  // whether there is one group, whose vectors are its own
     std::optional<IncidenceKeeper> m_keeper;
     std::size_t m_first = 0;  // of the row, in the tile
     ShadedRow m_row;
+    std::vector<LookUps> m_lookUps;  // of each light that has biases for whole polygons
     ShadingCounts m_counts;
 };
 

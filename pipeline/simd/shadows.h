@@ -10,42 +10,15 @@
 
 #include <bit>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "pipeline/scene/area_light.h"
+#include "pipeline/simd/shadow_bias.h"
 #include "pipeline/simd/surfaces.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
-
-// A face of a light, in float, and what was drawn there.
-struct LightFace {
-    Vec3<float> eye, right, up, forward;
-    Vec2<float> step, centre, width;  // columns and rows a unit; the buffer's middle, texels; units a texel
-    bool perspective;
-    float rounding;  // of LightView
-    const BlockBuffer2D<float>* depth;
-
-    LightFace(const LightView<float>& light, std::size_t number)
-        : LightFace(light.faces[number], light.rounding, *light.blocks[number]) {}
-    LightFace(const View& view, float rounds, const BlockBuffer2D<float>& blocks)
-        : eye(view.eye),
-          right(view.right),
-          up(view.up),
-          forward(view.forward),
-          step(view.scale.x, -view.scale.y),
-          centre(view.centre),
-          width(1.0 / view.scale),
-          perspective(view.perspective),
-          rounding(rounds),
-          depth(&blocks) {
-        // The faces of a cube look along the axes of the world, and points are seen along these: right and up run along
-        // the other two, in their order, forwards or backwards.
-        if (!perspective) return;
-        if (right.x + right.y + right.z < 0) step.x = -step.x;
-        if (up.x + up.y + up.z < 0) step.y = -step.y;
-    }
-    float last() const { return float(depth->size.x - 1); }  // column or row
-};
 
 // Where a texel stands in the blocks of a buffer. Its column and row: whole numbers, of a texel that there is.
 HWY_INLINE Ints texelPlace(const BlockBuffer2D<float>& depth, Floats x, Floats y) {
@@ -83,48 +56,55 @@ HWY_INLINE Floats nearestTexel(const LightFace& face, Floats x) {
     return hn::Min(hn::IfThenElseZero(hn::Gt(x, all(0)), x), all(face.last()));
 }
 
-// Of the points in vector i of a row. A buffer is larger than the caches next to the processor, and neighbours in the
-// picture may be far apart in it: what is looked up is on its way while the rest of the row is worked out.
+constexpr std::size_t kManyBlocks = (8 << 20) / (kBlockPixels * sizeof(float));  // 8 MB
+
+// The column and row that points of vector i of a row fall on, of a texel that there may not be. A buffer is larger than
+// the caches next to the processor, and neighbours in the picture may be far apart in it: what is looked up is on its way
+// while the rest of the row is worked out.
+HWY_INLINE void prepareTexel(const LightFace& face, Floats x, Floats y, Floats z, std::size_t i, LookUps& out) {
+    const std::int32_t* const places = out.place + i;
+    hn::Store(texelPlace(*face.depth, nearestTexel(face, x), nearestTexel(face, y)), I(), out.place + i);
+    // Of a small one some do: the others' texels mostly stand beside theirs.
+    const std::size_t step = face.depth->blocks.size() > kManyBlocks ? 1 : 5;
+    for (std::size_t l = 0; l < hn::Lanes(F()); l += step)
+        hwy::Prefetch(&face.depth->blocks[0].of[std::size_t(places[l])]);
+    store(x, out.x, i), store(y, out.y, i), store(z, out.z, i);
+}
+template <class A>
+HWY_INLINE void prepareTexelAtInfinity(const LightFace& face, Floats3 p, std::size_t i, LookUps& out) {
+    const Floats x = hn::Floor(A::mulAdd(all(face.step.x), p.x, all(face.centre.x)));
+    const Floats y = hn::Floor(A::mulAdd(all(face.step.y), p.y, all(face.centre.y)));
+    prepareTexel(face, x, y, p.z, i, out);
+}
+
 template <class A>
 HWY_INLINE void prepareLookUps(const LightFace& face, const ShadowSettings& settings, const SeenByLight& p,
                                std::size_t i, LookUps& out) {
-    const Floats one = all(1);
-    const Floats centreX = all(face.centre.x), centreY = all(face.centre.y);
-    const Floats stepX = all(face.step.x), stepY = all(face.step.y);
-    Floats x, y;
     if (face.perspective) {
-        x = nearestTexel(face, hn::Floor(hn::Add(centreX, hn::Div(hn::Mul(stepX, p.x), p.z))));
-        y = nearestTexel(face, hn::Floor(hn::Add(centreY, hn::Div(hn::Mul(stepY, p.y), p.z))));
+        const auto texel = [&](float centre, float step, Floats across) HWY_ATTR {
+            return nearestTexel(face, hn::Floor(hn::Add(all(centre), hn::Div(hn::Mul(all(step), across), p.z))));
+        };
+        prepareTexel(face, texel(face.centre.x, face.step.x, p.x), texel(face.centre.y, face.step.y, p.y), p.z, i, out);
     } else {
-        x = hn::Floor(A::mulAdd(stepX, p.x, centreX));
-        y = hn::Floor(A::mulAdd(stepY, p.y, centreY));
+        prepareTexelAtInfinity<A>(face, {p.x, p.y, p.z}, i, out);
     }
-    const std::int32_t* const places = out.place + i;
-    hn::Store(texelPlace(*face.depth, nearestTexel(face, x), nearestTexel(face, y)), I(), out.place + i);
-    for (std::size_t l = 0; l < hn::Lanes(F()); ++l) hwy::Prefetch(&face.depth->blocks[0].of[std::size_t(places[l])]);
-    Floats bias = all(float(settings.biasValue));
-    if (settings.bias != ShadowBias::Constant) {
-        const float texels = float(settings.filter) + 0.5F + 1.0F / 128;
-        const Floats delta = hn::Mul(
-            all(texels), A::mulAdd(hn::Abs(p.n.x), all(face.width.x), hn::Mul(hn::Abs(p.n.y), all(face.width.y))));
-        Floats slope;
-        if (face.perspective) {
-            const Floats relative = hn::Div(hn::Mul(p.z, delta), hn::Abs(p.nDotP));
-            slope =
-                hn::IfThenElse(hn::IsFinite(relative), hn::Mul(p.z, hn::Div(relative, hn::Add(one, relative))), p.z);
-        } else {
-            slope = hn::Div(delta, hn::Abs(p.n.z));
-        }
-        bias = settings.bias == ShadowBias::Slope ? hn::Mul(bias, slope) : hn::Add(slope, all(face.rounding));
+    if (settings.bias == ShadowBias::Constant) return store(all(float(settings.biasValue)), out.bias, i);
+    const Floats delta = texelSlope<A>(face, settings, p.n);
+    Floats slope;
+    if (face.perspective) {
+        const Floats relative = hn::Div(hn::Mul(p.z, delta), hn::Abs(p.nDotP));
+        slope = hn::IfThenElse(hn::IsFinite(relative), hn::Mul(p.z, hn::Div(relative, hn::Add(all(1), relative))), p.z);
+    } else {
+        slope = hn::Div(delta, hn::Abs(p.n.z));
     }
-    store(x, out.x, i), store(y, out.y, i), store(p.z, out.z, i), store(bias, out.bias, i);
+    store(biasOf(face, settings, slope), out.bias, i);
 }
 
 // How many of the texels that filtering looks at see the points of vector i of a row lit: litTexels.
-HWY_INLINE Floats litOnFace(const LightFace& face, const ShadowSettings& settings, const LookUps& lookUps,
+HWY_INLINE Floats litOnFace(const LightFace& face, const ShadowSettings& settings, const LookUps& lookUps, Floats bias,
                             std::size_t i, Mask wanted) {
     const Floats zero = all(0), one = all(1), last = all(face.last());
-    const Floats x = load(lookUps.x, i), y = load(lookUps.y, i), z = load(lookUps.z, i), bias = load(lookUps.bias, i);
+    const Floats x = load(lookUps.x, i), y = load(lookUps.y, i), z = load(lookUps.z, i);
     const auto isLit = [&](Floats u, Floats v, Ints place) HWY_ATTR {
         Mask inside = wanted;
         if (!face.perspective)
@@ -169,7 +149,38 @@ public:
     }
     bool casts() const { return m_casts; }
     bool looksUp() const { return !m_faces.empty(); }
+    // Its bias where that is the same all over a polygon.
+    std::optional<PolygonBias> polygonBias() const {
+        if (!m_casts || !m_atInfinity || m_places.size() != 1) return {};
+        return PolygonBias{m_settings, m_places[0], looksUp() ? &m_faces[0] : nullptr};
+    }
 
+    // What the pixels of a row will look up, of those whose polygons do not all face away: well before they do.
+    template <class A>
+    HWY_NOINLINE void prepare(const SurfaceRow& row, const Row& bias, LookUps& out) const {
+        if (!looksUp()) return;
+        const LightFace& face = m_faces[0];
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+            const Mask seen = row.seenAt(i);
+            if (hn::AllFalse(F(), hn::AndNot(PolygonBias::turnsAway(load(bias, i)), seen))) continue;
+            prepareTexelAtInfinity<A>(face, face.along<A>(load(row.position, i) - all(face.eye)), i, out);
+        }
+    }
+    // S of the pixels of a row that are wanted, from the bias of their polygons: shadowAt. Else 1.
+    HWY_NOINLINE void factorsByPolygon(const LookUps& lookUps, const Row& bias, const Group& wanted, Row& S) const {
+        const int most = filteredTexels(m_settings);
+        for (std::size_t n = 0; n < wanted.count; ++n) {
+            const std::size_t i = wanted.at[n];
+            const Floats of = load(bias, i);
+            const Mask mask = wanted.mask(n), isLit = hn::AndNot(PolygonBias::turnsAway(of), mask);
+            Floats share = all(1);
+            if (looksUp() && !hn::AllFalse(F(), isLit)) {
+                const Floats lit = litOnFace(m_faces[0], m_settings, lookUps, of, i, isLit);
+                share = most == 1 ? lit : hn::Div(lit, all(float(most)));
+            }
+            store(hn::IfThenElse(mask, hn::IfThenElseZero(isLit, share), all(1)), S, i);
+        }
+    }
     // S of the pixels of a row that are wanted: shadowAt. Else 1.
     template <class A>
     HWY_NOINLINE void factors(const SurfaceRow& row, const Group& wanted, Row& S) const {
@@ -250,23 +261,22 @@ private:
     HWY_INLINE void addLookUps(const LightFace& face, const LookUps& lookUps, const Group& wanted, Row& lit) const {
         for (std::size_t n = 0; n < wanted.count; ++n) {
             const std::size_t i = wanted.at[n];
-            addLit(litOnFace(face, m_settings, lookUps, i, wanted.mask(n)), wanted.mask(n), i, lit);
+            const Floats bias = load(lookUps.bias, i);
+            addLit(litOnFace(face, m_settings, lookUps, bias, i, wanted.mask(n)), wanted.mask(n), i, lit);
         }
     }
     template <class A>
     HWY_INLINE void addFace(const LightFace& face, const SurfaceRow& row, const Group& faced, Row& lit) const {
-        const auto along = [&](Floats3 v) HWY_ATTR {
-            return Floats3{A::dot(all(face.right), v), A::dot(all(face.up), v), A::dot(all(face.forward), v)};
-        };
         LookUps lookUps;
         Group asking;
         for (std::size_t n = 0; n < faced.count; ++n) {
             const std::size_t i = faced.at[n];
             const Mask mask = faced.mask(n);
             if (hn::AllFalse(F(), mask)) continue;
-            const Floats3 p = along(load(row.position, i) - all(face.eye)), normal = along(load(row.facing, i));
+            const Floats3 p = face.along<A>(load(row.position, i) - all(face.eye));
+            const Floats3 normal = face.along<A>(load(row.facing, i));
             prepareLookUps<A>(face, m_settings, {p.x, p.y, p.z, normal, all(0)}, i, lookUps);
-            asking.add(i, mask);
+            asking.add(i, faced.bits[n]);
         }
         addLookUps(face, lookUps, asking, lit);
     }
@@ -312,7 +322,7 @@ private:
             const Floats3 p = turned(world), normal = turned(N);
             const SeenByLight seen{p.x, p.y, hn::Mul(p.z, flipped), normal, A::dot(normal, p)};
             prepareLookUps<A>(face, m_settings, seen, i, lookUps);
-            asking.add(i, here);
+            asking.add(i, bits);
         }
         addLookUps(face, lookUps, asking, lit);
         return rest == 0;
@@ -323,6 +333,24 @@ private:
     std::vector<LightFace> m_faces;      // place after place, six of a point light; none without a shadow buffer
     std::vector<Vec3<float>> m_places;   // of its samples; at infinity the direction towards it
     std::vector<Vec3<float>> m_corners;  // of the rectangle of places, where these are more
+};
+
+// The lights as casters of shadows.
+struct Casters {
+    std::vector<ShadowLight> lights;                 // per light
+    std::vector<PolygonBias> biases;                 // of those that have one for whole polygons
+    std::vector<std::optional<std::size_t>> biasOf;  // per light, which of them is its
+    bool facing = false;                             // whether others ask for the polygons' normals
+
+    Casters(const ShadingInputs& inputs, const ShadingSources<float>& in) {
+        for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
+            const ShadowLight& light = lights.emplace_back(inputs, in, k);
+            const std::optional<PolygonBias> bias = light.polygonBias();
+            biasOf.push_back(bias ? std::optional(biases.size()) : std::nullopt);
+            if (bias) biases.push_back(*bias);
+            facing = facing || (light.casts() && !bias);
+        }
+    }
 };
 
 }  // namespace pipeline::HWY_NAMESPACE

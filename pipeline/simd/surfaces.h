@@ -20,6 +20,7 @@
 #include "pipeline/simd/rows.h"
 #include "pipeline/simd/seen.h"
 #include "pipeline/simd/seen_blocks.h"
+#include "pipeline/simd/shadow_bias.h"
 #include "pipeline/stages/shading.h"
 #include "pipeline/stages/vertex_weights.h"
 
@@ -35,7 +36,8 @@ struct SurfaceRow {
     Row3 N, V;                                      // unit, of Phong shading; V where it is asked for
     Row3 position;                                  // likewise
     Row3 weights;                                   // of Gouraud shading
-    Row3 facing;                                    // the polygon's normal, where shadows are cast
+    Row3 facing;                                    // the polygon's normal, where it is asked for
+    std::vector<Row> bias;                          // its bias, of each light that has one for whole polygons
 
     HWY_INLINE Mask seenAt(std::size_t i) const { return maskOf(seen[i / hn::Lanes(F())]); }
 };
@@ -72,10 +74,14 @@ struct SeenSurface {
 template <class A>
 class Surfaces {
 public:
-    Surfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile)
+    // biases: of the lights that have one for whole polygons. facing: whether others ask for the polygons' normals.
+    Surfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
+             std::span<const PolygonBias> biases, bool facing)
         : m_inputs(inputs),
           m_in(in),
           m_tile(tile),
+          m_biases(biases),
+          m_facing(facing),
           m_perPixel(inputs.shading == Shading::Phong),
           m_positioned(inputs.parts.position),
           m_tellsObjects(m_perPixel && inputs.materials.size() > 1),
@@ -93,26 +99,21 @@ public:
             m_isFine = in.zBuffer.seenPixels < 4 * static_cast<long long>(seen->triangles);
             m_findsPlanes = !A::kExact && !m_positioned;  // else the weights are found, and serve the normals too
         }
-        m_names.fill(kNoTriangle);
-        if (inputs.illumination.model == Model::OpenGl) return;
-        for (const Light& light : inputs.lights) m_facing = m_facing || light.castsShadow;
+        m_names.fill(kNoTriangle), m_bias.resize(kSlots * biases.size());
     }
     bool tellsObjects() const { return m_tellsObjects; }
 
     void find(int row, SurfaceRow& out) {
+        out.bias.resize(m_biases.size());
         if (!m_isDrawn) {  // its blocks are not written
             std::ranges::fill(out.seen, 0);
             return;
         }
         const std::size_t begin = std::size_t(row) * kRowPixels;
-        if (m_perPixel && m_positioned)
-            m_facing ? findRow<true, true, true>(begin, out) : findRow<true, true, false>(begin, out);
-        else if (m_perPixel)
-            m_facing ? findRow<true, false, true>(begin, out) : findRow<true, false, false>(begin, out);
-        else if (m_positioned)
-            m_facing ? findRow<false, true, true>(begin, out) : findRow<false, true, false>(begin, out);
+        if (m_perPixel)
+            m_positioned ? findRow<true, true>(begin, out) : findRow<true, false>(begin, out);
         else
-            m_facing ? findRow<false, false, true>(begin, out) : findRow<false, false, false>(begin, out);
+            m_positioned ? findRow<false, true>(begin, out) : findRow<false, false>(begin, out);
         if (m_isViewed) findViewVectors(row, out);
         const bool isAffine = m_inputs.shading == Shading::Gouraud && m_inputs.interpolation == Interpolation::Affine;
         if (isAffine && m_in.transform.view.perspective) makeAffine(begin, out);
@@ -134,7 +135,7 @@ private:
     };
 
     // The vectors of the row of blocks that begins with pixel `begin` of the tile.
-    template <bool kPerPixel, bool kPositions, bool kFacing>
+    template <bool kPerPixel, bool kPositions>
     void findRow(std::size_t begin, SurfaceRow& out) {
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const VectorPlace place(begin + i);
@@ -145,7 +146,7 @@ private:
             out.seen[i / hn::Lanes(F())] = bitsOf(seen);
             if constexpr (kPerPixel) {
                 if (m_isFine && !hn::AllFalse(F(), seen) && areSmall(names, seen)) {
-                    findByPixel<kPositions, kFacing>(place, seen, i, out);
+                    findByPixel<kPositions>(place, seen, i, out);
                     continue;
                 }
             }
@@ -165,7 +166,9 @@ private:
                 } else if (m_tellsObjects) {
                     object = choose1(mine, surface.object, object);
                 }
-                if constexpr (kFacing) facing = choose(mine, all(surface.facing), facing);
+                if (m_facing) facing = choose(mine, all(surface.facing), facing);
+                for (std::size_t k = 0; k < m_biases.size(); ++k)
+                    hn::BlendedStore(all(biasOf(surface, k)), mine, F(), out.bias[k].of + i);
                 if constexpr (!A::kExact && kPerPixel && !kPositions) {
                     if (surface.isPlane) {
                         const Floats x = hn::Sub(hn::ConvertTo(F(), place.column), all(surface.firstPixel.x));
@@ -191,7 +194,7 @@ private:
                 hn::Store(triangle, I(), out.triangle + i), hn::Store(polygon, I(), out.polygon + i);
                 store(weights, out.weights, i);
             }
-            if constexpr (kFacing) store(facing, out.facing, i);
+            if (m_facing) store(facing, out.facing, i);
             if constexpr (kPositions) store(position, out.position, i);
         }
     }
@@ -216,7 +219,7 @@ private:
     }
     // In the pixels of vector i of a row, each of which sees a triangle of its own: to go through triangles would compute
     // whole vectors for the sake of one pixel.
-    template <bool kPositions, bool kFacing>
+    template <bool kPositions>
     HWY_NOINLINE void findByPixel(const VectorPlace& place, Mask seen, std::size_t i, SurfaceRow& out) const {
         const SeenInPixels in(*m_seenIn, place, m_drawnNames + place.at, seen);
         const Topology& topology = *m_in.transform.topology;
@@ -235,16 +238,20 @@ private:
         };
         store(A::unit(interpolate(cornersOf(m_in.normals.vertex)), seen), out.N, i);
         const auto polygonOf = [&](std::size_t l) { return std::size_t(in.polygon[l]); };
-        const bool findsFacing = kFacing && m_in.normals.polygon.empty();
+        const bool asksFacing = m_facing || !m_biases.empty();
+        const bool findsFacing = asksFacing && m_in.normals.polygon.empty();
+        Floats3 facing = all(Vec3<float>(0));
+        if (asksFacing && !findsFacing) facing = loadThrees(m_in.normals.polygon, polygonOf);
         if (kPositions || findsFacing) {
             const Quantity world = cornersOf(m_in.transform.world);
             if constexpr (kPositions) store(interpolate(world), out.position, i);
             if (findsFacing) {
                 const Floats3 sum = areaVectors(m_in.transform, m_mirrors, world.toSecond, world.toThird, polygonOf);
-                store(Exact::unit(sum, seen), out.facing, i);
+                facing = Exact::unit(sum, seen);
             }
         }
-        if (kFacing && !findsFacing) store(loadThrees(m_in.normals.polygon, polygonOf), out.facing, i);
+        if (m_facing) store(facing, out.facing, i);
+        for (std::size_t k = 0; k < m_biases.size(); ++k) store(m_biases[k].template of<A>(facing), out.bias[k], i);
         for (std::size_t l = 0; m_tellsObjects && l < hn::Lanes(F()); ++l)
             out.object[i + l] = std::int32_t(topology.objectOfPolygon(in.polygon[l]));
     }
@@ -269,20 +276,26 @@ private:
             }
         }
     }
+    // Of the polygon of one of the surfaces kept.
+    HWY_INLINE float& biasOf(const SeenSurface& surface, std::size_t k) {
+        return m_bias[std::size_t(&surface - m_surfaces.get()) * m_biases.size() + k];
+    }
     // By the name of a triangle in the blocks, where they are; else its index.
     HWY_INLINE const SeenSurface& surfaceOf(std::uint32_t name) {
         const std::size_t slot = name % kSlots;
         if (m_names[slot] != name) m_names[slot] = name, become(m_surfaces[slot], name);
         return m_surfaces[slot];
     }
-    HWY_NOINLINE void become(SeenSurface& seen, std::uint32_t name) const {
+    HWY_NOINLINE void become(SeenSurface& seen, std::uint32_t name) {
         seen.id = name, seen.isPlane = false;
         if (m_drawnNames) seen.triangle.become(*m_seenIn, name), seen.id = seen.triangle.id();
         const Triangle& triangle = m_in.transform.topology->triangles[seen.id];
         seen.polygon = std::int32_t(triangle.polygon);
         if (m_tellsObjects) seen.object = std::int32_t(m_in.transform.topology->objectOfPolygon(triangle.polygon));
         if (m_positioned) seen.positions.become(m_in.transform.world, triangle.vertices);
-        if (m_facing) seen.facing = m_in.polygonNormal(triangle.polygon);
+        if (m_facing || !m_biases.empty()) seen.facing = m_in.polygonNormal(triangle.polygon);
+        for (std::size_t k = 0; k < m_biases.size(); ++k)
+            biasOf(seen, k) = hn::GetLane(m_biases[k].template of<A>(all(seen.facing)));
         if (!m_perPixel) return;
         if (m_findsPlanes && seen.triangle.isLinear()) becomePlane(seen, triangle);
         if (!seen.isPlane) seen.normals.become(m_in.normals.vertex, triangle.vertices);
@@ -349,7 +362,8 @@ private:
     Tile m_tile;
     bool m_isFine = false;       // for triangles of few pixels
     bool m_findsPlanes = false;  // SeenSurface::isPlane
-    bool m_perPixel, m_positioned, m_tellsObjects, m_isViewed, m_mirrors, m_facing = false, m_isDrawn = true;
+    std::span<const PolygonBias> m_biases;
+    bool m_facing, m_perPixel, m_positioned, m_tellsObjects, m_isViewed, m_mirrors, m_isDrawn = true;
     PixelRays<float> m_rays;                      // of the view
     Vec3<float> m_back;                           // against its direction
     std::size_t m_index = 0;                      // of the tile
@@ -359,6 +373,7 @@ private:
     // Triangles as they were seen last. Neighbours mostly see the same few.
     static constexpr std::size_t kSlots = 128;
     std::array<std::uint32_t, kSlots> m_names;
+    std::vector<float> m_bias;  // of each of them, lights side by side
     std::unique_ptr<SeenSurface[]> m_surfaces = std::make_unique_for_overwrite<SeenSurface[]>(kSlots);
 };
 
