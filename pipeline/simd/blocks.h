@@ -148,6 +148,13 @@ private:
     int m_lefts = 0, m_rights = 0, m_levels = 0;
 };
 
+// The linear weight of a corner from its edge function: whole numbers of a unit, of at most 24 bits or of unit 1, and what
+// is below; inverse: 1 over the area.
+HWY_INLINE Floats linearWeight(Ints units, float unit, float below, float inverse) {
+    // Times the unit nothing is rounded, so that multiplying and adding at once leaves the same bits.
+    return hn::Mul(hn::MulAdd(hn::ConvertTo(F(), units), all(unit), all(below)), all(inverse));
+}
+
 // Those of a triangle of up to some thousands of pixels, in a tile. From pixel to pixel an edge function grows by
 // multiples of 2^bits steps²: how many of these it has, rounded down, fits into 32 bits, and what is below is the same
 // everywhere.
@@ -211,10 +218,7 @@ public:
 private:
     // The edge function is rounded once: it is a sum of two numbers that have at most 24 bits each.
     HWY_INLINE Floats linear(Ints high, int i) const {
-        if (HWY_LIKELY(m_isNarrow)) {
-            const Floats above = hn::Mul(hn::ConvertTo(F(), high), all(m_unit));
-            return hn::Mul(hn::Add(above, all(m_below[i])), all(m_inverse));
-        }
+        if (HWY_LIKELY(m_isNarrow)) return linearWeight(high, m_unit, m_below[i], m_inverse);
         const int split = 23 - m_bits;
         const Ints part = hn::And(high, hn::Set(I(), (1 << split) - 1));
         const Ints low = hn::Add(hn::ShiftLeftSame(part, m_bits), hn::Set(I(), std::int32_t(m_below[i])));

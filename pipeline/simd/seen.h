@@ -81,15 +81,11 @@ struct SeenInPixels {
 };
 
 // Of the edges opposite corners 1 and 2 of a triangle: how many units the edge functions have, bias included, what is
-// below, and 1 over the area. Whole numbers of units have 24 bits or are times 1.
+// below, and 1 over the area; for linearWeight.
 struct NarrowWeights {
     PixelFunction edges[2];
     float unit, below[2], inverse;
 };
-HWY_INLINE Floats linearWeight(Ints units, float unit, float below, float inverse) {
-    // Times the unit nothing is rounded, so that multiplying and adding at once leaves the same bits.
-    return hn::Mul(hn::MulAdd(hn::ConvertTo(F(), units), all(unit), all(below)), all(inverse));
-}
 
 // A triangle that is seen in a tile, for any vector of it. Its corners are its own, or, where clipping has cut it, those
 // of a piece.
@@ -141,13 +137,10 @@ public:
         return {float(edge.atPixel(first.x, first.y)) * inverse, float(edge.column) * inverse,
                 float(edge.row) * inverse};
     }
-    // Whether weight() gives its weights.
-    bool isNarrow() const { return m_kind <= Kind::Middle; }
-    const NarrowWeights& narrow() const { return m_narrow; }
     // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not
     // seen, any numbers.
     HWY_INLINE Shares weights(const SeenIn& in, const VectorPlace& place) const {
-        if (HWY_UNLIKELY(!isNarrow())) return weightsOfLarge(in, place.at);
+        if (HWY_UNLIKELY(m_kind > Kind::Middle)) return weightsOfLarge(in, place.at);
         const auto share = [&](std::size_t i) HWY_ATTR {
             const Floats linear =
                 linearWeight(m_narrow.edges[i].in(place), m_narrow.unit, m_narrow.below[i], m_narrow.inverse);
