@@ -141,7 +141,7 @@ private:
                 // Of products with the same number that with the largest is the last to be rounded to 0.
                 const std::size_t i = group.at[n];
                 const Floats nDotL = load(m_row.nDotL, i), power = shines ? load(m_row.power, i) : all(0);
-                const Mask dark = hn::Or(hn::Le(nDotL, all(0)), hn::Eq(hn::Mul(mostDiffuse, nDotL), all(0)));
+                const Mask dark = hn::Or(hn::Not(hn::Gt(nDotL, all(0))), hn::Eq(hn::Mul(mostDiffuse, nDotL), all(0)));
                 return hn::And(dark, hn::Eq(hn::Mul(mostSpecular, power), all(0)));
             };
             const bool isDimmed = dim<kKeeps>(group, k, areZero);
