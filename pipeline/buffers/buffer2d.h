@@ -76,7 +76,8 @@ inline Tile tileOf(glm::ivec2 picture, std::size_t i) {
 // And back: of the tile.
 inline std::size_t tileAt(glm::ivec2 picture, const Tile& tile) {
     const int columns = (picture.x + kTileSize - 1) / kTileSize;
-    return std::size_t(tile.min.y / kTileSize * columns + tile.min.x / kTileSize);
+    const glm::ivec2 at = tile.min / kTileSize;
+    return std::size_t(at.y) * std::size_t(columns) + std::size_t(at.x);
 }
 
 }  // namespace pipeline

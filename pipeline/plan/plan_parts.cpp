@@ -16,9 +16,9 @@ struct Parts {
     std::vector<PlanPart> parts{};
 
     void runs(std::string part, std::string why) { parts.push_back({std::move(part), action, std::move(why), "", {}}); }
-    void add(std::string part, const Need& need, std::string why, std::string saves) {
+    void add(std::string part, const Need& need, const std::string& why, std::string saves) {
         if (need)
-            runs(std::move(part), need.despite.empty() ? std::move(why) : need.despite);
+            runs(std::move(part), need.despite.empty() ? why : need.despite);
         else
             parts.push_back(
                 {std::move(part), Action::LeaveOut, need.notBecause, need.rule ? std::move(saves) : "", need.rule});
