@@ -356,7 +356,9 @@ Result<Lesson> readLesson(const std::filesystem::path& folder) {
         parseLesson(*text, file.string(), [&folder](std::string_view name) { return sceneFor(name, folder); });
     if (!lesson) return lesson;
     Lesson named = std::move(lesson).value();
-    named.name = folder.filename().string();
+    std::error_code ignored;
+    const std::filesystem::path whole = std::filesystem::absolute(folder, ignored).lexically_normal();  // "." and "x/"
+    named.name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
     return named;
 }
 

@@ -10,12 +10,13 @@ namespace lessons {
 
 namespace {
 
+constexpr const char* kFile = "lesson.md";
+
 std::vector<std::string> lessonNames() {
     std::vector<std::string> names;
     std::error_code ignored;  // a folder that cannot be listed has no lessons
     for (const auto& entry : std::filesystem::directory_iterator(lessonFolder(), ignored))
-        if (std::filesystem::exists(entry.path() / "lesson.md", ignored))
-            names.push_back(entry.path().filename().string());
+        if (std::filesystem::exists(entry.path() / kFile, ignored)) names.push_back(entry.path().filename().string());
     std::ranges::sort(names);
     return names;
 }
@@ -45,7 +46,15 @@ Library allLessons() {
 pipeline::Result<Lesson> findLesson(std::string_view name) {
     const std::vector<std::string> names = lessonNames();
     if (std::ranges::find(names, name) != names.end()) return readLesson(lessonFolder() / name);
+    if (const std::filesystem::path folder = lessonAt(name); !folder.empty()) return readLesson(folder);
     return pipeline::Error{{}, "no lesson " + pipeline::inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
+}
+
+std::filesystem::path lessonAt(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::exists(path / kFile, ignored)) return path;
+    if (path.filename() != kFile || !std::filesystem::exists(path, ignored)) return {};
+    return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
 }  // namespace lessons

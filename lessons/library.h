@@ -14,8 +14,12 @@ struct Library {
 };
 Library allLessons();
 
-// A lesson by its folder's name; an unknown one is answered with the nearest.
+// A lesson that comes with the program by its folder's name; any other by its folder, or the file lesson.md in it. An
+// unknown one is answered with the nearest name.
 pipeline::Result<Lesson> findLesson(std::string_view name);
+
+// The folder of a lesson that somebody calls by a path: the folder itself, or a file lesson.md; empty where it is neither.
+std::filesystem::path lessonAt(const std::filesystem::path& path);
 
 // Where the lessons' folders are.
 std::filesystem::path lessonFolder();

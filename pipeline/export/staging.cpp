@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "pipeline/export/byte_file.h"
 #include "pipeline/export/exporter.h"
 
 namespace pipeline {
@@ -99,6 +100,22 @@ Result<std::monostate> Staging::publish(const std::vector<std::string>& gone) {
     m_folder.clear();
     m_made.clear();
     return std::monostate{};
+}
+
+Result<std::vector<std::string>> writeFiles(const std::vector<std::pair<std::string, std::string>>& files,
+                                            const fs::path& folder) {
+    Result<Staging> staging = Staging::begin(folder);
+    if (!staging) return staging.errors();
+    Staging target = std::move(staging).value();
+    std::vector<std::string> names;
+    for (const auto& [name, bytes] : files) {
+        ByteFile out(target.folder() / name);
+        out.write(bytes);
+        if (const auto written = out.close(); !written) return inFolder(written.errors(), folder);
+        names.push_back(name);
+    }
+    if (const auto published = target.publish(); !published) return published.errors();
+    return names;
 }
 
 Errors inFolder(Errors errors, const fs::path& folder) {

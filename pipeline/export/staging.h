@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pipeline/core/result.h"
@@ -27,6 +28,10 @@ private:
     std::filesystem::path m_target, m_folder;   // m_folder is empty once published or moved from
     std::vector<std::filesystem::path> m_made;  // parents that were missing, outermost first
 };
+
+// Files that are whole in memory, (name, bytes) each, into a folder: all of them, or none. Gives their names.
+Result<std::vector<std::string>> writeFiles(const std::vector<std::pair<std::string, std::string>>& files,
+                                            const std::filesystem::path& folder);
 
 // Errors of files that were to appear in `folder`, as the user calls it: the hidden folder's name must not reach them.
 Errors inFolder(Errors errors, const std::filesystem::path& folder);

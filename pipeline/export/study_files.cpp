@@ -1,6 +1,5 @@
 #include "pipeline/export/study_files.h"
 
-#include "pipeline/export/byte_file.h"
 #include "pipeline/export/plot_file.h"
 #include "pipeline/export/staging.h"
 #include "pipeline/export/study_csv.h"
@@ -12,26 +11,14 @@ Result<std::vector<std::string>> writeStudyFiles(const StudyReport& report, cons
                                                  const StudyLimits& limits, const std::vector<StudyPictures>& pictures,
                                                  const std::filesystem::path& folder) {
     const PlotDrawing plot = layOut(plotOf(report, analysis), {});
-    const std::vector<std::pair<std::string, std::string>> files{
-        {"study.json", studyFileText(report)},
-        {"study.csv", studyCsv(report)},
-        {"report.html", studyHtml(report, analysis, limits, pictures)},
-        {"plot.svg", plotSvg(plot, PlotTheme::Light)},
-        {"plot.png", plotPng(plot, PlotTheme::Light)},
-        {"plot-dark.svg", plotSvg(plot, PlotTheme::Dark)},
-        {"plot-dark.png", plotPng(plot, PlotTheme::Dark)}};
-    Result<Staging> staging = Staging::begin(folder);
-    if (!staging) return staging.errors();
-    Staging target = std::move(staging).value();
-    std::vector<std::string> names;
-    for (const auto& [name, bytes] : files) {
-        ByteFile out(target.folder() / name);
-        out.write(bytes);
-        if (const auto written = out.close(); !written) return inFolder(written.errors(), folder);
-        names.push_back(name);
-    }
-    if (const auto published = target.publish(); !published) return published.errors();
-    return names;
+    return writeFiles({{"study.json", studyFileText(report)},
+                       {"study.csv", studyCsv(report)},
+                       {"report.html", studyHtml(report, analysis, limits, pictures)},
+                       {"plot.svg", plotSvg(plot, PlotTheme::Light)},
+                       {"plot.png", plotPng(plot, PlotTheme::Light)},
+                       {"plot-dark.svg", plotSvg(plot, PlotTheme::Dark)},
+                       {"plot-dark.png", plotPng(plot, PlotTheme::Dark)}},
+                      folder);
 }
 
 }  // namespace pipeline

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/export/html_text.h"
 #include "pipeline/export/plot_file.h"
 #include "pipeline/export/study_html_style.h"
 #include "pipeline/export/study_text.h"
@@ -14,26 +15,17 @@ namespace pipeline {
 
 namespace {
 
-// An element with text, which is escaped.
-std::string element(std::string_view tag, std::string_view text) {
-    return fmt::format("<{}>{}</{}>", tag, escapedHtml(text), tag.substr(0, tag.find(' ')));
-}
-
 std::string cell(std::string_view text) { return element("td", text); }
 std::string number(std::string_view text) { return element("td class=n", text); }
 std::string number(std::optional<double> value) { return number(value ? errorText(*value) : "\u2013"); }
-
-std::string imageOf(std::string_view type, const std::string& bytes) {
-    return fmt::format("data:image/{};base64,{}", type, base64(bytes));
-}
 
 std::string plotFigure(const StudyReport& report, const StudyAnalysis& analysis) {
     const PlotDrawing drawing = layOut(plotOf(report, analysis), {});
     return fmt::format(
         "<figure><picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"{}\">"
         "<img src=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" alt=\"{}\"></picture></figure>\n",
-        imageOf("svg+xml", plotSvg(drawing, PlotTheme::Dark)), imageOf("svg+xml", plotSvg(drawing, PlotTheme::Light)),
-        drawing.width, drawing.height,
+        imageSource("svg+xml", plotSvg(drawing, PlotTheme::Dark)),
+        imageSource("svg+xml", plotSvg(drawing, PlotTheme::Light)), drawing.width, drawing.height,
         escapedHtml(fmt::format("Plot of {} against the run time; its numbers stand in the table of points.",
                                 measureText(analysis.choice))));
 }
@@ -80,7 +72,7 @@ std::string pictureFigures(const StudyPictures& pictures) {
     const auto add = [&](const std::string& png, const std::string& caption) {
         if (png.empty()) return;
         html += fmt::format("<figure><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
-                            imageOf("png", png), escapedHtml(caption), escapedHtml(caption));
+                            imageSource("png", png), escapedHtml(caption), escapedHtml(caption));
     };
     add(pictures.image, "Image");
     add(pictures.reference, "Reference");

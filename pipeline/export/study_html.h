@@ -19,9 +19,4 @@ struct StudyPictures {
 std::string studyHtml(const StudyReport& report, const StudyAnalysis& analysis, const StudyLimits& limits,
                       const std::vector<StudyPictures>& pictures = {});
 
-// Text as HTML shows it, within elements and in quoted attributes.
-std::string escapedHtml(std::string_view text);
-// RFC 4648, with padding. Fewer than 2^30 bytes.
-std::string base64(std::string_view bytes);
-
 }  // namespace pipeline

@@ -32,13 +32,6 @@ bool startsWithAny(std::string_view text, std::span<const std::string_view> star
     return std::ranges::any_of(starts, [&](std::string_view s) { return text.starts_with(s); });
 }
 
-// Parts of a row stand apart, but not at these: (N·L), round(255·I_b/I_max).
-bool spaceBetween(std::string_view left, std::string_view right) {
-    constexpr std::array<std::string_view, 6> kTightAfter{"(", "·", "/", "|", " ", "\u2009"};
-    constexpr std::array<std::string_view, 8> kTightBefore{")", "·", "/", "|", " ", ",", "\u2009", "°"};
-    return !left.empty() && !right.empty() && !endsWithAny(left, kTightAfter) && !startsWithAny(right, kTightBefore);
-}
-
 std::string enclosed(const Formula& part) {
     const std::string text = toText(part);
     return isSingle(part) || (text.starts_with('(') && text.ends_with(')')) ? text : '(' + text + ')';
@@ -102,6 +95,13 @@ std::string latexSymbol(std::string_view symbol) {
 
 }  // namespace
 
+// (N·L), round(255·I_b/I_max)
+bool standApart(std::string_view left, std::string_view right) {
+    constexpr std::array<std::string_view, 6> kTightAfter{"(", "·", "/", "|", " ", "\u2009"};
+    constexpr std::array<std::string_view, 8> kTightBefore{")", "·", "/", "|", " ", ",", "\u2009", "°"};
+    return !left.empty() && !right.empty() && !endsWithAny(left, kTightAfter) && !startsWithAny(right, kTightBefore);
+}
+
 std::string toText(const Formula& formula) {
     switch (formula.kind) {
         case Kind::Text:
@@ -111,7 +111,7 @@ std::string toText(const Formula& formula) {
             std::string text;
             for (const Formula& part : formula.parts) {
                 const std::string next = toText(part);
-                if (spaceBetween(text, next)) text += ' ';
+                if (standApart(text, next)) text += ' ';
                 text += next;
             }
             return text;

@@ -31,7 +31,10 @@ struct Formula {
 // How a person wants what was computed written, "1.5e-6", "0x1.8p-1"; nothing: in the digits that the lecture gives it.
 using NumberText = std::function<std::optional<std::string>(double)>;
 
-// Parts of a row stand apart by a space except at ( ) · / | , and °; what is struck stands between ~.
+// Whether parts of a row stand apart by a space, by their texts: not at ( ) · / | , and °.
+bool standApart(std::string_view left, std::string_view right);
+
+// What is struck stands between ~.
 std::string toText(const Formula& formula);
 std::string toLatex(const Formula& formula);     // without $
 std::string toMarkdown(const Formula& formula);  // $…$

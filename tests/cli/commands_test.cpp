@@ -272,9 +272,51 @@ TEST(Lesson, ListsAndShows) {
     EXPECT_EQ(shown.status, 0) << shown.err;
     EXPECT_TRUE(has(shown.out, "# " + list[0]["title"].get<std::string>()));
     EXPECT_FALSE(has(shown.out, "{buffer(")) << "a number was not filled in";
+    const Json pages = Json::parse(run({"lesson", "show", "pyramid", "--json"}).out)["pages"];
+    ASSERT_EQ(pages.size(), list[0]["pages"]);
+    EXPECT_EQ(pages[2]["question"]["answer"], 310);  // as lesson_data_test.cpp derives it
+    EXPECT_EQ(pages[2]["pixel"], Json({265, 245}));
+    EXPECT_EQ(pages[0]["question"], nullptr);
+    EXPECT_TRUE(has(shown.out, pages[2]["text"].get<std::string>()));
     const auto unknown = run({"lesson", "show", "pyramide"});
     EXPECT_EQ(unknown.status, 3);
     EXPECT_TRUE(has(unknown.err, "the nearest is \"pyramid\"")) << unknown.err;
+}
+
+TEST(Lesson, IsWrittenAsAHandoutWholeOrNotAtAll) {
+    const test::TemporaryFolder folder;
+    const auto done = run({"lesson", "export", "pyramid", "-o", folder / "out"});
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(done.out, "");
+    EXPECT_TRUE(has(done.err, "pyramid.html and pyramid-answers.html in ")) << done.err;
+    EXPECT_TRUE(has(test::readText(folder / "out" / "pyramid.html"), "an angle of 39.2°"));
+    EXPECT_EQ(run({"lesson", "export", "pyramide", "-o", folder / "none"}).status, 3);
+    EXPECT_EQ(run({"lesson", "export", "pyramid"}).status, 2);
+    EXPECT_EQ(run({"lesson", "export", "pyramid", "-o", ""}).status, 2);
+    test::writeText(folder / "file", "");
+    EXPECT_EQ(run({"lesson", "export", "pyramid", "-o", folder / "file"}).status, 4);
+    EXPECT_EQ(folder.names(),
+              (std::vector<std::string>{"file", "out", "out/pyramid-answers.html", "out/pyramid.html"}));
+}
+
+// An author's own, which is in no library, by its folder and by its file.
+TEST(Lesson, IsFoundByItsPath) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "mine");
+    test::writeText(folder / "mine" / "lesson.md",
+                    "title: Mine\nlecture: L\nsummary: S.\nscene: pyramid\n\n# First\n\n2 + 3 is {2 + 3}.\n");
+    for (const std::string path : {"mine", "mine/", "mine/lesson.md"}) {
+        const auto done = run({"lesson", "show", (folder / path).string(), "--json"});
+        ASSERT_EQ(done.status, 0) << done.err;
+        const Json shown = Json::parse(done.out);
+        EXPECT_EQ(shown["name"], "mine");
+        EXPECT_EQ(shown["pages"][0]["text"], "2 + 3 is 5.");
+    }
+    test::writeText(folder / "mine" / "lesson.md", "title: Mine\nscene: pyramid\n\n# First\n\n{nothing()}\n");
+    const auto broken = run({"lesson", "export", folder / "mine", "-o", folder / "out"});
+    EXPECT_EQ(broken.status, 3);
+    EXPECT_TRUE(has(broken.err, "mine/lesson.md:6:2: ")) << broken.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
 TEST(Check, PrintsARowACaseAndHowManyHold) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/export/formula_html.h"
+
 namespace pipeline {
 namespace {
 
@@ -71,6 +73,19 @@ TEST(Formula, AClampedNumberStaysLegible) {
     const Formula clamped = row({node(Kind::Struck, {text("−0.31")}), text("0")});
     EXPECT_EQ(toText(clamped), "~−0.31~ 0");
     EXPECT_EQ(toLatex(clamped), "\\cancel{-0.31} 0");
+}
+
+TEST(Formula, IsWrittenAsHtml) {
+    EXPECT_EQ(
+        toHtml(lectureOne()),
+        "<i>I</i><sub><i>b</i></sub> = <i>k</i><sub><i>b</i></sub> <i>I</i><sub><i>a</i></sub> + <i>S</i><sub>0</sub> "
+        "<i>I</i><sub>0</sub> [ <i>k</i><sub><i>b</i></sub> (<b class=\"vector N\">N</b>·<b class=\"vector L\">L</b>) "
+        "+ "
+        "<i>k</i><sub><i>s</i></sub> (<b class=\"vector R\">R</b>·<b class=\"vector V\">V</b>)<sup><i>n</i></sup> ]");
+    EXPECT_EQ(toHtml(node(Kind::Struck, {text("-0.2 < 0")})), "<s>-0.2 &lt; 0</s>");
+    EXPECT_EQ(toHtml(node(Kind::Fraction, {symbol("I"), text("175")})),
+              "<span class=fraction><span><i>I</i></span><span>175</span></span>");
+    EXPECT_EQ(toHtml(row({})), "");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "pipeline/export/html_text.h"
 #include "pipeline/export/study_csv.h"
 #include "pipeline/export/study_files.h"
 #include "pipeline/export/study_html.h"
@@ -174,7 +175,7 @@ TEST(StudyFiles, AreAllThereOrNone) {
 }
 
 // The test vectors of RFC 4648, section 10.
-TEST(StudyHtml, EncodesBase64) {
+TEST(HtmlText, EncodesBase64) {
     EXPECT_EQ(base64(""), "");
     EXPECT_EQ(base64("f"), "Zg==");
     EXPECT_EQ(base64("fo"), "Zm8=");

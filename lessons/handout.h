@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "lessons/lesson.h"
+
+namespace lessons {
+
+// A lesson on paper: two pages in HTML 5 without scripts that need nothing else, for a browser or its printer.
+struct Handout {
+    std::string pages;    // for the class: each page's pictures, text, equation and question, with room for an answer
+    std::string answers;  // for who teaches: each question with its answer
+};
+
+// number: of the page that comes next, from 0.
+using HandoutProgress = std::function<void(std::size_t number)>;
+
+// Runs the frame of every page. Errors: what cannot be filled in, FILE:LINE:COLUMN; "stopped".
+pipeline::Result<Handout> makeHandout(const Lesson& lesson, const std::stop_token& stop = {},
+                                      const HandoutProgress& progress = {});
+
+// NAME.html and NAME-answers.html in a folder, which is made when it is missing: both or none. Gives their names.
+pipeline::Result<std::vector<std::string>> writeHandout(const Handout& handout, const std::string& name,
+                                                        const std::filesystem::path& folder);
+
+}  // namespace lessons

@@ -1,0 +1,201 @@
+#include "lessons/handout_figure.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "pipeline/buffers/palette.h"
+#include "pipeline/export/formula_html.h"
+#include "pipeline/export/html_text.h"
+#include "pipeline/export/png_file.h"
+#include "pipeline/inspect/formula_parts.h"
+#include "pipeline/stages/cull.h"
+
+namespace lessons {
+
+namespace {
+
+using pipeline::AnyBuffer;
+using pipeline::Color8;
+using pipeline::Domain;
+using pipeline::Palette;
+using pipeline::PaletteRange;
+using pipeline::Tile;
+
+constexpr std::size_t kMostRows = 40, kMostCategories = 8;
+
+// "1.5·10^−6" with its power set high.
+std::string numberHtml(double value) {
+    return toHtml(pipeline::numeral(pipeline::withMinus(fmt::format("{:.4g}", value))));
+}
+
+std::string cssColor(Color8 c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
+
+std::string pictureOf(const AnyBuffer& buffer, PaletteRange range, Tile part) {
+    pipeline::Buffer2D<Color8> picture(part.max - part.min, Color8(0));
+    for (int y = part.min.y; y < part.max.y; ++y)
+        for (int x = part.min.x; x < part.max.x; ++x)
+            picture.at(glm::ivec2(x, y) - part.min) = elementColor(buffer, std::size_t(x), std::size_t(y), range);
+    return pngOf(picture);
+}
+
+// Widens `box` to hold what a buffer shows.
+void include(const AnyBuffer& buffer, Tile& box) {
+    const auto isDrawn = [&](int x, int y) {
+        for (int c = 0; c < buffer.channels(); ++c)
+            if (buffer.value(std::size_t(x), std::size_t(y), c) != buffer.info->neutral) return true;
+        return false;
+    };
+    for (int y = 0; y < int(buffer.rows()); ++y)
+        for (int x = 0; x < int(buffer.columns()); ++x)
+            if (isDrawn(x, y)) box.min = glm::min(box.min, {x, y}), box.max = glm::max(box.max, {x + 1, y + 1});
+}
+
+// The two ends of a scale, and the colours between them.
+std::string scaleLegend(const AnyBuffer& buffer, PaletteRange range) {
+    std::string stops;
+    for (const Color8 color : paletteStops(buffer.info->palette)) stops += ", " + cssColor(color);
+    const std::string unit = buffer.info->unit.empty() ? "" : ' ' + pipeline::escapedHtml(buffer.info->unit);
+    return fmt::format("{} <span class=scale style=\"background: linear-gradient(90deg{})\"></span> {}{}",
+                       numberHtml(range.first), stops, numberHtml(range.last), unit);
+}
+
+// What there is of ids, by their colours; nothing where there are more than colours.
+std::string categoryLegend(const pipeline::Frame& frame, const AnyBuffer& buffer) {
+    std::set<double> there;
+    for (std::size_t i = 0; i < buffer.count() && there.size() <= kMostCategories; ++i)
+        if (buffer.flat(i) >= 0) there.insert(buffer.flat(i));
+    if (there.size() > kMostCategories) return {};
+    std::string html;
+    for (const double value : there) {
+        const Color8 color = pipeline::paletteColor(buffer.info->palette, value, 0, 0);
+        std::string label = fmt::format("{:.0f}", value);
+        if (buffer.name.id == pipeline::BufferId::ObjectId)
+            label += ' ' + frame.scene().objects[std::size_t(value)].name;
+        html += fmt::format("<span class=swatch style=\"background: {}\"></span> {} ", cssColor(color),
+                            pipeline::escapedHtml(label));
+    }
+    return html;
+}
+
+std::string legend(const pipeline::Frame& frame, const AnyBuffer& buffer, PaletteRange range) {
+    switch (buffer.info->palette) {
+        case Palette::Sequential:
+        case Palette::Diverging: return scaleLegend(buffer, range);
+        case Palette::Categorical: return categoryLegend(frame, buffer);
+        case Palette::Direction:
+            return fmt::format("x, y, z as red, green, blue: {} to {}", numberHtml(range.first),
+                               numberHtml(range.last));
+        case Palette::Color:
+            return buffer.info->element == pipeline::Element::UInt8
+                       ? std::string()
+                       : fmt::format("from {} to {}", numberHtml(range.first), numberHtml(range.last));
+        case Palette::Verdict:
+        case Palette::ShadowVerdict:
+        case Palette::Truth: return {};
+    }
+    return {};
+}
+
+std::string pictureHtml(const pipeline::Frame& frame, const AnyBuffer& buffer, Tile part,
+                        const std::optional<glm::ivec2>& pixel) {
+    const glm::ivec2 size(int(buffer.columns()), int(buffer.rows()));
+    const bool ofPixels = buffer.info->domain == Domain::Pixel;
+    if (!ofPixels) part = {{0, 0}, size};
+    const PaletteRange range = fittingRange(buffer, statistics(buffer), frame.scene().settings.depthFormat);
+    std::string html = fmt::format("<div class=picture><img src=\"{}\" alt=\"{}\">",
+                                   pipeline::imageSource("png", pictureOf(buffer, range, part)),
+                                   pipeline::escapedHtml("Picture of " + buffer.name.text()));
+    if (pixel && ofPixels) {
+        const glm::dvec2 at = 100.0 * (glm::dvec2(*pixel - part.min) + 0.5) / glm::dvec2(part.max - part.min);
+        html += fmt::format("<span class=pick style=\"left: {:.3f}%; top: {:.3f}%\"></span>", at.x, at.y);
+    }
+    html += "</div><figcaption>" + pipeline::element("code", buffer.name.text()) + ' ' +
+            pipeline::escapedHtml(buffer.info->meaning);
+    if (part.max - part.min != size)
+        html += fmt::format(" Columns {} to {}, rows {} to {} of {} × {}.", part.min.x, part.max.x - 1, part.min.y,
+                            part.max.y - 1, size.x, size.y);
+    if (const std::string colours = legend(frame, buffer, range); !colours.empty()) html += "<br>" + colours;
+    return html + "</figcaption>";
+}
+
+std::string cellHtml(const AnyBuffer& buffer, std::size_t row, int channel) {
+    const double value = buffer.value(0, row, channel);
+    if (buffer.info->palette != Palette::Verdict) return "<td class=number>" + numberHtml(value) + "</td>";
+    return pipeline::element("td", name(static_cast<pipeline::Verdict>(value)));
+}
+
+std::string tableHtml(const AnyBuffer& buffer) {
+    const bool isColor = buffer.info->palette == Palette::Color;
+    std::string html = "<table><caption>" + pipeline::element("code", buffer.name.text()) + ' ' +
+                       pipeline::escapedHtml(buffer.info->meaning) + "</caption><thead><tr>" +
+                       pipeline::element("th", buffer.info->domain == Domain::Polygon ? "polygon" : "vertex");
+    for (int c = 0; c < buffer.channels(); ++c)
+        html += buffer.channels() == 1
+                    ? "<th></th>"
+                    : pipeline::element("th class=number",
+                                        std::string_view(isColor ? "rgb" : "xyz").substr(std::size_t(c), 1));
+    html += "</tr></thead><tbody>\n";
+    const std::size_t rows = std::min(buffer.rows(), kMostRows);
+    for (std::size_t row = 0; row < rows; ++row) {
+        html += fmt::format("<tr><td>{}</td>", row);
+        for (int c = 0; c < buffer.channels(); ++c) html += cellHtml(buffer, row, c);
+        html += "</tr>\n";
+    }
+    html += "</tbody></table>";
+    return rows == buffer.rows() ? html : html + fmt::format("<p>and {} more</p>", buffer.rows() - rows);
+}
+
+}  // namespace
+
+Tile partToShow(const pipeline::Frame& frame, std::span<const pipeline::BufferName> buffers,
+                const std::optional<glm::ivec2>& pixel) {
+    const glm::ivec2 size(frame.scene().settings.width, frame.scene().settings.height);
+    Tile box{size, {0, 0}};
+    if (pixel) box = {*pixel, *pixel + 1};
+    for (const pipeline::BufferName& name : buffers)
+        if (const auto buffer = frame.buffer(name); buffer && buffer->info->domain == Domain::Pixel)
+            include(*buffer, box);
+    // As wide as the wider of the two asks for, and a quarter of that on each side.
+    const glm::dvec2 shares = glm::dvec2(box.max - box.min) / glm::dvec2(size);
+    const double share = std::max(shares.x, shares.y);
+    if (share <= 0 || share > 0.5) return {{0, 0}, size};
+    const glm::ivec2 part = glm::max(glm::ivec2(glm::ceil(1.5 * share * glm::dvec2(size))), glm::ivec2(1));
+    const glm::ivec2 low = glm::clamp((box.min + box.max - part) / 2, glm::ivec2(0), size - part);
+    return {low, low + part};
+}
+
+std::string figureHtml(const pipeline::Frame& frame, const pipeline::BufferName& name, Tile part,
+                       const std::optional<glm::ivec2>& pixel) {
+    const auto buffer = frame.buffer(name);
+    std::string inside;
+    if (!buffer)
+        inside = "<figcaption>" + pipeline::element("code", name.text()) + ' ' +
+                 pipeline::escapedHtml(frame.whyAbsent(name)) + "</figcaption>";
+    else if (buffer->info->domain == Domain::Pixel || buffer->info->domain == Domain::Texel)
+        inside = pictureHtml(frame, *buffer, part, pixel);
+    else
+        inside = tableHtml(*buffer);
+    return "<figure>" + inside + "</figure>\n";
+}
+
+// Backgrounds are printed too: they are what the legend shows.
+std::string_view figureStyle() {
+    return R"(
+figure { flex: 1 1 17rem; max-width: 24rem; margin: 0; }
+figcaption, caption { color: #4A525D; font-size: .8rem; line-height: 1.35; padding-top: .3rem; text-align: left; }
+.picture { position: relative; border: 1px solid #D0D5DC; line-height: 0; }
+.picture img { width: 100%; image-rendering: pixelated; }
+.pick { position: absolute; width: 1rem; height: 1rem; margin: -.5rem 0 0 -.5rem; border: 2px solid #000; border-radius: 50%;
+        outline: 2px solid #fff; outline-offset: -4px; box-sizing: border-box; box-shadow: 0 0 0 1.5px #fff; }
+.scale, .swatch { display: inline-block; height: .7rem; vertical-align: -.05rem; border: 1px solid #828A95;
+                  print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+.scale { width: 5rem; } .swatch { width: .7rem; }
+table { border-collapse: collapse; font-size: .85rem; }
+th, td { text-align: left; padding: .1rem .8rem .1rem 0; border-bottom: 1px solid #D0D5DC; }
+th { color: #4A525D; font-weight: 500; } .number { text-align: right; font-variant-numeric: tabular-nums; }
+)";
+}
+
+}  // namespace lessons

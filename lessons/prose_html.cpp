@@ -1,0 +1,73 @@
+#include "lessons/prose_html.h"
+
+#include <md4c-html.h>
+
+#include "pipeline/export/formula_html.h"
+#include "pipeline/inspect/formula_parts.h"
+
+namespace lessons {
+
+namespace {
+
+using pipeline::VectorCode;
+
+void append(const MD_CHAR* text, MD_SIZE size, void* to) { static_cast<std::string*>(to)->append(text, size); }
+
+// Letters of other alphabets count: ρ_0. So do ends of elements, for what they end may be a letter: <em>k</em>_b.
+bool mayHaveScript(char before) {
+    const auto byte = static_cast<unsigned char>(before);
+    return before == ')' || byte >= 0x80 || (before >= 'a' && before <= 'z') || (before >= 'A' && before <= 'Z');
+}
+
+bool isWord(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
+
+// I_max, (R·V)^n; not in code, and not in what stands between < and >.
+std::string raiseScripts(std::string_view html) {
+    std::string out;
+    char before = ' ';
+    int code = 0;  // how many elements of code are open
+    for (std::size_t at = 0; at < html.size();) {
+        if (html[at] == '<') {
+            const std::string_view tag = html.substr(at, std::min(html.find('>', at), html.size() - 1) - at + 1);
+            code += tag.starts_with("<code") ? 1 : tag == "</code>" ? -1 : 0;
+            out += tag, at += tag.size();
+            continue;
+        }
+        std::size_t end = at + 1;
+        while (end < html.size() && isWord(html[end])) ++end;
+        const bool isScript =
+            code == 0 && (html[at] == '_' || html[at] == '^') && end > at + 1 && mayHaveScript(before);
+        if (isScript) {
+            const std::string_view name = html[at] == '_' ? "sub" : "sup";
+            out.append("<").append(name).append(">").append(html.substr(at + 1, end - at - 1));
+            out.append("</").append(name).append(">");
+            before = html[end - 1], at = end;
+            continue;
+        }
+        before = html[at];
+        out += html[at++];
+    }
+    return out;
+}
+
+// ***N*** in the vectors' code.
+std::string markVectors(std::string html) {
+    for (const VectorCode code : {VectorCode::N, VectorCode::L, VectorCode::V, VectorCode::R, VectorCode::H}) {
+        const pipeline::Formula vector = pipeline::vector(code);
+        const std::string typed = "<em><strong>" + vector.text + "</strong></em>", marked = toHtml(vector);
+        for (auto at = html.find(typed); at != html.npos; at = html.find(typed, at + marked.size()))
+            html.replace(at, typed.size(), marked);
+    }
+    return html;
+}
+
+}  // namespace
+
+std::string proseHtml(std::string_view markdown) {
+    std::string html;
+    constexpr unsigned kFlags = MD_FLAG_TABLES | MD_FLAG_STRIKETHROUGH | MD_FLAG_NOHTML;
+    if (md_html(markdown.data(), MD_SIZE(markdown.size()), append, &html, kFlags, 0) != 0) return {};  // no memory
+    return raiseScripts(markVectors(std::move(html)));
+}
+
+}  // namespace lessons

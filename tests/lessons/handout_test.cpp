@@ -1,0 +1,141 @@
+#include "lessons/handout.h"
+
+#include "lessons/handout_figure.h"
+#include "lessons/library.h"
+#include "lessons/prose_html.h"
+#include "tests/lessons/pyramid_scene.h"
+#include "tests/support/files.h"
+
+namespace lessons {
+namespace {
+
+std::size_t count(std::string_view text, std::string_view part) {
+    std::size_t found = 0;
+    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++found;
+    return found;
+}
+bool has(std::string_view text, std::string_view part) { return count(text, part) > 0; }
+
+TEST(ProseHtml, IsWhatTheWindowShowsOfMarkdown) {
+    EXPECT_EQ(proseHtml("*one* **two**"), "<p><em>one</em> <strong>two</strong></p>\n");
+    EXPECT_TRUE(has(proseHtml("- a\n- b\n"), "<li>a</li>"));
+    EXPECT_EQ(proseHtml("***N***·***L***"), "<p><b class=\"vector N\">N</b>·<b class=\"vector L\">L</b></p>\n");
+    EXPECT_EQ(proseHtml("*k_b* (R·V)^n, ρ_0 and FB_b"),
+              "<p><em>k<sub>b</sub></em> (R·V)<sup>n</sup>, ρ<sub>0</sub> and FB<sub>b</sub></p>\n");
+    EXPECT_EQ(proseHtml("(***R***·***V***)^n"),
+              "<p>(<b class=\"vector R\">R</b>·<b class=\"vector V\">V</b>)<sup>n</sup></p>\n");
+}
+
+// A name in code is no formula, and a lesson brings no elements of its own.
+TEST(ProseHtml, LeavesCodeAloneAndShowsHtmlAsItWasTyped) {
+    EXPECT_EQ(proseHtml("`shadow_buffer.0`"), "<p><code>shadow_buffer.0</code></p>\n");
+    EXPECT_FALSE(has(proseHtml("<script>alert(1)</script> a<b"), "<script"));
+    EXPECT_TRUE(has(proseHtml("a < b & c"), "a &lt; b &amp; c"));
+    EXPECT_FALSE(has(proseHtml("[x](javascript:alert(1)_a)"), "<sub>")) << "what stands in an attribute is no formula";
+}
+
+class HandoutOfThePyramid : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto lesson = findLesson("pyramid");
+        ASSERT_TRUE(lesson);
+        m_lesson = *lesson;
+        const auto handout = makeHandout(m_lesson);
+        ASSERT_TRUE(handout) << format(handout.errors());
+        m_handout = *handout;
+    }
+    Lesson m_lesson;
+    Handout m_handout;
+};
+
+TEST_F(HandoutOfThePyramid, HasEveryPageWithItsPicturesAndQuestion) {
+    std::size_t pictures = 0, questions = 0;
+    for (const Page& page : m_lesson.pages) {
+        EXPECT_TRUE(has(m_handout.pages, page.heading)) << page.heading;
+        pictures += page.state.buffers.size(), questions += page.question.has_value();
+    }
+    EXPECT_EQ(count(m_handout.pages, "<img src=\"data:image/png;base64,"), pictures);
+    EXPECT_EQ(count(m_handout.pages, "class=question"), questions);
+    EXPECT_EQ(count(m_handout.answers, "class=answer"), questions);
+    EXPECT_FALSE(has(m_handout.pages, "<script"));
+    EXPECT_FALSE(has(m_handout.pages, "http")) << "it needs nothing from elsewhere";
+}
+
+// The lecture's numbers, as lesson_data_test.cpp derives them.
+TEST_F(HandoutOfThePyramid, FillsInTheNumbersAndKeepsTheAnswersApart) {
+    EXPECT_TRUE(has(m_handout.pages, "0.7746, an angle of 39.2°"));
+    EXPECT_TRUE(has(m_handout.pages, "(335, 75, 150)"));
+    EXPECT_TRUE(has(m_handout.answers, "<p class=answer>310</p>"));
+    EXPECT_TRUE(has(m_handout.answers, "<p class=answer>35.3762 ± 0.06</p>"));
+    EXPECT_FALSE(has(m_handout.pages, "35.376"));
+    EXPECT_FALSE(has(m_handout.answers, "<img"));
+}
+
+// 0.9·50 + 100·0.9·0.7746 + 40·0.3974^8 = 114.739, and 255·114.739/175 = 167: the blue of pixel 268, 281.
+TEST_F(HandoutOfThePyramid, HasTheEquationOfThePickedPixelWhereTheStageIsShading) {
+    EXPECT_EQ(count(m_handout.pages, "Pixel 268, 281 (the ring), blue:"), 3u);  // pages 8, 9 and 10
+    EXPECT_TRUE(has(m_handout.pages, "114.739</p>"));
+    EXPECT_TRUE(has(m_handout.pages, "= 167"));
+    EXPECT_TRUE(has(m_handout.pages, "0.3974<sup>8</sup>"));
+}
+
+TEST_F(HandoutOfThePyramid, IsTwoFilesOrNone) {
+    const test::TemporaryFolder folder;
+    const auto written = writeHandout(m_handout, "pyramid", folder / "out");
+    ASSERT_TRUE(written) << format(written.errors());
+    EXPECT_EQ(*written, (std::vector<std::string>{"pyramid.html", "pyramid-answers.html"}));
+    EXPECT_EQ(test::readText(folder / "out" / "pyramid.html"), m_handout.pages);
+    EXPECT_EQ(test::readText(folder / "out" / "pyramid-answers.html"), m_handout.answers);
+    std::filesystem::create_directories(folder / "no" / "pyramid-answers.html");  // where a file is to be
+    EXPECT_FALSE(writeHandout(m_handout, "pyramid", folder / "no"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "no" / "pyramid.html"));
+}
+
+TEST(Handout, IsNotMadeWhenItIsStopped) {
+    std::stop_source source;
+    int pages = 0;
+    const auto handout = makeHandout(*findLesson("pyramid"), source.get_token(), [&](std::size_t) {
+        if (++pages == 3) source.request_stop();
+    });
+    ASSERT_FALSE(handout);
+    EXPECT_EQ(format(handout.errors()), "stopped\n");
+    EXPECT_EQ(pages, 3);
+}
+
+// The pyramid covers columns 225 to 312 and rows 244 to 310 at most; 640 · 480 is 4 : 3.
+TEST(HandoutFigure, ShowsThePartThatIsDrawnInThePicturesProportions) {
+    const pipeline::FramePtr frame = frameOf(pyramidScene(), pipeline::setOf({pipeline::BufferId::Color}));
+    const pipeline::BufferName color{pipeline::BufferId::Color};
+    const pipeline::Tile part = partToShow(*frame, std::span(&color, 1), {});
+    const glm::ivec2 size = part.max - part.min;
+    EXPECT_NEAR(double(size.x) / size.y, 640.0 / 480, 0.02);
+    EXPECT_LT(size.x, 320);
+    const auto buffer = frame->buffer(color);
+    for (std::size_t y = 0; y < 480; ++y)
+        for (std::size_t x = 0; x < 640; ++x) {
+            const bool inside =
+                int(x) >= part.min.x && int(x) < part.max.x && int(y) >= part.min.y && int(y) < part.max.y;
+            if (!inside) {
+                EXPECT_EQ(buffer->value(x, y, 2), 0) << x << ", " << y;
+            }
+        }
+    const pipeline::Tile withCorner = partToShow(*frame, std::span(&color, 1), glm::ivec2(639, 479));
+    EXPECT_EQ(withCorner.min, glm::ivec2(0));
+    EXPECT_EQ(withCorner.max, glm::ivec2(640, 480));
+}
+
+TEST(HandoutFigure, IsATableOfWhatHasNoPixelsAndAReasonWhereThereIsNothing) {
+    pipeline::FrameRequest request;
+    request.wanted = pipeline::setOf({pipeline::BufferId::PolygonsVerdict, pipeline::BufferId::VerticesWorld});
+    const pipeline::FramePtr frame = frameOf(pyramidScene(), request);
+    const pipeline::Tile whole{{0, 0}, {640, 480}};
+    const std::string verdicts = figureHtml(*frame, {pipeline::BufferId::PolygonsVerdict}, whole, {});
+    EXPECT_TRUE(has(verdicts, "<tr><td>0</td><td>back-facing</td></tr>")) << verdicts;  // Left
+    const std::string places = figureHtml(*frame, {pipeline::BufferId::VerticesWorld}, whole, {});
+    EXPECT_TRUE(has(places, "<td>4</td><td class=number>335</td><td class=number>75</td><td class=number>150</td>"));
+    const std::string none = figureHtml(*frame, {pipeline::BufferId::ShadowBuffer, 0}, whole, {});
+    EXPECT_TRUE(has(none, "convex")) << none;
+}
+
+}  // namespace
+}  // namespace lessons
