@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
 #include "pipeline/export/png_file.h"
 #include "pipeline/stages/cull.h"
@@ -118,6 +119,18 @@ Json* entryOf(Json& buffers, const std::string& name) {
 
 constexpr std::array kBufferLists{"buffers", "derived"};
 
+// Whether the hashes tell that a file has changed: not where it could not be read, and a .gltf has vertices in others.
+bool tellsChanges(const Json& scene) {
+    bool tells = true;
+    forEach(scene, "objects", [&](const Json& object) {
+        if (!object.is_object() || !object.contains("file")) return;
+        const std::string file = textAt(object, "file");
+        tells = tells && object.value("sha256", Json()).is_string() &&
+                !sameLetters(file.substr(file.find_last_of('.') + 1), "gltf");
+    });
+    return tells;
+}
+
 }  // namespace
 
 std::vector<std::string> filesNamedBy(const Json& manifest) {
@@ -140,7 +153,8 @@ std::vector<std::string> filesNamedBy(const Json& manifest) {
 
 bool areOfOneFrame(const Json& a, const Json& b) {
     const auto same = [&](const char* key) { return a.value(key, Json()) == b.value(key, Json()); };
-    return a.is_object() && b.is_object() && same("program") && same("scene") && same("settings") && same("at");
+    return a.is_object() && b.is_object() && same("program") && same("scene") && same("settings") && same("at") &&
+           tellsChanges(a.value("scene", Json()));
 }
 
 void addEarlier(const Json& earlier, const std::vector<std::string>& staying, Json& manifest) {

@@ -17,6 +17,8 @@ namespace pipeline {
 namespace {
 
 constexpr std::size_t kMaxObjects = 65536;
+// Looked at, also where nothing comes of them: nodes may name the same mesh again and again.
+constexpr std::size_t kMaxPrimitives = 1 << 20;
 constexpr std::size_t kShares = 1000;  // of one instance, for who waits
 
 enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
@@ -51,7 +53,7 @@ public:
             if (m_file.errors.size() >= kMaxErrors || !meter.goesOn(m_told, m_file.errors)) break;
             const GltfValue primitives = instance.mesh["primitives"];
             if (!primitives.isThere()) primitives.refuse("an array of primitives");
-            for (std::size_t k = 0; k < primitives.size(); ++k)
+            for (std::size_t k = 0; k < primitives.size() && m_primitives <= kMaxPrimitives; ++k)
                 readPrimitive(instance, primitives.at(k), primitives.size() > 1);
             m_told += kShares;
         }
@@ -82,6 +84,8 @@ private:
     }
 
     void readPrimitive(const GltfInstance& instance, const GltfValue& primitive, bool hasTwins) {
+        if (++m_primitives > kMaxPrimitives)
+            return primitive.fail(fmt::format("the nodes have more than {} primitives", groupedDigits(kMaxPrimitives)));
         const auto mode = primitive["mode"].isThere() ? primitive["mode"].whole(0, 6) : std::optional<std::uint64_t>(4);
         if (!mode) return;
         if (*mode < kTriangles) return remark(m_file, "Points and lines are not read.");
@@ -178,7 +182,7 @@ private:
         if (mesh.polygonCount() == 0) return;
         if (m_objects.size() == kMaxObjects)
             return primitive.fail(fmt::format("more than {} objects", groupedDigits(kMaxObjects)));
-        mesh.file = fileNameOf(m_file.name);
+        mesh.file = meshFileOf({.text = {}, .name = m_file.name, .called = m_file.called});
         Object& object = m_objects.emplace_back();
         object.mesh = makeMesh(std::move(mesh));
         const GltfValue materialIndex = primitive["material"];
@@ -242,7 +246,7 @@ private:
     ReadMeter* m_meter = nullptr;
     std::size_t m_told = 0;  // of kShares for each instance
     bool m_quantized = false;
-    std::size_t m_elements = 0;  // read so far
+    std::size_t m_elements = 0, m_primitives = 0;  // read so far
     std::vector<Object> m_objects;
 };
 
@@ -256,7 +260,7 @@ Result<LoadedModel> readGltf(const SourceText& source, const FileLoader& load) {
             error.where.file = source.name;
             return error;
         }
-        return readGltf({*text, source.name, source.progress}, load);
+        return readGltf({*text, source.name, source.progress, nullptr, source.called}, load);
     }
     Result<GltfFile> parsed = parseGltf(source);
     if (!parsed) return parsed.errors();

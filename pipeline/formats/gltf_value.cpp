@@ -109,7 +109,7 @@ Result<GltfFile> parseGltf(const SourceText& source) {
         chunks = *found;
     }
     if (const auto error = checkNesting(source, chunks.json)) return *error;
-    GltfFile file{source.name, Json::parse(chunks.json, nullptr, false), chunks.binary};
+    GltfFile file{source.name, source.called, Json::parse(chunks.json, nullptr, false), chunks.binary};
     if (file.json.is_discarded()) {
         const std::size_t byte = jsonErrorAt(chunks.json);
         const bool atEnd = byte == chunks.json.size();

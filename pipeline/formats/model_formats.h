@@ -28,6 +28,8 @@ void dropUnusedVertices(Mesh& mesh);
 // "bunny" of "models/bunny.obj", and "bunny.obj".
 std::string stemOf(const std::string& path);
 std::string fileNameOf(const std::string& path);
+// Mesh::file of what a model holds.
+std::string meshFileOf(const SourceText& source);
 
 // A name from a file where a window can show it, else the other one.
 std::string shownName(std::string_view name, const std::string& otherwise);

@@ -86,6 +86,9 @@ void dropUnusedVertices(Mesh& mesh) {
 
 std::string stemOf(const std::string& path) { return printableText(std::filesystem::path(path).stem().string()); }
 std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+std::string meshFileOf(const SourceText& source) {
+    return source.called.empty() ? fileNameOf(source.name) : source.called;
+}
 
 std::string shownName(std::string_view name, const std::string& otherwise) {
     return name.empty() || name.size() > kMaxWord || !isPrintable(name) ? otherwise : std::string(name);

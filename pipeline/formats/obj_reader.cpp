@@ -314,7 +314,7 @@ Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const Group& group = file.groups[i];
         if (meshes[i].polygonCount() == 0) continue;
-        meshes[i].file = fileNameOf(source.name);
+        meshes[i].file = meshFileOf(source);
         Object& object = model.objects.emplace_back();
         object.name = group.name;
         if (groupsOf[group.object] > 1) object.name += ", " + shownName(group.material, "no material");

@@ -211,7 +211,7 @@ Result<LoadedModel> readPly(const SourceText& source, const FileLoader&) {
     LoadedModel model;
     if (mesh.polygonCount() == 0) return model;
     dropUnusedVertices(mesh);
-    mesh.file = fileNameOf(source.name);
+    mesh.file = meshFileOf(source);
     Object& object = model.objects.emplace_back();
     object.name = stemOf(source.name);
     object.mesh = makeMesh(std::move(mesh));

@@ -34,12 +34,14 @@ private:
     std::size_t m_size, m_piece;
 };
 
-// A text in memory, with the name that it has in messages. Of a model `text` may be the beginning, and `tail` the rest.
+// A text in memory, with the name that it has in messages. Of a model `text` may be the beginning, and `tail` the rest;
+// `called` is what a scene that names it calls it, from the scene's folder, empty where none does.
 struct SourceText {
     std::string_view text;
     std::string name;
     ReadProgress progress = {};
     std::shared_ptr<FileTail> tail = nullptr;
+    std::string called = {};
 };
 
 // A file that a scene names, or why there is none; the error's place is left to the caller,

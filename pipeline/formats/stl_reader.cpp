@@ -45,7 +45,7 @@ private:
 
 void addObject(WeldedMesh& welded, const SourceText& source, std::string name, std::vector<Object>& objects) {
     dropUnusedVertices(welded.mesh());
-    welded.mesh().file = fileNameOf(source.name);
+    welded.mesh().file = meshFileOf(source);
     if (welded.mesh().polygonCount() > 0) {
         Object& object = objects.emplace_back();
         object.name = std::move(name);

@@ -199,7 +199,7 @@ private:
             return m_load((folder / name).string());
         };
         const Result<LoadedModel> model =
-            readModel({loaded->text, loaded->path, m_source.progress, loaded->tail}, extension, beside);
+            readModel({loaded->text, loaded->path, m_source.progress, loaded->tail, *file}, extension, beside);
         if (!model) return m_values.add(model.errors());
         std::ranges::copy(model->objects, std::back_inserter(m_scene.objects));
         std::ranges::copy(model->remarks, std::back_inserter(m_scene.remarks));
@@ -308,7 +308,7 @@ bool looksLikeTomlScene(std::string_view start) {
 }
 
 SceneTitle readTomlTitle(std::string_view text) {
-    if (strayCharacter(text)) return {};
+    if (strayCharacter(text) || deepKey(text)) return {};
     const toml::parse_result parsed = toml::parse(text);
     if (!parsed) return {};
     return {parsed.table()["title"].value_or(std::string()), parsed.table()["look"].value_or(std::string())};

@@ -30,15 +30,15 @@ Step step(In in, std::string_view rest) {
 
 bool beginsCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }
 
-}  // namespace
-
-std::optional<TextPosition> strayCharacter(std::string_view text) {
+// Where the first character stands, outside comments, for which `is` says so; it is asked about each, in their order.
+template <class Is>
+std::optional<TextPosition> firstWhere(std::string_view text, Is is) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     In in = In::Plain;
     TextPosition at{1, 1};
     for (std::size_t i = 0; i < text.size();) {
-        if (in == In::Plain && static_cast<unsigned char>(text[i]) >= 0x80) return at;
+        if (in != In::Comment && is(text[i], in)) return at;
         const Step next = step(in, text.substr(i));
         for (std::size_t k = i; k < i + next.length; ++k) {
             if (text[k] == '\n')
@@ -50,6 +50,26 @@ std::optional<TextPosition> strayCharacter(std::string_view text) {
         i += next.length;
     }
     return {};
+}
+
+bool mayStandInKey(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("_-\"' \t").find(c) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::optional<TextPosition> strayCharacter(std::string_view text) {
+    return firstWhere(text, [](char c, In in) { return in == In::Plain && static_cast<unsigned char>(c) >= 0x80; });
+}
+
+std::optional<TextPosition> deepKey(std::string_view text) {
+    int dots = 0;
+    return firstWhere(text, [&](char c, In in) {
+        if (in != In::Plain) return false;  // part of a quoted key, or of a text
+        dots = c == '.' ? dots + 1 : mayStandInKey(c) ? dots : 0;
+        return dots >= kMostKeyParts;
+    });
 }
 
 }  // namespace pipeline

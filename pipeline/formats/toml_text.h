@@ -10,4 +10,9 @@ namespace pipeline {
 // there, and what toml++ 3.3 does with one in place of a value is not defined.
 std::optional<TextPosition> strayCharacter(std::string_view text);
 
+// Where a key has more parts, a.b.c, than any scene's, or nothing. toml++ makes a table of each and takes them down one
+// inside the other, until there is no stack left.
+inline constexpr int kMostKeyParts = 16;
+std::optional<TextPosition> deepKey(std::string_view text);
+
 }  // namespace pipeline

@@ -53,6 +53,10 @@ Result<toml::table> parseToml(const SourceText& source) {
         return Error{{source.name, stray->line, stray->column},
                      "this is not TOML: a character that is not ASCII stands outside quotes and comments",
                      "a string in quotes"};
+    if (const auto deep = deepKey(source.text))
+        return Error{{source.name, deep->line, deep->column},
+                     fmt::format("this key has more than {} parts", kMostKeyParts),
+                     "a key that a scene has"};
     toml::parse_result parsed = toml::parse(source.text);
     if (!parsed) {
         const toml::source_position at = parsed.error().source().begin;

@@ -322,7 +322,9 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, PixelReport&
             double(shadowAt(data.keys.shading, data.shadingSources(), k, std::uint32_t(report.polygon), position)));
     if (data.keys.shading.illumination.model != Model::OpenGl)
         for (std::size_t k = 0; k < lights; ++k)
-            report.shadowPlaces.push_back(shadowPlace(data.keys.shading.lights[k], report.shadow[k]));
+            report.shadowPlaces.push_back(data.keys.shading.parts.lights[k]
+                                              ? shadowPlace(data.keys.shading.lights[k], report.shadow[k])
+                                              : kNotLookedFor);
     evaluateAll(data, triangle, b, report);
     sumUp(report, lights);
 }

@@ -99,7 +99,7 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
             const Comparison found = compare(data.shadowBuffer->lights[k][0], inputs.shadow, position, normal);
             text = found.text + (found.shadowed ? ": in shadow, only the ambient term" : ": lit");
         } else if (!inputs.parts.lights[k]) {
-            text = "not looked for: the light adds nothing";
+            text = kNotLookedFor;
         } else {
             text = "lit, without a shadow buffer";
         }

@@ -15,6 +15,9 @@ namespace pipeline {
 template <class Real>
 std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t triangle, glm::ivec2 pixel);
 
+// What is said of a light that adds nothing, for which nobody looks.
+inline constexpr const char* kNotLookedFor = "not looked for: the light adds nothing";
+
 // The two depths that say whether a point of a polygon is lit, in the same numbers: "z' 2.000000 > Z'[12][44] 0.000000 +
 // 0.02". Nothing where it faces away, where a light has no shadow buffer, and where S is a mean of several answers.
 template <class Real>

@@ -132,11 +132,11 @@ Before lookBack(const Scene& scene, const FramePtr& before) {
     return out;
 }
 
-// The buffers that shading leaves only when asked.
-bool shadingCovers(BufferSet have, BufferSet wanted) {
+// The buffers that shading leaves only when asked; the mean of several samples it leaves anyway.
+bool shadingCovers(BufferSet have, BufferSet wanted, int samples) {
     for (const BufferInfo& info : bufferTable())
         if (info.stage == StageId::Shading && info.domain == Domain::Pixel && info.id != BufferId::Color &&
-            info.id != BufferId::Antialiased && wanted[index(info.id)] && !have[index(info.id)])
+            !(info.id == BufferId::Antialiased && samples > 1) && wanted[index(info.id)] && !have[index(info.id)])
             return false;
     return true;
 }
@@ -228,7 +228,7 @@ Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs,
         step(StageId::ShadowBuffer, needs.shadowBuffers, casters, {Transform});
     step(ZBuffer, always, changed(&StageKeys::zBuffer), {Transform, Cull});
     std::string shading = changed(&StageKeys::shading);
-    if (shading.empty() && past.keys && !shadingCovers(past.wanted, needs.buffers))
+    if (shading.empty() && past.keys && !shadingCovers(past.wanted, needs.buffers, keys.shading.samples))
         shading = "Other buffers are asked for.";
     step(StageId::Shading, always, shading, {ZBuffer, Normals, StageId::ShadowBuffer, Transform, Cull});
     PlanStep& last = plan[index(StageId::Shading)];

@@ -27,6 +27,7 @@ TransformOutput<Real> withoutTransparent(const TransformOutput<Real>& in) {
     const auto nothing = std::make_shared<const Mesh>();
     std::vector<std::shared_ptr<const Mesh>> meshes = topology.meshes;
     TransformOutput<Real> out;
+    out.mirrored = in.mirrored;  // the objects stay, without their meshes
     for (std::size_t object = 0; object < meshes.size(); ++object) {
         const auto first = in.world.begin() + topology.firstVertex[object];
         if (in.transparent[object])

@@ -190,6 +190,20 @@ TEST(Antialiasing, isTheSameOnAnyNumberOfThreadsAndWithEverythingForcedIn) {
     }
 }
 
+// Of one sample too: the mean is the intensity, and asked for later it is there as if it had been from the beginning.
+TEST(Antialiasing, theMeanIsThereWhenItIsAskedForLater) {
+    for (const int samples : {1, 2}) {
+        const auto scene = std::make_shared<const Scene>(halfPlane(20, 0, 16, samples));
+        FrameRequest request;
+        request.wanted = setOf({BufferId::Intensity});
+        const FramePtr first = runFrame(scene, request, nullptr);
+        request.wanted.set(index(BufferId::Antialiased));
+        const FramePtr later = runFrame(scene, request, first), anew = runFrame(scene, request, nullptr);
+        ASSERT_TRUE(later->buffer({BufferId::Antialiased})) << samples;
+        EXPECT_EQ(test::firstDifference(*later, *anew, request.wanted), "") << samples;
+    }
+}
+
 TEST(Antialiasing, thePixelReportScalesTheMean) {
     Scene scene = halfPlane(20, 0, 16, 4);
     const FramePtr frame = test::frameOf(scene);

@@ -6,8 +6,10 @@
 
 #include "pipeline/export/json.h"
 #include "pipeline/export/staging.h"
+#include "pipeline/formats/scene_reader.h"
 #include "pipeline/plan/needs.h"
 #include "tests/support/files.h"
+#include "tests/support/gltf_files.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -164,6 +166,38 @@ TEST(ExportFrame, ReplacesAnExportOfAnotherFrame) {
     const auto again = exportFrame(*other, one);
     ASSERT_TRUE(again);
     EXPECT_EQ(again->removed, std::vector<std::string>{});
+}
+
+// Of a model that has changed since, what is there already is of another frame; so it may be of a .gltf, whose vertices
+// stand in other files.
+TEST(ExportFrame, KnowsAFrameByTheFilesOfItsModels) {
+    const test::TemporaryFolder folder;
+    fs::create_directories(folder / "sub");
+    const auto write = [&](const char* apex) {
+        test::writeText(folder / "sub/x.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 ") + apex + "\nf 1 2 3\n");
+    };
+    test::writeText(folder / "s.toml", "[[object]]\nmodel = \"sub/x.obj\"\n");
+    const auto exported = [&](BufferId id, const std::string& file) {
+        const auto scene = readScene(folder / file);
+        EXPECT_TRUE(scene) << (scene ? "" : format(scene.errors()));
+        const FramePtr frame = test::frameOf(*scene, setOf({id}));
+        EXPECT_TRUE(exportFrame(*frame, {folder / "out", {{id}}, {"npy"}, {}}));
+        std::vector<std::string> names;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder / "out"))
+            if (entry.path().extension() == ".npy") names.push_back(entry.path().filename().string());
+        std::ranges::sort(names);
+        return names;
+    };
+    using Names = std::vector<std::string>;
+    write("0");
+    exported(BufferId::Color, "s.toml");
+    EXPECT_EQ(exported(BufferId::ZView, "s.toml"), (Names{"color.npy", "z_view.npy"}));
+    write("1");
+    EXPECT_EQ(exported(BufferId::Overdraw, "s.toml"), Names{"overdraw.npy"});
+
+    test::writeText(folder / "m.gltf", test::fileOf(test::squareParts()));
+    exported(BufferId::Color, "m.gltf");
+    EXPECT_EQ(exported(BufferId::ZView, "m.gltf"), Names{"z_view.npy"});
 }
 
 // Anybody may have written it.

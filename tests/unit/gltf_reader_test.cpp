@@ -104,6 +104,19 @@ TEST(GltfReader, PlacesInJson) {
     EXPECT_EQ(errorsOf(many + "]}"), "m.gltf:1:8388611: JSON has more than 4 194 304 values\n");
 }
 
+// 1024 nodes that name a mesh of 1025 primitives, of which none leaves anything: 2^20 + 2^10 in a file of 30 KB.
+TEST(GltfReader, NodesThatRepeatAMeshWithoutEndAreRefused) {
+    std::string nodes, roots, primitives;
+    for (int i = 0; i < 1024; ++i) {
+        nodes += std::string(i ? "," : "") + R"({"mesh":0})";
+        roots += (i ? "," : "") + std::to_string(i);
+    }
+    for (int i = 0; i < 1025; ++i) primitives += std::string(i ? "," : "") + R"({"mode":0})";
+    const std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" + roots +
+                             R"(]}],"nodes":[)" + nodes + R"(],"meshes":[{"primitives":[)" + primitives + "]}]}";
+    EXPECT_EQ(errorsOf(text), "m.gltf: the nodes have more than 1 048 576 primitives\n");
+}
+
 TEST(GltfReader, WhatIsRefused) {
     const std::string accessor = R"([{"bufferView": 0, "componentType": 5126, "count": %, "type": "VEC3"},
                                      {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}])";

@@ -212,6 +212,8 @@ TEST(PixelReport, CallsNothingLitByALightThatAddsNothing) {
         EXPECT_EQ(report.fragments.back().shadows,
                   std::vector<std::string>{intensity > 0 ? "light 0: lit, without a shadow buffer"
                                                          : "light 0: not looked for: the light adds nothing"});
+        EXPECT_EQ(report.shadowPlaces,
+                  std::vector<std::string>{intensity > 0 ? "lit" : "not looked for: the light adds nothing"});
     }
 }
 

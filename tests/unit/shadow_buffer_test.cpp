@@ -46,6 +46,10 @@ TEST(ShadowBuffer, LeavesOutWhatFacesTheLightOrAway) {
         EXPECT_EQ(depth(ShadowCull::None), 0);
         EXPECT_EQ(depth(ShadowCull::Back), 0);
         EXPECT_EQ(depth(ShadowCull::Front), 2);
+        scene.objects.push_back({"ghost", test::box({-1, -1, 2}, {1, 1, 3}), {}, {}});
+        scene.objects[1].material.alpha = 0;  // as if it were not there
+        EXPECT_EQ(depth(ShadowCull::Back), 0);
+        EXPECT_EQ(depth(ShadowCull::Front), 2);
     }
 }
 

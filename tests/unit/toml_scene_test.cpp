@@ -211,5 +211,44 @@ TEST(TomlText, FindsCharactersThatStandOutsideStringsAndComments) {
         EXPECT_FALSE(strayCharacter(good)) << good;
 }
 
+TEST(TomlText, FindsKeysOfMorePartsThanAnySceneHas) {
+    const auto keyOf = [](int parts) {
+        std::string key = "a";
+        for (int i = 1; i < parts; ++i) key += ".a";
+        return key;
+    };
+    EXPECT_FALSE(deepKey(keyOf(16) + " = 1"));
+    EXPECT_EQ(deepKey("b = 1\n" + keyOf(17) + " = 1"), (TextPosition{2, 32}));  // the 16th point
+    EXPECT_TRUE(deepKey("[" + keyOf(17) + "]"));
+    EXPECT_TRUE(deepKey("a = { \"b\" . 'c' . " + keyOf(15) + " = 1 }"));
+    std::string numbers = "a = [";
+    for (int i = 0; i < 100; ++i) numbers += "1.5, ";
+    EXPECT_FALSE(deepKey(numbers + "]"));
+    EXPECT_FALSE(deepKey("a = \"" + keyOf(100) + "\" # " + keyOf(100)));
+}
+
+// toml++ would take the tables down one inside the other, until the stack ends.
+TEST(TomlScene, AKeyOfAMillionPartsIsAnError) {
+    std::string text = "title = \"t\"\na";
+    for (int i = 0; i < 1'000'000; ++i) text += ".a";
+    EXPECT_EQ(errorsIn(text + " = 1\n"),
+              "s.toml:2:32: this key has more than 16 parts, expected a key that a scene has\n");
+    EXPECT_EQ(readTomlTitle(text + " = 1\n").title, "");
+}
+
+// As it is named there, with its folder: what is said of it names a file that is there.
+TEST(TomlScene, AModelIsCalledAsTheSceneNamesIt) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "sub");
+    test::writeText(folder / "sub" / "x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    test::writeText(folder / "s.toml", "[[object]]\nmodel = \"sub/x.obj\"\n");
+    const auto scene = readScene(folder / "s.toml");
+    ASSERT_TRUE(scene) << format(scene.errors());
+    EXPECT_EQ(scene->objects[0].mesh->file, "sub/x.obj");
+    const auto alone = readScene(folder / "sub" / "x.obj");
+    ASSERT_TRUE(alone) << format(alone.errors());
+    EXPECT_EQ(alone->objects[0].mesh->file, "x.obj");
+}
+
 }  // namespace
 }  // namespace pipeline
