@@ -148,6 +148,7 @@ void Document::change(const SettingRef& ref, double value, Change kind) {
                       "a number from " + formatSetting(ref, setting.min) + " to " + formatSetting(ref, setting.max)}});
         return;
     }
+    if (!isIn(*m_scene, ref)) return;  // of what has gone since
     auto after = std::make_shared<Scene>(*m_scene);
     ref.set(*after, value);
     if (const auto errors = checkScene(*after); !errors.empty()) {

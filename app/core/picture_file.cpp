@@ -55,6 +55,9 @@ Result<AnyBuffer> readNpy(const QString& file, const AnyBuffer& like) {
         read.shape.push_back(std::size_t(part.trimmed().toULongLong()));
         count *= double(read.shape.back());
     }
+    if (read.shape.size() != like.shape.size())
+        return wrong(file, fmt::format("an array of {} dimensions", read.shape.size()),
+                     std::to_string(like.shape.size()));
     const QString type = match.captured(2);
     const QByteArray numbers = bytes.mid(start + length);
     const double needed = count * (type == "f8" ? 8 : type == "u1" ? 1 : 4);

@@ -33,6 +33,18 @@ SettingGroup groupOf(SceneItem::Kind kind) {
 
 }  // namespace
 
+bool isIn(const Scene& scene, const SceneItem& item) {
+    switch (item.kind) {
+        case SceneItem::Kind::Object:
+        case SceneItem::Kind::Material: return item.index < scene.objects.size();
+        case SceneItem::Kind::Light: return item.index < scene.lights.size();
+        case SceneItem::Kind::Scene:
+        case SceneItem::Kind::Ambient:
+        case SceneItem::Kind::Camera: break;
+    }
+    return true;
+}
+
 std::vector<OutlineRow> outline(const Scene& scene) {
     using Kind = SceneItem::Kind;
     std::vector<OutlineRow> rows;

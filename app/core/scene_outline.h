@@ -14,6 +14,9 @@ struct SceneItem {
     bool operator==(const SceneItem&) const = default;
 };
 
+// Whether a scene has that object or light.
+bool isIn(const pipeline::Scene& scene, const SceneItem& item);
+
 // A row of the scene tree.
 struct OutlineRow {
     SceneItem item;

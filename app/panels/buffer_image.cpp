@@ -156,10 +156,9 @@ std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<Any
     if (isColorPicture(info, channel)) return {};
     if (info.domain == pipeline::Domain::Pixel && polygonId) {
         // At outlines there may be no verdict.
-        const bool hasHoles = info.palette == Palette::ShadowVerdict;
-        const auto ids = std::get<std::span<const std::int32_t>>(hasHoles ? buffer.data : polygonId->data);
-        std::vector<bool> drawn(ids.size());
-        std::transform(ids.begin(), ids.end(), drawn.begin(), [](std::int32_t id) { return id >= 0; });
+        const AnyBuffer& numbers = info.palette == Palette::ShadowVerdict ? buffer : *polygonId;
+        std::vector<bool> drawn(numbers.count());
+        for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = numbers.flat(i) >= 0;
         return drawn;
     }
     if (!std::isinf(info.neutral)) return {};

@@ -80,6 +80,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
         select(scene.objects.empty() ? SceneItem{} : SceneItem{SceneItem::Kind::Material, 0});
     });
     connect(&document, &Document::sceneChanged, this, [this] {
+        if (!isIn(m_document.scene(), m_item)) return select({});  // it has gone
         foldIdle();
         showLastChange();
     });

@@ -189,6 +189,18 @@ std::vector<Handle> handlesOf(const pipeline::Scene& scene, const ViewContent& s
     return handles;
 }
 
+bool isIn(const pipeline::Scene& scene, const Handle& handle) {
+    switch (handle.kind) {
+        case Handle::Kind::Light:
+        case Handle::Kind::LightDirection:
+        case Handle::Kind::LightFacing: return handle.index < scene.lights.size();
+        case Handle::Kind::Object: return handle.index < scene.objects.size();
+        case Handle::Kind::Eye:
+        case Handle::Kind::Target: break;
+    }
+    return true;
+}
+
 pipeline::Scene withHandleAt(const pipeline::Scene& scene, const Handle& handle, Vec3d value) {
     pipeline::Scene result = scene;
     if (value == handle.value) return result;

@@ -38,6 +38,9 @@ struct Handle {
 std::vector<Handle> handlesOf(const pipeline::Scene& scene, const ViewContent& shown, std::optional<std::size_t> object,
                               HandleTool tool);
 
+// Whether a scene has what the handle is of.
+bool isIn(const pipeline::Scene& scene, const Handle& handle);
+
 // The scene with the handle's value there instead. A direction keeps its length; a spherical camera takes ρ, θ and φ.
 pipeline::Scene withHandleAt(const pipeline::Scene& scene, const Handle& handle, Vec3d value);
 

@@ -41,6 +41,8 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
+    // Released where this view was not told of it, as in a dialog that a key has opened.
+    if (m_drag != Drag::None && !(event->buttons() & m_button)) cancelDrag();
     const QPointF position = event->position(), d = position - m_last;
     if (m_drag == Drag::Handle) return dragTo(position, event->modifiers());
     if (m_drag == Drag::None) {

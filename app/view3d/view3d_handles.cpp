@@ -1,4 +1,6 @@
 // The handles of a View3dPanel: what there is to drag, and what a drag does to the scene.
+#include <QScopedValueRollback>
+
 #include "app/core/text.h"
 #include "app/view3d/view3d_panel.h"
 
@@ -10,6 +12,7 @@ namespace {
 std::optional<std::size_t> ownerOf(const Document& document) {
     const auto& selection = document.selection();
     const pipeline::Frame& frame = *document.frame();
+    if (selection && !isIn(frame.scene(), *selection)) return {};  // of a scene whose frame is on its way
     const auto ofPolygon = [&](std::size_t polygon) { return frame.placeOf(int(polygon)).object; };
     if (selection && selection->kind == Selection::Kind::Object) return selection->index;
     if (selection && selection->kind == Selection::Kind::Polygon) return ofPolygon(selection->index);
@@ -49,21 +52,31 @@ void View3dPanel::showHandles() {
 }
 
 void View3dPanel::drag(const Handle& handle, Vec3d value, bool done) {
+    if (!m_beforeDrag && !isIn(m_document.scene(), handle)) return m_view->cancelDrag();
     if (!m_beforeDrag) m_beforeDrag = std::make_shared<const pipeline::Scene>(m_document.scene());
+    const QScopedValueRollback own(m_drags, true);
     m_document.edit(withHandleAt(*m_beforeDrag, handle, value), nameOf(handle),
                     done ? Document::Change::Done : Document::Change::Live);
     showNumbers(&handle);
     if (done) m_beforeDrag.reset();
 }
 
+// The scene has changed under a drag: what it began with is gone.
+void View3dPanel::dropDrag() {
+    if (m_drags || !m_beforeDrag) return;
+    m_beforeDrag.reset();
+    m_view->cancelDrag();
+}
+
 void View3dPanel::cancelDrag(const Handle& handle) {
     if (!m_beforeDrag) return;
+    const QScopedValueRollback own(m_drags, true);
     m_document.edit(*m_beforeDrag, nameOf(handle), Document::Change::Done);
     m_beforeDrag.reset();
 }
 
 void View3dPanel::showNumbers(const Handle* handle) {
-    if (!handle) return m_view->setNumbers({});
+    if (!handle || !isIn(m_document.scene(), *handle)) return m_view->setNumbers({});
     QString text = toQString(handle->name + ": " + numbersOf(m_document.scene(), *handle));
     const bool canChange = handle->kind == Handle::Kind::Object && !handle->arms.empty() && !m_view->isDragging();
     if (canChange) text += '\n' + nextTool(handle->tool);

@@ -62,6 +62,7 @@ View3dPanel::View3dPanel(Document& document, QWidget* parent) : QWidget(parent),
         if (m_view->space().space == ViewSpace::Light) setSpace({});
     });
     connect(&document, &Document::sceneChanged, this, &View3dPanel::wantBuffers);
+    connect(&document, &Document::sceneChanged, this, &View3dPanel::dropDrag);
     connect(&document, &Document::frameReady, this, &View3dPanel::takeFrame);
     connect(&document.inspection(), &PixelInspection::changed, this, &View3dPanel::takePixel);
     connect(&document, &Document::selectionChanged, this, &View3dPanel::takeSelection);
@@ -345,10 +346,10 @@ void View3dPanel::takeHover() {
     m_view->setProbe(content && pixel && !isPutAway(*this) ? pointShownBy(*content, *pixel) : std::nullopt);
 }
 
+// By the frame that the view was made of: another one may be there before the view is.
 void View3dPanel::pick(const Hit& hit) {
-    const auto& frame = m_document.frame();
-    if (!frame || !m_view->content()) return;
-    const Shown shown = pixelShowing(*frame, *m_view->content(), hit);
+    if (!m_made.frame || !m_view->content()) return;
+    const Shown shown = pixelShowing(*m_made.frame, *m_view->content(), hit);
     if (shown.pixel)
         m_document.pick(shown.pixel);
     else
@@ -356,9 +357,8 @@ void View3dPanel::pick(const Hit& hit) {
 }
 
 void View3dPanel::hover(const std::optional<Hit>& hit) {
-    const auto& frame = m_document.frame();
-    if (!frame || !m_view->content()) return;
-    m_document.hover(hit ? pixelShowing(*frame, *m_view->content(), *hit).pixel : std::nullopt);
+    if (!m_made.frame || !m_view->content()) return;
+    m_document.hover(hit ? pixelShowing(*m_made.frame, *m_view->content(), *hit).pixel : std::nullopt);
 }
 
 }  // namespace app

@@ -82,6 +82,7 @@ private:
     void showHandles();
     void drag(const Handle& handle, Vec3d value, bool done);
     void cancelDrag(const Handle& handle);
+    void dropDrag();
     void showNumbers(const Handle* handle);
 
     Document& m_document;
@@ -105,6 +106,7 @@ private:
     bool m_newScene = true;
     bool m_missed = false;                                // a frame, or what is picked in it, while it was put away
     std::shared_ptr<const pipeline::Scene> m_beforeDrag;  // null while nothing is dragged
+    bool m_drags = false;                                 // the scene changes by a drag, just now
     std::optional<SpaceId> m_awaited;                     // the space to go to when all of it is there
 };
 

@@ -61,6 +61,8 @@ struct SettingRef {
     void set(Scene& scene, double value) const { setting->set(scene, index, value); }
     bool operator==(const SettingRef&) const = default;
 };
+// Whether a scene has the light or the object that the setting is of.
+inline bool isIn(const Scene& scene, const SettingRef& ref) { return ref.index < ref.setting->count(scene); }
 
 // Every setting that a scene has, lights and objects counted out, without what is absent.
 std::vector<SettingRef> settingsOf(const Scene& scene);

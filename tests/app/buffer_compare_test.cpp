@@ -230,9 +230,29 @@ TEST_F(BufferCompareTest, AFileThatIsNoArrayIsRefusedWithItsName) {
     EXPECT_NE(refusal("nothing").find("broken.npy: no NumPy array"), std::string::npos);
     const QByteArray magic("\x93NUMPY\x01\x00\xff\x00", 10);
     EXPECT_NE(refusal(magic + "{}").find("ends within its header"), std::string::npos);
-    QByteArray header("{'descr': '<f4', 'fortran_order': False, 'shape': (99999999999, 99999999999), }\n");
+    QByteArray header("{'descr': '<f4', 'fortran_order': False, 'shape': (99999999999, 99999999999, 3), }\n");
     const QByteArray sized = QByteArray("\x93NUMPY\x01\x00", 8) + char(header.size()) + '\0' + header;
     EXPECT_NE(refusal(sized + "1234").find("4 bytes of numbers"), std::string::npos);
+    // Of fewer dimensions than the buffer: nobody may ask for its columns.
+    for (const char* shape : {"", "1,"}) {
+        const QByteArray head = QByteArray("{'descr': '<f4', 'fortran_order': False, 'shape': (") + shape + "), }\n";
+        const QByteArray few = QByteArray("\x93NUMPY\x01\x00", 8) + char(head.size()) + '\0' + head + "1234";
+        EXPECT_NE(refusal(few).find("expected 3"), std::string::npos) << refusal(few);
+    }
+}
+
+// Numbers of any type may be compared with verdicts, which are whole ones.
+TEST_F(BufferCompareTest, VerdictsAreDrawnWhateverTheirTypeIs) {
+    const std::vector<float> numbers{-1, 0, 3, -1};
+    pipeline::AnyBuffer verdicts{{BufferId::ShadowVerdict, 0},
+                                 &bufferInfo(BufferId::ShadowVerdict),
+                                 {2, 2},
+                                 std::span<const float>(numbers),
+                                 {}};
+    const std::vector<std::int32_t> ids{0, 0, 0, 0};
+    const pipeline::AnyBuffer polygons{
+        {BufferId::PolygonId}, &bufferInfo(BufferId::PolygonId), {2, 2}, std::span<const std::int32_t>(ids), {}};
+    EXPECT_EQ(app::drawnElements(verdicts, polygons, {}), (std::vector<bool>{false, true, true, false}));
 }
 
 TEST_F(BufferCompareTest, EveryStageIsListedWithWhatDiffers) {

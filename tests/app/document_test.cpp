@@ -38,6 +38,18 @@ TEST_F(DocumentTest, DragIsOneStepNamedByItsEnds) {
     EXPECT_EQ(exponent(), 8);
 }
 
+// A slider may outlive its light: undone while it is dragged, say.
+TEST_F(DocumentTest, ASettingOfWhatHasGoneChangesNothing) {
+    const pipeline::SettingRef light = setting("light.0.x"), material = setting("material.0.n");
+    pipeline::Scene empty = document.scene();
+    empty.lights.clear(), empty.objects.clear();
+    document.edit(empty, "empty", Document::Change::Done);
+    document.change(light, 3, Document::Change::Live);
+    document.change(material, 3);
+    EXPECT_EQ(document.scene(), empty);
+    EXPECT_EQ(document.undoStack()->count(), 1);
+}
+
 TEST_F(DocumentTest, TwoDragsAreTwoSteps) {
     document.change(setting("material.0.n"), 6, Document::Change::Live);
     document.change(setting("material.0.n"), 6, Document::Change::Done);

@@ -102,6 +102,51 @@ TEST_F(View3dDrag, AnotherSceneIsNotChangedByADragInTheOneBefore) {
     EXPECT_EQ(exponent(), 3);
 }
 
+// A dialog that a key has opened gets the release: what moves then holds nothing.
+TEST_F(View3dDrag, EndsWhereItsReleaseWentElsewhere) {
+    const pipeline::Scene before = document.scene();
+    const QPoint at = lightHandle();
+    takeHoldAt(at);
+    send(QEvent::MouseMove, at + QPoint(60, 5), Qt::NoButton, Qt::NoButton);
+    EXPECT_FALSE(view.isDragging());
+    EXPECT_EQ(document.scene(), before);
+}
+
+// As when its file is read again, or by undo.
+TEST_F(View3dDrag, EndsWhereTheSceneChangesUnderIt) {
+    const QPoint at = lightHandle();
+    takeHoldAt(at);
+    pipeline::Scene dark = document.scene();
+    dark.lights.clear();
+    document.edit(dark, "no lights", app::Document::Change::Done);
+    EXPECT_FALSE(view.isDragging());
+    send(QEvent::MouseMove, at + QPoint(40, 5), Qt::NoButton, Qt::LeftButton);
+    EXPECT_EQ(document.scene(), dark);
+}
+
+// Handles are those of the frame on show, and the scene may be ahead of it.
+TEST_F(View3dDrag, AHandleOfALightThatHasGoneMovesNothing) {
+    const QPoint at = lightHandle();
+    pipeline::Scene dark = document.scene();
+    dark.lights.clear();
+    document.edit(dark, "no lights", app::Document::Change::Done);
+    send(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton);  // its numbers would be shown
+    send(QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
+    send(QEvent::MouseMove, at + QPoint(20, 5), Qt::NoButton, Qt::LeftButton);
+    EXPECT_EQ(document.scene(), dark);
+}
+
+// Picked by the frame that the view shows, until it shows the new one.
+TEST_F(View3dDrag, ThePointerReadsThePictureThatTheViewIsOf) {
+    pipeline::Scene flat = document.scene();
+    flat.settings.width = 2000, flat.settings.height = 10;
+    document.edit(flat, "flat", app::Document::Change::Done);
+    for (int x = 40; x < view.width(); x += 40)
+        for (int y = 40; y < view.height(); y += 40) send(QEvent::MouseMove, {x, y}, Qt::NoButton, Qt::NoButton);
+    document.select(app::Selection{app::Selection::Kind::Polygon, 4});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy(); }));
+}
+
 // The press that follows a release which another program got.
 TEST_F(View3dDrag, APressOfItsOwnButtonAgainEndsIt) {
     const QPoint at = lightHandle();
