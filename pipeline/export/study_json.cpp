@@ -49,6 +49,7 @@ Json headJson(const StudyReport& report) {
         {"format_version", 1},
         {"scene", report.scene},
         {"file", report.file},
+        {"geometry", report.geometry},
         {"version", report.version},
         {"width", report.width},
         {"height", report.height},
@@ -79,11 +80,13 @@ Json toJson(const StudyReport& report) {
 std::string studyFileText(const StudyReport& report) {
     std::string text = "{\n";
     const Json head = headJson(report);
-    for (const auto& [key, value] : head.items()) text += Json(key).dump() + ": " + value.dump() + ",\n";
+    // Replacing what is not UTF-8: a file's name may hold any bytes.
+    const auto dumped = [](const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); };
+    for (const auto& [key, value] : head.items()) text += dumped(Json(key)) + ": " + dumped(value) + ",\n";
     text += "\"points\": [";
     for (const StudyPoint& point : report.points) {
         if (text.back() != '[') text += ',';
-        text += '\n' + pointJson(point).dump();
+        text += '\n' + dumped(pointJson(point));
     }
     return text + "\n]\n}\n";
 }

@@ -168,6 +168,7 @@ StudyPoint readPoint(const Value& value) {
 void readHead(const Value& root, StudyReport& report) {
     report.scene = root["scene"].text();
     report.file = root["file"].text();
+    report.geometry = root["geometry"].text();
     report.version = root["version"].text();
     report.width = count(root["width"], 1);
     report.height = count(root["height"], 1);

@@ -19,6 +19,7 @@ void addTimes(const StudyPoint& from, StudyPoint& to) {
 // What makes two reports parts of the same study; the member that differs, or nothing.
 std::string difference(const StudyReport& a, const StudyReport& b) {
     if (a.scene != b.scene) return fmt::format("the scenes are {} and {}", a.scene, b.scene);
+    if (a.geometry != b.geometry) return fmt::format("the scenes, both {}, have other meshes or turns", a.scene);
     if (a.version != b.version) return fmt::format("the programs are {} and {}", a.version, b.version);
     if (a.width != b.width || a.height != b.height) return "the pictures have different sizes";
     if (a.axes != b.axes) return "the sweeps differ";
@@ -29,6 +30,19 @@ std::string difference(const StudyReport& a, const StudyReport& b) {
     if (a.threads != b.threads) return fmt::format("the frames ran on {} and {} threads", a.threads, b.threads);
     if (a.warmups != b.warmups || a.repeats != b.repeats) return "the numbers of frames differ";
     return {};
+}
+
+// Whether a report holds the very times that another one holds: no two frames take the same time to the last digit, again
+// and again.
+bool measuresAgain(const StudyReport& from, const StudyReport& of) {
+    return std::ranges::any_of(from.points, [&](const StudyPoint& point) {
+        const auto place = std::ranges::find(of.points, point.number, &StudyPoint::number);
+        if (place == of.points.end()) return false;
+        return std::ranges::any_of(point.frame.processes, [&](const auto& process) {
+            return process.size() > 1 &&
+                   std::ranges::find(place->frame.processes, process) != place->frame.processes.end();
+        });
+    });
 }
 
 // Machines that differ are told side by side: their times are not one sample, but each point's are.
@@ -86,6 +100,8 @@ Result<StudyReport> mergeStudies(std::vector<StudyReport> parts) {
     for (std::size_t i = 1; i < parts.size(); ++i) {
         if (const std::string differs = difference(merged, parts[i]); !differs.empty())
             return Error{{}, fmt::format("part {} is of another study than part 1: {}", i + 1, differs), {}};
+        if (measuresAgain(parts[i], merged))
+            return Error{{}, fmt::format("part {} has times that a part before has too", i + 1), "each part once"};
         mergeReport(parts[i], merged);
     }
     countProcesses(merged);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "pipeline/core/version.h"
 #include "pipeline/run/runner.h"
@@ -67,10 +68,48 @@ Scene referenceKey(Scene scene, RaySurfaces surfaces) {
 
 }  // namespace
 
+namespace {
+
+// FNV-1a over words. G. Fowler, L. C. Noll, P. Vo, 1991.
+class Mark {
+public:
+    void add(std::uint64_t word) { m_value = (m_value ^ word) * 0x100000001b3u; }
+    void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+    void add(Vec3d v) { add(v.x), add(v.y), add(v.z); }
+    std::string text() const { return fmt::format("{:016x}", m_value); }
+
+private:
+    std::uint64_t m_value = 0xcbf29ce484222325u;
+};
+
+// What a scene has that stands in no setting.
+std::string markOf(const Scene& scene) {
+    Mark mark;
+    for (const Object& object : scene.objects) {
+        const Mesh& mesh = *object.mesh;
+        for (const std::size_t count : {mesh.positions.size(), mesh.normals.size(), mesh.polygonCount(),
+                                        object.transform.turns.size(), std::size_t(object.backMaterial.has_value())})
+            mark.add(std::uint64_t(count));
+        for (const auto* vectors : {&mesh.positions, &mesh.normals})
+            for (const Vec3d& v : *vectors) mark.add(v);
+        for (std::size_t i = 0; i < mesh.polygonCount(); ++i)
+            for (const std::uint32_t corner : mesh.polygon(i)) mark.add(std::uint64_t(corner));
+        for (const AxisTurn& turn : object.transform.turns) mark.add(turn.angle), mark.add(turn.axis);
+        if (const auto& back = object.backMaterial) {
+            for (const Vec3d& color : {back->diffuse, back->specular, back->ambient, back->emission}) mark.add(color);
+            mark.add(back->exponent), mark.add(back->alpha);
+        }
+    }
+    return mark.text();
+}
+
+}  // namespace
+
 StudyReport beginStudy(const StudyRequest& request) {
     StudyReport report;
     const Scene& scene = *request.scene;
     report.scene = scene.name, report.file = scene.file, report.version = programVersion();
+    report.geometry = markOf(scene);
     report.width = scene.settings.width, report.height = scene.settings.height;
     report.threads = request.threads, report.warmups = request.warmups, report.repeats = request.repeats;
     report.machine = machineName(), report.compiler = compilerName();

@@ -84,9 +84,10 @@ struct StudyPoint {
 };
 
 struct StudyReport {
-    std::string scene;    // its name
-    std::string file;     // as given; empty for a built-in scene
-    std::string version;  // of the program
+    std::string scene;     // its name
+    std::string file;      // as given; empty for a built-in scene
+    std::string geometry;  // a mark of its meshes and all else that no setting tells, the same for the same ones
+    std::string version;   // of the program
     int width = 0, height = 0, threads = 1, warmups = 0, repeats = 0, processes = 0;
     std::string machine, compiler;                // "AMD EPYC 7763, 2 processors"; "GCC 12.2.0, optimized"
     std::vector<double> load;                     // average number of running programs before each process

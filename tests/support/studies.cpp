@@ -21,6 +21,7 @@ StudyReport sphereStudy() {
     report.warmups = 2;
     report.repeats = 21;
     report.processes = 1;
+    report.geometry = "0123456789abcdef";
     report.machine = "AMD EPYC 7763, 2 processors";
     report.compiler = "GCC 12.2, release";
     report.load = {0.1};

@@ -154,14 +154,47 @@ TEST(RunStudy, partsOfOneStudyBecomeOneAndOthersAreRefused) {
     EXPECT_EQ(other.errors().front().found, "part 2 is of another study than part 1: ambient.intensity is 50 and 1");
 }
 
+// What no setting tells: a vertex, a turn, a back material.
+TEST(RunStudy, partsOfScenesWithOtherMeshesAreRefused) {
+    const auto partOf = [](const Scene& scene) { return beginStudy(requestOf(scene, {"shading=flat,phong"})); };
+    const StudyReport part = partOf(small());
+    EXPECT_TRUE(mergeStudies({part, partOf(small())}));
+    Scene moved = small(), turned = small(), painted = small();
+    Mesh mesh = *moved.objects[0].mesh;
+    mesh.positions[0].z += 1e-9;
+    moved.objects[0].mesh = std::make_shared<const Mesh>(mesh);
+    turned.objects[0].transform.turns.push_back({10, {0, 0, 1}});
+    painted.objects[0].backMaterial = Material{};
+    for (const Scene& other : {moved, turned, painted}) {
+        const auto merged = mergeStudies({part, partOf(other)});
+        ASSERT_FALSE(merged);
+        EXPECT_NE(merged.errors().front().found.find("have other meshes or turns"), std::string::npos);
+    }
+}
+
+// The same times once more are no more measurements: the interval would shrink for nothing.
+TEST(RunStudy, aPartThatIsGivenTwiceIsRefused) {
+    StudyReport part = beginStudy(requestOf(small(), {"shading=flat,phong"}));
+    for (StudyPoint& point : part.points) point.frame.processes = {{1.25, 2.5}, {1.5, 2.75}};
+    StudyReport other = part;
+    for (StudyPoint& point : other.points) point.frame.processes = {{1.25, 2.625}};
+    EXPECT_TRUE(mergeStudies({part, other}));
+    const auto twice = mergeStudies({part, other, part});
+    ASSERT_FALSE(twice);
+    EXPECT_EQ(twice.errors().front().found, "part 3 has times that a part before has too");
+}
+
 // Two parts of 3 processes with the same points hold 6 a point; a part with other points adds none to these. Of a part
 // that was to have 3 and was interrupted after 2, 2 are there.
 TEST(RunStudy, partsWithTimesOfTheSamePointsHaveTheProcessesOfBoth) {
-    const auto part = [](std::size_t shard, std::size_t processes) {
+    double milliseconds = 1;  // no two frames take the same
+    const auto part = [&](std::size_t shard, std::size_t processes) {
         StudyRequest request = requestOf(small(), {"shading=flat,phong"});
         request.shards = 2, request.shard = shard;
         StudyReport report = beginStudy(request);
-        for (StudyPoint& point : report.points) point.frame.processes.assign(processes, {1.0, 2.0});
+        for (StudyPoint& point : report.points)
+            for (std::size_t i = 0; i < processes; ++i, ++milliseconds)
+                point.frame.processes.push_back({milliseconds, milliseconds + 0.5});
         report.processes = 3;
         return report;
     };

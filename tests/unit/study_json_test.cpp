@@ -42,6 +42,15 @@ TEST(StudyJson, TheFileHasOnePointALineAndTheSameContent) {
     EXPECT_EQ(lines, report.points.size());
 }
 
+// A file's name may hold any bytes; JSON holds UTF-8.
+TEST(StudyJson, ANameThatIsNoUtf8IsWrittenAllTheSame) {
+    StudyReport report = sphereStudy();
+    report.scene = "no\xff.des";
+    const Result<StudyReport> read = studyFromJson(studyFileText(report), "study.json");
+    ASSERT_TRUE(read) << format(read.errors());
+    EXPECT_EQ(read->scene, "no\uFFFD.des");
+}
+
 TEST(StudyJson, AStudyWithoutPointsOrAxesIsOne) {
     StudyReport report;
     report.width = report.height = 1;
