@@ -49,12 +49,13 @@ Errors at(Errors errors, const BufferName& name) {
 }  // namespace
 
 Errors noShadowVerdicts(const pipeline::Scene& scene) {
-    std::string why = "The scene has no lights.";
+    std::string all;
     for (std::size_t light = 0; light < scene.lights.size(); ++light) {
-        why = whyNoShadowVerdicts(scene, light);
+        const std::string why = whyNoShadowVerdicts(scene, light);
         if (why.empty()) return {};
+        if (all.find(why) == all.npos) all += (all.empty() ? "" : " ") + why;
     }
-    return {Error{{kVerdicts}, why, {}}};
+    return {Error{{kVerdicts}, all.empty() ? "The scene has no lights." : all, {}}};
 }
 
 Result<DerivedWanted> derivedWanted(const DerivedArgument& argument, const std::vector<BufferName>& named,

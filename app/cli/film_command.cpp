@@ -91,6 +91,7 @@ int runFilm(const FilmOptions& options) {
         line.show(done, all);
         return !interrupt.asked();
     });
+    line.end();
     if (!summary) {
         printErrors(summary.errors());
         return kCouldNotWrite;

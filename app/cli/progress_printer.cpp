@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "app/cli/message.h"
 
@@ -19,8 +20,10 @@ std::string timeLeftText(double seconds) {
 ProgressPrinter::ProgressPrinter(std::string what)
     : m_what(std::move(what)), m_terminal(isatty(STDERR_FILENO) != 0), m_start(Clock::now()), m_last(m_start) {}
 
-ProgressPrinter::~ProgressPrinter() {
-    if (m_shown) tell("\r\x1b[K");
+ProgressPrinter::~ProgressPrinter() { end(); }
+
+void ProgressPrinter::end() {
+    if (std::exchange(m_shown, false)) tell("\r\x1b[K");
 }
 
 void ProgressPrinter::show(std::size_t done, std::size_t all, std::string_view now) {

@@ -10,12 +10,13 @@ namespace app {
 class ProgressPrinter {
 public:
     explicit ProgressPrinter(std::string what);
-    ~ProgressPrinter();  // leaves no half line behind
+    ~ProgressPrinter();
     ProgressPrinter(const ProgressPrinter&) = delete;
     ProgressPrinter& operator=(const ProgressPrinter&) = delete;
 
     // `now` says what is being done; the time that is left is taken from the speed so far.
     void show(std::size_t done, std::size_t all, std::string_view now = {});
+    void end();  // leaves no half line behind, for what is said next; so does its own end
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -87,7 +87,10 @@ struct Run {
         for (StudyPoint& point : report.points) {
             if (isFound(point)) continue;
             progress.show(std::size_t(std::ranges::count_if(report.points, isFound)), all, valuesText(point));
-            if (!finder.find(point, report, interrupt.token())) return cancelled();
+            if (!finder.find(point, report, interrupt.token())) {
+                progress.end();
+                return cancelled();
+            }
             if (std::chrono::steady_clock::now() - kept >= kKeptEvery && !keep()) return false;
         }
         return keep();

@@ -284,7 +284,7 @@ private:
         }
         camera.distance = *length;
         if (const auto* node = table.get("fov"))
-            camera.fov = m_values.number(*node, path + "fov", 1e-3, 179).value_or(camera.fov);
+            camera.fov = m_values.number(*node, path + "fov", 1e-3, 180).value_or(camera.fov);
         camera.orthographic = flag(table, "orthographic", path).value_or(camera.orthographic);
         return camera;
     }

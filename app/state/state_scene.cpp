@@ -22,7 +22,7 @@ using pipeline::Scene;
 fs::path sceneFile(const std::string& name, const fs::path& folder) {
     std::error_code ignored;
     const fs::path file = folder / name;
-    if (fs::exists(file, ignored)) return file;
+    if (fs::is_regular_file(file, ignored)) return file;
     const auto scenes = pipeline::builtInScenes();
     const auto found = std::ranges::find(scenes, name, &BuiltInScene::name);
     return found != scenes.end() ? found->file : file;
@@ -32,7 +32,9 @@ Result<Scene> readNamedScene(const std::string& name, const fs::path& folder, co
     const fs::path file = sceneFile(name, folder);
     std::error_code ignored;
     // A path says best itself why it cannot be read.
-    if (fs::exists(file, ignored) || name.find_first_of("./") != name.npos) return pipeline::readScene(file, progress);
+    const bool isBuiltIn = file != folder / name;
+    if (isBuiltIn || fs::exists(file, ignored) || name.find_first_of("./") != name.npos)
+        return pipeline::readScene(file, progress);
     std::vector<std::string> names;
     for (const BuiltInScene& scene : pipeline::builtInScenes()) names.push_back(scene.name);
     return Error{

@@ -84,10 +84,16 @@ Result<std::vector<WrittenScene>> writeScene(const Frame& frame, const ExportReq
     return written;
 }
 
-// The manifest of the export that is in the folder; null where there is none.
+// The manifest of the export that is in the folder, without its settings, which nobody reads; null where there is none.
+// Anybody may have written it: what nests deeper than a manifest is left out, for it would be copied level by level.
 Json earlierManifest(const fs::path& folder) {
+    constexpr int kLevels = 16;
     const Result<std::string> text = readFile(folder / kManifest, kMaxFileBytes);
-    return text ? Json::parse(*text, nullptr, false) : Json();
+    if (!text) return {};
+    const auto keep = [](int depth, Json::parse_event_t event, const Json& parsed) {
+        return depth < kLevels && !(event == Json::parse_event_t::key && depth == 1 && parsed == "settings");
+    };
+    return Json::parse(*text, keep, false);
 }
 
 // The files of an earlier export in the folder which the new one does not write itself.

@@ -1,6 +1,7 @@
 #include "pipeline/export/json.h"
 
 #include <cmath>
+#include <map>
 
 #include "pipeline/export/file_hash.h"
 #include "pipeline/scene/scene_remarks.h"
@@ -101,8 +102,11 @@ Json toJson(const std::vector<Tally>& tallies) {
 
 Json settingsToJson(const Scene& scene) {
     Json settings = Json::object();
+    auto& members =
+        settings.get_ref<Json::object_t&>();  // each key once: to look for it takes as long as there are keys
     for (const SettingRef& ref : settingsOf(scene)) {
-        Json& value = settings[ref.key()];
+        members.push_back({ref.key(), Json()});
+        Json& value = members.back().second;
         switch (ref.setting->kind) {
             case SettingKind::Number: value = ref.get(scene); break;
             case SettingKind::Integer: value = static_cast<long>(ref.get(scene)); break;
@@ -114,9 +118,11 @@ Json settingsToJson(const Scene& scene) {
 }
 
 Json sceneToJson(const Scene& scene) {
-    const auto hash = [](const std::filesystem::path& file) -> Json {
-        const auto found = sha256(file);
-        return found ? Json(*found) : Json();
+    std::map<std::filesystem::path, Json> known;  // objects share files
+    const auto hash = [&](const std::filesystem::path& file) -> Json {
+        const auto [at, isNew] = known.try_emplace(file);
+        if (const auto found = isNew ? sha256(file) : std::nullopt) at->second = *found;
+        return at->second;
     };
     Json objects = Json::array();
     const std::filesystem::path folder = std::filesystem::path(scene.file).parent_path();

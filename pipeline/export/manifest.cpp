@@ -6,6 +6,7 @@
 
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
+#include "pipeline/export/file_hash.h"
 #include "pipeline/export/png_file.h"
 #include "pipeline/stages/cull.h"
 
@@ -98,6 +99,8 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
              {"views", views}};
     if (!derived.empty()) all["derived"] = std::move(derived);
     if (!at.empty()) all["at"] = at;
+    const Json ofFrame{all["program"], all["scene"], all["settings"], at};
+    all["frame"] = sha256Of(ofFrame.dump(-1, ' ', false, Json::error_handler_t::replace)).value_or("");
     return all;
 }
 
@@ -152,9 +155,8 @@ std::vector<std::string> filesNamedBy(const Json& manifest) {
 }
 
 bool areOfOneFrame(const Json& a, const Json& b) {
-    const auto same = [&](const char* key) { return a.value(key, Json()) == b.value(key, Json()); };
-    return a.is_object() && b.is_object() && same("program") && same("scene") && same("settings") && same("at") &&
-           tellsChanges(a.value("scene", Json()));
+    const std::string frame = textAt(a, "frame");
+    return !frame.empty() && frame == textAt(b, "frame") && tellsChanges(b.at("scene"));
 }
 
 void addEarlier(const Json& earlier, const std::vector<std::string>& staying, Json& manifest) {

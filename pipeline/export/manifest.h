@@ -37,7 +37,8 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
 // leads out of its folder is left out: anybody may have written the text.
 std::vector<std::string> filesNamedBy(const Json& manifest);
 
-// Whether both say the same program, scene, settings and place in the run: their buffers are of the same numbers.
+// Whether both are of the same program, scene, settings and place in the run, whose hash stands in "frame": their
+// buffers are of the same numbers. b: made by manifest().
 bool areOfOneFrame(const Json& a, const Json& b);
 
 // Adds to a manifest what an earlier one of the same frame says of files that stay beside the new ones.

@@ -247,7 +247,7 @@ void Writer::frameBuffer() {
     const std::string remark = share > 1 ? "above I_max: clamped to 1" : share < 0 ? "below 0: clamped to 0" : "";
     add("frame buffer",
         {std::move(name), text("="), rounded(shown(), sub("I", "max", "i_max")), text("="),
-         rounded(number(scaled, 3), text(shortest(report.iMax), "i_max")), text("="), value},
+         rounded(number(scaled, 3), text(withMinus(fmt::format("{:.12g}", report.iMax)), "i_max")), text("="), value},
         remark);
 }
 

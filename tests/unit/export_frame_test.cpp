@@ -200,6 +200,19 @@ TEST(ExportFrame, KnowsAFrameByTheFilesOfItsModels) {
     EXPECT_EQ(exported(BufferId::ZView, "m.gltf"), Names{"z_view.npy"});
 }
 
+// Whoever wrote it: what nests without end would be copied level by level.
+TEST(ExportFrame, PutsUpWithAManifestThatNestsWithoutEnd) {
+    const test::TemporaryFolder folder;
+    fs::create_directories(folder / "out");
+    for (const char* key : {"scene", "buffers", "views"}) {
+        test::writeText(folder / "out/manifest.json", R"({"program": {"name": "Shadescope"}, ")" + std::string(key) +
+                                                          "\": " + std::string(300'000, '[') +
+                                                          std::string(300'000, ']') + "}");
+        EXPECT_TRUE(exportFrame(*usefulFrame(), {folder / "out", {{BufferId::Color}}, {"npy"}, {}})) << key;
+        EXPECT_EQ(folder.names(), (std::vector<std::string>{"out", "out/color.npy", "out/manifest.json"}));
+    }
+}
+
 // Anybody may have written it.
 TEST(ExportFrame, RemovesNothingThatAManifestHasNoRightTo) {
     const FramePtr frame = usefulFrame();

@@ -151,6 +151,17 @@ TEST(WindowState, AScenesNameLeadsBackToIt) {
     EXPECT_EQ(format(none.errors()), "no file and no built-in scene \"pyramit\"; the nearest is \"pyramid\"\n");
 }
 
+// "export pyramid -o pyramid" makes a folder of that name.
+TEST(WindowState, AFolderHidesNoBuiltInScene) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "pyramid");
+    const auto scene = readNamedScene("pyramid", folder.path());
+    ASSERT_TRUE(scene) << format(scene.errors());
+    EXPECT_EQ(scene->name, "pyramid.scene");
+    test::writeText(folder / "other", "1, 2");
+    EXPECT_EQ(sceneFile("other", folder.path()), folder / "other");
+}
+
 TEST(WindowState, FilesThatAreComparedAreNamedFromTheFolder) {
     WindowState state;
     state.views[0].compared.emplace().with = "file /talks/in/a b.npy";
