@@ -7,6 +7,7 @@
 #include "app/core/document_state.h"
 #include "app/core/text.h"
 #include "app/core/write_file.h"
+#include "app/state/cue_list.h"
 #include "app/state/cue_text.h"
 #include "app/state/state_scene.h"
 
@@ -86,8 +87,14 @@ bool CueModel::saveAs(const QString& file) {
     return true;
 }
 
+// The cues that were in the own list stay, in a file beside it.
 void CueModel::clear() {
     if (m_soon.isActive()) write();
+    const auto own = readCueFile(m_ownFile.toStdString());
+    if (QFileInfo::exists(m_ownFile) && !(own && own->cues.empty())) {
+        const QString aside = freeFile(m_ownFile);
+        if (QFile::rename(m_ownFile, aside)) emit putAside(aside);
+    }
     beginResetModel();
     m_list = m_written = {};
     m_text.clear();

@@ -58,6 +58,7 @@ public:
 signals:
     void changed();  // the list, its file, or which cue is current
     void notRead(const pipeline::Errors& errors);
+    void putAside(const QString& file);  // the own list, when a new one began
     void notWritten(const QString& file, const pipeline::Errors& errors);
 
 private:

@@ -51,6 +51,7 @@ ExportJob::ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::Fra
             later([this, share, name = toQString(file)] { emit progressed(share, name); });
             return !stop.stop_requested();
         };
+        progress(0, tr("Computing the frame").toStdString());
         const auto result = runExport(scene, before, request, recipe, stop, progress);
         later([this, result] {
             if (result) {

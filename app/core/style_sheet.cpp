@@ -40,6 +40,7 @@ QPushButton:checked { background: @tint; color: @accent; border-color: @accent; 
 QPushButton:disabled, QToolButton:disabled { color: @text3; }
 QPushButton:disabled { border-color: @line; }
 QPushButton[kind="primary"] { background: @fill; color: @onFill; border-color: @fill; }
+QPushButton[kind="primary"]:disabled { background: @raised; color: @text3; border-color: @line; }
 QPushButton[kind="link"] { background: transparent; color: @accent; border: 1px solid transparent; padding: 0 2u;
   min-height: 20u; text-align: left; }
 QToolButton { background: transparent; color: @text2; border: 1px solid transparent; border-radius: 4u;

@@ -1,5 +1,6 @@
 #pragma once
 #include <QMainWindow>
+#include <QTimer>
 #include <functional>
 
 #include "app/core/document.h"
@@ -67,6 +68,7 @@ public:
     // Keeps the session in a folder from now on; restores the last one first, unless it is switched off.
     void startSession(const QString& folder, bool restore);
     void openLesson(const QString& name);
+    void growText(double by);
     void showStartPage();
 
 protected:
@@ -154,6 +156,8 @@ private:
     ViewArea* m_views;
     StatusLine* m_status;
     LessonPanel* m_lessons;
+    QTimer m_grows;       // while it runs, steps of the letters' size are added up
+    double m_growth = 0;  // that is still to come
     QToolBar* m_rail;
     QToolBar* m_timelineBar;
     Timeline* m_timeline;

@@ -61,7 +61,20 @@ void showApart(QWidget& panel) {
 
 }  // namespace
 
+// The first step at once, what comes while the window is laid out anew in one: a held key would else queue up for seconds.
+void MainWindow::growText(double by) {
+    m_growth += by;
+    if (m_grows.isActive()) return;
+    Theme::current().setScale(Theme::current().scale() + std::exchange(m_growth, 0));
+    m_grows.start();
+}
+
 void MainWindow::connectActions() {
+    m_grows.setSingleShot(true);
+    m_grows.setInterval(0);
+    connect(&m_grows, &QTimer::timeout, this, [this] {
+        if (m_growth != 0) growText(0);
+    });
     using A = ActionId;
     const Actions& actions = *m_actions;
     const auto on = [&](A id, auto run) { connect(actions[id], &QAction::triggered, this, run); };
@@ -98,8 +111,8 @@ void MainWindow::connectActions() {
     on(A::NextView, [this] { m_views->goToNext(1); });
     on(A::PreviousView, [this] { m_views->goToNext(-1); });
     on(A::Thumbnails, [this](bool shown) { m_views->setThumbnails(shown); });
-    on(A::LargerText, [] { Theme::current().setScale(Theme::current().scale() + 0.05); });
-    on(A::SmallerText, [] { Theme::current().setScale(Theme::current().scale() - 0.05); });
+    on(A::LargerText, [this] { growText(0.05); });
+    on(A::SmallerText, [this] { growText(-0.05); });
     on(A::FullScreen, [this](bool full) { full ? showFullScreen() : showNormal(); });
     connectLayouts();
     on(A::NextStage, [this] { m_document.nextStage(); });

@@ -60,6 +60,9 @@ void MainWindow::connectCues() {
         m_errors->report(tr("%1 could not be written. The cues are still here.").arg(QFileInfo(file).fileName()),
                          errors);
     });
+    connect(&m_cues->model(), &CueModel::putAside, this, [this](const QString& file) {
+        emit m_document.said(tr("A new list. The cues before are kept in %1.").arg(QFileInfo(file).fileName()));
+    });
     if (const auto& unread = m_cues->model().unread(); !unread.empty()) {
         const auto tell = [this, unread] {
             m_errors->report(tr("%1 could not be read. It stays as it is; new cues go into %2.")
@@ -106,7 +109,8 @@ void MainWindow::keepCue() {
     if (!now) return;
     CueModel& model = m_cues->model();
     const int row = model.add({std::string(stageInfo(now->stage).label), {}, {}, *now});
-    emit m_document.said(tr("Kept as cue %1, %2. F2 names it.").arg(row + 1).arg(toQString(model.cue(row).name)));
+    emit m_document.said(
+        tr("Kept as cue %1, %2. F2 in the list of cues names it.").arg(row + 1).arg(toQString(model.cue(row).name)));
     for (PanelDock* dock : m_docks)
         if (dock->objectName() == "cues" && m_width == Width::Wide) dock->show(), dock->raise();
 }

@@ -183,13 +183,6 @@ void BufferCanvas::setShowEdges(bool show) {
     update();
 }
 
-std::optional<QPoint> BufferCanvas::pixelAt(QPointF widget) const {
-    const QPointF p = toShown(m_placement.toPicture(widget));
-    const QPoint pixel(int(std::floor(p.x())), int(std::floor(p.y())));
-    if (!QRect(QPoint(0, 0), m_content.size).contains(pixel)) return {};
-    return pixel;
-}
-
 void BufferCanvas::setOther(std::optional<CanvasContent> other, const Wipe& wipe) {
     m_other = std::move(other);
     m_otherBase.change();

@@ -67,6 +67,7 @@ public:
     static double nextZoom(double zoom, int steps);
 
     std::optional<QPoint> pixelAt(QPointF widget) const;
+    QPoint pixelUnder(QPointF widget) const;  // also beside the picture
     Placement placement() const { return m_placement; }
     bool isPainting() const { return m_base.busy() || m_otherBase.busy(); }  // what is seen is of before
     void cancelPainting() { m_base.cancel(), m_otherBase.cancel(); }

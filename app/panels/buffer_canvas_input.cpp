@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/canvas_flip.h"
 
 namespace app {
 
@@ -60,13 +61,26 @@ void BufferCanvas::mouseReleaseEvent(QMouseEvent* event) {
     if (const auto pixel = pixelAt(event->position())) emit picked(*pixel);
 }
 
+// As it is placed, and then turned: a pixel's upper border is its own, also of one that stands upside down.
+QPoint BufferCanvas::pixelUnder(QPointF widget) const {
+    const QPointF p = m_placement.toPicture(widget);
+    const QPoint pixel(int(std::floor(p.x())), int(std::floor(p.y())));
+    return m_flipped ? upsideDown(pixel, m_content.size.height()) : pixel;
+}
+
+std::optional<QPoint> BufferCanvas::pixelAt(QPointF widget) const {
+    const QPoint pixel = pixelUnder(widget);
+    if (!QRect(QPoint(0, 0), m_content.size).contains(pixel)) return {};
+    return pixel;
+}
+
 // From where it was pressed, within the picture.
 void BufferCanvas::dragRegion(QPointF to) {
     if ((to - m_pressed).manhattanLength() < QApplication::startDragDistance() || m_content.size.isEmpty()) return;
     const auto pixel = [this](QPointF at) {
-        const QPointF p = toShown(m_placement.toPicture(at));
-        return QPoint(std::clamp(int(std::floor(p.x())), 0, m_content.size.width() - 1),
-                      std::clamp(int(std::floor(p.y())), 0, m_content.size.height() - 1));
+        const QPoint p = pixelUnder(at);
+        return QPoint(std::clamp(p.x(), 0, m_content.size.width() - 1),
+                      std::clamp(p.y(), 0, m_content.size.height() - 1));
     };
     const QPoint a = pixel(m_pressed), b = pixel(to);
     emit regionDragged(QRect(QPoint(std::min(a.x(), b.x()), std::min(a.y(), b.y())),

@@ -45,10 +45,11 @@ void paintGrid(QPainter& painter, const Placement& placement, const QRect& pixel
     }
 }
 
-// Black or white, whatever is read on the ground.
+// Black or white, whatever is read on the ground: where (L + 0.05) / 0.05 = 1.05 / (L + 0.05) both are as good. W3C, Web
+// Content Accessibility Guidelines 2.1, 2018.
 Qt::GlobalColor inkOn(QRgb ground) {
     const double light = luminance(linearLight(qRed(ground)), linearLight(qGreen(ground)), linearLight(qBlue(ground)));
-    return light > 0.46 ? Qt::black : Qt::white;
+    return light > 0.179 ? Qt::black : Qt::white;
 }
 
 void paintTexts(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {

@@ -173,7 +173,9 @@ void BufferView::refresh() {
     m_frame = answer->request.frame;
     m_shown = m_compare->show(*answer);
     if (!isDifference(*m_shown->buffer.info)) m_shown->notice = withNotices(m_shown->notice);
+    const bool hadKeys = m_page->hasFocus();
     m_stack->setCurrentWidget(m_canvas);
+    if (hadKeys) m_canvas->setFocus();
     if (std::exchange(m_keysWait, false) && m_header->chooser()->hasFocus()) takeKeys();
     m_canvas->setContent(m_shown->content);
     m_header->setZoom(m_canvas->zoom());
@@ -202,6 +204,7 @@ void BufferView::showMessage(const QString& text, Offer offer) {
     m_compute->setVisible(offer != Offer::Nothing);
     m_foot->hide();
     setAccessibleDescription(text);
+    if (m_canvas->hasFocus()) m_page->setFocus();  // else the button would have it, and Space press it
     m_stack->setCurrentWidget(m_page);
     m_header->setZoom(0);  // of no picture
 }

@@ -50,6 +50,7 @@ void BufferView::build() {
     m_working = new WorkingBar(m_canvas);
 
     m_page = new QWidget(middle);
+    m_page->setFocusPolicy(Qt::ClickFocus);  // the keys go on to the window
     m_message = new QLabel(m_page);
     m_message->setAlignment(Qt::AlignCenter);
     m_message->setWordWrap(true);

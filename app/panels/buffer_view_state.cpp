@@ -1,5 +1,6 @@
 // How a BufferView looks at its buffer, as a file has it.
 #include <algorithm>
+#include <cmath>
 
 #include "app/core/text.h"
 #include "app/panels/buffer_canvas.h"
@@ -36,8 +37,10 @@ void BufferView::setLogCounts(bool logarithmic) {
 BufferShown BufferView::state() const {
     BufferShown state{m_name.text(), channel()};
     const auto kept = m_kept.find(m_name.text());
-    if (kept != m_kept.end() && kept->second.range)
-        state.range = {double(kept->second.range->first), double(kept->second.range->last)};
+    // Where all values are one, as where nothing is seen, there is no range to keep.
+    const auto range = kept != m_kept.end() ? kept->second.range : std::nullopt;
+    if (range && range->first != range->last && std::isfinite(range->first) && std::isfinite(range->last))
+        state.range = {double(range->first), double(range->last)};
     if (kept != m_kept.end()) state.logCounts = kept->second.logCounts;
     state.flipped = m_canvas->isFlipped();
     if (m_regionShown) {

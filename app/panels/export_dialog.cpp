@@ -184,6 +184,7 @@ void ExportDialog::showSummary() {
     const auto& settings = m_document.scene().settings;
     const double scale =
         double(m_width->text().toInt()) * m_height->text().toInt() / (double(settings.width) * settings.height);
+    m_buffers->setScale(scale);
     double bytes = 0;
     QStringList files = m_formats->sceneFiles();
     std::vector<pipeline::PlannedFile> planned = plannedFiles(*m_document.wholeFrame(), wanted);

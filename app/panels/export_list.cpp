@@ -58,21 +58,32 @@ void ExportList::setFrame(const pipeline::Frame& frame, const DerivedRecipe& rec
             stage->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
         }
         const bool there = row.whyNot.isEmpty();
-        auto* item =
-            new QTreeWidgetItem(stage, {toQString(row.name.text()), there       ? sizeText(row.bytes)
-                                                                    : isDerived ? row.whyNot
-                                                                                : tr("left out: %1").arg(row.whyNot)});
+        auto* item = new QTreeWidgetItem(
+            stage, {toQString(row.name.text()), there || isDerived ? row.whyNot : tr("left out: %1").arg(row.whyNot)});
         item->setTextAlignment(1, there ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
         item->setToolTip(1, row.whyNot);
         item->setFont(1, there ? theme.mono(12) : theme.text(12));
         if (!there) item->setForeground(1, theme.colors().text2);
         m_entries.push_back({std::move(row), item});
         const Entry& entry = m_entries.back();
+        if (there) showSize(entry);
         check(*item, entry.isIn(checked) || (there && !isDerived && m_takesNew && !entry.isIn(known)));
     }
     checkStages();
     expandAll();
     resizeColumnToContents(0);
+}
+
+void ExportList::showSize(const Entry& entry) {
+    const bool pixels = pipeline::bufferInfo(entry.row.name.id).domain == pipeline::Domain::Pixel;
+    entry.item->setText(1, sizeText(std::uint64_t(double(entry.row.bytes) * (pixels ? m_scale : 1))));
+}
+
+void ExportList::setScale(double scale) {
+    m_scale = scale;
+    const QSignalBlocker quiet(this);
+    for (const Entry& entry : m_entries)
+        if (entry.isThere()) showSize(entry);
 }
 
 void ExportList::chooseAll() {

@@ -14,6 +14,7 @@ public:
 
     // What the user has checked or unchecked stays so; derived buffers are checked by hand.
     void setFrame(const pipeline::Frame& frame, const DerivedRecipe& recipe);
+    void setScale(double scale);                                  // of the pixels, as the files will have them
     void chooseAll();                                             // what the frame has
     void choose(const std::vector<pipeline::BufferName>& names);  // these alone
     std::vector<pipeline::BufferName> chosen() const;
@@ -36,7 +37,10 @@ private:
     void follow(QTreeWidgetItem* item);
     void checkStages();
 
+    void showSize(const Entry& entry);
+
     std::vector<Entry> m_entries;
+    double m_scale = 1;
     bool m_takesNew = true;  // what a later frame has beside
 };
 

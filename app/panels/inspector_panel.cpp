@@ -25,8 +25,8 @@ InspectorPanel::InspectorPanel(Document& document, QWidget* parent) : QWidget(pa
     connect(m_equation, &EquationSection::bufferAsked, this, &InspectorPanel::bufferAsked);
     connect(m_equation, &EquationSection::settingAsked, this, &InspectorPanel::settingAsked);
     connect(&document, &Document::sceneOpened, this, [this] {
-        m_equation->forget();
         refresh();
+        m_equation->forget();  // also what has just been shown: it is still of the scene before
     });
     connect(&document.inspection(), &PixelInspection::changed, this, &InspectorPanel::refresh);
     connect(&document.inspection(), &PixelInspection::busyChanged, m_working, &WorkingBar::setWorking);
@@ -120,6 +120,12 @@ void InspectorPanel::styleHeader() {
     m_unit->setFont(theme.text(12));
     m_swatch->setFixedSize(theme.px(32), theme.px(32));
     m_swatch->setFrameShape(QFrame::Box);
+    if (m_shown) {
+        const pipeline::Color8 color = m_shown->report.color;
+        QPixmap swatch(m_swatch->size());
+        swatch.fill(QColor(color.r, color.g, color.b));
+        m_swatch->setPixmap(swatch);
+    }
     setMinimumWidth(theme.px(300));
 }
 
@@ -152,9 +158,6 @@ void InspectorPanel::showHeader() {
     const QString place = QString("%1, %2").arg(r.pixel.x).arg(r.pixel.y);
     m_title->setText(tr("Pixel") +
                      QString(" <span style=\"font-family:'JetBrains Mono','DejaVu Sans Mono'\">%1</span>").arg(place));
-    QPixmap swatch(m_swatch->size());
-    swatch.fill(QColor(r.color.r, r.color.g, r.color.b));
-    m_swatch->setPixmap(swatch);
     m_value->setText(QString("%1 %2 %3").arg(int(r.color.r)).arg(int(r.color.g)).arg(int(r.color.b)));
     if (r.covered) {
         const QString object = toQString(m_shown->frame->scene().objects[std::size_t(r.object)].name);

@@ -90,8 +90,8 @@ QSize MathView::minimumSizeHint() const {
 }
 
 void MathView::layOut() {
+    point(-1);  // what was pointed at may be another part then, or gone
     m_page = layoutEquation(m_lines, m_baseSize * Theme::current().scale(), width() - 2);
-    m_pointed = -1;
     updateGeometry();
     update();
 }

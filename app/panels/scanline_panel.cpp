@@ -70,6 +70,8 @@ ScanlinePanel::ScanlinePanel(Document& document, QWidget* parent)
     });
     connect(&document, &Document::frameReady, this, &ScanlinePanel::compute);
     connect(&document, &Document::sceneOpened, this, [this] { setRow(m_document.scene().settings.height / 2); });
+    // Of another height it has other rows.
+    connect(&document, &Document::sceneChanged, this, [this] { setRow(m_row); });
     connect(&document, &Document::pixelChanged, this, [this] {
         if (m_document.pixel()) setRow(m_document.pixel()->y);
         showMarks();

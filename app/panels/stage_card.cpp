@@ -186,10 +186,8 @@ int StageCard::paintState(QPainter& painter, const QRect& line) const {
     const Theme& theme = Theme::current();
     const QFont stateFont = theme.text(12, 500);
     const int markWidth = theme.px(10);
-    const int title = QFontMetrics(theme.text(titleSize(), 500)).horizontalAdvance(QStringLiteral("0")) + theme.px(8) +
-                      QFontMetrics(theme.text(titleSize(), 600)).horizontalAdvance(text());
     // The mark alone where the word would take room from the title.
-    const int room = line.width() - title - markWidth - 2 * theme.px(6) - theme.px(2);  // 2 for rounding
+    const int room = line.width() - titleWidth() - markWidth - 2 * theme.px(6) - theme.px(2);  // 2 for rounding
     const QString stateWord = m_compact ? QString() : fittingLine(word(m_status.state), stateFont, room);
     const int wordWidth = QFontMetrics(stateFont).horizontalAdvance(stateWord);
     const int gap = wordWidth > 0 ? theme.px(6) : 0;
@@ -225,7 +223,8 @@ void StageCard::paintNumbers(QPainter& painter, const QRect& line) const {
     const auto fits = [&](const QString& part) { return digits.horizontalAdvance(part) <= rest.width(); };
     const QString error = fittingError(m_status.error, fits);
     const int room = rest.width() - digits.horizontalAdvance(error);
-    if (room < 0) return;
+    const bool hasLostUnit = m_status.error.contains(QLatin1Char(' ')) && !error.contains(QLatin1Char(' '));
+    if (room < 0 || (m_compact && hasLostUnit)) return;  // a bare number beside the time says nothing
     if (!m_compact)
         write(painter, rest, fittingLine(QStringLiteral("error "), theme.text(12), room), theme.text(12), c.text2);
     write(painter, rest, error, mono, c.text2);

@@ -55,7 +55,10 @@ StudyRun::StudyRun(Document& document, QWidget* parent)
     connect(m_begin, &QPushButton::clicked, this, &StudyRun::begin);
     connect(m_cancel, &QPushButton::clicked, this, &StudyRun::cancel);
     // Points of a scene that is closed say nothing about the next one.
-    connect(&document, &Document::sceneOpened, this, &StudyRun::cancel);
+    connect(&document, &Document::sceneOpened, this, [this] {
+        m_leftScene = m_job != nullptr;
+        cancel();
+    });
     followTheme(this, [this, column] {
         const Theme& theme = Theme::current();
         m_words->setFont(theme.text(12));
@@ -71,6 +74,7 @@ void StudyRun::setSweep(pipeline::Result<pipeline::Sweep> sweep) {
 }
 
 void StudyRun::begin() {
+    m_leftScene = false;
     if (m_job || !m_sweep || !m_document.hasScene()) return;
     pipeline::StudyRequest request;
     request.scene = std::make_shared<const pipeline::Scene>(m_document.scene());
@@ -90,7 +94,9 @@ void StudyRun::begin() {
         emit reported(report);
     });
     connect(m_job.get(), &StudyJob::finished, this, [this](bool cancelled) {
-        finish(!cancelled   ? tr("All points are measured.")
+        finish(!cancelled ? tr("All points are measured.")
+               : std::exchange(m_leftScene, false) && !m_anything
+                   ? tr("Another scene was opened. Nothing was measured.")
                : m_anything ? tr("Cancelled. The first look at the times is kept.")
                             : tr("Cancelled. Nothing was measured."));
     });

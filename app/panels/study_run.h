@@ -34,7 +34,8 @@ private:
     Document& m_document;
     pipeline::Result<pipeline::Sweep> m_sweep;
     std::unique_ptr<StudyJob> m_job;
-    bool m_anything = false;  // was reported
+    bool m_anything = false;   // was reported
+    bool m_leftScene = false;  // cancelled because another one was opened
     QSpinBox *m_repeats, *m_threads;
     QLabel* m_words;
     QProgressBar* m_bar;

@@ -209,6 +209,15 @@ TEST_F(BufferMarksTest, TurnedOverThePictureKeepsItsNumbers) {
     QTest::mouseClick(&canvas, Qt::LeftButton, {}, widgetAt({268, 281}));
     EXPECT_EQ(document.pixel(), kOnPolygon2) << "a click picks the pixel that is seen";
     EXPECT_EQ(canvas.pixelAt(widgetAt({268, 281})), QPoint(268, 281));
+    // At 1:1 a click falls on a border between rows: it is of the row below it, as it is painted.
+    canvas.setZoom(1);
+    for (int y = 100; y < 110; ++y) {
+        const auto pixel = canvas.pixelAt(QPointF(canvas.width() / 2.0, y));
+        const auto next = canvas.pixelAt(QPointF(canvas.width() / 2.0, y + 0.5));
+        ASSERT_TRUE(pixel && next);
+        EXPECT_EQ(*pixel, *next) << y;
+    }
+    canvas.fit(false);
     QTest::keyClick(&canvas, Qt::Key_Up);
     EXPECT_EQ(document.pixel(), glm::ivec2(268, 282)) << "up on the screen is the next row";
     const app::CanvasContent twice = app::upsideDown(app::upsideDown(canvas.content()));

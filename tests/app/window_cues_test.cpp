@@ -106,6 +106,27 @@ TEST_F(WindowCues, TheListIsAFileThatOpensAgain) {
     EXPECT_EQ(model().current(), 0);
 }
 
+// In a file beside, however often: nothing that was kept goes without a word.
+TEST_F(WindowCues, ANewListPutsTheOwnOneAside) {
+    model().clear();
+    const QString own = model().file();
+    makeThree();
+    ASSERT_TRUE(model().write());
+    QStringList asides;
+    QObject::connect(&model(), &CueModel::putAside, &window, [&](const QString& file) { asides += file; });
+    ASSERT_TRUE(model().saveAs(folder.filePath("lecture.cues")));
+    model().clear();
+    EXPECT_EQ(model().file(), own);
+    EXPECT_EQ(model().size(), 0);
+    ASSERT_EQ(asides.size(), 1);
+    const auto kept = readCueFile(asides.front().toStdString());
+    ASSERT_TRUE(kept) << format(kept.errors());
+    EXPECT_EQ(kept->cues.size(), 3u);
+    model().clear();
+    EXPECT_EQ(asides.size(), 1) << "an empty list is not worth a file";
+    QFile::remove(asides.front());
+}
+
 TEST_F(WindowCues, CuesMoveAreRemovedAndPutBackByKeys) {
     makeThree();
     QListView& list = window.cues().list();
