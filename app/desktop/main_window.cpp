@@ -42,6 +42,7 @@
 #include "app/panels/start_page.h"
 #include "app/panels/tab_order.h"
 #include "app/panels/timeline.h"
+#include "lessons/library.h"
 
 namespace app {
 
@@ -235,7 +236,23 @@ void MainWindow::showLessons() {
 }
 
 void MainWindow::openLesson(const QString& name) {
-    if (!m_lessons->open(name)) return;
+    if (m_lessons->open(name)) showLesson();
+}
+
+bool MainWindow::openLessonAt(const std::filesystem::path& folder) {
+    auto lesson = lessons::readLesson(folder);
+    if (!lesson) {
+        m_errors->report(tr("This lesson could not be read."), lesson.errors());
+        return false;
+    }
+    lessons::Lesson own = std::move(lesson).value();
+    own.name = QFileInfo(toQString(folder.string())).canonicalFilePath().toStdString();
+    if (!m_lessons->openOwn(std::move(own))) return false;
+    showLesson();
+    return true;
+}
+
+void MainWindow::showLesson() {
     showScene();  // one that was closed, and is the lesson's, is not opened anew
     for (PanelDock* dock : m_docks)
         if (dock->objectName() == "lesson") dock->show();

@@ -68,6 +68,8 @@ public:
     // Keeps the session in a folder from now on; restores the last one first, unless it is switched off.
     void startSession(const QString& folder, bool restore);
     void openLesson(const QString& name);
+    // One that stands anywhere, by its folder. False when it cannot be read, or the scene on show is to stay.
+    bool openLessonAt(const std::filesystem::path& folder);
     void growText(double by);
     void showStartPage();
 
@@ -88,6 +90,7 @@ private:
     void makeTimeline();
     void connectDocument();
     void showTitle();
+    void showLesson();
     void takeFileChange();
     void takeLeftKey(const QKeyEvent& key);
     void showLessons();

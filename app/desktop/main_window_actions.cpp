@@ -45,7 +45,7 @@ constexpr std::array kChannelActions{ActionId::RedChannel, ActionId::GreenChanne
 QString fileFilters() {
     QStringList patterns;
     for (const pipeline::Format& format : pipeline::formatTable()) patterns << u'*' + toQString(format.extension);
-    return MainWindow::tr("Scenes and models (%1);;All files (*)").arg(patterns.join(u' '));
+    return MainWindow::tr("Scenes and models (%1);;Lessons (lesson.md);;All files (*)").arg(patterns.join(u' '));
 }
 
 // In a window of its own.

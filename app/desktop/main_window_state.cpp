@@ -22,6 +22,7 @@
 #include "app/panels/film_dialog.h"
 #include "app/state/cue_list.h"
 #include "app/state/state_scene.h"
+#include "lessons/library.h"
 #include "pipeline/formats/toml_writer.h"
 
 namespace app {
@@ -62,6 +63,11 @@ void MainWindow::cancelOpening() {
 
 bool MainWindow::openFile(const QString& file, const Then& then) {
     if (file.endsWith(kCueEnding)) return openCues(file, {}, then);
+    if (const auto lesson = lessons::lessonAt(file.toStdString()); !lesson.empty()) {
+        const bool opened = openLessonAt(lesson);
+        if (opened && then) then();
+        return opened;
+    }
     if (!mayLeaveScene()) return false;
     const auto read = [file](const pipeline::ReadProgress& progress) { return readSceneFile(file, progress); };
     openScene(QFileInfo(file).fileName(), read, [this, file, then](const OpenedScene& opened) {

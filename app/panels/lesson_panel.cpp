@@ -1,5 +1,7 @@
 #include "app/panels/lesson_panel.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListView>
@@ -15,6 +17,8 @@
 #include "app/panels/follow_theme.h"
 #include "app/panels/prose_view.h"
 #include "app/panels/question_card.h"
+#include "app/panels/save_dialog.h"
+#include "lessons/handout.h"
 
 namespace app {
 
@@ -86,6 +90,9 @@ QWidget* LessonPanel::makePage() {
     auto* again = new QPushButton(tr("Set the window to this page again"), page);
     again->setProperty("kind", "link");
     again->setObjectName("setWindow");
+    auto* handout = new QPushButton(tr("Write this lesson as a handout…"), page);
+    handout->setProperty("kind", "link");
+    handout->setObjectName("writeHandout");
 
     auto* content = new QWidget(page);
     auto* column = new QVBoxLayout(content);
@@ -93,6 +100,7 @@ QWidget* LessonPanel::makePage() {
     column->addWidget(m_text);
     column->addWidget(m_question);
     column->addWidget(again, 0, Qt::AlignLeft);
+    column->addWidget(handout, 0, Qt::AlignLeft);
     column->addStretch(1);
     m_scroll = new QScrollArea(page);
     m_scroll->setWidget(content);
@@ -112,6 +120,12 @@ QWidget* LessonPanel::makePage() {
     connect(m_next, &QToolButton::clicked, this, [this] { goTo(m_page + 1); });
     connect(again, &QPushButton::clicked, this, [this] {
         if (mayShow(current())) setWindow();
+    });
+    connect(handout, &QPushButton::clicked, this, &LessonPanel::writeHandout);
+    // What takes long says how far it is; its button waits meanwhile.
+    connect(&m_handout, &BackgroundJob::busyChanged, handout, [handout](bool busy) {
+        handout->setEnabled(!busy);
+        handout->setToolTip(busy ? tr("A handout is being written.") : QString());
     });
     connect(m_question, &QuestionCard::answered, this, &LessonPanel::check);
     connect(m_question, &QuestionCard::hintAsked, this, [this] {
@@ -141,6 +155,31 @@ bool LessonPanel::open(const QString& name) {
     showPage(page);
     m_next->setFocus();
     return true;
+}
+
+bool LessonPanel::openOwn(lessons::Lesson lesson) {
+    const QString name = toQString(lesson.name);
+    if (m_lesson && toQString(m_lesson->name) == name) close();  // its pages may be others now
+    m_shelf->put(std::move(lesson));
+    return open(name);
+}
+
+void LessonPanel::writeHandout() {
+    const QString name = QFileInfo(toQString(m_lesson->name)).fileName();
+    const QString file = askWhereToSave(this, tr("Write a handout"), QDir::home().filePath(name + ".html"),
+                                        tr("Pages for a browser (*.html)"), "html");
+    if (file.isEmpty()) return;
+    using Written = pipeline::Result<std::vector<std::string>>;
+    const auto write = [lesson = *m_lesson, file = QFileInfo(file)](const BackgroundJob::Control& control) -> Written {
+        const auto handout = makeHandout(lesson, control.stop);
+        if (!handout) return handout.errors();
+        return lessons::writeHandout(*handout, file.completeBaseName().toStdString(), file.path().toStdString());
+    };
+    m_handout.ask(write, [this, folder = QFileInfo(file).path()](const Written& written) {
+        if (!written) return m_errors->report(tr("The handout could not be written."), written.errors());
+        emit m_document.said(
+            tr("%1 and %2 are in %3.").arg(toQString(written->front()), toQString(written->back()), folder));
+    });
 }
 
 void LessonPanel::close() {

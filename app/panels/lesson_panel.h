@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <functional>
 
+#include "app/core/background_job.h"
 #include "app/core/document.h"
 #include "app/panels/lesson_shelf.h"
 
@@ -31,6 +32,8 @@ public:
     // Opens a lesson where it was left, from its beginning when it was read to its end. False when
     // there is none of that name, or the scene on show is to stay.
     bool open(const QString& name);
+    // One that did not come with the program, by its folder, which is its name then.
+    bool openOwn(lessons::Lesson lesson);
     void goTo(int page);  // from 0; within the open lesson
     void close();         // back to the list
 
@@ -48,6 +51,7 @@ private:
     void setWindow();  // to the page on show
     void takeFrame();  // fills the page's numbers in once the frame of its own scene is there
     void check(const QString& typed);
+    void writeHandout();  // asks where to
     const lessons::Page& current() const { return m_lesson->pages[std::size_t(m_page)]; }
 
     Document& m_document;
@@ -65,6 +69,7 @@ private:
     const lessons::Lesson* m_lesson = nullptr;  // of the shelf
     int m_page = 0;
     pipeline::FramePtr m_pageFrame;  // of the page's own scene; null until it is there
+    BackgroundJob m_handout;
 };
 
 }  // namespace app

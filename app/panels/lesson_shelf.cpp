@@ -10,20 +10,24 @@ namespace app {
 namespace {
 
 QString progressKey(const lessons::Lesson& lesson) {
-    return QStringLiteral("lessons/%1/page").arg(toQString(lesson.name));
+    QString name = toQString(lesson.name);  // of one's own: a folder
+    return QStringLiteral("lessons/%1/page").arg(name.replace(u'/', u'|'));
 }
 
 }  // namespace
 
-LessonShelf::LessonShelf(QObject* parent) : QAbstractListModel(parent), m_library(lessons::allLessons()) {}
-
-int LessonShelf::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : int(m_library.lessons.size());
+LessonShelf::LessonShelf(QObject* parent) : QAbstractListModel(parent) {
+    lessons::Library library = lessons::allLessons();
+    for (lessons::Lesson& lesson : library.lessons)
+        m_lessons.push_back(std::make_unique<lessons::Lesson>(std::move(lesson)));
+    m_errors = std::move(library.errors);
 }
+
+int LessonShelf::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_lessons.size()); }
 
 QVariant LessonShelf::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-    const lessons::Lesson& lesson = m_library.lessons[std::size_t(index.row())];
+    const lessons::Lesson& lesson = *m_lessons[std::size_t(index.row())];
     const int pages = int(lesson.pages.size()), reached = page(lesson);
     switch (role) {
         case Qt::DisplayRole:
@@ -44,8 +48,21 @@ QVariant LessonShelf::data(const QModelIndex& index, int role) const {
 }
 
 const lessons::Lesson* LessonShelf::find(const QString& name) const {
-    const auto found = std::ranges::find(m_library.lessons, name.toStdString(), &lessons::Lesson::name);
-    return found == m_library.lessons.end() ? nullptr : &*found;
+    const auto found =
+        std::ranges::find(m_lessons, name.toStdString(), [](const auto& lesson) { return lesson->name; });
+    return found == m_lessons.end() ? nullptr : found->get();
+}
+
+void LessonShelf::put(lessons::Lesson lesson) {
+    const auto same = std::ranges::find(m_lessons, lesson.name, [](const auto& other) { return other->name; });
+    if (same != m_lessons.end()) {
+        **same = std::move(lesson);
+        const QModelIndex row = index(int(same - m_lessons.begin()));
+        return emit dataChanged(row, row);
+    }
+    beginInsertRows({}, rowCount(), rowCount());
+    m_lessons.push_back(std::make_unique<lessons::Lesson>(std::move(lesson)));
+    endInsertRows();
 }
 
 int LessonShelf::page(const lessons::Lesson& lesson) const {
@@ -55,7 +72,8 @@ int LessonShelf::page(const lessons::Lesson& lesson) const {
 
 void LessonShelf::setPage(const lessons::Lesson& lesson, int page) {
     QSettings().setValue(progressKey(lesson), page);
-    const QModelIndex row = index(int(&lesson - m_library.lessons.data()));
+    const auto at = std::ranges::find(m_lessons, &lesson, [](const auto& other) { return other.get(); });
+    const QModelIndex row = index(int(at - m_lessons.begin()));
     emit dataChanged(row, row);
 }
 

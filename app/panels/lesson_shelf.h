@@ -1,12 +1,14 @@
 #pragma once
 #include <QAbstractListModel>
+#include <memory>
+#include <vector>
 
 #include "lessons/library.h"
 
 namespace app {
 
-// The lessons that come with the program, and how far somebody has come in each; progress is kept
-// in the program's settings. Knows no widget.
+// The lessons that come with the program, those that were opened beside, and how far somebody has come in each; progress
+// is kept in the program's settings. Knows no widget.
 class LessonShelf : public QAbstractListModel {
     Q_OBJECT
 public:
@@ -25,13 +27,16 @@ public:
 
     // Null when there is no such lesson. Valid as long as the shelf is.
     const lessons::Lesson* find(const QString& name) const;
-    const pipeline::Errors& errors() const { return m_library.errors; }  // of lessons that cannot be read
+    // One of its own name takes the place of that which had it.
+    void put(lessons::Lesson lesson);
+    const pipeline::Errors& errors() const { return m_errors; }  // of lessons that cannot be read
 
     int page(const lessons::Lesson& lesson) const;  // as PageRole
     void setPage(const lessons::Lesson& lesson, int page);
 
 private:
-    lessons::Library m_library;
+    std::vector<std::unique_ptr<lessons::Lesson>> m_lessons;
+    pipeline::Errors m_errors;
 };
 
 }  // namespace app

@@ -196,6 +196,25 @@ TEST_F(LessonPanelTest, VectorsHaveTheirColourOnThePage) {
     EXPECT_GT(pixels, 5);
 }
 
+TEST_F(LessonPanelTest, AnOwnLessonStandsBesideTheOthersAndMayChange) {
+    lessons::Lesson own = *panel->shelf().find("pyramid");
+    own.name = "/home/somebody/my lesson", own.title = "Mine";
+    ASSERT_TRUE(panel->openOwn(own));
+    EXPECT_EQ(panel->lesson()->title, "Mine");
+    ASSERT_EQ(panel->shelf().rowCount(), 2);
+    EXPECT_EQ(panel->shelf().index(1).data(LessonShelf::NameRole).toString(), "/home/somebody/my lesson");
+    panel->goTo(9);
+    own.pages.resize(2), own.title = "Mine, shorter";  // its author goes on writing
+    ASSERT_TRUE(panel->openOwn(own));
+    EXPECT_EQ(panel->shelf().rowCount(), 2);
+    EXPECT_EQ(panel->lesson()->title, "Mine, shorter");
+    EXPECT_LT(panel->page(), 2);
+    EXPECT_TRUE(isFilled());
+    panel->close();
+    ASSERT_TRUE(panel->open("pyramid"));
+    EXPECT_EQ(panel->lesson()->pages.size(), 10u);
+}
+
 TEST_F(LessonPanelTest, AnUnknownLessonOpensNothing) {
     EXPECT_FALSE(panel->open("piramid"));
     EXPECT_EQ(panel->lesson(), nullptr);

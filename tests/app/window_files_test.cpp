@@ -61,6 +61,32 @@ TEST_F(WindowFiles, ALessonInTheListAsksBeforeChangesAreLost) {
     EXPECT_FALSE(document().isChanged());
 }
 
+// By its folder and by its file; what is wrong in it is told with its place.
+TEST_F(WindowFiles, ALessonOpensLikeAnyFile) {
+    const QDir mine(folder.filePath("mine"));
+    ASSERT_TRUE(QDir().mkpath(mine.path()));
+    const auto write = [&](const QByteArray& page) {
+        QFile file(mine.filePath("lesson.md"));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("title: Mine\nlecture: L\nsummary: S.\nscene: pyramid\n\n# First\n\n" + page);
+    };
+    auto* lessons = window.findChild<LessonPanel*>();
+    write("2 + 3 is {2 + 3}.\n");
+    for (const QString& file : {mine.path(), mine.filePath("lesson.md")}) {
+        lessons->close();
+        ASSERT_TRUE(window.openFile(file));
+        ASSERT_TRUE(waitForFrame());
+        ASSERT_NE(lessons->lesson(), nullptr);
+        EXPECT_EQ(lessons->lesson()->title, "Mine");
+        EXPECT_TRUE(lessons->isVisible());
+    }
+    write("{nothing}\n");
+    EXPECT_FALSE(window.openFile(mine.path()));
+    auto* errors = window.centralWidget()->findChild<ErrorList*>();
+    EXPECT_TRUE(errors->isVisible());
+    EXPECT_EQ(lessons->lesson()->title, "Mine") << "the one before is still open";
+}
+
 TEST_F(WindowFiles, ALessonsNextPageAsksWhereAnotherSceneIsOpen) {
     window.openLesson("pyramid");
     changeTwoPyramids();
