@@ -1,7 +1,5 @@
 #include "app/panels/lesson_panel.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListView>
@@ -15,10 +13,9 @@
 #include "app/core/text.h"
 #include "app/panels/error_list.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/handout_button.h"
 #include "app/panels/prose_view.h"
 #include "app/panels/question_card.h"
-#include "app/panels/save_dialog.h"
-#include "lessons/handout.h"
 
 namespace app {
 
@@ -90,9 +87,7 @@ QWidget* LessonPanel::makePage() {
     auto* again = new QPushButton(tr("Set the window to this page again"), page);
     again->setProperty("kind", "link");
     again->setObjectName("setWindow");
-    auto* handout = new QPushButton(tr("Write this lesson as a handout…"), page);
-    handout->setProperty("kind", "link");
-    handout->setObjectName("writeHandout");
+    auto* handout = new HandoutButton([this] { return m_lesson; }, page);
 
     auto* content = new QWidget(page);
     auto* column = new QVBoxLayout(content);
@@ -121,11 +116,9 @@ QWidget* LessonPanel::makePage() {
     connect(again, &QPushButton::clicked, this, [this] {
         if (mayShow(current())) setWindow();
     });
-    connect(handout, &QPushButton::clicked, this, &LessonPanel::writeHandout);
-    // What takes long says how far it is; its button waits meanwhile.
-    connect(&m_handout, &BackgroundJob::busyChanged, handout, [handout](bool busy) {
-        handout->setEnabled(!busy);
-        handout->setToolTip(busy ? tr("A handout is being written.") : QString());
+    connect(handout, &HandoutButton::written, &m_document, &Document::said);
+    connect(handout, &HandoutButton::failed, this, [this](const pipeline::Errors& errors) {
+        m_errors->report(tr("The handout could not be written."), errors);
     });
     connect(m_question, &QuestionCard::answered, this, &LessonPanel::check);
     connect(m_question, &QuestionCard::hintAsked, this, [this] {
@@ -162,24 +155,6 @@ bool LessonPanel::openOwn(lessons::Lesson lesson) {
     if (m_lesson && toQString(m_lesson->name) == name) close();  // its pages may be others now
     m_shelf->put(std::move(lesson));
     return open(name);
-}
-
-void LessonPanel::writeHandout() {
-    const QString name = QFileInfo(toQString(m_lesson->name)).fileName();
-    const QString file = askWhereToSave(this, tr("Write a handout"), QDir::home().filePath(name + ".html"),
-                                        tr("Pages for a browser (*.html)"), "html");
-    if (file.isEmpty()) return;
-    using Written = pipeline::Result<std::vector<std::string>>;
-    const auto write = [lesson = *m_lesson, file = QFileInfo(file)](const BackgroundJob::Control& control) -> Written {
-        const auto handout = makeHandout(lesson, control.stop);
-        if (!handout) return handout.errors();
-        return lessons::writeHandout(*handout, file.completeBaseName().toStdString(), file.path().toStdString());
-    };
-    m_handout.ask(write, [this, folder = QFileInfo(file).path()](const Written& written) {
-        if (!written) return m_errors->report(tr("The handout could not be written."), written.errors());
-        emit m_document.said(
-            tr("%1 and %2 are in %3.").arg(toQString(written->front()), toQString(written->back()), folder));
-    });
 }
 
 void LessonPanel::close() {

@@ -3,7 +3,6 @@
 #include <QWidget>
 #include <functional>
 
-#include "app/core/background_job.h"
 #include "app/core/document.h"
 #include "app/panels/lesson_shelf.h"
 
@@ -51,7 +50,6 @@ private:
     void setWindow();  // to the page on show
     void takeFrame();  // fills the page's numbers in once the frame of its own scene is there
     void check(const QString& typed);
-    void writeHandout();  // asks where to
     const lessons::Page& current() const { return m_lesson->pages[std::size_t(m_page)]; }
 
     Document& m_document;
@@ -69,7 +67,6 @@ private:
     const lessons::Lesson* m_lesson = nullptr;  // of the shelf
     int m_page = 0;
     pipeline::FramePtr m_pageFrame;  // of the page's own scene; null until it is there
-    BackgroundJob m_handout;
 };
 
 }  // namespace app

@@ -1,0 +1,44 @@
+#include "app/panels/handout_button.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "app/core/text.h"
+#include "app/panels/save_dialog.h"
+#include "lessons/handout.h"
+
+namespace app {
+
+HandoutButton::HandoutButton(std::function<const lessons::Lesson*()> lesson, QWidget* parent)
+    : QPushButton(tr("Write this lesson as a handout…"), parent), m_lesson(std::move(lesson)) {
+    setProperty("kind", "link");
+    setObjectName("writeHandout");
+    connect(this, &QPushButton::clicked, this, &HandoutButton::write);
+    connect(&m_job, &BackgroundJob::busyChanged, this, [this](bool busy) {
+        setEnabled(!busy);
+        setToolTip(busy ? tr("A handout is being written.") : QString());
+    });
+}
+
+void HandoutButton::write() {
+    const lessons::Lesson* const lesson = m_lesson();
+    if (!lesson) return;
+    const QString name = QFileInfo(toQString(lesson->name)).fileName();  // of one's own: its folder
+    const QString file = askWhereToSave(this, tr("Write a handout"), QDir::home().filePath(name + ".html"),
+                                        tr("Pages for a browser (*.html)"), "html");
+    if (file.isEmpty()) return;
+    using Written = pipeline::Result<std::vector<std::string>>;
+    const auto make = [lesson = *lesson, to = QFileInfo(file)](const BackgroundJob::Control& control) -> Written {
+        const auto handout = makeHandout(lesson, control.stop);
+        if (!handout) return handout.errors();
+        return writeHandout(*handout, to.completeBaseName().toStdString(), to.path().toStdString());
+    };
+    m_job.ask(make, [this, folder = QFileInfo(file).path()](const Written& names) {
+        if (names)
+            emit written(tr("%1 and %2 are in %3.").arg(toQString(names->front()), toQString(names->back()), folder));
+        else
+            emit failed(names.errors());
+    });
+}
+
+}  // namespace app
