@@ -5,6 +5,7 @@
 #include "app/core/pinned_pixels.h"
 #include "app/core/text.h"
 #include "app/state/state_scene.h"
+#include "pipeline/formats/toml_writer.h"
 
 namespace app {
 
@@ -24,6 +25,11 @@ bool isOpen(const Document& document, const WindowState& state, const fs::path& 
 }
 
 namespace {
+
+bool isSameText(const pipeline::Scene& a, const pipeline::Scene& b) {
+    const auto first = toTomlScene(a), second = toTomlScene(b);
+    return first && second && *first == *second;
+}
 
 QString nameOf(SceneChanges changes) {
     switch (changes) {
@@ -66,7 +72,10 @@ void show(Document& document, const OpenedScene& opened, const WindowState& stat
         document.setScene(changes == SceneChanges::Given || !kept.scene ? opened.scene : *kept.scene, kept);
         looks = {};  // of a document that is gone
     }
-    document.replace(opened.scene, nameOf(changes), std::move(looks));
+    // Text makes new objects of the same scene: what is no change is not one because of that.
+    const bool isPasted = changes == SceneChanges::Pasted && isOpen && opened.scene != document.scene();
+    const bool isSame = isPasted && isSameText(opened.scene, document.scene());
+    document.replace(isSame ? document.scene() : opened.scene, nameOf(changes), std::move(looks));
     if (changes == SceneChanges::Given) document.undoStack()->setClean();
     showPlace(document, state);
 }

@@ -19,7 +19,9 @@
 #include "app/core/text.h"
 #include "app/core/write_file.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_painter.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/save_dialog.h"
 #include "app/view3d/view3d_panel.h"
@@ -29,6 +31,7 @@ namespace {
 
 constexpr std::array<QSize, 4> kSizes{QSize(1280, 720), QSize(1920, 1080), QSize(1600, 1200), QSize(3840, 2160)};
 constexpr int kMaxSide = 8192;
+constexpr int kViewRole = Qt::UserRole + 1;  // of a buffer view: which of them
 
 }  // namespace
 
@@ -93,9 +96,15 @@ QWidget* SlideDialog::makeFields() {
     auto* form = new QFormLayout(fields);
     m_what = new QComboBox(fields);
     m_what->setObjectName("slideWhat");
-    m_what->addItem(tr("Buffer: %1").arg(toQString(m_state.views.front().buffer)), int(SlideRequest::What::First));
-    if (m_state.views.size() > 1)
-        m_what->addItem(tr("Buffer: %1").arg(toQString(m_state.views[1].buffer)), int(SlideRequest::What::Second));
+    const std::vector<BufferView*> buffers = m_views.shownBuffers();
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const bool compared = buffers[i]->compare().showsOther();
+        m_what->addItem(
+            (compared ? tr("Buffer: %1, compared") : tr("Buffer: %1")).arg(toQString(m_state.views[i].buffer)),
+            int(SlideRequest::What::Buffer));
+        m_what->setItemData(int(i), int(i), kViewRole);
+        if (buffers[i] == &m_views.activeBuffer()) m_what->setCurrentIndex(int(i));
+    }
     if (!isPutAway(m_views.view3d())) {
         m_what->addItem(tr("3D view"), int(SlideRequest::What::Space));
         m_what->addItem(tr("Buffer and 3D view"), int(SlideRequest::What::Beside));
@@ -157,7 +166,8 @@ SlideRequest SlideDialog::request() const {
             {m_width->value(), m_height->value()},
             m_transparent->isChecked(),
             m_caption->isChecked(),
-            m_marks->isChecked()};
+            m_marks->isChecked(),
+            std::size_t(m_what->currentData(kViewRole).toInt())};
 }
 
 QString SlideDialog::message() const { return m_message->text(); }

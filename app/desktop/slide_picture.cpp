@@ -8,6 +8,9 @@
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/state_picture.h"
 #include "app/view3d/view3d_panel.h"
 #include "pipeline/export/png_file.h"
@@ -24,25 +27,27 @@ using What = SlideRequest::What;
 int captionHeight(const SlideRequest& request) { return request.caption ? request.size.height() / 18 : 0; }
 
 struct Part {
-    What what = What::First;
+    What what = What::Buffer;
     QRect place;
 };
 std::vector<Part> partsOf(const SlideRequest& request) {
     const QSize room(request.size.width(), request.size.height() - captionHeight(request));
     if (request.what != What::Beside) return {{request.what, QRect(QPoint(0, 0), room)}};
     const int gap = room.width() / 60, half = (room.width() - gap) / 2;
-    return {{What::First, QRect(0, 0, half, room.height())},
+    return {{What::Buffer, QRect(0, 0, half, room.height())},
             {What::Space, QRect(room.width() - half, 0, half, room.height())}};
 }
 
-Result<QImage> bufferPicture(const SlideContent& content, std::size_t view, QSize size, const std::stop_token& stop) {
+Result<QImage> bufferPicture(const SlideContent& content, QSize size, const std::stop_token& stop) {
     const WindowState& state = content.state;
-    if (view >= state.views.size()) return Error{{}, "there is no second buffer view", {}};
+    const std::size_t view = content.request.view;
+    if (view >= state.views.size()) return Error{{}, "there is no such buffer view any more", {}};
     const auto known = [&](const pipeline::BufferName& name) {
         const auto found = content.derived.find(name.text());
         return found == content.derived.end() ? nullptr : &found->second;
     };
-    const PictureLook look{size, content.request.transparent, content.request.marks, known};
+    const PictureLook look{size, content.request.transparent, content.request.marks, known,
+                           content.compared ? &*content.compared : nullptr};
     const QImage image = pictureOf(*content.frame, state, state.views[view], look, stop);
     if (image.isNull()) return Error{{}, "the buffer " + state.views[view].buffer + " is not there", {}};
     return image;
@@ -77,6 +82,9 @@ Result<SlideContent> slideContent(const Document& document, const ViewArea& view
     state.mix = mixText(document.mixer().mix());
     for (const pipeline::BufferName& name : pipeline::allDerived(document.frame()->scene().lights.size()))
         if (const DerivedBuffer* made = document.derived().made(name)) content.derived.emplace(name.text(), *made);
+    const std::vector<BufferView*> shown = views.shownBuffers();
+    if (request.view < shown.size() && shown[request.view]->compare().showsOther())
+        content.compared = shown[request.view]->canvas()->pictures();
     for (const auto& [what, place] : partsOf(request)) {
         if (what != What::Space) continue;
         if (isPutAway(views.view3d())) return Error{{}, "no 3D view is on show", {}};
@@ -102,9 +110,8 @@ Result<QImage> drawSlide(const SlideContent& content, const BackgroundJob::Contr
             return !control.stop.stop_requested();
         };
         const auto& [what, place] = parts[i];
-        const auto part = what == What::Space
-                              ? renderBeside(*content.space, progress)
-                              : bufferPicture(content, what == What::Second ? 1 : 0, place.size(), control.stop);
+        const auto part = what == What::Space ? renderBeside(*content.space, progress)
+                                              : bufferPicture(content, place.size(), control.stop);
         if (!part) return part;
         painter.drawImage(place, *part);
         progress(1);

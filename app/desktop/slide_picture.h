@@ -6,6 +6,7 @@
 #include "app/core/background_job.h"
 #include "app/core/document.h"
 #include "app/derived/derived_buffer.h"
+#include "app/panels/wipe.h"
 #include "app/state/window_state.h"
 #include "app/view3d/offscreen.h"
 
@@ -15,12 +16,13 @@ class ViewArea;
 
 // A picture of what the window shows, for a slide.
 struct SlideRequest {
-    enum class What : unsigned char { First, Second, Space, Beside };  // a buffer view, the other, the 3D view, two
-    What what = What::First;
+    enum class What : unsigned char { Buffer, Space, Beside };  // a buffer view, the 3D view, the two of them
+    What what = What::Buffer;
     QSize size{1920, 1080};
     bool transparent = true;
     bool caption = false;  // stage and a sentence below
     bool marks = true;     // the picked pixel
+    std::size_t view = 0;  // which of the buffer views on show, in their order
 };
 
 // What a slide shows: values alone, so that it can be drawn away from the window.
@@ -29,6 +31,7 @@ struct SlideContent {
     pipeline::FramePtr frame;
     WindowState state;
     std::map<std::string, DerivedBuffer> derived;  // those that are there, by name
+    std::optional<CanvasPictures> compared;        // what the buffer view shows of a comparison
     std::optional<SpacePicture> space;
     QString stage, words;  // of the caption
 };

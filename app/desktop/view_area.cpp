@@ -97,18 +97,23 @@ void ViewArea::showBuffers(const QStringList& names) {
         if (const auto name = pipeline::findAnyBuffer(names[qsizetype(i)].toStdString())) views[i]->setBuffer(*name);
 }
 
+std::vector<BufferView*> ViewArea::shownBuffers() const {
+    std::vector<BufferView*> shown;
+    for (const ViewLeaf leaf : leavesOf(m_tree))
+        if (leaf.kind == ViewLeaf::Kind::Buffer) shown.push_back(m_buffers.at(leaf.number));
+    if (shown.empty()) shown.push_back(&first());
+    return shown;
+}
+
 void ViewArea::fill(WindowState& state) const {
     state.arrangement = arrangement();
     state.linked = m_linked;
     state.views.clear();
     state.spaces.clear();
     for (const ViewLeaf leaf : leavesOf(m_tree)) {
-        if (leaf.kind == ViewLeaf::Kind::Buffer)
-            state.views.push_back(m_buffers.at(leaf.number)->state());
-        else
-            state.spaces.push_back(m_spaces.at(leaf.number)->state());
+        if (leaf.kind == ViewLeaf::Kind::Space) state.spaces.push_back(m_spaces.at(leaf.number)->state());
     }
-    if (state.views.empty()) state.views.push_back(first().state());
+    for (const BufferView* view : shownBuffers()) state.views.push_back(view->state());
     if (state.spaces.empty()) state.spaces.push_back(view3d().state());
 }
 

@@ -69,7 +69,8 @@ public:
     // The first ones on show, else those that were there first.
     BufferView& first() const;
     BufferView& second();
-    BufferView& activeBuffer() const;  // the active view, or the first one where that is no buffer view
+    std::vector<BufferView*> shownBuffers() const;  // in the order of a state; at least one
+    BufferView& activeBuffer() const;               // the active view, or the first one where that is no buffer view
     View3dPanel& view3d() const;
     QWidget* frameOf(ViewLeaf leaf) const;  // null where there is no such view
 

@@ -22,6 +22,8 @@ public:
     void setOther(std::optional<CanvasContent> other, const Wipe& wipe);
     void setWipe(const Wipe& wipe);
     const Wipe& wipe() const { return m_wipe; }
+    // All of what is seen: a picture, or two with a border between them.
+    CanvasPictures pictures() const { return {m_content, m_other, m_wipe}; }
     // The picture that fills the view, or the part of A.
     const CanvasContent& seen() const { return m_other && m_wipe.share == 0 ? *m_other : m_content; }
     // As it is painted: turned over where it is flipped.

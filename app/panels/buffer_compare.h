@@ -45,6 +45,8 @@ public:
     void goToWorst();
     void fillMenu(QMenu& menu, const pipeline::BufferName& shown);  // with what B can be
 
+    // Whether the view shows B, or what differs, at all.
+    bool showsOther() const { return showsDifference() || (m_b && wipe().share < 1); }
     bool showsDifference() const { return m_mode == CompareMode::Difference && m_found.has_value(); }
     std::optional<pipeline::PaletteRange>& range() { return m_range; }  // the user's, of the difference
     // Lays B beside what a view asks for, where there is one.

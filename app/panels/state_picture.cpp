@@ -5,6 +5,7 @@
 
 #include "app/core/theme.h"
 #include "app/derived/derived_buffer.h"
+#include "app/panels/canvas_flip.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/overlays.h"
 #include "app/panels/shadow_overlay.h"
@@ -102,16 +103,52 @@ double growthOf(const BufferShown& view, QSize size) {
     return std::min(size.width() / view.zoom->view[0], size.height() / view.zoom->view[1]);
 }
 
+// content: as it is painted.
 Placement placementOf(const CanvasContent& content, const BufferShown& view, QSize size) {
     const QPointF middle(size.width() / 2.0, size.height() / 2.0);
     if (view.zoom) {
         const double zoom = view.zoom->factor * growthOf(view, size);
-        return {middle - QPointF(view.zoom->center[0], view.zoom->center[1]) * zoom, zoom};
+        QPointF center(view.zoom->center[0], view.zoom->center[1]);
+        if (view.flipped) center = upsideDown(center, content.size.height());
+        return {middle - center * zoom, zoom};
     }
     const QRectF focus = content.focus.isEmpty() ? QRectF(QPointF(0, 0), QSizeF(content.size)) : content.focus;
     double zoom = std::min(size.width() / focus.width(), size.height() / focus.height());
     if (zoom >= 2) zoom = std::floor(zoom);
     return {middle - focus.center() * zoom, zoom};
+}
+
+CanvasContent turnedFor(CanvasContent content, const BufferShown& view, const PictureLook& look) {
+    content.hasGround = !look.transparent;
+    return view.flipped ? upsideDown(content) : content;
+}
+
+// As on the screen, larger; marks but the picked pixel are left out.
+QImage painted(const CanvasPictures& pictures, const BufferShown& view, const PictureLook& look,
+               const std::optional<QPoint>& picked, bool showsEdges, const std::stop_token& stop) {
+    const CanvasContent a = turnedFor(pictures.a, view, look);
+    QImage image(look.size, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    const double growth = growthOf(view, look.size);
+    Placement placement = placementOf(a, view, look.size);
+    placement.origin /= growth, placement.zoom /= growth;
+    const QRect visible = QRectF(QPointF(0, 0), QSizeF(look.size) / growth).toAlignedRect();
+    painter.scale(growth, growth);
+    const int border = pictures.b ? pictures.wipe.border(visible.width()) : visible.width();
+    const auto paint = [&](const CanvasContent& content, QRect part) {
+        if (part.isEmpty()) return;
+        painter.setClipRect(part);
+        paintCanvas(painter, content, placement, visible, showsEdges, stop);
+        painter.setClipping(false);
+    };
+    paint(a, {0, 0, border, visible.height()});
+    if (pictures.b) paint(turnedFor(*pictures.b, view, look), {border, 0, visible.width() - border, visible.height()});
+    CanvasContent marks;
+    marks.size = pictures.a.size, marks.picked = picked;
+    paintMarks(painter, view.flipped ? upsideDown(marks) : marks, placement, visible);
+    paintWipe(painter, pictures.wipe, visible);
+    return stop.stop_requested() ? QImage() : image;
 }
 
 }  // namespace
@@ -136,29 +173,21 @@ QImage pictureOf(const pipeline::Frame& frame, const WindowState& state, const B
                  const PictureLook& look, const std::stop_token& stop) {
     const auto name = pipeline::findAnyBuffer(view.buffer);
     if (!name) return {};
+    const bool onPixels = bufferInfo(name->id).domain != pipeline::Domain::Texel;
+    const auto picked = look.marks && state.pixel && onPixels
+                            ? std::optional(QPoint((*state.pixel)[0], (*state.pixel)[1]))
+                            : std::nullopt;
+    const bool showsEdges = overlaysOf(view)[index(OverlayId::Edges)];
+    if (look.compared) return painted(*look.compared, view, look, picked, showsEdges, stop);
     const Maker make{frame, recipeOf(state, frame.scene()), look, stop};
     auto shown = shownIn(make, *name, view);
     if (!shown) return {};
-    const OverlaySet overlays = overlaysOf(view);
-    addOverlays(frame, overlays, *shown, stop);
+    addOverlays(frame, overlaysOf(view), *shown, stop);
     if (whyNoOverlays(bufferInfo(name->id)).isEmpty()) layOver(make, view, shown->content);
     CanvasContent& content = shown->content;
-    content.hasGround = !look.transparent;
     if (look.transparent && !content.image.isNull() && isColorPicture(bufferInfo(name->id), view.channel))
         clearBackground(frame, content.image);
-    if (look.marks && state.pixel && bufferInfo(name->id).domain != pipeline::Domain::Texel)
-        content.picked = QPoint((*state.pixel)[0], (*state.pixel)[1]);
-    QImage image(look.size, QImage::Format_ARGB32_Premultiplied);
-    image.fill(Qt::transparent);
-    QPainter painter(&image);
-    const double growth = growthOf(view, look.size);
-    Placement placement = placementOf(content, view, look.size);
-    placement.origin /= growth, placement.zoom /= growth;
-    const QRect visible = QRectF(QPointF(0, 0), QSizeF(look.size) / growth).toAlignedRect();
-    painter.scale(growth, growth);
-    paintCanvas(painter, content, placement, visible, overlays[index(OverlayId::Edges)], stop);
-    paintMarks(painter, content, placement, visible);
-    return stop.stop_requested() ? QImage() : image;
+    return painted({content, {}, {}}, view, look, picked, showsEdges, stop);
 }
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <stop_token>
 
 #include "app/derived/derived_buffer.h"
+#include "app/panels/wipe.h"
 #include "app/state/window_state.h"
 #include "pipeline/run/frame.h"
 
@@ -16,6 +17,7 @@ struct PictureLook {
     bool marks = true;         // the picked pixel
     // Derived buffers that are there already, null where one is not; empty: they are made, however long that takes.
     std::function<const DerivedBuffer*(const pipeline::BufferName& name)> known{};
+    const CanvasPictures* compared = nullptr;  // what a comparison shows in place of the buffer alone
 };
 
 // The frame that a state shows, at its place, with the buffers of its views; null when stopped. On any thread.

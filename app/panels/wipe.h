@@ -1,6 +1,9 @@
 #pragma once
 #include <QPainter>
 #include <QString>
+#include <optional>
+
+#include "app/panels/buffer_painter.h"
 
 namespace app {
 
@@ -12,6 +15,13 @@ struct Wipe {
     bool operator==(const Wipe&) const = default;
 
     int border(int width) const { return int(share * width + 0.5); }
+};
+
+// A, and what is seen right of the border where there is one.
+struct CanvasPictures {
+    CanvasContent a;
+    std::optional<CanvasContent> b;
+    Wipe wipe;
 };
 
 inline constexpr int kWipeHandle = 12;  // pixels wide

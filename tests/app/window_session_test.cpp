@@ -119,6 +119,25 @@ TEST_F(WindowSession, AStateIsCopiedAndPastedAsTextInAnyWindow) {
     document().undoStack()->setClean();
 }
 
+// A scene of a file of one's own is pasted as its text, which makes it anew: that is no change of it.
+TEST_F(WindowSession, WhatWasCopiedIsNoChangeWherePastedAgain) {
+    const QString file = folder.filePath("own.toml");
+    ASSERT_TRUE(QFile::copy(resourceScene("coloured_lights.toml"), file));
+    ASSERT_TRUE(window.openFile(file));
+    ASSERT_TRUE(waitForFrame());
+    canvas()->setFocus();
+    const pipeline::FramePtr frame = document().frame();
+    press("Ctrl+C");
+    press("Ctrl+V");
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_FALSE(document().isChanged());
+    EXPECT_EQ(document().frame(), frame) << "nothing ran again";
+    document().change(*findSetting(document().scene(), "material.0.kr"), 0.25);
+    press("Ctrl+V");
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_NE(document().scene().objects[0].material.diffuse.x, 0.25) << "what was changed meanwhile goes back";
+}
+
 // A place changes nothing that a file could keep.
 TEST_F(WindowSession, APastedPlaceIsOneStepOfUndoAndNoChangeOfTheScene) {
     openPyramid();

@@ -17,6 +17,7 @@
 #include "app/desktop/slide_picture.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/film_dialog.h"
 #include "app/view3d/view3d_panel.h"
@@ -45,7 +46,7 @@ protected:
 };
 
 TEST_F(WindowSlide, HasTheSizeAskedForAndNoGround) {
-    for (const What what : {What::First, What::Space, What::Beside}) {
+    for (const What what : {What::Buffer, What::Space, What::Beside}) {
         const QImage image = picture({what, {1000, 600}, true, false, false});
         ASSERT_EQ(image.size(), QSize(1000, 600));
         EXPECT_EQ(qAlpha(image.pixel(1, 1)), 0) << int(what);
@@ -55,7 +56,7 @@ TEST_F(WindowSlide, HasTheSizeAskedForAndNoGround) {
             for (int x = 0; x < 1000; x += 3) opaque += qAlpha(image.pixel(x, y)) == 255 ? 1 : 0;
         EXPECT_GT(opaque, 2000) << int(what);
     }
-    const QImage ground = picture({What::First, {400, 300}, false, false, false});
+    const QImage ground = picture({What::Buffer, {400, 300}, false, false, false});
     EXPECT_EQ(qAlpha(ground.pixel(1, 1)), 255);
 }
 
@@ -63,7 +64,7 @@ TEST_F(WindowSlide, HasTheSizeAskedForAndNoGround) {
 TEST_F(WindowSlide, KeepsTheColoursOfTheBuffer) {
     const QColor own = frameColor({268, 281});
     for (const bool transparent : {false, true}) {
-        const QImage image = picture({What::First, {1280, 960}, transparent, false, false});
+        const QImage image = picture({What::Buffer, {1280, 960}, transparent, false, false});
         int same = 0;
         for (int y = 0; y < image.height(); y += 5)
             for (int x = 0; x < image.width(); x += 5) same += image.pixelColor(x, y) == own ? 1 : 0;
@@ -74,7 +75,7 @@ TEST_F(WindowSlide, KeepsTheColoursOfTheBuffer) {
 // At 4 screen pixels each there is no grid on the screen; 14 pixels each in a larger picture make none either.
 TEST_F(WindowSlide, IsTheViewLargerAndNothingElse) {
     window.views().first().canvas()->setZoom(4);
-    const QImage image = picture({What::First, {1920, 1080}, true, false, false});
+    const QImage image = picture({What::Buffer, {1920, 1080}, true, false, false});
     std::set<QRgb> colors;
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x)
@@ -83,8 +84,8 @@ TEST_F(WindowSlide, IsTheViewLargerAndNothingElse) {
 }
 
 TEST_F(WindowSlide, ACaptionStandsBelow) {
-    const QImage without = picture({What::First, {900, 540}, true, false, false});
-    const QImage with = picture({What::First, {900, 540}, true, true, false});
+    const QImage without = picture({What::Buffer, {900, 540}, true, false, false});
+    const QImage with = picture({What::Buffer, {900, 540}, true, true, false});
     const auto inked = [](const QImage& image) {
         int count = 0;
         for (int y = 540 - 28; y < 540; ++y)
@@ -144,9 +145,40 @@ TEST_F(WindowSlide, TheFileOpensTheSceneAndTheState) {
     EXPECT_EQ(toToml(*again), toToml(expected));
 }
 
+// B, the border between the two, and what differs: the picture is of what is seen.
+TEST_F(WindowSlide, AComparisonIsPicturedAsItIsSeen) {
+    BufferView& view = window.views().first();
+    const SlideRequest request{What::Buffer, {800, 600}, false, false, false};
+    const QImage a = picture(request);
+    view.compare().compareWith(
+        OtherSource{.kind = OtherSource::Kind::Buffer, .buffer = {pipeline::BufferId::PolygonId}});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !view.compare().busy() && !document().busy(); }, 10000));
+    view.compare().setMode(CompareMode::A);
+    QTest::qWait(50);
+    EXPECT_EQ(picture(request), a) << "A alone is seen";
+    view.compare().setMode(CompareMode::B);
+    QTest::qWait(50);
+    const QImage b = picture(request);
+    EXPECT_NE(b, a);
+    view.compare().setMode(CompareMode::Wipe);
+    QTest::qWait(50);
+    const QImage both = picture(request);
+    const QRect left(0, 100, 380, 400), right(420, 100, 380, 400);
+    EXPECT_EQ(both.copy(left), a.copy(left));
+    EXPECT_EQ(both.copy(right), b.copy(right));
+}
+
+TEST_F(WindowSlide, AViewThatStandsUpsideDownIsPicturedSo) {
+    BufferView& view = window.views().first();
+    const SlideRequest request{What::Buffer, {800, 600}, true, false, false};
+    const QImage upright = picture(request);
+    view.setFlipped(true);
+    EXPECT_EQ(picture(request), upright.mirrored());
+}
+
 TEST_F(WindowSlide, APictureOfABufferIsNoPromiseOfAnother) {
     window.views().setSecond(false);
-    EXPECT_FALSE(slidePicture(document(), window.views(), {What::Second, {400, 300}, true, false, false}))
+    EXPECT_FALSE(slidePicture(document(), window.views(), {What::Buffer, {400, 300}, true, false, false, 1}))
         << "there is one buffer view";
     QFile other(folder.filePath("other.png"));
     ASSERT_TRUE(QImage(4, 4, QImage::Format_RGB32).save(other.fileName()));
