@@ -10,6 +10,7 @@
 #include "app/core/theme.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/notes_window.h"
+#include "app/panels/follow_theme.h"
 
 namespace app {
 
@@ -77,6 +78,7 @@ void Presentation::place() {
     };
     if (m_notes) show(*m_notes, *own);
     show(*m_clean, *other);
+    followThemeAgain(*m_clean);  // what was set before it was shown is gone
     m_clean->activateWindow();
     m_clean->setFocus();
 }

@@ -164,6 +164,7 @@ void ViewArea::layOut() {
     m_middle->layout()->addWidget(m_root);
     for (const ViewLeaf leaf : leavesOf(m_shown)) frameOf(leaf)->show();
     m_root->show();
+    for (const QWidget* frame : frames) followThemeAgain(*frame);
     setShares(m_root, m_shown);
     m_middle->setUpdatesEnabled(true);
     if (focus && focus->isVisible() && m_middle->isAncestorOf(focus)) focus->setFocus();

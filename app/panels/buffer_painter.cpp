@@ -54,8 +54,10 @@ Qt::GlobalColor inkOn(QRgb ground) {
 
 void paintTexts(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {
     const ThemeColors& c = Theme::current().colors();
+    // Larger where the cell has room for it, up to the size that is read from the last row.
+    const int size = std::clamp(int(placement.zoom / 5), 11, std::max(11, Theme::current().px(14)));
     QFont font = Theme::current().mono(11);
-    font.setPixelSize(11);  // a cell does not grow with the font scale
+    font.setPixelSize(size);
     painter.setFont(font);
     const QFontMetricsF metrics(font);
     for (int y = pixels.top(); y <= pixels.bottom(); ++y)
@@ -70,7 +72,7 @@ void paintTexts(QPainter& painter, const CanvasContent& content, const Placement
             for (const QString& line : lines) {
                 const double wide = metrics.horizontalAdvance(line);
                 QFont fitting = font;  // a number in the digits of the user's choice may be longer
-                if (wide > cell.width()) fitting.setPixelSize(std::max(5, int(11 * cell.width() / wide)));
+                if (wide > cell.width()) fitting.setPixelSize(std::max(5, int(size * cell.width() / wide)));
                 painter.setFont(fitting);
                 painter.drawText(QRectF(cell.left(), top, cell.width(), metrics.height()), Qt::AlignCenter, line);
                 top += metrics.height();
