@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace lessons {
 
@@ -144,15 +145,18 @@ template <class Take>
 std::optional<Error> goThrough(const Condition& condition, const Frame& frame, const AnyBuffer& polygons,
                                const std::stop_token& stop, Take take) {
     const auto ids = std::get<std::span<const std::int32_t>>(polygons.data);
+    const auto layers = frame.buffer({pipeline::BufferId::Layers});
+    const auto isDrawn = [&](std::size_t i) { return ids[i] >= 0 || (layers && layers->flat(i) > 0); };
     Evaluation evaluation{frame, {}, polygons.columns()};
     if (auto error = addBuffers(condition.root, frame, evaluation.buffers)) return error;
     for (std::size_t first = 0; first < ids.size(); first += kRun) {
         if (stop.stop_requested()) return Error{{}, "stopped"};
-        const std::span run = ids.subspan(first, std::min(kRun, ids.size() - first));
-        if (std::ranges::none_of(run, [](std::int32_t id) { return id >= 0; })) continue;
-        const Numbers numbers = evaluation(condition.root, first, run.size());
-        for (std::size_t i = 0; i < run.size(); ++i)
-            if (run[i] >= 0) take(first + i, numbers[i]);
+        const std::size_t count = std::min(kRun, ids.size() - first);
+        const auto run = std::views::iota(first, first + count);
+        if (std::ranges::none_of(run, isDrawn)) continue;
+        const Numbers numbers = evaluation(condition.root, first, count);
+        for (const std::size_t i : run)
+            if (isDrawn(i)) take(i, numbers[i - first]);
     }
     return {};
 }

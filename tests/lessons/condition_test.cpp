@@ -162,5 +162,22 @@ TEST(NextHolding, GoesRoundInReadingOrder) {
     EXPECT_EQ(nextHolding(ConditionMask{{3, 2}, std::vector<bool>(6), 0, 6}, std::nullopt), std::nullopt);
 }
 
+// A pane over nothing: no polygon stands there, and what is seen is the pane's.
+TEST(Condition, CountsPixelsThatOnlyTranslucentSurfacesShow) {
+    pipeline::Scene scene = pyramidScene();
+    scene.objects[0].material.alpha = 0.5;
+    const auto holding = [&](const char* text) {
+        const auto condition = parseCondition(text, {"--where", 1, 1}, scene);
+        EXPECT_TRUE(condition) << (condition ? "" : format(condition.errors()));
+        const auto mask = evaluate(*condition, *frameOf(scene, condition->buffers));
+        EXPECT_TRUE(mask) << (mask ? "" : format(mask.errors()));
+        return mask->count;
+    };
+    // tests/reference/lecture1_pyramid_test.cpp: three faces are seen, each pixel by one.
+    EXPECT_EQ(holding("layers == 1"), 2686u);
+    EXPECT_EQ(holding("intensity.b > 0"), 2686u);
+    EXPECT_EQ(holding("overdraw >= 0"), 0u) << "of the z-buffer alone, where none of it arrives";
+}
+
 }  // namespace
 }  // namespace lessons
