@@ -49,6 +49,7 @@ std::string toText(const Value& value, std::optional<int> digits) {
 std::optional<double> numberIn(std::string_view text) {
     std::string plain(text);
     for (std::size_t at; (at = plain.find(kMinus)) != std::string::npos;) plain.replace(at, kMinus.size(), 1, '-');
+    for (std::size_t at; (at = plain.find(kGroup)) != std::string::npos;) plain.erase(at, kGroup.size());
     std::replace(plain.begin(), plain.end(), ',', '.');
     const auto isSpace = [](char c) { return c == ' ' || c == '\t'; };
     while (!plain.empty() && isSpace(plain.back())) plain.pop_back();

@@ -45,8 +45,7 @@ void paintGrid(QPainter& painter, const Placement& placement, const QRect& pixel
     }
 }
 
-// Black or white, whatever is read on the ground: where (L + 0.05) / 0.05 = 1.05 / (L + 0.05) both are as good. W3C, Web
-// Content Accessibility Guidelines 2.1, 2018.
+// Black or white, whatever is read on the ground: both where (L + 0.05)² = 1.05 · 0.05. W3C, WCAG 2.1, 2018.
 Qt::GlobalColor inkOn(QRgb ground) {
     const double light = luminance(linearLight(qRed(ground)), linearLight(qGreen(ground)), linearLight(qBlue(ground)));
     return light > 0.179 ? Qt::black : Qt::white;
@@ -54,7 +53,6 @@ Qt::GlobalColor inkOn(QRgb ground) {
 
 void paintTexts(QPainter& painter, const CanvasContent& content, const Placement& placement, const QRect& pixels) {
     const ThemeColors& c = Theme::current().colors();
-    // Larger where the cell has room for it, up to the size that is read from the last row.
     const int size = std::clamp(int(placement.zoom / 5), 11, std::max(11, Theme::current().px(14)));
     QFont font = Theme::current().mono(11);
     font.setPixelSize(size);

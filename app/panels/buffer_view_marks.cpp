@@ -62,7 +62,12 @@ void BufferView::showRegion() {
             QRect(QPoint(first.x, first.y), QPoint(last.x, last.y)) & QRect(QPoint(0, 0), m_shown->content.size);
     }
     m_canvas->setRegion(rectangle);
-    if (m_shown) m_region->show(m_shown->buffer, rectangle ? m_regionShown : std::nullopt, m_shown->look.channel);
+    // What of it lies in the picture, which may have become smaller.
+    const auto inPicture =
+        rectangle && !rectangle->isEmpty()
+            ? std::optional(Region{{rectangle->left(), rectangle->top()}, {rectangle->right(), rectangle->bottom()}})
+            : std::nullopt;
+    if (m_shown) m_region->show(m_shown->buffer, inPicture, m_shown->look.channel);
     placeOverlays();
 }
 

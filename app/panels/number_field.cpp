@@ -75,10 +75,12 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
         selectAll();
     } else if (up || down) {
         const QString shown = text();
-        const qsizetype point = shown.indexOf('.');
-        const int decimals = point < 0 || shown.contains('e') ? 0 : int(shown.size() - point - 1);
+        const qsizetype point = shown.indexOf('.'), power = shown.indexOf('e');
+        const qsizetype end = power < 0 ? shown.size() : power;
+        const int places = point < 0 ? 0 : int(end - point - 1),
+                  exponent = shown.mid(end + 1).toInt();  // 0 without one
         const double tens = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
-        const double unit = std::pow(10.0, decimals);
+        const double unit = std::pow(10.0, places - exponent);
         const double value = std::round(m_value * unit + (up ? tens : -tens)) / unit;
         emit entered(std::clamp(value, m_setting.setting->min, m_setting.setting->max));
         selectAll();

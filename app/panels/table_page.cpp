@@ -80,6 +80,9 @@ void TablePage::build() {
     m_view->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
     m_view->horizontalHeader()->setSortIndicatorClearable(true);
     m_view->setSortingEnabled(true);
+    // Another table stands in its own order.
+    connect(m_view->model(), &QAbstractItemModel::modelReset, m_view->horizontalHeader(),
+            [this] { m_view->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder); });
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_facts);
     column->addWidget(m_view, 1);

@@ -14,8 +14,20 @@
 #include "app/panels/follow_theme.h"
 #include "app/panels/source_view.h"
 #include "pipeline/inspect/shadow_blocker.h"
+#include "pipeline/run/frame_data.h"
 
 namespace app {
+
+namespace {
+
+// "kept", or "clipped": nothing else is seen.
+std::string_view verdictOf(const pipeline::Frame& frame, std::size_t polygon) {
+    return readStages(frame, [&](const auto& data) {
+        return name(polygon < data.verdicts().size() ? data.verdicts()[polygon] : pipeline::Verdict::Kept);
+    });
+}
+
+}  // namespace
 
 using pipeline::BufferId;
 using pipeline::PixelReport;
@@ -153,7 +165,8 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
     const QString vertices = QString("%1, %2, %3").arg(r.vertices[0]).arg(r.vertices[1]).arg(r.vertices[2]);
     m_polygon = std::size_t(r.polygon), m_object = place.object;
     m_rows[3].label->setText(tr("Polygon"));
-    m_rows[3].value->setText(tr("%1; kept").arg(digits(QString::number(r.polygon))));
+    m_rows[3].value->setText(
+        tr("%1; %2").arg(digits(QString::number(r.polygon)), toQString(verdictOf(frame, std::size_t(r.polygon)))));
     QStringList links;
     for (const int vertex : r.vertices)
         links << QString("<a href=\"vertex:%1\">%2</a>").arg(vertex).arg(digits(QString::number(vertex)));

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/core/numbers.h"
+#include "pipeline/core/text.h"
 
 namespace app {
 
@@ -14,10 +15,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr int kMeridians = 12, kAround = 36, kSteps = 28;
 
-// "8", "12.5"
-std::string exponentText(double exponent) {
-    return number(exponent, exponent == std::round(exponent) ? 0 : 1).toStdString();
-}
+// "8", "12.25": as it was typed.
+std::string exponentText(double exponent) { return pipeline::shortestText(exponent); }
 
 }  // namespace
 

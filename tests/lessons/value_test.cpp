@@ -46,6 +46,7 @@ TEST(NumberIn, TakesWhatPeopleType) {
                        "4"),
               -4.0);
     EXPECT_EQ(numberIn("+4"), 4.0);
+    EXPECT_EQ(numberIn(toText({{-1991.5}, {}})), -1991.5) << "and what the program writes, with its groups of digits";
 }
 
 TEST(NumberIn, RefusesWhatIsNoFiniteNumber) {
