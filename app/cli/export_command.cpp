@@ -166,7 +166,7 @@ int runExport(ExportOptions options, const CliHost& host) {
     std::optional<pipeline::Place> at;
     std::optional<pipeline::StageId> until = pipeline::findStage(options.frame.until);
     if (!options.at.empty()) {
-        const auto place = pipeline::parsePlace(options.at);
+        const auto place = pipeline::parsePlace(options.at, *scene);
         if (!place) {
             printErrors(place.errors());
             return kWrongUsage;

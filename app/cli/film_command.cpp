@@ -24,8 +24,9 @@ struct FilmOptions {
 };
 
 // A place from the command line, or nothing after the reason went to standard error.
-std::optional<pipeline::Place> placeNamed(const std::string& option, const std::string& text) {
-    const auto place = pipeline::parsePlace(text);
+std::optional<pipeline::Place> placeNamed(const std::string& option, const std::string& text,
+                                          const pipeline::Scene& scene) {
+    const auto place = pipeline::parsePlace(text, scene);
     if (place) return *place;
     tell("shadescope film: {}: {}\n", option, format(place.errors()));
     return std::nullopt;
@@ -55,7 +56,7 @@ int runFilm(const FilmOptions& options) {
     from.what = pipeline::Place::What::Start;
     for (auto [text, place, option] : {std::tuple{&options.from, &from, "--from"}, {&options.to, &to, "--to"}}) {
         if (text->empty()) continue;
-        const auto named = placeNamed(option, *text);
+        const auto named = placeNamed(option, *text, *scene);
         if (!named) return kWrongUsage;
         *place = *named;
     }

@@ -130,4 +130,31 @@ Result<Place> parsePlace(std::string_view text) {
     return place;
 }
 
+Result<Place> parsePlace(std::string_view text, const Scene& scene) {
+    const Result<Place> place = parsePlace(text);
+    if (!place) return place;
+    std::int64_t vertices = 0, polygons = 0;
+    for (const Object& object : scene.objects)
+        vertices += std::int64_t(object.mesh->positions.size()), polygons += std::int64_t(object.mesh->polygonCount());
+    std::optional<Error> wrong;
+    const auto need = [&](std::string_view what, std::int64_t number, std::int64_t count) {
+        if (number >= count && !wrong)
+            wrong = Error{{},
+                          fmt::format("found {}, and the scene has {} {}", inQuotes(text), count, what),
+                          count == 0 ? "another place" : fmt::format("a number from 0 to {}", count - 1)};
+    };
+    if (place->stage == StageId::ShadowBuffer) need("lights", place->light, std::int64_t(scene.lights.size()));
+    if (place->what == Place::What::Object) need("objects", place->number, std::int64_t(scene.objects.size()));
+    if (place->what == Place::What::Element) {
+        const ElementKind kind = place->kind;
+        if (kind == ElementKind::Vertex || kind == ElementKind::VertexTerms) need("vertices", place->number, vertices);
+        if (kind == ElementKind::Polygon || kind == ElementKind::PolygonTerms)
+            need("polygons", place->number, polygons);
+    }
+    if (place->row) need("rows of pixels", *place->row, scene.settings.height);
+    if (place->x) need("columns of pixels", *place->x, scene.settings.width);
+    if (wrong) return *wrong;
+    return place;
+}
+
 }  // namespace pipeline

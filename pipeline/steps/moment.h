@@ -7,6 +7,7 @@
 
 #include "pipeline/core/result.h"
 #include "pipeline/plan/stage.h"
+#include "pipeline/scene/scene.h"
 
 namespace pipeline {
 
@@ -59,5 +60,8 @@ struct Place {
 std::string text(const Place& place);
 // Errors say what was found and what is known.
 Result<Place> parsePlace(std::string_view text);
+// The same, where the scene must have the light, the object, the polygon, the vertex or the pixel that is named: for
+// what somebody types. Pieces are known when the painter has ordered them.
+Result<Place> parsePlace(std::string_view text, const Scene& scene);
 
 }  // namespace pipeline

@@ -41,6 +41,15 @@ TEST(ExportAt, RefusesAPlaceThatIsNone) {
         EXPECT_EQ(done.status, 2) << place;
         EXPECT_NE(done.err.find("expected"), std::string::npos) << done.err;
     }
+    // Five polygons, five vertices, one object, one light, 480 rows.
+    for (const char* place :
+         {"cull/polygon=5", "transform/vertex=5", "z-buffer/object=1", "shadow-buffer/light=1/polygon=0",
+          "z-buffer/polygon=2/row=480", "z-buffer/polygon=2/row=9/x=640"}) {
+        const auto done = run({"export", "pyramid", "-o", folder / "out", "--at", place});
+        EXPECT_EQ(done.status, 2) << place;
+        EXPECT_NE(done.err.find("and the scene has "), std::string::npos) << done.err;
+    }
+    EXPECT_EQ(run({"film", "pyramid", "-o", folder / "f.gif", "--from", "z-buffer/polygon=98"}).status, 2);
     EXPECT_EQ(run({"export", "pyramid", "-o", folder / "out", "--at", "cull", "--until", "cull"}).status, 2);
     EXPECT_EQ(run({"export", "pyramid", "-o", folder / "out", "--at", "cull", "--buffers", "color"}).status, 2);
     EXPECT_FALSE(fs::exists(folder / "out"));
