@@ -184,6 +184,7 @@ int runInspect(InspectOptions options) {
     if (!frame) return cancelled();
     const pipeline::PixelReport report = inspectPixel(*frame, *pixel);
     if (format != pipeline::kEquationFormats.begin()) {  // text is all that is known
+        if (!report.covered) tell("pixel {}, {} shows the background: it has no equation\n", pixel->x, pixel->y);
         for (int channel = 0; channel < 3; ++channel)
             fmt::print("{}", equationText(equation(frame->scene(), report, channel),
                                           pipeline::EquationFormat(format - pipeline::kEquationFormats.begin())));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <charconv>
+#include <vector>
 
 #include "pipeline/core/text.h"
 #include "pipeline/run/frame_data.h"
@@ -133,6 +134,7 @@ std::string describe(const TermMix& mix) {
 
 Result<TermMix> parseMix(std::string_view text, std::size_t lights) {
     TermMix mix = plainMix(lights);
+    std::vector<std::string_view> gained;
     while (!text.empty()) {
         const std::string_view word = text.substr(0, text.find(','));
         text.remove_prefix(std::min(text.size(), word.size() + 1));
@@ -154,6 +156,9 @@ Result<TermMix> parseMix(std::string_view text, std::size_t lights) {
             return Error{{},
                          fmt::format("found {}", inQuotes(word)),
                          fmt::format("{}=GAIN, from 0 to 4, =solo or =muted", key(*strip))};
+        if (std::ranges::find(gained, name) != gained.end())
+            return Error{{}, fmt::format("the gain of {} is given twice", name), "each once"};
+        gained.push_back(name);
         strip->gain = gain;
     }
     return mix;

@@ -53,6 +53,10 @@ TEST(Inspect, WritesTheEquationForAPage) {
     const auto latex = run({"inspect", "pyramid", "--pixel", "268,281", "--format", "latex"});
     EXPECT_EQ(latex.status, 0) << latex.err;
     EXPECT_TRUE(latex.out.starts_with("% \\usepackage")) << latex.out;
+    const auto background = run({"inspect", "pyramid", "--pixel", "0,0", "--format", "latex"});
+    EXPECT_EQ(background.status, 0);
+    EXPECT_EQ(background.out, "");
+    EXPECT_EQ(background.err, "pixel 0, 0 shows the background: it has no equation\n");
     EXPECT_TRUE(has(latex.out, "I_{\\text{g}} &= "));
     const auto markdown = run({"inspect", "pyramid", "--pixel", "268,281", "--format", "markdown"});
     EXPECT_TRUE(markdown.out.starts_with("$$\n")) << markdown.out;

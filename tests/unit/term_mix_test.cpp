@@ -79,6 +79,9 @@ TEST(TermMix, IsWrittenAsItIsRead) {
     EXPECT_EQ(mixText(plainMix(2)), "");
     for (const char* text : {"ambient=solo", "diffuse.0=2,specular.0=muted", "emission=0.25,emission=solo,ambient=0"})
         EXPECT_EQ(mixText(*parseMix(text, 1)), text);
+    const auto twice = parseMix("ambient=0,diffuse.0=2,ambient=1", 1);
+    ASSERT_FALSE(twice);
+    EXPECT_EQ(twice.errors().front().found, "the gain of ambient is given twice");
     EXPECT_TRUE((*parseMix("ambient=solo", 1))[1].solo);
     EXPECT_EQ(mixed(*frameFor(test::pyramid()), *parseMix("ambient=solo", 1)).color.name, BufferName{BufferId::Mix});
 }
