@@ -10,7 +10,6 @@
 #include "pipeline/export/staging.h"
 #include "pipeline/inspect/formula_parts.h"
 #include "pipeline/inspect/pixel_report.h"
-#include "pipeline/run/runner.h"
 
 namespace lessons {
 
@@ -106,10 +105,7 @@ public:
 
 private:
     std::string html(const Prose& prose, const pipeline::Frame& frame) {
-        auto text = filled(prose, frame);
-        if (text) return proseHtml(*text);
-        m_errors.insert(m_errors.end(), text.errors().begin(), text.errors().end());
-        return {};
+        return proseHtml(filled(prose, frame, m_errors));
     }
 
     void ask(const Page& page, std::size_t number, const pipeline::Frame& frame) {
@@ -140,16 +136,11 @@ private:
 pipeline::Result<Handout> makeHandout(const Lesson& lesson, const std::stop_token& stop,
                                       const HandoutProgress& progress) {
     Writer writer(lesson);
-    pipeline::FramePtr frame;
-    for (std::size_t number = 0; number < lesson.pages.size(); ++number) {
+    const bool all = runPages(lesson, stop, [&](const Page& page, std::size_t number, const pipeline::Frame& frame) {
         if (progress) progress(number);
-        const Page& page = lesson.pages[number];
-        pipeline::FrameRequest request = requestFor(page);
-        request.stop = stop;
-        frame = runFrame(std::make_shared<const pipeline::Scene>(page.state.scene), request, frame);
-        if (frame) writer.add(page, number, *frame, stop);
-        if (stop.stop_requested()) return pipeline::Error{{}, "stopped", {}};
-    }
+        writer.add(page, number, frame, stop);
+    });
+    if (!all) return pipeline::Error{{}, "stopped", {}};
     return writer.finish();
 }
 

@@ -15,7 +15,7 @@ struct Handout {
     std::string answers;  // for who teaches: each question with its answer
 };
 
-// number: of the page that comes next, from 0.
+// number: of the page whose frame is there, from 0.
 using HandoutProgress = std::function<void(std::size_t number)>;
 
 // Runs the frame of every page. Errors: what cannot be filled in, FILE:LINE:COLUMN; "stopped".

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "pipeline/run/runner.h"
+
 namespace lessons {
 
 pipeline::FrameRequest requestFor(const Page& page) {
@@ -16,6 +18,19 @@ pipeline::FrameRequest requestFor(const Page& page) {
             request.wanted |= buffersOf(*prose);
     }
     return request;
+}
+
+bool runPages(const Lesson& lesson, const std::stop_token& stop, const PageVisit& visit) {
+    pipeline::FramePtr frame;  // what the next page has in common with it need not run again
+    for (std::size_t number = 0; number < lesson.pages.size(); ++number) {
+        const Page& page = lesson.pages[number];
+        pipeline::FrameRequest request = requestFor(page);
+        request.stop = stop;
+        frame = runFrame(std::make_shared<const pipeline::Scene>(page.state.scene), request, frame);
+        if (frame) visit(page, number, *frame);
+        if (stop.stop_requested()) return false;
+    }
+    return true;
 }
 
 pipeline::Result<double> answerOf(const Page& page, const pipeline::Frame& frame) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,6 +82,10 @@ pipeline::Result<Lesson> parseLesson(std::string_view text, const std::string& f
 
 // A frame of the page's scene asked for with this has everything the page shows and speaks of.
 pipeline::FrameRequest requestFor(const Page& page);
+
+// visit(page, number, frame) for every page with that frame; false where it was stopped before all were visited.
+using PageVisit = std::function<void(const Page& page, std::size_t number, const pipeline::Frame& frame)>;
+bool runPages(const Lesson& lesson, const std::stop_token& stop, const PageVisit& visit);
 
 // The answer to the page's question, from a frame of requestFor(page). The page must have a question.
 pipeline::Result<double> answerOf(const Page& page, const pipeline::Frame& frame);

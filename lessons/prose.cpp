@@ -79,6 +79,13 @@ pipeline::Result<std::string> filled(const Prose& prose, const pipeline::Frame& 
     return text;
 }
 
+std::string filled(const Prose& prose, const pipeline::Frame& frame, pipeline::Errors& errors) {
+    auto text = filled(prose, frame);
+    if (text) return std::move(text).value();
+    errors.insert(errors.end(), text.errors().begin(), text.errors().end());
+    return {};
+}
+
 std::string withGaps(const Prose& prose) {
     std::string text = prose.pieces.empty() ? std::string() : prose.pieces.front();
     for (std::size_t i = 0; i < prose.holes.size(); ++i) text += "…" + prose.pieces[i + 1];

@@ -31,6 +31,8 @@ pipeline::Result<Prose> parseProse(std::span<const Line> lines, const pipeline::
 
 // Errors name the hole that the frame cannot fill.
 pipeline::Result<std::string> filled(const Prose& prose, const pipeline::Frame& frame);
+// The same for who fills in several: errors are added, and the text is empty then.
+std::string filled(const Prose& prose, const pipeline::Frame& frame, pipeline::Errors& errors);
 // With an ellipsis in each hole: for the moment before the frame is there.
 std::string withGaps(const Prose& prose);
 

@@ -10,7 +10,6 @@
 #include "lessons/handout.h"
 #include "lessons/library.h"
 #include "pipeline/export/json.h"
-#include "pipeline/run/runner.h"
 
 namespace app {
 
@@ -41,32 +40,35 @@ int listLessons(bool json) {
 }
 
 // A page with its numbers filled in.
-pipeline::Result<Json> pageJson(const lessons::Page& page, const pipeline::Frame& frame) {
-    pipeline::Errors errors;
-    const auto take = [&](const lessons::Prose& prose) {
-        auto text = filled(prose, frame);
-        if (text) return std::move(text).value();
-        errors.insert(errors.end(), text.errors().begin(), text.errors().end());
-        return std::string();
-    };
-    Json json{{"heading", page.heading},  {"stage", pipeline::stageInfo(page.state.stage).name},
-              {"buffers", Json::array()}, {"pixel", nullptr},
-              {"text", take(page.text)},  {"question", nullptr}};
+Json pageJson(const lessons::Page& page, const pipeline::Frame& frame, pipeline::Errors& errors) {
+    Json json{{"heading", page.heading},
+              {"stage", pipeline::stageInfo(page.state.stage).name},
+              {"buffers", Json::array()},
+              {"pixel", nullptr},
+              {"text", filled(page.text, frame, errors)},
+              {"question", nullptr}};
     for (const pipeline::BufferName& buffer : page.state.buffers) json["buffers"].push_back(buffer.text());
     if (const auto pixel = page.state.pixel) json["pixel"] = {pixel->x, pixel->y};
     if (const auto& question = page.question) {
         const auto answer = answerOf(page, frame);
-        if (!answer) return answer.errors();
-        json["question"] = {{"text", take(question->text)},
-                            {"answer", *answer},
+        if (!answer) errors.insert(errors.end(), answer.errors().begin(), answer.errors().end());
+        json["question"] = {{"text", filled(question->text, frame, errors)},
+                            {"answer", answer ? Json(*answer) : Json()},
                             {"tolerance", question->tolerance},
-                            {"hint", take(question->hint)}};
+                            {"hint", filled(question->hint, frame, errors)}};
     }
-    if (!errors.empty()) return errors;
     return json;
 }
 
-// The pages: headings, texts, questions.
+// As Markdown: headings, texts, questions.
+void printPages(const lessons::Lesson& lesson, const Json& pages) {
+    fmt::print("# {}\n\n{}\n", lesson.title, lesson.summary);
+    for (const Json& page : pages) {
+        fmt::print("\n## {}\n\n{}\n", page["heading"].get<std::string>(), page["text"].get<std::string>());
+        if (!page["question"].is_null()) fmt::print("\n{}\n", page["question"]["text"].get<std::string>());
+    }
+}
+
 int showLesson(const std::string& name, bool asJson) {
     const Interrupt interrupt;
     const auto lesson = lessons::findLesson(name);
@@ -75,32 +77,27 @@ int showLesson(const std::string& name, bool asJson) {
         return kBadInput;
     }
     Json pages = Json::array();
-    pipeline::FramePtr frame;
-    for (const lessons::Page& page : lesson->pages) {
-        pipeline::FrameRequest request = requestFor(page);
-        request.stop = interrupt.token();
-        frame = runFrame(std::make_shared<const pipeline::Scene>(page.state.scene), request, frame);
-        if (!frame) return kInterrupted;
-        auto json = pageJson(page, *frame);
-        if (!json) {
-            printErrors(json.errors());
-            return kBadInput;
-        }
-        pages.push_back(std::move(json).value());
+    pipeline::Errors errors;
+    const bool all =
+        runPages(*lesson, interrupt.token(), [&](const lessons::Page& page, std::size_t, const pipeline::Frame& frame) {
+            pages.push_back(pageJson(page, frame, errors));
+        });
+    if (!all) {
+        tell("Cancelled.\n");
+        return kInterrupted;
     }
-    if (asJson) {
+    if (!errors.empty()) {
+        printErrors(errors);
+        return kBadInput;
+    }
+    if (!asJson)
+        printPages(*lesson, pages);
+    else
         printJson({{"name", lesson->name},
                    {"title", lesson->title},
                    {"lecture", lesson->lecture},
                    {"summary", lesson->summary},
                    {"pages", pages}});
-        return kDone;
-    }
-    fmt::print("# {}\n\n{}\n", lesson->title, lesson->summary);
-    for (const Json& page : pages) {
-        fmt::print("\n## {}\n\n{}\n", page["heading"].get<std::string>(), page["text"].get<std::string>());
-        if (!page["question"].is_null()) fmt::print("\n{}\n", page["question"]["text"].get<std::string>());
-    }
     return kDone;
 }
 

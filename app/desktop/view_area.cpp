@@ -110,9 +110,8 @@ void ViewArea::fill(WindowState& state) const {
     state.linked = m_linked;
     state.views.clear();
     state.spaces.clear();
-    for (const ViewLeaf leaf : leavesOf(m_tree)) {
+    for (const ViewLeaf leaf : leavesOf(m_tree))
         if (leaf.kind == ViewLeaf::Kind::Space) state.spaces.push_back(m_spaces.at(leaf.number)->state());
-    }
     for (const BufferView* view : shownBuffers()) state.views.push_back(view->state());
     if (state.spaces.empty()) state.spaces.push_back(view3d().state());
 }

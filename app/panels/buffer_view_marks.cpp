@@ -58,16 +58,14 @@ void BufferView::showRegion() {
     std::optional<QRect> rectangle;
     if (m_regionShown && isPixels) {
         const glm::ivec2 first = m_regionShown->first(), last = m_regionShown->last();
-        rectangle =
+        const QRect inPicture =
             QRect(QPoint(first.x, first.y), QPoint(last.x, last.y)) & QRect(QPoint(0, 0), m_shown->content.size);
+        if (!inPicture.isEmpty()) rectangle = inPicture;  // which may have become smaller
     }
     m_canvas->setRegion(rectangle);
-    // What of it lies in the picture, which may have become smaller.
-    const auto inPicture =
-        rectangle && !rectangle->isEmpty()
-            ? std::optional(Region{{rectangle->left(), rectangle->top()}, {rectangle->right(), rectangle->bottom()}})
-            : std::nullopt;
-    if (m_shown) m_region->show(m_shown->buffer, inPicture, m_shown->look.channel);
+    std::optional<Region> region;
+    if (rectangle) region = {{rectangle->left(), rectangle->top()}, {rectangle->right(), rectangle->bottom()}};
+    if (m_shown) m_region->show(m_shown->buffer, region, m_shown->look.channel);
     placeOverlays();
 }
 

@@ -32,9 +32,7 @@ Result<Scene> readNamedScene(const std::string& name, const fs::path& folder, co
     const fs::path file = sceneFile(name, folder);
     std::error_code ignored;
     // A path says best itself why it cannot be read.
-    const bool isBuiltIn = file != folder / name;
-    if (isBuiltIn || fs::exists(file, ignored) || name.find_first_of("./") != name.npos)
-        return pipeline::readScene(file, progress);
+    if (fs::exists(file, ignored) || name.find_first_of("./") != name.npos) return pipeline::readScene(file, progress);
     std::vector<std::string> names;
     for (const BuiltInScene& scene : pipeline::builtInScenes()) names.push_back(scene.name);
     return Error{

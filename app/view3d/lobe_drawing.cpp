@@ -15,9 +15,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr int kMeridians = 12, kAround = 36, kSteps = 28;
 
-// "8", "12.25": as it was typed.
-std::string exponentText(double exponent) { return pipeline::shortestText(exponent); }
-
 }  // namespace
 
 std::vector<glm::dvec2> lobeProfile(double exponent, int steps) {
@@ -61,7 +58,7 @@ void addLobe(const SpecularLobe& lobe, double length, Drawing& drawing) {
     drawing.labels.push_back({.kind = Label::Kind::Plane,
                               .at = cut,
                               .foot = cut - lobe.axis,
-                              .text = name + std::string("^") + exponentText(lobe.exponent) + " = " + power,
+                              .text = name + std::string("^") + pipeline::shortestText(lobe.exponent) + " = " + power,
                               .distance = {},
                               .ink = Ink::Text});
 }

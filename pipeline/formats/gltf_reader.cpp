@@ -182,7 +182,7 @@ private:
         if (mesh.polygonCount() == 0) return;
         if (m_objects.size() == kMaxObjects)
             return primitive.fail(fmt::format("more than {} objects", groupedDigits(kMaxObjects)));
-        mesh.file = meshFileOf({.text = {}, .name = m_file.name, .called = m_file.called});
+        mesh.file = m_file.meshFile;
         Object& object = m_objects.emplace_back();
         object.mesh = makeMesh(std::move(mesh));
         const GltfValue materialIndex = primitive["material"];

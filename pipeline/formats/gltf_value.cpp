@@ -9,6 +9,7 @@
 #include "pipeline/formats/bytes.h"
 #include "pipeline/formats/json_error.h"
 #include "pipeline/formats/lecture_values.h"
+#include "pipeline/formats/model_formats.h"
 
 namespace pipeline {
 namespace {
@@ -109,7 +110,7 @@ Result<GltfFile> parseGltf(const SourceText& source) {
         chunks = *found;
     }
     if (const auto error = checkNesting(source, chunks.json)) return *error;
-    GltfFile file{source.name, source.called, Json::parse(chunks.json, nullptr, false), chunks.binary};
+    GltfFile file{source.name, meshFileOf(source), Json::parse(chunks.json, nullptr, false), chunks.binary};
     if (file.json.is_discarded()) {
         const std::size_t byte = jsonErrorAt(chunks.json);
         const bool atEnd = byte == chunks.json.size();

@@ -16,7 +16,7 @@ namespace pipeline {
 
 // A glTF file whose JSON has been parsed; nothing of what it says has been checked.
 struct GltfFile {
-    std::string name, called;                  // as in SourceText
+    std::string name, meshFile;                // Mesh::file of its meshes
     nlohmann::json json;                       // an object
     std::optional<std::string_view> binary{};  // the BIN chunk of a .glb, bytes of the source
     Errors errors{};                           // at most kMaxErrors

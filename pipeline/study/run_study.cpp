@@ -66,14 +66,12 @@ Scene referenceKey(Scene scene, RaySurfaces surfaces) {
     return scene;
 }
 
-}  // namespace
-
-namespace {
-
-// FNV-1a over words. G. Fowler, L. C. Noll, P. Vo, 1991.
+// FNV-1a. G. Fowler, L. C. Noll, P. Vo, 1991. Byte by byte: of whole words the signs of two numbers would cancel.
 class Mark {
 public:
-    void add(std::uint64_t word) { m_value = (m_value ^ word) * 0x100000001b3u; }
+    void add(std::uint64_t word) {
+        for (int i = 0; i < 8; ++i, word >>= 8) m_value = (m_value ^ (word & 0xff)) * 0x100000001b3u;
+    }
     void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
     void add(Vec3d v) { add(v.x), add(v.y), add(v.z); }
     std::string text() const { return fmt::format("{:016x}", m_value); }

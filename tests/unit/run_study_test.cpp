@@ -165,7 +165,11 @@ TEST(RunStudy, partsOfScenesWithOtherMeshesAreRefused) {
     moved.objects[0].mesh = std::make_shared<const Mesh>(mesh);
     turned.objects[0].transform.turns.push_back({10, {0, 0, 1}});
     painted.objects[0].backMaterial = Material{};
-    for (const Scene& other : {moved, turned, painted}) {
+    Scene mirrored = small();
+    for (Vec3d& p : mesh.positions) p.x = -p.x;
+    mesh.positions[0].z -= 1e-9;
+    mirrored.objects[0].mesh = std::make_shared<const Mesh>(mesh);
+    for (const Scene& other : {moved, turned, painted, mirrored}) {
         const auto merged = mergeStudies({part, partOf(other)});
         ASSERT_FALSE(merged);
         EXPECT_NE(merged.errors().front().found.find("have other meshes or turns"), std::string::npos);
