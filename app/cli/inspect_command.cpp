@@ -114,7 +114,7 @@ int printRow(const std::shared_ptr<const pipeline::Scene>& scene, const InspectO
             {{{}, fmt::format("--row is {}", row), fmt::format("a row from 0 to {}", scene->settings.height - 1)}});
         return kWrongUsage;
     }
-    const pipeline::FramePtr frame = frameOf(scene, options, pipeline::setOf({pipeline::BufferId::Intensity}));
+    const pipeline::FramePtr frame = frameOf(scene, options, pipeline::sectionBuffers());
     if (!frame) return cancelled();
     const auto section = shadedSection(frame, row, options.threads, options.stop);
     if (!section) return cancelled();

@@ -69,9 +69,12 @@ ScanlinePanel::ScanlinePanel(Document& document, QWidget* parent)
             setRow(m_row + by);
     });
     connect(&document, &Document::frameReady, this, &ScanlinePanel::compute);
-    connect(&document, &Document::sceneOpened, this, [this] { setRow(m_document.scene().settings.height / 2); });
+    connect(&document, &Document::sceneOpened, this, [this] {
+        m_isRowChosen = false;
+        goTo(m_document.scene().settings.height / 2);
+    });
     // Of another height it has other rows.
-    connect(&document, &Document::sceneChanged, this, [this] { setRow(m_row); });
+    connect(&document, &Document::sceneChanged, this, [this] { goTo(m_row); });
     connect(&document, &Document::pixelChanged, this, [this] {
         if (m_document.pixel()) setRow(m_document.pixel()->y);
         showMarks();
@@ -82,6 +85,11 @@ ScanlinePanel::ScanlinePanel(Document& document, QWidget* parent)
 }
 
 void ScanlinePanel::setRow(int row) {
+    m_isRowChosen = true;
+    goTo(row);
+}
+
+void ScanlinePanel::goTo(int row) {
     if (m_document.hasScene()) {
         const int last = m_document.scene().settings.height - 1;
         row = std::clamp(row, 0, last);
@@ -105,23 +113,23 @@ void ScanlinePanel::hideEvent(QHideEvent*) {
     want();
 }
 
-void ScanlinePanel::want() {
-    m_document.want(this, isVisible() ? pipeline::setOf({pipeline::BufferId::Intensity}) : pipeline::BufferSet());
-}
+void ScanlinePanel::want() { m_document.want(this, isVisible() ? pipeline::sectionBuffers() : pipeline::BufferSet()); }
 
 void ScanlinePanel::compute() {
     const pipeline::FramePtr frame = m_document.frame();
     if (!isVisible() || !frame || m_row >= frame->scene().settings.height) return;
     m_job.ask(
-        [frame, row = m_row](const BackgroundJob::Control& control) {
+        [frame, chosen = m_isRowChosen ? std::optional(m_row) : std::nullopt](const BackgroundJob::Control& control) {
+            const int row = chosen ? *chosen : middleDrawnRow(*frame);
             auto section = shadedSection(frame, row, 0, control.stop);
             return section ? std::make_shared<const pipeline::ScanlineSection>(*std::move(section)) : nullptr;
         },
         [this](const std::shared_ptr<const pipeline::ScanlineSection>& section) {
             if (!section) return;
             m_section = section;
+            if (!m_isRowChosen) setRow(section->row);
             m_plot->setSection(section, m_document.channel());
-            m_plot->setSentence(tr("No polygon covers a pixel of row %1.").arg(section->row));
+            m_plot->setSentence(tr("Nothing is drawn in row %1.").arg(section->row));
             m_said->setText(section->empty()
                                 ? QString()
                                 : tr("bold: seen, dashed: hidden; flat, Gouraud and Phong at the same points"));

@@ -33,6 +33,7 @@ protected:
 
 private:
     void want();
+    void goTo(int row);
     void compute();
     void showMarks();
     void save(const QString& title, const QString& ending, const QString& text);
@@ -43,6 +44,7 @@ private:
     QToolButton *m_csv, *m_svg;
     ScanlinePlotView* m_plot;
     int m_row = 0;
+    bool m_isRowChosen = false;  // else it becomes one in which something is drawn
     std::shared_ptr<const pipeline::ScanlineSection> m_section;
     BackgroundJob m_job;
 };

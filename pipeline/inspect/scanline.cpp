@@ -57,11 +57,12 @@ void addRuns(const FrameData<Real>& data, const std::stop_token& stop, ScanlineS
 
 std::vector<Vec3d> intensitiesOf(const Frame& frame, int row) {
     const auto intensity = frame.buffer({BufferId::Intensity});
-    const auto polygons = frame.buffer({BufferId::PolygonId});
+    const auto polygons = frame.buffer({BufferId::PolygonId}), layers = frame.buffer({BufferId::Layers});
     if (!intensity || !polygons) return {};
     std::vector<Vec3d> values(polygons->columns(), Vec3d(std::numeric_limits<double>::quiet_NaN()));
     for (std::size_t x = 0; x < values.size(); ++x) {
-        if (polygons->value(x, std::size_t(row)) < 0) continue;
+        const bool hasLayers = layers && layers->value(x, std::size_t(row)) > 0;
+        if (polygons->value(x, std::size_t(row)) < 0 && !hasLayers) continue;
         for (int c = 0; c < 3; ++c) values[x][c] = intensity->value(x, std::size_t(row), c);
     }
     return values;
@@ -106,14 +107,27 @@ std::optional<int> ScanlineSection::winnerAt(int x) const {
     return std::nullopt;
 }
 
+bool ScanlineSection::isShadedAt(int x) const {
+    return std::ranges::any_of(intensity, [x](const std::vector<Vec3d>& values) {
+        return std::size_t(x) < values.size() && std::isfinite(values[std::size_t(x)].x);
+    });
+}
+
 std::pair<int, int> ScanlineSection::extent() const {
-    if (runs.empty()) return {0, width - 1};
-    int first = width, last = 0;
-    for (const ScanlineRun& run : runs) {
-        first = std::min(first, run.samples.front().x);
-        last = std::max(last, run.samples.back().x);
-    }
+    int first = width, last = -1;
+    const auto reach = [&](int x) { first = std::min(first, x), last = std::max(last, x); };
+    for (const ScanlineRun& run : runs) reach(run.samples.front().x), reach(run.samples.back().x);
+    for (int x = 0; x < width; ++x)
+        if (isShadedAt(x)) reach(x);
+    if (last < 0) return {0, width - 1};
     return {first, last};
+}
+
+bool ScanlineSection::empty() const {
+    if (!runs.empty()) return false;
+    for (int x = 0; x < width; ++x)
+        if (isShadedAt(x)) return false;
+    return true;
 }
 
 ScanlineSection scanlineSection(const Frame& frame, int row, const std::stop_token& stop) {
@@ -135,7 +149,7 @@ std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int
         auto scene = std::make_shared<Scene>(frame->scene());
         scene->settings.shading = kShadings[i];
         FrameRequest request;
-        request.wanted = setOf({BufferId::Intensity});
+        request.wanted = sectionBuffers();
         request.threads = threads;
         request.stop = stop;
         const FramePtr other = runFrame(std::move(scene), request, frame);
@@ -143,6 +157,21 @@ std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int
         section.intensity[i] = intensitiesOf(*other, row);
     }
     return section;
+}
+
+int middleDrawnRow(const Frame& frame) {
+    const int height = frame.scene().settings.height;
+    const auto polygons = frame.buffer({BufferId::PolygonId});
+    const auto isDrawn = [&](int row) {
+        for (std::size_t x = 0; x < polygons->columns(); ++x)
+            if (polygons->value(x, std::size_t(row)) >= 0) return true;
+        return false;
+    };
+    int first = 0, last = height - 1;
+    if (!polygons) return height / 2;
+    while (first < height && !isDrawn(first)) ++first;
+    while (last > first && !isDrawn(last)) --last;
+    return first < height ? first + (last - first) / 2 : height / 2;
 }
 
 std::string sectionCsv(const ScanlineSection& section) {

@@ -34,20 +34,28 @@ struct ScanlineSection {
     bool nearIsLarger = false;      // of a reversed format
     std::vector<ScanlineRun> runs;  // in the order of drawing
     // Per shading method of kSectionShadings and x the intensity before it is scaled by I_max, r g b; NaN where
-    // nothing is drawn. Empty until they are computed.
+    // nothing is drawn, no translucent layer either. Empty until they are computed.
     std::array<std::vector<Vec3d>, 3> intensity;
     double iMax = 0;  // of the frame's own shading
 
-    bool empty() const { return runs.empty(); }
+    bool empty() const;
     std::optional<int> winnerAt(int x) const;  // the polygon that the pixel shows
-    std::pair<int, int> extent() const;        // first and last x of a fragment; {0, width − 1} where there is none
+    bool isShadedAt(int x) const;              // an opaque polygon or translucent layers
+    std::pair<int, int> extent() const;        // first and last x of what is drawn; {0, width − 1} where nothing is
 };
+
+// What the frame of a section holds.
+inline BufferSet sectionBuffers() { return setOf({BufferId::Intensity, BufferId::Layers}); }
 
 // row: within the picture. The frame's z-buffer stage has run. What is stopped has fewer runs.
 ScanlineSection scanlineSection(const Frame& frame, int row, const std::stop_token& stop = {});
 // With the intensities of all three shading methods: two more frames, which reuse what they can of this one. Nothing
 // when stopped.
 std::optional<ScanlineSection> shadedSection(const FramePtr& frame, int row, int threads, std::stop_token stop = {});
+
+// The row half way between the first and the last in which an opaque polygon is seen; the middle one where none is. The
+// frame's z-buffer stage has run.
+int middleDrawnRow(const Frame& frame);
 
 // A line per x: the polygon seen, the depth of each polygon of the row (empty where it has no fragment), and the
 // intensity of each method in r, g, b. RFC 4180, exact numbers.

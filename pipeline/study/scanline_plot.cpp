@@ -17,6 +17,7 @@ using Anchor = PlotText::Anchor;
 constexpr PlotInk kGrid{PlotRole::Grid, 0}, kWords{PlotRole::Secondary, 0}, kText{PlotRole::Text, 0};
 constexpr std::array<const char*, 3> kShadings{"flat", "Gouraud", "Phong"}, kChannels{"red", "green", "blue"};
 constexpr double kLow = 16, kWide = 36;  // sizes of a label's text
+constexpr double kBold = 1.1;            // how much wider bold letters are
 constexpr std::array kDashes{PlotDash::LongDash, PlotDash::Dashed, PlotDash::Solid};
 
 // A linear axis from top to bottom.
@@ -38,11 +39,13 @@ struct Layout {
         drawing.lines.push_back({std::move(points), ink, width, dash});
     }
     void text(Vec2<double> at, Anchor anchor, std::string words, PlotInk ink, bool bold = false, bool upwards = false) {
-        drawing.texts.push_back({at, anchor, std::move(words), 0.9 * u, bold, upwards, ink});
+        if (!words.empty()) drawing.texts.push_back({at, anchor, std::move(words), 0.9 * u, bold, upwards, ink});
     }
 };
 
 PlotInk inkOf(int polygon) { return {PlotRole::Series, std::size_t(polygon) % kPlotColors}; }
+PlotInk inkOfShading(std::size_t i) { return {PlotRole::Series, i == 0 ? 3u : i == 1 ? 0u : 4u}; }
+double widthOfShading(std::size_t i) { return i == 2 ? 2.4 : 1.8; }
 
 bool hasIntensity(const ScanlineSection& section) {
     return std::ranges::any_of(section.intensity, [](const auto& values) { return !values.empty(); });
@@ -89,7 +92,7 @@ void placeAxes(Layout& l, const PlotSize& size) {
 std::string depthAt(const Layout& l, int pixel, bool named = true) {
     std::string words = fmt::format("x {}", pixel);
     const auto winner = l.section().winnerAt(pixel);
-    if (!winner) return words + ":  nothing drawn";
+    if (!winner) return words + (l.section().isShadedAt(pixel) ? ":  layers alone" : ":  nothing drawn");
     for (const ScanlineRun& run : l.section().runs)
         for (const ScanlineRun::Sample& sample : run.samples)
             if (run.polygon == *winner && sample.x == pixel && sample.stays)
@@ -106,11 +109,51 @@ std::string intensityAt(const Layout& l, std::size_t shading, std::optional<int>
     return fmt::format("{} {:.3f}", kShadings[shading], values[std::size_t(*pixel)][l.plot.channel]);
 }
 
+double widthOf(const Layout& l, const std::string& words) { return textWidth(words, 0.9 * l.u); }
+
+// The first that has room; the last where none has.
+std::string fitting(const Layout& l, double room, const std::vector<std::string>& words) {
+    const auto fits = [&](const std::string& some) { return widthOf(l, some) <= room; };
+    const auto found = std::ranges::find_if(words, fits);
+    return found == words.end() ? words.back() : *found;
+}
+
+// The depth and the intensities at a column of pixels, with as many words as there is room for.
 std::string numbersAt(const Layout& l, int pixel) {
-    std::string words = depthAt(l, pixel);
+    std::string numbers;
     for (std::size_t i = 0; i < kShadings.size(); ++i)
-        if (const std::string number = intensityAt(l, i, pixel); number != kShadings[i]) words += ",  " + number;
-    return words;
+        if (const std::string number = intensityAt(l, i, pixel); number != kShadings[i])
+            numbers += (numbers.empty() ? "" : ",  ") + number;
+    const std::string named = depthAt(l, pixel), unnamed = depthAt(l, pixel, false), place = fmt::format("x {}", pixel);
+    if (numbers.empty()) return fitting(l, l.x.depth.right, {named, unnamed, place});
+    const std::string with = ",  " + numbers;
+    return fitting(l, l.x.depth.right, {named + with, unnamed + with, place + with, numbers, unnamed, place});
+}
+
+// The shading methods above the intensities, each with a sample of its line, in sizes of a label's text.
+struct Legend {
+    double sample, gap;
+    std::array<std::string, kShadings.size()> words;  // empty where a method has no values
+
+    Legend(const Layout& l, std::optional<int> column, bool isNarrow)
+        : sample(isNarrow ? 1.4 : 2.4), gap(isNarrow ? 0.5 : 0.8) {
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (!l.section().intensity[i].empty()) words[i] = intensityAt(l, i, column);
+    }
+    double width(const Layout& l) const {
+        double sum = 0;
+        for (const std::string& word : words)
+            if (!word.empty()) sum += widthOf(l, word) + (0.4 + sample + gap) * l.u;
+        return sum;
+    }
+};
+
+// Above both plots, with the numbers of a column; or right of the axis' name, narrow where that has no room else.
+Legend legendOf(const Layout& l, std::optional<int> column, const std::string& name) {
+    if (l.x.isBeside) return {l, column, true};
+    const Legend wide(l, std::nullopt, false);
+    const double room = l.x.intensity.right - l.x.intensity.left;
+    return widthOf(l, name) * kBold + wide.width(l) <= room ? wide : Legend(l, std::nullopt, true);
 }
 
 // The pixels along a plot's foot.
@@ -135,7 +178,27 @@ void drawRows(Layout& l, const Rows& axis, const ScanlineAxis& x, const std::str
         l.line({{x.left, y}, {x.right, y}}, kGrid, 1);
         l.text({x.left - 0.5 * l.u, y + 0.3 * l.u}, Anchor::End, shortestText(value), kWords);
     }
-    if (!name.empty()) l.text({x.left, axis.top - 0.5 * l.u}, Anchor::Start, name, kText, true);
+    l.text({x.left, axis.top - 0.5 * l.u}, Anchor::Start, name, kText, true);
+}
+
+void drawLegend(Layout& l, const Legend& legend, std::optional<int> column) {
+    double x = l.x.intensity.right;
+    const double y = l.x.isBeside ? l.names - 1.4 * l.u : l.intensity.top - 0.5 * l.u;
+    for (std::size_t i = kShadings.size(); i-- > 0;) {
+        if (legend.words[i].empty()) continue;
+        const PlotInk ink = inkOfShading(i);
+        x -= widthOf(l, legend.words[i]);
+        l.text({x, y}, Anchor::Start, legend.words[i], ink, true);  // beside its sample, whatever the font
+        x -= 0.4 * l.u;
+        const double begin = x - legend.sample * l.u;
+        l.line({{begin, y - 0.3 * l.u}, {x, y - 0.3 * l.u}}, ink, widthOfShading(i), kDashes[i]);
+        x = begin - legend.gap * l.u;
+    }
+    if (!l.x.isBeside || !column) return;
+    // At its left the depth there.
+    const std::string told = fitting(
+        l, x - l.x.depth.left, {depthAt(l, *column), depthAt(l, *column, false), fmt::format("x {}", *column), ""});
+    l.text({l.x.depth.left, y}, Anchor::Start, told, kText);
 }
 
 void drawGrid(Layout& l, std::optional<int> column) {
@@ -148,13 +211,19 @@ void drawGrid(Layout& l, std::optional<int> column) {
     if (!l.x.isBeside && column) {
         const std::string told = numbersAt(l, *column);
         // The numbers stand in the same line, at its right; they come first where both have no room.
-        const double room = l.x.depth.right - l.x.depth.left - textWidth(told, 0.9 * l.u) - l.u;
-        if (textWidth(depthName, 0.9 * l.u) * 1.1 >= room) depthName.clear();
+        const double room = l.x.depth.right - l.x.depth.left - widthOf(l, told) - l.u;
+        if (widthOf(l, depthName) * kBold >= room) depthName.clear();
         l.text({l.x.depth.right, l.names}, Anchor::End, told, kText);
     }
     drawRows(l, l.depth, l.x.depth, depthName);
-    if (both)
-        drawRows(l, l.intensity, l.x.intensity, fmt::format("intensity, {}", kChannels[std::size_t(l.plot.channel)]));
+    if (!both) return;
+    const std::string channel = kChannels[std::size_t(l.plot.channel)];
+    std::string name = "intensity, " + channel;
+    const Legend legend = legendOf(l, column, name);
+    if (!l.x.isBeside)
+        name = fitting(l, (l.x.intensity.right - l.x.intensity.left - legend.width(l)) / kBold, {name, channel, ""});
+    drawRows(l, l.intensity, l.x.intensity, name);
+    drawLegend(l, legend, column);
 }
 
 // A run's parts, bold where the polygon is seen and dashed where it is not; each goes half a pixel beyond its ends.
@@ -206,17 +275,12 @@ void nameRuns(Layout& l) {
     }
 }
 
-void drawIntensities(Layout& l, std::optional<int> column) {
-    // The legend: right of the axis' name, or with the numbers of a column above both plots.
-    double x = l.x.intensity.right;
-    const double y = l.x.isBeside ? l.names - 1.4 * l.u : l.intensity.top - 0.5 * l.u;
+void drawIntensities(Layout& l) {
     for (std::size_t i = kShadings.size(); i-- > 0;) {
         const auto& values = l.section().intensity[i];
-        if (values.empty()) continue;
-        const PlotInk ink{PlotRole::Series, i == 0 ? 3u : i == 1 ? 0u : 4u};
         std::vector<Vec2<double>> run;
         const auto close = [&] {
-            if (run.size() > 1) l.line(run, ink, i == 2 ? 2.4 : 1.8, kDashes[i]);
+            if (run.size() > 1) l.line(run, inkOfShading(i), widthOfShading(i), kDashes[i]);
             run.clear();
         };
         for (int p = 0; p < int(values.size()); ++p) {
@@ -227,19 +291,7 @@ void drawIntensities(Layout& l, std::optional<int> column) {
                 close();
         }
         close();
-        const std::string words = l.x.isBeside ? intensityAt(l, i, column) : kShadings[i];
-        x -= textWidth(words, 0.9 * l.u);
-        l.text({x, y}, Anchor::Start, words, ink, true);  // beside its sample, whatever the font
-        x -= 0.4 * l.u;
-        const double sample = (l.x.isBeside ? 1.4 : 2.4) * l.u;
-        l.line({{x - sample, y - 0.3 * l.u}, {x, y - 0.3 * l.u}}, ink, i == 2 ? 2.4 : 1.8, kDashes[i]);
-        x -= sample + (l.x.isBeside ? 0.5 : 0.8) * l.u;
     }
-    if (!l.x.isBeside || !column) return;
-    // At its left the depth there, with as many words as there is room for.
-    for (const std::string& told : {depthAt(l, *column), depthAt(l, *column, false), fmt::format("x {}", *column)})
-        if (l.x.depth.left + textWidth(told, 0.9 * l.u) <= x)
-            return l.text({l.x.depth.left, y}, Anchor::Start, told, kText);
 }
 
 void markColumn(Layout& l, int pixel, PlotInk ink, double width) {
@@ -285,7 +337,7 @@ PlotDrawing layOut(const ScanlinePlot& plot, const PlotSize& size) {
     if (plot.hovered) markColumn(l, *plot.hovered, kWords, 1);
     for (const ScanlineRun& run : plot.section->runs) drawRun(l, run);
     nameRuns(l);
-    drawIntensities(l, column);
+    drawIntensities(l);
     return std::move(l.drawing);
 }
 

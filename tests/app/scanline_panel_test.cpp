@@ -21,7 +21,8 @@ struct ScanlinePanelTest : testing::Test {
         panel.resize(900, 320);
         panel.show();
         document.setScene(test::pyramid());
-        EXPECT_TRUE(waitForRow(240)) << "the middle row of a new scene";
+        // Row 240, the picture's middle, is empty: the pyramid's apex, its highest point, lies below (README's picture).
+        EXPECT_TRUE(QTest::qWaitFor([&] { return panel.section() && !panel.section()->empty(); }, 10000));
     }
     bool waitForRow(int row) {
         return QTest::qWaitFor([&] { return panel.section() && panel.section()->row == row; }, 10000);
@@ -54,6 +55,25 @@ TEST_F(ScanlinePanelTest, ItsCursorIsThatOfEveryView) {
     QTest::keyClick(panel.plot(), Qt::Key_Down);
     EXPECT_EQ(document.pixel(), glm::ivec2(262, 282)) << "the mark goes along";
     ASSERT_TRUE(waitForRow(282));
+}
+
+// The first and the last row with a polygon lie equally far from it, but for the one pixel that two do not share.
+TEST_F(ScanlinePanelTest, BeginsInTheMiddleOfWhatIsDrawn) {
+    ASSERT_EQ(panel.row(), panel.section()->row);
+    const auto polygons = *document.frame()->buffer({pipeline::BufferId::PolygonId});
+    const auto isDrawn = [&](int row) {
+        for (std::size_t x = 0; x < polygons.columns(); ++x)
+            if (polygons.value(x, std::size_t(row)) >= 0) return true;
+        return false;
+    };
+    int above = 0, below = 0;
+    while (isDrawn(panel.row() - above - 1)) ++above;
+    while (isDrawn(panel.row() + below + 1)) ++below;
+    EXPECT_GT(above, 0);
+    EXPECT_TRUE(below == above || below == above + 1) << above << ' ' << below;
+    document.change(*findSetting(document.scene(), "material.0.n"), 3, Document::Change::Done);
+    panel.setRow(3);
+    ASSERT_TRUE(waitForRow(3)) << "a row that was chosen stays, though nothing is drawn there";
 }
 
 TEST_F(ScanlinePanelTest, AnEmptyRowSaysSo) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "pipeline/inspect/pixel_report.h"
@@ -52,6 +53,10 @@ void expectTheSameAsPixels(const Frame& frame, int row) {
     }
 }
 
+bool isOfLegend(const std::string& text) {
+    return text.starts_with("flat") || text.starts_with("Gouraud") || text.starts_with("Phong");
+}
+
 }  // namespace
 
 TEST(ScanlineSection, HasTheFragmentsOfEveryPixelOfItsRow) {
@@ -95,6 +100,27 @@ TEST(ScanlineSection, IntensitiesAreThoseOfEachShadingMethod) {
         }
     }
     EXPECT_NEAR(section->intensity[std::size_t(Shading::Flat)][268].z, 114.739, 5e-4);
+}
+
+// A pane before nothing is drawn: it has a colour, and no depth.
+TEST(ScanlineSection, TranslucentLayersBeforeNothingHaveAnIntensity) {
+    Scene scene = test::pyramid();
+    scene.objects[0].material.alpha = 0.5;
+    FrameRequest request;
+    request.wanted = sectionBuffers();
+    const FramePtr frame = runFrame(std::make_shared<const Scene>(scene), request, nullptr);
+    const auto section = shadedSection(frame, 281, 1), opaque = shadedSection(frameFor(test::pyramid()), 281, 1);
+    ASSERT_TRUE(section && opaque);
+    EXPECT_TRUE(section->runs.empty());
+    EXPECT_FALSE(section->empty());
+    EXPECT_EQ(section->extent(), opaque->extent());
+    for (std::size_t shading = 0; shading < 3; ++shading)
+        for (std::size_t x = 0; x < section->intensity[shading].size(); ++x) {
+            const Vec3d through = section->intensity[shading][x], solid = opaque->intensity[shading][x];
+            ASSERT_EQ(std::isnan(through.z), std::isnan(solid.z)) << x;
+            if (std::isnan(solid.z)) continue;
+            ASSERT_NEAR(through.z, 0.5 * solid.z, 1e-4) << x;
+        }
 }
 
 TEST(ScanlineSection, IsWrittenAsATable) {
@@ -174,20 +200,41 @@ TEST_F(ScanlinePlotOfACrowdedRow, InALowPlotTheIntensityStandsBesideTheDepth) {
         EXPECT_NEAR(line.points[1].y - line.points[0].y, 85, 1);
     }
     EXPECT_EQ(marks, 2);
-    // In the line above, numbers and legend keep off each other.
+    // In the line above stand numbers and legend.
     for (const double width : {660.0, 700.0, 770.0}) {
-        double reached = 0;
         const PlotDrawing narrow = layOut(ScanlinePlot{&*section, 0, x, std::nullopt}, {width, 170, 18});
-        std::vector<std::pair<double, double>> line;
-        for (const PlotText& text : narrow.texts)
-            if (text.at.y < 25) line.emplace_back(text.at.x, text.at.x + textWidth(text.text, text.size));
-        std::ranges::sort(line);
-        ASSERT_GE(line.size(), 4u) << width;
-        for (const auto& [left, right] : line) {
-            EXPECT_GE(left, reached) << width;
-            reached = right;
-        }
+        EXPECT_GE(std::ranges::count_if(narrow.texts, [](const PlotText& text) { return text.at.y < 25; }), 4) << width;
     }
+}
+
+// Names, numbers, legend and the labels along the foot.
+TEST_F(ScanlinePlotOfACrowdedRow, TextsOfALineKeepOffEachOtherAtAnySize) {
+    ASSERT_TRUE(section && !section->empty());
+    const int x = int(axesOf(*section, {900, 400, 14}).depth.first) + 3;
+    for (const std::optional<int> column : {std::optional<int>(), std::optional(x)})
+        for (const double height : {150.0, 170.0, 200.0, 340.0})
+            for (double width = 360; width < 900; width += 20) {
+                const PlotDrawing drawing =
+                    layOut(ScanlinePlot{&*section, 0, column, std::nullopt}, {width, height, 18});
+                std::map<double, std::vector<std::pair<double, double>>> lines;  // from the top
+                for (const PlotText& text : drawing.texts) {
+                    if (text.ink.role == PlotRole::Series && !isOfLegend(text.text)) continue;  // at its run
+                    const double wide = textWidth(text.text, text.size);
+                    const double left = text.at.x - (text.anchor == PlotText::Anchor::End      ? wide
+                                                     : text.anchor == PlotText::Anchor::Middle ? wide / 2
+                                                                                               : 0);
+                    lines[text.at.y].emplace_back(left, left + wide);
+                }
+                for (auto& [y, line] : lines) {
+                    std::ranges::sort(line);
+                    double reached = 0;
+                    for (const auto& [left, right] : line) {
+                        EXPECT_GE(left, reached) << width << " × " << height << " at " << y;
+                        EXPECT_LE(right, width) << width << " × " << height << " at " << y;
+                        reached = right;
+                    }
+                }
+            }
 }
 
 }  // namespace pipeline
