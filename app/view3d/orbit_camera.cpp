@@ -10,6 +10,9 @@ namespace app {
 
 namespace {
 
+// How far apart, against the coordinates that they come from, points of double precision count as two.
+constexpr double kCoincident = 0x1p-46;
+
 double tanHalf(const OrbitCamera& camera) { return std::tan(glm::radians(camera.fovY) / 2); }
 
 Vec3d turned(Vec3d v, Vec3d axis, double degrees) { return glm::angleAxis(glm::radians(degrees), axis) * v; }
@@ -39,10 +42,12 @@ Projected project(const OrbitCamera& camera, glm::dvec2 size, Vec3d point) {
     const Vec3d d = point - camera.position();
     Projected result;
     result.depth = glm::dot(d, camera.forward);
-    result.inFront = camera.orthographic || result.depth > 0;
+    // At the camera itself, where the scene's own eye may stand, rounding alone decides on depth and place.
+    const double least = kCoincident * (glm::length(point) + glm::length(camera.position()) + camera.distance);
+    result.inFront = camera.orthographic || result.depth > least;
     // Behind the camera the signs of x and y turn over; |depth| keeps the side the point is on.
-    const double scale = camera.orthographic ? camera.distance : std::abs(result.depth);
-    const double pixelsPerUnit = size.y / (2 * tanHalf(camera) * std::max(scale, std::numeric_limits<double>::min()));
+    const double scale = camera.orthographic ? camera.distance : std::max(std::abs(result.depth), least);
+    const double pixelsPerUnit = size.y / (2 * tanHalf(camera) * scale);
     result.at = {size.x / 2 + pixelsPerUnit * glm::dot(d, camera.right),
                  size.y / 2 - pixelsPerUnit * glm::dot(d, camera.up)};
     return result;

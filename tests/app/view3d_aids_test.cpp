@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/view3d/aids_drawing.h"
+#include "app/view3d/label_places.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view_content.h"
 #include "app/view3d/world_drawing.h"
@@ -118,4 +119,20 @@ TEST(View3dAids, ProjectionAndReflectionAreConstructed) {
     expectNear(2.0 * *side - *twice, vectorOf(*point, VectorCode::R).direction, 1e-6);
     const app::Projected end = app::project(view.camera, view.size, *twice);
     EXPECT_TRUE(end.at.y > 0 && end.at.y < 480) << "the construction fits into the view";
+}
+
+// V leads to the eye: where the view looks from there, its tip has no place in it.
+TEST(View3dAids, LabelsStandInTheViewThatLooksFromTheScenesOwnEye) {
+    const std::pair<pipeline::Scene, glm::ivec2> cases[]{{test::pyramid(), kRightFace},
+                                                         {test::openGlCube(), {320, 240}}};
+    for (const auto& [scene, pixel] : cases) {
+        const ViewContent content = contentOf(scene, pixel);
+        const glm::dvec2 size{640, 480};
+        const app::ViewFrame view{app::presetCamera(app::ViewPreset::Eye, content, {}, size, false), size};
+        const auto labels = placeLabels(app::drawWorld(content, {}, view), view);
+        EXPECT_FALSE(labels.empty());
+        for (const app::PlacedLabel& placed : labels)
+            EXPECT_TRUE(QRectF(0, 0, size.x, size.y).contains(boxOf(placed)))
+                << placed.label.text << ' ' << placed.at.x << ' ' << placed.at.y;
+    }
 }

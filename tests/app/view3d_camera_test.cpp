@@ -172,3 +172,18 @@ TEST(View3dCamera, AFlightStartsAndEndsExactly) {
     EXPECT_NEAR(glm::dot(half.right, half.up), 0, 1e-12);
     EXPECT_NEAR(glm::length(glm::cross(half.right, half.up) + half.forward), 0, 1e-12);
 }
+
+// As far from each other as the coordinates that they come from are rounded.
+TEST(View3dCamera, AtTheCameraItselfNothingIsInFrontAndEveryPlaceIsFinite) {
+    for (const double away : {0.0, 1e3, 1e9}) {
+        OrbitCamera camera = slanted(false);
+        camera.target.x += away;
+        const Vec3d position = camera.position();
+        for (const Vec3d point : {position, position * (1 + 0x1p-52), position * (1 - 0x1p-52)}) {
+            const app::Projected shown = app::project(camera, kSize, point);
+            EXPECT_FALSE(shown.inFront) << away;
+            EXPECT_TRUE(std::isfinite(shown.at.x) && std::isfinite(shown.at.y)) << away;
+        }
+        EXPECT_TRUE(app::project(camera, kSize, position + 1e-3 * camera.distance * camera.forward).inFront);
+    }
+}
