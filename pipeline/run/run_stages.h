@@ -179,7 +179,7 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
                 paint<Real>(in.view, bins, order, tiles[tile], bins.tile(tile), *out);
         });
         out->note = fmt::format("; {} triangles in order, {} split", order.pieces.size() - order.splits, order.splits);
-        if (order.unordered > 0) out->note += fmt::format(", {} out of order at the limit", order.unordered);
+        if (order.unordered > 0) out->note += fmt::format(", {} out of order", order.unordered);
         sumCounts(*out);
         return out;
     }

@@ -25,6 +25,12 @@ struct DepthPlane {
         return 8 * kRoundoff *
                (depthBound + slopeBound.x * std::abs(p.x - origin.x) + slopeBound.y * std::abs(p.y - origin.y));
     }
+    // Likewise where p is a corner that cutting has made: of a few roundings of its own, and of the depths that it was
+    // found by.
+    double errorNear(glm::dvec2 p) const {
+        constexpr double kRoundoff = 0x1p-53;
+        return 4 * (error(p) + kRoundoff * (std::abs(slope.x * p.x) + std::abs(slope.y * p.y)));
+    }
 };
 
 struct PaintTriangle {

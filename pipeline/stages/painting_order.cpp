@@ -74,7 +74,7 @@ private:
     // How far triangle a is behind triangle b at p: 1, -1, or 0 where rounding does not let one tell.
     int behind(std::uint32_t a, std::uint32_t b, glm::dvec2 p) const {
         const DepthPlane &planeA = m_out.planes[a], &planeB = m_out.planes[b];
-        const double difference = planeA.at(p) - planeB.at(p), error = planeA.error(p) + planeB.error(p);
+        const double difference = planeA.at(p) - planeB.at(p), error = planeA.errorNear(p) + planeB.errorNear(p);
         return difference > error ? 1 : difference < -error ? -1 : 0;
     }
     Relation over(std::uint32_t a, std::uint32_t b, const std::vector<glm::dvec2>& outline) const {
@@ -90,10 +90,11 @@ private:
         if (a == b || p.low.x >= q.high.x || q.low.x >= p.high.x || p.low.y >= q.high.y || q.low.y >= p.high.y)
             return Relation::Free;
         if (p.nearest >= q.farthest) return Relation::Behind;
-        if (q.nearest >= p.farthest) return Relation::InFront;
         const SnappedTriangle &s = m_triangles[a].snapped, &t = m_triangles[b].snapped;
         if (separated(s, t) || separated(t, s)) return Relation::Free;
-        return over(a, b, commonOutline(p.outline, q.outline));
+        const std::vector<glm::dvec2> common = commonOutline(p.outline, q.outline);
+        if (!hasArea(common)) return Relation::Free;
+        return q.nearest >= p.farthest ? Relation::InFront : over(a, b, common);
     }
 
     // To be asked before each pair: whether it may be compared. Where not, none is any more.
@@ -149,8 +150,8 @@ private:
             push(q);
             return true;
         }
-        // From q upwards each waits for the next, and p for q: some member crosses another's plane, for else
-        // the planes would order them all.
+        // From q upwards each waits for the next, and p for q. Of three some member crosses another's plane, for else the
+        // planes would order them; a larger cycle without that was never seen, and counts as unordered.
         const auto first = std::ranges::find(m_stack, q) - m_stack.begin();
         const std::vector<std::uint32_t> cycle(m_stack.begin() + first, m_stack.end());
         for (auto one = cycle.rbegin(); one != cycle.rend(); ++one)

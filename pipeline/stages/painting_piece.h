@@ -33,16 +33,29 @@ struct Piece {
 // P is behind Q where both are seen, before it, or both; or they are not seen in the same place, or lie in one plane.
 enum class Relation { Free, Behind, InFront, Mixed };
 
-// The part of a convex outline where value(p) >= 0.
+// How far apart, against how far from the picture's corner, points are one but for rounding.
+constexpr double kOnePoint = 0x1p-40;
+
+inline bool areOne(glm::dvec2 a, glm::dvec2 b) {
+    return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) <=
+           kOnePoint * std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+}
+
+// The part of a convex outline where value(p) >= 0. Of corners that are one only one is kept: an edge between them would
+// have any direction.
 template <class Value>
 std::vector<glm::dvec2> cutOutline(const std::vector<glm::dvec2>& in, Value value) {
     std::vector<glm::dvec2> out;
+    const auto add = [&](glm::dvec2 p) {
+        if (out.empty() || !areOne(out.back(), p)) out.push_back(p);
+    };
     for (std::size_t i = 0; i < in.size(); ++i) {
         const glm::dvec2 a = in[i], b = in[(i + 1) % in.size()];
         const double fa = value(a), fb = value(b);
-        if (fa >= 0) out.push_back(a);
-        if ((fa >= 0) != (fb >= 0)) out.push_back(a + fa / (fa - fb) * (b - a));
+        if (fa >= 0) add(a);
+        if ((fa >= 0) != (fb >= 0)) add(a + fa / (fa - fb) * (b - a));
     }
+    if (out.size() > 1 && areOne(out.back(), out.front())) out.pop_back();
     return out;
 }
 
@@ -54,6 +67,18 @@ inline std::vector<glm::dvec2> commonOutline(const std::vector<glm::dvec2>& p, c
         common = cutOutline(common, [&](glm::dvec2 x) { return along.x * (x.y - from.y) - along.y * (x.x - from.x); });
     }
     return common;
+}
+
+// Whether pieces overlap by more than rounding makes of outlines that touch.
+inline bool hasArea(const std::vector<glm::dvec2>& outline) {
+    double twice = 0, length = 0, largest = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const glm::dvec2 a = outline[i] - outline[0], along = outline[(i + 1) % outline.size()] - outline[i];
+        twice += a.x * along.y - a.y * along.x;
+        length += glm::length(along);
+        largest = std::max({largest, std::abs(outline[i].x), std::abs(outline[i].y)});
+    }
+    return std::abs(twice) > kOnePoint * largest * length;
 }
 
 inline bool separated(const SnappedTriangle& a, const SnappedTriangle& b) {
