@@ -46,7 +46,8 @@ ShadowTest<Real> shadowTest(const LightView<Real>& light, const ShadowSettings& 
                        glm::dot(Vec3<Real>(face.forward), normal)};
     const Real texels = Real(settings.filter) + Real(0.5) + Real(1) / 128;
     const Real slope = closedFormBias(face, p, n, texels);
-    test.bias = settings.bias == ShadowBias::Slope ? Real(settings.biasValue) * slope : slope + light.rounding;
+    const bool scales = settings.bias == ShadowBias::Slope;
+    test.bias = (scales ? Real(settings.biasValue) * slope : slope) + light.rounding;
     return test;
 }
 

@@ -165,10 +165,10 @@ struct Decision {
         return unless(Rule::Attenuation, one ? "It is 1 at every distance." : "");
     }
     Need shadow(const Light& light, const Need& counts) const {
+        if (!light.castsShadow) return {"It casts no shadow.", {}};
         if (has(BufferId::ShadowBuffer)) return {};
         if (outlines()) return {kOutlines, {}};
         if (model() == Model::OpenGl) return {kNoShadowsInOpenGl, {}};
-        if (!light.castsShadow) return {"It casts no shadow.", {}};
         if (!counts) return counts;
         if (scene.objects.empty()) return {"The scene has no object.", {}};
         Need convex = unless(Rule::ConvexShadow, whyNoSelfShadow(scene));
@@ -242,6 +242,7 @@ struct Decision {
         return beside(anyWanted(wanted, {BufferId::Overdraw, BufferId::DepthWrites}), "Nobody asks for them.");
     }
     Need weights(const Need& vectorShading) const {
+        if (until < StageId::Shading) return beside(has(BufferId::Barycentric), "Nobody asks for them.");
         return beside(has(BufferId::Barycentric) || !vectorShading,
                       "Nobody asks for them, and vectors of pixels keep them for no longer than a tile.");
     }

@@ -103,8 +103,6 @@ public:
         frame->m_needs = needsOf(*scene, request.wanted, request.until);
         const double needed = millisecondsSince(decides);
         StageKeys keys = stageKeys(*scene, frame->m_needs, frame->m_topology);  // what the stages read
-        if (request.until < StageId::Shading)                                   // nobody shades what was interpolated
-            keys.zBuffer.weights = frame->m_needs.buffers[index(BufferId::Barycentric)];
         const Clock::time_point plans = Clock::now();
         frame->m_plan = decide(*scene, request, frame->m_needs, keys, before);
         frame->m_planMilliseconds = needed + millisecondsSince(plans);
@@ -158,6 +156,7 @@ private:
 
         // Carries out the plan for one stage: runs it, takes what the frame before has, or neither.
         const auto stage = [&](StageId id, auto member, auto compute) {
+            if (threads.stopped()) return;  // what the stage before has left is not whole
             switch (frame.m_plan[index(id)].action) {
                 case Action::LeaveOut: return;
                 case Action::Reuse:

@@ -58,8 +58,8 @@ HWY_INLINE Floats texelSlope(const LightFace& face, const ShadowSettings& settin
 }
 // The bias that a slope gives, which is not constant.
 HWY_INLINE Floats biasOf(const LightFace& face, const ShadowSettings& settings, Floats slope) {
-    return settings.bias == ShadowBias::Slope ? hn::Mul(all(float(settings.biasValue)), slope)
-                                              : hn::Add(slope, all(face.rounding));
+    if (settings.bias == ShadowBias::Slope) slope = hn::Mul(all(float(settings.biasValue)), slope);
+    return hn::Add(slope, all(face.rounding));
 }
 
 // Of a light at infinity that shines from one place, the bias of whole polygons: it depends on their normals alone.

@@ -78,6 +78,17 @@ TEST(ShadowBuffer, OfBothSidesIsTheNearerOfEach) {
 
 // A plate between a point light and a wall that faces it, across the seam of two faces (x = y), and larger than what the wall needs:
 // the wall is in shadow everywhere, also where filtering reaches beyond the seam.
+// Nor is one made because somebody asks for the buffers: what is estimated of memory has none.
+TEST(ShadowBuffer, ALightThatCastsNoShadowHasNone) {
+    Scene scene = test::pyramid();
+    scene.lights.push_back(scene.lights[0]);
+    scene.lights[1].castsShadow = false;
+    const FramePtr frame = test::frameOf(scene, setOf({BufferId::ShadowBuffer}));
+    EXPECT_TRUE(frame->buffer({BufferId::ShadowBuffer, 0}));
+    EXPECT_FALSE(frame->buffer({BufferId::ShadowBuffer, 1}));
+    EXPECT_EQ(frame->whyAbsent({BufferId::ShadowBuffer, 1}), "It casts no shadow.");
+}
+
 TEST(ShadowBuffer, FilteringReachesAcrossTheSeamsOfAPointLight) {
     Scene scene = withLight(LightKind::Point, {0, 0, 0});
     const Vec3d u = glm::normalize(Vec3d(1, 1, 0)), across = glm::normalize(Vec3d(-1, 1, 0)), up{0, 0, 1};
@@ -128,6 +139,21 @@ TEST(ShadowFactor, TheClosedFormBiasIsHalfATexelsSlope) {
     EXPECT_NEAR(test.bias, 0.5 * (0.1 * 3 + 0.05 * 4) * (1 + 1.0 / 64), 1e-12);
     const ShadowTest<double> wide = shadowTest(light, {ShadowBias::Automatic, 0, 2}, Vec3d(0), normal);
     EXPECT_NEAR(wide.bias, (2.5 + 1.0 / 128) * (0.1 * 3 + 0.05 * 4), 1e-12);
+}
+
+// A polygon that lies as the face does has no slope: what keeps it from shadowing itself is the rounding of its z'.
+TEST(ShadowFactor, ASlopesFactorLeavesTheRoundingAsItIs) {
+    LightView<double> light;
+    light.rounding = 0x1p-40;
+    View face;
+    face.perspective = false;
+    face.forward = {0, 0, 1}, face.right = {1, 0, 0}, face.up = {0, 1, 0};
+    light.faces = {face};
+    for (const double factor : {0.0, 1.0, 1.5})
+        EXPECT_EQ(shadowTest(light, {ShadowBias::Slope, factor, 0}, Vec3d(0), Vec3d(0, 0, -1)).bias, 0x1p-40);
+    const Vec3d slanted = glm::normalize(Vec3d(3, 4, 1));
+    EXPECT_EQ(shadowTest(light, {ShadowBias::Slope, 1, 0}, Vec3d(0), slanted).bias,
+              shadowTest(light, {ShadowBias::Automatic, 0, 0}, Vec3d(0), slanted).bias);
 }
 
 TEST(ShadowFactor, FilteringCountsTexels) {
