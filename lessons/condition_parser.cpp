@@ -21,7 +21,8 @@ using pipeline::Error;
 using pipeline::inQuotes;
 using Kind = ConditionNode::Kind;
 
-constexpr int kDeepest = 50;  // parentheses and signs within one another
+constexpr int kDeepest = 50;     // parentheses and signs within one another
+constexpr int kOperators = 500;  // of a condition: each is one step deeper in what a chain of them is kept as
 
 class Parser {
 public:
@@ -83,11 +84,19 @@ private:
     void needVector(const ConditionNode& node, std::size_t at) {
         if (node.channels != 3) fail(at, "found no vector", "a buffer of three channels");
     }
-    static ConditionNode operation(Kind kind, int channels, std::vector<ConditionNode> operands) {
+    // What an operator makes of what stands before and after it.
+    ConditionNode operation(Kind kind, int channels, ConditionNode left, ConditionNode right) {
+        ConditionNode node = operation(kind, channels, std::move(left));
+        node.operands.push_back(std::move(right));
+        return node;
+    }
+    ConditionNode operation(Kind kind, int channels, ConditionNode operand) {
+        if (++m_operators > kOperators) fail(m_at, "found more than 500 operators", "a shorter condition");
         ConditionNode node;
         node.kind = kind;
         node.channels = channels;
-        node.operands = std::move(operands);
+        node.operands.reserve(2);
+        node.operands.push_back(std::move(operand));
         return node;
     }
 
@@ -99,7 +108,7 @@ private:
             const std::size_t next = start();
             ConditionNode right = both();
             needTruth(right, next);
-            left = operation(Kind::Or, 0, {std::move(left), std::move(right)});
+            left = operation(Kind::Or, 0, std::move(left), std::move(right));
         }
         return left;
     }
@@ -111,7 +120,7 @@ private:
             const std::size_t next = start();
             ConditionNode right = negation();
             needTruth(right, next);
-            left = operation(Kind::And, 0, {std::move(left), std::move(right)});
+            left = operation(Kind::And, 0, std::move(left), std::move(right));
         }
         return left;
     }
@@ -121,7 +130,7 @@ private:
         Deeper deeper(*this);
         ConditionNode inner = negation();
         needTruth(inner, at + 1);
-        return operation(Kind::Not, 0, {std::move(inner)});
+        return operation(Kind::Not, 0, std::move(inner));
     }
     ConditionNode comparison() {
         struct Sign {
@@ -147,7 +156,7 @@ private:
         const std::size_t next = start();
         ConditionNode right = sum();
         needNumber(right, next);
-        return operation(found->kind, 0, {std::move(left), std::move(right)});
+        return operation(found->kind, 0, std::move(left), std::move(right));
     }
     ConditionNode sum() {
         const std::size_t at = start();
@@ -160,7 +169,7 @@ private:
                 fail(at, "found two of different kinds around " + std::string(plus ? "+" : "-"),
                      "two numbers or two vectors");
             const int channels = left.channels;
-            left = operation(plus ? Kind::Add : Kind::Subtract, channels, {std::move(left), std::move(right)});
+            left = operation(plus ? Kind::Add : Kind::Subtract, channels, std::move(left), std::move(right));
         }
     }
     ConditionNode product() {
@@ -174,7 +183,7 @@ private:
             if (left.channels == 0) needNumber(left, at);
             if (!times || right.channels == 0 || left.channels == 3) needNumber(right, next);
             const int channels = std::max(left.channels, right.channels);
-            left = operation(times ? Kind::Multiply : Kind::Divide, channels, {std::move(left), std::move(right)});
+            left = operation(times ? Kind::Multiply : Kind::Divide, channels, std::move(left), std::move(right));
         }
     }
     ConditionNode sign() {
@@ -184,7 +193,7 @@ private:
         ConditionNode inner = sign();
         if (inner.channels == 0) needNumber(inner, at + 1);
         const int channels = inner.channels;
-        return operation(Kind::Negate, channels, {std::move(inner)});
+        return operation(Kind::Negate, channels, std::move(inner));
     }
     ConditionNode power() {  // binds to the right: 2^3^2 is 2^9
         const std::size_t at = start();
@@ -195,7 +204,7 @@ private:
         Deeper deeper(*this);
         ConditionNode exponent = sign();
         needNumber(exponent, next);
-        return operation(Kind::Power, 1, {std::move(base), std::move(exponent)});
+        return operation(Kind::Power, 1, std::move(base), std::move(exponent));
     }
     ConditionNode primary() {
         if (take("(")) {
@@ -252,10 +261,10 @@ private:
             ofVectors ? needVector(operands.back(), next) : needNumber(operands.back(), next);
         }
         require(")");
-        ConditionNode node = operation(!ofVectors   ? Kind::Call
-                                       : count == 2 ? Kind::Dot
-                                                    : Kind::Length,
-                                       1, std::move(operands));
+        ConditionNode node;
+        node.kind = !ofVectors ? Kind::Call : count == 2 ? Kind::Dot : Kind::Length;
+        node.channels = 1;
+        node.operands = std::move(operands);
         if (!ofVectors) node.function = &*found;
         return node;
     }
@@ -313,7 +322,7 @@ private:
     pipeline::SourceLocation m_where;
     const pipeline::Scene& m_scene;
     std::size_t m_at = 0;
-    int m_depth = 0;
+    int m_depth = 0, m_operators = 0;
     pipeline::BufferSet m_buffers;
     std::optional<Error> m_error;
 };

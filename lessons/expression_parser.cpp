@@ -20,6 +20,7 @@ using Kind = Node::Kind;
 
 // Parentheses and signs within one another; a formula that people write stays far below.
 constexpr int kDeepest = 50;
+constexpr int kOperators = 500;  // of an expression: each is one step deeper in what a chain of them is kept as
 
 std::string_view trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(" \t");
@@ -78,11 +79,19 @@ private:
         return trimmed(m_text.substr(start, m_at - start));
     }
 
-    Node operation(Kind kind, std::vector<Node> operands) {
+    // What an operator makes of what stands before and after it.
+    Node operation(Kind kind, Node left, Node right) {
+        Node node = operation(kind, std::move(left));
+        node.operands.push_back(std::move(right));
+        return node;
+    }
+    Node operation(Kind kind, Node operand) {
+        if (++m_operators > kOperators) fail(m_at, "found more than 500 operators", "a shorter expression");
         Node node;
         node.kind = kind;
-        node.where = operands.front().where;
-        node.operands = std::move(operands);
+        node.where = operand.where;
+        node.operands.reserve(2);
+        node.operands.push_back(std::move(operand));
         return node;
     }
 
@@ -90,9 +99,9 @@ private:
         Node left = product();
         for (;;) {
             if (take('+'))
-                left = operation(Kind::Add, {left, product()});
+                left = operation(Kind::Add, std::move(left), product());
             else if (take('-'))
-                left = operation(Kind::Subtract, {left, product()});
+                left = operation(Kind::Subtract, std::move(left), product());
             else
                 return left;
         }
@@ -101,22 +110,22 @@ private:
         Node left = sign();
         for (;;) {
             if (take('*'))
-                left = operation(Kind::Multiply, {left, sign()});
+                left = operation(Kind::Multiply, std::move(left), sign());
             else if (take('/'))
-                left = operation(Kind::Divide, {left, sign()});
+                left = operation(Kind::Divide, std::move(left), sign());
             else
                 return left;
         }
     }
     Node sign() {
         if (++m_depth > kDeepest) fail(m_at, "found more than 50 parentheses and signs within one another");
-        Node node = take('-') ? operation(Kind::Negate, {sign()}) : power();
+        Node node = take('-') ? operation(Kind::Negate, sign()) : power();
         --m_depth;
         return node;
     }
     Node power() {  // binds to the right: 2^3^2 is 2^9
         Node base = primary();
-        return take('^') ? operation(Kind::Power, {base, sign()}) : base;
+        return take('^') ? operation(Kind::Power, std::move(base), sign()) : base;
     }
     Node primary() {
         if (take('(')) {
@@ -303,7 +312,7 @@ private:
     pipeline::SourceLocation m_where;
     const pipeline::Scene& m_scene;
     std::size_t m_at = 0;
-    int m_depth = 0;
+    int m_depth = 0, m_operators = 0;
     std::optional<Error> m_error;
 };
 

@@ -249,12 +249,12 @@ private:
     }
     static std::vector<Line> commaSeparated(const Line& line) {
         std::vector<Line> parts;
-        for (std::size_t at = 0; at <= line.text.size();) {
-            const auto end = std::min(line.text.find(',', at), line.text.size());
-            parts.push_back(trimmed({line.text.substr(at, end - at), advanced(line.where, line.text.substr(0, at))}));
-            at = end + 1;
+        for (Line rest = line;;) {
+            const auto end = rest.text.find(',');
+            parts.push_back(trimmed({rest.text.substr(0, end), rest.where}));
+            if (end == std::string_view::npos) return parts;
+            rest = {rest.text.substr(end + 1), advanced(rest.where, rest.text.substr(0, end + 1))};
         }
-        return parts;
     }
     void buffer(const Line& name, PageState& state) {
         const auto buffer = pipeline::findBuffer(name.text);

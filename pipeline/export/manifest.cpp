@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
+#include "pipeline/export/exporter.h"
 #include "pipeline/export/file_hash.h"
 #include "pipeline/export/png_file.h"
 #include "pipeline/stages/cull.h"
@@ -134,24 +136,31 @@ bool tellsChanges(const Json& scene) {
     return tells;
 }
 
+// Whether a file of this name may be one that an export has written: what else a manifest names is not the program's.
+bool isWritten(std::string_view name) {
+    const auto ends = [&](std::string_view ending) { return name.size() > ending.size() && name.ends_with(ending); };
+    return ends(".png") ||  // views
+           std::ranges::any_of(exporterTable(), [&](const Exporter& e) { return ends('.' + std::string(e.name)); }) ||
+           std::ranges::any_of(frameExporterTable(), [&](const FrameExporter& e) { return ends(e.ending); });
+}
+
 }  // namespace
 
 std::vector<std::string> filesNamedBy(const Json& manifest) {
-    std::vector<std::string> names;
+    std::set<std::string> names;
     const auto add = [&](const std::string& name) {
         const std::filesystem::path file = name;
-        const bool isPlain = file.has_filename() && file == file.filename() && file != "." && file != "..";
-        if (isPlain && std::ranges::find(names, name) == names.end()) names.push_back(name);
+        if (file.has_filename() && file == file.filename() && isWritten(name)) names.insert(name);
     };
     const auto addFiles = [&](const Json& json) {
         forEach(json, "files", [&](const Json& file) { add(textAt(file, "file")); });
     };
     const Json::json_pointer program("/program/name");
-    if (!manifest.contains(program) || manifest[program] != "Shadescope") return names;
+    if (!manifest.contains(program) || manifest[program] != "Shadescope") return {};
     for (const char* buffers : kBufferLists) forEach(manifest, buffers, addFiles);
     addFiles(manifest);
     forEach(manifest, "views", [&](const Json& view) { add(view.is_string() ? view.get<std::string>() : ""); });
-    return names;
+    return {names.begin(), names.end()};
 }
 
 bool areOfOneFrame(const Json& a, const Json& b) {

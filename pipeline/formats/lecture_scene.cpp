@@ -84,8 +84,13 @@ private:
             for (const Error& error : file.errors()) m_scanner.fail(error.found, error.expected);
             return entry->second;
         }
+        const Result<std::string> text = wholeText({file->text, file->path, m_source.progress, file->tail});
+        if (!text) {
+            for (const Error& error : text.errors()) m_scanner.fail(error.found, error.expected);
+            return entry->second;
+        }
         const std::size_t before = m_errors.size();
-        ObjectDescription description = readObjectDescription({file->text, file->path, m_source.progress}, m_errors);
+        ObjectDescription description = readObjectDescription({*text, file->path, m_source.progress}, m_errors);
         if (m_errors.size() > before || !m_scanner.good()) return entry->second;
         description.mesh.file = name;
         entry->second = {makeMesh(std::move(description.mesh)), description.material};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <unordered_map>
 
@@ -8,6 +9,7 @@
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/line_scanner.h"
 #include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/model_reader.h"
 
 // Wavefront OBJ as its manual describes polygons (Object Files, 1995, appendix B1). Curves,
 // surfaces, points, lines, groups, smoothing groups and texture coordinates are skipped.
@@ -205,6 +207,8 @@ private:
 
     // Why the file cannot be loaded; nothing where it can.
     Errors loadMaterialFile(std::string_view name) {
+        const std::string extension = std::filesystem::path(name).extension().string();
+        if (isModel(extension)) return {Error{{}, quotedInput(name) + " is a model", "a file of materials, as in x.mtl"}};
         const Result<NamedFile> file = m_load(name);
         if (!file) return file.errors();
         const std::size_t known = m_file.materials.size();

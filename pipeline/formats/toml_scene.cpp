@@ -52,7 +52,8 @@ public:
         if (const toml::node* node = top.get("light"))
             for (const toml::table* light : m_values.tables(*node, "light", kMaxLights)) readLight(*light);
         if (const toml::node* node = top.get("object"))
-            for (const toml::table* object : m_values.tables(*node, "object", kMaxObjects)) readObject(*object);
+            for (const toml::table* object : m_values.tables(*node, "object", kMaxObjects))
+                if (!readObject(*object)) break;
         if (Errors errors = m_values.errors(); !errors.empty()) return errors;
         m_values.add(m_places.placed(checkScene(m_scene)));
         if (Errors errors = m_values.errors(); !errors.empty()) return errors;
@@ -118,7 +119,8 @@ private:
                 light.gl.constant = (*c)[0], light.gl.linear = (*c)[1], light.gl.quadratic = (*c)[2];
     }
 
-    void readObject(const toml::table& table) {
+    // Whether there is room for more.
+    bool readObject(const toml::table& table) {
         const std::size_t first = m_scene.objects.size();
         const std::string path = fmt::format("object.{}", first);
         addObjects(table, path);
@@ -140,9 +142,10 @@ private:
             m_vertices += m_scene.objects[i].mesh->positions.size();
             m_triangles += m_scene.objects[i].mesh->triangles.size();
         }
-        if (m_vertices > kMaxVertices || m_triangles > kMaxTriangles)
-            m_values.fail(table.source(), "all objects up to this one have too many vertices or triangles",
-                          fmt::format("at most {} of each", groupedDigits(kMaxVertices)));
+        if (m_vertices <= kMaxVertices && m_triangles <= kMaxTriangles) return true;
+        m_values.fail(table.source(), "all objects up to this one have too many vertices or triangles",
+                      fmt::format("at most {} of each", groupedDigits(kMaxVertices)));
+        return false;
     }
 
     // One object, or those of a model.
@@ -178,8 +181,10 @@ private:
         const auto file = m_values.text(node, path);
         const auto loaded = file ? load(node, *file) : std::nullopt;
         if (!loaded) return;
+        const Result<std::string> text = wholeText({loaded->text, loaded->path, m_source.progress, loaded->tail});
+        if (!text) return m_values.add(text.errors());
         Errors errors;
-        ObjectDescription description = readObjectDescription({loaded->text, loaded->path, m_source.progress}, errors);
+        ObjectDescription description = readObjectDescription({*text, loaded->path, m_source.progress}, errors);
         m_values.add(errors);
         if (!errors.empty()) return;
         description.mesh.file = *file;

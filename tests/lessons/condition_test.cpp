@@ -114,6 +114,20 @@ TEST_F(ConditionTest, ErrorsSayInWhichColumn) {
     EXPECT_NE(refusal(std::string(200, '!')).find("more than 50"), std::string::npos);
 }
 
+// What a chain is kept as is as deep as the chain is long.
+TEST_F(ConditionTest, RefusesAChainWithoutEnd) {
+    const auto chain = [](int operators) {
+        std::string text = "x";
+        for (int i = 0; i < operators; ++i) text += i % 2 ? " + 1" : " * 1";
+        return text;
+    };
+    EXPECT_EQ(mask(chain(499) + " > 0").count, mask("x > 0").count) << "500 operators with the comparison";
+    EXPECT_NE(refusal(chain(100'000) + " > 0").find("more than 500 operators"), std::string::npos);
+    std::string either = "x > 1";
+    for (int i = 0; i < 10'000; ++i) either += " || x > 1";
+    EXPECT_NE(refusal(either).find("more than 500 operators"), std::string::npos);
+}
+
 TEST_F(ConditionTest, IsABufferOfOnesAndZeros) {
     const ConditionMask found = mask("z_view < 700");
     const pipeline::AnyBuffer buffer = bufferOf(found);

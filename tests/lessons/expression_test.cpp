@@ -94,6 +94,11 @@ TEST_F(Expressions, RefuseTextThatIsNoFormula) {
     EXPECT_EQ(valueOf("μ"), "f:1:1: found \"μ\", expected a number, a function or '('\n");
     EXPECT_EQ(valueOf(std::string(10000, '(')).substr(0, 27), "f:1:51: found more than 50 ");
     EXPECT_EQ(valueOf(std::string(10000, '-')).substr(0, 27), "f:1:51: found more than 50 ");
+    std::string chain = "1";
+    for (int i = 0; i < 500; ++i) chain += "+1";
+    EXPECT_EQ(valueOf(chain), "501");
+    for (int i = 0; i < 100'000; ++i) chain += "+1";
+    EXPECT_NE(valueOf(chain).find("more than 500 operators"), std::string::npos);
 }
 
 TEST_F(Expressions, SayWhenAResultIsNoFiniteNumber) {

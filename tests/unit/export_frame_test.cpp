@@ -139,6 +139,20 @@ TEST(ExportFrame, AddsToAnExportOfTheSameFrame) {
     EXPECT_EQ(filesOf(manifestIn(out), "depth"), (std::vector<std::string>{"depth.npy", "depth.csv"}));
 }
 
+// A manifest may name anything; removed is what an export can have written.
+TEST(ExportFrame, RemovesNothingThatNoExportWrites) {
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder / "out");
+    for (const char* name : {"out/notes.txt", "out/old.npy", "out/.png"}) test::writeText(folder / name, "text");
+    test::writeText(folder / "out/manifest.json",
+                    R"({"program": {"name": "Shadescope"}, "views": ["notes.txt", "old.npy", ".png"]})");
+    const auto summary = exportFrame(*usefulFrame(), {folder / "out", {{BufferId::Color}}, {"npy"}, {}});
+    ASSERT_TRUE(summary);
+    EXPECT_EQ(summary->removed, std::vector<std::string>{"old.npy"});
+    EXPECT_TRUE(fs::exists(folder / "out/notes.txt"));
+    EXPECT_TRUE(fs::exists(folder / "out/.png"));
+}
+
 TEST(ExportFrame, ReplacesAnExportOfAnotherFrame) {
     const test::TemporaryFolder folder;
     const FramePtr frame = usefulFrame();

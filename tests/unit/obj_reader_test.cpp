@@ -173,6 +173,9 @@ TEST(ObjReader, NoPolygons) {
 
 TEST(ObjReader, MaterialFiles) {
     EXPECT_EQ(errorsOf("mtllib a.mtl\n"), "m.obj:1:8: \"a.mtl\": no such file\n");
+    EXPECT_EQ(errorsOf("mtllib m.obj\n"),
+              "m.obj:1:8: \"m.obj\" is a model, expected a file of materials, as in x.mtl\n")
+        << "or each line of a file would read the file once more";
     EXPECT_EQ(errorsOf("mtllib"), "m.obj:1:7: found the end of the line, expected the name of a material file\n");
     const FileLoader load = filesOf({{"a.mtl", "newmtl a\nKd 0 nan 0"}, {"b.mtl", "Kd 1 0 0"}, {"c.mtl", "newmtl c"}});
     EXPECT_EQ(errorsOf("mtllib a.mtl", load), "a.mtl:2:6: found \"nan\", expected Kd, a number from -1000 to 1000\n");

@@ -155,6 +155,27 @@ TEST_F(SceneReader, ErrorsOfAllFilesTogetherInOrder) {
             "s.scene:6:7: found \"-1e10\", expected I_p intensity, a number from -1e9 to 1e9\n");
 }
 
+// Of a file with a model's ending no more than the beginning is read at first.
+TEST_F(SceneReader, AnObjectFileMayEndAsAModelDoes) {
+    const fs::path pyramid = resourceFolder() / "scenes" / "pyramid.des";
+    const std::string text = *readFile(pyramid) + std::string(100'000, ' ') + "\n";
+    write("long.ply", text), write("long.des", text);
+    for (const char* name : {"long.ply", "long.des"})
+        EXPECT_EQ(errorsOf(readScene(write("t.toml", std::string("[[object]]\nmesh = \"") + name + "\"\n"))), "")
+            << name;
+}
+
+// Ten of them would have 40 million triangles.
+TEST_F(SceneReader, ReadsNoFurtherObjectThanThereIsRoomFor) {
+    std::string text;
+    for (int i = 0; i < 60; ++i)
+        text += "[[object]]\nshape = \"teapot\"\ntessellation = " + std::to_string(256 - i) + "\n";
+    const std::string errors = errorsOf(readScene(write("t.toml", text)));
+    EXPECT_NE(errors.find("all objects up to this one have too many vertices or triangles"), std::string::npos)
+        << errors;
+    EXPECT_EQ(std::ranges::count(errors, '\n'), 1) << errors;
+}
+
 TEST_F(SceneReader, OneObjectTooManyAnnounced) {
     EXPECT_EQ(errorsIn("200 1000 45 60\n2\nt.des 1 1 1 0 0 0 0 0 0\n1\n5 5 5 100\n50\n   // and more\n"),
               "s.scene:4:1: found \"1\", expected the file name of object 1\n");
