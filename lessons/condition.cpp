@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace lessons {
 
@@ -152,10 +151,11 @@ std::optional<Error> goThrough(const Condition& condition, const Frame& frame, c
     for (std::size_t first = 0; first < ids.size(); first += kRun) {
         if (stop.stop_requested()) return Error{{}, "stopped"};
         const std::size_t count = std::min(kRun, ids.size() - first);
-        const auto run = std::views::iota(first, first + count);
-        if (std::ranges::none_of(run, isDrawn)) continue;
+        std::size_t i = first;
+        while (i < first + count && !isDrawn(i)) ++i;
+        if (i == first + count) continue;
         const Numbers numbers = evaluation(condition.root, first, count);
-        for (const std::size_t i : run)
+        for (; i < first + count; ++i)
             if (isDrawn(i)) take(i, numbers[i - first]);
     }
     return {};

@@ -1,6 +1,7 @@
 #include "app/core/background_job.h"
 
 #include <QCoreApplication>
+#include <atomic>
 
 namespace app {
 
@@ -13,10 +14,12 @@ void BackgroundJob::start(std::function<std::function<void()>(const Control&)> j
     if (running == Running::Stop) m_oldestValid = m_ticket + 1;
     const long ticket = ++m_ticket;
     // What is invoked runs later, in the thread of this object, and is dropped by Qt when the object is gone by then.
-    const auto progress = [this, ticket, last = 0](double share) mutable {
+    // Several threads of one job may tell of it.
+    const auto progress = [this, ticket, most = std::make_shared<std::atomic<int>>(0)](double share) {
         const int percent = int(100 * share);
-        if (percent == last) return;
-        last = percent;
+        int before = *most;
+        while (before < percent && !most->compare_exchange_weak(before, percent)) continue;
+        if (before >= percent) return;
         QMetaObject::invokeMethod(
             this,
             [this, ticket, share] {

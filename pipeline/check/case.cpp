@@ -4,7 +4,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <ranges>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -113,8 +113,9 @@ bool Filter::admits(const Case& which) const {
 
 std::optional<Scene> withNaiveForm(const Case& which, Scene scene) {
     if (which.naiveWith.empty()) return {};
-    for (const auto part : std::views::split(which.naiveWith, ' ')) {
-        const std::string_view text(part.begin(), part.end());
+    std::istringstream parts{std::string(which.naiveWith)};
+    for (std::string part; parts >> part;) {
+        const std::string_view text = part;
         const std::size_t equals = text.find('=');
         const auto setting = findSetting(scene, text.substr(0, equals));
         const auto value = setting ? parseSetting(*setting, text.substr(equals + 1)) : setting.errors();

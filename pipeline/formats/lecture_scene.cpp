@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <ranges>
+#include <span>
 
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/lecture_values.h"
@@ -130,7 +130,8 @@ Result<Scene> readLectureScene(const SourceText& source, const FileLoader& load)
 bool looksLikeLectureScene(std::string_view start) {
     const std::vector<std::string_view> words = firstWords(start, 6);
     const auto isNumber = [](std::string_view word) { return parseNumber(word).has_value(); };
-    if (words.empty() || !std::ranges::all_of(words | std::views::take(4), isNumber)) return false;
+    const std::span<const std::string_view> camera = std::span(words).first(std::min(words.size(), std::size_t{4}));
+    if (words.empty() || !std::ranges::all_of(camera, isNumber)) return false;
     if (words.size() < 5) return true;  // as far as it goes
     const std::optional<std::uint64_t> objects = parseCount(words[4]);
     // The first object's file follows, or, without objects, the number of lights.

@@ -1,7 +1,6 @@
 #include "pipeline/steps/steps.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include "pipeline/scene/topology.h"
 #include "pipeline/steps/step_source.h"
@@ -213,8 +212,10 @@ Moment Steps::momentOf(const Place& place) const {
     const bool ordered = found->kind != ElementKind::Piece || place.kind == ElementKind::Piece;
     std::size_t after = found->count;
     if (ordered) {
-        const auto elements = std::views::iota(std::size_t{0}, found->count);
-        after = std::size_t(std::ranges::upper_bound(elements, place.number, {}, numberOf) - elements.begin());
+        for (std::size_t low = 0; low < after;) {
+            const std::size_t middle = low + (after - low) / 2;
+            numberOf(middle) > place.number ? after = middle : low = middle + 1;
+        }
     } else {
         while (after > 0 && numberOf(after - 1) != place.number) --after;
     }

@@ -165,17 +165,6 @@ TEST_F(SceneReader, AnObjectFileMayEndAsAModelDoes) {
             << name;
 }
 
-// Ten of them would have 40 million triangles.
-TEST_F(SceneReader, ReadsNoFurtherObjectThanThereIsRoomFor) {
-    std::string text;
-    for (int i = 0; i < 60; ++i)
-        text += "[[object]]\nshape = \"teapot\"\ntessellation = " + std::to_string(256 - i) + "\n";
-    const std::string errors = errorsOf(readScene(write("t.toml", text)));
-    EXPECT_NE(errors.find("all objects up to this one have too many vertices or triangles"), std::string::npos)
-        << errors;
-    EXPECT_EQ(std::ranges::count(errors, '\n'), 1) << errors;
-}
-
 TEST_F(SceneReader, OneObjectTooManyAnnounced) {
     EXPECT_EQ(errorsIn("200 1000 45 60\n2\nt.des 1 1 1 0 0 0 0 0 0\n1\n5 5 5 100\n50\n   // and more\n"),
               "s.scene:4:1: found \"1\", expected the file name of object 1\n");
