@@ -265,17 +265,17 @@ void View3dPanel::takeFrame() {
     if (!m_document.frame() || misses()) return;
     const Stepper& stepper = m_document.stepper();
     const bool inside = stepper.isInside() && stepper.steps();
-    // Vertices without a place would all stand at the origin.
-    const bool placed = m_document.frame()->until() != pipeline::StageId::Transform;
-    const pipeline::FramePtr frame = inside && !placed ? m_document.wholeFrame() : m_document.frame();
+    const pipeline::FramePtr& frame = m_document.frame();
+    const bool inTransform = inside && frame->until() == pipeline::StageId::Transform;
     const Made made{frame, m_document.pixel(), m_document.selection()};
     const auto& inspected = m_document.inspection().newest();
     const bool isKnown = made.pixel && inspected && inspected->frame == frame && inspected->report.pixel == *made.pixel;
     const auto build = [made, before = m_view->content(), known = isKnown ? inspected : nullptr, frusta = wantsFrusta(),
-                        steps = inside ? stepper.steps() : nullptr, space = m_view->space(),
+                        steps = inside ? stepper.steps() : nullptr, inTransform, space = m_view->space(),
                         moment = stepper.moment()](const std::stop_token& stop) {
         const pipeline::Frame& of = *made.frame;
-        ViewContent shown = contentOf(of, known ? std::nullopt : made.pixel, before.get(), stop);
+        const pipeline::Frame* placed = inTransform ? steps->frame().get() : nullptr;
+        ViewContent shown = contentOf(of, known ? std::nullopt : made.pixel, before.get(), stop, placed);
         if (stop.stop_requested()) return Built();  // nobody takes it
         if (known) shown = withReport(shown, of, &known->report);
         shown = withSelection(shown, of, made.selection);

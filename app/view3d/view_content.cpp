@@ -143,11 +143,11 @@ std::array<Vec3d, 8> Bounds::corners() const {
 }
 
 ViewContent contentOf(const Frame& frame, std::optional<glm::ivec2> pixel, const ViewContent* before,
-                      const std::stop_token& stop) {
+                      const std::stop_token& stop, const Frame* placed) {
     ViewContent content;
     const pipeline::Topology& topology = frame.topology();
     auto mesh = std::make_shared<ViewMesh>();
-    addPolygons(frame, before ? before->mesh.get() : nullptr, stop, *mesh, content.bounds);
+    addPolygons(placed ? *placed : frame, before ? before->mesh.get() : nullptr, stop, *mesh, content.bounds);
     content.bounds.giveExtent();
     colorFaces(frame, topology, *mesh, stop);
     addNormals(frame, stop, *mesh);

@@ -146,9 +146,12 @@ ViewContent withProgress(const ViewContent& content, const pipeline::Steps& step
 // Reads from the frame whatever of these buffers it has: vertices.world, polygons.verdict,
 // polygons.normal, vertices.normal, polygons.intensity, vertices.intensity, color.
 // `before`, of an earlier frame: where no vertex has moved since, what hangs on their places alone is taken from it.
+// placed: another frame of the same scene that has the vertices' places, for a frame inside the transform stage: those
+// without one would all stand at the origin. Null: `frame` has them.
 // Incomplete when it is stopped.
 ViewContent contentOf(const pipeline::Frame& frame, std::optional<glm::ivec2> pixel,
-                      const ViewContent* before = nullptr, const std::stop_token& stop = {});
+                      const ViewContent* before = nullptr, const std::stop_token& stop = {},
+                      const pipeline::Frame* placed = nullptr);
 // The same content with another picked pixel, or with what is known about it; `frame` is the one that it was made of.
 ViewContent withReport(const ViewContent& content, const pipeline::Frame& frame, const pipeline::PixelReport* report);
 ViewContent withPixel(const ViewContent& content, const pipeline::Frame& frame, std::optional<glm::ivec2> pixel,
