@@ -16,12 +16,12 @@ namespace {
 struct ProjectedVertices {
     std::vector<QPointF> places;
     std::vector<double> distances;
-    bool perspective = true;
+    std::vector<bool> isPlaced;  // false: behind the eye, or not transformed yet
     std::optional<pipeline::AnyBuffer> verdicts;
 
-    bool inFront(const pipeline::Topology::Corners& corners) const {
-        for (std::size_t i = 0; perspective && i < corners.size(); ++i)
-            if (!(distances[corners[i]] > 0)) return false;
+    bool arePlaced(const pipeline::Topology::Corners& corners) const {
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            if (!isPlaced[corners[i]]) return false;
         return true;
     }
     bool goesOn(std::size_t polygon) const {
@@ -34,15 +34,11 @@ struct ProjectedVertices {
 struct Source {
     std::shared_ptr<const pipeline::Topology> topology;
     std::optional<pipeline::AnyBuffer> screen, view, verdicts;
-    bool perspective = true;
 };
 
 Source sourceOf(const pipeline::Frame& frame) {
-    const pipeline::Camera& camera = frame.scene().camera;
-    return {
-        frame.sharedTopology(), frame.buffer({BufferId::VerticesScreen}), frame.buffer({BufferId::VerticesView}),
-        frame.buffer({BufferId::PolygonsVerdict}),
-        camera.projection == pipeline::ProjectionKind::Perspective || camera.kind == pipeline::CameraKind::Spherical};
+    return {frame.sharedTopology(), frame.buffer({BufferId::VerticesScreen}), frame.buffer({BufferId::VerticesView}),
+            frame.buffer({BufferId::PolygonsVerdict})};
 }
 
 // Without vertices where the frame has not placed them yet.
@@ -50,14 +46,17 @@ ProjectedVertices projectVertices(const Source& source) {
     ProjectedVertices projected;
     if (!source.screen || !source.view) return projected;
     projected.verdicts = source.verdicts;
-    projected.perspective = source.perspective;
     const std::size_t count = source.screen->rows();
     projected.places.reserve(count);
     projected.distances.reserve(count);
+    projected.isPlaced.reserve(count);
     std::visit(
         [&](const auto& v) {
-            for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t i = 0; i < count; ++i) {
                 projected.places.emplace_back(double(v[3 * i]), double(v[3 * i + 1]));
+                // The buffer says so with three zeros, see screenPlaces.
+                projected.isPlaced.push_back(v[3 * i] != 0 || v[3 * i + 1] != 0 || v[3 * i + 2] != 0);
+            }
         },
         source.screen->data);
     std::visit(
@@ -68,12 +67,12 @@ ProjectedVertices projectVertices(const Source& source) {
     return projected;
 }
 
-// visit(number, its corners) for each polygon all of whose corners stand in front of the eye.
+// visit(number, its corners) for each polygon all of whose corners have a place.
 template <class Visit>
-void forEachInFront(const pipeline::Topology& topology, const ProjectedVertices& vertices, Visit visit) {
+void forEachPlaced(const pipeline::Topology& topology, const ProjectedVertices& vertices, Visit visit) {
     if (vertices.places.empty()) return;
     for (std::size_t p = 0; p < topology.polygonCount(); ++p)
-        if (const auto corners = topology.corners(p); vertices.inFront(corners)) visit(p, corners);
+        if (const auto corners = topology.corners(p); vertices.arePlaced(corners)) visit(p, corners);
 }
 
 // A polygon and the box around it, which may be a line or a point.
@@ -105,13 +104,16 @@ ProjectedPolygons projectPolygons(const pipeline::Frame& frame, const std::stop_
     ProjectedPolygons projected;
     projected.topology = frame.sharedTopology();
     projected.polygons.reserve(frame.topology().polygonCount());
-    forEachInFront(frame.topology(), vertices, [&](std::size_t p, const auto& corners) {
+    forEachPlaced(frame.topology(), vertices, [&](std::size_t p, const auto& corners) {
         if (stop.stop_requested()) return;
         double distance = 0;
         for (std::size_t i = 0; i < corners.size(); ++i) distance += vertices.distances[corners[i]];
         projected.polygons.push_back({std::uint32_t(p), vertices.goesOn(p), distance / double(corners.size())});
     });
+    for (std::size_t v = 0; v < vertices.places.size(); ++v)
+        if (vertices.isPlaced[v]) projected.vertices.push_back(std::uint32_t(v));
     projected.places = std::move(vertices.places);
+    projected.distances = std::move(vertices.distances);
     return projected;
 }
 
@@ -129,7 +131,7 @@ OutlinesIn outlinesIn(const pipeline::Frame& frame) {
         const ProjectedVertices& vertices = places->vertices;
         std::call_once(places->once, [&] {
             places->vertices = projectVertices(places->source);
-            forEachInFront(topology, vertices, [&](std::size_t p, const auto& corners) {
+            forEachPlaced(topology, vertices, [&](std::size_t p, const auto& corners) {
                 if (vertices.goesOn(p)) places->polygons.emplace_back(p).add(corners, vertices);
             });
         });
@@ -143,7 +145,7 @@ OutlinesIn outlinesIn(const pipeline::Frame& frame) {
 QRectF boundsOf(const pipeline::Frame& frame, bool all) {
     Boxed around{0};
     const ProjectedVertices vertices = projectVertices(sourceOf(frame));
-    forEachInFront(frame.topology(), vertices, [&](std::size_t p, const auto& corners) {
+    forEachPlaced(frame.topology(), vertices, [&](std::size_t p, const auto& corners) {
         if (all || vertices.goesOn(p)) around.add(corners, vertices);
     });
     return around.left <= around.right ? QRectF(QPointF(around.left, around.top), QPointF(around.right, around.bottom))
@@ -164,17 +166,15 @@ std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const Selection&
     if (vertices.places.empty()) return {};
     if (selection.kind == Kind::Polygon) {
         const auto corners = topology.corners(selection.index);
-        return vertices.inFront(corners) ? std::vector{outlineOf(corners, vertices)} : std::vector<QPolygonF>();
+        return vertices.arePlaced(corners) ? std::vector{outlineOf(corners, vertices)} : std::vector<QPolygonF>();
     }
+    if (selection.kind == Kind::Vertex)
+        return vertices.isPlaced[selection.index] ? std::vector{QPolygonF{vertices.places[selection.index]}}
+                                                  : std::vector<QPolygonF>();
     Boxed around{0};
-    bool isVertexSeen = false;
-    forEachInFront(topology, vertices, [&](std::size_t p, const auto& corners) {
-        if (selection.kind == Kind::Object && topology.objectOfPolygon(p) == selection.index && vertices.goesOn(p))
-            around.add(corners, vertices);
-        for (std::size_t i = 0; selection.kind == Kind::Vertex && i < corners.size(); ++i)
-            isVertexSeen = isVertexSeen || corners[i] == selection.index;
+    forEachPlaced(topology, vertices, [&](std::size_t p, const auto& corners) {
+        if (topology.objectOfPolygon(p) == selection.index && vertices.goesOn(p)) around.add(corners, vertices);
     });
-    if (isVertexSeen) return {QPolygonF{vertices.places[selection.index]}};
     if (!(around.left < around.right && around.top < around.bottom)) return {};
     return {QPolygonF{{around.left, around.top},
                       {around.right, around.top},

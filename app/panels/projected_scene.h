@@ -23,11 +23,13 @@ struct ProjectedPolygon {
 // polygons, take long to free, and whoever else asks for memory waits meanwhile.
 struct ProjectedPolygons {
     std::shared_ptr<const pipeline::Topology> topology;
-    std::vector<QPointF> places;  // of every vertex, pixels (y down)
+    std::vector<QPointF> places;    // of every vertex, pixels (y down)
+    std::vector<double> distances;  // of every vertex, z_view
     std::vector<ProjectedPolygon> polygons;
+    std::vector<std::uint32_t> vertices;  // that have a place on the screen
 };
 
-// The scene's polygons where all their corners stand in front of the eye; in scene order. Incomplete when it is stopped.
+// The scene's polygons where all their corners have a place on the screen; in scene order. Incomplete when it is stopped.
 ProjectedPolygons projectPolygons(const pipeline::Frame& frame, const std::stop_token& stop = {});
 
 // The outlines that reach into a part of the picture, found when it is looked at: few of many polygons are ever seen
@@ -42,7 +44,7 @@ QRectF boundsOf(const pipeline::Frame& frame, bool all);
 QRectF focusOn(QRectF around, QSize picture);
 
 // Where the selected thing stands in the picture: a polygon's outline, a rectangle around an
-// object's polygons that go on, a vertex as a single point; nothing for what is behind the eye.
+// object's polygons that go on, a vertex as a single point; nothing for what has no place on the screen.
 std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const Selection& selection);
 
 }  // namespace app

@@ -40,19 +40,16 @@ QRectF boxAround(const ShapePicture& picture, const ProjectedPolygon& polygon) {
     return {least, most};
 }
 
-// Once each, as the polygons come to them.
-void addPoints(const AnyBuffer& buffer, const BufferLook& look, const std::stop_token& stop, ShapePicture& picture) {
+// Farthest first, so that the nearest lies on top.
+void addPoints(ProjectedPolygons& projected, const AnyBuffer& buffer, const BufferLook& look,
+               const std::stop_token& stop, ShapePicture& picture) {
     const bool isColor = buffer.info->palette == Palette::Color || buffer.info->unit.empty();
-    std::vector<bool> seen(buffer.rows(), false);
-    for (const Shape& shape : picture.shapes) {
+    std::ranges::stable_sort(projected.vertices, std::greater(),
+                             [&](std::uint32_t v) { return projected.distances[v]; });
+    for (const std::uint32_t v : projected.vertices) {
         if (stop.stop_requested()) return;
-        const auto corners = picture.topology->corners(shape.outline.polygon);
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const std::uint32_t v = corners[i];
-            if (v >= seen.size() || seen[v]) continue;
-            seen[v] = true;
+        if (v < buffer.rows())
             picture.points.push_back({picture.places[v], int(v), isColor ? colorOf(buffer, v, look) : QColor()});
-        }
     }
 }
 
@@ -103,7 +100,7 @@ ShapePicture shapePicture(const pipeline::Frame& frame, const AnyBuffer& buffer,
         if (areVerdicts) shape.letter = pipeline::letter(pipeline::Verdict(int(buffer.flat(polygon.polygon))));
         picture.boxes.push_back(boxAround(picture, polygon));
     }
-    if (buffer.info->domain == Domain::Vertex) addPoints(buffer, look, stop, picture);
+    if (buffer.info->domain == Domain::Vertex) addPoints(projected, buffer, look, stop, picture);
     return picture;
 }
 

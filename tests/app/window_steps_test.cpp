@@ -92,6 +92,20 @@ TEST_F(WindowSteps, PlayIsNoLongerPressedWhenItHasComeToTheEnd) {
     EXPECT_FALSE(play->isChecked());
 }
 
+TEST_F(WindowSteps, AVertexAppearsAsItIsTransformed) {
+    openAndCount();
+    press("Home");
+    settle();
+    for (int vertices = 0; vertices <= 5; ++vertices) {
+        const auto& shapes = canvas()->content().shapes;
+        ASSERT_TRUE(shapes);
+        ASSERT_EQ(shapes->points.size(), std::size_t(vertices));
+        for (const ShapePoint& point : shapes->points) EXPECT_LT(point.vertex, vertices);
+        press("F10");
+        settle();
+    }
+}
+
 TEST_F(WindowSteps, AKeyThatDoesNothingSaysWhy) {
     openAndCount();
     canvas()->setFocus();
