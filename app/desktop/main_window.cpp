@@ -255,7 +255,7 @@ bool MainWindow::openLessonAt(const std::filesystem::path& folder) {
 void MainWindow::showLesson() {
     showScene();  // one that was closed, and is the lesson's, is not opened anew
     for (PanelDock* dock : m_docks)
-        if (dock->objectName() == "lesson") dock->show();
+        if (dock->objectName() == "lesson") dock->show(), dock->raise();
 }
 
 void MainWindow::showTitle() {

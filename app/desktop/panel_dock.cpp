@@ -1,5 +1,6 @@
 #include "app/desktop/panel_dock.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -13,6 +14,9 @@ namespace app {
 PanelDock::PanelDock(const QString& title, const QString& icon, QWidget* content, QWidget* parent)
     : QDockWidget(title, parent), m_icon(icon) {
     setFeatures(DockWidgetMovable | DockWidgetFloatable | DockWidgetClosable);
+    // Qt's own would close one that is behind another tab.
+    disconnect(toggleViewAction(), &QAction::triggered, this, nullptr);
+    connect(toggleViewAction(), &QAction::triggered, this, &PanelDock::toggle);
     auto* bar = new QWidget(this);
     m_heading = new QHBoxLayout(bar);
     auto* name = new QLabel(title, bar);
@@ -35,6 +39,19 @@ PanelDock::PanelDock(const QString& title, const QString& icon, QWidget* content
         name->setFixedHeight(theme.px(32));  // the dock asks the heading for its hint alone
         update();
     });
+}
+
+// One behind another tab is visible, at a place that nobody sees.
+bool PanelDock::isInFront() const { return isVisible() && !visibleRegion().isEmpty(); }
+
+void PanelDock::toggle() {
+    if (isInFront()) {
+        close();
+    } else {
+        show();
+        raise();
+    }
+    toggleViewAction()->setChecked(!isHidden());  // the click has turned it over
 }
 
 void PanelDock::addButton(QAction* action, const QString& icon) {

@@ -11,6 +11,7 @@
 
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
+#include "app/desktop/panel_dock.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/film_dialog.h"
@@ -156,6 +157,29 @@ TEST_F(WindowKeyboard, TheFieldTellsWhichCommandTheArrowsHaveComeTo) {
     EXPECT_TRUE(command->hasFocus()) << "in an overlay Tab goes round";
     press("Escape");
     EXPECT_TRUE(canvas()->hasFocus());
+}
+
+TEST_F(WindowKeyboard, APanelsKeysBringItToTheFrontBeforeTheyCloseIt) {
+    openPyramid();
+    auto *lesson = find<PanelDock>("lesson"), *cues = find<PanelDock>("cues");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return lesson->isInFront(); }));
+    const auto becomes = [](PanelDock* dock, bool inFront) {
+        return QTest::qWaitFor([&] { return dock->isInFront() == inFront; });
+    };
+    press("Ctrl+Alt+6");
+    EXPECT_TRUE(becomes(cues, true)) << "it was behind";
+    EXPECT_TRUE(cues->toggleViewAction()->isChecked());
+    EXPECT_FALSE(lesson->isInFront());
+    press("Ctrl+Alt+3");
+    EXPECT_TRUE(becomes(lesson, true));
+    EXPECT_FALSE(cues->isHidden());
+    press("Ctrl+Alt+3");
+    EXPECT_TRUE(lesson->isHidden()) << "it was in front";
+    EXPECT_FALSE(lesson->toggleViewAction()->isChecked());
+    EXPECT_TRUE(becomes(cues, true));
+    press("Ctrl+Alt+3");
+    EXPECT_TRUE(becomes(lesson, true)) << "it was hidden";
+    EXPECT_TRUE(lesson->toggleViewAction()->isChecked());
 }
 
 TEST_F(WindowKeyboard, EscLeavesAConditionForThePicture) {
