@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QScreen>
+#include <QShortcut>
 #include <QStackedWidget>
 
 #include "app/core/own_file.h"
@@ -56,6 +57,7 @@ void showApart(QWidget& panel) {
     }
     panel.show();
     panel.raise();
+        QObject::connect(new QShortcut(QKeySequence::Close, &panel), &QShortcut::activated, &panel, &QWidget::close);
     panel.activateWindow();
 }
 

@@ -1,5 +1,6 @@
 #include "app/panels/study_panel.h"
 
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -59,6 +60,15 @@ StudyPanel::StudyPanel(Document& document, QWidget* parent) : QWidget(parent), m
 // What is being measured goes on behind a closed panel, for studies take long; pictures are made for who sees them.
 void StudyPanel::showEvent(QShowEvent*) { showSelected(); }
 void StudyPanel::hideEvent(QHideEvent*) { m_images.forget(); }
+
+// Esc stops what is being measured, as anywhere; where nothing is, it closes.
+void StudyPanel::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
+    if (m_run->running())
+        m_run->cancel();
+    else
+        close();
+}
 
 QWidget* StudyPanel::makeLeft() {
     auto* content = new QWidget;

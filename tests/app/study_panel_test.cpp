@@ -224,6 +224,17 @@ TEST_F(StudyPanelTest, MeasuresAStudyBesideTheWindow) {
     EXPECT_EQ(report.scene, document.scene().name);
 }
 
+TEST_F(StudyPanelTest, EscStopsAStudyThenClosesTheWindow) {
+    part<app::StudySweep>().setAxes({"shading=all", "material.0.n=1..200"});
+    part<QPushButton>("studyBegin").click();
+    ASSERT_TRUE(part<app::StudyRun>().running());
+    QTest::keyClick(&part<StudyPoints>(), Qt::Key_Escape);
+    EXPECT_TRUE(panel.isVisible());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !part<app::StudyRun>().running(); }, 30000));
+    QTest::keyClick(&part<StudyPoints>(), Qt::Key_Escape);
+    EXPECT_FALSE(panel.isVisible());
+}
+
 TEST_F(StudyPanelTest, CancelsAStudy) {
     part<app::StudySweep>().setAxes({"shading=all", "material.0.n=1..200"});
     part<QPushButton>("studyBegin").click();

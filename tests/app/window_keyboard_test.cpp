@@ -182,6 +182,21 @@ TEST_F(WindowKeyboard, APanelsKeysBringItToTheFrontBeforeTheyCloseIt) {
     EXPECT_TRUE(lesson->toggleViewAction()->isChecked());
 }
 
+TEST_F(WindowKeyboard, CtrlWClosesAWindowOfItsOwnAlone) {
+    openPyramid();
+    for (const ActionId id : {ActionId::Study, ActionId::Check}) {
+        window.actions()[id]->trigger();
+        QWidget* apart = window.findChild<QWidget*>(id == ActionId::Study ? "studyPanel" : "checkPanel");
+        ASSERT_NE(apart, nullptr);
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(apart));
+        QApplication::setActiveWindow(apart);
+        QTest::keySequence(apart, QKeySequence("Ctrl+W"));
+        EXPECT_FALSE(apart->isVisible());
+        EXPECT_TRUE(document().hasScene());
+        QApplication::setActiveWindow(&window);
+    }
+}
+
 TEST_F(WindowKeyboard, EscLeavesAConditionForThePicture) {
     openPyramid();
     canvas()->setFocus();
