@@ -72,7 +72,8 @@ FragmentsSection::FragmentsSection(QWidget* parent) : QWidget(parent) {
     });
 }
 
-void FragmentsSection::show(const pipeline::PixelReport& report) {
+void FragmentsSection::show(const pipeline::Frame& frame, const pipeline::PixelReport& report) {
+    m_isDrawn = frame.until() >= pipeline::StageId::ZBuffer;
     m_fragments = report.fragments;
     m_culled = report.culled;
     m_current = std::clamp(m_current, 0, std::max(0, int(m_fragments.size() + m_culled.size()) - 1));
@@ -89,6 +90,7 @@ void FragmentsSection::show(const pipeline::PixelReport& report) {
 }
 
 QString FragmentsSection::sentence() const {
+    if (!m_isDrawn) return toQString(name(FragmentVerdict::NotYet));
     const auto count = [this](auto holds) {
         return std::count_if(m_fragments.begin(), m_fragments.end(),
                              [&](const FragmentReport& f) { return holds(f.verdict); });
@@ -201,7 +203,8 @@ void FragmentsSection::paintEvent(QPaintEvent*) {
     if (m_fragments.empty() && m_culled.empty()) {
         painter.setFont(words);
         painter.setPen(c.text2);
-        painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft, tr("No polygon covers this pixel."));
+        painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft,
+                         m_isDrawn ? tr("No polygon covers this pixel.") : tr("The polygons are not drawn yet."));
     }
 }
 

@@ -15,7 +15,7 @@ class FragmentsSection : public QWidget {
 public:
     explicit FragmentsSection(QWidget* parent = nullptr);
 
-    void show(const pipeline::PixelReport& report);
+    void show(const pipeline::Frame& frame, const pipeline::PixelReport& report);
     QString sentence() const;
     void setSelected(std::optional<std::uint32_t> polygon);  // its rows are marked
     std::vector<QRect> rows() const;                         // in their order
@@ -48,7 +48,8 @@ private:
     std::vector<pipeline::FragmentReport> m_fragments;
     std::vector<pipeline::CulledReport> m_culled;
     std::optional<std::uint32_t> m_selected;
-    int m_current = 0;  // by the keyboard
+    bool m_isDrawn = true;  // false: the z-buffer stage is still to come
+    int m_current = 0;      // by the keyboard
 };
 
 }  // namespace app

@@ -140,7 +140,7 @@ void InspectorPanel::refresh() {
     m_whyFold->setSentence(m_why->sentence());
     const bool isLit = !report.evaluations.empty();  // not before the shading stage, nor where outlines are drawn
     for (Section* section : {m_equationFold, m_termsFold}) section->setVisible(isLit);
-    m_fragments->show(report);
+    m_fragments->show(frame, report);
     m_fragmentsFold->setSentence(m_fragments->sentence());
     if (isLit) {
         m_equation->show(frame, report);
@@ -163,8 +163,8 @@ void InspectorPanel::showHeader() {
         const QString object = toQString(m_shown->frame->scene().objects[std::size_t(r.object)].name);
         m_place->setText(tr("Polygon %1 of %2, row 0 on top").arg(r.polygon).arg(object));
     } else {
-        m_place->setText(m_document.stepper().isInside() ? tr("Nothing is drawn here yet.")
-                                                         : tr("Background: nothing was drawn here."));
+        const bool isDrawn = m_shown->frame->until() > pipeline::StageId::ZBuffer || !m_document.stepper().isInside();
+        m_place->setText(isDrawn ? tr("Background: nothing was drawn here.") : tr("Nothing is drawn here yet."));
     }
     setAccessibleDescription(tr("Pixel %1, colour %2. %3").arg(place, m_value->text(), m_place->text()));
 }

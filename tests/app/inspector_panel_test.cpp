@@ -73,6 +73,20 @@ TEST_F(InspectorPanelTest, NamesNoFileWhereTheMeshComesFromNone) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return std::any_of(rows.begin(), rows.end(), names); }, 10000));
 }
 
+TEST_F(InspectorPanelTest, SaysThatAPixelIsNotDrawnYet) {
+    for (const char* place : {"transform", "cull/polygon=2", "normals"}) {
+        document.stepper().goTo(*pipeline::parsePlace(place));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return shows("not drawn yet"); }, 10000)) << place;
+        EXPECT_TRUE(shows("Nothing is drawn here yet."));
+    }
+    // Of a pixel of the background.
+    document.pick(glm::ivec2(10, 10));
+    document.stepper().goTo(*pipeline::parsePlace("z-buffer/start"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return shows("0 came, 0 won"); }, 10000));
+    document.stepper().goTo(*pipeline::parsePlace("shading/start"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return shows("Background: nothing was drawn here."); }, 10000));
+}
+
 // Red: k_r = 0.2, so 0.2·50 + 0.2·77.46 + 0.025 = 25.517.
 TEST_F(InspectorPanelTest, FollowsTheChannel) {
     document.setChannel(0);
