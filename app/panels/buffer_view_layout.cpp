@@ -4,6 +4,7 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
+#include "app/core/press_watch.h"
 #include "app/core/working_bar.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
@@ -35,6 +36,7 @@ QLabel* overlay(QWidget* parent) {
 void BufferView::build() {
     setMinimumSize(280, 220);
     m_header = new BufferHeader(m_document, this);
+    new PressWatch(*m_header, [this] { takeKeys(); });  // whoever clicks there goes on with the view's keys
     auto* middle = new QWidget(this);
     m_stack = new QStackedLayout(middle);
     m_canvas = new BufferCanvas(middle);

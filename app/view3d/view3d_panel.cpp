@@ -10,6 +10,7 @@
 #include "app/core/large_frame.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/pointed.h"
+#include "app/core/press_watch.h"
 #include "app/core/put_away.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
@@ -162,6 +163,7 @@ void View3dPanel::buildHeader() {
     m_menu = new QMenu(rest);
     rest->setMenu(m_menu);
     rest->setPopupMode(QToolButton::InstantPopup);
+    new PressWatch(*m_header, [this] { m_view->setFocus(); });  // whoever clicks there goes on with the view's keys
 }
 
 QToolButton* View3dPanel::addToggle(const QString& iconName, const QString& name, const QString& tip) {

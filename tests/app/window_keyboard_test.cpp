@@ -8,11 +8,14 @@
 #include <QScrollArea>
 #include <QSet>
 #include <QTest>
+#include <QToolButton>
 
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/panel_dock.h"
+#include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/film_dialog.h"
 #include "app/panels/math_view.h"
@@ -157,6 +160,23 @@ TEST_F(WindowKeyboard, TheFieldTellsWhichCommandTheArrowsHaveComeTo) {
     EXPECT_TRUE(command->hasFocus()) << "in an overlay Tab goes round";
     press("Escape");
     EXPECT_TRUE(canvas()->hasFocus());
+}
+
+// The track keeps the keys after a drag, until one goes back to a view.
+TEST_F(WindowKeyboard, AClickInAViewsHeaderGivesItTheKeys) {
+    openPyramid();
+    auto* track = find<StepBar>("stepBar");
+    const auto click = [&](QWidget* view, const QString& button) {
+        track->setFocus();
+        for (auto* one : view->findChildren<QToolButton*>())
+            if (one->accessibleName() == button) return QTest::mouseClick(one, Qt::LeftButton);
+        FAIL() << button.toStdString();
+    };
+    click(&window.views().first(), "Fit");
+    EXPECT_TRUE(canvas()->hasFocus());
+    auto* space = window.findChild<SceneView*>();
+    click(space->parentWidget(), "Lights");
+    EXPECT_TRUE(space->hasFocus());
 }
 
 TEST_F(WindowKeyboard, APanelsKeysBringItToTheFrontBeforeTheyCloseIt) {
