@@ -16,6 +16,7 @@
 #include "pipeline/export/size_text.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/scene/key_places.h"
 #include "pipeline/steps/steps.h"
 
 namespace app {
@@ -113,27 +114,43 @@ bool takeCue(ExportOptions& options, int& status) {
 }
 
 // What a cue looks at, where the options name nothing else. It was not asked for here: what comes after the end of the
-// run is left out, and where nothing else is looked at, all that the run holds is meant.
-void takeViews(ExportOptions& options, const pipeline::Scene& scene, std::optional<pipeline::StageId> until) {
+// run is left out, and where nothing else is looked at, all that the run holds is meant. Errors: a view shows what
+// cannot be made.
+pipeline::Errors takeViews(ExportOptions& options, const pipeline::Scene& scene,
+                           std::optional<pipeline::StageId> until) {
+    using B = pipeline::BufferId;
     const WindowState& state = *options.scene.state;
+    const DerivedRecipe recipe{options.derived.where.empty() ? state.condition : options.derived.where, {}};
     const auto whyNot = [&](const pipeline::BufferName& name) -> std::optional<pipeline::Error> {
         if (!until) return std::nullopt;
         if (!isDerived(name.id)) return comesTooLate(name, bufferInfo(name.id).stage, *until);
-        const auto buffers = buffersFor(name, {state.condition, {}}, scene);
-        return buffers ? comesTooLate(name, lastStageOf(*buffers), *until) : std::nullopt;  // its error is told later
+        const auto buffers = buffersFor(name, recipe, scene);
+        return buffers ? comesTooLate(name, lastStageOf(*buffers), *until) : std::nullopt;
     };
-    using B = pipeline::BufferId;
-    if (options.derived.where.empty() && !whyNot({B::Condition}) && !whyNot({B::Expression}))
-        options.derived.where = state.condition;
     if (options.derived.mix.empty() && !whyNot({B::Mix})) options.derived.mix = state.mix;
-    if (options.frame.buffers != FrameArgument().buffers) return;
-    std::vector<std::string> shown;
-    for (const BufferShown& view : state.views)
-        if (const auto why = whyNot(pipeline::findAnyBuffer(view.buffer).value()))  // the reader knows the name
-            tell("left out: {}\n", format(*why));
-        else
-            shown.push_back(view.buffer);
-    if (!shown.empty()) options.frame.buffers = std::move(shown);
+    if (options.frame.buffers == FrameArgument().buffers) {
+        std::vector<std::string> shown;
+        for (std::size_t i = 0; i < state.views.size(); ++i) {
+            const auto name = pipeline::findAnyBuffer(state.views[i].buffer).value();  // the reader knows the name
+            if (const auto why = whyNot(name)) {
+                tell("left out: {}\n", format(*why));
+                continue;
+            }
+            const bool isOption =
+                (name.id == B::Condition || name.id == B::Expression) && !options.derived.where.empty();
+            if (isDerived(name.id) && !isOption)
+                if (const auto buffers = buffersFor(name, recipe, scene); !buffers)
+                    return namedAt(state.places.of(fmt::format("view.{}.buffer", i)), buffers.errors());
+            shown.push_back(state.views[i].buffer);
+        }
+        if (!shown.empty()) options.frame.buffers = std::move(shown);
+    }
+    if (!options.derived.where.empty()) return {};
+    // Text that gives numbers is no condition.
+    const bool isNumbers = std::ranges::find(options.frame.buffers, "expression") != options.frame.buffers.end();
+    if (isNumbers || (buffersFor({B::Condition}, recipe, scene) && !whyNot({B::Condition})))
+        options.derived.where = state.condition;
+    return {};
 }
 
 // What a picture opens again beside its scene: the cue, or place and pixel.
@@ -174,7 +191,11 @@ int runExport(ExportOptions options, const CliHost& host) {
         at = *place;
         until = at->stage;  // nothing later is looked at
     }
-    if (!options.cue.empty()) takeViews(options, *scene, until);
+    if (!options.cue.empty())
+        if (const auto errors = takeViews(options, *scene, until); !errors.empty()) {
+            printErrors(errors);
+            return kBadInput;
+        }
     FrameArgument argument = options.frame;
     if (at) argument.until = pipeline::stageInfo(at->stage).name;
     const std::vector<pipeline::BufferName> named = takeDerived(argument.buffers);

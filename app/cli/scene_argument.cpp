@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "app/cli/cli.h"
+#include "app/cli/cue_check.h"
 #include "app/cli/message.h"
 #include "app/state/state_scene.h"
 #include "pipeline/core/text.h"
@@ -69,6 +70,8 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, int& statu
     };
     auto read = argument.state ? sceneOf(*argument.state, argument.folder) : readNamedScene(argument.scene, {});
     if (!read) return refuse(read.errors(), kBadInput);
+    if (argument.state)
+        if (const Errors errors = checkCue(*argument.state, *read); !errors.empty()) return refuse(errors, kBadInput);
     auto changed = applySettings(std::move(read).value(), argument);
     if (!changed) return refuse(changed.errors(), kWrongUsage);
     if (const Errors errors = checkScene(*changed); !errors.empty())

@@ -80,6 +80,8 @@ public:
         if (const auto* node = table.get("pins")) state.pins = readPins(*node);
         if (const auto* node = table.get("selected")) state.selected = readSelected(*node);
         state.linked = flag(table, "linked", m_path);
+        if (m_values.errors().empty())  // else nobody asks
+            for (const auto& [key, node] : table) addPlaces(node, std::string(key.str()), state.places);
         return state;
     }
 
@@ -88,6 +90,14 @@ private:
         for (const auto& [key, node] : table)
             if (std::ranges::find(keys, key.str()) == keys.end())
                 m_values.unknown(key, path + std::string(key.str()), keys);
+    }
+    void addPlaces(const toml::node& node, const std::string& key, StatePlaces& places) {
+        places.add(key, m_values.place(node.source()));
+        if (const toml::table* table = node.as_table())
+            for (const auto& [name, value] : *table) addPlaces(value, key + '.' + std::string(name.str()), places);
+        if (const toml::array* array = node.as_array())
+            for (std::size_t i = 0; i < std::min(array->size(), kMaxList); ++i)
+                addPlaces((*array)[i], fmt::format("{}.{}", key, i), places);
     }
     void text(const toml::table& table, string_view key, std::string& value) {
         if (const auto* node = table.get(key))
@@ -304,6 +314,13 @@ private:
 };
 
 }  // namespace
+
+pipeline::SourceLocation StatePlaces::of(string_view key) const {
+    for (;; key = key.substr(0, key.rfind('.'))) {
+        if (const auto found = m_places.find(key); found != m_places.end()) return found->second;
+        if (key.rfind('.') == key.npos) return {};
+    }
+}
 
 WindowState readStateTable(const toml::table& table, const std::string& path, const KnownKeys& others,
                            TomlValues& values) {

@@ -8,6 +8,7 @@
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/formats/toml_scene.h"
 #include "pipeline/formats/toml_writer.h"
+#include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace app {
@@ -59,19 +60,23 @@ Result<Scene> sceneOf(const WindowState& state, const Scene& original) {
         return readTomlScene({state.sceneText, "scene_text"}, none);
     }
     Scene scene = original;
-    for (const std::string& assignment : state.set) {
-        Result<Scene> changed = withSetting(std::move(scene), assignment);
-        if (!changed) return changed;
+    pipeline::KeyPlaces places;
+    for (std::size_t i = 0; i < state.set.size(); ++i) {
+        const pipeline::SourceLocation where = state.places.of(fmt::format("set.{}", i));
+        places.add(std::string(pipeline::assignedKey(state.set[i])), where);
+        Result<Scene> changed = withSetting(std::move(scene), state.set[i]);
+        if (!changed) return namedAt(where, changed.errors());
         scene = std::move(changed).value();
     }
-    if (const Errors errors = checkScene(scene); !errors.empty()) return errors;
+    if (const Errors errors = checkScene(scene); !errors.empty()) return places.placed(errors);
     return scene;
 }
 
 Result<Scene> sceneOf(const WindowState& state, const fs::path& folder, const pipeline::ReadProgress& progress) {
     if (!state.sceneText.empty()) return sceneOf(state, Scene());
     const Result<Scene> original = readNamedScene(state.scene, folder, progress);
-    return original ? sceneOf(state, *original) : original;
+    if (!original) return namedAt(state.places.of("scene"), original.errors());
+    return sceneOf(state, *original);
 }
 
 namespace {

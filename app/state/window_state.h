@@ -1,8 +1,11 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/state/shown_channel.h"
@@ -67,6 +70,19 @@ struct Selected {
     bool operator==(const Selected&) const = default;
 };
 
+// Where the values of a state stand in the file that it was read from: "set.1", "view.0.buffer". States that show the
+// same are equal wherever they come from.
+class StatePlaces {
+public:
+    void add(std::string key, pipeline::SourceLocation where) { m_places.insert_or_assign(std::move(key), where); }
+    // Of a value, or of what it stands in; nowhere of a state that was not read.
+    pipeline::SourceLocation of(std::string_view key) const;
+    bool operator==(const StatePlaces&) const { return true; }
+
+private:
+    std::map<std::string, pipeline::SourceLocation, std::less<>> m_places;
+};
+
 // What the window shows, whatever its theme, size and docks: enough to see the same again. A session, a cue and a
 // picture's text are one of these; files have it in TOML.
 struct WindowState {
@@ -89,6 +105,7 @@ struct WindowState {
     std::vector<BufferShown> views{BufferShown()};  // in the order of the arrangement; at least one
     std::vector<SpaceShown> spaces{SpaceShown()};   // likewise
     std::vector<pipeline::Place> bookmarks = {};
+    StatePlaces places = {};
     bool operator==(const WindowState&) const = default;
 };
 

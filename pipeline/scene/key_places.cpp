@@ -23,4 +23,15 @@ Errors KeyPlaces::placed(Errors errors) const {
     return errors;
 }
 
+Errors namedAt(const SourceLocation& where, Errors errors) {
+    if (where.file.empty()) return errors;
+    for (Error& error : errors) {
+        const bool hasFile = !error.where.file.empty();
+        if (hasFile && error.where.line > 0) continue;
+        if (hasFile) error.found = error.where.file + ": " + error.found;
+        error.where = where;
+    }
+    return errors;
+}
+
 }  // namespace pipeline

@@ -23,6 +23,9 @@ private:
     std::map<std::string, SourceLocation, std::less<>> m_places;
 };
 
+// Errors that stand in no line of a file, with the place of who named the file, or said the words.
+Errors namedAt(const SourceLocation& where, Errors errors);
+
 // "light.0" of "light.0.x"; empty of a setting that stands in no table.
 std::string_view tableOf(std::string_view key);
 

@@ -89,6 +89,60 @@ TEST(ExportCue, WritesWhatTheCueShows) {
     EXPECT_FALSE(fs::exists(folder / "none"));
 }
 
+// One mistake a cue; the value that is wrong stands in the last line.
+TEST(ExportCue, TellsAMistakeOfTheCueWithItsPlace) {
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "talk.cues").string();
+    const auto refused = [&](const std::string& lines, std::vector<std::string> more = {}) {
+        test::writeText(file, "[[cue]]\nname = \"a\"\n" + lines);
+        std::vector<std::string> all{"export", "--cue", file + ":a", "-o", (folder / "out").string()};
+        all.insert(all.end(), more.begin(), more.end());
+        const auto done = run(all);
+        EXPECT_EQ(done.status, 3) << done.err;
+        EXPECT_TRUE(done.err.starts_with(file + ':')) << done.err;
+        return done.err.substr(std::min(done.err.size(), file.size() + 1));
+    };
+    const std::string scene = "scene = \"pyramid\"\n";
+    EXPECT_EQ(refused(scene + "set = [\"cull=none\", \"shading=flatt\"]\n"),
+              "4:21: shading is \"flatt\", expected flat, gouraud or phong\n");
+    EXPECT_EQ(refused(scene + "set = [\"camera.near=2\", \"camera.far=1\"]\n"),
+              "4:8: camera.near is 2, expected less than camera.far, which is 1\n");
+    EXPECT_TRUE(refused("scene = \"nope\"\n").starts_with("3:9: no file and no built-in scene \"nope\""));
+    EXPECT_TRUE(refused("scene = \"missing.toml\"\n").starts_with("3:9: " + (folder / "missing.toml").string() + ": "));
+    const std::string mixed = refused(scene + "mix = \"foo=1\"\n");
+    EXPECT_TRUE(mixed.starts_with("4:7: there is no term \"foo\"")) << mixed;
+    EXPECT_TRUE(refused(scene + "condition = \"foo >\"\n").starts_with("4:13: "));
+    EXPECT_TRUE(refused(scene + "condition = \"foo >\"\n", {"--where", "depth > 0"}).starts_with("4:13: "));
+    EXPECT_TRUE(refused(scene + "place = \"z-buffer/polygon=99\"\n").starts_with("4:9: found \"z-buffer/polygon=99\""));
+    const auto view = [&](const char* buffer) {
+        return refused(scene + "[[cue.view]]\n[[cue.view]]\nbuffer = \"" + buffer + "\"\n");
+    };
+    EXPECT_EQ(view("n_dot_l.7"), "6:10: no buffer \"n_dot_l.7\": this scene has 1 light\n");
+    EXPECT_EQ(view("shadow_verdict.7"), "6:10: no buffer \"shadow_verdict.7\": this scene has 1 light\n");
+    EXPECT_EQ(view("condition"), "6:10: There is no condition.\n");
+    EXPECT_FALSE(fs::exists(folder / "out"));
+    // The option's own mistake stays the option's.
+    const auto option = run({"export", "--cue", file + ":a", "-o", folder / "out", "--where", "foo >"});
+    EXPECT_EQ(option.status, 2);
+    EXPECT_TRUE(option.err.starts_with("--where:1:")) << option.err;
+}
+
+// Numbers are no condition, and the window keeps one text for both.
+TEST(ExportCue, TakesTextThatGivesNumbers) {
+    const test::TemporaryFolder folder;
+    const std::string cue = "[[cue]]\nname = \"a\"\nscene = \"pyramid\"\ncondition = \"2 * n_dot_l.0\"\n";
+    const auto exported = [&](const std::string& text) {
+        test::writeText(folder / "talk.cues", text);
+        const auto done = run({"export", "--cue", (folder / "talk.cues").string() + ":a", "-o", folder / "out",
+                               "--size", "16x12", "--format", "npy"});
+        EXPECT_EQ(done.status, 0) << done.err;
+    };
+    exported(cue + "[[cue.view]]\nbuffer = \"color\"\n");
+    EXPECT_FALSE(fs::exists(folder / "out/condition.npy"));
+    exported(cue + "[[cue.view]]\nbuffer = \"expression\"\n");
+    EXPECT_TRUE(fs::exists(folder / "out/expression.npy"));
+}
+
 // A cue was made for the window: what it looks at and the run does not reach was not asked for here.
 TEST(ExportCue, LeavesOutWhatComesAfterItsPlace) {
     const test::TemporaryFolder folder;
