@@ -71,7 +71,7 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, int& statu
     auto read = argument.state ? sceneOf(*argument.state, argument.folder) : readNamedScene(argument.scene, {});
     if (!read) return refuse(read.errors(), kBadInput);
     if (argument.state)
-        if (const Errors errors = checkCue(*argument.state, *read); !errors.empty()) return refuse(errors, kBadInput);
+        if (const Errors errors = checkCue(*argument.state, *read, argument.folder); !errors.empty()) return refuse(errors, kBadInput);
     auto changed = applySettings(std::move(read).value(), argument);
     if (!changed) return refuse(changed.errors(), kWrongUsage);
     if (const Errors errors = checkScene(*changed); !errors.empty())

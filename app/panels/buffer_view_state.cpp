@@ -49,7 +49,7 @@ BufferShown BufferView::state() const {
     }
     state.overlays.clear();  // also of those that are on where nothing else is said
     for (const OverlayInfo& overlay : overlayTable())
-        if (m_overlays[index(overlay.id)]) state.overlays.emplace_back(overlay.key);
+        if (m_overlays[index(overlay.id)]) state.overlays.emplace_back(keyOf(overlay.id));
     if (const auto light = m_shadows->light())
         state.overlays.push_back(pipeline::BufferName{BufferId::ShadowVerdict, int(*light)}.text());
     if (!m_condition->isHidden()) state.overlays.push_back(pipeline::BufferName{BufferId::Condition}.text());
@@ -71,8 +71,7 @@ pipeline::Errors BufferView::lookAt(const BufferShown& state) {
             asks = asks || derived->id == BufferId::Condition;
             continue;
         }
-        const auto row =
-            std::ranges::find(overlayTable(), key, [](const OverlayInfo& o) { return std::string(o.key); });
+        const auto row = std::ranges::find(overlayTable(), key, [](const OverlayInfo& o) { return keyOf(o.id); });
         if (row != overlayTable().end())
             m_overlays.set(index(row->id));
         else

@@ -133,18 +133,17 @@ std::span<const OverlayInfo, kOverlayCount> overlayTable() {
     using O = OverlayId;
     using B = BufferId;
     static const std::array<OverlayInfo, kOverlayCount> kTable{{
-        {O::Edges, "edges", "Polygon edges", "The polygons' outlines; from 12 times on they are always there.", {}},
-        {O::EdgeFunctions, "edge_functions", "Edge functions",
+        {O::Edges, "Polygon edges", "The polygons' outlines; from 12 times on they are always there.", {}},
+        {O::EdgeFunctions, "Edge functions",
          "Of the triangle at the picked pixel: its exact edges, and which pixel centres they cover. Zoom in.",
          pipeline::setOf({B::PolygonId})},
-        {O::Verdict, "verdict", "Culling verdict", "Which polygons go on, and why not the others.",
+        {O::Verdict, "Culling verdict", "Which polygons go on, and why not the others.",
          pipeline::setOf({B::PolygonsVerdict})},
-        {O::Fragments, "fragments", "Fragments per pixel", "How many fragments came.", pipeline::setOf({B::Overdraw})},
-        {O::PolygonSize, "polygon_size", "Polygon size", "The area of each polygon on the screen.",
-         pipeline::setOf({B::PolygonId})},
-        {O::DepthTest, "depth_test", "Depth test", "Where fragments came in vain: overwritten, or not nearer.",
+        {O::Fragments, "Fragments per pixel", "How many fragments came.", pipeline::setOf({B::Overdraw})},
+        {O::PolygonSize, "Polygon size", "The area of each polygon on the screen.", pipeline::setOf({B::PolygonId})},
+        {O::DepthTest, "Depth test", "Where fragments came in vain: overwritten, or not nearer.",
          pipeline::setOf({B::Overdraw, B::DepthWrites})},
-        {O::Strange, "strange", "NaN, infinite, negative", "Marks numbers that should not be there.", {}},
+        {O::Strange, "NaN, infinite, negative", "Marks numbers that should not be there.", {}},
     }};
     return kTable;
 }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "app/panels/shown_buffer.h"
+#include "app/state/shown_words.h"
 
 namespace app {
 
@@ -12,10 +13,11 @@ enum class OverlayId : unsigned char { Edges, EdgeFunctions, Verdict, Fragments,
 inline constexpr std::size_t kOverlayCount = 7;
 using OverlaySet = std::bitset<kOverlayCount>;
 constexpr std::size_t index(OverlayId id) { return static_cast<std::size_t>(id); }
+static_assert(kOverlayNames.size() == kOverlayCount);
+constexpr std::string_view keyOf(OverlayId id) { return kOverlayNames[index(id)]; }  // in files
 
 struct OverlayInfo {
     OverlayId id;
-    const char* key;  // in files
     const char* name;
     const char* tip;
     pipeline::BufferSet needs;

@@ -18,7 +18,7 @@ namespace {
 OverlaySet overlaysOf(const BufferShown& view) {
     OverlaySet set;
     for (const OverlayInfo& overlay : overlayTable())
-        if (std::ranges::find(view.overlays, overlay.key) != view.overlays.end()) set.set(index(overlay.id));
+        if (std::ranges::find(view.overlays, keyOf(overlay.id)) != view.overlays.end()) set.set(index(overlay.id));
     return set;
 }
 

@@ -80,8 +80,9 @@ public:
         if (const auto* node = table.get("pins")) state.pins = readPins(*node);
         if (const auto* node = table.get("selected")) state.selected = readSelected(*node);
         state.linked = flag(table, "linked", m_path);
-        if (m_values.errors().empty())  // else nobody asks
-            for (const auto& [key, node] : table) addPlaces(node, std::string(key.str()), state.places);
+        if (m_values.errors().empty())             // else nobody asks
+            for (const auto& [key, node] : table)  // one 3D view is a table
+                addPlaces(node, key == "view3d" && node.is_table() ? "view3d.0" : std::string(key.str()), state.places);
         return state;
     }
 

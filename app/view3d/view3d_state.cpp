@@ -1,10 +1,11 @@
 // How a 3D view is looked at, as a file has it.
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <string_view>
 #include <utility>
 
 #include "app/core/text.h"
+#include "app/state/shown_words.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view3d_panel.h"
@@ -12,53 +13,53 @@
 namespace app {
 namespace {
 
+// In the order of kSpaceOptions, which have their ranges.
 struct OptionRow {
-    const char* name;  // in files
+    std::string_view name;
     double (*get)(const ViewOptions& options);
     void (*set)(ViewOptions& options, double value);
-    double min, max;
 };
 
 template <bool ViewOptions::*member>
 constexpr OptionRow flag(const char* name) {
     return {name, [](const ViewOptions& o) { return o.*member ? 1.0 : 0.0; },
-            [](ViewOptions& o, double value) { o.*member = value != 0; }, 0, 1};
+            [](ViewOptions& o, double value) { o.*member = value != 0; }};
 }
 template <double ViewOptions::*member>
 constexpr OptionRow length(const char* name) {
     return {name, [](const ViewOptions& o) { return o.*member; },
-            [](ViewOptions& o, double value) { o.*member = value; }, 4, 400};
+            [](ViewOptions& o, double value) { o.*member = value; }};
 }
 template <auto member, class Value>
-constexpr OptionRow choice(const char* name, double min, double max) {
+constexpr OptionRow choice(const char* name) {
     return {name, [](const ViewOptions& o) { return double(o.*member); },
-            [](ViewOptions& o, double value) { o.*member = Value(int(value)); }, min, max};
+            [](ViewOptions& o, double value) { o.*member = Value(int(value)); }};
 }
 template <pipeline::VectorCode code>
 constexpr OptionRow vector(const char* name) {
     return {name, [](const ViewOptions& o) { return o.shown[std::size_t(code)] ? 1.0 : 0.0; },
-            [](ViewOptions& o, double value) { o.shown[std::size_t(code)] = value != 0; }, 0, 1};
+            [](ViewOptions& o, double value) { o.shown[std::size_t(code)] = value != 0; }};
 }
 
 using Code = pipeline::VectorCode;
 constexpr auto kOptions = std::to_array<OptionRow>({
-    choice<&ViewOptions::normals, NormalsShown>("normals", 0, 2),
+    choice<&ViewOptions::normals, NormalsShown>("normals"),
     length<&ViewOptions::normalLength>("normal_length"),
-    choice<&ViewOptions::everyNormal, int>("every_normal", 1, kSparsestNormals),
+    choice<&ViewOptions::everyNormal, int>("every_normal"),
     length<&ViewOptions::vectorLength>("vector_length"),
     flag<&ViewOptions::vectors>("vectors"),
     flag<&ViewOptions::lights>("lights"),
     flag<&ViewOptions::eye>("eye"),
-    choice<&ViewOptions::faces, FacesShown>("faces", 0, 1),
+    choice<&ViewOptions::faces, FacesShown>("faces"),
     flag<&ViewOptions::boxes>("boxes"),
     flag<&ViewOptions::spheres>("spheres"),
     flag<&ViewOptions::frustum>("frustum"),
     flag<&ViewOptions::projection>("projection"),
     flag<&ViewOptions::reflection>("reflection"),
-    choice<&ViewOptions::normalColors, NormalColors>("normal_colors", 0, 1),
+    choice<&ViewOptions::normalColors, NormalColors>("normal_colors"),
     flag<&ViewOptions::lobe>("lobe"),
     flag<&ViewOptions::handles>("handles"),
-    choice<&ViewOptions::objectTool, HandleTool>("object_tool", 0, 2),
+    choice<&ViewOptions::objectTool, HandleTool>("object_tool"),
     flag<&ViewOptions::lightFrusta>("light_frusta"),
     vector<Code::N>("vector_n"),
     vector<Code::L>("vector_l"),
@@ -66,34 +67,22 @@ constexpr auto kOptions = std::to_array<OptionRow>({
     vector<Code::R>("vector_r"),
     vector<Code::H>("vector_h"),
 });
-
-constexpr std::array<const char*, 6> kSpaces{"world", "eye", "clip", "screen", "light", "point"};
-
-constexpr std::array<const char*, kLightFaces> kFaces{"+x", "-x", "+y", "-y", "+z", "-z"};  // in files
+constexpr bool haveSameNames() {
+    return std::ranges::equal(kOptions, kSpaceOptions, {}, &OptionRow::name, &SpaceOption::name);
+}
+static_assert(haveSameNames());
+static_assert(kSpaceOptions[2].max == kSparsestNormals);
 
 std::string keyOf(SpaceId id) {
-    const std::string name = kSpaces[std::size_t(id.space)];
+    const std::string name(kSpaceNames[std::size_t(id.space)]);
     if (id.space != ViewSpace::Light) return name;
     const std::string light = name + ' ' + std::to_string(id.light);
-    return id.face < 0 ? light : light + ' ' + kFaces[std::size_t(id.face)];
+    return id.face < 0 ? light : light + ' ' + std::string(kFaceNames[std::size_t(id.face)]);
 }
 
 std::optional<SpaceId> spaceNamed(std::string_view name) {
-    for (std::size_t i = 0; i < kSpaces.size(); ++i)
-        if (name == kSpaces[i] && ViewSpace(i) != ViewSpace::Light) return SpaceId{ViewSpace(i)};
-    SpaceId light{ViewSpace::Light};
-    if (!name.starts_with("light ")) return {};
-    name.remove_prefix(6);
-    if (const auto space = name.find(' '); space != std::string_view::npos) {
-        const auto face =
-            std::ranges::find(kFaces, name.substr(space + 1), [](const char* key) { return std::string_view(key); });
-        if (face == kFaces.end()) return {};
-        light.face = int(face - kFaces.begin());
-        name = name.substr(0, space);
-    }
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), light.light);
-    const bool whole = error == std::errc() && end == name.data() + name.size() && light.light >= 0;
-    return whole ? std::optional(light) : std::nullopt;
+    const auto words = parseSpace(name);
+    return words ? std::optional(SpaceId{ViewSpace(words->space), words->light, words->face}) : std::nullopt;
 }
 
 }  // namespace
@@ -121,7 +110,7 @@ SpaceShown View3dPanel::state() const {
     state.space = keyOf(m_view->space());
     for (const OptionRow& row : kOptions) {
         const double value = row.get(m_view->options());
-        if (value != row.get(ViewOptions())) state.options[row.name] = value;
+        if (value != row.get(ViewOptions())) state.options[std::string(row.name)] = value;
     }
     if (!m_view->isTouched()) return state;
     const OrbitCamera& c = m_view->camera();
@@ -133,19 +122,19 @@ pipeline::Errors View3dPanel::lookAt(const SpaceShown& state) {
     pipeline::Errors errors;
     ViewOptions options;
     for (const auto& [name, value] : state.options) {
-        const auto row = std::ranges::find(kOptions, name, [](const OptionRow& r) { return std::string(r.name); });
-        if (row == kOptions.end())
+        const auto row = std::ranges::find(kOptions, name, &OptionRow::name);
+        if (row == kOptions.end()) {
             errors.push_back({{}, "the 3D view has no option \"" + name + '"'});
-        else if (!(value >= row->min && value <= row->max))
+            continue;
+        }
+        const SpaceOption& range = kSpaceOptions[std::size_t(row - kOptions.begin())];
+        if (!(value >= range.min && value <= range.max))
             errors.push_back({{}, "the option \"" + name + "\" of the 3D view is out of its range"});
         else
             row->set(options, value);
     }
     const auto space = spaceNamed(state.space);
-    if (!space)
-        errors.push_back({{},
-                          "the 3D view has no space \"" + state.space + '"',
-                          "world, eye, clip, screen, light 0, light 0 -x or point"});
+    if (!space) errors.push_back({{}, "the 3D view has no space \"" + state.space + '"', kSpaceExpected});
     m_wanted = Wanted{options, space.value_or(SpaceId()), state.camera, state};
     if (!m_newScene) showWanted();
     return errors;

@@ -120,11 +120,47 @@ TEST(ExportCue, TellsAMistakeOfTheCueWithItsPlace) {
     EXPECT_EQ(view("n_dot_l.7"), "6:10: no buffer \"n_dot_l.7\": this scene has 1 light\n");
     EXPECT_EQ(view("shadow_verdict.7"), "6:10: no buffer \"shadow_verdict.7\": this scene has 1 light\n");
     EXPECT_EQ(view("condition"), "6:10: There is no condition.\n");
+    EXPECT_EQ(refused(scene + "pixel = [9999, 5]\n"),
+              "4:9: found the pixel 9999, 5, expected x from 0 to 639 and y from 0 to 479\n");
+    EXPECT_TRUE(refused(scene + "pins = [[1, 5, 480]]\n").starts_with("4:8: found the pixel 5, 480"));
+    EXPECT_EQ(refused(scene + "selected = \"light 1\"\n"), "4:12: found light 1, expected a number from 0 to 0\n");
+    EXPECT_TRUE(refused(scene + "selected = \"polygon 99\"\n").starts_with("4:12: found polygon 99"));
+    EXPECT_TRUE(refused(scene + "bookmarks = [\"cull\", \"cull/polygon=99\"]\n").starts_with("4:22: found "));
+    const auto inView = [&](const std::string& line) { return refused(scene + "[[cue.view]]\n" + line + '\n'); };
+    EXPECT_TRUE(inView("overlays = [\"edges\", \"a\"]").starts_with("5:22: no overlay \"a\"; "));
+    EXPECT_EQ(inView("against = \"zz\""),
+              "5:11: found \"zz\", expected before, previous stage, buffer NAME, setting KEY=VALUE or file FILE\n");
+    EXPECT_TRUE(inView("against = \"setting shading=foo\"").starts_with("5:11: shading is \"foo\", expected "));
+    EXPECT_TRUE(inView("against = \"file nope.npy\"").starts_with("5:11: " + (folder / "nope.npy").string() + ": "));
+    const auto inSpace = [&](const std::string& line) { return refused(scene + "[cue.view3d]\n" + line + '\n'); };
+    EXPECT_EQ(inSpace("space = \"moon\""),
+              "5:9: no space \"moon\", expected world, eye, clip, screen, light 0, light 0 -x or point\n");
+    EXPECT_EQ(inSpace("space = \"light 9\""), "5:9: found light 9, expected a number from 0 to 0\n");
+    EXPECT_TRUE(inSpace("options = { foo = 1 }").starts_with("5:19: no option \"foo\"; "));
+    EXPECT_TRUE(inSpace("options = { normals = 3 }").starts_with("5:23: normals is 3, expected "));
     EXPECT_FALSE(fs::exists(folder / "out"));
     // The option's own mistake stays the option's.
+    test::writeText(file, "[[cue]]\nname = \"a\"\n" + scene + "[[cue.view]]\nbuffer = \"condition\"\n");
     const auto option = run({"export", "--cue", file + ":a", "-o", folder / "out", "--where", "foo >"});
     EXPECT_EQ(option.status, 2);
     EXPECT_TRUE(option.err.starts_with("--where:1:")) << option.err;
+}
+
+// What the window writes of its own has every kind of word.
+TEST(ExportCue, TakesEveryWordThatTheManualLists) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "reference.npy", "");
+    test::writeText(
+        folder / "talk.cues",
+        "[[cue]]\nname = \"a\"\nscene = \"pyramid\"\npixel = [639, 479]\nselected = \"object 0\"\n"
+        "[[cue.view]]\nrange = [5, 1]\nagainst = \"file reference.npy\"\n"
+        "overlays = [\"edges\", \"edge_functions\", \"verdict\", \"fragments\", \"polygon_size\", "
+        "\"depth_test\", \"strange\", \"condition\", \"shadow_verdict.0\"]\n"
+        "[[cue.view]]\nagainst = \"buffer z_view\"\n[[cue.view]]\nagainst = \"setting shading=gouraud\"\n"
+        "[[cue.view3d]]\nspace = \"light 0 -x\"\noptions = { lobe = 1 }\n[[cue.view3d]]\nspace = \"point\"\n");
+    const auto done = run({"export", "--cue", (folder / "talk.cues").string() + ":a", "-o", folder / "out", "--size",
+                           "16x12", "--format", "npy"});
+    EXPECT_EQ(done.status, 0) << done.err;
 }
 
 // Numbers are no condition, and the window keeps one text for both.
