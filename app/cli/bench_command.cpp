@@ -200,12 +200,19 @@ const char* notForScaling(const CLI::App& command) {
     return nullptr;
 }
 
-int runBench(const BenchOptions& options, const CLI::App& command) {
+// A frame without --buffers is timed up to its picture, or up to an end before it.
+void endEarly(BenchOptions& options, const CLI::App& command) {
+    const auto until = pipeline::findStage(options.frame.until);
+    if (until && *until < pipeline::StageId::Shading && command.count("--buffers") == 0) options.frame.buffers.clear();
+}
+
+int runBench(BenchOptions options, const CLI::App& command) {
     if (const char* name = options.scaling ? notForScaling(command) : nullptr) {
         tell("{} does not go with --scaling, which measures whole frames of spheres of its own.\n", name);
         return kWrongUsage;
     }
     if (options.scaling) return runScalingBench(options);
+    endEarly(options, command);
     if (options.leaveOut) return runLeaveOutBench(options);
     if (options.scene.scene.empty()) {
         tell("SCENE is required; --leave-out takes every built-in scene without it, --scaling its own.\n");

@@ -199,6 +199,19 @@ TEST(Bench, MeasuresEveryStageThatRuns) {
     EXPECT_TRUE(has(table.out, "z-buffer")) << table.out;
 }
 
+TEST(Bench, EndsAfterAStage) {
+    for (const char* more : {"--json", "--leave-out"}) {
+        const auto done = run({"bench", "pyramid", "--until", "z-buffer", "--repeat", "1", "--warm-up", "0", more});
+        EXPECT_EQ(done.status, 0) << done.err;
+    }
+    const Json json = Json::parse(run({"bench", "pyramid", "--until", "z-buffer", "--repeat", "1", "--json"}).out);
+    EXPECT_EQ(json["stages"][4]["action"], "runs");
+    EXPECT_EQ(json["stages"][5]["why"], "The run ends after z-buffer.");
+    const auto asked = run({"bench", "pyramid", "--until", "z-buffer", "--buffers", "color"});
+    EXPECT_EQ(asked.status, 2);
+    EXPECT_EQ(asked.err, "color comes from shading, and the run ends after z-buffer\n");
+}
+
 // Every stage that runs has its share, and none of them more than the frame.
 TEST(Bench, SaysTheShareOfEveryStage) {
     const Json json = Json::parse(run({"bench", "pyramid", "--json", "--repeat", "3", "--threads", "1"}).out);
