@@ -25,7 +25,7 @@ std::vector<std::string_view> splitAt(std::string_view text, char separator) {
 
 bool isNumber(const Setting& setting) { return setting.choices.empty(); }
 
-// "tessellation" of "object.#.tessellation".
+// "tessellation" of "object.#.tessellation"; empty of a key that has no shorter one.
 std::string_view shortKey(std::string_view key) {
     const auto hash = key.find("#.");
     return hash == key.npos ? std::string_view() : key.substr(hash + 2);
@@ -86,7 +86,8 @@ Result<std::vector<double>> valuesIn(const SettingRef& ref, std::string_view tex
 Result<std::vector<SettingRef>> sweptSettings(const Scene& scene, std::string_view key) {
     const std::span<const Setting> rows = settingsTable();
     auto row = std::ranges::find(rows, key, &Setting::key);
-    if (row == rows.end()) row = std::ranges::find(rows, key, [](const Setting& s) { return shortKey(s.key); });
+    if (row == rows.end() && !key.empty())
+        row = std::ranges::find(rows, key, [](const Setting& s) { return shortKey(s.key); });
     if (row == rows.end()) {
         const auto one = findSetting(scene, key);
         if (!one) return one.errors();

@@ -64,6 +64,7 @@ TEST(Sweep, refusesWhatSaysNothingOrTooMuch) {
         return sweep ? "accepted" : format(sweep.errors().front());
     };
     EXPECT_EQ(message("shadng=flat"), "no setting \"shadng\"; the nearest is \"shading\"");
+    EXPECT_TRUE(message("=1,640").starts_with("no setting \"\"; there are ")) << message("=1,640");
     EXPECT_EQ(message("shading=flat,flat"), "shading takes the value flat twice, expected each value once");
     EXPECT_NE(message("width=7..4").find("does not get from 7 to 4"), std::string::npos);
     EXPECT_NE(message("width=4..7*1").find("a factor that leads there"), std::string::npos);
