@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "pipeline/export/byte_file.h"
 #include "pipeline/export/staging.h"
 #include "pipeline/export/study_json.h"
+#include "pipeline/formats/scene_folder.h"
+#include "pipeline/scene/key_places.h"
 
 namespace app {
 
@@ -32,10 +31,9 @@ fs::path partFile(const fs::path& folder, const StudyRequest& request) {
 }
 
 Result<StudyReport> readStudy(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    if (!in || !(text << in.rdbuf())) return Error{{file.string()}, "could not read", {}};
-    return pipeline::studyFromJson(text.str(), file.string());
+    const auto text = pipeline::readFile(file);
+    if (text) return pipeline::studyFromJson(*text, file.string());
+    return pipeline::namedAt({file.string()}, text.errors());
 }
 
 Result<std::optional<StudyReport>> resumed(const fs::path& folder, const StudyRequest& request) {
@@ -43,7 +41,12 @@ Result<std::optional<StudyReport>> resumed(const fs::path& folder, const StudyRe
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return std::optional<StudyReport>();
     const auto found = readStudy(file);
-    if (!found) return found.errors();
+    if (!found) {
+        pipeline::Errors errors = found.errors();
+        for (Error& error : errors)
+            (error.expected.empty() ? error.found : error.expected) += "; --restart begins this study anew";
+        return errors;
+    }
     // Parts of one study have the same scene, settings and sweep.
     if (const auto both = pipeline::mergeStudies({pipeline::beginStudy(request), *found}); !both)
         return Error{{file.string()},

@@ -110,6 +110,25 @@ TEST(StudyCommand, goesOnWhereItWasInterrupted) {
     EXPECT_EQ(again.status, 0) << again.err;
 }
 
+TEST(StudyCommand, saysWhyAFileCannotBeRead) {
+    const test::TemporaryFolder folder;
+    const auto merge = [&](const fs::path& file) {
+        const auto done = test::run({"study", "merge", file, "-o", folder / "out"});
+        EXPECT_EQ(done.status, 3);
+        return done.err;
+    };
+    EXPECT_EQ(merge(folder / "none.json"), (folder / "none.json").string() + ": no such file\n");
+    EXPECT_EQ(merge(folder.path()), folder.path().string() + ": this is a folder, expected a file\n");
+    const fs::path part = folder / "study.part.json";
+    test::writeText(part, "");
+    const auto done = test::run(studyOf(folder.path(), {}));
+    EXPECT_EQ(done.status, 3);
+    EXPECT_TRUE(done.err.starts_with(part.string() + ':')) << done.err;
+    EXPECT_NE(done.err.find(": this is not JSON, expected "), std::string::npos) << done.err;
+    EXPECT_TRUE(done.err.ends_with("; --restart begins this study anew\n")) << done.err;
+    EXPECT_EQ(test::run(studyOf(folder.path(), {"--restart"})).status, 0);
+}
+
 TEST(StudyCommand, refusesItsFolderBeforeItMeasures) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "file", "");
@@ -172,7 +191,7 @@ TEST(StudyCommand, saysWhatIsWrong) {
         EXPECT_NE(test::run({"study", "--help"}).out.find(what), std::string::npos) << what;
     const auto merge = test::run({"study", "merge", "/nonexistent.json", "-o", folder.path().string()});
     EXPECT_EQ(merge.status, 3);
-    EXPECT_NE(merge.err.find("/nonexistent.json: could not read"), std::string::npos) << merge.err;
+    EXPECT_NE(merge.err.find("/nonexistent.json: no such file"), std::string::npos) << merge.err;
 }
 
 }  // namespace
