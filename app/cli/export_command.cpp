@@ -45,7 +45,8 @@ std::vector<std::string> formatNames() {
 // Says what is wrong with the options, if anything.
 std::string wrongUsage(const ExportOptions& options, const CliHost& host) {
     if (!options.at.empty() && !options.frame.until.empty()) return "--at names the stage; --until cannot go with it";
-    if (options.cue.empty() == options.scene.scene.empty()) return "one scene or one --cue, not both";
+    if (options.cue.empty() && options.scene.scene.empty()) return "SCENE or --cue is required";
+    if (!options.cue.empty() && !options.scene.scene.empty()) return "one SCENE or one --cue, not both";
     if (options.folder.empty()) return "-o needs the name of a folder";
     const std::vector<std::string> known = formatNames();
     for (const std::string& format : options.formats)

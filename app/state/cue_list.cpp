@@ -100,12 +100,15 @@ Result<std::size_t> findCue(const CueList& list, std::string_view name) {
 }
 
 Result<CueName> parseCueName(std::string_view text) {
+    const auto splitAt = [&](std::size_t colon) {
+        return CueName{std::filesystem::path(text.substr(0, colon)), std::string(text.substr(colon + 1))};
+    };
+    const std::size_t first = text.find(':');
+    if (first == text.npos) return Error{{}, "no cue " + pipeline::inQuotes(text), "FILE:NAME or FILE:NUMBER"};
     std::error_code ignored;
-    for (std::size_t colon = text.find(':'); colon != text.npos; colon = text.find(':', colon + 1)) {
-        const std::filesystem::path file(text.substr(0, colon));
-        if (std::filesystem::is_regular_file(file, ignored)) return CueName{file, std::string(text.substr(colon + 1))};
-    }
-    return Error{{}, "no cue " + pipeline::inQuotes(text), "FILE:NAME or FILE:NUMBER, of a file that is there"};
+    for (std::size_t colon = first; colon != text.npos; colon = text.find(':', colon + 1))
+        if (CueName name = splitAt(colon); std::filesystem::is_regular_file(name.file, ignored)) return name;
+    return splitAt(first);  // who reads it is told that there is none
 }
 
 std::string freeName(const CueList& list, const std::string& wanted) {

@@ -35,7 +35,7 @@ pipeline::Result<CueList> readCueFile(const std::filesystem::path& file);
 // By its name, or by its number from 1 where no cue has that name. Errors name the nearest.
 pipeline::Result<std::size_t> findCue(const CueList& list, std::string_view name);
 
-// "FILE:NAME", the file the shortest beginning that exists.
+// "FILE:NAME", the file the shortest beginning that exists, or where none does the shortest.
 struct CueName {
     std::filesystem::path file;
     std::string name;

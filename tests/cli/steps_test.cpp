@@ -85,7 +85,12 @@ TEST(ExportCue, WritesWhatTheCueShows) {
         << arranged.err;
     EXPECT_EQ(run({"export", "pyramid", "--cue", (folder / "talk.cues").string() + ":1", "-o", folder / "none"}).status,
               2);
-    EXPECT_EQ(run({"export", "-o", folder / "none"}).status, 2);
+    const auto neither = run({"export", "-o", folder / "none"});
+    EXPECT_EQ(neither.status, 2);
+    EXPECT_EQ(neither.err, "shadescope export: SCENE or --cue is required\n");
+    const auto noFile = run({"export", "--cue", (folder / "missing.cues").string() + ":1", "-o", folder / "none"});
+    EXPECT_EQ(noFile.status, 3);
+    EXPECT_EQ(noFile.err, (folder / "missing.cues").string() + ": no such file\n");
     EXPECT_FALSE(fs::exists(folder / "none"));
 }
 

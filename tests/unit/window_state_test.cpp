@@ -221,7 +221,10 @@ TEST(CueList, AFileAndACueInOneWord) {
     ASSERT_TRUE(name);
     EXPECT_EQ(name->file, folder / "a.cues");
     EXPECT_EQ(name->name, "Back: why");
-    EXPECT_FALSE(parseCueName((folder / "b.cues").string() + ":1"));
+    test::writeText(folder / "a: b.cues", "");
+    EXPECT_EQ(parseCueName((folder / "a: b.cues").string() + ":1")->file, folder / "a: b.cues");
+    EXPECT_EQ(parseCueName((folder / "b.cues").string() + ":1: why")->file, folder / "b.cues");
+    EXPECT_FALSE(parseCueName((folder / "a.cues").string()));
 }
 
 }  // namespace
