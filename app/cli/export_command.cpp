@@ -80,6 +80,13 @@ void tellLeftOut(const pipeline::Frame& frame, const pipeline::ExportRequest& re
     }
 }
 
+// Whether an export would write its manifest alone, and with that remove the export before.
+bool isWithoutFiles(const pipeline::Frame& frame, const pipeline::ExportRequest& request) {
+    const auto isWhole = [](const std::string& format) { return pipeline::findFrameExporter(format) != nullptr; };
+    if (request.writeMore || std::ranges::any_of(request.formats, isWhole)) return false;
+    return std::ranges::all_of(plannedFiles(frame, request), [](const auto& file) { return file.file.empty(); });
+}
+
 // The derived ones of buffers by name, which leave the others behind.
 std::vector<pipeline::BufferName> takeDerived(std::vector<std::string>& names) {
     std::vector<pipeline::BufferName> derived;
@@ -246,6 +253,11 @@ int runExport(ExportOptions options, const CliHost& host) {
     }
     if (interrupt.asked()) return cancelled();
     request.derived = std::move(derived).value();
+    if (isWithoutFiles(*frame, request)) {
+        tellLeftOut(*frame, request);
+        tell("shadescope export: no buffer has a file in {}. Nothing was written.\n", fmt::join(options.formats, ", "));
+        return kWrongUsage;
+    }
     const auto summary = exportFrame(*frame, request, goOn);
     if (!summary) {
         printErrors(summary.errors());
@@ -254,6 +266,7 @@ int runExport(ExportOptions options, const CliHost& host) {
     if (summary->cancelled) return cancelled();
     tellLeftOut(*frame, request);
     const std::size_t removed = summary->removed.size();
+    // With the manifest two at least.
     tell("{} files, {}, in {}{}\n", summary->files.size(), pipeline::sizeText(summary->bytes), options.folder,
          removed == 0 ? "" : fmt::format("; {} of the export before removed", removed));
     return kDone;

@@ -258,6 +258,25 @@ TEST(Export, SaysWhichNamedBufferHasNoFile) {
     EXPECT_NE(done.err.find("vertices.world: no file. A picture has pixels, not vertices."), std::string::npos);
 }
 
+TEST(Export, RefusesToWriteAManifestAlone) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(run({"export", "pyramid", "-o", folder / "out", "--size", "8x8", "--buffers", "color,depth"}).status, 0);
+    const auto before = folder.names();
+    for (const std::vector<std::string>& more : {std::vector<std::string>{"--buffers", "vertices.world"},
+                                                 {"--buffers", "vertices.world,polygons.verdict"},
+                                                 {"--until", "cull"}}) {
+        std::vector<std::string> arguments{"export", "pyramid", "-o", folder / "out", "--format", "png"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const auto done = run(arguments);
+        EXPECT_EQ(done.status, 2) << done.err;
+        EXPECT_TRUE(done.err.ends_with("no buffer has a file in png. Nothing was written.\n")) << done.err;
+        EXPECT_EQ(folder.names(), before);
+    }
+    EXPECT_EQ(
+        run({"export", "pyramid", "-o", folder / "out", "--buffers", "vertices.world", "--format", "png,scene"}).status,
+        0);
+}
+
 TEST(Export, ViewsArePicturesWhereTheBuildHasThem) {
     const test::TemporaryFolder folder;
     const auto done = run({"export", "pyramid", "-o", folder / "out", "--buffers", "color", "--format", "png",
