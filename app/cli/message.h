@@ -19,4 +19,8 @@ void tell(fmt::format_string<Args...> text, Args&&... args) {
 // written as it should: else the next file that is opened would get its number, and what is said its bytes.
 void keepStandardFiles();
 
+// A file that may not grow further (ulimit -f) is one that could not be written, as on a full disk, and not the end of
+// the program.
+void tellOfFullFiles();
+
 }  // namespace app

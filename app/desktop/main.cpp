@@ -77,6 +77,7 @@ int present(int argc, char** argv, bool session) {
 
 int main(int argc, char** argv) {
     app::keepStandardFiles();
+    app::tellOfFullFiles();
     pipeline::keepFreedMemory();
     const bool session = !(argc > 1 && std::string_view(argv[1]) == kNoSession);
     if (!session) std::rotate(argv + 1, argv + 2, argv + argc--);  // Qt reads the rest

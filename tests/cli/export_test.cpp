@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -325,6 +326,20 @@ TEST(Export, BeingAskedToStopLeavesNothing) {
         EXPECT_EQ(done.err, "Cancelled. Nothing was written.\n");
         EXPECT_EQ(folder.names(), std::vector<std::string>{});
     }
+}
+
+// As on a full disk: told, with its status, and nothing half written.
+TEST(Export, ALimitOfAFilesSizeIsStatus4) {
+    const test::TemporaryFolder folder;
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit small{10000, before.rlim_max};  // the program takes it over
+    setrlimit(RLIMIT_FSIZE, &small);
+    const auto done = run({"export", "pyramid", "-o", folder / "out", "--buffers", "depth", "--format", "npy"});
+    setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ(done.status, 4);
+    EXPECT_NE(done.err.find("depth.npy: could not write: File too large\n"), std::string::npos) << done.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{});
 }
 
 // As nohup has it.
