@@ -290,11 +290,8 @@ void declareExport(CLI::App& program, const CliHost& host, int& status) {
             "--at", options->at,
             "The state inside a stage, right after a step: z-buffer/polygon=2, z-buffer/polygon=2/row=270/x=258")
         ->type_name("PLACE");
-    command->add_option("--format", options->formats, fmt::format("Any of {}", fmt::join(formatNames(), ", ")))
-        ->type_name("NAME,...")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->capture_default_str();
+    declareNames(*command, "--format", options->formats, "NAME,...",
+                 fmt::format("Any of {}", fmt::join(formatNames(), ", ")));
     if (host.writeViews) {
         command->add_flag("--views", options->views, "Write the 3D views as PNG too");
         command->add_option("--pixel", options->pixel, "With --views: show the vectors at this pixel")

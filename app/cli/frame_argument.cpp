@@ -40,12 +40,25 @@ void declareThreads(CLI::App& command, int& threads) {
         ->check(CLI::Range(0, 1024));
 }
 
-void declareFrameArgument(CLI::App& command, FrameArgument& argument) {
-    command.add_option("--buffers", argument.buffers, "all, or buffers by name: these are computed even if left out")
-        ->type_name("all|NAME,...")
-        ->delimiter(',')
+void declareNames(CLI::App& command, const std::string& option, std::vector<std::string>& names,
+                  const std::string& type, const std::string& meaning) {
+    const auto take = [&names](const std::vector<std::string>& lists) {
+        names.clear();
+        for (const std::string& list : lists)
+            for (std::size_t begin = 0, end = 0; end != list.npos; begin = end + 1) {
+                end = list.find(',', begin);
+                names.push_back(list.substr(begin, end - begin));
+            }
+    };
+    command.add_option_function<std::vector<std::string>>(option, take, meaning)
+        ->type_name(type)
         ->allow_extra_args(false)
-        ->capture_default_str();
+        ->default_str(fmt::format("{}", fmt::join(names, ",")));
+}
+
+void declareFrameArgument(CLI::App& command, FrameArgument& argument) {
+    declareNames(command, "--buffers", argument.buffers, "all|NAME,...",
+                 "all, or buffers by name: these are computed even if left out");
     std::vector<std::string_view> stages;
     for (const StageId stage : pipeline::kStages) stages.push_back(pipeline::stageInfo(stage).name);
     command.add_option("--until", argument.until, fmt::format("Stop after this stage: {}", fmt::join(stages, ", ")))

@@ -21,6 +21,9 @@ struct FrameArgument {
 
 void declareFrameArgument(CLI::App& command, FrameArgument& argument);
 void declareThreads(CLI::App& command, int& threads);
+// An option of names with commas between them. An empty one counts, so that it is refused as any other unknown name.
+void declareNames(CLI::App& command, const std::string& option, std::vector<std::string>& names,
+                  const std::string& type, const std::string& meaning);
 
 // Errors name the nearest buffer there is, or how many lights the scene has.
 pipeline::Result<pipeline::BufferName> bufferNamed(const pipeline::Scene& scene, const std::string& text);

@@ -37,7 +37,7 @@ pipeline::Result<Scene> applySettings(Scene scene, const SceneArgument& argument
         if (!size) return pipeline::Error{{}, "--size is " + pipeline::inQuotes(argument.size), "WxH, as in 640x480"};
         for (const auto& [key, value] : {std::pair{"width", size->x}, std::pair{"height", size->y}}) {
             auto sized = withSetting(std::move(scene), fmt::format("{}={}", key, value));
-            if (!sized) return sized.errors();
+            if (!sized) return namedAt({"--size " + argument.size}, sized.errors());
             scene = std::move(sized).value();
         }
     }
@@ -71,7 +71,8 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, int& statu
     auto read = argument.state ? sceneOf(*argument.state, argument.folder) : readNamedScene(argument.scene, {});
     if (!read) return refuse(read.errors(), kBadInput);
     if (argument.state)
-        if (const Errors errors = checkCue(*argument.state, *read, argument.folder); !errors.empty()) return refuse(errors, kBadInput);
+        if (const Errors errors = checkCue(*argument.state, *read, argument.folder); !errors.empty())
+            return refuse(errors, kBadInput);
     auto changed = applySettings(std::move(read).value(), argument);
     if (!changed) return refuse(changed.errors(), kWrongUsage);
     if (const Errors errors = checkScene(*changed); !errors.empty())

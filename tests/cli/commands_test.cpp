@@ -85,6 +85,7 @@ TEST(Program, ValuesThatDoNotGoTogetherHaveTheirPlaceOrOption) {
               "--set material.0.n=129: material.0.n is 129, expected at most 128 in OpenGL's model\n");
     EXPECT_EQ(refusal({"--set", "object.0.tessellation=4"}),
               "no setting \"object.0.tessellation\": the object is a mesh, not a built-in shape\n");
+    EXPECT_TRUE(refusal({"--size", "0x10"}).starts_with("--size 0x10: width is \"0\", expected "));
     EXPECT_TRUE(refusal({"--size", "16384x16384"}).starts_with("--size 16384x16384: the buffers of a 16384 × 16384"));
 }
 
