@@ -205,6 +205,7 @@ int runExport(ExportOptions options, const CliHost& host) {
             return kBadInput;
         }
     FrameArgument argument = options.frame;
+    argument.makesDerived = true;
     if (at) argument.until = pipeline::stageInfo(at->stage).name;
     const std::vector<pipeline::BufferName> named = takeDerived(argument.buffers);
     const auto wanted = wantedFrame(*scene, argument);

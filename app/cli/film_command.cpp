@@ -41,6 +41,10 @@ int runFilm(const FilmOptions& options) {
     int status = kDone;
     const auto scene = loadScene(options.scene, status);
     if (!scene) return status;
+    if (pipeline::findDerived(options.buffer)) {
+        tell("shadescope film: {} is derived from a finished frame and cannot be filmed\n", options.buffer);
+        return kWrongUsage;
+    }
     const auto wanted = wantedFrame(*scene, {{options.buffer}, {}, options.threads});
     if (!wanted || wanted->buffers.size() != 1) {
         printErrors(wanted ? pipeline::Errors{{{}, "a film shows one buffer", "its name"}} : wanted.errors());

@@ -25,11 +25,15 @@ pipeline::Result<StageId> stageNamed(const std::string& text) {
 
 }  // namespace
 
-pipeline::Result<BufferName> bufferNamed(const pipeline::Scene& scene, const std::string& text) {
+pipeline::Result<BufferName> bufferNamed(const pipeline::Scene& scene, const std::string& text, bool makesDerived) {
     const auto name = pipeline::findBuffer(text);
+    if (!name && pipeline::findDerived(text))
+        return pipeline::Error{{}, text + " is derived from a finished frame: export writes it, no stage leaves it"};
     if (!name)
         return pipeline::Error{
-            {}, fmt::format("no buffer {}; {}", pipeline::inQuotes(text), pipeline::insteadOfBuffer(text)), {}};
+            {},
+            fmt::format("no buffer {}; {}", pipeline::inQuotes(text),
+                        makesDerived ? pipeline::insteadOfAnyBuffer(text) : pipeline::insteadOfBuffer(text))};
     if (const auto none = noSuchLight(scene, *name)) return *none;
     return *name;
 }
@@ -97,7 +101,7 @@ pipeline::Result<WantedFrame> wantedFrame(const pipeline::Scene& scene, const Fr
     StageId last = StageId::Transform;
     for (const std::string& text : argument.buffers) {
         if (text == "all") continue;
-        const auto name = bufferNamed(scene, text);
+        const auto name = bufferNamed(scene, text, argument.makesDerived);
         if (!name) return name.errors();
         wanted.request.wanted.set(index(name->id));
         last = std::max(last, pipeline::bufferInfo(name->id).stage);

@@ -17,6 +17,7 @@ struct FrameArgument {
     std::vector<std::string> buffers{"all"};  // names; "all": what the scene has a use for
     std::string until;                        // empty: the last stage that the buffers need
     int threads = 0;                          // 0: as many as the machine has
+    bool makesDerived = false;                // whether derived buffers could have been named too
 };
 
 void declareFrameArgument(CLI::App& command, FrameArgument& argument);
@@ -26,7 +27,8 @@ void declareNames(CLI::App& command, const std::string& option, std::vector<std:
                   const std::string& type, const std::string& meaning);
 
 // Errors name the nearest buffer there is, or how many lights the scene has.
-pipeline::Result<pipeline::BufferName> bufferNamed(const pipeline::Scene& scene, const std::string& text);
+pipeline::Result<pipeline::BufferName> bufferNamed(const pipeline::Scene& scene, const std::string& text,
+                                                   bool makesDerived = false);
 
 struct WantedFrame {
     pipeline::FrameRequest request;

@@ -230,7 +230,7 @@ private:
                     view.buffer = *words;
                 else
                     m_values.fail(node->source(), path + "buffer is " + pipeline::inQuotes(*words),
-                                  "the name of a buffer; " + pipeline::insteadOfBuffer(*words));
+                                  "the name of a buffer; " + pipeline::insteadOfAnyBuffer(*words));
             }
         if (const auto* node = table.get("channel"))
             if (const auto i = m_values.choice(*node, path + "channel", kShownChannels))

@@ -152,6 +152,12 @@ std::vector<BufferName> namesOf(std::span<const BufferInfo> table, std::size_t l
     return names;
 }
 
+std::vector<std::string> textsOf(const std::vector<BufferName>& names) {
+    std::vector<std::string> texts;
+    for (const BufferName& name : names) texts.push_back(name.text());
+    return texts;
+}
+
 }  // namespace
 
 std::span<const BufferInfo, kBufferCount> bufferTable() { return kTable; }
@@ -176,9 +182,11 @@ std::optional<BufferName> findAnyBuffer(std::string_view text) {
     return name ? name : findDerived(text);
 }
 
-std::string insteadOfBuffer(std::string_view text) {
-    std::vector<std::string> names;
-    for (const BufferName& name : allBuffers(1)) names.push_back(name.text());
+std::string insteadOfBuffer(std::string_view text) { return insteadOf(text, textsOf(allBuffers(1))); }
+
+std::string insteadOfAnyBuffer(std::string_view text) {
+    std::vector<std::string> names = textsOf(allBuffers(1)), derived = textsOf(allDerived(1));
+    names.insert(names.end(), derived.begin(), derived.end());
     return insteadOf(text, names);
 }
 

@@ -115,6 +115,7 @@ std::optional<BufferName> findDerived(std::string_view text);
 std::optional<BufferName> findAnyBuffer(std::string_view text);
 // The nearest existing name, or all of them, for messages: as insteadOf() in pipeline/core/text.h.
 std::string insteadOfBuffer(std::string_view text);
+std::string insteadOfAnyBuffer(std::string_view text);  // derived ones too
 // Every buffer a scene with this many lights can have, in the order of the stages.
 std::vector<BufferName> allBuffers(std::size_t lights);
 std::vector<BufferName> allDerived(std::size_t lights);

@@ -83,7 +83,7 @@ std::string insteadOf(std::string_view text, std::span<const std::string> known)
         return "the nearest is " + inQuotes(best);
     const auto whole = std::ranges::find_if(known, [&](const std::string& name) { return holds(name, text); });
     if (whole != known.end()) return "the nearest is " + inQuotes(*whole);
-    constexpr std::size_t kMost = 360;  // bytes of a list: more is not read
+    constexpr std::size_t kMost = 900;  // bytes of a list: more is not read
     std::string list = known.size() == 1 ? "there is " : "there are ";
     for (std::size_t i = 0; i < known.size(); ++i) {
         const bool isLast = i + 1 == known.size();

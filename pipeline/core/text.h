@@ -22,7 +22,7 @@ std::size_t editDistance(std::string_view a, std::string_view b);
 std::string nearest(std::string_view text, std::span<const std::string> candidates);
 
 // What a message says after a word that is none of the known ones: "the nearest is "camera"" where one differs in at most
-// a third of the word's letters, or holds it or is held; else "there are "camera", "lights" and "objects"", the first 40.
+// a third of the word's letters, or holds it or is held; else "there are "camera", "lights" and "objects"", the first 50.
 std::string insteadOf(std::string_view text, std::span<const std::string> known);
 
 }  // namespace pipeline

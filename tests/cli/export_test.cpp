@@ -388,6 +388,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"Zero", {"--size", "0x9"}, "width is \"0\", expected a whole number from 1 to 16384"},
                     Wrong{"Huge", {"--size", "16384x16384"}, "expected at most 4 GiB; make the picture smaller"},
                     Wrong{"Buffer", {"--buffers", "colour"}, "no buffer \"colour\"; the nearest is \"color\""},
+                    Wrong{"NoBuffer", {"--buffers", "nope"}, "\"condition\", \"expression\" and \"z_ndc\"\n"},
                     Wrong{"EmptyBuffer", {"--buffers", ""}, "no buffer \"\"; there are "},
                     Wrong{"EmptyBufferAmongOthers", {"--buffers", "color,,depth"}, "no buffer \"\"; there are "},
                     Wrong{"EmptyBufferAtTheEnd", {"--buffers", "color,"}, "no buffer \"\"; there are "},

@@ -252,6 +252,10 @@ TEST(Film, RefusesWhatCannotBeFilmed) {
         EXPECT_EQ(done.status, 2) << options.back();
         EXPECT_NE(done.err, "") << options.back();
     }
+    const auto derived = run({"film", "pyramid", "-o", folder / "film.gif", "--buffer", "mix"});
+    EXPECT_EQ(derived.status, 2);
+    EXPECT_EQ(derived.err, "shadescope film: mix is derived from a finished frame and cannot be filmed\n");
+    EXPECT_NE(run({"bench", "pyramid", "--buffers", "z_ndc"}).err.find("z_ndc is derived"), std::string::npos);
     EXPECT_FALSE(fs::exists(folder / "film.gif"));
 }
 

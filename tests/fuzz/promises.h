@@ -39,7 +39,7 @@ inline void checkMaterial(const pipeline::Material& material) {
 inline void checkErrors(const pipeline::Errors& errors) {
     require(!errors.empty() && errors.size() <= pipeline::kMaxErrors);
     for (const pipeline::Error& error : errors) {
-        require(!error.found.empty() && error.found.size() < 500);
+        require(!error.found.empty() && error.found.size() < 1200);
         require(error.found.find('\n') == error.found.npos);
         require(!error.where.file.empty());
     }

@@ -56,8 +56,8 @@ TEST(InsteadOf, NamesWhatIsNearAndElseAllThatThereIs) {
     EXPECT_EQ(insteadOf("schema", names), "there are \"camera\", \"light\" and \"material.0.n\"");
     EXPECT_EQ(insteadOf("xyz", std::vector<std::string>{"depth"}), "there is \"depth\"");
     EXPECT_EQ(insteadOf("x", {}), "there is none");
-    // "there are " and n names of 7 bytes with commas are 8 + 9 n bytes; with the next name's 5, 39 are the first above 360.
-    std::vector<std::string> many(50, "depth");
+    // "there are " and n names of 7 bytes with commas are 8 + 9 n bytes; with the next name's 5, 99 are the first above 900.
+    std::vector<std::string> many(110, "depth");
     EXPECT_TRUE(insteadOf("xyz", many).ends_with(", \"depth\" and 11 more"));
 }
 
