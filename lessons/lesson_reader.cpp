@@ -9,6 +9,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"
+#include "pipeline/scene/key_places.h"
 
 namespace lessons {
 
@@ -351,7 +352,7 @@ Result<Lesson> parseLesson(std::string_view text, const std::string& file, const
 Result<Lesson> readLesson(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / "lesson.md";
     const auto text = pipeline::readFile(file, kMaxLessonBytes);
-    if (!text) return text.errors();
+    if (!text) return pipeline::namedAt({file.string()}, text.errors());
     auto lesson =
         parseLesson(*text, file.string(), [&folder](std::string_view name) { return sceneFor(name, folder); });
     if (!lesson) return lesson;

@@ -114,7 +114,8 @@ Result<GltfFile> parseGltf(const SourceText& source) {
     if (file.json.is_discarded()) {
         const std::size_t byte = jsonErrorAt(chunks.json);
         const bool atEnd = byte == chunks.json.size();
-        return notJson(source, chunks.json, byte, atEnd ? "the JSON ends too early" : "this is not JSON");
+        return notJson(source, chunks.json, byte, atEnd ? "the JSON ends too early" : "this is not JSON",
+                       "a glTF file");
     }
     if (!file.json.is_object())
         return notJson(source, chunks.json, 0, fmt::format("the JSON is {}", shown(file.json)), "an object");

@@ -72,9 +72,12 @@ private:
             polygon.clear();
             for (const toml::node& corner : *corners) {
                 const auto* index = corner.as_integer();
-                if (!index || index->get() < 0 || index->get() >= count)
-                    return fail(corner, "a polygon names no vertex",
-                                count > 0 ? fmt::format("a whole number from 0 to {}", count - 1) : "a vertex");
+                if (!index || index->get() < 0 || index->get() >= count) {
+                    m_values.refuse(corner, "a polygon's vertex",
+                                    count > 0 ? fmt::format("a whole number from 0 to {}", count - 1) : "a vertex");
+                    m_wrong = true;
+                    return;
+                }
                 polygon.push_back(std::uint32_t(index->get()));
             }
             m_mesh.addPolygon(polygon);

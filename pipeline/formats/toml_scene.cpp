@@ -185,7 +185,7 @@ private:
         if (!text) return m_values.add(text.errors());
         Errors errors;
         ObjectDescription description = readObjectDescription({*text, loaded->path, m_source.progress}, errors);
-        m_values.add(errors);
+        m_values.add(namedAt(m_values.place(node.source()), errors));
         if (!errors.empty()) return;
         description.mesh.file = *file;
         object.name = fs::path(*file).stem().string();
@@ -205,7 +205,7 @@ private:
         };
         const Result<LoadedModel> model =
             readModel({loaded->text, loaded->path, m_source.progress, loaded->tail, *file}, extension, beside);
-        if (!model) return m_values.add(model.errors());
+        if (!model) return m_values.add(namedAt(m_values.place(node.source()), model.errors()));
         std::ranges::copy(model->objects, std::back_inserter(m_scene.objects));
         std::ranges::copy(model->remarks, std::back_inserter(m_scene.remarks));
     }

@@ -65,6 +65,23 @@ TEST(Program, BadInputIsStatus3WithItsPlace) {
     EXPECT_EQ(unknown.err, "no file and no built-in scene \"pyramyd\"; the nearest is \"pyramid\"\n");
 }
 
+// A model says what is wrong with it, and the scene's file where it is named.
+TEST(Program, AModelsMistakeHasThePlaceThatNamesIt) {
+    const test::TemporaryFolder folder;
+    const std::string file = (folder / "s.toml").string();
+    test::writeText(folder / "empty.obj", "");
+    test::writeText(folder / "text.gltf", "no glTF");
+    const auto refusal = [&](const std::string& model) {
+        test::writeText(file, "[[object]]\nmodel = \"" + model + "\"\n");
+        const auto done = run({"plan", file});
+        EXPECT_EQ(done.status, 3);
+        return done.err;
+    };
+    EXPECT_TRUE(refusal("empty.obj").starts_with(file + ":2:9: " + (folder / "empty.obj").string() + ": "))
+        << refusal("empty.obj");
+    EXPECT_EQ(refusal("text.gltf"), (folder / "text.gltf").string() + ":1:2: this is not JSON, expected a glTF file\n");
+}
+
 // What the scene's values together are refused for: in the file with the place of one, and as the option that gave it.
 TEST(Program, ValuesThatDoNotGoTogetherHaveTheirPlaceOrOption) {
     const test::TemporaryFolder folder;
@@ -311,6 +328,14 @@ TEST(Lesson, IsWrittenAsAHandoutWholeOrNotAtAll) {
     EXPECT_EQ(run({"lesson", "export", "pyramid", "-o", folder / "file"}).status, 4);
     EXPECT_EQ(folder.names(),
               (std::vector<std::string>{"file", "out", "out/pyramid-answers.html", "out/pyramid.html"}));
+}
+
+TEST(Lesson, AFolderInPlaceOfItsPagesIsNamed) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "mine" / "lesson.md");
+    const auto done = run({"lesson", "show", folder / "mine"});
+    EXPECT_EQ(done.status, 3);
+    EXPECT_EQ(done.err, (folder / "mine" / "lesson.md").string() + ": this is a folder, expected a file\n");
 }
 
 // An author's own, which is in no library, by its folder and by its file.

@@ -85,14 +85,14 @@ TEST(GltfReader, BinaryFilesThatEndTooEarly) {
     EXPECT_EQ(errorsOf("glTF" + bytesOf<std::uint32_t>({2, 20, 4000000000u}) + kJson),
               "m.gltf: a chunk of 4 000 000 000 bytes announced at byte 12, the file ends after 20\n");
     EXPECT_EQ(errorsOf(glbOf({{kBin, bytes}})), "m.gltf: the file's first chunk is not JSON, expected a JSON chunk\n");
-    EXPECT_EQ(errorsOf(glbOf({{kJson, "{\"a\": x}"}})), "m.gltf: this is not JSON at byte 26\n");
+    EXPECT_EQ(errorsOf(glbOf({{kJson, "{\"a\": x}"}})), "m.gltf: this is not JSON at byte 26, expected a glTF file\n");
 }
 
 TEST(GltfReader, PlacesInJson) {
-    EXPECT_EQ(errorsOf("{\n  \"ä\": x\n}"), "m.gltf:2:8: this is not JSON\n");
-    EXPECT_EQ(errorsOf("{\"asset\": 1e999}"), "m.gltf:1:15: this is not JSON\n");
-    EXPECT_EQ(errorsOf("{\"asset\": NaN}"), "m.gltf:1:11: this is not JSON\n");
-    EXPECT_EQ(errorsOf(""), "m.gltf:1:1: the JSON ends too early\n");
+    EXPECT_EQ(errorsOf("{\n  \"ä\": x\n}"), "m.gltf:2:8: this is not JSON, expected a glTF file\n");
+    EXPECT_EQ(errorsOf("{\"asset\": 1e999}"), "m.gltf:1:15: this is not JSON, expected a glTF file\n");
+    EXPECT_EQ(errorsOf("{\"asset\": NaN}"), "m.gltf:1:11: this is not JSON, expected a glTF file\n");
+    EXPECT_EQ(errorsOf(""), "m.gltf:1:1: the JSON ends too early, expected a glTF file\n");
     EXPECT_EQ(errorsOf("[1]"), "m.gltf:1:1: the JSON is an array of 1, expected an object\n");
     // As deep as a parser that calls itself could not go; and within a string, where brackets count nothing.
     const std::string deep(100'000, '[');
