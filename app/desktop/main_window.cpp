@@ -68,7 +68,7 @@ MainWindow::MainWindow() : m_opener(new SceneOpener(this)), m_actions(new Action
         const Theme& theme = Theme::current();
         m_title->setFont(theme.text());
         m_rail->setIconSize(QSize(theme.px(18), theme.px(18)));
-        if (!m_presents) fitWidth(true);
+        if (!m_presents) fitLetters();
     });
     qApp->installEventFilter(this);
     if (!restoreWindowPlace(*this)) takeFirstWindowPlace(*this);
@@ -345,7 +345,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_presentation->end();
     if (!mayLeaveScene()) return event->ignore();
     if (m_session) m_session->end(!m_document.isChanged());
-    if (m_width == Width::Wide) saveLayout(*this);
+    keepPanels();
     saveWindowPlace(*this);
     saveTheme();
     QMainWindow::closeEvent(event);

@@ -137,6 +137,8 @@ private:
     enum class Width { Narrow, Medium, Wide };  // below 1100, below 1440, from there on
     Width widthClass() const;
     void fitWidth(bool always);
+    void fitLetters();
+    void keepPanels() const;
     void resetLayout();
     void connectLayouts();
     void enableViewActions();
@@ -177,6 +179,7 @@ private:
     ManualWindow* m_manual = nullptr;  // likewise
     CheckPanel* m_checks = nullptr;    // likewise
     std::optional<Width> m_width;      // as last laid out; nothing on the start page
+    double m_dockScale = 1;            // of the letters' size that the panels' widths are for
 };
 
 }  // namespace app

@@ -5,6 +5,8 @@
 #include <QResizeEvent>
 #include <QStackedWidget>
 #include <QToolBar>
+#include <cmath>
+#include <utility>
 
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
@@ -21,15 +23,15 @@
 namespace app {
 namespace {
 
-// Sizes of the design at font scale 1; docks grow with the letters, but less.
-int dockWidth(int pixels) {
-    const double scale = Theme::current().scale();
-    return int(pixels * (0.4 + 0.6 * scale));
-}
+// Docks grow with the letters, but less.
+double dockScale() { return 0.4 + 0.6 * Theme::current().scale(); }
+// Sizes of the design at font scale 1.
+int dockWidth(int pixels) { return int(pixels * dockScale()); }
 
 }  // namespace
 
 void MainWindow::showStartPage() {
+    keepPanels();
     m_width.reset();
     showLessons();
     m_pages->setCurrentWidget(m_start);
@@ -63,6 +65,28 @@ MainWindow::Width MainWindow::widthClass() const {
     return width < 1100 ? Width::Narrow : width < 1440 ? Width::Medium : Width::Wide;
 }
 
+// For the next scene, and the next start. In a narrower window panels are where there is room for them.
+void MainWindow::keepPanels() const {
+    if (m_width == Width::Wide) saveLayout(*this);
+}
+
+// Which panels are there, and what share of the width each has, stays as the user has chosen it.
+void MainWindow::fitLetters() {
+    if (!m_width) return;
+    fitWidth(false);
+    const double growth = dockScale() / std::exchange(m_dockScale, dockScale());
+    if (growth == 1) return;
+    QList<QDockWidget*> docks;
+    QList<int> widths;
+    for (PanelDock* dock : m_sideDocks) {
+        // One behind a tab has no width of its own.
+        if (dock->visibleRegion().isEmpty() || dock->isFloating()) continue;
+        docks += dock;
+        widths += int(std::lround(dock->width() * growth));
+    }
+    resizeDocks(docks, widths, Qt::Horizontal);
+}
+
 // Panels come and go where the window changes from one class of widths to another.
 void MainWindow::fitWidth(bool always) {
     if (m_pages->currentWidget() != m_views) return;
@@ -88,6 +112,7 @@ void MainWindow::fitWidth(bool always) {
         widths += dockWidth(isLeft ? 296 : wide ? 456 : 384);
     }
     resizeDocks(docks, widths, Qt::Horizontal);
+    m_dockScale = dockScale();
     // The tree shows its rows, the settings a material's; the lesson takes the rest.
     const int tree = findChild<SceneTree*>()->sizeHint().height() + Theme::current().px(44);
     const int settings = Theme::current().px(270);

@@ -1,10 +1,13 @@
 #include <QDockWidget>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
 #include <QTest>
+#include <QTimer>
 #include <map>
 
 #include "app/core/theme.h"
@@ -211,6 +214,41 @@ TEST_F(WindowLook, LargerTextIsLargerAndComesBack) {
     EXPECT_NEAR(Theme::current().scale(), before + 0.05, 1e-9);
     press("Ctrl+Shift+-");
     EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(Theme::current().scale() - before) < 1e-9; }));
+}
+
+// A theme and the letters' size change how panels look, not which are there.
+TEST_F(WindowLook, AThemeAndLargerTextLeaveThePanelsAsChosen) {
+    openPyramid();
+    auto* inspector = find<QDockWidget>("inspector");
+    auto* tree = find<QDockWidget>("scene");
+    press("Ctrl+Alt+4");
+    press("Ctrl+T");
+    ASSERT_FALSE(inspector->isVisible());
+    ASSERT_FALSE(window.views().hasThumbnails());
+    window.resizeDocks({tree}, {350}, Qt::Horizontal);
+    QTest::qWait(50);
+    ASSERT_EQ(tree->width(), 350);
+    press("Ctrl+Shift++");
+    QTest::qWait(50);
+    EXPECT_FALSE(inspector->isVisible());
+    EXPECT_FALSE(window.views().hasThumbnails());
+    EXPECT_NEAR(tree->width(), 350 * 1.03, 1) << "it grows with the letters, but less";
+    window.actions()[ActionId::DarkTheme]->trigger();
+    QTest::qWait(50);
+    EXPECT_FALSE(inspector->isVisible());
+    EXPECT_FALSE(window.views().hasThumbnails());
+    EXPECT_NEAR(tree->width(), 350, 2) << "the dark theme's letters have their first size";
+    Theme::current().set(ThemeId::Light);
+    Theme::current().setScale(1);
+}
+
+TEST_F(WindowLook, TheNextSceneHasThePanelsOfTheOneThatWasClosed) {
+    openPyramid();
+    press("Ctrl+Alt+4");
+    press("Ctrl+W");
+    openPyramid();
+    EXPECT_FALSE(find<QDockWidget>("inspector")->isVisible());
+    EXPECT_TRUE(find<QDockWidget>("settings")->isVisible());
 }
 
 TEST_F(WindowLook, CommandIsFoundByAPartOfItsName) {
