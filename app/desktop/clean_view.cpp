@@ -1,9 +1,13 @@
 #include "app/desktop/clean_view.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTextEdit>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -261,7 +265,13 @@ void CleanView::wakeCursor() {
     m_cursorTime.start();
 }
 
-// Keys here mean the same wherever the focus is: a buffer view would take B for its blue channel.
+static bool isTextField(const QWidget* widget) {
+    return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+           qobject_cast<const QTextEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget);
+}
+
+// Keys here mean the same wherever the focus is: a buffer view would take B for its blue channel. But what is typed into
+// a field, as a condition is, belongs there.
 bool CleanView::eventFilter(QObject* watched, QEvent* event) {
     auto* widget = qobject_cast<QWidget*>(watched);
     if (!widget || widget->window() != this) return QWidget::eventFilter(watched, event);
@@ -272,6 +282,8 @@ bool CleanView::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
         return QWidget::eventFilter(watched, event);
     const auto& key = *static_cast<QKeyEvent*>(event);
+    if (isTextField(QApplication::focusWidget()) && key.key() != Qt::Key_F4)
+        return QWidget::eventFilter(watched, event);
     const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
     constexpr std::array kOwn{Qt::Key_B, Qt::Key_Period, Qt::Key_W,  Qt::Key_P,     Qt::Key_O,
                               Qt::Key_1, Qt::Key_2,      Qt::Key_F4, Qt::Key_Escape};

@@ -1,5 +1,6 @@
 // Cues: kept, shown again exactly, ordered; and presenting them.
 #include <QLabel>
+#include <QLineEdit>
 #include <QListView>
 #include <QPlainTextEdit>
 #include <QTest>
@@ -13,6 +14,7 @@
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
+#include "app/panels/condition_bar.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/math_view.h"
 #include "tests/app/window_fixture.h"
@@ -243,6 +245,30 @@ TEST_F(WindowCues, PresentingEndsAfterAClickOnAPicture) {
     QTest::keyClick(&canvas, Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window.presentation().isOn(); }, 5000));
     EXPECT_TRUE(document().pixel());
+}
+
+// Letters and digits of a condition are no keys of the presentation; Esc closes the bar first.
+TEST_F(WindowCues, AConditionIsTypedWhilePresenting) {
+    openPyramid();
+    press("Ctrl+F11");
+    CleanView& view = *window.presentation().cleanView();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    QApplication::setActiveWindow(&view);
+    settle();
+    const QString condition = "2.01 - 1 < 10.2 && (polygon_id == 2 || polygon_id == 1)";
+    BufferView& buffer = view.views().first();
+    QTest::keyClick(buffer.canvas(), Qt::Key_Slash);
+    auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_NE(field, nullptr);
+    QTest::keyClicks(field, condition);
+    EXPECT_EQ(field->text(), condition);
+    EXPECT_EQ(view.pen().cover(), PenLayer::Cover::None);
+    EXPECT_FALSE(view.pen().hasPen() || view.pen().hasSpotlight());
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_FALSE(buffer.condition().isVisible());
+    EXPECT_TRUE(window.presentation().isOn());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_B);
+    EXPECT_EQ(view.pen().cover(), PenLayer::Cover::Black);
 }
 
 TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
