@@ -102,6 +102,7 @@ QWidget* NotesWindow::makeRight() {
     m_list->setModel(&m_cues);
     m_list->setAccessibleName(tr("Cues"));
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_list->setFocusPolicy(Qt::NoFocus);  // it would search for a letter that is a key of the presentation
     connect(m_list, &QListView::clicked, this, [this](const QModelIndex& row) { emit asked(row.row()); });
     column->addWidget(m_notesTitle);
     column->addWidget(surface(scroll, right), 3);

@@ -353,5 +353,31 @@ TEST_F(WindowCues, NotesHaveTheNextCueThePlaceAndTheTime) {
     EXPECT_FALSE(notes.hasNextPicture());
 }
 
+// Presentation looks at the keys that reach the window.
+TEST_F(WindowCues, KeysAfterAClickOnACueReachTheNotesWindow) {
+    makeThree();
+    struct Keys : QObject {
+        int count = 0;
+        bool eventFilter(QObject*, QEvent* event) override {
+            count += event->type() == QEvent::KeyPress ? 1 : 0;
+            return false;
+        }
+    } keys;
+    NotesWindow notes(model(), window);
+    notes.installEventFilter(&keys);
+    notes.resize(1280, 720);
+    notes.show();
+    QApplication::setActiveWindow(&notes);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&notes));
+    int asked = -1;
+    QObject::connect(&notes, &NotesWindow::asked, &notes, [&](int cue) { asked = cue; });
+    auto* list = notes.findChild<QListView*>();
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(model().index(1)).center());
+    EXPECT_EQ(asked, 1);
+    QWidget* target = QApplication::focusWidget() ? QApplication::focusWidget() : &notes;
+    for (const Qt::Key key : {Qt::Key_B, Qt::Key_1}) QTest::keyClick(target, key);
+    EXPECT_EQ(keys.count, 2);
+}
+
 }  // namespace
 }  // namespace app
