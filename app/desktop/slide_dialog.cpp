@@ -60,12 +60,7 @@ SlideDialog::SlideDialog(const Document& document, ViewArea& views, WindowState 
     m_save->setProperty("kind", "primary");
     m_save->setDefault(true);
     connect(m_copy, &QPushButton::clicked, this, &SlideDialog::copy);
-    connect(m_close, &QPushButton::clicked, this, [this] {
-        if (!m_job.busy()) return reject();
-        if (m_decided->exchange(true)) return;  // a file half a moment from done is finished, and told
-        m_job.forget();
-        m_message->setText(tr("Cancelled. Nothing was written."));
-    });
+    connect(m_close, &QPushButton::clicked, this, &SlideDialog::reject);
     connect(&m_job, &BackgroundJob::progressed, this, [this](double share) {
         m_progress->setRange(0, share < 1 ? 100 : 0);  // a file is written after that
         if (share < 1) m_progress->setValue(int(100 * share));
@@ -192,6 +187,13 @@ void SlideDialog::preview() {
     painter.drawImage(all, *image);
     painter.end();
     m_picture->setPixmap(pixmap);
+}
+
+void SlideDialog::reject() {
+    if (!m_job.busy()) return QDialog::reject();
+    if (m_decided->exchange(true)) return;  // a file half a moment from done is finished, and told
+    m_job.forget();
+    m_message->setText(tr("Cancelled. Nothing was written."));
 }
 
 void SlideDialog::showWork() {

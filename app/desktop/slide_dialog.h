@@ -25,6 +25,7 @@ public:
     void save(const QString& file);  // away from the window; what comes of it stands in the dialog
     bool isWorking() const { return m_job.busy(); }
     QString message() const;
+    void reject() override;  // cancels what is being made, and stays to say so; else closes
 
 private:
     QWidget* makeFields();

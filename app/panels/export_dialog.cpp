@@ -16,7 +16,6 @@
 #include "app/panels/export_formats.h"
 #include "app/panels/export_list.h"
 #include "app/panels/follow_theme.h"
-#include "app/panels/job_foot.h"
 #include "app/panels/on_screen.h"
 #include "pipeline/plan/needs.h"
 
@@ -35,12 +34,11 @@ QLabel* makeLabel(const QString& name, int tone, QWidget* parent) {
 }  // namespace
 
 ExportDialog::ExportDialog(Document& document, QWidget* parent)
-    : QDialog(parent),
+    : JobDialog("export", tr("Export"), parent),
       m_document(document),
       m_changes(document),
       m_choices(makeChoices()),
-      m_buffers(new ExportList(this)),
-      m_foot(new JobFoot("export", tr("Export"), this)) {
+      m_buffers(new ExportList(this)) {
     setObjectName("exportDialog");
     setWindowTitle(tr("Export buffers"));
     auto* halves = new QHBoxLayout;
@@ -48,13 +46,10 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
     left->addWidget(m_choices);
     left->addWidget(m_buffers, 1);
     halves->addLayout(left, 5);
-    halves->addWidget(makeTarget(), 5);
+    halves->addWidget(makeFields(), 5);
     auto* column = new QVBoxLayout(this);
     column->addLayout(halves, 1);
-    column->addWidget(m_foot);
-    connect(m_foot, &JobFoot::startAsked, this, &ExportDialog::start);
-    connect(m_foot, &JobFoot::cancelAsked, this, [this] { m_job->cancel(); });
-    connect(m_foot, &JobFoot::closeAsked, this, &ExportDialog::reject);
+    column->addWidget(&foot());
     followTheme(this, [this, column, halves] {
         const Theme& theme = Theme::current();
         column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
@@ -66,7 +61,7 @@ ExportDialog::ExportDialog(Document& document, QWidget* parent)
     // Everything that the scene has a use for is computed while the dialog is open, so that the
     // list can tell what is there from what is left out.
     connect(&document, &Document::frameReady, this, &ExportDialog::showFrame);
-    connect(m_buffers, &ExportList::chosenChanged, this, &ExportDialog::showSummary);
+    connect(m_buffers, &ExportList::chosenChanged, this, &ExportDialog::showOrder);
     document.want(this, pipeline::usefulBuffers(document.scene()));
     showFrame();
 }
@@ -101,26 +96,14 @@ void ExportDialog::setShown(std::vector<pipeline::BufferName> buffers) {
 
 void ExportDialog::choose(const pipeline::BufferName& buffer) { m_buffers->choose({buffer}); }
 
-QWidget* ExportDialog::makeTarget() {
+QWidget* ExportDialog::makeFields() {
     auto* right = new QWidget(this);
     auto* form = new QFormLayout;
-    m_folder = new QLineEdit(right);
-    m_folder->setObjectName("exportFolder");
-    m_folder->setAccessibleName(tr("Folder"));
     const QString base = QFileInfo(toQString(m_document.scene().name)).completeBaseName();
-    m_folder->setText(QDir::home().filePath(base + "-buffers"));
-    auto* choose = new QPushButton(tr("Choose"), right);
-    connect(choose, &QPushButton::clicked, this, [this] {
-        const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder"), m_folder->text());
-        if (!folder.isEmpty()) m_folder->setText(folder);
-    });
-    auto* where = new QHBoxLayout;
-    where->addWidget(m_folder, 1);
-    where->addWidget(choose);
-    form->addRow(tr("Folder"), where);
+    form->addRow(tr("Folder"), makeTarget("exportFolder", tr("Folder"), QDir::home().filePath(base + "-buffers")));
 
     m_formats = new ExportFormats(m_document.scene(), right);
-    connect(m_formats, &ExportFormats::changed, this, &ExportDialog::showSummary);
+    connect(m_formats, &ExportFormats::changed, this, &ExportDialog::showOrder);
     form->addRow(tr("Formats"), m_formats);
 
     auto* size = new QHBoxLayout;
@@ -130,7 +113,7 @@ QWidget* ExportDialog::makeTarget() {
         field->setAccessibleName(words);
         field->setAlignment(Qt::AlignRight);
         field->setValidator(new QIntValidator(1, 16384, field));
-        connect(field, &QLineEdit::textChanged, this, &ExportDialog::showSummary);
+        connect(field, &QLineEdit::textChanged, this, &ExportDialog::showOrder);
         size->addWidget(field);
         return field;
     };
@@ -139,7 +122,6 @@ QWidget* ExportDialog::makeTarget() {
     m_height = makeSide(m_document.scene().settings.height, "exportHeight", tr("Height in pixels"));
     size->addWidget(new QLabel(tr("pixels"), right), 1);
     form->addRow(tr("Size"), size);
-    connect(m_folder, &QLineEdit::textChanged, this, &ExportDialog::showSummary);
 
     m_total = makeLabel("exportTotal", 1, right);
     m_files = makeLabel("exportFiles", 2, right);
@@ -157,14 +139,14 @@ QWidget* ExportDialog::makeTarget() {
 }
 
 void ExportDialog::showFrame() {
-    if (!m_document.wholeFrame() || m_job) return;
+    if (!m_document.wholeFrame() || isRunning()) return;
     m_buffers->setFrame(*m_document.wholeFrame(), m_document.derived().recipe());
-    showSummary();
+    showOrder();
 }
 
 pipeline::ExportRequest ExportDialog::request() const {
     pipeline::ExportRequest request;
-    request.folder = m_folder->text().toStdString();
+    request.folder = target();
     request.formats = m_formats->chosen();
     request.buffers = m_buffers->chosen();
     request.state = m_state;
@@ -178,7 +160,7 @@ std::shared_ptr<const pipeline::Scene> ExportDialog::sceneToExport() const {
     return scene;
 }
 
-void ExportDialog::showSummary() {
+void ExportDialog::showOrder() {
     if (!m_document.wholeFrame()) return;
     const pipeline::ExportRequest wanted = request();
     const auto& settings = m_document.scene().settings;
@@ -203,35 +185,23 @@ void ExportDialog::showSummary() {
     const QString more = files.size() > 7 ? tr("\nand %1 more").arg(files.size() - 7) : QString();
     m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') + more);
     const auto scene = sceneToExport();
-    m_foot->setCommand(exportCommand(*scene, m_changes.words(*scene), wanted, m_document.derived().recipe(),
-                                     m_buffers->isAllChosen()));
-    const bool ready = !wanted.buffers.empty() && !wanted.formats.empty() && !m_folder->text().isEmpty() &&
+    foot().setCommand(exportCommand(*scene, m_changes.words(*scene), wanted, m_document.derived().recipe(),
+                                    m_buffers->isAllChosen()));
+    const bool ready = !wanted.buffers.empty() && !wanted.formats.empty() && !field().text().isEmpty() &&
                        m_width->hasAcceptableInput() && m_height->hasAcceptableInput();
-    m_foot->setReady(ready, tr("Choose a buffer, a format, a folder and a size first."));
+    foot().setReady(ready, tr("Choose a buffer, a format, a folder and a size first."));
+}
+
+QString ExportDialog::chooseTarget() {
+    return QFileDialog::getExistingDirectory(this, tr("Folder"), toQString(target().string()));
 }
 
 void ExportDialog::start() {
-    if (m_job) return;
     const pipeline::ExportRequest wanted = request();
-    m_written = toQString(wanted.folder.string());
-    m_job = new ExportJob(sceneToExport(), m_document.wholeFrame(), wanted, m_document.derived().recipe(), this);
-    connect(m_job, &ExportJob::progressed, this,
-            [this](double share, const QString& file) { m_foot->setProgress(share, file); });
-    connect(m_job, &ExportJob::finished, this, [this](const pipeline::ExportSummary& summary) {
-        finish(summary.cancelled
-                   ? tr("Cancelled. Nothing was written.")
-                   : tr("%1 files, %2, are in the folder.").arg(summary.files.size()).arg(sizeText(summary.bytes)),
-               !summary.cancelled);
+    auto* job = new ExportJob(sceneToExport(), m_document.wholeFrame(), wanted, m_document.derived().recipe(), this);
+    run(job, wanted.folder, [](const pipeline::ExportSummary& summary) {
+        return tr("%1 files, %2, are in the folder.").arg(summary.files.size()).arg(sizeText(summary.bytes));
     });
-    connect(m_job, &ExportJob::failed, this,
-            [this](const pipeline::Errors& errors) { finish(toQString(format(errors)).trimmed(), false); });
-    m_foot->begin();
-}
-
-void ExportDialog::finish(const QString& sentence, bool done) {
-    m_job->deleteLater();
-    m_job = nullptr;
-    m_foot->finish(sentence, done ? m_written : QString());
 }
 
 }  // namespace app

@@ -1,10 +1,8 @@
 #pragma once
-#include <QDialog>
-
 #include "app/core/changed_settings.h"
 #include "app/core/document.h"
 #include "app/core/export_plan.h"
-#include "app/panels/tab_order.h"
+#include "app/panels/job_dialog.h"
 
 class QLabel;
 class QLineEdit;
@@ -13,13 +11,11 @@ class QPushButton;
 namespace app {
 
 class ExportFormats;
-class ExportJob;
 class ExportList;
-class JobFoot;
 
 // Chooses buffers, formats, a folder and the picture's size, says what that writes and which
 // command line would do the same, and writes it with progress and cancel.
-class ExportDialog : public QDialog {
+class ExportDialog : public JobDialog {
     Q_OBJECT
 public:
     explicit ExportDialog(Document& document, QWidget* parent = nullptr);
@@ -30,17 +26,14 @@ public:
     void choose(const pipeline::BufferName& buffer);           // this one alone
     pipeline::ExportRequest request() const;
 
-protected:
-    bool focusNextPrevChild(bool next) override { return focusNext(*this, next) || QDialog::focusNextPrevChild(next); }
-
 private:
     QWidget* makeChoices();
-    QWidget* makeTarget();
+    QWidget* makeFields();
     void showFrame();
-    void showSummary();
+    QString chooseTarget() override;
+    void showOrder() override;
+    void start() override;
     std::shared_ptr<const pipeline::Scene> sceneToExport() const;
-    void start();
-    void finish(const QString& sentence, bool done);
 
     Document& m_document;
     ChangedSettings m_changes;
@@ -48,12 +41,8 @@ private:
     QPushButton* m_onlyShown;
     ExportList* m_buffers;
     ExportFormats* m_formats;
-    QLineEdit* m_folder;
     QLineEdit *m_width, *m_height;
     QLabel *m_total, *m_files;
-    JobFoot* m_foot;
-    ExportJob* m_job = nullptr;
-    QString m_written;  // where the job's files go, whatever the field says meanwhile
     std::string m_state;
     std::vector<pipeline::BufferName> m_shown;
 };

@@ -179,5 +179,19 @@ TEST_F(WindowExport, CancelledExportLeavesNothing) {
     EXPECT_FALSE(QFile::exists(folder.filePath("out/color.png")));
 }
 
+TEST_F(WindowExport, EscapeCancelsAndSaysSoAndThenCloses) {
+    openPyramid();
+    ExportDialog* dialog = openDialog();
+    dialog->findChild<QLineEdit*>("exportWidth")->setText("4000");
+    dialog->findChild<QLineEdit*>("exportHeight")->setText("3000");
+    QTest::mouseClick(dialog->findChild<QPushButton*>("exportStart"), Qt::LeftButton);
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    ASSERT_TRUE(dialog->isVisible());
+    auto* message = dialog->findChild<QLabel*>("exportMessage");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return message->text().contains("Cancelled"); }, 60000));
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    EXPECT_FALSE(dialog->isVisible());
+}
+
 }  // namespace
 }  // namespace app

@@ -1,5 +1,6 @@
 // Pictures for slides, step films, and pictures that open what they show.
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
@@ -214,10 +215,10 @@ TEST_F(WindowSlide, ALargeSlideIsMadeAwayFromTheWindowAndCanBeCancelled) {
 TEST_F(WindowSlide, AFilmsCommandWritesTheFilmOfTheSceneOnShow) {
     document().change(*findSetting(document().scene(), "material.0.n"), 4);
     FilmDialog dialog(document(), {pipeline::BufferId::ZView});
-    dialog.findChild<QLineEdit*>("filmTarget")->setText("my $HOME's film.gif");
+    dialog.findChild<QLineEdit*>("filmTarget")->setText("/tmp/my $HOME's film.gif");
     const QString command = dialog.findChild<QLineEdit*>("filmCommand")->text();
     EXPECT_TRUE(command.contains(" --set material.0.n=4 ")) << command.toStdString();
-    EXPECT_TRUE(command.endsWith(" -o 'my $HOME'\\''s film.gif'")) << command.toStdString();
+    EXPECT_TRUE(command.endsWith(" -o '/tmp/my $HOME'\\''s film.gif'")) << command.toStdString();
 }
 
 TEST_F(WindowSlide, AFilmIsWrittenWithProgressAndCanBeCancelled) {
@@ -242,6 +243,49 @@ TEST_F(WindowSlide, AFilmIsWrittenWithProgressAndCanBeCancelled) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog.message().isEmpty(); }, 60000));
     EXPECT_EQ(dialog.message(), "Cancelled. Nothing was written.");
     EXPECT_FALSE(QFile::exists(folder.filePath("pictures/step_0001.png")));
+}
+
+TEST_F(WindowSlide, EscapeCancelsAFilmAndSaysSoAndThenCloses) {
+    FilmDialog dialog(document(), {pipeline::BufferId::ZView});
+    dialog.show();
+    dialog.findChild<QLineEdit*>("filmTarget")->setText(folder.filePath("pictures"));
+    dialog.findChild<QComboBox*>("filmLevel")->setCurrentText("pixel");
+    dialog.findChild<QSpinBox*>("filmPictures")->setValue(2000);
+    dialog.findChild<QPushButton*>("filmStart")->click();
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    EXPECT_TRUE(dialog.isVisible());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog.message().isEmpty(); }, 60000));
+    EXPECT_EQ(dialog.message(), "Cancelled. Nothing was written.");
+    EXPECT_FALSE(QFile::exists(folder.filePath("pictures/step_0001.png")));
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    EXPECT_FALSE(dialog.isVisible());
+}
+
+TEST_F(WindowSlide, TheCrossCancelsASlideFirst) {
+    SlideDialog dialog(document(), window.views(), *window.state({}));
+    dialog.show();
+    auto* what = dialog.findChild<QComboBox*>("slideWhat");
+    what->setCurrentIndex(what->findData(int(What::Space)));
+    for (QSpinBox* side : dialog.findChildren<QSpinBox*>()) side->setValue(3000);
+    dialog.save(folder.filePath("large.png"));
+    ASSERT_TRUE(dialog.isWorking());
+    EXPECT_FALSE(dialog.close());
+    EXPECT_FALSE(dialog.isWorking());
+    EXPECT_EQ(dialog.message(), "Cancelled. Nothing was written.");
+    EXPECT_TRUE(dialog.close());
+}
+
+// "~" is not a folder that a program would make for it.
+TEST_F(WindowSlide, AFilmsPlaceIsOneInTheHomeFolder) {
+    FilmDialog dialog(document(), {pipeline::BufferId::ZView});
+    auto* target = dialog.findChild<QLineEdit*>("filmTarget");
+    for (const auto& [typed, place] : {std::pair<QString, QString>{"~/a/film.gif", QDir::home().filePath("a/film.gif")},
+                                       {"film.gif", QDir::home().filePath("film.gif")},
+                                       {"/tmp/film.gif", "/tmp/film.gif"}}) {
+        target->setText(typed);
+        EXPECT_EQ(dialog.order().target, place.toStdString()) << typed.toStdString();
+        EXPECT_TRUE(dialog.findChild<QLineEdit*>("filmCommand")->text().endsWith(" -o " + place));
+    }
 }
 
 }  // namespace
