@@ -49,7 +49,7 @@ QString filmCommand(const pipeline::Scene& scene, const QStringList& changes, co
     if (order.from != usual.from) words << "--from" << shellWord(toQString(text(order.from)));
     if (order.to != usual.to) words << "--to" << shellWord(toQString(text(order.to)));
     words << "--pictures" << QString::number(order.pictures);
-    if (order.target.extension() == ".gif") words << "--milliseconds" << QString::number(order.milliseconds);
+    if (pipeline::isGif(order.target)) words << "--milliseconds" << QString::number(order.milliseconds);
     if (!order.captions) words << "--no-captions";
     words << changes;
     return words.join(' ') + " -o " + shellWord(toQString(order.target.string()));

@@ -15,6 +15,7 @@
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/status_line.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/save_dialog.h"
 #include "app/panels/scene_tree.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/start_page.h"
@@ -171,6 +172,7 @@ void MainWindow::keepThisLayout() {
         QInputDialog::getText(this, tr("Keep this layout"), tr("Name"), QLineEdit::Normal, QString(), &entered)
             .trimmed();
     if (!entered || name.isEmpty()) return;
+    if (keptLayout(name) && !askToReplace(this, tr("Keep this layout"), name)) return;
     keepLayout(name,
                {saveState(kLayoutVersion), QString::fromStdString(m_views->arrangement()), m_views->hasThumbnails()});
     m_status->say(tr("Kept the layout as %1: View, Layout.").arg(name));

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLineEdit>
@@ -13,6 +12,7 @@
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/on_screen.h"
+#include "app/panels/save_dialog.h"
 
 namespace app {
 namespace {
@@ -103,7 +103,7 @@ FilmOrder FilmDialog::order() const {
 }
 
 void FilmDialog::showOrder() {
-    const bool single = field().text().endsWith(".gif");
+    const bool single = pipeline::isGif(target());
     m_milliseconds->setEnabled(single);
     m_milliseconds->setToolTip(single ? QString() : tr("PNG files have no speed; a file that ends in .gif has."));
     foot().setReady(!field().text().isEmpty(), tr("Choose a file that ends in .gif, or a folder."));
@@ -111,12 +111,22 @@ void FilmDialog::showOrder() {
 }
 
 QString FilmDialog::chooseTarget() {
-    return QFileDialog::getSaveFileName(this, windowTitle(), toQString(target().string()),
-                                        tr("Film (*.gif);;Folder of PNG files (*)"));
+    QStringList kinds{tr("Film (*.gif)"), tr("Folder of PNG files (*)")};
+    if (!pipeline::isGif(target())) std::swap(kinds[0], kinds[1]);
+    const QString file =
+        askWhereToSave(this, windowTitle(), toQString(target().string()), kinds.join(";;"), QStringLiteral("gif"));
+    if (pipeline::isGif(file.toStdString())) m_mayReplace = file.toStdString();
+    return file;
 }
 
 void FilmDialog::start() {
     const FilmOrder wanted = order();
+    const std::filesystem::path first = pipeline::firstFileOf(wanted.target);
+    if (wanted.target != m_mayReplace && QFileInfo::exists(toQString(first.string()))) {
+        const auto name = first.lexically_relative(wanted.target.parent_path());
+        if (!askToReplace(this, windowTitle(), toQString(name.string()))) return;
+    }
+    m_mayReplace = wanted.target;
     auto* job = new FilmJob(std::make_shared<const pipeline::Scene>(m_document.scene()), wanted, this);
     run(job, wanted.target, [](const pipeline::FilmSummary& summary) {
         const QString behind =

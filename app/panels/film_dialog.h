@@ -31,6 +31,7 @@ private:
     QComboBox *m_buffer, *m_level, *m_end;
     QSpinBox *m_pictures, *m_milliseconds;
     QCheckBox* m_captions;
+    std::filesystem::path m_mayReplace;  // what is there: it was asked for
 };
 
 }  // namespace app

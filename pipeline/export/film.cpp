@@ -10,6 +10,7 @@
 #include <optional>
 #include <system_error>
 
+#include "pipeline/core/text.h"
 #include "pipeline/export/byte_file.h"
 #include "pipeline/export/gif_file.h"
 #include "pipeline/export/png_file.h"
@@ -128,6 +129,12 @@ std::vector<Moment> filmMoments(const Steps& steps, const FilmRequest& request) 
     return some;
 }
 
+bool isGif(const std::filesystem::path& target) { return sameLetters(target.extension().string(), ".gif"); }
+
+std::filesystem::path firstFileOf(const std::filesystem::path& target) {
+    return isGif(target) ? target : target / pictureName(1);
+}
+
 Buffer2D<Color8> filmPicture(const Steps& steps, Moment moment, const FilmRequest& request) {
     return picture(steps, moment, request, lookOf(steps, request.buffer));
 }
@@ -136,7 +143,7 @@ Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, co
                               const FilmProgress& progress) {
     const std::vector<Moment> moments = filmMoments(steps, request);
     const Look look = lookOf(steps, request.buffer);
-    const bool single = target.extension() == ".gif";
+    const bool single = isGif(target);
     const auto parent = target.parent_path().empty() ? std::filesystem::path(".") : target.parent_path();
     auto staging = Staging::begin(single ? parent : target);
     if (!staging) return staging.errors();

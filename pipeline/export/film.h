@@ -26,6 +26,11 @@ std::vector<Moment> filmMoments(const Steps& steps, const FilmRequest& request);
 // along, and below it a line in words. Before the buffer's stage has begun, black. The buffer has pixels.
 Buffer2D<Color8> filmPicture(const Steps& steps, Moment moment, const FilmRequest& request);
 
+// Whether a film of this name is one file, "film.gif" or "FILM.GIF"; any other is a folder.
+bool isGif(const std::filesystem::path& target);
+// "film.gif", or the first picture in the folder.
+std::filesystem::path firstFileOf(const std::filesystem::path& target);
+
 // Called before each picture; false cancels.
 using FilmProgress = std::function<bool(std::size_t done, std::size_t all)>;
 struct FilmSummary {

@@ -174,6 +174,10 @@ TEST_F(WindowFiles, ANameWithoutItsEndingReplacesNoFileUnasked) {
     EXPECT_TRUE(asked[0].startsWith("talk.cues already exists.")) << asked[0].toStdString();
     EXPECT_EQ(ask(), folder.filePath("talk 2.cues"));
     EXPECT_EQ(asked.size(), 2) << "there is none of that name";
+    names = {"talk 3"};
+    EXPECT_EQ(askWhereToSave(&window, "Save", folder.path(), "Folders (*);;Cue lists (*.cues)", "cues"),
+              folder.filePath("talk 3"))
+        << "what was chosen is no list";
 }
 
 // Where the window finds a list of cues that somebody has written into, wrongly.

@@ -207,6 +207,33 @@ TEST_F(WindowLook, AKeptLayoutIsFoundAmongTheCommands) {
     dropLayout("Seminar");
 }
 
+TEST_F(WindowLook, AKeptLayoutIsReplacedOnlyWhenAsked) {
+    openPyramid();
+    const KeptLayout before{{}, "four", false};
+    keepLayout("Seminar", before);
+    const auto keepAgain = [this](const QString& button) {
+        QTimer::singleShot(0, &window, [this, button] {
+            auto* field = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            ASSERT_NE(field, nullptr);
+            field->setTextValue("Seminar");
+            QTimer::singleShot(0, &window, [button] {
+                auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                ASSERT_NE(box, nullptr);
+                for (QAbstractButton* one : box->buttons())
+                    if (one->text() == button) one->click();
+            });
+            field->accept();
+        });
+        window.actions()[ActionId::KeepLayout]->trigger();
+        QCoreApplication::processEvents();
+    };
+    keepAgain("Go back");
+    EXPECT_EQ(keptLayout("Seminar"), before);
+    keepAgain("Replace");
+    EXPECT_NE(keptLayout("Seminar"), before);
+    dropLayout("Seminar");
+}
+
 TEST_F(WindowLook, LargerTextIsLargerAndComesBack) {
     openPyramid();
     const double before = Theme::current().scale();

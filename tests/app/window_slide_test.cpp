@@ -245,6 +245,52 @@ TEST_F(WindowSlide, AFilmIsWrittenWithProgressAndCanBeCancelled) {
     EXPECT_FALSE(QFile::exists(folder.filePath("pictures/step_0001.png")));
 }
 
+QByteArray bytesOf(const QString& name) {
+    QFile file(name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+TEST_F(WindowSlide, AFilmReplacesAnotherOnlyWhenAsked) {
+    const QString old = folder.filePath("old.gif");
+    QFile file(old);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
+    file.close();
+    FilmDialog dialog(document(), {pipeline::BufferId::ZView});
+    dialog.show();
+    dialog.findChild<QLineEdit*>("filmTarget")->setText(old);
+    auto* start = dialog.findChild<QPushButton*>("filmStart");
+    answer("Go back", [start] { start->click(); });
+    EXPECT_TRUE(start->isEnabled()) << "nothing runs";
+    EXPECT_EQ(bytesOf(old), "mine");
+    answer("Replace", [start] { start->click(); });
+    EXPECT_TRUE(QTest::qWaitFor([&] { return dialog.message().startsWith("4 pictures"); }, 60000));
+    EXPECT_TRUE(bytesOf(old).startsWith("GIF89a"));
+}
+
+TEST_F(WindowSlide, AFilmReplacesPicturesInAFolderOnlyWhenAsked) {
+    FilmDialog dialog(document(), {pipeline::BufferId::ZView});
+    dialog.show();
+    dialog.findChild<QLineEdit*>("filmTarget")->setText(folder.path());  // it is there, and has no film
+    auto* start = dialog.findChild<QPushButton*>("filmStart");
+    start->click();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return dialog.message().startsWith("4 pictures"); }, 60000));
+    EXPECT_TRUE(QFile::exists(folder.filePath("step_0004.png")));
+    FilmDialog next(document(), {pipeline::BufferId::ZView});
+    next.show();
+    next.findChild<QLineEdit*>("filmTarget")->setText(folder.path());
+    answer("Go back", [&] { next.findChild<QPushButton*>("filmStart")->click(); });
+    EXPECT_EQ(next.message(), "");
+}
+
+TEST_F(WindowSlide, AnEndingInCapitalsIsOneToo) {
+    FilmDialog dialog(document(), {pipeline::BufferId::ZView});
+    dialog.findChild<QLineEdit*>("filmTarget")->setText(folder.filePath("B.GIF"));
+    EXPECT_TRUE(dialog.findChild<QLineEdit*>("filmCommand")->text().contains("--milliseconds"));
+    dialog.findChild<QPushButton*>("filmStart")->click();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return dialog.message().startsWith("4 pictures"); }, 60000));
+    EXPECT_TRUE(bytesOf(folder.filePath("B.GIF")).startsWith("GIF89a"));
+}
+
 TEST_F(WindowSlide, EscapeCancelsAFilmAndSaysSoAndThenCloses) {
     FilmDialog dialog(document(), {pipeline::BufferId::ZView});
     dialog.show();
