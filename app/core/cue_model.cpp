@@ -37,6 +37,7 @@ CueModel::CueModel(const QString& file, QObject* parent) : QAbstractListModel(pa
 }
 
 CueModel::~CueModel() {
+    blockSignals(true);  // who would tell of it may be gone
     if (m_soon.isActive()) write();
 }
 
@@ -53,16 +54,29 @@ void CueModel::setCurrent(int i) {
 void CueModel::tell(int i) { emit dataChanged(index(i), index(i)); }
 
 bool CueModel::open(const QString& file) {
-    if (m_soon.isActive()) write();
+    if (isUnsaved() && !write()) return false;
     const auto errors = read(file);
     if (!errors.empty()) emit notRead(errors);
     return errors.empty();
+}
+
+bool CueModel::readAgain() {
+    const std::string shown = m_current < 0 ? std::string() : cue(m_current).name;
+    const auto errors = read(m_file);
+    if (!errors.empty()) {
+        emit notRead(errors);
+        return false;
+    }
+    const auto again = std::ranges::find(m_list.cues, shown, &Cue::name);
+    if (again != m_list.cues.end()) setCurrent(int(again - m_list.cues.begin()));
+    return true;
 }
 
 pipeline::Errors CueModel::read(const QString& file) {
     const auto text = readCueText(file.toStdString());
     const auto list = text ? readCues(*text, file.toStdString()) : pipeline::Result<CueList>(text.errors());
     if (!list) return list.errors();
+    m_soon.stop();
     beginResetModel();
     m_list = m_written = *list;
     m_text = *text;
@@ -89,11 +103,13 @@ bool CueModel::saveAs(const QString& file) {
 
 // The cues that were in the own list stay, in a file beside it.
 void CueModel::clear() {
-    if (m_soon.isActive()) write();
+    if (isUnsaved() && !write()) return;
     const auto own = readCueFile(m_ownFile.toStdString());
     if (QFileInfo::exists(m_ownFile) && !(own && own->cues.empty())) {
         const QString aside = freeFile(m_ownFile);
-        if (QFile::rename(m_ownFile, aside)) emit putAside(aside);
+        if (!QFile::rename(m_ownFile, aside))
+            return emit notWritten(aside, {{{m_ownFile.toStdString(), 0, 0}, "could not be renamed", {}}});
+        emit putAside(aside);
     }
     beginResetModel();
     m_list = m_written = {};
@@ -102,13 +118,24 @@ void CueModel::clear() {
     m_current = -1;
     m_removed.reset();
     endResetModel();
-    write();
+    writeTo(m_file, m_list);
     emit changed();
 }
 
 bool CueModel::write() {
     m_soon.stop();
-    return writeTo(m_file, m_list);
+    if (isAsRead()) return writeTo(m_file, m_list);
+    emit notWritten(m_file, {{{m_file.toStdString(), 0, 0},
+                              "someone else has written to it; read the list again, or save it under another name",
+                              {}}});
+    return false;
+}
+
+// Or written. A file that is gone has nothing to lose.
+bool CueModel::isAsRead() const {
+    if (!QFileInfo::exists(m_file)) return true;
+    const auto text = readCueText(m_file.toStdString());
+    return text && *text == m_text;
 }
 
 bool CueModel::writeTo(const QString& file, const CueList& list) {

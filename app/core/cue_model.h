@@ -8,7 +8,7 @@
 namespace app {
 
 // The cues of a talk: a row a cue, and the file that they are in. What is changed is written to the
-// file a moment later.
+// file a moment later, unless someone else has written to it since.
 class CueModel : public QAbstractListModel {
     Q_OBJECT
 public:
@@ -29,13 +29,16 @@ public:
     const Cue* currentCue() const { return m_current < 0 ? nullptr : &cue(m_current); }
     void setCurrent(int i);
 
-    // When the file cannot be read the list stays, and notRead() tells why.
+    // When the file cannot be read, or the list before cannot be written, that one stays; notRead() or notWritten() tells
+    // why.
     bool open(const QString& file);
+    bool readAgain();  // likewise; what has not been written is given up
     // And goes on there; scenes are named from its folder. When it cannot be written nothing changes, and notWritten()
     // tells why.
     bool saveAs(const QString& file);
     bool write();  // now, what has been changed; likewise
-    void clear();  // an empty list in the file of the beginning
+    bool isUnsaved() const { return m_list != m_written; }
+    void clear();  // an empty list in the file of the beginning; likewise
     void setMinutes(int minutes);
 
     int add(Cue cue);  // after the current one, under a free name; gives its row and makes it current
@@ -64,6 +67,7 @@ signals:
 private:
     void writeSoon() { m_soon.start(); }
     pipeline::Errors read(const QString& file);
+    bool isAsRead() const;
     bool writeTo(const QString& file, const CueList& list);
     void tell(int i);
 

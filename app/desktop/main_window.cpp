@@ -343,7 +343,7 @@ void MainWindow::takeLeftKey(const QKeyEvent& key) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_presentation->end();
-    if (!mayLeaveScene()) return event->ignore();
+    if (!mayLeaveCues() || !mayLeaveScene()) return event->ignore();
     if (m_session) m_session->end(!m_document.isChanged());
     keepPanels();
     saveWindowPlace(*this);

@@ -130,6 +130,8 @@ private:
     void enableCueActions();
     std::optional<WindowState> cueState() const;
     void keepCue();
+    bool saveCuesAs();  // false: not saved
+    bool mayLeaveCues();
     void goToCue(int cue, const Then& then = {});
     void stepCue(int by);
     void beginPresenting();

@@ -6,6 +6,7 @@
 #include "app/core/scene_opener.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
+#include "app/desktop/keep_changes.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/presentation.h"
@@ -46,11 +47,7 @@ void MainWindow::connectCues() {
         const QString file = QFileDialog::getOpenFileName(this, tr("Open a cue list"), QString(), cueFilter());
         if (!file.isEmpty()) openFile(file);
     });
-    connect(m_cues, &CuePanel::saveAsAsked, this, [this] {
-        const QString file =
-            askWhereToSave(this, tr("Save the cue list"), m_cues->model().file(), cueFilter(), kCueEnding + 1);
-        if (!file.isEmpty()) m_cues->model().saveAs(file);
-    });
+    connect(m_cues, &CuePanel::saveAsAsked, this, &MainWindow::saveCuesAs);
     connect(m_cues, &CuePanel::presentAsked, this, &MainWindow::present);
     connect(&m_cues->model(), &CueModel::changed, this, &MainWindow::enableCueActions);
     connect(&m_cues->model(), &CueModel::notRead, this, [this](const pipeline::Errors& errors) {
@@ -128,6 +125,24 @@ void MainWindow::goToCue(int cue, const Then& then) {
         if (then) then();
     });
     if (m_opener->busy()) m_cueAsked = cue;
+}
+
+bool MainWindow::saveCuesAs() {
+    CueModel& model = m_cues->model();
+    const QString file = askWhereToSave(this, tr("Save the cue list"), model.file(), cueFilter(), kCueEnding + 1);
+    return !file.isEmpty() && model.saveAs(file);
+}
+
+// Asked about where the list's own file cannot take them.
+bool MainWindow::mayLeaveCues() {
+    CueModel& model = m_cues->model();
+    if (!model.isUnsaved() || model.write()) return true;
+    switch (askToKeep(this, QFileInfo(model.file()).fileName())) {
+        case KeepChanges::GoBack: return false;
+        case KeepChanges::Keep: return saveCuesAs();
+        case KeepChanges::Drop: break;
+    }
+    return true;
 }
 
 // From the cue on show, or from the one whose scene is still being read.

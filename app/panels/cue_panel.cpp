@@ -114,6 +114,7 @@ QWidget* CuePanel::makeHead() {
     QAction* replace = menu->addAction(tr("Replace this cue by what you see"), this, &CuePanel::replaceAsked);
     menu->addSeparator();
     menu->addAction(tr("Open a list…"), this, &CuePanel::openAsked);
+    QAction* again = menu->addAction(tr("Read the list again"), m_model, &CueModel::readAgain);
     menu->addAction(tr("Save the list as…"), this, &CuePanel::saveAsAsked);
     menu->addAction(tr("New list"), m_model, &CueModel::clear);
     menu->addSeparator();
@@ -123,7 +124,10 @@ QWidget* CuePanel::makeHead() {
             QInputDialog::getInt(this, tr("The talk"), tr("Minutes"), m_model->list().minutes, 1, 600, 5, &taken);
         if (taken) m_model->setMinutes(minutes);
     });
-    connect(menu, &QMenu::aboutToShow, this, [this, replace] { replace->setEnabled(m_model->current() >= 0); });
+    connect(menu, &QMenu::aboutToShow, this, [this, replace, again] {
+        replace->setEnabled(m_model->current() >= 0);
+        again->setEnabled(QFileInfo::exists(m_model->file()));
+    });
     more->setMenu(menu);
     row->addWidget(m_title, 1);
     row->addWidget(m_present);

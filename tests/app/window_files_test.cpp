@@ -147,6 +147,63 @@ TEST_F(WindowFiles, WhatCannotBeWrittenIsNotSaidToBeUnread) {
     EXPECT_TRUE(readAll(folder.filePath("talk.cues")).contains("[[cue]]"));
 }
 
+// Somebody edits the list's file beside the window, or another window does.
+TEST_F(WindowFiles, AListThatSomeoneElseHasWrittenToIsNotWrittenOver) {
+    openPyramid();
+    CueModel& model = window.cues().model();
+    model.clear();
+    const QString file = folder.filePath("talk.cues");
+    ASSERT_TRUE(model.saveAs(file));
+    press("Ctrl+B");
+    ASSERT_TRUE(model.write());
+    const QByteArray theirs = readAll(file).replace("[[cue]]", "# mine\n[[cue]]\ncaption = \"By hand\"");
+    write(file, theirs);
+
+    model.setNote(0, "In the window");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return reported().contains("someone else has written to it"); }, 5000));
+    EXPECT_EQ(readAll(file), theirs);
+    EXPECT_TRUE(reported().startsWith("talk.cues could not be written. The cues are still here."))
+        << reported().toStdString();
+    write(folder.filePath("other.cues"), "");
+    EXPECT_FALSE(window.openFile(folder.filePath("other.cues")));
+    model.clear();
+    ASSERT_EQ(model.size(), 1) << "the list is neither left nor given up";
+    EXPECT_EQ(model.cue(0).note, "In the window");
+    answer("Go back", [this] { EXPECT_FALSE(window.close()); });
+    EXPECT_EQ(readAll(file), theirs);
+
+    ASSERT_TRUE(model.saveAs(folder.filePath("mine.cues")));
+    EXPECT_TRUE(readAll(folder.filePath("mine.cues")).contains("In the window"));
+    EXPECT_EQ(readAll(file), theirs);
+    ASSERT_TRUE(model.open(file));
+    model.setCurrent(0);
+    write(file, QByteArray(theirs).replace("By hand", "By hand again"));
+    model.setNote(0, "Given up");
+    ASSERT_TRUE(model.readAgain());
+    EXPECT_EQ(model.current(), 0) << "the cue on show is still that";
+    EXPECT_EQ(model.cue(0).caption, "By hand again");
+    EXPECT_EQ(model.cue(0).note, "");
+    model.setNote(0, "Kept");
+    EXPECT_TRUE(model.write()) << "it is the file that was read";
+    EXPECT_TRUE(readAll(file).contains("# mine") && readAll(file).contains("Kept"));
+}
+
+TEST_F(WindowFiles, AListThatCannotBeWrittenIsNotLeft) {
+    openPyramid();
+    CueModel& model = window.cues().model();
+    model.clear();
+    QDir(folder.path()).mkdir("talks");
+    ASSERT_TRUE(model.saveAs(folder.filePath("talks/talk.cues")));
+    ASSERT_TRUE(QDir(folder.filePath("talks")).removeRecursively());
+    write(folder.filePath("talks"), "");  // a file is no folder
+    press("Ctrl+B");
+    write(folder.filePath("other.cues"), "");
+    EXPECT_FALSE(model.open(folder.filePath("other.cues")));
+    model.clear();
+    EXPECT_EQ(model.size(), 1);
+    EXPECT_TRUE(model.saveAs(folder.filePath("other.cues")));
+}
+
 TEST_F(WindowFiles, ANameWithoutItsEndingReplacesNoFileUnasked) {
     write(folder.filePath("talk.cues"), "mine");
     QStringList asked;
