@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QSettings>
 #include <QStandardPaths>
+#include <utility>
 
 #include "app/core/write_file.h"
 #include "pipeline/formats/scene_folder.h"
@@ -13,7 +14,9 @@
 namespace app {
 
 SessionFile::SessionFile(const QString& folder)
-    : m_file(QDir(folder).filePath("session.toml")), m_tried(QDir(folder).filePath("session.trying.toml")) {}
+    : m_file(QDir(folder).filePath("session.toml")),
+      m_tried(QDir(folder).filePath("session.trying.toml")),
+      m_previous(QDir(folder).filePath("session.previous.toml")) {}
 
 QString SessionFile::usualFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation); }
 bool SessionFile::isWanted() { return QSettings().value("session/restore", true).toBool(); }
@@ -25,12 +28,15 @@ QString SessionFile::setAside(const QString& file) {
     return QFile::rename(file, aside) ? aside : file;
 }
 
+SessionFile::Left SessionFile::leave() {
+    if (!QFile::exists(m_tried)) return {};
+    const QString aside = setAside(m_tried);
+    QFile::remove(m_file);
+    return {{}, {{{}, "the program ended while it restored the last session"}}, aside};
+}
+
 SessionFile::Left SessionFile::take() {
-    if (QFile::exists(m_tried)) {
-        const QString aside = setAside(m_tried);
-        QFile::remove(m_file);
-        return {{}, {{{}, "the program ended while it restored the last session"}}, aside};
-    }
+    if (const Left ended = leave(); !ended.errors.empty()) return ended;
     if (!QFile::exists(m_file)) return {};
     const auto text = pipeline::readFile(m_file.toStdString(), pipeline::kMaxTomlBytes);
     const auto state = text ? readState(*text, m_file.toStdString()) : pipeline::Result<WindowState>(text.errors());
@@ -41,17 +47,28 @@ SessionFile::Left SessionFile::take() {
 
 void SessionFile::settle() { QFile::remove(m_tried); }
 
-bool SessionFile::giveBack() {
-    if (!QFile::exists(m_tried)) return false;
+void SessionFile::giveBack() {
+    if (!QFile::exists(m_tried)) return;
     QFile::remove(m_file);
-    return QFile::rename(m_tried, m_file);
+    QFile::rename(m_tried, m_file);
+}
+
+// The last run's may hold changes that were saved nowhere else.
+void SessionFile::keepPrevious() {
+    if (std::exchange(m_isOwn, true) || !QFile::exists(m_file)) return;
+    QFile::remove(m_previous);
+    QFile::rename(m_file, m_previous);
 }
 
 bool SessionFile::write(const WindowState& state) {
+    keepPrevious();
     QDir().mkpath(QFileInfo(m_file).path());
     return writeFile(m_file, toToml(state)).empty();
 }
 
-void SessionFile::remove() { QFile::remove(m_file); }
+void SessionFile::remove() {
+    keepPrevious();
+    QFile::remove(m_file);
+}
 
 }  // namespace app

@@ -226,7 +226,7 @@ void MainWindow::closeScene() {
     if (!mayLeaveScene()) return;
     m_document.undoStack()->setClean();  // the question has been answered
     showStartPage();
-    if (m_session) m_session->save();
+    if (m_session) m_session->forget();
 }
 
 bool MainWindow::openRecent(const QString& file) {
@@ -245,14 +245,11 @@ void MainWindow::startSession(const QString& folder, bool restore) {
     m_session = new Session(
         m_document, folder, [this] { return state({}); }, this);
     connect(m_views, &ViewArea::changed, m_session, &Session::saveSoon);
-    if (restore && SessionFile::isWanted()) {
-        SessionFile& file = m_session->file();
-        const SessionFile::Left left = file.take();
-        if (!left.errors.empty())
-            m_errors->report(tr("The last session could not be restored. It is kept as %1.").arg(left.aside),
-                             left.errors);
-        if (left.state) showState(*left.state, {}, SceneChanges::Ours);
-    }
+    SessionFile& file = m_session->file();
+    const SessionFile::Left left = restore && SessionFile::isWanted() ? file.take() : file.leave();
+    if (!left.errors.empty())
+        m_errors->report(tr("The last session could not be restored. It is kept as %1.").arg(left.aside), left.errors);
+    if (left.state) showState(*left.state, {}, SceneChanges::Ours);
     if (!m_opener->busy()) m_session->begin();
 }
 

@@ -21,20 +21,25 @@ Session::Session(Document& document, const QString& folder, std::function<std::o
 }
 
 void Session::begin() {
-    if (!m_state()) m_file.settle();
+    if (!m_state()) m_file.giveBack();
 }
 
 void Session::end(bool withChanges) {
-    if (!m_state() && m_file.giveBack()) return;
+    if (SessionFile::isWanted() && !m_state()) return m_file.giveBack();
     save(withChanges);
     m_file.settle();
+}
+
+void Session::forget() {
+    m_soon.stop();
+    m_file.remove();
 }
 
 void Session::save(bool withChanges) {
     m_soon.stop();
     if (!SessionFile::isWanted()) return m_file.remove();
     auto state = m_state();
-    if (!state) return m_file.remove();
+    if (!state) return;
     if (!withChanges) state->set.clear(), state->sceneText.clear();
     m_file.write(*state);
 }

@@ -22,10 +22,12 @@ public:
     void saveSoon() { m_soon.start(); }
     // What was read has been shown, or could not be.
     void begin();
-    // withChanges: what was not saved too; else the next session begins with the file.
+    // withChanges: what was not saved too; else the next session begins with the file. Where nothing is shown the file
+    // stays as it is.
     void save(bool withChanges = true);
     // The same as the program ends. A session that is still being restored stays for the next start.
     void end(bool withChanges);
+    void forget();  // the scene has been closed
 
 private:
     SessionFile m_file;

@@ -41,6 +41,13 @@ protected:
         orbit(camera, 31, 7);
         window.views().view3d().view().setCamera(camera);
     }
+    // Which the file in the folder names; empty where there is no such file.
+    std::string keptScene(const char* name) {
+        QFile in(folder.filePath(name));
+        const QByteArray text = in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+        const auto state = readState(text.toStdString(), name);
+        return state ? state->scene : std::string();
+    }
     void waitForState() {
         EXPECT_TRUE(QTest::qWaitFor([this] { return !document().busy() && document().stepper().isSettled(); }, 30000));
     }
@@ -254,6 +261,52 @@ TEST_F(WindowSession, ASessionThatEndedTheProgramIsNotTriedAgain) {
     EXPECT_TRUE(find<ErrorList>("errorList")->text().contains("ended while it restored"));
     EXPECT_FALSE(file.take().state);
     EXPECT_TRUE(file.take().errors.empty());
+}
+
+// Started with a file that cannot be read, or whose own scene is gone.
+TEST_F(WindowSession, WhereNothingWasShownTheLastSessionStays) {
+    WindowState state;
+    state.scene = "pyramid";
+    ASSERT_TRUE(SessionFile(folder.path()).write(state));
+    window.startSession(folder.path(), false);
+    window.openFile(folder.filePath("typo.scene"));
+    window.close();
+    EXPECT_EQ(keptScene("session.toml"), "pyramid");
+
+    state.scene = folder.filePath("gone.scene").toStdString();
+    ASSERT_TRUE(SessionFile(folder.path()).write(state));
+    MainWindow next;
+    next.opener().setPatience(std::chrono::minutes(1));
+    next.show();
+    next.startSession(folder.path(), true);
+    EXPECT_FALSE(next.document().hasScene());
+    next.close();
+    EXPECT_EQ(keptScene("session.toml"), state.scene) << "it may be there again";
+}
+
+TEST_F(WindowSession, ASessionThatEndedTheProgramIsLeftAsideBeforeAFileToo) {
+    WindowState state;
+    state.scene = "two_pyramids";
+    SessionFile file(folder.path());
+    ASSERT_TRUE(file.write(state));
+    ASSERT_TRUE(file.take().state);  // and then the program is gone
+    window.startSession(folder.path(), false);
+    openPyramid();
+    EXPECT_EQ(keptScene("session.broken.toml"), "two_pyramids");
+}
+
+TEST_F(WindowSession, ASessionThatWasNotRestoredIsKeptBesideTheNew) {
+    WindowState state;
+    state.scene = "two_pyramids";
+    state.set = {"camera.theta=47.25"};
+    ASSERT_TRUE(SessionFile(folder.path()).write(state));
+    window.startSession(folder.path(), false);
+    openPyramid();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return keptScene("session.toml") == "pyramid"; }, 20000));
+    EXPECT_EQ(keptScene("session.previous.toml"), "two_pyramids");
+    press("Ctrl+W");
+    EXPECT_FALSE(QFile::exists(folder.filePath("session.toml"))) << "what was closed is not shown again";
+    EXPECT_EQ(keptScene("session.previous.toml"), "two_pyramids");
 }
 
 TEST_F(WindowSession, SwitchedOffItBeginsOnTheStartPageAndLeavesNothing) {
