@@ -2,6 +2,7 @@
 
 #include <QStringList>
 #include <array>
+#include <cassert>
 #include <charconv>
 
 #include "app/core/text.h"
@@ -9,6 +10,8 @@
 namespace app {
 
 QString copiedValue(const pipeline::AnyBuffer& buffer, glm::ivec2 pixel, bool isDrawn) {
+    assert(pixel.x >= 0 && std::size_t(pixel.x) < buffer.columns());
+    assert(pixel.y >= 0 && std::size_t(pixel.y) < buffer.rows());
     const auto channels = std::size_t(buffer.channels());
     const std::size_t first = (std::size_t(pixel.y) * buffer.columns() + std::size_t(pixel.x)) * channels;
     QStringList numbers;

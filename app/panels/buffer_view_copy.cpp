@@ -23,7 +23,11 @@ void BufferView::observeCopies() {
 QString BufferView::whyNoValue() const {
     if (!m_shown) return tr("There is no picture.");
     if (const QString why = app::whyNoValue(*m_shown->buffer.info); !why.isEmpty()) return why;
-    return m_document.pixel() ? QString() : tr("Pick a pixel first.");
+    const auto pixel = m_document.pixel();
+    if (!pixel) return tr("Pick a pixel first.");
+    // It lies in the scene's picture, which may be larger than the one of the frame on show.
+    const bool isShown = QRect(QPoint(0, 0), m_shown->content.size).contains(pixel->x, pixel->y);
+    return isShown ? QString() : tr("The picture on show does not have this pixel yet.");
 }
 
 void BufferView::copyValue() {

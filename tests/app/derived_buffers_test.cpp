@@ -229,6 +229,19 @@ TEST_F(DerivedBuffersTest, CopiesAValueWithAllItsDigits) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.whyNoValue().contains("has no pixels"); }, 10000));
 }
 
+// The scene is ahead of its frame, by as long as that takes to compute.
+TEST_F(DerivedBuffersTest, CopiesNoValueOfAPixelThatThePictureDoesNotHave) {
+    view.setBuffer({BufferId::ZView});
+    ASSERT_TRUE(shows({BufferId::ZView}));
+    document.change(*findSetting(document.scene(), "width"), 200);
+    document.pick(glm::ivec2(180, 60));
+    QApplication::clipboard()->setText("mine");
+    EXPECT_EQ(view.whyNoValue(), "The picture on show does not have this pixel yet.");
+    view.copyValue();
+    EXPECT_EQ(QApplication::clipboard()->text(), "mine");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.whyNoValue().isEmpty(); }, 10000)) << "now it has";
+}
+
 TEST(CopiedValue, HasEveryChannelInTheFewestDigits) {
     const std::vector<float> numbers{0.1f, 0.25f, 1.0f / 3};
     const pipeline::AnyBuffer buffer{
