@@ -144,9 +144,12 @@ pipeline::Result<Handout> makeHandout(const Lesson& lesson, const std::stop_toke
     return writer.finish();
 }
 
+std::vector<std::string> handoutFiles(const std::string& name) { return {name + ".html", name + "-answers.html"}; }
+
 pipeline::Result<std::vector<std::string>> writeHandout(const Handout& handout, const std::string& name,
                                                         const std::filesystem::path& folder) {
-    return pipeline::writeFiles({{name + ".html", handout.pages}, {name + "-answers.html", handout.answers}}, folder);
+    const auto files = handoutFiles(name);
+    return pipeline::writeFiles({{files[0], handout.pages}, {files[1], handout.answers}}, folder);
 }
 
 }  // namespace lessons

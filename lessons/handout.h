@@ -22,7 +22,9 @@ using HandoutProgress = std::function<void(std::size_t number)>;
 pipeline::Result<Handout> makeHandout(const Lesson& lesson, const std::stop_token& stop = {},
                                       const HandoutProgress& progress = {});
 
-// NAME.html and NAME-answers.html in a folder, which is made when it is missing: both or none. Gives their names.
+// NAME.html and NAME-answers.html.
+std::vector<std::string> handoutFiles(const std::string& name);
+// Both in a folder, which is made when it is missing: both or none. Gives their names.
 pipeline::Result<std::vector<std::string>> writeHandout(const Handout& handout, const std::string& name,
                                                         const std::filesystem::path& folder);
 

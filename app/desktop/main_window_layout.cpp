@@ -172,7 +172,7 @@ void MainWindow::keepThisLayout() {
         QInputDialog::getText(this, tr("Keep this layout"), tr("Name"), QLineEdit::Normal, QString(), &entered)
             .trimmed();
     if (!entered || name.isEmpty()) return;
-    if (keptLayout(name) && !askToReplace(this, tr("Keep this layout"), name)) return;
+    if (keptLayout(name) && !askToReplace(this, tr("Keep this layout"), {name})) return;
     keepLayout(name,
                {saveState(kLayoutVersion), QString::fromStdString(m_views->arrangement()), m_views->hasThumbnails()});
     m_status->say(tr("Kept the layout as %1: View, Layout.").arg(name));

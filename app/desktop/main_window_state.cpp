@@ -62,7 +62,7 @@ void MainWindow::cancelOpening() {
 }
 
 bool MainWindow::openFile(const QString& file, const Then& then) {
-    if (file.endsWith(kCueEnding)) return openCues(file, {}, then);
+    if (file.endsWith(kCueEnding, Qt::CaseInsensitive)) return openCues(file, {}, then);
     if (const auto lesson = lessons::lessonAt(file.toStdString()); !lesson.empty()) {
         const bool opened = openLessonAt(lesson);
         if (opened && then) then();

@@ -124,7 +124,7 @@ void FilmDialog::start() {
     const std::filesystem::path first = pipeline::firstFileOf(wanted.target);
     if (wanted.target != m_mayReplace && QFileInfo::exists(toQString(first.string()))) {
         const auto name = first.lexically_relative(wanted.target.parent_path());
-        if (!askToReplace(this, windowTitle(), toQString(name.string()))) return;
+        if (!askToReplace(this, windowTitle(), {toQString(name.string())})) return;
     }
     m_mayReplace = wanted.target;
     auto* job = new FilmJob(std::make_shared<const pipeline::Scene>(m_document.scene()), wanted, this);

@@ -8,6 +8,14 @@
 #include "lessons/handout.h"
 
 namespace app {
+namespace {
+
+constexpr char kEnding[] = ".html";
+
+// Of a file that ends so, in letters of any size.
+QString handoutName(const QString& file) { return QFileInfo(file).fileName().chopped(sizeof(kEnding) - 1); }
+
+}  // namespace
 
 HandoutButton::HandoutButton(std::function<const lessons::Lesson*()> lesson, QWidget* parent)
     : QPushButton(tr("Write this lesson as a handout…"), parent), m_lesson(std::move(lesson)) {
@@ -24,14 +32,20 @@ void HandoutButton::write() {
     const lessons::Lesson* const lesson = m_lesson();
     if (!lesson) return;
     const QString name = QFileInfo(toQString(lesson->name)).fileName();  // of one's own: its folder
-    const QString file = askWhereToSave(this, tr("Write a handout"), QDir::home().filePath(name + ".html"),
-                                        tr("Pages for a browser (*.html)"), "html");
+    const QString file =
+        askWhereToSave(this, tr("Write a handout"), QDir::home().filePath(name + kEnding),
+                       tr("Pages for a browser (*.html)"), kEnding + 1, [](const QString& named) {
+                           QStringList files;
+                           for (const std::string& one : lessons::handoutFiles(handoutName(named).toStdString()))
+                               files += QFileInfo(named).dir().filePath(toQString(one));
+                           return files;
+                       });
     if (file.isEmpty()) return;
     using Written = pipeline::Result<std::vector<std::string>>;
     const auto make = [lesson = *lesson, to = QFileInfo(file)](const BackgroundJob::Control& control) -> Written {
         const auto handout = makeHandout(lesson, control.stop);
         if (!handout) return handout.errors();
-        return writeHandout(*handout, to.completeBaseName().toStdString(), to.path().toStdString());
+        return writeHandout(*handout, handoutName(to.filePath()).toStdString(), to.path().toStdString());
     };
     m_job.ask(make, [this, folder = QFileInfo(file).path()](const Written& names) {
         if (names)

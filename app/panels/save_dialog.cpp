@@ -7,8 +7,10 @@
 
 namespace app {
 
-bool askToReplace(QWidget* parent, const QString& title, const QString& name) {
-    QMessageBox box(QMessageBox::NoIcon, title, QMessageBox::tr("%1 already exists. Replace it?").arg(name),
+bool askToReplace(QWidget* parent, const QString& title, const QStringList& names) {
+    const QString question = names.size() == 1 ? QMessageBox::tr("%1 already exists. Replace it?")
+                                               : QMessageBox::tr("%1 already exist. Replace them?");
+    QMessageBox box(QMessageBox::NoIcon, title, question.arg(names.join(QMessageBox::tr(" and "))),
                     QMessageBox::Yes | QMessageBox::No, parent);
     box.button(QMessageBox::Yes)->setText(QMessageBox::tr("Replace"));
     box.button(QMessageBox::No)->setText(QMessageBox::tr("Go back"));
@@ -17,15 +19,20 @@ bool askToReplace(QWidget* parent, const QString& title, const QString& name) {
 }
 
 QString askWhereToSave(QWidget* parent, const QString& title, const QString& proposed, const QString& filter,
-                       const QString& suffix) {
+                       const QString& suffix, const std::function<QStringList(const QString&)>& written) {
+    const QString ending = '.' + suffix;
     QString file = proposed, chosen;
     for (;;) {
-        file = QFileDialog::getSaveFileName(parent, title, file, filter, &chosen);
-        const bool another = !chosen.isEmpty() && !chosen.contains("*." + suffix);
-        if (file.isEmpty() || another || !QFileInfo(file).suffix().isEmpty()) return file;
-        // Not by QFileDialog::setDefaultSuffix: dialogs of a desktop's own ask about the name without it, too.
-        file += '.' + suffix;
-        if (!QFileInfo::exists(file) || askToReplace(parent, title, QFileInfo(file).fileName())) return file;
+        const QString named = QFileDialog::getSaveFileName(parent, title, file, filter, &chosen);
+        if (named.isEmpty()) return {};
+        if (!chosen.isEmpty() && !chosen.contains('*' + ending)) return named;  // of another kind
+        // Not by QFileDialog::setDefaultSuffix: dialogs of a desktop's own ask about the name without it, too. And
+        // "lecture 1.2" has a suffix, but not this one.
+        file = named.endsWith(ending, Qt::CaseInsensitive) ? named : named + ending;
+        QStringList there;  // about which the dialog has not asked
+        for (const QString& one : written ? written(file) : QStringList{file})
+            if (one != named && QFileInfo::exists(one)) there += QFileInfo(one).fileName();
+        if (there.isEmpty() || askToReplace(parent, title, there)) return file;
     }
 }
 

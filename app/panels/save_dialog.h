@@ -1,16 +1,18 @@
 #pragma once
-#include <QString>
+#include <QStringList>
+#include <functional>
 
 class QWidget;
 
 namespace app {
 
-// Whether what has this name already is to be replaced.
-bool askToReplace(QWidget* parent, const QString& title, const QString& name);
+// Whether what has these names already is to be replaced.
+bool askToReplace(QWidget* parent, const QString& title, const QStringList& names);
 
-// Asks where to save a file. Under a filter of its ending a name without one gets `suffix`, as in "toml", and the file of
-// that name is not replaced without a question. Empty where nothing is to be saved.
+// Asks where to save a file. Under a filter of `suffix`, as in "toml", a name that does not end in it gets it, and no file
+// is replaced without a question. written: the files that come of the name, where it is not that one alone. Empty where
+// nothing is to be saved.
 QString askWhereToSave(QWidget* parent, const QString& title, const QString& proposed, const QString& filter,
-                       const QString& suffix);
+                       const QString& suffix, const std::function<QStringList(const QString&)>& written = {});
 
 }  // namespace app

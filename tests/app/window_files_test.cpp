@@ -204,37 +204,72 @@ TEST_F(WindowFiles, AListThatCannotBeWrittenIsNotLeft) {
     EXPECT_TRUE(model.saveAs(folder.filePath("other.cues")));
 }
 
-TEST_F(WindowFiles, ANameWithoutItsEndingReplacesNoFileUnasked) {
-    write(folder.filePath("talk.cues"), "mine");
-    QStringList asked;
-    QStringList names{"talk", "talk", "talk 2"};
-    std::deque<QMessageBox::StandardButton> answers{QMessageBox::No, QMessageBox::Yes};
+// Types names into the dialogs where to save, and answers what is asked then.
+class WindowSaves : public WindowFiles {
+protected:
+    WindowSaves() {
+        QObject::connect(&user, &QTimer::timeout, &window, [this] {
+            QWidget* modal = QApplication::activeModalWidget();
+            if (auto* box = qobject_cast<QMessageBox*>(modal)) {
+                asked << box->text();
+                const auto button = answers.empty() ? QMessageBox::Yes : answers.front();
+                if (!answers.empty()) answers.pop_front();
+                box->button(button)->click();
+            } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
+                dialog->findChild<QLineEdit*>()->setText(folder.filePath(names.takeFirst()));
+                QMetaObject::invokeMethod(dialog, "accept", Qt::DirectConnection);
+            }
+        });
+        user.start(20);
+    }
+    QString ask(const QString& suffix) { return askWhereToSave(&window, "Save", "", "*." + suffix, suffix); }
+
+    QStringList asked, names;
+    std::deque<QMessageBox::StandardButton> answers;
     QTimer user;
-    QObject::connect(&user, &QTimer::timeout, &window, [&] {
-        QWidget* modal = QApplication::activeModalWidget();
-        if (auto* box = qobject_cast<QMessageBox*>(modal)) {
-            asked << box->text();
-            const auto button = answers.front();
-            answers.pop_front();
-            box->button(button)->click();
-        } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
-            dialog->findChild<QLineEdit*>()->setText(folder.filePath(names.takeFirst()));
-            QMetaObject::invokeMethod(dialog, "accept", Qt::DirectConnection);
-        }
-    });
-    user.start(20);
-    const auto ask = [this] {
-        return askWhereToSave(&window, "Save", folder.filePath("talk.cues"), "Cue lists (*.cues)", "cues");
-    };
-    EXPECT_EQ(ask(), folder.filePath("talk.cues")) << "after No and, asked anew, Yes";
+};
+
+TEST_F(WindowSaves, ANameWithoutItsEndingReplacesNoFileUnasked) {
+    write(folder.filePath("talk.cues"), "mine");
+    names = {"talk", "talk", "talk 2"};
+    answers = {QMessageBox::No, QMessageBox::Yes};
+    EXPECT_EQ(ask("cues"), folder.filePath("talk.cues")) << "after No and, asked anew, Yes";
     ASSERT_EQ(asked.size(), 2);
     EXPECT_TRUE(asked[0].startsWith("talk.cues already exists.")) << asked[0].toStdString();
-    EXPECT_EQ(ask(), folder.filePath("talk 2.cues"));
+    EXPECT_EQ(ask("cues"), folder.filePath("talk 2.cues"));
     EXPECT_EQ(asked.size(), 2) << "there is none of that name";
     names = {"talk 3"};
     EXPECT_EQ(askWhereToSave(&window, "Save", folder.path(), "Folders (*);;Cue lists (*.cues)", "cues"),
               folder.filePath("talk 3"))
         << "what was chosen is no list";
+}
+
+TEST_F(WindowSaves, ANameWithAnotherEndingGetsItsOwn) {
+    write(folder.filePath("Fig. 3.png"), "mine");
+    names = {"cube.obj", "lecture 1.2", "Fig. 3", "Talk.CUES"};
+    EXPECT_EQ(ask("toml"), folder.filePath("cube.obj.toml"));
+    EXPECT_EQ(ask("cues"), folder.filePath("lecture 1.2.cues"));
+    EXPECT_EQ(asked.size(), 0);
+    EXPECT_EQ(ask("png"), folder.filePath("Fig. 3.png"));
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(asked[0].startsWith("Fig. 3.png already exists.")) << asked[0].toStdString();
+    EXPECT_EQ(ask("cues"), folder.filePath("Talk.CUES"));
+    ASSERT_TRUE(window.cues().model().saveAs(folder.filePath("Talk.CUES")));
+    EXPECT_TRUE(window.openFile(folder.filePath("Talk.CUES"))) << "and it is a list when it is opened";
+}
+
+TEST_F(WindowSaves, AHandoutAsksAboutBothOfItsFiles) {
+    window.openLesson("pyramid");
+    ASSERT_TRUE(waitForFrame());
+    write(folder.filePath("week1.v2-answers.html"), "mine");
+    names = {"week1.v2"};
+    auto* button = find<QPushButton>("writeHandout");
+    button->click();
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(asked[0].startsWith("week1.v2-answers.html already exists.")) << asked[0].toStdString();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return button->isEnabled(); }, 60000));
+    EXPECT_TRUE(readAll(folder.filePath("week1.v2.html")).contains("<html"));
+    EXPECT_NE(readAll(folder.filePath("week1.v2-answers.html")), "mine");
 }
 
 // Where the window finds a list of cues that somebody has written into, wrongly.
