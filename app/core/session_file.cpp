@@ -45,6 +45,8 @@ SessionFile::Left SessionFile::take() {
     return {*state, {}, {}};
 }
 
+bool SessionFile::isTried() const { return QFile::exists(m_tried); }
+
 void SessionFile::settle() { QFile::remove(m_tried); }
 
 void SessionFile::giveBack() {

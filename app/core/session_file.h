@@ -23,7 +23,8 @@ public:
     };
     Left take();
     Left leave();                          // restores none; one that ended the program while it was restored goes aside
-    void settle();                         // it has been restored
+    bool isTried() const;                  // it is being restored
+    void settle();                         // it has been
     void giveBack();                       // it has not, and may be tried again
     bool write(const WindowState& state);  // whole or not at all
     void remove();

@@ -6,7 +6,7 @@ namespace app {
 
 Session::Session(Document& document, const QString& folder, std::function<std::optional<WindowState>()> state,
                  QObject* parent)
-    : QObject(parent), m_file(folder), m_state(std::move(state)) {
+    : QObject(parent), m_document(document), m_file(folder), m_state(std::move(state)) {
     m_soon.setSingleShot(true);
     m_soon.setInterval(3000);
     connect(&m_soon, &QTimer::timeout, this, [this] { save(); });
@@ -16,8 +16,10 @@ Session::Session(Document& document, const QString& folder, std::function<std::o
     connect(&document, &Document::pixelChanged, this, &Session::saveSoon);
     connect(&document, &Document::channelChanged, this, &Session::saveSoon);
     connect(&document.stepper(), &Stepper::changed, this, &Session::saveSoon);
-    // A first frame has come of it: that scene does not end the program.
-    connect(&document, &Document::frameReady, this, [this] { m_file.settle(); });
+    // A first frame has come of it: that scene does not end the program. One of the two files is always there.
+    connect(&document, &Document::frameReady, this, [this] {
+        if (m_file.isTried() && save()) m_file.settle();
+    });
 }
 
 void Session::begin() {
@@ -26,8 +28,7 @@ void Session::begin() {
 
 void Session::end(bool withChanges) {
     if (SessionFile::isWanted() && !m_state()) return m_file.giveBack();
-    save(withChanges);
-    m_file.settle();
+    save(withChanges) ? m_file.settle() : m_file.giveBack();
 }
 
 void Session::forget() {
@@ -35,13 +36,21 @@ void Session::forget() {
     m_file.remove();
 }
 
-void Session::save(bool withChanges) {
+bool Session::save(bool withChanges) {
     m_soon.stop();
-    if (!SessionFile::isWanted()) return m_file.remove();
+    if (!SessionFile::isWanted()) {
+        m_file.remove();
+        return true;
+    }
     auto state = m_state();
-    if (!state) return;
+    if (!state) return false;
     if (!withChanges) state->set.clear(), state->sceneText.clear();
-    m_file.write(*state);
+    const bool written = m_file.write(*state);
+    // Once: it may go on for long.
+    if (!written && !m_toldOfFailure)
+        emit m_document.said(tr("The session is not kept: %1 could not be written.").arg(m_file.file()));
+    m_toldOfFailure = !written;
+    return written;
 }
 
 }  // namespace app

@@ -19,20 +19,25 @@ public:
             QObject* parent);
 
     SessionFile& file() { return m_file; }
-    void saveSoon() { m_soon.start(); }
+    // Not later with each change: while something plays it would never come.
+    void saveSoon() {
+        if (!m_soon.isActive()) m_soon.start();
+    }
     // What was read has been shown, or could not be.
     void begin();
-    // withChanges: what was not saved too; else the next session begins with the file. Where nothing is shown the file
-    // stays as it is.
-    void save(bool withChanges = true);
+    // withChanges: what was not saved too; else the next session begins with the file. False where nothing is shown, or
+    // the file cannot be written: it stays as it is.
+    bool save(bool withChanges = true);
     // The same as the program ends. A session that is still being restored stays for the next start.
     void end(bool withChanges);
     void forget();  // the scene has been closed
 
 private:
+    Document& m_document;
     SessionFile m_file;
     std::function<std::optional<WindowState>()> m_state;
     QTimer m_soon;
+    bool m_toldOfFailure = false;
 };
 
 }  // namespace app

@@ -309,6 +309,46 @@ TEST_F(WindowSession, ASessionThatWasNotRestoredIsKeptBesideTheNew) {
     EXPECT_EQ(keptScene("session.previous.toml"), "two_pyramids");
 }
 
+TEST_F(WindowSession, ItIsWrittenWhileTheWorkGoesOn) {
+    window.startSession(folder.path(), false);
+    openPyramid();
+    int x = 0;
+    const auto works = [&] {
+        document().pick(glm::ivec2(100 + ++x % 200, 100));  // more often than the file is written
+        return keptScene("session.toml") == "pyramid";
+    };
+    EXPECT_TRUE(QTest::qWaitFor(works, 10000));
+}
+
+TEST_F(WindowSession, ARestoredOneIsNeverWithoutAFile) {
+    WindowState state;
+    state.scene = "pyramid";
+    state.set = {"camera.theta=47.25"};
+    ASSERT_TRUE(SessionFile(folder.path()).write(state));
+    bool there = false;
+    QObject::connect(&document(), &Document::frameReady, &window,
+                     [&] { there = !keptScene("session.trying.toml").empty(); });
+    window.startSession(folder.path(), true);
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_TRUE(there) << "until the first frame";
+    EXPECT_EQ(keptScene("session.toml"), "pyramid") << "from then on";
+    EXPECT_FALSE(QFile::exists(folder.filePath("session.trying.toml")));
+}
+
+TEST_F(WindowSession, ThatItCannotBeWrittenIsSaidOnce) {
+    QFile file(folder.filePath("file"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    int said = 0;
+    QObject::connect(&document(), &Document::said, &window,
+                     [&](const QString& words) { said += words.startsWith("The session is not kept: "); });
+    window.startSession(folder.filePath("file"), false);  // no folder
+    openPyramid();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return said == 1; }, 10000));
+    document().setStage(pipeline::StageId::Cull);
+    QTest::qWait(4000);
+    EXPECT_EQ(said, 1);
+}
+
 TEST_F(WindowSession, SwitchedOffItBeginsOnTheStartPageAndLeavesNothing) {
     SessionFile::setWanted(false);
     WindowState state;
