@@ -100,6 +100,7 @@ bool Document::reload(const OpenedScene& again) {
     m_kept = again.kept;
     replace(again.scene, tr("reading %1 again").arg(QFileInfo(m_kept.file).fileName()));
     m_undo.setClean();
+    emit keptChanged();
     return true;
 }
 
@@ -111,6 +112,7 @@ bool Document::save(const QString& file) {
     }
     m_kept = {QFileInfo(file).absoluteFilePath(), m_scene};
     m_undo.setClean();
+    emit keptChanged();
     emit said(tr("The scene is saved as %1.").arg(QFileInfo(file).fileName()));
     return true;
 }
@@ -131,6 +133,7 @@ void Document::setScene(Scene scene, KeptScene kept) {
     m_oldestValid = m_ticket + 1;
     m_work.forgetStopped();
     emit sceneOpened();
+    emit keptChanged();
     emit pixelChanged();
     emit selectionChanged();
     emit hoverChanged();

@@ -127,6 +127,7 @@ public:
 signals:
     void sceneOpened();   // another scene
     void sceneChanged();  // any change of it, undo included
+    void keptChanged();   // kept(), which has just been read or written
     void frameReady();
     void errorsReady();  // errors() and nanCount() are those of frame()
     void stageChanged();

@@ -15,8 +15,7 @@ void FileWatch::setReadsAgain(bool reads) { QSettings().setValue("files/readAgai
 
 FileWatch::FileWatch(Document& document) : m_document(document) {
     m_rest.setSingleShot(true);
-    connect(&document, &Document::sceneOpened, this, &FileWatch::settle);
-    connect(document.undoStack(), &QUndoStack::cleanChanged, this, &FileWatch::settle);
+    connect(&document, &Document::keptChanged, this, &FileWatch::settle);
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, [this] { m_rest.start(kRestMilliseconds); });
     connect(&m_rest, &QTimer::timeout, this, &FileWatch::look);
 }

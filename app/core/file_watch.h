@@ -15,7 +15,6 @@ public:
     explicit FileWatch(Document& document);
 
     bool hasChanged() const { return m_changed; }
-    void settle();  // it has just been read or saved
     // The user's switch, for reading it again without being asked; off to begin with.
     static bool readsAgain();
     static void setReadsAgain(bool reads);
@@ -30,6 +29,7 @@ private:
         bool operator==(const Stamp&) const = default;
     };
     static Stamp stampOf(const QString& file);
+    void settle();
     void look();
 
     Document& m_document;

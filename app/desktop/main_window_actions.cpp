@@ -223,7 +223,9 @@ bool MainWindow::saveSceneAs() {
     const QString proposed = (hasFile ? opened.dir() : QDir::home())
                                  .filePath((hasFile ? opened : named).completeBaseName() + QStringLiteral(".toml"));
     const QString file = askWhereToSave(this, tr("Save the scene"), proposed, tr("Scenes (*.toml)"), "toml");
-    return !file.isEmpty() && m_document.save(file);
+    if (file.isEmpty() || !m_document.save(file)) return false;
+    addRecentFile(file);
+    return true;
 }
 
 void MainWindow::exportBuffers(bool onlyActive) {

@@ -92,7 +92,6 @@ void MainWindow::readAgain() {
             m_document.open(again);
             if (now) showPlace(m_document, *now), lookAt(*now);
         }
-        m_file->settle();
         emit m_document.said(tr("%1 has been read again.").arg(name));
     });
 }

@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <deque>
 
+#include "app/core/recent_files.h"
 #include "app/core/session_file.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
@@ -256,6 +257,14 @@ TEST_F(WindowSaves, ANameWithAnotherEndingGetsItsOwn) {
     EXPECT_EQ(ask("cues"), folder.filePath("Talk.CUES"));
     ASSERT_TRUE(window.cues().model().saveAs(folder.filePath("Talk.CUES")));
     EXPECT_TRUE(window.openFile(folder.filePath("Talk.CUES"))) << "and it is a list when it is opened";
+}
+
+TEST_F(WindowSaves, ASceneSavedUnderAnotherNameIsARecentFile) {
+    openPyramid();
+    names = {"mine"};
+    window.actions()[ActionId::SaveAs]->trigger();
+    ASSERT_FALSE(recentFiles().empty());
+    EXPECT_EQ(recentFiles().front().file, folder.filePath("mine.toml"));
 }
 
 TEST_F(WindowSaves, AHandoutAsksAboutBothOfItsFiles) {

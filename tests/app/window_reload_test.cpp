@@ -114,6 +114,22 @@ TEST_F(WindowReload, SavingIsNoChangeByAnother) {
     EXPECT_FALSE(find<QLabel>("title")->text().contains("changed"));
 }
 
+// Also where nothing had been changed.
+TEST_F(WindowReload, AfterSavingAsAnotherFileThatOneIsWatched) {
+    openOwn();
+    const QString before = file;
+    file = folder.filePath("other.toml");
+    ASSERT_TRUE(document().save(file));
+    const auto told = [this] { return find<QLabel>("title")->text().contains("its file has changed (F5)"); };
+    write("60.5");
+    EXPECT_TRUE(QTest::qWaitFor(told, 10000));
+    press("F5");
+    file = before;
+    write("50.25");
+    QTest::qWait(1000);
+    EXPECT_FALSE(told()) << "the file before is no longer the scene's";
+}
+
 TEST_F(WindowReload, ItIsOneStepOfUndoAndTheStepsBeforeStay) {
     openOwn();
     document().change(*findSetting(document().scene(), "ambient.intensity"), 40);
