@@ -37,6 +37,16 @@ void writeRecentFiles(const std::vector<RecentFile>& files) {
 
 }  // namespace
 
+QStringList recentNames(const std::vector<RecentFile>& files) {
+    QStringList names, all;
+    for (const RecentFile& recent : files) names += QFileInfo(recent.file).fileName();
+    for (qsizetype i = 0; i < names.size(); ++i)
+        all += names.count(names[i]) == 1
+                   ? names[i]
+                   : QStringLiteral("%1  –  %2").arg(names[i], QFileInfo(files[std::size_t(i)].file).path());
+    return all;
+}
+
 void addRecentFile(const QString& file) {
     RecentFile entry{QFileInfo(file).absoluteFilePath(), QDateTime::currentDateTime()};
     std::vector<RecentFile> files = recentFiles();

@@ -1,6 +1,6 @@
 #pragma once
 #include <QDateTime>
-#include <QString>
+#include <QStringList>
 #include <vector>
 
 namespace app {
@@ -17,6 +17,8 @@ struct RecentFile {
 inline constexpr int kMaxRecentFiles = 8;
 
 std::vector<RecentFile> recentFiles();  // those that still exist
+// Their names, with the folder where two have the same.
+QStringList recentNames(const std::vector<RecentFile>& files);
 void addRecentFile(const QString& file);
 // Of a file in the list; does nothing for any other.
 void rememberPlace(const QString& file, const QString& where, const QString& state);

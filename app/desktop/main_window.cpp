@@ -229,8 +229,8 @@ void MainWindow::showLessons() {
     for (int i = 0; i < shelf.rowCount(); ++i) {
         const auto text = [&](int role) { return shelf.data(shelf.index(i), role); };
         entries.push_back({text(LessonShelf::NameRole).toString(), text(LessonShelf::TitleRole).toString(),
-                           text(LessonShelf::SummaryRole).toString(), text(LessonShelf::PageRole).toInt(),
-                           text(LessonShelf::PagesRole).toInt()});
+                           text(LessonShelf::SummaryRole).toString(), text(LessonShelf::ProgressRole).toString(),
+                           text(LessonShelf::PageRole).toInt(), text(LessonShelf::PagesRole).toInt()});
     }
     m_start->setLessons(entries);
 }

@@ -153,8 +153,11 @@ void MainWindow::connectActions() {
     }
     connect(file, &QMenu::aboutToShow, this, [this] {
         m_recent->clear();
-        for (const RecentFile& recent : recentFiles())
-            m_recent->addAction(QFileInfo(recent.file).fileName(), [this, path = recent.file] { openRecent(path); });
+        const std::vector<RecentFile> files = recentFiles();
+        QStringList names = recentNames(files);
+        names.replaceInStrings("&", "&&");  // else the letter after it would be a key
+        for (std::size_t i = 0; i < files.size(); ++i)
+            m_recent->addAction(names[qsizetype(i)], [this, path = files[i].file] { openRecent(path); });
         m_recent->setEnabled(!m_recent->isEmpty());
     });
     QMenu* view = actions.menu("View");

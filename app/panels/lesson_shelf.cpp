@@ -31,12 +31,11 @@ QVariant LessonShelf::data(const QModelIndex& index, int role) const {
     const int pages = int(lesson.pages.size()), reached = page(lesson);
     switch (role) {
         case Qt::DisplayRole:
-        case Qt::AccessibleTextRole: {
-            const QString progress = reached == 0       ? tr("not begun, %1 pages").arg(pages)
-                                     : reached == pages ? tr("read, %1 pages").arg(pages)
-                                                        : tr("page %1 of %2").arg(reached).arg(pages);
-            return toQString(lesson.title) + '\n' + progress;
-        }
+        case Qt::AccessibleTextRole: return toQString(lesson.title) + '\n' + data(index, ProgressRole).toString();
+        case ProgressRole:
+            return reached == 0       ? tr("Not begun, %1 pages").arg(pages)
+                   : reached == pages ? tr("Read, %1 pages").arg(pages)
+                                      : tr("Page %1 of %2").arg(reached).arg(pages);
         case Qt::ToolTipRole:
         case SummaryRole: return toQString(lesson.summary);
         case NameRole: return toQString(lesson.name);

@@ -16,8 +16,9 @@ public:
         NameRole = Qt::UserRole,
         TitleRole,
         SummaryRole,
-        PageRole,   // read last, from 1; 0 when not begun
-        PagesRole,  // how many there are
+        PageRole,      // read last, from 1; 0 when not begun
+        PagesRole,     // how many there are
+        ProgressRole,  // both in words
     };
 
     explicit LessonShelf(QObject* parent = nullptr);

@@ -180,9 +180,7 @@ void StartPage::setLessons(const std::vector<LessonEntry>& lessons) {
         auto* card = new StartCard(StartCard::Kind::Lesson, lesson.title, lesson.text, m_lessons);
         card->setObjectName(QStringLiteral("lesson:") + lesson.name);
         const bool begun = lesson.page > 0, done = lesson.page >= lesson.pages;
-        card->setFoot(!begun ? tr("Not begun, %1 pages").arg(lesson.pages)
-                      : done ? tr("Done")
-                             : tr("Page %1 of %2").arg(lesson.page).arg(lesson.pages),
+        card->setFoot(lesson.progress,
                       !begun ? tr("Begin")
                       : done ? tr("Again")
                              : tr("Go on"),

@@ -18,8 +18,8 @@ class StartPage : public QWidget {
 public:
     // One lesson as its card shows it.
     struct LessonEntry {
-        QString name, title, text;  // name: what lessonChosen gives
-        int page = 0, pages = 0;    // page 0: not begun
+        QString name, title, text, progress;  // name: what lessonChosen gives
+        int page = 0, pages = 0;              // page 0: not begun
     };
 
     explicit StartPage(QWidget* parent = nullptr);

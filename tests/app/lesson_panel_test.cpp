@@ -74,6 +74,13 @@ TEST_F(LessonPanelTest, ShelfListsTheLessonsAsAProperModel) {
     EXPECT_EQ(row.data(LessonShelf::NameRole).toString(), "pyramid");
     EXPECT_EQ(row.data(LessonShelf::PageRole).toInt(), 0);
     EXPECT_EQ(row.data(LessonShelf::PagesRole).toInt(), 10);
+    const auto progress = [&row] { return row.data(LessonShelf::ProgressRole).toString(); };
+    EXPECT_EQ(progress(), "Not begun, 10 pages");
+    EXPECT_TRUE(row.data().toString().endsWith('\n' + progress()));
+    shelf.setPage(*shelf.find("pyramid"), 4);
+    EXPECT_EQ(progress(), "Page 4 of 10");
+    shelf.setPage(*shelf.find("pyramid"), 10);
+    EXPECT_EQ(progress(), "Read, 10 pages");
     ASSERT_NE(shelf.find("pyramid"), nullptr);
     EXPECT_EQ(shelf.find("piramid"), nullptr);
 }

@@ -399,6 +399,11 @@ TEST_F(WindowSession, AnotherArrangementOfViewsAloneIsKeptSoon) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return kept() == moved; }, 20000));
 }
 
+TEST(RecentFiles, OfOneNameAreToldApartByTheirFolder) {
+    EXPECT_EQ(recentNames({{"/a/scene.toml", {}}, {"/a/cube.obj", {}}, {"/b/scene.toml", {}}}),
+              QStringList({"scene.toml  –  /a", "cube.obj", "scene.toml  –  /b"}));
+}
+
 TEST_F(WindowSession, ARecentFileOpensWhereItWasLeft) {
     goFar();
     answer("Drop", [this] { press("Ctrl+W"); });
