@@ -185,7 +185,9 @@ void Actions::setEnabled(ActionId id, bool enabled, const QString& whyNot) {
 }
 
 QString keysText(const QAction& action) {
-    QString text = action.shortcut().toString(QKeySequence::PortableText);
+    QStringList keys;
+    for (const QKeySequence& one : action.shortcuts()) keys += one.toString(QKeySequence::PortableText);
+    QString text = keys.join(Actions::tr(" or "));
     text.replace("Left", "←").replace("Right", "→");
     return text;
 }

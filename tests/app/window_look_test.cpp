@@ -353,6 +353,19 @@ TEST_F(WindowLook, KeysAreListedAndEscapeClosesTheList) {
     EXPECT_FALSE(sheet->isVisible());
 }
 
+TEST_F(WindowLook, AllKeysOfAnActionAreListed) {
+    EXPECT_EQ(keysText(*window.actions()[ActionId::Redo]), "Ctrl+Shift+Z or Ctrl+Y");
+    EXPECT_EQ(keysText(*window.actions()[ActionId::NextStage]), "Ctrl+→");
+    openPyramid();
+    canvas()->setFocus();
+    QTest::keyClick(canvas(), Qt::Key_H);
+    const auto* sheet = find<KeySheet>("keySheet");
+    EXPECT_LE(sheet->width(), window.width());
+    QTest::keyClicks(QApplication::focusWidget(), "ctrl+y");
+    ASSERT_EQ(sheet->shown().size(), 1u);
+    EXPECT_EQ(sheet->shown()[0].what, "Redo");
+}
+
 TEST(Keys, AreFoundByAnyOfTheirWords) {
     const std::vector<KeyRow> rows{{"Run", "Step back", "Shift+F10"}, {"In a buffer", "Loupe", "Z"}};
     EXPECT_EQ(rowsWith(rows, ""), rows);
