@@ -1,6 +1,7 @@
 #include "app/desktop/manual_window.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QFile>
 #include <QImage>
 #include <QPushButton>
 #include <QScreen>
@@ -138,7 +139,11 @@ ManualWindow::ManualWindow(QWidget* parent) : QWidget(parent, Qt::Window), m_pag
 
 void ManualWindow::open(const QString& page) {
     const auto folder = pipeline::resourceFolder() / "manual";
-    m_page->setSource(QUrl::fromLocalFile(toQString(folder.string()) + '/' + page));
+    const QString file = toQString(folder.string()) + '/' + page;
+    if (QFile::exists(file))
+        m_page->setSource(QUrl::fromLocalFile(file));
+    else
+        m_page->setPlainText(tr("The manual is not installed: %1 is missing.").arg(file));
     show();
     raise();
     activateWindow();

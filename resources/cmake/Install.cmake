@@ -1,11 +1,13 @@
-# What `cmake --install build/release --prefix PREFIX` lays out: the program in bin, the scenes and
-# lessons in share/shadescope where the program looks for them, and what a desktop reads.
+# What `cmake --install build/release --prefix PREFIX` lays out: the program in bin, the scenes,
+# lessons and manual in share/shadescope where the program looks for them, and what a desktop reads.
 include(GNUInstallDirs)
 install(TARGETS shadescope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY resources/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope)
 install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lessons
   FILES_MATCHING PATTERN "*.md" PATTERN "*.scene" PATTERN "*.toml" PATTERN "*.des")
 if(SHADESCOPE_WINDOW)
+  install(DIRECTORY resources/manual resources/pictures DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope
+    FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
   set(desktop ${PROJECT_SOURCE_DIR}/resources/desktop)
   install(FILES ${desktop}/shadescope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
   install(FILES ${desktop}/shadescope.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)

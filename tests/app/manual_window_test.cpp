@@ -45,6 +45,15 @@ TEST_F(WindowManual, LinksLeadToHeadingsAndPicturesFit) {
     EXPECT_EQ(page().horizontalScrollBar()->maximum(), 0) << "a picture is wider than the page";
 }
 
+TEST_F(WindowManual, WhatIsNotInstalledIsNamed) {
+    window.actions()[ActionId::Manual]->trigger();
+    find<ManualWindow>("manual")->open("nothing.md");
+    EXPECT_TRUE(page().toPlainText().startsWith("The manual is not installed: ")) << page().toPlainText().toStdString();
+    EXPECT_TRUE(page().toPlainText().endsWith("manual/nothing.md is missing."));
+    find<ManualWindow>("manual")->open("pixel.md");
+    EXPECT_TRUE(page().toPlainText().size() > 1000) << "another page is there";
+}
+
 TEST(Manual, HeadingsAreNamedAsLinksNameThem) {
     EXPECT_EQ(headingName("A condition over all pixels"), "a-condition-over-all-pixels");
     EXPECT_EQ(headingName("What the files say"), "what-the-files-say");
