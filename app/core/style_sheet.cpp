@@ -94,6 +94,7 @@ QAbstractScrollArea { background: @surface; border: 0; }
 QAbstractItemView { background: @surface; color: @text; border: 0; alternate-background-color: @surface;
   selection-background-color: @tint; selection-color: @text; }
 QAbstractItemView::item { min-height: 24u; }
+QTreeView::item { border: 0; } /* else the text of a row stands where a check box of the usual size ends */
 QAbstractItemView::item:hover { background: @hover; }
 QAbstractItemView::item:selected { background: @tint; color: @text; }
 QHeaderView { background: @surface; }

@@ -8,6 +8,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 
+#include "app/core/theme.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/export_dialog.h"
@@ -48,6 +49,32 @@ std::vector<std::string> chosenIn(const ExportDialog& dialog) {
     std::vector<std::string> names;
     for (const pipeline::BufferName& name : dialog.request().buffers) names.push_back(name.text());
     return names;
+}
+
+// As seen: what lies right of a stage's check box, up to its number, is the list's ground.
+TEST_F(WindowExport, ACheckBoxKeepsOffItsWordsInLargeLettersToo) {
+    openPyramid();
+    for (const double scale : {1.0, 2.0}) {
+        Theme::current().setScale(scale);
+        ExportDialog dialog(document());
+        dialog.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+        QTreeWidget* list = dialog.findChild<QTreeWidget*>();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return list->topLevelItemCount() > 0; }));
+        const QImage row = list->viewport()->grab(list->visualItemRect(list->topLevelItem(1))).toImage();
+        const auto has = [&](int x, QColor color) {
+            for (int y = 0; y < row.height(); ++y)
+                if (row.pixelColor(x, y) == color) return true;
+            return false;
+        };
+        int x = 0;
+        while (x < row.width() && !has(x, Theme::current().colors().fill)) ++x;
+        while (x < row.width() && has(x, Theme::current().colors().fill)) ++x;
+        const QColor ground = row.pixelColor(row.width() - 1, 0);
+        for (const int gap : {1, 2})  // the box's smoothed border takes one
+            for (int y = 0; y < row.height(); ++y) EXPECT_EQ(row.pixelColor(x + gap, y), ground) << scale;
+    }
+    Theme::current().setScale(1);
 }
 
 TEST_F(WindowExport, ChecksAllOrNoneOrWhatIsShown) {
