@@ -17,15 +17,16 @@ namespace app {
 using pipeline::Moment;
 using pipeline::StageId;
 
-namespace {
-
-QStringList stageLabels() {
-    QStringList labels;
-    for (const StageId stage : pipeline::kStages) labels << toQString(stageInfo(stage).label);
-    return labels;
+StageNames::StageNames(int width) {
+    const Theme& theme = Theme::current();
+    for (const StageId stage : pipeline::kStages) texts << toQString(stageInfo(stage).label);
+    const QFont wanted = theme.text(12, 600);
+    font = fittingFont(wanted, texts, width, wanted.pixelSize() - 1);
+    if (font == wanted) return;
+    for (QString& text : texts) text = text.section(' ', 0, 0);  // "Shadow"
+    font = fittingFont(wanted, texts, width);
+    for (QString& text : texts) text = QFontMetrics(font).elidedText(text, Qt::ElideRight, width);
 }
-
-}  // namespace
 
 StepBar::StepBar(Stepper& stepper, QWidget* parent) : QWidget(parent), m_stepper(stepper) {
     setObjectName("stepBar");
@@ -111,15 +112,12 @@ void StepBar::paintPart(QPainter& painter, const StepTrack& track, StageId stage
     const Moment here = *m_stepper.moment();
     const bool current = (m_stepper.isInside() ? here.stage : m_stage) == stage;
 
-    // All of one size: the longest name in bold fits, too.
-    QFont font = fittingFont(theme.text(12, 600), stageLabels(), int(part.width()));
-    font.setWeight(current ? QFont::DemiBold : QFont::Normal);
-    painter.setFont(font);
+    StageNames names(int(part.width()));
+    names.font.setWeight(current ? QFont::DemiBold : QFont::Normal);
+    painter.setFont(names.font);
     painter.setPen(current ? c.text : runs ? c.text2 : c.text3);
-    const QString name =
-        painter.fontMetrics().elidedText(toQString(stageInfo(stage).label), Qt::ElideRight, int(part.width()));
     painter.drawText(QRectF(part.left(), line.top() - theme.px(24), part.width(), theme.px(18)),
-                     Qt::AlignLeft | Qt::AlignVCenter, name);
+                     Qt::AlignLeft | Qt::AlignVCenter, names.texts[qsizetype(index(stage))]);
     painter.setBrush(Qt::NoBrush);
     if (!runs) {
         painter.setPen(QPen(c.outline, 1, Qt::DashLine));

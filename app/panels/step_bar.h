@@ -6,6 +6,14 @@
 
 namespace app {
 
+// The stages' names over parts of this width: whole where they fit in letters of the usual size, else their first words,
+// in smaller letters only where those do not fit either. All of one size.
+struct StageNames {
+    explicit StageNames(int width);
+    QStringList texts;
+    QFont font;  // bold: the name of the stage on show fits, too
+};
+
 // The scrubber: a part for each stage, filled as far as the frame has got, with ticks, bookmarks as flags and a
 // handle. Dragging, the wheel and the arrow keys send the stepper; nothing is computed here.
 class StepBar : public QWidget {

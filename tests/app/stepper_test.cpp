@@ -11,6 +11,7 @@
 #include "app/core/document.h"
 #include "app/core/stage_status.h"
 #include "app/core/step_track.h"
+#include "app/core/theme.h"
 #include "app/panels/stage_card.h"
 #include "app/panels/stage_strip.h"
 #include "app/panels/step_bar.h"
@@ -185,6 +186,23 @@ TEST_F(StepperTest, TheTrackTakesAPlaceThereAndBack) {
     EXPECT_EQ(track.ticks(StageId::Transform, Stepper::Level::Pixel).size(), 5u);
     EXPECT_TRUE(track.ticks(StageId::ZBuffer, Stepper::Level::Pixel).empty());
     EXPECT_EQ(track.ticks(StageId::ZBuffer, Stepper::Level::Object).size(), 1u);
+}
+
+TEST(StageNames, FollowTheLettersAndAreShortenedWhereThereIsNoRoom) {
+    Theme::current().setScale(1.5);
+    const QFont usual = Theme::current().text(12, 600);
+    const auto width = [&](const char* name) { return QFontMetrics(usual).horizontalAdvance(name); };
+    const StageNames whole(width("Shadow buffer")), first(width("Transform"));
+    EXPECT_EQ(whole.texts[3], "Shadow buffer");
+    EXPECT_EQ(first.texts[3], "Shadow");
+    EXPECT_EQ(first.texts[0], "Transform");
+    for (const StageNames& names : {whole, first}) EXPECT_EQ(names.font.pixelSize(), usual.pixelSize());
+    const StageNames narrow(width("Trans"));
+    EXPECT_LT(narrow.font.pixelSize(), usual.pixelSize());
+    EXPECT_GE(narrow.font.pixelSize(), 12) << "is read on any screen";
+    for (const QString& name : narrow.texts)
+        EXPECT_LE(QFontMetrics(narrow.font).horizontalAdvance(name), width("Trans"));
+    Theme::current().setScale(1);
 }
 
 TEST_F(StepperTest, TheWheelAndTheArrowsStep) {
