@@ -76,10 +76,14 @@ int matchQuality(const QString& typed, const PaletteEntry& entry) {
 }
 
 CommandPalette::CommandPalette(QWidget* window)
-    : Popover(window), m_field(new QLineEdit(this)), m_list(new QListWidget(this)), m_count(new QLabel(this)) {
+    : Popover(window),
+      m_field(new QLineEdit(this)),
+      m_list(new QListWidget(this)),
+      m_count(new QLabel(this)),
+      m_none(new QLabel(tr("Nothing is called so."), this)) {
     setObjectName("commandPalette");
     m_field->setObjectName("commandField");
-    m_field->setPlaceholderText(tr("Find an action, a buffer or a scene"));
+    m_field->setPlaceholderText(tr("Find an action, a buffer, a scene, a lesson or a setting"));
     m_field->setAccessibleName(tr("Run a command"));
     m_field->installEventFilter(this);
     m_list->setItemDelegate(new CommandPainter(this));
@@ -87,6 +91,8 @@ CommandPalette::CommandPalette(QWidget* window)
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_count->setProperty("tone", 3);
+    m_none->setProperty("tone", 2);
+    m_none->setAlignment(Qt::AlignCenter);
     auto* hint = new QLabel(tr("Enter runs    arrows move    Esc closes"), this);
     hint->setProperty("tone", 2);
     auto* top = new QHBoxLayout;
@@ -95,6 +101,7 @@ CommandPalette::CommandPalette(QWidget* window)
     auto* column = new QVBoxLayout(this);
     column->addLayout(top);
     column->addWidget(m_list, 1);
+    column->addWidget(m_none, 1);
     column->addWidget(hint);
     followTheme(this, [this, column, hint] {
         const Theme& theme = Theme::current();
@@ -114,6 +121,7 @@ CommandPalette::CommandPalette(QWidget* window)
     // The list never has the focus: the field tells where the arrows have come to.
     connect(m_list, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* now) {
         QStringList words;
+        words << (now ? QString() : m_none->text());
         if (now) words << now->text() << now->data(kPlaceRole).toString() << now->data(kRightRole).toString();
         words.removeAll(QString());
         m_field->setAccessibleDescription(words.join(QStringLiteral(", ")));
@@ -144,6 +152,8 @@ void CommandPalette::filter() {
         item->setData(kOffRole, !command.whyNot.isEmpty());
     }
     m_list->setCurrentRow(0);
+    m_list->setVisible(!m_shown.empty());
+    m_none->setVisible(m_shown.empty());
     m_count->setText(tr("%1 of %2").arg(m_shown.size()).arg(m_commands.size()));
 }
 

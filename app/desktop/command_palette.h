@@ -25,7 +25,7 @@ int matchQuality(const QString& typed, const QString& name);
 // Or its place: "theme" finds all that stands in View › Theme, after every name with all that was typed.
 int matchQuality(const QString& typed, const PaletteEntry& entry);
 
-// Finds an action, a buffer or a scene by a part of its name. Enter runs, arrows move, Esc closes.
+// Finds an action, a buffer, a scene, a lesson or a setting by a part of its name. Enter runs, arrows move, Esc closes.
 class CommandPalette : public Popover {
     Q_OBJECT
 public:
@@ -44,7 +44,7 @@ private:
     std::vector<std::size_t> m_shown;  // of m_commands, best first
     QLineEdit* m_field;
     QListWidget* m_list;
-    QLabel* m_count;
+    QLabel *m_count, *m_none;
 };
 
 }  // namespace app

@@ -165,11 +165,13 @@ void MainWindow::makeDocks() {
     connect(m_lessons, &LessonPanel::showBuffers, m_views, &ViewArea::showBuffers);
     auto* inspector = findChild<InspectorPanel*>();
     connect(inspector, &InspectorPanel::bufferAsked, m_views, &ViewArea::showBuffer);
-    connect(inspector, &InspectorPanel::settingAsked, this, [this, settings](const QString& key) {
-        for (PanelDock* dock : m_leftDocks)
-            if (dock->objectName() == "settings" && dock->isHidden()) dock->toggleViewAction()->trigger();
-        settings->showSetting(key);
-    });
+    connect(inspector, &InspectorPanel::settingAsked, this, &MainWindow::showSetting);
+}
+
+void MainWindow::showSetting(const QString& key) {
+    for (PanelDock* dock : m_docks)
+        if (dock->objectName() == "settings" && !dock->isInFront()) dock->toggleViewAction()->trigger();
+    findChild<SettingsPanel*>()->showSetting(key);
 }
 
 // Under everything, from edge to edge.

@@ -8,6 +8,7 @@
 #include <QStackedWidget>
 
 #include "app/core/own_file.h"
+#include "app/core/pointed.h"
 #include "app/core/recent_files.h"
 #include "app/core/session_file.h"
 #include "app/core/text.h"
@@ -29,10 +30,13 @@
 #include "app/panels/export_dialog.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/inspector_panel.h"
+#include "app/panels/lesson_panel.h"
+#include "app/panels/lesson_shelf.h"
 #include "app/panels/save_dialog.h"
 #include "app/panels/study_panel.h"
 #include "pipeline/formats/format_table.h"
 #include "pipeline/formats/scene_reader.h"
+#include "pipeline/scene/settings_table.h"
 
 namespace app {
 namespace {
@@ -53,11 +57,11 @@ QString fileFilters() {
 void showApart(QWidget& panel) {
     if (!panel.isWindow()) {
         panel.setWindowFlag(Qt::Window);
+        QObject::connect(new QShortcut(QKeySequence::Close, &panel), &QShortcut::activated, &panel, &QWidget::close);
         panel.resize(QSize(1680, 1000).boundedTo(panel.screen()->availableSize()));
     }
     panel.show();
     panel.raise();
-        QObject::connect(new QShortcut(QKeySequence::Close, &panel), &QShortcut::activated, &panel, &QWidget::close);
     panel.activateWindow();
 }
 
@@ -295,6 +299,20 @@ std::vector<PaletteEntry> MainWindow::commands() {
             for (const pipeline::BufferName& name : names)
                 all.push_back({toQString(name.text()), tr("Buffer"), QString(), QString(),
                                [this, name] { m_views->showBuffer(name); }});
+    }
+    if (showsScene())
+        for (const pipeline::SettingRef& setting : settingsOf(m_document.scene())) {
+            constexpr std::size_t kFew = 16;  // a thousand objects' would fill the list
+            const QString key = toQString(setting.key());
+            if (setting.setting->count(m_document.scene()) <= kFew)
+                all.push_back({labelOf(setting), tr("Setting › %1").arg(key), QString(), QString(),
+                               [this, key] { showSetting(key); }});
+        }
+    const LessonShelf& shelf = m_lessons->shelf();
+    for (int i = 0; i < shelf.rowCount(); ++i) {
+        const QString name = shelf.index(i).data(LessonShelf::NameRole).toString();
+        all.push_back({shelf.index(i).data(LessonShelf::TitleRole).toString(), tr("Lesson"), QString(), QString(),
+                       [this, name] { openLesson(name); }});
     }
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
         all.push_back({toQString(scene.title), tr("Scene"), QString(), QString(),

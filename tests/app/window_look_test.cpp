@@ -19,6 +19,7 @@
 #include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/lesson_panel.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -295,6 +296,42 @@ TEST_F(WindowLook, ACommandIsFoundByWordsInAnyOrderTheBestFirst) {
     auto* list = find<CommandPalette>("commandPalette")->findChild<QListWidget*>();
     ASSERT_GT(list->count(), 0);
     EXPECT_EQ(list->item(0)->text(), "Shadow of a point light");
+}
+
+TEST_F(WindowLook, ACommandThatNothingIsCalledSaysSo) {
+    press("Ctrl+Shift+P");
+    auto* field = find<QLineEdit>("commandField");
+    const auto says = [this] {
+        for (const auto* label : find<CommandPalette>("commandPalette")->findChildren<QLabel*>())
+            if (label->isVisible() && label->text() == "Nothing is called so.") return true;
+        return false;
+    };
+    EXPECT_FALSE(says());
+    QTest::keyClicks(field, "qqqq");
+    EXPECT_TRUE(says());
+    EXPECT_EQ(field->accessibleDescription(), "Nothing is called so.");
+    field->clear();
+    EXPECT_FALSE(says());
+}
+
+TEST_F(WindowLook, ASettingAndALessonAreFoundAmongTheCommands) {
+    openPyramid();
+    const auto run = [this](const char* words) {
+        press("Ctrl+Shift+P");
+        auto* field = find<QLineEdit>("commandField");
+        QTest::keyClicks(field, words);
+        QTest::keyClick(field, Qt::Key_Return);
+        QTest::qWait(50);
+    };
+    find<QDockWidget>("settings")->hide();
+    run("material.0.n");
+    EXPECT_TRUE(find<QDockWidget>("settings")->isVisible());
+    EXPECT_EQ(QApplication::focusWidget()->objectName(), "material.0.n");
+    auto* lessons = window.findChild<LessonPanel*>();
+    ASSERT_EQ(lessons->lesson(), nullptr);
+    run("from its file to its last pixel");
+    ASSERT_NE(lessons->lesson(), nullptr);
+    EXPECT_EQ(lessons->lesson()->name, "pyramid");
 }
 
 TEST_F(WindowLook, BuffersAreNoCommandsOnceTheSceneIsClosed) {
