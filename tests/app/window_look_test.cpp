@@ -19,6 +19,7 @@
 #include "app/desktop/panel_table.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
 #include "app/panels/lesson_panel.h"
 #include "tests/app/window_fixture.h"
 
@@ -332,6 +333,19 @@ TEST_F(WindowLook, ASettingAndALessonAreFoundAmongTheCommands) {
     run("from its file to its last pixel");
     ASSERT_NE(lessons->lesson(), nullptr);
     EXPECT_EQ(lessons->lesson()->name, "pyramid");
+}
+
+// Beside the buffer that a page names the views show what the stage leaves.
+TEST_F(WindowLook, NoPageOfALessonShowsOneBufferTwice) {
+    window.resize(1600, 1000);
+    window.openLesson("pyramid");
+    auto* lessons = window.findChild<LessonPanel*>();
+    for (int page = 0; page < int(lessons->lesson()->pages.size()); ++page) {
+        lessons->goTo(page);
+        ASSERT_TRUE(waitForFrame());
+        ASSERT_TRUE(window.views().hasSecond());
+        EXPECT_NE(window.views().first().buffer().text(), window.views().second().buffer().text()) << page + 1;
+    }
 }
 
 TEST_F(WindowLook, BuffersAreNoCommandsOnceTheSceneIsClosed) {

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "lessons/library.h"
+#include "pipeline/illumination/illumination.h"
 #include "tests/lessons/pyramid_scene.h"
 
 namespace lessons {
@@ -51,6 +52,24 @@ TEST(Lessons, EveryPageIsTrue) {
             }
             EXPECT_TRUE(isRight(*answer, std::to_string(*answer), tolerance + 1e-6));
             EXPECT_FALSE(isRight(*answer, std::to_string(*answer + 2 * tolerance + 1), tolerance));
+        }
+}
+
+// A picture's colours go from the least to the greatest value: a term that adds less than a step of the frame buffer
+// anywhere must not look like a highlight.
+TEST(Lessons, NoPageShowsADifferenceThatNobodySees) {
+    for (const Lesson& lesson : allLessons().lessons)
+        for (const Page& page : lesson.pages) {
+            SCOPED_TRACE(lesson.name + ", " + page.heading);
+            const pipeline::FramePtr frame = frameOf(page.state.scene, requestFor(page));
+            ASSERT_TRUE(frame);
+            const double step = pipeline::maximumIntensity(page.state.scene) / 255;
+            for (const pipeline::BufferName& name : page.state.buffers) {
+                const auto buffer = frame->buffer(name);
+                if (buffer->info->unit != "intensity") continue;
+                const pipeline::BufferStatistics found = pipeline::statistics(*buffer);
+                EXPECT_GT(found.max - found.min, step) << name.text();
+            }
         }
 }
 
