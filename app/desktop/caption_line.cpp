@@ -16,7 +16,7 @@ QSize CaptionLine::sizeHint() const { return {200, Theme::current().px(28)}; }
 
 void CaptionLine::setText(const QString& stage, const QString& sentence) {
     m_stage = stage, m_sentence = sentence;
-    setAccessibleName(stage + ". " + sentence);
+    setAccessibleName(stage.isEmpty() ? sentence : stage + ". " + sentence);
     update();
 }
 
@@ -70,7 +70,7 @@ void CaptionLine::paintEvent(QPaintEvent*) {
     painter.setFont(stageFont);
     painter.setPen(colors.accent);
     painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignLeft, m_stage);
-    const int left = QFontMetrics(stageFont).horizontalAdvance(m_stage) + theme.px(12);
+    const int left = m_stage.isEmpty() ? 0 : QFontMetrics(stageFont).horizontalAdvance(m_stage) + theme.px(12);
     const int room = int(right) - theme.px(12) - left;
     painter.setFont(font);
     painter.setPen(colors.text);

@@ -210,7 +210,9 @@ void CleanView::showCaption() {
     const Stepper& stepper = m_document.stepper();
     const bool moved = cue && stepper.place() != cue->state.place;
     if (stepper.isInside() && (!cue || moved)) sentence = stepper.words();
-    m_caption->setText(toQString(stage.label), sentence);
+    // A cue that was never named is called after its stage.
+    const QString label = toQString(stage.label);
+    m_caption->setText(sentence.startsWith(label) ? QString() : label, sentence);
     m_caption->setCues(m_cues.size(), m_cues.current());
 }
 

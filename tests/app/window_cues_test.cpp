@@ -7,6 +7,7 @@
 
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
+#include "app/desktop/caption_line.h"
 #include "app/desktop/clean_view.h"
 #include "app/desktop/notes_window.h"
 #include "app/desktop/pen_layer.h"
@@ -175,6 +176,17 @@ TEST_F(WindowCues, ACueWhoseSceneIsGoneLeavesEverythingAsItIs) {
     press("PgDown");
     EXPECT_EQ(model().current(), 2);
     EXPECT_EQ(document().scene().name, "two_pyramids.scene");
+}
+
+TEST_F(WindowCues, ACueThatWasNeverNamedDoesNotSayItsStageTwice) {
+    openPyramid();
+    press("Ctrl+B");
+    ASSERT_EQ(model().cue(0).name, "Shading");
+    press("Ctrl+F11");
+    const auto* line = window.presentation().cleanView()->findChild<CaptionLine*>();
+    EXPECT_EQ(line->accessibleName(), "Shading");
+    model().setCaption(0, "R leaves away from the eye.");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return line->accessibleName() == "Shading. R leaves away from the eye."; }));
 }
 
 TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
