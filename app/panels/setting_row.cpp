@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QRegularExpression>
 #include <QStyle>
+#include <algorithm>
 
 #include "app/core/pointed.h"
 #include "app/core/spoken.h"
@@ -54,21 +55,20 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
     : QObject(parent),
       m_document(document),
       m_setting(setting),
+      m_form(form),
+      m_row(row),
       m_label(new QLabel(parent)),
       m_note(new QLabel(parent)) {
-    form.addWidget(m_label, row, 0);
-    form.addWidget(m_note, row + 1, 1, 1, 2);
     m_note->setWordWrap(true);
     m_label->setWordWrap(true);
     m_note->setProperty("tone", 3);
     followTheme(m_label, [this] {
         m_label->setFont(Theme::current().text());
-        m_label->setFixedWidth(Theme::current().px(kLabelWidth));
         m_label->setText(labelWithSymbol(labelOf(m_setting)));
         m_note->setFont(Theme::current().text(12));
     });
     const bool isNumber = setting.setting->kind == SettingKind::Number || setting.setting->kind == SettingKind::Integer;
-    isNumber ? addNumber(form, row, parent) : addChoice(form, row, parent);
+    isNumber ? addNumber(parent) : addChoice(parent);
     for (QWidget* control : m_controls) {
         control->setAccessibleName(labelOf(m_setting));
         if (auto* list = qobject_cast<QComboBox*>(control)) nameChoice(*list, list->accessibleName());
@@ -77,16 +77,41 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
     connect(&document, &Document::sceneChanged, this, &SettingRow::showScene);
     connect(document.undoStack(), &QUndoStack::indexChanged, this, &SettingRow::showScene);
     connect(&document, &Document::pointedChanged, this, &SettingRow::showPointed);
+    place();
     showScene();
     showPointed();
 }
 
-void SettingRow::addNumber(QGridLayout& form, int row, QWidget* parent) {
+int SettingRow::widthBeside() const {
+    int width = Theme::current().px(kLabelWidth);
+    for (const QWidget* control : m_controls)
+        width += m_form.horizontalSpacing() + std::max(control->minimumWidth(), control->minimumSizeHint().width());
+    return width;
+}
+
+void SettingRow::setStacked(bool stacked) {
+    if (stacked == m_stacked) return;
+    m_stacked = stacked;
+    for (QWidget* part : QList<QWidget*>{m_label, m_note} + m_controls) m_form.removeWidget(part);
+    place();
+}
+
+void SettingRow::place() {
+    const int first = m_stacked ? 0 : 1, columns = 3 - first;
+    const int width = Theme::current().px(kLabelWidth);
+    m_label->setMinimumWidth(width);
+    m_label->setMaximumWidth(m_stacked ? QWIDGETSIZE_MAX : width);
+    m_form.addWidget(m_label, m_stacked ? m_row : m_row + 1, 0, 1, m_stacked ? 3 : 1);
+    const bool hasField = m_controls.size() > 1;
+    m_form.addWidget(m_controls[0], m_row + 1, first, 1, hasField ? columns - 1 : columns);
+    if (hasField) m_form.addWidget(m_controls[1], m_row + 1, 2);
+    m_form.addWidget(m_note, m_row + 2, first, 1, columns);
+}
+
+void SettingRow::addNumber(QWidget* parent) {
     const pipeline::Setting& setting = *m_setting.setting;
     auto* slider = new ValueSlider(setting.low, setting.high, setting.kind == SettingKind::Integer ? 1 : 0, parent);
     auto* field = new NumberField(m_setting, parent);
-    form.addWidget(slider, row, 1);
-    form.addWidget(field, row, 2);
     m_controls = {slider, field};
     connect(slider, &ValueSlider::moved, this, [this](double value) { change(value, Document::Change::Live); });
     connect(slider, &ValueSlider::released, this, [this](double value) { change(value, Document::Change::Done); });
@@ -99,22 +124,23 @@ void SettingRow::addNumber(QGridLayout& form, int row, QWidget* parent) {
     };
 }
 
-void SettingRow::addChoice(QGridLayout& form, int row, QWidget* parent) {
+void SettingRow::addChoice(QWidget* parent) {
     QStringList names;
     for (const std::string_view choice : m_setting.setting->choices) names += choiceName(choice);
     const auto chosen = [this](int choice) { change(choice, Document::Change::Done); };
     // Side by side where the dock at its usual width has room for it, else in a list.
     if (Segmented::widthFor(names) <= choiceRoom()) {
         auto* segmented = new Segmented(names, parent);
-        form.addWidget(segmented, row, 1, 1, 2);
         m_controls = {segmented};
         connect(segmented, &Segmented::chosen, this, chosen);
         m_show = [segmented](double value, std::optional<double>) { segmented->setCurrent(int(value)); };
     } else {
         auto* list = new QComboBox(parent);
         list->addItems(names);
+        list->setSizeAdjustPolicy(
+            QComboBox::AdjustToMinimumContentsLengthWithIcon);  // a long choice is cut, no other row
+        list->setMinimumContentsLength(6);
         list->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the panel instead
-        form.addWidget(list, row, 1, 1, 2);
         m_controls = {list};
         connect(list, &QComboBox::activated, this, chosen);
         m_show = [list](double value, std::optional<double>) { list->setCurrentIndex(int(value)); };

@@ -11,24 +11,30 @@ namespace app {
 
 // The control of one setting in a form of three columns: label; slider, buttons or list; number.
 // It follows the document. Where the setting has no effect in this scene it is dimmed, and a note
-// below says why. Takes two rows of the form.
+// below says why. Takes three rows of the form.
 class SettingRow : public QObject {
     Q_OBJECT
 public:
     SettingRow(Document& document, pipeline::SettingRef setting, QGridLayout& form, int row, QWidget* parent);
 
+    int widthBeside() const;        // the room that label and controls need beside each other
+    void setStacked(bool stacked);  // the label on a line of its own, above
     bool isIdle() const { return !m_idle.isEmpty(); }
     void setShown(bool shown);
 
 private:
-    void addNumber(QGridLayout& form, int row, QWidget* parent);
-    void addChoice(QGridLayout& form, int row, QWidget* parent);
+    void place();
+    void addNumber(QWidget* parent);
+    void addChoice(QWidget* parent);
     void showScene();
     void showPointed();
     void change(double value, Document::Change kind);
 
     Document& m_document;
     pipeline::SettingRef m_setting;
+    QGridLayout& m_form;
+    int m_row;
+    bool m_stacked = false;
     QLabel* m_label = nullptr;
     QLabel* m_note = nullptr;
     QString m_idle;

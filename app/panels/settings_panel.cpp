@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "app/core/pointed.h"
@@ -133,7 +134,7 @@ void SettingsPanel::build() {
     int row = 0;
     for (const pipeline::SettingRef& setting : settingsOnShow()) {
         m_rows += new SettingRow(m_document, setting, *form, row, page);
-        row += 2;
+        row += 3;
     }
     m_fold = new QPushButton(page);
     m_fold->setProperty("kind", "link");
@@ -146,6 +147,22 @@ void SettingsPanel::build() {
     m_scroll->setWidget(page);           // deletes the page before
     page->setAutoFillBackground(false);  // the dock's surface shows
     foldIdle();
+    arrange();
+}
+
+// Large letters in a narrow dock: labels stand above, in all rows alike. The scroll bar has its room whether it is there
+// or not, so that what stands beside each other does not hang on it.
+void SettingsPanel::arrange() {
+    if (!m_scroll->widget()) return;
+    const QMargins margins = m_scroll->widget()->layout()->contentsMargins();
+    const int room = width() - m_scroll->verticalScrollBar()->sizeHint().width() - margins.left() - margins.right();
+    const bool stacked = std::ranges::any_of(m_rows, [&](const SettingRow* row) { return row->widthBeside() > room; });
+    for (SettingRow* row : m_rows) row->setStacked(stacked);
+}
+
+void SettingsPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
 }
 
 void SettingsPanel::foldIdle() {
@@ -153,8 +170,7 @@ void SettingsPanel::foldIdle() {
     const auto idle = std::ranges::count_if(m_rows, &SettingRow::isIdle);
     const bool foldable = idle > kMostIdleRows;
     m_fold->setVisible(foldable);
-    m_fold->setText(m_unfolded ? QStringLiteral("Hide what has no effect here")
-                               : QStringLiteral("%1 more have no effect here").arg(idle));
+    m_fold->setText(m_unfolded ? QStringLiteral("Hide these") : QStringLiteral("%1 without effect").arg(idle));
     for (SettingRow* row : m_rows) row->setShown(!row->isIdle() || !foldable || m_unfolded);
 }
 

@@ -23,8 +23,12 @@ public:
     void select(const SceneItem& item);    // and shows its tab
     void showSetting(const QString& key);  // its tab, with the keys going to its control
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void build();  // the controls of the tab on show
+    void arrange();
     void foldIdle();
     void showLastChange();
     std::vector<pipeline::SettingRef> settingsOnShow() const;

@@ -1,12 +1,17 @@
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTest>
 
+#include "app/core/theme.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/number_field.h"
 #include "app/panels/scene_tree.h"
 #include "app/panels/segmented.h"
+#include "app/panels/settings_panel.h"
 #include "app/panels/value_slider.h"
 #include "tests/app/window_fixture.h"
 
@@ -66,6 +71,28 @@ TEST_F(WindowSettings, DraggedSliderShowsFramesWhileItMovesAndIsOneStepOfUndo) {
     press("Ctrl+Shift+Z");
     ASSERT_TRUE(waitForFrame());
     EXPECT_EQ(color(), last);
+}
+
+TEST_F(WindowSettings, NumbersAreNotCutInLargeLetters) {
+    openPyramid();
+    auto* panel = window.findChild<SettingsPanel*>();
+    auto* scroll = panel->findChild<QScrollArea*>();
+    for (const double scale : {1.0, 1.4, 2.0})
+        for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
+            Theme::current().setScale(scale);
+            window.resize(size);
+            for (auto* dock : window.findChildren<QDockWidget*>())
+                if (dock->objectName() == "settings" && dock->isHidden()) dock->toggleViewAction()->trigger();
+            QTest::qWait(50);
+            auto* tabs = panel->findChild<QTabBar*>();
+            for (int tab = tabs->count() - 1; tab >= 0; --tab) {
+                tabs->setCurrentIndex(tab);
+                QTest::qWait(20);
+                EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width())
+                    << "tab " << tab << " at " << scale << ", " << size.width();
+            }
+        }
+    Theme::current().setScale(1);
 }
 
 // 200 pixels are the slider's range, 0 to 1; k_r begins at 0.2.
