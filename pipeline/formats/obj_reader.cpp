@@ -208,7 +208,8 @@ private:
     // Why the file cannot be loaded; nothing where it can.
     Errors loadMaterialFile(std::string_view name) {
         const std::string extension = std::filesystem::path(name).extension().string();
-        if (isModel(extension)) return {Error{{}, quotedInput(name) + " is a model", "a file of materials, as in x.mtl"}};
+        if (isModel(extension))
+            return {Error{{}, quotedInput(name) + " is a model", "a file of materials, as in x.mtl"}};
         const Result<NamedFile> file = m_load(name);
         if (!file) return file.errors();
         const std::size_t known = m_file.materials.size();

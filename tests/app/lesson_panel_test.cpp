@@ -105,7 +105,7 @@ TEST_F(LessonPanelTest, APageSetsTheWindow) {
     EXPECT_EQ(document.scene().settings.cull, pipeline::CullMode::Back);
     EXPECT_EQ(document.stage(), pipeline::StageId::Shading);
     EXPECT_EQ(document.pixel(), glm::ivec2(268, 281));
-    EXPECT_EQ(buffers.last()[0].toStringList(), QStringList({"color", "specular.0"}));
+    EXPECT_EQ(buffers.last()[0].toStringList(), QStringList({"color", "r_dot_v.0"}));
 }
 
 TEST_F(LessonPanelTest, EveryPageIsFilledFromTheDocumentsFrames) {

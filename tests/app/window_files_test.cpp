@@ -312,5 +312,25 @@ TEST_F(WindowWithAWrongList, TheListIsToldAndNeverWrittenOver) {
     EXPECT_EQ(reported(), "");
 }
 
+TEST_F(WindowFiles, AsksBeforeChangesAreLost) {
+    openPyramid();
+    document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
+    answer("Go back", [this] { press("Ctrl+W"); });
+    EXPECT_TRUE(document().isChanged());
+    EXPECT_TRUE(window.views().isVisible());
+    answer("Go back", [this] { EXPECT_FALSE(window.openFile(resourceScene("two_pyramids.scene"))); });
+    EXPECT_EQ(document().scene().name, "pyramid.scene");
+    answer("Go back", [this] { EXPECT_FALSE(window.close()); });
+    answer("Drop", [this] { EXPECT_TRUE(window.openFile(resourceScene("two_pyramids.scene"))); });
+    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
+    press("Ctrl+W");  // nothing has changed, and nothing is asked
+    EXPECT_FALSE(window.views().isVisible());
+}
+
+TEST(RecentFiles, OfOneNameAreToldApartByTheirFolder) {
+    EXPECT_EQ(recentNames({{"/a/scene.toml", {}}, {"/a/cube.obj", {}}, {"/b/scene.toml", {}}}),
+              QStringList({"scene.toml  –  /a", "cube.obj", "scene.toml  –  /b"}));
+}
+
 }  // namespace
 }  // namespace app

@@ -1,5 +1,6 @@
 #include <QAccessible>
 #include <QApplication>
+#include <QClipboard>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -255,6 +256,18 @@ TEST_F(WindowKeyboard, TheEquationsRingGoesWithTheFocus) {
     EXPECT_EQ(rim(), Theme::current().colors().focus);
     canvas()->setFocus();
     EXPECT_NE(rim(), Theme::current().colors().focus);
+}
+
+TEST_F(WindowKeyboard, TextFieldsCopyTheirOwnText) {
+    openPyramid();
+    canvas()->setFocus();
+    press("Ctrl+/");
+    auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_TRUE(field);
+    field->setText("x < 3");
+    field->selectAll();
+    press("Ctrl+C");
+    EXPECT_EQ(QApplication::clipboard()->text(), "x < 3");
 }
 
 }  // namespace

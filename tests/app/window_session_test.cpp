@@ -1,7 +1,6 @@
 // What the window shows, kept and shown again: states, sessions, recent files, and the question before changes are lost.
 #include <QClipboard>
 #include <QFile>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QSplitter>
 #include <QTest>
@@ -199,18 +198,6 @@ TEST_F(WindowSession, WhatIsNoStateIsToldWithItsPlaceAndNothingChanges) {
     EXPECT_EQ(document().pixel(), glm::ivec2(3, 4));
 }
 
-TEST_F(WindowSession, TextFieldsCopyTheirOwnText) {
-    openPyramid();
-    canvas()->setFocus();
-    press("Ctrl+/");
-    auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
-    ASSERT_TRUE(field);
-    field->setText("x < 3");
-    field->selectAll();
-    press("Ctrl+C");
-    EXPECT_EQ(QApplication::clipboard()->text(), "x < 3");
-}
-
 TEST_F(WindowSession, TheNextStartShowsWhatWasLeftAndTheChangesAreStillUnsaved) {
     window.startSession(folder.path(), true);
     EXPECT_FALSE(document().hasScene());
@@ -361,21 +348,6 @@ TEST_F(WindowSession, SwitchedOffItBeginsOnTheStartPageAndLeavesNothing) {
     EXPECT_FALSE(QFile::exists(file.file()));
 }
 
-TEST_F(WindowSession, AsksBeforeChangesAreLost) {
-    openPyramid();
-    document().change(*findSetting(document().scene(), "camera.theta"), 47.25);
-    answer("Go back", [this] { press("Ctrl+W"); });
-    EXPECT_TRUE(document().isChanged());
-    EXPECT_TRUE(window.views().isVisible());
-    answer("Go back", [this] { EXPECT_FALSE(window.openFile(resourceScene("two_pyramids.scene"))); });
-    EXPECT_EQ(document().scene().name, "pyramid.scene");
-    answer("Go back", [this] { EXPECT_FALSE(window.close()); });
-    answer("Drop", [this] { EXPECT_TRUE(window.openFile(resourceScene("two_pyramids.scene"))); });
-    EXPECT_EQ(document().scene().name, "two_pyramids.scene");
-    press("Ctrl+W");  // nothing has changed, and nothing is asked
-    EXPECT_FALSE(window.views().isVisible());
-}
-
 TEST_F(WindowSession, AnotherArrangementOfViewsAloneIsKeptSoon) {
     window.startSession(folder.path(), false);
     openPyramid();
@@ -397,11 +369,6 @@ TEST_F(WindowSession, AnotherArrangementOfViewsAloneIsKeptSoon) {
     const std::string moved = window.views().arrangement();
     EXPECT_NE(moved, "compare");
     EXPECT_TRUE(QTest::qWaitFor([&] { return kept() == moved; }, 20000));
-}
-
-TEST(RecentFiles, OfOneNameAreToldApartByTheirFolder) {
-    EXPECT_EQ(recentNames({{"/a/scene.toml", {}}, {"/a/cube.obj", {}}, {"/b/scene.toml", {}}}),
-              QStringList({"scene.toml  –  /a", "cube.obj", "scene.toml  –  /b"}));
 }
 
 TEST_F(WindowSession, ARecentFileOpensWhereItWasLeft) {

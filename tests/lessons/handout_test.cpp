@@ -49,12 +49,15 @@ protected:
 };
 
 TEST_F(HandoutOfThePyramid, HasEveryPageWithItsPicturesAndQuestion) {
-    std::size_t pictures = 0, questions = 0;
+    std::size_t pictures = 0, tables = 0, questions = 0;
     for (const Page& page : m_lesson.pages) {
         EXPECT_TRUE(has(m_handout.pages, page.heading)) << page.heading;
-        pictures += page.state.buffers.size(), questions += page.question.has_value();
+        for (const pipeline::BufferName& buffer : page.state.buffers)
+            ++(pipeline::bufferInfo(buffer.id).domain == pipeline::Domain::Pixel ? pictures : tables);
+        questions += page.question.has_value();
     }
     EXPECT_EQ(count(m_handout.pages, "<img src=\"data:image/png;base64,"), pictures);
+    EXPECT_EQ(count(m_handout.pages, "<table"), tables) << "what polygons have is no picture";
     EXPECT_EQ(count(m_handout.pages, "class=question"), questions);
     EXPECT_EQ(count(m_handout.answers, "class=answer"), questions);
     EXPECT_FALSE(has(m_handout.pages, "<script"));

@@ -1,0 +1,189 @@
+// Commands and keys, found by their words.
+#include <QDockWidget>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScreen>
+#include <QTest>
+#include <QTimer>
+#include <map>
+#include "app/core/theme.h"
+#include "app/desktop/actions.h"
+#include "app/desktop/command_palette.h"
+#include "app/desktop/even_splitter.h"
+#include "app/desktop/key_sheet.h"
+#include "app/desktop/layout_store.h"
+#include "app/desktop/panel_table.h"
+#include "app/desktop/view_area.h"
+#include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_view.h"
+#include "app/panels/lesson_panel.h"
+#include "tests/app/window_fixture.h"
+
+namespace app {
+namespace {
+
+class WindowCommands : public WindowTest {};
+
+TEST_F(WindowCommands, CommandIsFoundByAPartOfItsName) {
+    openPyramid();
+    press("Ctrl+Shift+P");
+    auto* field = find<QLineEdit>("commandField");
+    ASSERT_TRUE(field->isVisible());
+    QTest::keyClicks(field, "z-buf");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_FALSE(field->isVisible());
+    EXPECT_EQ(document().stage(), pipeline::StageId::ZBuffer);
+}
+
+TEST_F(WindowCommands, ACommandIsFoundByWordsInAnyOrderTheBestFirst) {
+    press("Ctrl+Shift+P");
+    QTest::keyClicks(find<QLineEdit>("commandField"), "point light shadow");
+    auto* list = find<CommandPalette>("commandPalette")->findChild<QListWidget*>();
+    ASSERT_GT(list->count(), 0);
+    EXPECT_EQ(list->item(0)->text(), "Shadow of a point light");
+}
+
+TEST_F(WindowCommands, ACommandThatNothingIsCalledSaysSo) {
+    press("Ctrl+Shift+P");
+    auto* field = find<QLineEdit>("commandField");
+    const auto says = [this] {
+        for (const auto* label : find<CommandPalette>("commandPalette")->findChildren<QLabel*>())
+            if (label->isVisible() && label->text() == "Nothing is called so.") return true;
+        return false;
+    };
+    EXPECT_FALSE(says());
+    QTest::keyClicks(field, "qqqq");
+    EXPECT_TRUE(says());
+    EXPECT_EQ(field->accessibleDescription(), "Nothing is called so.");
+    field->clear();
+    EXPECT_FALSE(says());
+}
+
+TEST_F(WindowCommands, ASettingAndALessonAreFoundAmongTheCommands) {
+    openPyramid();
+    const auto run = [this](const char* words) {
+        press("Ctrl+Shift+P");
+        auto* field = find<QLineEdit>("commandField");
+        QTest::keyClicks(field, words);
+        QTest::keyClick(field, Qt::Key_Return);
+        QTest::qWait(50);
+    };
+    find<QDockWidget>("settings")->hide();
+    run("material.0.n");
+    EXPECT_TRUE(find<QDockWidget>("settings")->isVisible());
+    EXPECT_EQ(QApplication::focusWidget()->objectName(), "material.0.n");
+    auto* lessons = window.findChild<LessonPanel*>();
+    ASSERT_EQ(lessons->lesson(), nullptr);
+    run("from its file to its last pixel");
+    ASSERT_NE(lessons->lesson(), nullptr);
+    EXPECT_EQ(lessons->lesson()->name, "pyramid");
+}
+
+// Beside the buffer that a page names the views show what the stage leaves.
+TEST_F(WindowCommands, NoPageOfALessonShowsOneBufferTwice) {
+    window.resize(1600, 1000);
+    window.openLesson("pyramid");
+    auto* lessons = window.findChild<LessonPanel*>();
+    for (int page = 0; page < int(lessons->lesson()->pages.size()); ++page) {
+        lessons->goTo(page);
+        ASSERT_TRUE(waitForFrame());
+        ASSERT_TRUE(window.views().hasSecond());
+        EXPECT_NE(window.views().first().buffer().text(), window.views().second().buffer().text()) << page + 1;
+    }
+}
+
+TEST_F(WindowCommands, BuffersAreNoCommandsOnceTheSceneIsClosed) {
+    const auto offers = [this](const QString& name) {
+        press("Ctrl+Shift+P");
+        auto* palette = find<CommandPalette>("commandPalette");
+        const bool found = !palette->findChild<QListWidget*>()->findItems(name, Qt::MatchExactly).isEmpty();
+        palette->close();
+        return found;
+    };
+    openPyramid();
+    EXPECT_TRUE(offers("z_view"));
+    press("Ctrl+W");
+    EXPECT_FALSE(offers("z_view"));
+    EXPECT_TRUE(offers("Open…"));
+}
+
+TEST_F(WindowCommands, ThePaletteOpenedTwiceGivesTheFocusBackToTheView) {
+    openPyramid();
+    canvas()->setFocus();
+    press("Ctrl+Shift+P");
+    window.actions()[ActionId::RunCommand]->trigger();
+    QTest::keyClick(find<QLineEdit>("commandField"), Qt::Key_Escape);
+    EXPECT_EQ(QApplication::focusWidget(), canvas());
+}
+
+TEST(CommandMatch, PrefersBeginningsThenWordsThenLettersInOrder) {
+    EXPECT_GT(matchQuality("no", "Normals"), matchQuality("no", "Go to north"));
+    EXPECT_GT(matchQuality("pix", "Go to pixel…"), matchQuality("gtp", "Go to pixel…"));
+    EXPECT_GT(matchQuality("gtp", "Go to pixel…"), 0);
+    EXPECT_EQ(matchQuality("xq", "Go to pixel…"), 0);
+    EXPECT_GT(matchQuality("pixel go", "Go to pixel…"), matchQuality("ixel go", "Go to pixel…"));
+    EXPECT_GT(matchQuality("to pixel", "Go to pixel…"), matchQuality("pixel to", "Go to pixel…"))
+        << "as it stands there";
+    EXPECT_EQ(matchQuality("pixel north", "Go to pixel…"), 0) << "all of the words";
+    const app::PaletteEntry dark{"Dark", "View › Theme", "", "", {}};
+    EXPECT_GT(matchQuality("theme", dark), matchQuality("tm", "The mean"));
+    EXPECT_LT(matchQuality("theme", dark), matchQuality("theme", "A theme"));
+    EXPECT_EQ(matchQuality("", dark), 1);
+    EXPECT_EQ(matchQuality("theme dark", dark), matchQuality("dark view", dark)) << "name and place together";
+    EXPECT_GT(matchQuality("theme dark", dark), 0);
+}
+
+TEST_F(WindowCommands, KeysAreListedAndEscapeClosesTheList) {
+    openPyramid();
+    canvas()->setFocus();
+    QTest::keyClick(canvas(), Qt::Key_H);
+    auto* sheet = find<KeySheet>("keySheet");
+    ASSERT_TRUE(sheet->isVisible());
+    QWidget* field = QApplication::focusWidget();
+    ASSERT_TRUE(sheet->isAncestorOf(field));
+    QTest::keyClicks(field, "fit buffer");
+    EXPECT_FALSE(sheet->shown().empty());
+    for (const KeyRow& row : sheet->shown()) EXPECT_EQ(row.region, "In a buffer") << row.what.toStdString();
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_FALSE(sheet->isVisible());
+}
+
+TEST_F(WindowCommands, AllKeysOfAnActionAreListed) {
+    EXPECT_EQ(keysText(*window.actions()[ActionId::Redo]), "Ctrl+Shift+Z or Ctrl+Y");
+    EXPECT_EQ(keysText(*window.actions()[ActionId::NextStage]), "Ctrl+→");
+    openPyramid();
+    canvas()->setFocus();
+    QTest::keyClick(canvas(), Qt::Key_H);
+    const auto* sheet = find<KeySheet>("keySheet");
+    EXPECT_LE(sheet->width(), window.width());
+    QTest::keyClicks(QApplication::focusWidget(), "ctrl+y");
+    ASSERT_EQ(sheet->shown().size(), 1u);
+    EXPECT_EQ(sheet->shown()[0].what, "Redo");
+}
+
+TEST(Keys, AreFoundByAnyOfTheirWords) {
+    const std::vector<KeyRow> rows{{"Run", "Step back", "Shift+F10"}, {"In a buffer", "Loupe", "Z"}};
+    EXPECT_EQ(rowsWith(rows, ""), rows);
+    EXPECT_EQ(rowsWith(rows, "f10 STEP"), std::vector<KeyRow>{rows[0]});
+    EXPECT_EQ(rowsWith(rows, "loupe run"), std::vector<KeyRow>());
+}
+
+// Two that share a key: Qt calls neither.
+TEST(Keys, AreEachGivenOnce) {
+    std::map<QString, std::string> owners;
+    const auto add = [&](const char* keys, const char* owner) {
+        for (const QString& key : QString(keys).split("; ", Qt::SkipEmptyParts)) {
+            const auto [at, isNew] = owners.try_emplace(key, owner);
+            EXPECT_TRUE(isNew) << key.toStdString() << ": " << at->second << " and " << owner;
+        }
+    };
+    for (const ActionRow& row : actionTable()) add(row.keys, row.text);
+    for (const PanelRow& row : panelTable()) add(row.keys, row.title);
+}
+
+}  // namespace
+}  // namespace app
