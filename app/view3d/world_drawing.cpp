@@ -122,11 +122,19 @@ private:
         }
     }
 
+    // In pixels at their base, whose size in the world is `unit`. In a wide view one that points to the observer would
+    // else reach so near to it that its head covers everything.
+    double vectorLength(Vec3d base, double unit) const {
+        constexpr double kMostOfTheWay = 0.4;
+        const OrbitCamera& camera = m_view.camera;
+        if (camera.orthographic) return m_options.vectorLength;
+        return std::min(m_options.vectorLength, kMostOfTheWay * glm::length(base - camera.position()) / unit);
+    }
+
     void vectors() {
         for (const VectorArrow& v : m_content.vectors) {
             if (!m_options.shows(v.code)) continue;
-            const double length = m_options.vectorLength * (v.main ? 1 : 0.6);
-            const double unit = unitAt(v.base);
+            const double unit = unitAt(v.base), length = vectorLength(v.base, unit) * (v.main ? 1 : 0.6);
             const ShapePlacement placement{v.base, v.direction, towardsObserver(v.base), unit};
             m_drawing.vectors.push_back(
                 {inkOf(v.code), arrow(v.code, length, kArrowRadius * (v.main ? 1 : 0.6), placement), unit});
@@ -140,7 +148,8 @@ private:
         }
         for (const SpecularLobe& lobe : m_content.lobes)
             if (m_options.lobe)
-                addLobe(lobe, m_options.vectorLength * unitAt(lobe.base) * (lobe.main ? 1 : 0.6), m_drawing);
+                addLobe(lobe, vectorLength(lobe.base, unitAt(lobe.base)) * unitAt(lobe.base) * (lobe.main ? 1 : 0.6),
+                        m_drawing);
         const auto marker = [this](const std::optional<Vec3d>& at) -> std::optional<Drawing::Marker> {
             if (!at) return {};
             return Drawing::Marker{*at, isHidden(m_content, m_view.camera, *at)};
