@@ -27,9 +27,11 @@ ConditionMask maskAt(const Steps& steps, Moment moment, const Condition& conditi
 template <class IsIt>
 std::optional<ConditionStop> firstStep(const Steps& steps, Moment begin, std::int64_t end, const std::stop_token& stop,
                                        IsIt isIt) {
-    for (Moment at = begin; at.done < end && !stop.stop_requested();) {
-        ++at.done;
-        if (const auto pixel = steps.pixelOf(at); pixel && isIt(*pixel)) return ConditionStop{at, *pixel};
+    while (begin.done < end && !stop.stop_requested()) {
+        Moment at = begin;
+        for (const glm::ivec2 pixel : steps.pixelsToCome(begin))
+            if (++at.done <= end && isIt(pixel)) return ConditionStop{at, pixel};
+        begin = steps.next(begin, pipeline::StepLevel::Polygon).value_or(Moment{begin.stage, end});
     }
     return std::nullopt;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -118,10 +119,14 @@ std::size_t countBehind(const std::filesystem::path& folder, std::size_t picture
 std::vector<Moment> filmMoments(const Steps& steps, const FilmRequest& request) {
     const Moment to = steps.fitting(request.to);
     std::vector<Moment> all{steps.fitting(request.from)};
-    while (all.back() < to) {
-        const auto next = steps.next(all.back(), request.level);
-        all.push_back(next ? std::min(*next, to) : to);
+    for (std::size_t stage = index(all[0].stage); stage <= index(to.stage); ++stage) {
+        const StageId id = kStages[stage];
+        std::vector<std::int64_t> ends = steps.ends(id, request.level, std::numeric_limits<std::int64_t>::max());
+        if (steps.runs(id) && steps.total(id) == 0) ends.push_back(0);
+        for (const std::int64_t end : ends)
+            if (const Moment moment{id, end}; all.back() < moment && moment < to) all.push_back(moment);
     }
+    if (all.back() < to) all.push_back(to);
     const std::size_t most = std::max<std::size_t>(2, request.pictures);
     if (all.size() <= most) return all;
     std::vector<Moment> some;

@@ -162,7 +162,20 @@ std::vector<std::int64_t> Steps::ends(StageId stage, StepLevel level, std::int64
     std::vector<std::int64_t> all;
     const std::int64_t last = total(stage);
     if (!runs(stage) || last == 0 || count(stage, level) > atMost) return all;
-    for (std::int64_t tick = 0; tick < last; tick = all.back()) all.push_back(end(stage, tick, level));
+    if (level != StepLevel::Scanline) {
+        for (std::int64_t tick = 0; tick < last; tick = all.back()) all.push_back(end(stage, tick, level));
+        return all;
+    }
+    // The rows of an element are found by looking through its pixels: once for all of them.
+    for (const StepPhase& phase : phases(stage)) {
+        for (std::size_t i = 0; i < phase.count; ++i) {
+            const std::int64_t first = phase.first + phase.begin(i);
+            if (phase.rows.empty())
+                all.push_back(phase.first + phase.end(i));
+            else
+                for (const std::int64_t row : rowEnds({stage, &phase, i})) all.push_back(first + row);
+        }
+    }
     return all;
 }
 
@@ -241,6 +254,21 @@ std::optional<glm::ivec2> Steps::pixelOf(Moment moment) const {
     const Reach reach = reachOf(m_source->spans(moment.stage, spot.element),
                                 moment.done - spot.phase->first - spot.phase->begin(spot.element));
     return glm::ivec2(reach.x - 1, reach.row);
+}
+
+std::vector<glm::ivec2> Steps::pixelsToCome(Moment moment) const {
+    moment = fitting(moment);
+    if (moment.done == total(moment.stage)) return {};
+    const Spot spot = at(moment.stage, moment.done);
+    if (spot.phase->rows.empty()) return {};
+    std::int64_t over = moment.done - spot.phase->first - spot.phase->begin(spot.element);
+    std::vector<glm::ivec2> pixels;
+    for (const PixelSpan& span : m_source->spans(moment.stage, spot.element)) {
+        const int past = int(std::min<std::int64_t>(over, span.length()));
+        for (int x = span.first + past; x <= span.last; ++x) pixels.emplace_back(x, span.y);
+        over -= past;
+    }
+    return pixels;
 }
 
 std::optional<std::uint32_t> Steps::polygonOf(Moment moment) const {

@@ -42,6 +42,8 @@ public:
 
     // The pixel that was drawn or shaded last, where the stage goes by pixels.
     std::optional<glm::ivec2> pixelOf(Moment moment) const;
+    // Likewise, of each smallest step from there to the end of the polygon or piece that it lies in, in order.
+    std::vector<glm::ivec2> pixelsToCome(Moment moment) const;
     // The polygon that the stage was last at, over all objects; nothing where it was at none.
     std::optional<std::uint32_t> polygonOf(Moment moment) const;
 

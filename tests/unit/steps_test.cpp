@@ -36,6 +36,25 @@ TEST(Steps, CountWhatTheStagesWorkThrough) {
     EXPECT_EQ(steps.count(StageId::ZBuffer, StepLevel::Pixel), fragments);
 }
 
+// Each as pixelOf names it alone, from the middle of a row as well, to the end of the polygon and no further.
+TEST(Steps, ThePixelsToComeAreThoseOfOneStepAfterTheOther) {
+    Scene scene = test::pyramid();
+    scene.settings.shading = Shading::Phong;  // whose first steps are pixels
+    const Steps steps(test::frameOf(scene, setOf({BufferId::Color})));
+    for (const StageId stage : {StageId::ZBuffer, StageId::Shading}) {
+        const std::int64_t polygon = steps.next({stage, 0}, StepLevel::Polygon)->done;
+        const std::int64_t row = steps.next({stage, 0}, StepLevel::Scanline)->done;
+        for (const std::int64_t from : {std::int64_t(0), std::int64_t(1), row, row + 1, polygon - 1}) {
+            const std::vector<glm::ivec2> pixels = steps.pixelsToCome({stage, from});
+            ASSERT_EQ(std::int64_t(pixels.size()), polygon - from);
+            for (std::size_t i = 0; i < pixels.size(); ++i)
+                ASSERT_EQ(steps.pixelOf({stage, from + std::int64_t(i) + 1}), pixels[i]) << from << " " << i;
+        }
+        EXPECT_TRUE(steps.pixelsToCome({stage, steps.total(stage)}).empty());
+    }
+    EXPECT_TRUE(steps.pixelsToCome(steps.first()).empty()) << "vertices have no pixels";
+}
+
 // Fast arithmetic leaves out what the steps of shading read: they make it up, and come to the same picture.
 TEST(Steps, ShadeInFastArithmeticToo) {
     Scene scene = test::pyramid();
