@@ -11,14 +11,12 @@ namespace app {
 
 namespace {
 
-constexpr QChar kMinus(0x2212);
-
 QString scientific(double value, int digits) {
     if (value == 0) return "0";
     QString text = QString::number(std::abs(value), 'e', digits);  // "3.9e-06"
     const qsizetype e = text.indexOf('e');
     text = text.left(e + 1) + QString::number(text.mid(e + 1).toInt());
-    return value < 0 ? kMinus + text : text;
+    return value < 0 ? QChar(0x2212) + text : text;
 }
 
 // −0 keeps its sign: it is a bit of the number.
@@ -27,7 +25,7 @@ QString hexadecimal(double value) {
     const auto end =
         std::to_chars(digits.data(), digits.data() + digits.size(), std::abs(value), std::chars_format::hex).ptr;
     const QString text = "0x" + QString::fromLatin1(digits.data(), end - digits.data());
-    return std::signbit(value) ? kMinus + text : text;
+    return std::signbit(value) ? QChar(0x2212) + text : text;
 }
 
 // With fewer and fewer digits until it fits.

@@ -86,9 +86,9 @@ void fillColor(QImage& image, std::span<const T> numbers, PaletteRange range, co
     });
 }
 
-bool isVector(const BufferInfo& info) { return info.palette == Palette::Direction && info.unit.empty(); }
-
 }  // namespace
+
+bool isVector(const BufferInfo& info) { return info.palette == Palette::Direction && info.unit.empty(); }
 
 Palette shownPalette(const BufferInfo& info, ShownChannel channel) {
     if (info.channels == 1 || channel == ShownChannel::All) return info.palette;

@@ -19,6 +19,8 @@ struct BufferLook {
 // The palette of a channel: one alone of a colour is grey, of a direction diverging, of an
 // intensity a scale.
 pipeline::Palette shownPalette(const pipeline::BufferInfo& info, ShownChannel channel);
+// Unit vectors, whose numbers lie between -1 and 1.
+bool isVector(const pipeline::BufferInfo& info);
 // Stands on polygons or vertices, and has no pixels of its own.
 bool standsOnShapes(const pipeline::BufferInfo& info);
 // Values become colours by a range that can be chosen; 8-bit colours, directions and names do not.

@@ -42,8 +42,6 @@ QString verdictText(double value) {
     return QString::fromUtf8(name.data(), qsizetype(name.size()));
 }
 
-bool isVector(const BufferInfo& info) { return info.palette == Palette::Direction && info.unit.empty(); }
-
 }  // namespace
 
 QString valueText(const AnyBuffer& buffer, double value, int characters) {

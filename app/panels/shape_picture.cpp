@@ -14,14 +14,13 @@ using pipeline::Palette;
 
 namespace {
 
-QColor toColor(pipeline::Color8 c) { return {c.r, c.g, c.b}; }
-
 QColor colorOf(const AnyBuffer& buffer, std::size_t row, const BufferLook& look) {
-    const Palette palette = shownPalette(*buffer.info, look.channel);
-    if (buffer.channels() == 3 && look.channel == ShownChannel::All)
-        return toColor(elementColor(buffer, 0, row, look.range));
-    return toColor(
-        paletteColor(palette, buffer.value(0, row, firstOf(look.channel)), look.range.first, look.range.last));
+    const pipeline::Color8 c =
+        buffer.channels() == 3 && look.channel == ShownChannel::All
+            ? elementColor(buffer, 0, row, look.range)
+            : paletteColor(shownPalette(*buffer.info, look.channel), buffer.value(0, row, firstOf(look.channel)),
+                           look.range.first, look.range.last);
+    return {c.r, c.g, c.b};
 }
 
 QString rowText(const AnyBuffer& buffer, std::size_t row, ShownChannel channel) {

@@ -10,14 +10,14 @@ namespace app {
 
 namespace {
 
-constexpr int kAround = 72;
+constexpr int kCirclePieces = 72;
 
 void addCircle(Vec3d centre, Vec3d a, Vec3d b, Ink ink, float strength, std::vector<InkedLine>& lines) {
     const auto at = [&](int i) {
-        const double angle = 2 * std::numbers::pi * i / kAround;
+        const double angle = 2 * std::numbers::pi * i / kCirclePieces;
         return centre + std::cos(angle) * a + std::sin(angle) * b;
     };
-    for (int i = 0; i < kAround; ++i) lines.push_back({at(i), at(i + 1), ink, strength, strength});
+    for (int i = 0; i < kCirclePieces; ++i) lines.push_back({at(i), at(i + 1), ink, strength, strength});
 }
 
 }  // namespace

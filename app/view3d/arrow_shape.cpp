@@ -11,15 +11,13 @@ namespace app {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // A surface of revolution about z: rings of `sides` points with the given radii and heights, from
 // the foot to the top, closed with a fan where the end's radius is 0.
 Solid turned(std::span<const glm::dvec2> profile, int sides) {
     Solid solid;
     for (const glm::dvec2& p : profile)
         for (int i = 0; i < sides; ++i) {
-            const double a = 2 * kPi * i / sides;
+            const double a = 2 * std::numbers::pi * i / sides;
             solid.positions.emplace_back(p.x * std::cos(a), p.x * std::sin(a), p.y);
         }
     const auto n = static_cast<unsigned>(sides);
@@ -66,7 +64,7 @@ Solid tip(VectorCode code, double length, double radius) {
         case VectorCode::V: break;  // faces the eye, so it is made where the eye is known
         case VectorCode::R: {
             // Each bar leans 40° off the shaft.
-            const double lean = s * size.length * std::tan(40 * kPi / 180);
+            const double lean = s * size.length * std::tan(40 * std::numbers::pi / 180);
             Solid solid = tube({0, 0, length - radius}, {lean, 0, back}, radius);
             append(solid, tube({0, 0, length - radius}, {-lean, 0, back}, radius));
             append(solid, ball({0, 0, length - radius}, radius, 12));
@@ -186,7 +184,7 @@ Solid ball(Vec3d centre, double radius, int around) {
     std::vector<glm::dvec2> profile;
     const int rows = around / 2;
     for (int i = 0; i <= rows; ++i) {
-        const double a = kPi * i / rows;
+        const double a = std::numbers::pi * i / rows;
         profile.emplace_back(radius * std::sin(a), -radius * std::cos(a));
     }
     Solid solid = turned(profile, around);
@@ -198,7 +196,7 @@ Solid ring(double radius, double tubeRadius) {
     constexpr int kSides = 10;
     std::vector<glm::dvec2> profile;
     for (int i = 0; i <= kSides; ++i) {
-        const double a = 2 * kPi * i / kSides;
+        const double a = 2 * std::numbers::pi * i / kSides;
         profile.emplace_back(radius + tubeRadius * std::cos(a), tubeRadius * std::sin(a));
     }
     return turned(profile, 28);

@@ -16,8 +16,6 @@
 
 namespace app {
 
-namespace {
-
 // Debian's GLEW is built for GLX: in an EGL context glewInit loads every function and then reports
 // that there is no GLX display, which VTK 9.1 takes for a failure.
 class SurfacelessRenderWindow : public vtkGenericOpenGLRenderWindow {
@@ -34,13 +32,11 @@ public:
         Initialized = true;
     }
 };
-vtkStandardNewMacro(SurfacelessRenderWindow)
+vtkStandardNewMacro(SurfacelessRenderWindow);
 
-    pipeline::Error noContext(const char* found) {
+static pipeline::Error noContext(const char* found) {
     return {{}, found, "an EGL that gives OpenGL 3.2 without a display"};
 }
-
-}  // namespace
 
 struct HeadlessWindow::Context {
     EGLDisplay display = EGL_NO_DISPLAY;

@@ -12,14 +12,13 @@ namespace app {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr int kMeridians = 12, kAround = 36, kSteps = 28;
+constexpr int kMeridians = 12, kPointsAround = 36, kSteps = 28;
 
 }  // namespace
 
 std::vector<glm::dvec2> lobeProfile(double exponent, int steps) {
     constexpr double kLeast = 0.01;
-    const double widest = exponent > 0 ? std::acos(std::pow(kLeast, 1 / exponent)) : kPi / 2;
+    const double widest = exponent > 0 ? std::acos(std::pow(kLeast, 1 / exponent)) : std::numbers::pi / 2;
     std::vector<glm::dvec2> profile;
     for (int i = 0; i <= steps; ++i) {
         const double a = widest * i / steps;
@@ -40,14 +39,15 @@ void addLobe(const SpecularLobe& lobe, double length, Drawing& drawing) {
     const auto profile = lobeProfile(lobe.exponent, kSteps);
     constexpr float kStrength = 0.75f;
     for (int m = 0; m < kMeridians; ++m) {
-        const double around = 2 * kPi * m / kMeridians;
+        const double around = 2 * std::numbers::pi * m / kMeridians;
         for (std::size_t i = 0; i + 1 < profile.size(); ++i)
             drawing.lines.push_back({at(profile[i], around), at(profile[i + 1], around), ink, kStrength, kStrength});
     }
     for (std::size_t i = 4; i < profile.size(); i += 4)
-        for (int k = 0; k < kAround; ++k)
-            drawing.lines.push_back({at(profile[i], 2 * kPi * k / kAround), at(profile[i], 2 * kPi * (k + 1) / kAround),
-                                     ink, kStrength, kStrength});
+        for (int k = 0; k < kPointsAround; ++k)
+            drawing.lines.push_back({at(profile[i], 2 * std::numbers::pi * k / kPointsAround),
+                                     at(profile[i], 2 * std::numbers::pi * (k + 1) / kPointsAround), ink, kStrength,
+                                     kStrength});
     if (!lobe.main) return;
     // From the foot to where the probe leaves the surface: its length is the factor.
     const Vec3d cut = lobe.base + length * lobe.power * lobe.probe;

@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-constexpr double kArrowRadius = 2;  // pixels of the design
+constexpr double kShaftRadius = 2;  // pixels of the design
 constexpr double kGridReach = 3.2;  // of the scene's radius
 
 // Grid lines are cut into pieces so that they can fade away from the scene.
@@ -137,7 +137,7 @@ private:
             const double unit = unitAt(v.base), length = vectorLength(v.base, unit) * (v.main ? 1 : 0.6);
             const ShapePlacement placement{v.base, v.direction, towardsObserver(v.base), unit};
             m_drawing.vectors.push_back(
-                {inkOf(v.code), arrow(v.code, length, kArrowRadius * (v.main ? 1 : 0.6), placement), unit});
+                {inkOf(v.code), arrow(v.code, length, kShaftRadius * (v.main ? 1 : 0.6), placement), unit});
             if (!v.main) continue;
             m_drawing.labels.push_back({.kind = Label::Kind::Letter,
                                         .at = v.base + length * unit * v.direction,
