@@ -123,12 +123,12 @@ const pipeline::CullOutput* cullOf(const Frame& frame) {
 }
 
 Result<Value> ofPolygon(const Node& call, Operands operands, const Frame& frame,
-                        Value (*give)(const Frame&, std::size_t polygon)) {
+                        Result<Value> (*give)(const Node& call, const Frame&, std::size_t polygon)) {
     const pipeline::CullOutput* const cull = cullOf(frame);
     if (!cull) return error(call, "no verdicts in this frame: cull has not run");
     const auto polygon = indexFrom(call, operands[0], cull->verdicts.size());
     if (!polygon) return polygon.errors();
-    return give(frame, *polygon);
+    return give(call, frame, *polygon);
 }
 
 template <double (*function)(double)>
@@ -152,19 +152,25 @@ constexpr auto kFunctions = std::to_array<Function>({
      }},
     {"signed_area", T::Polygon, "The area of a polygon in the picture, px²; below 0 when it is seen from behind.",
      [](const Node& call, Operands operands, const Frame& frame) {
-         return ofPolygon(call, operands, frame, [](const Frame& of, std::size_t i) {
-             return number(pipeline::readStages(
-                 of, [&](const auto& data) { return pipeline::signedArea(*data.transform, *data.cull, i); }));
+         return ofPolygon(call, operands, frame, [](const Node& at, const Frame& of, std::size_t i) -> Result<Value> {
+             const auto area = pipeline::readStages(
+                 of, [&](const auto& data) { return pipeline::signedArea(*data.transform, *data.cull, i); });
+             if (area) return number(*area);
+             return error(at,
+                          fmt::format("polygon {} has no area in the picture: {}", i, name(cullOf(of)->verdicts[i])));
          });
      }},
     {"verdict", T::Polygon, "The cull stage's verdict on a polygon, in words.",
      [](const Node& call, Operands operands, const Frame& frame) {
-         return ofPolygon(call, operands, frame,
-                          [](const Frame& of, std::size_t i) { return words(name(cullOf(of)->verdicts[i])); });
+         return ofPolygon(call, operands, frame, [](const Node&, const Frame& of, std::size_t i) -> Result<Value> {
+             return words(name(cullOf(of)->verdicts[i]));
+         });
      }},
-    {"setting", T::Setting, "The value of a setting of the scene.",
+    {"setting", T::Setting, "The value of a setting of the scene; of a choice or a switch the word.",
      [](const Node& call, Operands, const Frame& frame) -> Result<Value> {
-         return number(call.setting->get(frame.scene()));
+         const double value = call.setting->get(frame.scene());
+         const auto choices = call.setting->setting->choices;
+         return choices.empty() ? number(value) : words(choices[std::size_t(value)]);
      }},
     {"why", T::Stage, "Why the plan runs, reuses or leaves out a stage, in words.",
      [](const Node& call, Operands, const Frame& frame) -> Result<Value> {

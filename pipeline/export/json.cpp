@@ -156,7 +156,7 @@ Json toJson(const Frame& frame, const PixelReport& report) {
         culled.push_back({{"polygon", polygon.polygon},
                           {"letter", std::string(1, polygon.letter)},
                           {"reason", polygon.reason},
-                          {"signed_area", polygon.signedArea}});
+                          {"signed_area", polygon.signedArea ? Json(*polygon.signedArea) : Json()}});
     if (report.covered) {
         Json evaluations = Json::array(), weights = Json::array();
         for (const auto& [vertex, weight] : report.weights) weights.push_back({{"vertex", vertex}, {"weight", weight}});

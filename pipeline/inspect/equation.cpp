@@ -276,8 +276,11 @@ void Writer::weighted() {
 
 std::vector<EquationLine> equation(const Scene& scene, const PixelReport& report, int channel,
                                    const NumberText& chosen) {
-    if (report.evaluations.empty()) return {};
     Writer writer{scene, report, channel, chosen, {}};
+    if (report.evaluations.empty()) {
+        if (!report.layers.empty()) writer.frameBuffer();  // of the layers alone
+        return writer.lines;
+    }
     const bool single = scene.settings.shading != Shading::Gouraud;
     if (!single) {
         writer.weighted();

@@ -65,7 +65,8 @@ LightReport reportLight(std::size_t k, const Light& light, const LightSample<Rea
                   Vec3d(s.diffuse) + Vec3d(s.specular),
                   {}};
     if (!(s.nDotL > 0))
-        r.note = fmt::format("N·L is not above 0, so light {} adds nothing here.", k);
+        r.note = fmt::format("N·L is not above 0, so light {} adds {} here.", k,
+                             s.ambient == Vec3<Real>(0) ? "nothing" : "only its ambient part");
     else if (shadow == 0)
         r.note = fmt::format("In the {} of light {}: only the ambient term counts.",
                              light.kind == LightKind::Area ? "umbra" : "shadow", k);
@@ -228,7 +229,10 @@ void reportFragments(const FrameData<Real>& data, const std::stop_token& stop, P
         const FragmentVerdict verdict = !f.won         ? FragmentVerdict::NotNearer
                                         : i == lastWon ? FragmentVerdict::WonStays
                                                        : FragmentVerdict::Overwritten;
-        const std::string_view sign = f.won ? (reversed ? ">" : "<") : (reversed ? "≤" : "≥");
+        // What is as far away as the cleared buffer is nearer than nothing.
+        const std::string_view sign = f.won && f.depth == f.stored ? "="
+                                      : f.won                      ? (reversed ? ">" : "<")
+                                                                   : (reversed ? "≤" : "≥");
         report.fragments.push_back({polygon, f.depth, f.stored, verdict, sign});
     }
     for (std::size_t i = 0; i < record.size(); ++i)

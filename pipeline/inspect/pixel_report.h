@@ -30,7 +30,8 @@ struct FragmentReport {
     int polygon;
     double depth, stored;  // compared: the new one, and what the z-buffer held before (+inf: nothing)
     FragmentVerdict verdict;
-    std::string_view relation;  // that holds between the two: "<", "≥"; empty where they are not compared
+    std::string_view
+        relation;  // that holds between the two: "<", "≥", "=" of the first one at the depth of the cleared buffer; empty where they are not compared
     // What happens then to one that won, a line each: "light 0: z' 120.3 ≤ Z'[12][44] 120.3 + 0.02: lit".
     std::vector<std::string> shadows{};
 };
@@ -40,7 +41,8 @@ struct CulledReport {
     int polygon;
     char letter;         // B back-facing, D degenerate, O outside, T wholly transparent
     std::string reason;  // "back-facing, signed area −1 991.6 px²"
-    double signedArea;   // px², on the screen, below 0 where its back is seen; 0 where the verdict did not take it
+    std::optional<double>
+        signedArea;  // px², on the screen, below 0 where its back is seen; the verdict's, where it took one
 };
 
 // A translucent surface over the pixel, in the order in which they are laid over it.

@@ -1,6 +1,9 @@
 // What `inspect` prints.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "pipeline/inspect/formula_parts.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/scene/topology.h"
@@ -34,11 +37,18 @@ void addWhy(std::string& out, const Frame& frame, const PixelReport& r) {
 }
 
 void addEquations(std::string& out, const Frame& frame, const PixelReport& r) {
-    for (int c = 0; c < 3; ++c) {
-        out += fmt::format("\n{}\n", c == 0 ? "red" : c == 1 ? "green" : "blue");
-        for (const EquationLine& line : equation(frame.scene(), r, c)) {
-            // Vectors and dot products are the same for every channel.
-            if (c > 0 && (line.role == "row" || line.role == "note")) continue;
+    // Vectors and dot products are the same for every channel: they stand in the first that reads most of them.
+    const auto isShared = [](const EquationLine& line) { return line.role == "row" || line.role == "note"; };
+    std::array<std::vector<EquationLine>, 3> channels;
+    for (std::size_t c = 0; c < 3; ++c) channels[c] = equation(frame.scene(), r, int(c));
+    const auto most = std::ranges::max_element(
+        channels, {}, [&](const std::vector<EquationLine>& lines) { return std::ranges::count_if(lines, isShared); });
+    for (auto lines = channels.begin(); lines != channels.end(); ++lines) {
+        if (lines->empty()) continue;
+        constexpr std::array kNames{"red", "green", "blue"};
+        out += fmt::format("\n{}\n", kNames[std::size_t(lines - channels.begin())]);
+        for (const EquationLine& line : *lines) {
+            if (lines != most && isShared(line)) continue;
             const bool continues = line.role == "numbers" || line.role == "result";
             out += fmt::format("  {}{}", continues ? "    " : "", toText(line.formula));
             if (!line.remark.empty()) out += "   (" + line.remark + ")";
@@ -98,8 +108,8 @@ std::string toText(const Frame& frame, const PixelReport& r) {
             r.layers.empty() ? "  background: nothing was drawn here\n" : "  background, behind translucent surfaces\n";
     } else {
         addWhy(out, frame, r);
-        addEquations(out, frame, r);
     }
+    addEquations(out, frame, r);
     addLayers(out, r);
     addSamples(out, r);
     addFragments(out, r);

@@ -107,7 +107,8 @@ void addPolygons(const FramePtr& frame, SceneTable& table) {
     columns.push_back({"", "signed area", "pixels²", "On the screen; positive where its front is seen.", 2,
                        frame->whyAbsent({BufferId::PolygonsVerdict}), [frame](std::size_t p) -> Cell {
                            return readStages(*frame, [&](const auto& data) {
-                               return data.cull ? Cell(signedArea(*data.transform, *data.cull, p)) : Cell();
+                               const auto area = data.cull ? signedArea(*data.transform, *data.cull, p) : std::nullopt;
+                               return area ? Cell(*area) : Cell();
                            });
                        }});
     addBuffer(frame, BufferId::PolygonsNormal, {"n[0]", "n[1]", "n[2]"}, {" x", " y", " z"}, kUnitDecimals, columns);

@@ -38,19 +38,23 @@ std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t 
     const Light& from = data.keys.shading.lights[light];
     const bool atInfinity = from.kind == LightKind::AtInfinity;
     const Vec3d way = atInfinity ? from.position : from.position - position;
-    std::optional<std::uint32_t> first;
-    double nearest = atInfinity ? std::numeric_limits<double>::infinity() : 1;
+    const ShadowCull cull = data.keys.shadowBuffer.cull;
+    std::optional<std::uint32_t> last;
+    double farthest = 0;
     for (const Triangle& triangle : in.topology->triangles) {
         if (stop.stop_requested()) break;
         if (triangle.polygon == polygon) continue;
         if (!in.transparent.empty() && in.transparent[in.topology->objectOfPolygon(triangle.polygon)]) continue;
         const auto& v = triangle.vertices;
         const auto t = meets(position, way, Vec3d(in.world[v[0]]), Vec3d(in.world[v[1]]), Vec3d(in.world[v[2]]));
-        if (!t || *t >= nearest) continue;
-        nearest = *t;
-        first = triangle.polygon;
+        if (!t || *t <= farthest || !(atInfinity || *t < 1)) continue;
+        if (cull != ShadowCull::None &&
+            facesLight(data, light, position + *t * way, triangle.polygon, false) != (cull == ShadowCull::Back))
+            continue;
+        farthest = *t;
+        last = triangle.polygon;
     }
-    return first;
+    return last;
 }
 
 template <class Real>

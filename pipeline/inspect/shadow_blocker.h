@@ -10,9 +10,10 @@
 
 namespace pipeline {
 
-// The polygon, over all objects, that a straight way from a surface point to a light (an area light's centre) meets
-// first; the point's own polygon and what is wholly transparent are passed. Nothing where the way is free. By every
-// triangle in turn, in double: the answer that the shadow buffer of lecture 1 stands for. Of those before it is stopped.
+// The polygon, over all objects, nearest to a light (an area light's centre) of those that a straight way from a surface
+// point to it meets: the one whose depth its shadow buffer holds there. The point's own polygon, what is wholly
+// transparent and what `shadow.cull` leaves out are passed. Nothing where the way is free. By every triangle in turn, in
+// double: the answer that the shadow buffer of lecture 1 stands for. Of those before it is stopped.
 // T. Möller and B. Trumbore, "Fast, minimum storage ray-triangle intersection", Journal of Graphics Tools 2, 1997.
 template <class Real>
 std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t light, Vec3d position,

@@ -108,9 +108,9 @@ void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t
 }
 
 template <class Real>
-double signedArea(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon) {
+std::optional<double> signedArea(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon) {
     const Verdict verdict = cull.verdicts[polygon];
-    if (!goesOn(verdict) && verdict != Verdict::BackFacing && verdict != Verdict::Degenerate) return 0;
+    if (!goesOn(verdict) && verdict != Verdict::BackFacing && verdict != Verdict::Degenerate) return {};
     return screenArea(in, polygon, cull.inside[polygon] != 0).signedArea;
 }
 
@@ -118,14 +118,14 @@ template <class Real>
 std::string reason(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon) {
     const Verdict verdict = cull.verdicts[polygon];
     if (verdict == Verdict::BackFacing)
-        return fmt::format("back-facing, signed area −{:.1f} px²", -signedArea(in, cull, polygon));
+        return fmt::format("back-facing, signed area −{:.1f} px²", -*signedArea(in, cull, polygon));
     if (verdict == Verdict::Degenerate) return "degenerate, area 0 after snapping";
     return std::string(name(verdict));
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                            \
     template void cull(const CullInputs&, const TransformOutput<Real>&, std::size_t, std::size_t, CullOutput&); \
-    template double signedArea(const TransformOutput<Real>&, const CullOutput&, std::size_t);                   \
+    template std::optional<double> signedArea(const TransformOutput<Real>&, const CullOutput&, std::size_t);    \
     template std::string reason(const TransformOutput<Real>&, const CullOutput&, std::size_t);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,10 +46,10 @@ void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t
           CullOutput& out);
 
 // Of a polygon, px²; positive for a front face (counter-clockwise as seen, mirroring undone). Of the part inside near,
-// far and guard band; computed on snapped corners, exact. 0 where the verdict did not take it. Nothing keeps it: it
+// far and guard band; computed on snapped corners, exact. Nothing where the verdict did not take it. Nothing keeps it: it
 // costs what the stage costs for that polygon.
 template <class Real>
-double signedArea(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon);
+std::optional<double> signedArea(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon);
 // "back-facing, signed area −1 991.6 px²"
 template <class Real>
 std::string reason(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon);

@@ -275,14 +275,14 @@ TEST_F(InspectorPanelTest, PolygonVerticesAndObjectAreJumps) {
     EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Object, 0}));
 }
 
-// Below the box stands its bottom, polygon 6, before the light.
+// Below the box stands its top, polygon 7, nearest to the light.
 TEST_F(InspectorPanelTest, TheShadowIsAJumpToWhatCastsIt) {
     const pipeline::Scene scene = test::boxOverGround();
     const auto frame = test::frameOf(scene);
     std::optional<glm::ivec2> shadowed;
     for (int y = 0; y < scene.settings.height && !shadowed; ++y)
         for (int x = 0; x < scene.settings.width && !shadowed; ++x)
-            if (blockersOf(*frame, inspectPixel(*frame, {x, y})) == std::vector<int>{6}) shadowed = glm::ivec2(x, y);
+            if (blockersOf(*frame, inspectPixel(*frame, {x, y})) == std::vector<int>{7}) shadowed = glm::ivec2(x, y);
     ASSERT_TRUE(shadowed);
     auto* why = panel.findChild<app::WhySection*>();
     const auto shadow = why->findChildren<QToolButton*>()[6];
@@ -294,7 +294,7 @@ TEST_F(InspectorPanelTest, TheShadowIsAJumpToWhatCastsIt) {
     shadow->click();
     ASSERT_EQ(buffers.size(), 1);
     EXPECT_EQ(buffers[0][0].value<pipeline::BufferName>(), (pipeline::BufferName{pipeline::BufferId::ShadowBuffer, 0}));
-    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, 6}));
+    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, 7}));
     EXPECT_EQ(document.stage(), pipeline::StageId::ShadowBuffer);
 }
 

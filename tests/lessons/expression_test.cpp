@@ -58,6 +58,8 @@ TEST_F(Expressions, ReadTheResultsOfTheProgram) {
     EXPECT_EQ(valueOf("setting(material.0.n)"), "8");
     EXPECT_EQ(valueOf("largest(polygon_id)"), "3");
     EXPECT_EQ(valueOf("smallest(polygon_id)"), "\u22121");
+    EXPECT_EQ(valueOf("setting(shading)"), "flat");
+    EXPECT_EQ(valueOf("setting(leave_out)"), "on");
     EXPECT_EQ(valueOf("why(shadow-buffer)"), "The only object is convex: it cannot shadow itself.");
 }
 

@@ -22,7 +22,7 @@ FramePtr frameOf(Vec3d a, Vec3d b, Vec3d c, Vec3d scale = Vec3d(1), CullMode mod
 Verdict verdictOf(Vec3d a, Vec3d b, Vec3d c, Vec3d scale = Vec3d(1), CullMode mode = CullMode::Back) {
     return Verdict(int(frameOf(a, b, c, scale, mode)->buffer({BufferId::PolygonsVerdict})->flat(0)));
 }
-double areaOf(Vec3d a, Vec3d b, Vec3d c, Vec3d scale = Vec3d(1), CullMode mode = CullMode::Back) {
+std::optional<double> areaOf(Vec3d a, Vec3d b, Vec3d c, Vec3d scale = Vec3d(1), CullMode mode = CullMode::Back) {
     const FramePtr frame = frameOf(a, b, c, scale, mode);
     return readStages(*frame, [](const auto& data) { return signedArea(*data.transform, *data.cull, 0); });
 }
@@ -85,7 +85,8 @@ TEST(Cull, FindsTheSignedAreaOfWhateverTheVerdictTookItFor) {
     EXPECT_EQ(areaOf(kA, kC, kB, Vec3d(1), CullMode::None), -50);
     EXPECT_EQ(areaOf(kA, kB, kC, {-1, 1, 1}), 50);  // mirroring undone
     const Vec3d beside{30, 0, 0};
-    EXPECT_EQ(areaOf(kA + beside, kB + beside, kC + beside), 0);  // outside the right plane: no area was taken
+    EXPECT_EQ(areaOf(kA + beside, kB + beside, kC + beside),
+              std::nullopt);  // outside the right plane: no area was taken
 }
 
 }  // namespace

@@ -116,8 +116,9 @@ TEST(Equation, WordsForLatexKeepWhatPlainTextHas) {
     EXPECT_EQ(latexWords("N·L ≤ 0"), "N$\\cdot$L $\\le$ 0");
 }
 
-// Below the box every point is in the shadow of its
-// bottom, face 0 of the box (polygons 6 to 11, after the ground's). A constant bias of 0 in a coarse buffer shadows what
+// Below the box every point is in the shadow of the box (polygons 6 to 11, after the ground's): of its top, face 1, which
+// is nearest to the light straight above; of its bottom, face 0, where the shadow buffer leaves out what faces the light,
+// and of the top again where it leaves out what faces away. A constant bias of 0 in a coarse buffer shadows what
 // nothing stands before.
 TEST(Equation, NamesThePolygonThatCastsTheShadow) {
     Scene scene = test::boxOverGround();
@@ -136,9 +137,14 @@ TEST(Equation, NamesThePolygonThatCastsTheShadow) {
             if (note.starts_with(from) && note.find(to) != std::string::npos) found += count;
         return found;
     };
-    EXPECT_GT(countOf(notes(scene),
-                      "In the shadow of polygon 6 of box, before light 0: only the ambient term counts (z' ", " > Z'["),
-              50);
+    for (const auto& [cull, polygon] :
+         {std::pair{ShadowCull::None, 7}, {ShadowCull::Front, 6}, {ShadowCull::Back, 7}}) {
+        scene.settings.shadowCull = cull;
+        const std::string from = fmt::format(
+            "In the shadow of polygon {} of box, before light 0: only the ambient term counts (z' ", polygon);
+        EXPECT_GT(countOf(notes(scene), from.c_str(), " > Z'["), 50) << int(cull);
+    }
+    scene.settings.shadowCull = ShadowCull::None;
     scene.lights[0].position = {1, -0.5, 1};
     scene.settings.shadowSize = 64;
     scene.settings.shadowBias = ShadowBias::Constant;
@@ -284,6 +290,54 @@ TEST(PixelReport, OfEveryModelSumsUp) {
             EXPECT_EQ(symbols.find("k_e") != std::string::npos, model == Model::OpenGl) << symbols;
         }
     }
+}
+
+// Behind N·L <= 0 OpenGL's light still adds its ambient part, attenuated like the others.
+TEST(PixelReport, ALightBehindASurfaceAddsItsAmbientPartInOpenGl) {
+    Scene scene = test::pyramid();
+    scene.settings.model = Model::OpenGl;
+    scene.lights[0].position = -scene.lights[0].position;
+    for (const double ambient : {0.0, 0.1}) {
+        scene.lights[0].gl.ambient = Vec3d(ambient);
+        const std::string note = inspectPixel(*test::frameOf(scene), {268, 281}).evaluations[0].lights[0].note;
+        EXPECT_EQ(note, fmt::format("N·L is not above 0, so light 0 adds {} here.",
+                                    ambient == 0 ? "nothing" : "only its ambient part"));
+    }
+}
+
+// A square in the far plane, whose reversed depth is 0, that of the cleared buffer: nothing was there, and it is drawn.
+TEST(PixelReport, WhatIsAsFarAsTheClearedBufferEqualsIt) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 16;
+    scene.settings.depthFormat = DepthFormat::Reversed;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, 0, 8}, scene.camera.target = {0, 0, 0}, scene.camera.up = {0, 1, 0};
+    scene.camera.near = 1, scene.camera.far = 8;
+    scene.objects.push_back(
+        {"wall", test::mesh({{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}, {{0, 1, 2, 3}}), {}, {}});
+    const PixelReport r = inspectPixel(*test::frameOf(scene), {8, 8});
+    ASSERT_EQ(r.fragments.size(), 1u);
+    EXPECT_EQ(r.fragments[0].verdict, FragmentVerdict::WonStays);
+    EXPECT_EQ(r.fragments[0].depth, 0);
+    EXPECT_EQ(r.fragments[0].relation, "=");
+}
+
+// H and N·H stand once, in the first channel that has a highlight; a pixel without equations has no headings.
+TEST(PixelReport, TheTextShowsTheVectorsThatAnyChannelReads) {
+    Scene scene = test::pyramid();
+    scene.settings.model = Model::BlinnPhong;
+    for (const Vec3d specular : {Vec3d(0.5), Vec3d(0, 0.5, 0), Vec3d(0)}) {
+        scene.objects[0].material.specular = specular;
+        const FramePtr frame = test::frameOf(scene);
+        const std::string text = toText(*frame, inspectPixel(*frame, {268, 281}));
+        const std::size_t row = text.find("N·H = ");
+        EXPECT_EQ(row != std::string::npos, specular != Vec3d(0)) << text;
+        EXPECT_EQ(row == std::string::npos ? row : text.find("N·H = ", row + 1), std::string::npos) << "once";
+        EXPECT_NE(text.find("\nblue\n"), std::string::npos);
+    }
+    scene.settings.visibility = Visibility::None;
+    const FramePtr outlines = test::frameOf(scene);
+    EXPECT_EQ(toText(*outlines, inspectPixel(*outlines, {268, 281})).find("\nred\n"), std::string::npos);
 }
 
 }  // namespace

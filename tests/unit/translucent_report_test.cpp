@@ -68,6 +68,11 @@ TEST(LayerReport, OverTheBackground) {
     EXPECT_EQ(r.layers.size(), 2u);
     EXPECT_NEAR(r.composed.g, 15, 1e-12);
     EXPECT_NE(toText(*frame, r).find("background, behind translucent surfaces"), std::string::npos);
+    // What the frame buffer holds can be computed from what is said: 15 of I_max, over a background of 0.
+    const std::vector<EquationLine> lines = equation(frame->scene(), r, 1);
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_EQ(toText(lines[1].formula).find("= 0.3750·0.000 + 15.000 = 15.000"), 0u) << toText(lines[1].formula);
+    EXPECT_EQ(toText(lines[2].formula).find("FB_g = round(255·C_g/I_max) = round(255·15.000/40) = 96"), 0u) << toText(lines[2].formula);
 }
 
 // The report replays what the frame did, whatever the scene.
