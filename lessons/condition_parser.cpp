@@ -37,19 +37,12 @@ public:
         channels == 0 ? needTruth(condition.root, 0) : needNumber(condition.root, 0);
         if (m_error) return *m_error;
         condition.buffers = m_buffers | pipeline::setOf({pipeline::BufferId::PolygonId});
-        // Where only translucent surfaces are seen no polygon stands, and yet what shading leaves is theirs.
-        if (readsShading() && !translucentSides(m_scene).empty())
-            condition.buffers.set(index(pipeline::BufferId::Layers));
+        // Where only translucent surfaces are seen no polygon stands, and yet something was drawn.
+        if (!translucentSides(m_scene).empty()) condition.buffers.set(index(pipeline::BufferId::Layers));
         return condition;
     }
 
 private:
-    bool readsShading() const {
-        return std::ranges::any_of(pipeline::bufferTable(), [&](const pipeline::BufferInfo& info) {
-            return m_buffers[index(info.id)] && info.stage == pipeline::StageId::Shading;
-        });
-    }
-
     // Only the first error is kept: those behind it may be its consequence.
     void fail(std::size_t at, std::string found, std::string expected = {}) {
         if (!m_error) m_error = Error{advanced(m_where, m_text.substr(0, at)), std::move(found), std::move(expected)};

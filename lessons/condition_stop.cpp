@@ -5,15 +5,13 @@
 namespace lessons {
 namespace {
 
-using pipeline::BufferId;
 using pipeline::Moment;
 using pipeline::StageId;
 using pipeline::Steps;
 
-bool readsShading(const Condition& condition) {
-    for (std::size_t i = 0; i < pipeline::kBufferCount; ++i)
-        if (condition.buffers[i] && bufferInfo(BufferId(i)).stage == StageId::Shading) return true;
-    return false;
+bool readsShading(const ConditionNode& node) {
+    return (node.buffer && bufferInfo(node.buffer->id).stage == StageId::Shading) ||
+           std::ranges::any_of(node.operands, readsShading);
 }
 
 ConditionMask maskAt(const Steps& steps, Moment moment, const Condition& condition, const std::stop_token& stop) {
@@ -64,7 +62,7 @@ std::optional<ConditionStop> inZBuffer(const Steps& steps, Moment from, const Co
 std::optional<ConditionStop> nextStop(const Steps& steps, Moment from, const Condition& condition,
                                       const std::stop_token& stop, const StopProgress& progress) {
     const Moment zEnd{StageId::ZBuffer, steps.total(StageId::ZBuffer)};
-    if (!readsShading(condition) && steps.runs(StageId::ZBuffer) && from < zEnd) {
+    if (!readsShading(condition.root) && steps.runs(StageId::ZBuffer) && from < zEnd) {
         const Moment begin = std::max(from, Moment{StageId::ZBuffer, 0});
         if (const auto found = inZBuffer(steps, begin, condition, stop, progress)) return found;
     }

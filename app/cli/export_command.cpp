@@ -236,6 +236,8 @@ int runExport(ExportOptions options, const CliHost& host) {
         const pipeline::Steps steps(frame);
         const pipeline::Moment moment = steps.momentOf(*at);
         request.at = text(steps.placeOf(moment));
+        if (!steps.comesTo(*at))
+            tell("This frame does not come to {}; what is written is {}.\n", options.at, request.at);
         frame = steps.frameAt(moment, options.frame.threads, interrupt.token());
     }
     request.state = stateToCarry(options, at, pixel);

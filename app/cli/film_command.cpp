@@ -87,6 +87,10 @@ int runFilm(const FilmOptions& options) {
                                         std::size_t(options.pictures),
                                         options.milliseconds,
                                         !options.noCaptions};
+    for (const pipeline::Place& place : {from, to})
+        if (!steps.comesTo(place))
+            tell("This frame does not come to {}; the film has {} in its place.\n", text(place),
+                 text(steps.placeOf(steps.momentOf(place))));
     if (request.to < request.from) {
         tell("shadescope film: --to comes before --from\n");
         return kWrongUsage;
@@ -102,7 +106,8 @@ int runFilm(const FilmOptions& options) {
         return kCouldNotWrite;
     }
     if (summary->cancelled) return cancelled();
-    tell("{} pictures, {}, in {}{}\n", summary->pictures, pipeline::sizeText(summary->bytes), options.target,
+    tell("{} picture{}, {}, in {}{}\n", summary->pictures, summary->pictures == 1 ? "" : "s",
+         pipeline::sizeText(summary->bytes), options.target,
          summary->behind == 0 ? "" : fmt::format("; {} not of this film behind them", summary->behind));
     return kDone;
 }

@@ -201,11 +201,15 @@ Place Steps::placeOf(Moment moment) const {
     return place;
 }
 
-Moment Steps::momentOf(const Place& place) const {
+Moment Steps::momentOf(const Place& place) const { return find(place).moment; }
+
+bool Steps::comesTo(const Place& place) const { return find(place).isThere; }
+
+Steps::Found Steps::find(const Place& place) const {
     const StageId stage = place.stage;
     const Moment end = fitting({stage, total(stage)});
-    if (end.stage != stage || place.what == Place::What::End) return end;
-    if (place.what == Place::What::Start) return {stage, 0};
+    if (end.stage != stage || place.what == Place::What::End) return {end, end.stage == stage};
+    if (place.what == Place::What::Start) return {{stage, 0}, true};
     const bool object = place.what == Place::What::Object;
     const StepPhase* found = nullptr;
     for (const StepPhase& phase : phases(stage)) {
@@ -215,7 +219,7 @@ Moment Steps::momentOf(const Place& place) const {
                                  : phase.kind == place.kind || painted))
             found = &phase;
     }
-    if (!found) return end;
+    if (!found) return {end, false};
     const auto numberOf = [&](std::size_t i) {
         const Spot spot{stage, found, i};
         if (object) return std::int64_t(objectOf(spot));
@@ -232,18 +236,21 @@ Moment Steps::momentOf(const Place& place) const {
     } else {
         while (after > 0 && numberOf(after - 1) != place.number) --after;
     }
-    if (after == 0) return {stage, found->first};
+    if (after == 0) return {{stage, found->first}, false};
     const std::size_t element = after - 1;
-    if (object || !place.row || found->rows.empty() || numberOf(element) != place.number)
-        return {stage, found->first + found->end(element)};
+    const bool isThis = numberOf(element) == place.number;
+    if (object || !place.row || found->rows.empty() || !isThis)
+        return {{stage, found->first + found->end(element)}, isThis && !place.row};
     std::int64_t pixels = 0;
+    bool isThere = false;
     for (const PixelSpan& span : m_source->spans(stage, element)) {
+        isThere = isThere || (span.y == *place.row && (!place.x || (span.first <= *place.x && *place.x <= span.last)));
         if (span.y < *place.row || (span.y == *place.row && (!place.x || span.last <= *place.x)))
             pixels += span.length();
         else if (span.y == *place.row)
             pixels += std::max(0, *place.x - span.first + 1);
     }
-    return {stage, found->first + found->begin(element) + pixels};
+    return {{stage, found->first + found->begin(element) + pixels}, isThere};
 }
 
 std::optional<glm::ivec2> Steps::pixelOf(Moment moment) const {

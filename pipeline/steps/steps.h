@@ -39,6 +39,8 @@ public:
 
     Place placeOf(Moment moment) const;  // momentOf gives the moment back
     Moment momentOf(const Place& place) const;
+    // Whether this frame comes to the place. Else momentOf gives the moment at which that would have been over.
+    bool comesTo(const Place& place) const;
 
     // The pixel that was drawn or shaded last, where the stage goes by pixels.
     std::optional<glm::ivec2> pixelOf(Moment moment) const;
@@ -77,6 +79,11 @@ private:
         const StepPhase* phase;
         std::size_t element;
     };
+    struct Found {
+        Moment moment;
+        bool isThere;  // as the place says
+    };
+    Found find(const Place& place) const;
     const std::vector<StepPhase>& phases(StageId stage) const;
     // The end of the first step after `moment` that endIn(spot, steps of the element already over) gives, in steps of
     // the element; it gives 0 where the element has none.

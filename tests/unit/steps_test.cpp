@@ -55,6 +55,19 @@ TEST(Steps, ThePixelsToComeAreThoseOfOneStepAfterTheOther) {
     EXPECT_TRUE(steps.pixelsToCome(steps.first()).empty()) << "vertices have no pixels";
 }
 
+// The pyramid's polygons 1, 2 and 3 are drawn; row 270 crosses them (derived in tests/reference), row 0 nothing.
+TEST(Steps, KnowWhichPlacesAFrameComesTo) {
+    const Steps steps(test::frameOf(test::pyramid(), setOf({BufferId::Color})));
+    const auto comesTo = [&](const char* place) { return steps.comesTo(*parsePlace(place)); };
+    for (const char* place : {"transform", "z-buffer/start", "z-buffer/object=0", "z-buffer/polygon=2",
+                              "z-buffer/polygon=2/row=270", "shading/polygon=1", "transform/vertex=4"})
+        EXPECT_TRUE(comesTo(place)) << place;
+    for (const char* place :
+         {"z-buffer/polygon=0", "z-buffer/polygon=2/row=0", "z-buffer/polygon=2/row=270/x=0", "z-buffer/piece=1",
+          "shading/layers", "shading/vertex-terms=1", "shadow-buffer/polygon=1"})
+        EXPECT_FALSE(comesTo(place)) << place;
+}
+
 // Fast arithmetic leaves out what the steps of shading read: they make it up, and come to the same picture.
 TEST(Steps, ShadeInFastArithmeticToo) {
     Scene scene = test::pyramid();
