@@ -6,6 +6,7 @@
 #include "app/core/text.h"
 #include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
+#include "pipeline/export/study_text.h"
 #include "pipeline/study/analysis_text.h"
 
 namespace app {
@@ -50,7 +51,10 @@ void StudyPoints::setStudy(const pipeline::StudyReport& report, const pipeline::
     clear();
     QStringList head;
     for (const pipeline::SweepAxis& axis : report.axes) head << toQString(axis.label);
-    head << tr("ms") << tr("95 % interval") << toQString(analysis.choice.measure) << tr("Beaten by");
+    head << tr("ms") << tr("95 % interval") << toQString(analysis.choice.measure);
+    const bool withLeftOut = leavesOutPixels(analysis);
+    if (withLeftOut) head << toQString(pipeline::kLeftOut);
+    head << tr("Beaten by");
     setColumnCount(int(head.size()));
     setHorizontalHeaderLabels(head);
     std::vector<std::size_t> order = analysis.byTime;
@@ -63,11 +67,10 @@ void StudyPoints::setStudy(const pipeline::StudyReport& report, const pipeline::
         int column = 0;
         for (std::size_t axis = 0; axis < report.axes.size(); ++axis)
             setItem(row, column++, cell(report.points[i].values[axis], axis == analysis.refined));
-        const std::string half =
-            point.time ? "\u00b1" + pipeline::timeText((point.interval.second - point.interval.first) / 2) : "";
         setItem(row, column++, cell(point.time ? pipeline::timeText(*point.time) : "", true));
-        setItem(row, column++, cell(half, true));
+        setItem(row, column++, cell(pipeline::intervalText(point), true));
         setItem(row, column++, cell(point.error ? pipeline::errorText(*point.error) : "", true));
+        if (withLeftOut) setItem(row, column++, cell(point.leftOut ? pipeline::errorText(*point.leftOut) : "", true));
         auto* standing = cell(pipeline::standing(analysis, i), false);
         standing->setForeground(point.onFront() ? colors.run : point.placed() ? colors.text2 : colors.failed);
         standing->setToolTip(standing->text());

@@ -31,10 +31,11 @@ std::string plotFigure(const StudyReport& report, const StudyAnalysis& analysis)
 }
 
 std::string htmlPointTable(const StudyReport& report, const StudyAnalysis& analysis) {
+    const bool withLeftOut = leavesOutPixels(analysis);
     std::string html = "<h2>Points</h2>\n<table><thead><tr>";
     for (const SweepAxis& axis : report.axes) html += element("th", axis.label);
     html += "<th class=n>ms</th><th class=n>95 % interval</th>" + element("th class=n", measureWithUnit(analysis)) +
-            "<th>Beaten by</th></tr></thead>\n<tbody>\n";
+            (withLeftOut ? element("th class=n", kLeftOut) : "") + "<th>Beaten by</th></tr></thead>\n<tbody>\n";
     std::vector<std::size_t> order = analysis.byTime;
     for (std::size_t i = 0; i < analysis.points.size(); ++i)
         if (!analysis.points[i].placed()) order.push_back(i);
@@ -43,8 +44,8 @@ std::string htmlPointTable(const StudyReport& report, const StudyAnalysis& analy
         html += point.placed() ? "<tr>" : "<tr class=failed>";
         for (const std::string& value : report.points[i].values) html += cell(value);
         html += number(point.time ? timeText(*point.time) : "\u2013") + number(intervalText(point)) +
-                number(point.error) + element(point.onFront() ? "td class=front" : "td", standing(analysis, i)) +
-                "</tr>\n";
+                number(point.error) + (withLeftOut ? number(point.leftOut) : "") +
+                element(point.onFront() ? "td class=front" : "td", standing(analysis, i)) + "</tr>\n";
     }
     return html + "</tbody></table>\n";
 }

@@ -53,6 +53,8 @@ std::string pointTable(const StudyReport& report, const StudyAnalysis& analysis)
         numbers.push_back(true);
         head.emplace_back(name);
     }
+    const bool withLeftOut = leavesOutPixels(analysis);
+    if (withLeftOut) numbers.push_back(true), head.emplace_back(kLeftOut);
     numbers.push_back(false);
     head.emplace_back("beaten by");
     TextTable table(numbers);
@@ -66,6 +68,7 @@ std::string pointTable(const StudyReport& report, const StudyAnalysis& analysis)
         cells.push_back(point.time ? timeText(*point.time) : "");
         cells.push_back(intervalText(point));
         cells.push_back(point.error ? errorText(*point.error) : "");
+        if (withLeftOut) cells.push_back(point.leftOut ? errorText(*point.leftOut) : "");
         cells.push_back(standing(analysis, i));
         table.row(std::move(cells));
     }
@@ -107,6 +110,7 @@ std::string protocolText(const StudyReport& report) {
     if (!report.machine.empty()) text += fmt::format(" {}.", report.machine);
     if (!report.compiler.empty()) text += fmt::format(" {}.", report.compiler);
     if (!report.load.empty()) text += fmt::format(" Load {:.1f} at most.", *std::ranges::max_element(report.load));
+    if (frames < 6) text += " Of fewer than 6 frames the interval goes from the fastest to the slowest.";
     return text + fmt::format(" Differences below {:g} % count as none.", 100 * kSameTime);
 }
 

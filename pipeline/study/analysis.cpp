@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "pipeline/study/analysis_text.h"
+#include "pipeline/study/errors.h"
 
 namespace pipeline {
 
@@ -60,12 +61,15 @@ PointAnalysis place(const StudyPoint& point, const ErrorChoice& choice) {
     }
     const std::optional<double> error = isError(choice.measure) ? point.error(choice) : std::nullopt;
     if (error && std::isfinite(*error) && *error >= 0) result.error = error;
+    if (const auto leftOut = leftOutOf(choice)) result.leftOut = point.error(*leftOut);
     if (!point.failure.empty())
         result.missing = point.failure;
     else if (!result.time || !(*result.time > 0))
         result.missing = "no time was measured";
     else if (!isError(choice.measure))
         result.missing = "of this measure more is better: it is no error";
+    else if (!error && result.leftOut)
+        result.missing = "no pixel shows what the reference shows";
     else if (!error)
         result.missing = "it has no such error";
     else if (!result.error)
@@ -74,12 +78,15 @@ PointAnalysis place(const StudyPoint& point, const ErrorChoice& choice) {
 }
 
 bool dominates(const PointAnalysis& a, const PointAnalysis& b) {
-    if (std::abs(*a.time - *b.time) <= kSameTime * std::min(*a.time, *b.time)) return *a.error < *b.error;
-    return *a.time < *b.time && a.interval.second < b.interval.first && *a.error <= *b.error;
+    const double aLeftOut = a.leftOut.value_or(0), bLeftOut = b.leftOut.value_or(0);
+    const bool asGood = *a.error <= *b.error && aLeftOut <= bLeftOut;
+    if (std::abs(*a.time - *b.time) <= kSameTime * std::min(*a.time, *b.time))
+        return asGood && (*a.error < *b.error || aLeftOut < bLeftOut);
+    return *a.time < *b.time && a.interval.second < b.interval.first && asGood;
 }
 
-// Dominance has no cycles: along one the error never falls, so it would be the same all along, and
-// then each point would be faster than the next.
+// Dominance has no cycles: along one neither the error nor what it leaves out ever falls, so both would be the same all
+// along, and then each point would be faster than the next.
 void findFront(StudyAnalysis& analysis) {
     std::vector<PointAnalysis>& points = analysis.points;
     std::vector<bool> dominated(points.size(), false);
@@ -140,6 +147,10 @@ double roundUp(double value) {
 }
 
 }  // namespace
+
+bool leavesOutPixels(const StudyAnalysis& analysis) {
+    return std::ranges::any_of(analysis.points, [](const PointAnalysis& point) { return bool(point.leftOut); });
+}
 
 bool isError(std::string_view measure) { return measure != "PSNR" && measure != "mean SSIM"; }
 
@@ -211,11 +222,12 @@ std::optional<std::size_t> cheapestWithin(const StudyAnalysis& analysis, double 
 }
 
 std::optional<std::size_t> bestWithin(const StudyAnalysis& analysis, double milliseconds) {
+    const auto wrong = [&](std::size_t i) {
+        return std::pair(*analysis.points[i].error, analysis.points[i].leftOut.value_or(0));
+    };
     std::optional<std::size_t> best;
     for (const std::size_t i : analysis.byTime)
-        if (*analysis.points[i].time <= milliseconds &&
-            (!best || *analysis.points[i].error < *analysis.points[*best].error))
-            best = i;
+        if (*analysis.points[i].time <= milliseconds && (!best || wrong(i) < wrong(*best))) best = i;
     return best;
 }
 

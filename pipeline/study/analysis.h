@@ -22,6 +22,7 @@ struct PointAnalysis {
     std::optional<double> time;              // median of the frame
     std::pair<double, double> interval{};    // of the median; of all samples where they are too few for one
     std::optional<double> error;             // finite and at least 0
+    std::optional<double> leftOut;           // pixels that do not show what the reference shows, not in the error
     std::string missing;                     // why it has no place in the plot; empty where it has one
     std::optional<std::size_t> dominatedBy;  // into StudyReport::points
     bool placed() const { return missing.empty(); }
@@ -52,6 +53,9 @@ struct StudyAnalysis {
     std::vector<std::size_t> front;      // those of them that no other dominates
 };
 
+// Whether the points' errors leave out pixels, whose number then stands beside them.
+bool leavesOutPixels(const StudyAnalysis& analysis);
+
 // False for a measure of which more is better, "PSNR" and "mean SSIM": it is no error, and has no place in a plot of one.
 bool isError(std::string_view measure);
 
@@ -67,7 +71,7 @@ std::optional<std::size_t> refinedAxis(const std::vector<SweepAxis>& axes);
 std::optional<double> stepWidth(const SweepAxis& axis, const std::string& value);
 
 // A point is dominated when another one is at most as slow and at most as wrong, better in one of
-// both, and that is no accident: of times that differ by more than kSameTime the median intervals
+// both, and that is no accident. At most as wrong: in its error, and in the pixels that the error leaves out. No accident: of times that differ by more than kSameTime the median intervals
 // do not overlap; of times that do not, only the errors count. An error of exactly 0 is better than
 // every other. Named is the dominating point with the smallest error, if possible one on the front.
 StudyAnalysis analyse(const StudyReport& report, const ErrorChoice& choice);

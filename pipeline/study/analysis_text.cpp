@@ -26,6 +26,14 @@ std::string withUnit(const std::string& number, const std::string& unit) {
 
 std::string describe(const PointAnalysis& point) { return point.label.empty() ? "the only setting" : point.label; }
 
+// What the error does not count; empty where it counts every pixel.
+std::string leftOutSentence(const PointAnalysis& point) {
+    const double pixels = point.leftOut.value_or(0);
+    if (pixels == 0) return {};
+    return fmt::format(" {:.0f} {} not show what the reference shows, and {} not in this error.", pixels,
+                       pixels == 1 ? "pixel does" : "pixels do", pixels == 1 ? "is" : "are");
+}
+
 constexpr const char* kNoPoint = "No point has both a time and this error.";
 
 }  // namespace
@@ -77,23 +85,23 @@ std::string cheapestSentence(const StudyAnalysis& analysis, double error) {
     const std::string limit = withUnit(shortestText(error), analysis.unit);
     if (const auto found = cheapestWithin(analysis, error)) {
         const PointAnalysis& point = analysis.points[*found];
-        return fmt::format("{} up to {} takes at least {} ms: {}.", measureText(analysis.choice), limit,
-                           timeText(*point.time), describe(point));
+        return fmt::format("{} up to {} takes at least {} ms: {}.{}", measureText(analysis.choice), limit,
+                           timeText(*point.time), describe(point), leftOutSentence(point));
     }
     const std::size_t best =
         *std::ranges::min_element(analysis.byTime, {}, [&](std::size_t i) { return *analysis.points[i].error; });
     const PointAnalysis& point = analysis.points[best];
-    return fmt::format("No setting reaches {} up to {}; the best reaches {}: {}.", measureText(analysis.choice), limit,
-                       errorText(*point.error), describe(point));
+    return fmt::format("No setting reaches {} up to {}; the best reaches {}: {}.{}", measureText(analysis.choice),
+                       limit, errorText(*point.error), describe(point), leftOutSentence(point));
 }
 
 std::string bestSentence(const StudyAnalysis& analysis, double milliseconds) {
     if (analysis.byTime.empty()) return kNoPoint;
     if (const auto found = bestWithin(analysis, milliseconds)) {
         const PointAnalysis& point = analysis.points[*found];
-        return fmt::format("Within {} ms {} is at best {}: {}.", shortestText(milliseconds),
+        return fmt::format("Within {} ms {} is at best {}: {}.{}", shortestText(milliseconds),
                            measureText(analysis.choice), withUnit(errorText(*point.error), analysis.unit),
-                           describe(point));
+                           describe(point), leftOutSentence(point));
     }
     const PointAnalysis& fastest = analysis.points[analysis.byTime.front()];
     return fmt::format("No setting is done within {} ms; the fastest takes {} ms: {}.", shortestText(milliseconds),

@@ -20,6 +20,8 @@ std::string threadsText(int threads);
 std::string withinSentence(std::string label);
 // "RMSE of intensity", "largest angle of normal".
 std::string measureText(const ErrorChoice& choice);
+// The column that says how many pixels an error leaves out.
+inline constexpr const char* kLeftOut = "pixels that differ";
 // "RMSE of intensity (degrees)", and without a unit as measureText.
 std::string measureWithUnit(const StudyAnalysis& analysis);
 

@@ -38,8 +38,11 @@ void addCoverage(const Picture& ours, const Picture& reference, ErrorKind kind, 
     if (outline > 0) put("by outline", "", (falsely + missing + other) / outline);
 }
 
+// Of no place at all nothing was measured: no row, not an error of 0.
+bool any(const Same& same) { return std::ranges::find(same, 1) != same.end(); }
+
 void addZView(const Picture& ours, const Picture& reference, const Same& same, ErrorKind kind, ErrorRows& rows) {
-    if (ours.zView.empty() || reference.zView.empty()) return;
+    if (ours.zView.empty() || reference.zView.empty() || !any(same)) return;
     std::vector<double> sizes;
     double relative = 0;
     for (std::size_t i = 0; i < same.size(); ++i) {
@@ -55,6 +58,7 @@ void addZView(const Picture& ours, const Picture& reference, const Same& same, E
 }
 
 void addAngles(const BufferName& buffer, std::vector<double> degrees, ErrorKind kind, ErrorRows& rows) {
+    if (degrees.empty()) return;
     const ErrorSpread spread = spreadOf(std::move(degrees));
     rows.put(buffer, "mean angle", "degrees", kind, spread.mean);
     rows.put(buffer, "99 % angle", "degrees", kind, spread.p99);
@@ -83,18 +87,18 @@ void addShadows(const Scene& scene, const Picture& ours, const Picture& referenc
             largest = std::max(largest, std::abs(difference));
             ++count;
         }
+        if (count == 0) continue;
         const BufferName name{BufferId::Shadow, int(k)};
-        const double one = std::max(count, 1.0);
-        rows.put(name, "misclassified", "", kind, (falsely + leak) / one);
-        rows.put(name, "false shadow", "", kind, falsely / one);
-        rows.put(name, "leak", "", kind, leak / one);
+        rows.put(name, "misclassified", "", kind, (falsely + leak) / count);
+        rows.put(name, "false shadow", "", kind, falsely / count);
+        rows.put(name, "leak", "", kind, leak / count);
         rows.put(name, "largest", "", kind, largest);
     }
 }
 
 void addIntensity(const Picture& ours, const Picture& reference, const Same& same, double white, ErrorKind kind,
                   ErrorRows& rows) {
-    if (ours.intensity.empty() || reference.intensity.empty() || !(white > 0)) return;
+    if (ours.intensity.empty() || reference.intensity.empty() || !(white > 0) || !any(same)) return;
     constexpr double kFloor = 0.01;  // of white: where it is darker, relative errors mean little
     std::vector<double> sizes;
     double relative = 0;
@@ -211,11 +215,16 @@ Same sameSeen(const Picture& a, const Picture& b) {
         same[i] = a.object.pixels[i] >= 0 && a.object.pixels[i] == b.object.pixels[i];
     return same;
 }
-void keepSamePolygons(const Frame& a, const Frame& b, Same& same) {
+void keepSamePolygons(const Frame& a, const Frame& b, Same& same, ErrorRows& rows) {
     const auto ours = a.buffer({BufferId::PolygonId}), theirs = b.buffer({BufferId::PolygonId});
     if (!ours || !theirs) return;
     const std::vector<double> x = numbersOf(*ours), y = numbersOf(*theirs);
-    for (std::size_t i = 0; i < same.size(); ++i) same[i] = same[i] && x[i] == y[i];
+    double different = 0;
+    for (std::size_t i = 0; i < same.size(); ++i) {
+        same[i] = same[i] && x[i] == y[i];
+        different += x[i] != y[i];
+    }
+    rows.put({BufferId::PolygonId}, "pixels that differ", "pixels", ErrorKind::Arithmetic, different);
 }
 
 void fill(const Frame& frame, const BufferName& name, glm::ivec2 size, Buffer2D<Vec3d>& out) {
@@ -278,7 +287,7 @@ std::vector<ErrorRow> compare(const Frame& frame, const Picture& ours, const Err
     if (references.arithmetic && !ours.object.empty()) {
         const Picture wider = pictureOf(*references.arithmetic);
         Same same = sameSeen(ours, wider);
-        keepSamePolygons(frame, *references.arithmetic, same);
+        keepSamePolygons(frame, *references.arithmetic, same, rows);
         addPictures(frame, ours, wider, same, ErrorKind::Arithmetic, rows);
         addColor(frame, *references.arithmetic, rows);
     }
@@ -287,6 +296,10 @@ std::vector<ErrorRow> compare(const Frame& frame, const Picture& ours, const Err
     std::vector<ErrorRow> all = rows.take();
     std::ranges::stable_sort(all, {}, [](const ErrorRow& row) { return index(row.stage); });
     return all;
+}
+
+bool showsAnything(const Picture& picture) {
+    return std::ranges::any_of(picture.object.pixels, [](std::int32_t id) { return id >= 0; });
 }
 
 Buffer2D<Vec3d> signedError(const Picture& ours, const Picture& reference, double white) {

@@ -8,8 +8,9 @@
 
 namespace pipeline {
 
-// How far a frame's buffers are off what they should be. Two pictures are compared where both see the same object;
-// where they do not, object_id counts it. Coverage and the 8-bit colours are those of the whole picture.
+// How far a frame's buffers are off what they should be. Two pictures are compared where both see the same object, two
+// frames where they see the same polygon; object_id and polygon_id count the other pixels. Where there is no such pixel
+// nothing was measured, and there is no row. Coverage and the 8-bit colours are those of the whole picture.
 
 // What a frame must be asked for to become a picture; and beside that, to be compared.
 BufferSet picturesNeed();
@@ -31,6 +32,7 @@ struct ErrorReferences {
 // rows. ours: pictureOf(frame).
 //   object_id         pixels that differ; of those falsely drawn, missing, and showing another object; and by the
 //                     reference's outline, pixel sides between two objects
+//   polygon_id        pixels that differ, arithmetic only: another object's polygon, or another one of the same object
 //   z_view            RMSE, largest, largest relative
 //   depth             what is stored against z_view: in steps of the format where z_view lies, and decoded
 //   vertices.screen   largest distance in the picture
@@ -45,6 +47,13 @@ struct ErrorReferences {
 //                     "Image quality assessment", IEEE TIP 2004; luma, windows of 8 x 8); storage: what rounding to 255
 //                     steps lost of the linear intensity
 std::vector<ErrorRow> compare(const Frame& frame, const Picture& ours, const ErrorReferences& references);
+
+// Whether the picture shows any object.
+bool showsAnything(const Picture& picture);
+
+// The row that counts the pixels which this error leaves out, as they do not show what the reference shows; nothing for
+// an error that leaves out none.
+std::optional<ErrorChoice> leftOutOf(const ErrorChoice& choice);
 
 // The errors of a buffer that compare() may find in some scene, as a plot shows them: without PSNR and mean SSIM, of
 // which more is better.

@@ -40,6 +40,7 @@ constexpr auto kKnown = std::to_array<KnownError>({
     {ObjectId, "missing", kPictures},
     {ObjectId, "another object", kPictures},
     {ObjectId, "by outline", kPictures},
+    {PolygonId, "pixels that differ", kArithmetic},
     {Normal, "mean angle", kPictures},
     {Normal, "99 % angle", kPictures},
     {Normal, "largest angle", kPictures},
@@ -60,6 +61,15 @@ constexpr auto kKnown = std::to_array<KnownError>({
 });
 
 }  // namespace
+
+std::optional<ErrorChoice> leftOutOf(const ErrorChoice& choice) {
+    const auto buffer = findBuffer(choice.buffer);
+    const bool ofSamePixels =
+        buffer && (buffer->id == ZView || buffer->id == Normal || buffer->id == Shadow || buffer->id == Intensity);
+    if (!ofSamePixels || choice.kind == ErrorKind::Storage || choice.measure == "not of unit length") return {};
+    const BufferId ids = choice.kind == ErrorKind::Arithmetic ? PolygonId : ObjectId;
+    return ErrorChoice{BufferName{ids}.text(), "pixels that differ", choice.kind};
+}
 
 std::vector<ErrorChoice> knownErrors(const BufferName& buffer) {
     std::vector<ErrorChoice> choices;

@@ -196,6 +196,10 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token s
     const auto reference = modelReference(*scene, &report, stop);
     if (stop.stop_requested()) return false;
     const Picture ours = pictureOf(*frame);
+    if (!ours.object.empty() && !showsAnything(ours) && (!reference || !showsAnything(reference->picture))) {
+        point.failure = "nothing is drawn: there is nothing to compare";
+        return true;
+    }
     point.errors = compare(*frame, ours, {reference ? &reference->picture : nullptr, exact.get()});
     if (reference) point.blame = blame(*scene, ours, reference->picture);
     return true;

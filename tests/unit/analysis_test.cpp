@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "pipeline/study/analysis_text.h"
+#include "pipeline/study/errors.h"
 #include "tests/support/studies.h"
 
 namespace pipeline {
@@ -89,6 +90,45 @@ TEST(Analysis, TimesThatCannotBeToldApartDominateNothing) {
     const StudyAnalysis calm = analysisOf({studyPoint(0, {"a"}, 1, 0.1), studyPoint(1, {"b"}, 1.2, 0.1)});
     EXPECT_EQ(calm.front, Indices{0});
     EXPECT_EQ(calm.points[1].dominatedBy, 0u);
+}
+
+// As exact where both are compared, but 300 pixels show another object: the slower one, with 2 such pixels, stays on the
+// front, and the answers say what their errors leave out.
+TEST(Analysis, PixelsThatAnErrorLeavesOutCountBesideIt) {
+    std::vector<StudyPoint> points{studyPoint(0, {"fixed16"}, 1, 0), studyPoint(1, {"float"}, 2, 0),
+                                   studyPoint(2, {"linear"}, 3, 0)};
+    const double leftOut[]{300, 2, 2};
+    for (StudyPoint& point : points)
+        point.errors.push_back({"object_id",
+                                StageId::ZBuffer,
+                                "pixels that differ",
+                                "pixels",
+                                {leftOut[point.number], std::nullopt, std::nullopt}});
+    const StudyAnalysis analysis = analysisOf(points);
+    EXPECT_EQ(analysis.points[0].leftOut, 300);
+    EXPECT_EQ(analysis.front, (Indices{0, 1}));
+    EXPECT_EQ(analysis.points[2].dominatedBy, 1u);
+    EXPECT_EQ(
+        cheapestSentence(analysis, 1e-3),
+        "RMSE of intensity up to 0.001 takes at least 1.00 ms: fixed16. 300 pixels do not show what the reference "
+        "shows, and are not in this error.");
+    EXPECT_EQ(bestWithin(analysis, 5), 1u);  // of equal errors the one that leaves out less
+    // As fast as each other: then the pixels decide.
+    points[1].frame = points[0].frame;
+    EXPECT_EQ(analysisOf(points).front, Indices{1});
+    // An error of the whole picture leaves out none.
+    EXPECT_FALSE(leftOutOf({"color", "RMSE", ErrorKind::Model}));
+    EXPECT_FALSE(leftOutOf({"depth", "RMSE", ErrorKind::Storage}));
+    EXPECT_EQ(leftOutOf({"shadow.1", "leak", ErrorKind::Model}),
+              (ErrorChoice{"object_id", "pixels that differ", ErrorKind::Model}));
+    EXPECT_EQ(leftOutOf({"z_view", "RMSE", ErrorKind::Arithmetic}),
+              (ErrorChoice{"polygon_id", "pixels that differ", ErrorKind::Arithmetic}));
+}
+
+TEST(Analysis, WhereNoPixelIsComparedThatIsWhy) {
+    std::vector<StudyPoint> points{studyPoint(0, {"a"}, 1, 0.1)};
+    points[0].errors = {{"object_id", StageId::ZBuffer, "pixels that differ", "pixels", {84, {}, {}}}};
+    EXPECT_EQ(analysisOf(points).points[0].missing, "no pixel shows what the reference shows");
 }
 
 TEST(Analysis, BelowTwoPercentOfTimeOnlyTheErrorCounts) {

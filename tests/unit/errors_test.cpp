@@ -84,9 +84,9 @@ TEST(KnownErrors, AreThoseThatComparingFinds) {
         EXPECT_NE(std::ranges::find(found, one), found.end())
             << one.buffer << ':' << one.measure << ':' << name(one.kind);
     // Those of errors.h's list.
-    EXPECT_EQ(buffers, (std::set<std::string>{"object_id", "z_view", "depth", "vertices.screen", "polygons.verdict",
-                                              "polygons.normal", "vertices.normal", "normal", "shadow_buffer.0",
-                                              "shadow.0", "intensity", "antialiased", "color"}));
+    EXPECT_EQ(buffers, (std::set<std::string>{"object_id", "z_view", "polygon_id", "depth", "vertices.screen",
+                                              "polygons.verdict", "polygons.normal", "vertices.normal", "normal",
+                                              "shadow_buffer.0", "shadow.0", "intensity", "antialiased", "color"}));
 }
 
 TEST_F(ErrorRowsTest, CoverageTellsFalseFromMissingAndFromOther) {
@@ -118,6 +118,35 @@ TEST_F(ErrorRowsTest, DepthsAreComparedWhereBothSeeTheSame) {
     EXPECT_NEAR(value(reference, "z_view", "largest"), 0.5, 1e-12);
     const double nearest = std::ranges::min(reference.zView.pixels);
     EXPECT_LE(value(reference, "z_view", "largest relative"), 0.5 / nearest);
+}
+
+// No pixel shows the same object, none at all is seen: neither is an error of 0.
+TEST_F(ErrorRowsTest, WhereNothingIsComparedThereIsNoRow) {
+    Picture reference = ours;
+    std::ranges::fill(reference.object.pixels, -1);
+    EXPECT_EQ(value(reference, "object_id", "falsely drawn"), seen);
+    for (const char* buffer : {"z_view", "intensity", "normal", "shadow.0"})
+        for (const ErrorRow& row : compare(*frame, ours, {&reference, nullptr}))
+            EXPECT_FALSE(row.buffer == buffer && row.value[index(ErrorKind::Model)]) << buffer << ' ' << row.measure;
+    EXPECT_FALSE(showsAnything(reference));
+    EXPECT_TRUE(showsAnything(ours));
+}
+
+// The same polygons in another order: no pixel shows another object, each shows another polygon, and is left out.
+TEST_F(ErrorRowsTest, AnotherPolygonOfTheSameObjectIsCounted) {
+    Scene turned = scene;
+    turned.objects[0].mesh =
+        test::mesh(scene.objects[0].mesh->positions, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 4, 3}});
+    const FramePtr other = test::frameOf(turned, errorsNeed());
+    double polygons = -1, objects = -1;
+    for (const ErrorRow& row : compare(*frame, ours, {nullptr, other.get()})) {
+        const auto& arithmetic = row.value[index(ErrorKind::Arithmetic)];
+        if (row.buffer == "polygon_id") polygons = arithmetic.value();
+        if (row.buffer == "object_id" && row.measure == "pixels that differ") objects = arithmetic.value();
+        EXPECT_FALSE(row.buffer == "intensity" && arithmetic) << row.measure;
+    }
+    EXPECT_EQ(polygons, seen);
+    EXPECT_EQ(objects, 0);
 }
 
 TEST_F(ErrorRowsTest, NormalsByTheirAngle) {

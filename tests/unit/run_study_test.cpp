@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pipeline/study/analysis.h"
 #include "pipeline/study/run_study.h"
 #include "tests/support/scenes.h"
 
@@ -61,6 +62,20 @@ TEST(RunStudy, aValueThatTheSceneRefusesIsAFailureOfThatPointAlone) {
     ASSERT_TRUE(measureTimes(request, report.points, nullptr, {}));
     EXPECT_EQ(report.points[0].frame.processes.size(), 1u);
     EXPECT_TRUE(report.points[1].frame.empty());
+}
+
+// The object is out of sight: there is no picture whose error could be 0.
+TEST(RunStudy, aPictureInWhichNothingIsDrawnHasNoErrors) {
+    Scene scene = small();
+    const StudyRequest request = requestOf(scene, {"object.0.ty=0,100000"});
+    StudyReport report = beginStudy(request);
+    ErrorFinder finder(request);
+    for (StudyPoint& point : report.points) ASSERT_TRUE(finder.find(point, report, {}));
+    EXPECT_EQ(report.points[0].failure, "");
+    EXPECT_FALSE(report.points[0].errors.empty());
+    EXPECT_EQ(report.points[1].failure, "nothing is drawn: there is nothing to compare");
+    EXPECT_TRUE(report.points[1].errors.empty());
+    EXPECT_EQ(analyse(report, report.choice).byTime.size(), 0u);
 }
 
 TEST(RunStudy, takesAsManyTimesAsAskedForAndNoneWhenStopped) {

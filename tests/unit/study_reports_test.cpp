@@ -9,6 +9,7 @@
 #include "pipeline/export/study_html.h"
 #include "pipeline/export/study_json.h"
 #include "pipeline/export/study_text.h"
+#include "pipeline/study/analysis_text.h"
 #include "tests/support/files.h"
 #include "tests/support/studies.h"
 
@@ -103,6 +104,21 @@ TEST(StudyText, SortsPointsByTimeAndEndsWithTheAnswers) {
     StudyReport one = report;
     one.repeats = 1;
     EXPECT_TRUE(protocolText(one).starts_with("Times: one frame (1 process of 1, each after 2 "));
+}
+
+// How many pixels the error leaves out stands beside it, in the table of a terminal, of the page and in the rows of the
+// file; where an error leaves out none there is no such column.
+TEST(StudyReports, SayHowManyPixelsAnErrorLeavesOut) {
+    StudyReport report = sphereStudy();
+    EXPECT_FALSE(has(studyText(report, analyse(report, report.choice), {1e-3, 1}), kLeftOut));
+    report.points[0].errors.push_back(
+        {"object_id", StageId::ZBuffer, "pixels that differ", "pixels", {84, std::nullopt, std::nullopt}});
+    const std::vector<std::string> lines = linesOf(studyText(report, analyse(report, report.choice), {1e-3, 1}));
+    EXPECT_TRUE(has(lines[2], "error  pixels that differ  beaten by")) << lines[2];
+    EXPECT_TRUE(has(lines[3], "4.2e-2                  84  on the front")) << lines[3];
+    EXPECT_TRUE(has(page(report), "<td class=n>4.2e-2</td><td class=n>84</td><td class=front>"));
+    expectBalanced(page(report));
+    EXPECT_TRUE(has(studyCsv(report), "0,flat,4,,object_id,z-buffer,pixels that differ,pixels,84,,,"));
 }
 
 TEST(StudyHtml, IsOneWholePage) {
