@@ -41,11 +41,10 @@ glm::dmat4 transformOf(const GltfValue& node) {
     if (const GltfValue rotation = node["rotation"]; rotation.numbers(turn, -1, 1)) {
         const double length = std::hypot(std::hypot(turn[0], turn[1]), std::hypot(turn[2], turn[3]));
         if (length == 0) {
-            remark(node.file(), "A node's rotation is (0, 0, 0, 0), which turns by no angle; it is left out.");
-            turn = {0, 0, 0, 1};
-        } else if (length != 1) {
-            for (double& part : turn) part /= length;
+            rotation.fail(fmt::format("{} is (0, 0, 0, 0)", rotation.pointer()), "a quaternion of length 1");
+            return matrix;
         }
+        for (double& part : turn) part /= length;
     }
     const glm::dmat3 rotation = rotationOf(turn);
     for (std::size_t axis = 0; axis < 3; ++axis) {

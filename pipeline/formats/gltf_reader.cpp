@@ -57,6 +57,7 @@ public:
                 readPrimitive(instance, primitives.at(k), primitives.size() > 1);
             m_told += kShares;
         }
+        remarkOnLeftOut(m_leftOut, m_file.name, m_file.remarks);
         return std::move(m_objects);
     }
 
@@ -122,7 +123,8 @@ private:
                 std::array<std::uint32_t, 3> polygon{};
                 for (std::size_t k = 0; k < 3; ++k)
                     polygon[k] = weld(mesh, *vertices, (*corners)[triangle[k]], vertexOf);
-                addPolygon(mesh, polygon);
+                // A strip may repeat a corner to go on elsewhere.
+                if (!addPolygon(mesh, polygon) && *mode == kTriangles) ++m_leftOut;
             }
             dropUnusedVertices(mesh);
         });
@@ -247,6 +249,7 @@ private:
     std::size_t m_told = 0;  // of kShares for each instance
     bool m_quantized = false;
     std::size_t m_elements = 0, m_primitives = 0;  // read so far
+    std::size_t m_leftOut = 0;                     // triangles without an area
     std::vector<Object> m_objects;
 };
 

@@ -22,6 +22,9 @@ std::optional<Vec3d> unitVector(const Vec3d& vector);
 // `place` goes to Mesh::polygonPlaces unless its line is 0.
 bool addPolygon(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition place = {});
 
+// The remark that so many polygons of the file were left out by addPolygon; none of none.
+void remarkOnLeftOut(std::size_t polygons, const std::string& file, std::vector<Remark>& remarks);
+
 // Leaves out the vertices that no polygon uses; the order of the others stays.
 void dropUnusedVertices(Mesh& mesh);
 

@@ -1,11 +1,14 @@
 #include "pipeline/formats/model_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <new>
 
+#include "pipeline/core/text.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_formats.h"
 
@@ -66,6 +69,16 @@ bool addPolygon(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition
     mesh.addPolygon(corners);
     if (place.line > 0) mesh.polygonPlaces.push_back(place);
     return true;
+}
+
+void remarkOnLeftOut(std::size_t polygons, const std::string& file, std::vector<Remark>& remarks) {
+    if (polygons == 0) return;
+    remarks.push_back(
+        {file, polygons == 1
+                   ? "1 polygon has fewer than three different corners, and so no area; it is left out."
+                   : fmt::format("{} polygons have fewer than three different corners, and so no area; they are "
+                                 "left out.",
+                                 groupedDigits(polygons))});
 }
 
 void dropUnusedVertices(Mesh& mesh) {

@@ -276,8 +276,8 @@ private:
     std::vector<Corner> m_corners;                              // per vertex
 };
 
-// faces: the vertex of each corner stands where its position stood.
-void addPolygons(Faces faces, Mesh& mesh) {
+// faces: the vertex of each corner stands where its position stood. The number of polygons that were left out.
+std::size_t addPolygons(Faces faces, Mesh& mesh) {
     mesh.reservePolygons(faces.count(), faces.positions.size());
     std::size_t kept = 0;
     for (std::size_t i = 0; i < faces.count(); ++i) {
@@ -285,13 +285,15 @@ void addPolygons(Faces faces, Mesh& mesh) {
         const std::uint32_t first = faces.firstCorner[i], count = faces.firstCorner[i + 1] - first;
         if (addPolygon(mesh, corners.subspan(first, count))) faces.places[kept++] = faces.places[i];
     }
+    const std::size_t leftOut = faces.places.size() - kept;
     faces.places.resize(kept);
     mesh.polygonPlaces = std::move(faces.places);
+    return leftOut;
 }
 
 // Of each group. What the file gives and what becomes of it are twice the meshes at most: the polygons are made when its
 // positions and normals are gone.
-std::vector<Mesh> meshesOf(ObjFile& file) {
+std::vector<Mesh> meshesOf(ObjFile& file, std::size_t& leftOut) {
     file.positions.shrink_to_fit(), file.normals.shrink_to_fit();
     for (Group& group : file.groups) group.faces.shrink();
     giveBackFreedMemory();
@@ -302,7 +304,7 @@ std::vector<Mesh> meshesOf(ObjFile& file) {
     }
     file.positions = std::vector<Vec3d>(), file.normals = std::vector<Vec3d>();
     giveBackFreedMemory();
-    for (std::size_t i = 0; i < meshes.size(); ++i) addPolygons(std::move(file.groups[i].faces), meshes[i]);
+    for (std::size_t i = 0; i < meshes.size(); ++i) leftOut += addPolygons(std::move(file.groups[i].faces), meshes[i]);
     return meshes;
 }
 
@@ -314,8 +316,10 @@ Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
     if (!errors.empty()) return errors;
     std::map<std::size_t, int> groupsOf;
     for (const Group& group : file.groups) ++groupsOf[group.object];
-    std::vector<Mesh> meshes = meshesOf(file);
+    std::size_t leftOut = 0;
+    std::vector<Mesh> meshes = meshesOf(file, leftOut);
     LoadedModel model;
+    remarkOnLeftOut(leftOut, source.name, model.remarks);
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const Group& group = file.groups[i];
         if (meshes[i].polygonCount() == 0) continue;

@@ -58,6 +58,19 @@ public:
     void fail(std::string found, std::string expected) {
         if (m_errors.size() < kMaxErrors) m_errors.push_back({{m_name, 0, 0}, std::move(found), std::move(expected)});
     }
+    // What is there after the last element, as a remark; empty where nothing is.
+    std::string rest() {
+        if (!isText()) {
+            const std::size_t bytes = m_bytes.size() - std::min(m_at, m_bytes.size());
+            if (bytes == 0) return {};
+            return fmt::format("The last {} after the last element {} not read.",
+                               bytes == 1 ? "byte" : groupedDigits(bytes) + " bytes", bytes == 1 ? "is" : "are");
+        }
+        std::string_view word = m_scanner.next();
+        while (word.empty() && m_scanner.nextLine()) word = m_scanner.next();
+        if (word.empty()) return {};
+        return fmt::format("What stands after the last element, from line {} on, is not read.", m_scanner.line());
+    }
     // The line suffices: a row is one, and counting columns would take quadratic time where it is not.
     TextPosition place() const { return isText() ? TextPosition{m_scanner.line(), 1} : TextPosition{}; }
 
@@ -169,11 +182,13 @@ bool checkRoom(PlyBody& body, const PlyElement& element, std::size_t fileSize) {
     return fits && element.count <= kMaxVertices;
 }
 
-void readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, Mesh& mesh) {
+// The number of polygons that were left out.
+std::size_t readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, Mesh& mesh) {
+    std::size_t leftOut = 0;
     bool normalsKnown = true;
     Row row;
     for (const PlyElement& element : header.elements) {
-        if (!checkRoom(body, element, fileSize)) return;
+        if (!checkRoom(body, element, fileSize)) return leftOut;
         const bool isVertex = element.name == "vertex", isFace = element.name == "face";
         const bool hasNormals =
             isVertex && std::ranges::count_if(element.properties, [](const PlyProperty& property) {
@@ -182,18 +197,19 @@ void readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, 
         if (isVertex) normalsKnown = hasNormals;
         if (isVertex) mesh.positions.reserve(element.count);
         for (std::size_t i = 0; i < element.count; ++i) {
-            if (!body.goesOn() || !readRow(body, element, i, mesh.positions.size(), row)) return;
+            if (!body.goesOn() || !readRow(body, element, i, mesh.positions.size(), row)) return leftOut;
             if (isVertex) mesh.positions.emplace_back(row.values[0], row.values[1], row.values[2]);
             if (hasNormals) {
                 const std::optional<Vec3d> normal = unitVector({row.values[3], row.values[4], row.values[5]});
                 normalsKnown = normalsKnown && normal;
                 mesh.normals.push_back(normal.value_or(Vec3d(0.0)));
             }
-            if (isFace) addPolygon(mesh, row.corners, body.place());
+            if (isFace && !addPolygon(mesh, row.corners, body.place())) ++leftOut;
         }
     }
     body.goesOn();
     if (!normalsKnown) mesh.normals.clear();
+    return leftOut;
 }
 
 }  // namespace
@@ -206,9 +222,12 @@ Result<LoadedModel> readPly(const SourceText& source, const FileLoader&) {
     if (!errors.empty()) return errors;
     Mesh mesh;
     PlyBody body(source, bytes, header.form, scanner, errors);
-    readElements(body, header, bytes.size(), mesh);
+    const std::size_t leftOut = readElements(body, header, bytes.size(), mesh);
     if (!errors.empty()) return errors;
     LoadedModel model;
+    remarkOnLeftOut(leftOut, source.name, model.remarks);
+    if (std::string rest = body.rest(); !rest.empty()) model.remarks.push_back({source.name, std::move(rest)});
+    if (!errors.empty()) return errors;
     if (mesh.polygonCount() == 0) return model;
     dropUnusedVertices(mesh);
     mesh.file = meshFileOf(source);

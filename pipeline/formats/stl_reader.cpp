@@ -69,6 +69,7 @@ Result<LoadedModel> readBinary(const SourceText& source) {
     Errors errors;
     WeldedMesh welded;
     ReadMeter meter(bytes.size(), source.name, source.progress);
+    std::size_t leftOut = 0;
     for (std::size_t i = 0; i < count && errors.size() < kMaxErrors; ++i) {
         const std::size_t facet = kFirstFacet + i * kFacet;
         if (!meter.goesOn(i * kFacet, errors)) break;
@@ -91,11 +92,17 @@ Result<LoadedModel> readBinary(const SourceText& source) {
             }
             corners[k] = welded.vertex(p);
         }
-        addPolygon(welded.mesh(), corners);
+        if (!addPolygon(welded.mesh(), corners)) ++leftOut;
     }
     meter.goesOn(bytes.size(), errors);
     if (!errors.empty()) return errors;
     LoadedModel model;
+    remarkOnLeftOut(leftOut, source.name, model.remarks);
+    if (const std::size_t rest = bytes.size() - kFirstFacet - count * kFacet; rest > 0)
+        model.remarks.push_back(
+            {source.name, fmt::format("The last {} after the last of {} facet{} {} not read.",
+                                      rest == 1 ? "byte" : groupedDigits(rest) + " bytes", groupedDigits(count),
+                                      count == 1 ? "" : "s", rest == 1 ? "is" : "are")});
     addObject(welded, source, stemOf(source.name), model.objects);
     return model;
 }
@@ -124,6 +131,7 @@ Result<LoadedModel> readText(const SourceText& source) {
     std::vector<std::uint32_t> corners;
     TextPosition place;
     bool ended = false;
+    std::size_t leftOut = 0;
     while (scanner.nextLine()) {
         const std::string_view word = scanner.next();
         if (word.empty()) continue;
@@ -140,7 +148,7 @@ Result<LoadedModel> readText(const SourceText& source) {
         } else if (is("endloop")) {
             if (corners.size() < 3 && errors.empty()) scanner.fail("a loop of fewer than three vertices", "three");
             if (place.line == 0) place = scanner.place();  // no facet so far: every polygon has a place, or none
-            addPolygon(welded.mesh(), corners, place);
+            if (!addPolygon(welded.mesh(), corners, place)) ++leftOut;
             corners.clear();
         } else if (ended) {
             addObject(welded, source, name, model.objects);
@@ -151,6 +159,7 @@ Result<LoadedModel> readText(const SourceText& source) {
     }
     if (!ended && errors.empty()) scanner.fail("found the end of the file", "endsolid");
     if (!errors.empty()) return errors;
+    remarkOnLeftOut(leftOut, source.name, model.remarks);
     return model;
 }
 

@@ -157,6 +157,8 @@ TEST(GltfReader, WhatIsRefused) {
          "node 1 stands below itself, expected nodes that are a tree"},
         {fileOf("nodes", R"([{"children": [0]}])"),
          "/scenes/0/nodes/0 is 0, expected a node that is no child and stands there once"},
+        {fileOf("nodes", R"([{"mesh": 0, "rotation": [0, 0, 0, 0]}])"),
+         "/nodes/0/rotation is (0, 0, 0, 0), expected a quaternion of length 1"},
         {fileOf("nodes", R"([{"mesh": 0, "matrix": [1, 2]}])"),
          "/nodes/0/matrix is an array of 2, expected an array of 16 numbers"},
         {fileOf("nodes", R"([{"mesh": 0, "matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,2]}])"),

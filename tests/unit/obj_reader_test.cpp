@@ -38,6 +38,15 @@ std::vector<std::uint32_t> polygon(const Object& object, std::size_t i) {
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 using Indices = std::vector<std::uint32_t>;
 
+TEST(ObjReader, SaysHowManyPolygonsHaveNoArea) {
+    const Result<LoadedModel> model =
+        readModel({kSquare + "f 1 2 3 4\nf 1 1 2\no b\nf 3 3 3\nf 1 2 4\n", "m.obj"}, ".obj", filesOf({}));
+    ASSERT_TRUE(model);
+    EXPECT_EQ(model->remarks, (std::vector<Remark>{{"m.obj",
+                                                    "2 polygons have fewer than three different corners, and "
+                                                    "so no area; they are left out."}}));
+}
+
 TEST(ObjReader, QuadStaysAQuad) {
     const std::vector<Object> objects = objectsOf(kSquare + "f 1 2 3 4\n");
     ASSERT_EQ(objects.size(), 1u);

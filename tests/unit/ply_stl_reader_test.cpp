@@ -26,6 +26,14 @@ std::string errorsOf(std::string_view text, std::string_view extension) {
     return model ? "" : format(model.errors());
 }
 
+std::vector<std::string> remarksOf(std::string_view text, std::string_view extension) {
+    const Result<LoadedModel> model = readModel({text, "m"}, extension, noFiles);
+    EXPECT_TRUE(model) << (model ? "" : format(model.errors()));
+    std::vector<std::string> texts;
+    for (const Remark& remark : model ? model->remarks : std::vector<Remark>()) texts.push_back(remark.text);
+    return texts;
+}
+
 std::vector<std::uint32_t> polygon(const Object& object, std::size_t i) {
     const auto corners = object.mesh->polygon(i);
     return {corners.begin(), corners.end()};
@@ -146,6 +154,21 @@ TEST(PlyReader, HeadersThatAreWrong) {
               "m:9:15: found \"float\", expected a whole number's type, as uchar or int\n");
 }
 
+using Texts = std::vector<std::string>;
+
+TEST(PlyReader, SaysWhatItLeavesOut) {
+    const std::string text = withReplaced(plyHeader("ascii"), "face 1", "face 4") + kPlyData;
+    // Corners 1 1 2: two different ones. 0 1 2 0: three, the first is written twice.
+    EXPECT_EQ(remarksOf(text + "3 1 1 2\n2 0 1\n4 0 1 2 0\n", ".ply"),
+              (Texts{"2 polygons have fewer than three different corners, and so no area; they are left out."}));
+    EXPECT_EQ(remarksOf(plyHeader("ascii") + kPlyData + " \n\n", ".ply"), Texts{});
+    EXPECT_EQ(remarksOf(plyHeader("ascii") + kPlyData + "\n4 3 2 1 0\n", ".ply"),
+              (Texts{"What stands after the last element, from line 17 on, is not read."}));
+    EXPECT_EQ(remarksOf(binaryPly(true), ".ply"), Texts{});
+    EXPECT_EQ(remarksOf(binaryPly(false) + "xyz", ".ply"),
+              (Texts{"The last 3 bytes after the last element are not read."}));
+}
+
 std::string binaryStl(const std::vector<std::array<Vec3d, 3>>& facets, std::uint32_t announced) {
     std::string text(80, ' ');
     text += bytesOf(announced);
@@ -186,6 +209,18 @@ TEST(StlReader, TetrahedronIsWeldedAndClosed) {
     }
     EXPECT_EQ(objectsOf(textStl(), ".stl")[0].name, "part one");
     EXPECT_EQ(objectsOf(textStl() + textStl(), ".stl").size(), 2u) << "one object for each solid";
+}
+
+TEST(StlReader, SaysWhatItLeavesOut) {
+    auto facets = kTetrahedron;
+    facets.push_back({kA, kA, kB});
+    const Texts one{"1 polygon has fewer than three different corners, and so no area; it is left out."};
+    EXPECT_EQ(remarksOf(binaryStl(facets, 5), ".stl"), one);
+    const std::string flat = "solid\nfacet\nouter loop\nvertex 1 2 3\nvertex 1 2 3\nvertex 4 5 6\nendloop\nendsolid\n";
+    EXPECT_EQ(remarksOf(textStl() + flat, ".stl"), one);
+    EXPECT_EQ(remarksOf(binaryStl(kTetrahedron, 4), ".stl"), Texts{});
+    EXPECT_EQ(remarksOf(binaryStl(kTetrahedron, 3), ".stl"),
+              (Texts{"The last 50 bytes after the last of 3 facets are not read."}));
 }
 
 TEST(StlReader, KeywordsMayBeInCapitals) {
