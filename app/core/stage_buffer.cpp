@@ -99,7 +99,7 @@ bool isDark(const pipeline::Scene& scene, const BufferName& name) {
     if (name.id == BufferId::Ambient) return !isGl && scene.ambient.intensityIn(scene.settings.model) == 0;
     if (name.id != BufferId::Specular && name.id != BufferId::Diffuse) return false;
     const pipeline::Light& light = scene.lights[std::size_t(name.light)];
-    if (light.intensity == 0) return true;
+    if (light.intensity == 0 || (!isGl && light.color == pipeline::Vec3d(0))) return true;
     if (name.id == BufferId::Diffuse) return none([](const pipeline::Material& m) { return m.diffuse; });
     return none([](const pipeline::Material& m) { return m.specular; }) ||
            (isGl && light.gl.specular == pipeline::Vec3d(0));

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/plan/lit_scene.h"
 #include "pipeline/plan/own_normals.h"
 #include "pipeline/plan/shadow_reach.h"
-#include "pipeline/scene/opacity.h"
 
 namespace pipeline {
 namespace {
@@ -17,8 +17,6 @@ constexpr const char* kNoShadowsInOpenGl = "OpenGL's model knows no shadows.";
 constexpr const char* kOutlines = "Outlines are not shaded.";
 constexpr const char* kOnlyR = "The specular terms are Phong's, of R and not of H.";
 constexpr const char* kOnlyH = "The specular terms are Blinn's, of H and not of R.";
-constexpr const char* kDark = "Its intensity is 0.";
-constexpr const char* kAllOpaque = "Every surface is opaque.";
 
 std::size_t polygonCount(const Scene& scene) {
     std::size_t count = 0;
@@ -26,22 +24,6 @@ std::size_t polygonCount(const Scene& scene) {
     return count;
 }
 
-std::size_t translucentTriangles(const Scene& scene) {
-    const std::vector<TranslucentSides> sides = translucentSides(scene);
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < sides.size(); ++i)
-        if ((sides[i].front || sides[i].back) && !isTransparent(scene.objects[i], scene.settings))
-            count += scene.objects[i].mesh->triangles.size();
-    return count;
-}
-
-// Whether a condition holds for any material, of fronts and of backs.
-template <class Condition>
-bool anyMaterial(const Scene& scene, Condition holds) {
-    return std::ranges::any_of(scene.objects, [&](const Object& o) {
-        return holds(o.material) || (o.backMaterial && holds(*o.backMaterial));
-    });
-}
 // Whether a material's specular term reads H; or, of the other kind, R.
 bool anyLobe(const Scene& scene, bool halfway) {
     return anyMaterial(scene, [&](const Material& m) { return usesHalfway(scene.settings.model, m) == halfway; });
@@ -60,6 +42,7 @@ bool anyPerLight(BufferSet wanted) {
 // What decides all needs of one scene.
 struct Decision {
     const Scene& scene;
+    const Scene& drawn;  // without what light cannot show
     BufferSet wanted;
     RuleSet rules;
     StageId until;  // after this stage the run ends
@@ -72,6 +55,8 @@ struct Decision {
         const std::string_view off = scene.settings.leaveOut ? kRules[index(rule)].key : "leave_out";
         return {{}, {}, fmt::format("{}, but {} is off.", reason, off)};
     }
+    // A reason that holds for all objects, or for those that are drawn alone.
+    std::string ofAll(std::string all, std::string ofDrawn) const { return &drawn == &scene ? all : ofDrawn; }
     bool has(BufferId id) const { return wanted[index(id)]; }
     Model model() const { return scene.settings.model; }
     bool outlines() const { return scene.settings.visibility == Visibility::None; }
@@ -120,7 +105,7 @@ struct Decision {
         const bool all = !needs.ownNormals.empty() && std::ranges::all_of(needs.ownNormals, std::identity());
         return unless(Rule::PolygonNormals, all ? "Every vertex has a normal of its own." : "");
     }
-    // Both or neither, else the stage runs.
+    // The stage runs where either is needed, else it is left out for the reason of the polygon normals.
     Need normals(const Needs& needs) const {
         return needs.polygonNormals || needs.vertexNormals ? Need{} : needs.polygonNormals;
     }
@@ -146,16 +131,16 @@ struct Decision {
         if (outlines() && !anyWanted(wanted, {BufferId::PolygonsIntensity, BufferId::VerticesIntensity}))
             return {kOutlines, {}};
         if (anyPerLight(wanted)) return {};
-        if (light.intensity == 0) return unless(Rule::DarkLight, kDark);
-        const bool reflected = anyMaterial(scene, [&](const Material& m) {
-            return m.diffuse != Vec3d(0) || shines(m) ||
-                   (model() == Model::OpenGl && m.ambient * light.gl.ambient != Vec3d(0));
-        });
-        return unless(Rule::Unreflected, reflected ? "" : "No material reflects any of it.");
+        if (const std::string why = whyDark(light, model()); !why.empty()) return unless(Rule::DarkLight, why);
+        if (isReflected(drawn, light)) return {};
+        return unless(Rule::Unreflected,
+                      ofAll("No material reflects any of it.", "No material that is drawn reflects any of it."));
     }
     Need specular(const Need& light) const {
         if (!light) return light;
-        return unless(Rule::Specular, anyMaterial(scene, shines) ? "" : "k_s is 0 in every material.");
+        if (anyMaterial(drawn, shines)) return {};
+        return unless(Rule::Specular,
+                      ofAll("k_s is 0 in every material.", "k_s is 0 in every material that is drawn."));
     }
     Need attenuation(const Light& light, const Need& counts) const {
         if (!counts) return counts;
@@ -170,10 +155,13 @@ struct Decision {
         if (outlines()) return {kOutlines, {}};
         if (model() == Model::OpenGl) return {kNoShadowsInOpenGl, {}};
         if (!counts) return counts;
-        if (scene.objects.empty()) return {"The scene has no object.", {}};
-        Need convex = unless(Rule::ConvexShadow, whyNoSelfShadow(scene));
+        if (drawn.objects.empty()) return {ofAll("The scene has no object.", "Every object has alpha 0."), {}};
+        const auto amongDrawn = [&](const std::string& why) {
+            return why.empty() ? why : ofAll(why, "Objects of alpha 0 cast none. " + why);
+        };
+        Need convex = unless(Rule::ConvexShadow, amongDrawn(whyNoSelfShadow(drawn)));
         if (!convex) return convex;
-        Need distant = unless(Rule::DistantShadow, whyNoShadowBetween(scene, light));
+        Need distant = unless(Rule::DistantShadow, amongDrawn(whyNoShadowBetween(drawn, light)));
         return distant && distant.despite.empty() ? convex : distant;
     }
     // One sentence for all lights when they agree.
@@ -212,13 +200,13 @@ struct Decision {
     // R and H: what the model does not read, and in a scene without specular terms neither.
     Need direction(bool ofModel, bool specular, std::initializer_list<BufferId> readers, const char* other) const {
         if (anyWanted(wanted, readers) || (ofModel && specular)) return {};
-        return unless(Rule::Directions, ofModel ? "No specular term reads it." : other);
+        return unless(Rule::Directions, ofModel || drawn.objects.empty() ? "No specular term reads it." : other);
     }
     Need reflection(bool specular) const {
-        return direction(anyLobe(scene, false), specular, {BufferId::ReflectionVector, BufferId::RDotV}, kOnlyH);
+        return direction(anyLobe(drawn, false), specular, {BufferId::ReflectionVector, BufferId::RDotV}, kOnlyH);
     }
     Need halfway(bool specular) const {
-        return direction(anyLobe(scene, true), specular, {BufferId::HalfwayVector, BufferId::NDotH}, kOnlyR);
+        return direction(anyLobe(drawn, true), specular, {BufferId::HalfwayVector, BufferId::NDotH}, kOnlyR);
     }
     Need depthTest() const {
         if (outlines()) return {"Outlines are drawn one over the other: no depths are compared.", {}};
@@ -278,7 +266,7 @@ struct Decision {
     }
     Need layers() const {
         if (outlines()) return {kOutlines, {}};
-        return unless(Rule::TranslucentPass, translucentTriangles(scene) > 0 ? "" : kAllOpaque);
+        return unless(Rule::TranslucentPass, whyNoLayers(scene));
     }
     Need layerSort(const Need& layers) const {
         if (scene.settings.translucency == Translucency::Polygons)
@@ -298,7 +286,8 @@ Needs needsOf(const Scene& scene, BufferSet wanted, StageId until) {
     // A shadow buffer is not made for its own sake: its light decides.
     if (!needs.rules[index(Rule::UnreadBuffers)])
         needs.buffers.set().set(index(BufferId::ShadowBuffer), wanted[index(BufferId::ShadowBuffer)]);
-    const Decision decide{scene, needs.buffers, needs.rules, until};
+    const std::optional<Scene> drawn = withoutTransparent(scene, needs.buffers);
+    const Decision decide{scene, drawn ? *drawn : scene, needs.buffers, needs.rules, until};
     needs.cull = decide.cull();
     needs.polygonTerms = decide.polygonTerms();
     needs.vertexNormals = decide.vertexNormals();
@@ -367,7 +356,7 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
         case BufferId::RDotV: return anyLobe(scene, false) ? "" : kOnlyH;
         case BufferId::Translucent:
         case BufferId::Transmittance:
-        case BufferId::Layers: return translucentTriangles(scene) == 0 ? kAllOpaque : "";
+        case BufferId::Layers: return whyNoLayers(scene);
         case BufferId::Antialiased:
             return scene.settings.antialiasing > 1 ? "" : "Off in this scene: antialiasing = 1. It is the intensity.";
         case BufferId::Emission: return model == Model::OpenGl ? "" : "Only OpenGL's model has emission.";

@@ -52,9 +52,12 @@ void zBufferParts(Parts& out) {
     const std::string noOrder = sorts      ? ""
                                 : outlines ? "Outlines are drawn in the order of the scene."
                                            : "The z-buffer needs no order.";
-    if (!outlines)
+    if (!outlines && out.needs.cull)
         out.within("clipping", Rule::Clipping, "Only of polygons that culling did not find whole in the picture.",
                    "Of every polygon.");
+    else if (!outlines)
+        out.runs("clipping",
+                 "Of every polygon: culling, which finds those that are whole in the picture, is left out.");
     out.add("polygons seen", out.needs.seenPolygons, "Shading, or somebody, reads which polygon a pixel sees.",
             "4 bytes a pixel");
     out.add("counts of fragments", out.needs.fragmentCounts, "They are asked for, or come by themselves.",
@@ -98,10 +101,10 @@ void shadingParts(Parts& out) {
     for (std::size_t k = 0; k < needs.light.size(); ++k) {
         out.add(fmt::format("light {}", k), needs.light[k], "It shines, or somebody reads what it adds.",
                 "an evaluation a point");
-        out.add(fmt::format("specular of light {}", k), needs.specular[k], "A material has k_s above 0.",
+        out.add(fmt::format("specular of light {}", k), needs.specular[k], "A material has a k_s other than 0.",
                 "a power a point");
         if (model == Model::OpenGl)
-            out.add(fmt::format("attenuation of light {}", k), needs.attenuation[k], "It fades with distance.",
+            out.add(fmt::format("attenuation of light {}", k), needs.attenuation[k], "It is not 1 at every distance.",
                     "a distance and a division a point");
     }
     if (!needs.light.empty()) {

@@ -60,7 +60,7 @@ inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
      "those that no pixel shows."},
     {"rule.hidden_vertices", "Hidden vertices",
      "Leaves the evaluation of vertices out all of whose polygons are hidden."},
-    {"rule.dark_light", "Dark light", "Leaves a light of intensity 0 out, with its shadow buffer."},
+    {"rule.dark_light", "Dark light", "Leaves a light of intensity 0 or of colour black out, with its shadow buffer."},
     {"rule.unreflected", "Unreflected light", "Leaves a light out of which no material reflects any part."},
     {"rule.convex_shadow", "Convex object",
      "Leaves the shadow buffers out where the only object is convex, which cannot shadow itself."},

@@ -46,7 +46,7 @@ std::string_view onlyPainter(const Scene& scene) {
     return scene.settings.visibility == Visibility::Painter ? "" : "Only the painter's algorithm splits polygons.";
 }
 std::string_view onlyTranslucent(const Scene& scene) {
-    return translucentSides(scene).empty() ? "Every surface is opaque: set a material's alpha below 1." : "";
+    return translucentSides(scene).empty() ? "No surface is translucent: set a material's alpha between 0 and 1." : "";
 }
 std::string_view onlyShadow(const Scene& scene) {
     if (!notOutlines(scene).empty()) return notOutlines(scene);
