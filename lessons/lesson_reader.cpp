@@ -9,6 +9,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"
+#include "pipeline/plan/memory_limit.h"
 #include "pipeline/scene/key_places.h"
 
 namespace lessons {
@@ -171,7 +172,7 @@ private:
                     fail(set.line().where, changed.errors());
             }
         m_headerChecked = true;
-        fail(page, pipeline::checkScene(*scene));
+        fail(page, pipeline::checkSceneAndMemory(*scene));
         return scene;
     }
 

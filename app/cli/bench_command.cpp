@@ -164,6 +164,10 @@ int runLeaveOutBench(const BenchOptions& options) {
         }
         LeaveOutOptions measured{wanted->request, options.warmups, options.repeats()};
         measured.request.stop = interrupt.token();
+        pipeline::Scene whole = *scene;
+        whole.settings.leaveOut = false;
+        int status = kDone;
+        if (!fits(whole, measured.request, options.scene, status)) return status;
         const auto times = measureLeavingOut(*scene, measured);
         if (!times) {
             tell("Cancelled.\n");
@@ -229,6 +233,7 @@ int runBench(BenchOptions options, const CLI::App& command) {
     }
     pipeline::FrameRequest request = wanted->request;
     request.stop = interrupt.token();
+    if (!fits(*scene, request, options.scene, status)) return status;
     const auto times = measure(scene, request, options);
     if (!times) {
         tell("Cancelled.\n");

@@ -7,6 +7,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <new>
 #include <system_error>
 
 #include "app/cli/commands.h"
@@ -94,6 +95,9 @@ int runCli(int argc, const char* const* argv, const CliHost& host) {
         return kWrongUsage;
     } catch (const std::system_error& error) {  // fmt::print has no other way to say that it could not
         return couldNotWrite(error.code().value());
+    } catch (const std::bad_alloc&) {
+        tell("shadescope: not enough memory; a smaller picture (--size) and fewer buffers (--buffers) need less\n");
+        return kBadInput;
     }
     return flushed(status);
 }

@@ -228,6 +228,7 @@ int runExport(ExportOptions options, const CliHost& host) {
     // The calls hold normals, also where the run ends before anybody shades with them.
     if (std::ranges::find(options.formats, "opengl") != options.formats.end())
         frameRequest.wanted |= pipeline::normalsOfShading(*scene);
+    if (!fits(*scene, frameRequest, options.scene, status)) return status;
     pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
     // Derived ones alone: and no other.
     const auto& buffers = argument.buffers.empty() ? derivedOnes->names : wanted->buffers;

@@ -69,6 +69,7 @@ int runFilm(const FilmOptions& options) {
     // A film that passes through that stage shows its steps, whatever stage it ends in.
     if (from.stage <= pipeline::StageId::Normals) frameRequest.wanted |= pipeline::normalsOfShading(*scene);
     frameRequest.stop = interrupt.token();
+    if (!fits(*scene, frameRequest, options.scene, status)) return status;
     const pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
     const auto cancelled = [] {
         tell("Cancelled. Nothing was written.\n");

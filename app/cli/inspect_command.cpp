@@ -33,13 +33,17 @@ struct InspectOptions {
     bool json = false, shadowVerdicts = false;
 };
 
-pipeline::FramePtr frameOf(std::shared_ptr<const pipeline::Scene> scene, const InspectOptions& options,
-                           pipeline::BufferSet wanted = {}) {
+pipeline::FrameRequest requestFor(const InspectOptions& options, pipeline::BufferSet wanted) {
     pipeline::FrameRequest request;
     request.wanted = wanted;
     request.threads = options.threads;
     request.stop = options.stop;
-    return runFrame(std::move(scene), request, nullptr);
+    return request;
+}
+
+pipeline::FramePtr frameOf(std::shared_ptr<const pipeline::Scene> scene, const InspectOptions& options,
+                           pipeline::BufferSet wanted = {}) {
+    return runFrame(std::move(scene), requestFor(options, wanted), nullptr);
 }
 
 int cancelled() {
@@ -78,6 +82,8 @@ int printWhere(const std::shared_ptr<const pipeline::Scene>& scene, const Inspec
         printErrors(condition.errors());
         return kWrongUsage;
     }
+    int status = kDone;
+    if (!fits(*scene, requestFor(options, condition->buffers), options.scene, status)) return status;
     const pipeline::FramePtr frame = frameOf(scene, options, condition->buffers);
     if (!frame) return cancelled();
     const auto mask = evaluate(*condition, *frame, options.stop);
@@ -172,6 +178,10 @@ int runInspect(InspectOptions options) {
     int status = kDone;
     const auto scene = loadScene(options.scene, status);
     if (!scene) return status;
+    pipeline::BufferSet wanted;  // beside what a condition reads
+    if (options.row) wanted = pipeline::sectionBuffers();
+    if (options.shadowVerdicts) wanted = pipeline::setOf({pipeline::BufferId::Shadow});
+    if (!fits(*scene, requestFor(options, wanted), options.scene, status)) return status;
     if (!options.table.empty()) return printTable(scene, options);
     if (options.hasWhere) return printWhere(scene, options);
     if (options.shadowVerdicts) return printShadows(scene, options);

@@ -114,6 +114,7 @@ int runPlan(const PlanOptions& options) {
     const Interrupt interrupt;
     pipeline::FrameRequest request = wanted->request;
     request.stop = interrupt.token();
+    if (!fits(*scene, request, options.scene, status)) return status;
     const pipeline::FramePtr frame = runFrame(scene, request, nullptr);
     if (!frame) {
         tell("Cancelled.\n");

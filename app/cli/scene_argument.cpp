@@ -11,6 +11,7 @@
 #include "app/cli/message.h"
 #include "app/state/state_scene.h"
 #include "pipeline/core/text.h"
+#include "pipeline/plan/memory_limit.h"
 #include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -78,6 +79,16 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, int& statu
     if (const Errors errors = checkScene(*changed); !errors.empty())
         return refuse(optionsOf(argument).placed(errors), kWrongUsage);
     return std::make_shared<const Scene>(std::move(changed).value());
+}
+
+bool fits(const Scene& scene, const pipeline::FrameRequest& request, const SceneArgument& argument, int& status) {
+    Errors errors = checkMemory(scene, request.wanted, request.until);
+    if (errors.empty()) return true;
+    errors = optionsOf(argument).placed(errors);
+    status = errors[0].where.file.empty() ? kBadInput : kWrongUsage;
+    if (errors[0].where.file.empty()) errors[0].where.file = argument.scene;
+    printErrors(errors);
+    return false;
 }
 
 std::optional<glm::ivec2> parsePair(std::string_view text, char separator) {

@@ -7,6 +7,7 @@
 
 #include "app/state/window_state.h"
 #include "pipeline/core/result.h"
+#include "pipeline/run/frame.h"
 #include "pipeline/scene/scene.h"
 
 namespace CLI {
@@ -32,6 +33,11 @@ void declareSceneArgument(CLI::App& command, SceneArgument& argument,
 // The scene with its settings applied, or nothing after the reasons went to standard error and
 // `status` was set to kBadInput or kWrongUsage.
 std::shared_ptr<const pipeline::Scene> loadScene(const SceneArgument& argument, int& status);
+
+// Whether such a frame fits into memory. If not, the reason went to standard error and `status` was set: to kWrongUsage
+// where an option has made it so large, else to kBadInput.
+bool fits(const pipeline::Scene& scene, const pipeline::FrameRequest& request, const SceneArgument& argument,
+          int& status);
 
 // "640x480" and "12,40": two whole numbers around a separator, nothing else.
 std::optional<glm::ivec2> parsePair(std::string_view text, char separator);

@@ -15,6 +15,7 @@
 #include "app/core/write_file.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/toml_writer.h"
+#include "pipeline/plan/memory_limit.h"
 
 namespace app {
 
@@ -154,7 +155,7 @@ void Document::change(const SettingRef& ref, double value, Change kind) {
     if (!isIn(*m_scene, ref)) return;  // of what has gone since
     auto after = std::make_shared<Scene>(*m_scene);
     ref.set(*after, value);
-    if (const auto errors = checkScene(*after); !errors.empty()) {
+    if (const auto errors = checkSceneAndMemory(*after); !errors.empty()) {
         emit failed(errors);
         return;
     }
@@ -171,7 +172,7 @@ void Document::change(const SettingRef& ref, double value, Change kind) {
 }
 
 void Document::edit(Scene scene, const QString& text, Change kind) {
-    if (const auto errors = checkScene(scene); !errors.empty()) {
+    if (const auto errors = checkSceneAndMemory(scene); !errors.empty()) {
         emit failed(errors);
         return;
     }
@@ -200,7 +201,7 @@ void Document::setLive(bool live) {
 void Document::replace(Scene scene, const QString& text) { replace(std::move(scene), text, {}); }
 
 void Document::replace(Scene scene, const QString& text, Looks looks) {
-    if (const auto errors = checkScene(scene); !errors.empty()) {
+    if (const auto errors = checkSceneAndMemory(scene); !errors.empty()) {
         emit failed(errors);
         return;
     }

@@ -8,6 +8,7 @@
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/formats/png_scene.h"
 #include "pipeline/formats/scene_reader.h"
+#include "pipeline/plan/memory_limit.h"
 
 namespace app {
 
@@ -65,6 +66,7 @@ Result<std::optional<WindowState>> stateInPicture(const QString& file) {
 Result<OpenedScene> readSceneFile(const QString& file, const pipeline::ReadProgress& progress) {
     Result<Scene> scene = pipeline::readScene(file.toStdString(), progress);
     if (!scene) return scene.errors();
+    if (const pipeline::Errors errors = checkSceneAndMemory(*scene); !errors.empty()) return errors;
     OpenedScene opened;
     opened.scene = std::move(scene).value();
     opened.kept = {QFileInfo(file).absoluteFilePath(), std::make_shared<const Scene>(opened.scene)};
@@ -101,6 +103,7 @@ Result<OpenedScene> readStateScene(const WindowState& state, const fs::path& fol
         return Error{{}, "the state names no scene", "a scene file, or the name of a built-in scene"};
     Result<Scene> shown = sceneOf(state, opened.kept.scene ? *opened.kept.scene : Scene());
     if (!shown) return shown.errors();
+    if (const pipeline::Errors errors = checkSceneAndMemory(*shown); !errors.empty()) return errors;
     opened.scene = std::move(shown).value();
     opened.scene.file = opened.kept.scene ? opened.kept.scene->file : std::string();
     return opened;

@@ -5,6 +5,7 @@
 
 #include "app/core/stage_buffer.h"
 #include "app/core/text.h"
+#include "pipeline/plan/memory_limit.h"
 
 namespace app {
 
@@ -39,7 +40,7 @@ OtherSource withSetting(const SettingRef& ref, double value) {
 QString whyNotSetting(const Scene& scene, const SettingRef& ref, double value) {
     Scene other = scene;
     ref.set(other, value);
-    const pipeline::Errors errors = checkScene(other);
+    const pipeline::Errors errors = checkSceneAndMemory(other);
     return errors.empty() ? QString() : toQString(format(errors.front()));
 }
 
@@ -126,7 +127,7 @@ ScenePtr otherScene(const OtherSource& source, const ScenePtr& scene, const Scen
     if (!hasSetting(*scene, source.setting)) return nullptr;
     auto other = std::make_shared<Scene>(*scene);
     source.setting.set(*other, source.value);
-    if (!checkScene(*other).empty()) return nullptr;
+    if (!checkSceneAndMemory(*other).empty()) return nullptr;
     return other;
 }
 

@@ -1,4 +1,5 @@
 #include "app/core/scene_gallery.h"
+#include "pipeline/plan/memory_limit.h"
 
 #include <algorithm>
 
@@ -30,7 +31,7 @@ QImage cutToScene(const pipeline::Frame& frame) {
 
 QImage render(const pipeline::BuiltInScene& builtIn, std::stop_token stop) {
     auto scene = pipeline::readScene(builtIn.file);
-    if (!scene || !pipeline::checkScene(*scene).empty()) return {};
+    if (!scene || !pipeline::checkSceneAndMemory(*scene).empty()) return {};
     auto small = std::make_shared<pipeline::Scene>(std::move(scene).value());
     // A spherical camera fixes the pixels per screen unit, not the field of view.
     small->camera.pixelsPerUnit *= double(kHeight) / small->settings.height;

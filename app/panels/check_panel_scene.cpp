@@ -5,6 +5,7 @@
 #include "app/panels/check_panel.h"
 #include "app/panels/check_pictures.h"
 #include "pipeline/check/check_json.h"
+#include "pipeline/plan/memory_limit.h"
 
 // What leaves the panel: the chosen case as a scene, and the report.
 namespace app {
@@ -26,7 +27,7 @@ std::optional<pipeline::Scene> CheckPanel::sceneAtKnob() const {
 void CheckPanel::showPictures() {
     std::optional<pipeline::Scene> scene;
     if (chosenCase().scene) scene = m_knob->moved() ? sceneAtKnob() : chosenCase().scene();
-    const bool drawn = scene && checkScene(*scene).empty();
+    const bool drawn = scene && checkSceneAndMemory(*scene).empty();
     m_pictures->setScene(chosenCase(), drawn ? std::make_shared<const pipeline::Scene>(*scene) : nullptr);
 }
 
@@ -39,7 +40,8 @@ bool CheckPanel::openAsScene() {
     const Case& which = chosenCase();
     auto scene = sceneAtKnob();
     if (!scene) return tell(tr("%1 is numbers or a file: it has no scene.").arg(toQString(which.id)));
-    if (const auto errors = checkScene(*scene); !errors.empty()) return tell(toQString(format(errors.front())));
+    if (const auto errors = checkSceneAndMemory(*scene); !errors.empty())
+        return tell(toQString(format(errors.front())));
     if (!m_mayLeave()) return false;
     m_document.setScene(*std::move(scene));
     m_open = m_selected;

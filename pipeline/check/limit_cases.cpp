@@ -7,6 +7,7 @@
 
 #include "pipeline/check/case.h"
 #include "pipeline/check/scenes.h"
+#include "pipeline/plan/memory_limit.h"
 #include "pipeline/scene/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/shape.h"
@@ -153,9 +154,9 @@ Finding runOnePixel(Trial& trial) {
 Finding runHuge(Trial&) {
     Scene scene = nothing();
     scene.settings.width = scene.settings.height = 16384;
-    double accepted = checkScene(scene).empty();
+    double accepted = checkSceneAndMemory(scene).empty();
     scene.settings.width = 16385;
-    accepted += checkScene(scene).empty();
+    accepted += checkSceneAndMemory(scene).empty();
     const std::uint32_t side = 16384, bytes = side * side * 4 * 4;
     return {2, accepted, fmt::format("{} bytes in 32 bits", bytes), "refused"};
 }
@@ -167,11 +168,11 @@ Finding runShadowSizes(Trial& trial) {
     trial.frame(scene);
     double accepted = 0;
     scene.settings.shadowSize = 16384;
-    accepted += checkScene(scene).empty();
+    accepted += checkSceneAndMemory(scene).empty();
     scene.settings.shadowSize = 8192;
     scene.lights.assign(8, scene.lights[0]);
     for (Light& light : scene.lights) light.kind = LightKind::Point;
-    accepted += checkScene(scene).empty();
+    accepted += checkSceneAndMemory(scene).empty();
     const std::uint32_t side = 16384, bytes = side * side * 16;
     return {2, accepted, fmt::format("{} bytes in 32 bits", bytes), "refused"};
 }

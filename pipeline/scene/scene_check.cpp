@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "pipeline/core/text.h"
-#include "pipeline/scene/area_light.h"
 #include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -18,7 +17,6 @@ namespace pipeline {
 
 namespace {
 
-constexpr double kMemoryLimit = 4.0 * 1024 * 1024 * 1024;  // bytes
 constexpr double kFarthest = 1e9;  // world units, as in the settings' ranges: a normal's squared length stays a float
 
 void refuse(Errors& errors, std::vector<std::string> keys, std::string found, std::string expected) {
@@ -110,52 +108,6 @@ void checkExtent(const Scene& scene, Errors& errors) {
     }
 }
 
-int shadowFaces(const Light& light) { return sampleGrid(light).count() * shadowFacesPerSample(light.kind); }
-// Several faces are kept one by one, and once more side by side where the buffer is asked for.
-int handedOut(int faces) { return faces > 1 ? 2 * faces : faces; }
-
-// Bytes of every buffer of the specification; the plan may need far fewer, an export of all needs them.
-double memoryEstimate(const Scene& scene) {
-    const double real = bytesOf(scene.settings.precision);
-    const double pixels = double(scene.settings.width) * double(scene.settings.height);
-    const double texels = double(scene.settings.shadowSize) * double(scene.settings.shadowSize);
-    // depth, z_view 2; barycentric, position, normal, view_vector, ambient, emission, intensity 7 · 3
-    // translucent and transmittance 4
-    double bytes = pixels * (real * 27 + 5 * 4 + 3);  // two ids, three counts; color
-    // The mean, and while it is made one sample's depths, triangles, weights, counts and intensity, and the first's.
-    if (scene.settings.antialiasing > 1) bytes += pixels * (real * 13 + 4 * 4 + 3);
-    for (const Light& light : scene.lights) {
-        bytes += pixels * real * 19;  // three vectors, two terms 5 · 3; three dot products; S
-        if (light.castsShadow) bytes += texels * real * handedOut(shadowFaces(light));
-    }
-    return bytes;
-}
-
-void checkMemory(const Scene& scene, Errors& errors) {
-    const double bytes = memoryEstimate(scene);
-    if (bytes <= kMemoryLimit) return;
-    const Settings& s = scene.settings;
-    int faces = 0;
-    for (const Light& light : scene.lights) faces += light.castsShadow ? shadowFaces(light) : 0;
-    Scene hard = scene;
-    for (Light& light : hard.lights) light.area.samples = 1;
-    const bool softShadows = memoryEstimate(hard) <= kMemoryLimit;
-    std::vector<std::string> keys{"width", "height", "shadow.size", "antialiasing", "precision"};
-    if (softShadows) keys = {"shadow.size"};
-    // Then what makes them many.
-    constexpr std::string_view kSamples[] = {"samples", "kind", "shadow"};
-    for (std::size_t k = scene.lights.size(); k-- > 0;)
-        if (!softShadows || scene.lights[k].kind == LightKind::Area)
-            std::ranges::move(keysOf("light", k, kSamples), std::back_inserter(keys));
-    refuse(errors, std::move(keys),
-           fmt::format("the buffers of a {} × {} picture with {} lights and {} shadow buffers of {} × {} "
-                       "take {:.1f} GiB",
-                       s.width, s.height, scene.lights.size(), faces, s.shadowSize, s.shadowSize,
-                       bytes / kMemoryLimit * 4),
-           softShadows ? "at most 4 GiB; make shadow.size or the samples of the area lights smaller"
-                       : "at most 4 GiB; make the picture smaller");
-}
-
 }  // namespace
 
 Errors checkScene(const Scene& scene) {
@@ -165,7 +117,6 @@ Errors checkScene(const Scene& scene) {
     checkLights(scene, errors);
     checkOpenGl(scene, errors);
     checkExtent(scene, errors);
-    if (errors.empty()) checkMemory(scene, errors);
     if (errors.size() > kMaxErrors) errors.resize(kMaxErrors);
     return errors;
 }

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "pipeline/core/version.h"
+#include "pipeline/plan/memory_limit.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/study/blame.h"
 #include "pipeline/study/errors.h"
@@ -32,10 +33,10 @@ FramePtr frameOf(const Scene& scene, BufferSet wanted, int threads, std::stop_to
 }
 
 // The scene with 113 bits, or why there is no such reference: it is one itself, or needs too much memory.
-Result<Scene> sceneInQuad(Scene scene) {
+Result<Scene> sceneInQuad(Scene scene, BufferSet wanted) {
     if (scene.settings.precision == Precision::Quad) return Error{{}, "quad is the widest arithmetic there is", {}};
     scene.settings.precision = Precision::Quad;
-    if (const Errors errors = checkScene(scene); !errors.empty()) return errors;
+    if (const Errors errors = checkMemory(scene, wanted); !errors.empty()) return errors;
     return scene;
 }
 
@@ -117,7 +118,9 @@ StudyReport beginStudy(const StudyRequest& request) {
     for (std::size_t i = request.shard; i < pointCount(report.axes); i += request.shards) {
         StudyPoint& point = report.points.emplace_back();
         point.number = i, point.values = valuesOf(report.axes, i);
-        if (const auto at = sceneAt(scene, report.axes, point.values); !at) point.failure = at.errors().front().found;
+        const auto at = sceneAt(scene, report.axes, point.values);
+        const Errors errors = at ? checkMemory(*at, errorsNeed()) : at.errors();
+        if (!errors.empty()) point.failure = errors.front().found;
     }
     return report;
 }
@@ -174,10 +177,8 @@ std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene,
 
 bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token stop) {
     const auto scene = sceneAt(*m_request.scene, report.axes, point.values);
-    if (!scene) {
-        point.failure = scene.errors().front().found;
-        return true;
-    }
+    if (!scene) point.failure = scene.errors().front().found;
+    if (!point.failure.empty()) return true;
     // Counted is the frame whose time is taken: nobody asks it for buffers.
     const FramePtr frame = frameOf(*scene, wanted(), 0, stop), plain = frameOf(*scene, {}, 0, stop);
     if (!frame || !plain) return false;
@@ -185,7 +186,7 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token s
 
     const std::size_t arithmetic = index(ErrorKind::Arithmetic);
     FramePtr exact;
-    if (const auto quad = sceneInQuad(*scene)) {
+    if (const auto quad = sceneInQuad(*scene, wanted())) {
         exact = frameOf(*quad, wanted(), 0, stop);
         if (!exact) return false;
         report.references[arithmetic] = "the same stages in quad, 113 bits";

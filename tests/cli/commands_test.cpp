@@ -103,7 +103,7 @@ TEST(Program, ValuesThatDoNotGoTogetherHaveTheirPlaceOrOption) {
     EXPECT_EQ(refusal({"--set", "object.0.tessellation=4"}),
               "no setting \"object.0.tessellation\": the object is a mesh, not a built-in shape\n");
     EXPECT_TRUE(refusal({"--size", "0x10"}).starts_with("--size 0x10: width is \"0\", expected "));
-    EXPECT_TRUE(refusal({"--size", "16384x16384"}).starts_with("--size 16384x16384: the buffers of a 16384 × 16384"));
+    EXPECT_TRUE(refusal({"--size", "16384x16384", "--counts"}).starts_with("--size 16384x16384: the buffers of a "));
 }
 
 TEST(Program, AFullDiskBehindStandardOutputIsStatus4) {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -66,6 +67,15 @@ Finished runInto(const std::string& file, const std::vector<std::string>& argume
 
 Finished runTellingInto(const std::string& file, const std::vector<std::string>& arguments) {
     return start(arguments, "", file.empty() ? kClosed : file, [](pid_t) {});
+}
+
+Finished runWithin(std::size_t bytes, const std::vector<std::string>& arguments) {
+    rlimit before{};
+    getrlimit(RLIMIT_AS, &before);
+    const rlimit less{bytes, before.rlim_max};  // the program has it from here
+    setrlimit(RLIMIT_AS, &less);
+    Finished finished = start(arguments, "", "", [&](pid_t) { setrlimit(RLIMIT_AS, &before); });
+    return finished;
 }
 
 Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds, int signal) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <csignal>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ Finished runInto(const std::string& file, const std::vector<std::string>& argume
 
 // The same, with standard error going to a file; closed where it has no name.
 Finished runTellingInto(const std::string& file, const std::vector<std::string>& arguments);
+
+// The same, with so many bytes of memory at most, code and libraries among them.
+Finished runWithin(std::size_t bytes, const std::vector<std::string>& arguments);
 
 // The same, with Ctrl+C, or another signal, after some time.
 Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds, int signal = SIGINT);
