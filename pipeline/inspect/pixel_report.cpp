@@ -26,9 +26,9 @@ std::string_view name(FragmentVerdict verdict) {
 
 std::string depthText(double depth, int digits) {
     if (!std::isfinite(depth)) return "+∞";
-    // Always as many decimals: a column of depths stays aligned.
+    // As many decimals in all of a column, which stays aligned; more where tiny depths are to be told apart.
     const int magnitude = depth == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(depth))));
-    return fmt::format("{:.{}f}", depth, std::clamp(digits - 1 - magnitude, 0, 17));
+    return fmt::format("{:.{}f}", depth, std::clamp(digits - 1 - magnitude, 0, digits > 7 ? 340 : 17));
 }
 
 ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& chosen) {
@@ -48,7 +48,7 @@ ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& 
 namespace {
 
 template <class Real>
-LightReport reportLight(std::size_t k, const Light& light, const LightSample<Real>& s, bool phongLobe, double shadow) {
+LightReport reportLight(std::size_t k, const Light& light, const LightSample<Real>& s, bool phongLobe, Real shadow) {
     LightReport r{int(k),
                   Vec3d(s.L),
                   Vec3d(s.R),
@@ -58,11 +58,12 @@ LightReport reportLight(std::size_t k, const Light& light, const LightSample<Rea
                   double(s.nDotH),
                   double(s.specularPower),
                   double(s.fading),
-                  shadow,
+                  double(shadow),
                   Vec3d(s.ambient),
-                  shadow * Vec3d(s.diffuse),
-                  shadow * Vec3d(s.specular),
-                  Vec3d(s.diffuse) + Vec3d(s.specular),
+                  Vec3d(shadow * s.diffuse),
+                  Vec3d(shadow * s.specular),
+                  Vec3d(s.diffuse),
+                  Vec3d(s.specular),
                   {}};
     if (!(s.nDotL > 0))
         r.note = fmt::format("N·L is not above 0, so light {} adds {} here.", k,
@@ -79,38 +80,47 @@ LightReport reportLight(std::size_t k, const Light& light, const LightSample<Rea
     return r;
 }
 
-// OpenGL clamps the colours of polygons and vertices, taken without shadows: the terms shrink alike.
+// What the terms sum to without shadows or with them, in the order of the shading stage.
+template <class Real>
+Vec3<Real> sumOf(const Evaluation& e, Vec3d LightReport::*diffuse, Vec3d LightReport::*specular) {
+    Vec3<Real> sum = Vec3<Real>(e.emission) + Vec3<Real>(e.ambient);
+    for (const LightReport& light : e.lights) sum += Vec3<Real>(light.*diffuse), sum += Vec3<Real>(light.*specular);
+    return sum;
+}
+
+// OpenGL clamps the colours of polygons and vertices, which know no shadows: the terms shrink alike.
+template <class Real>
 void clampTerms(Evaluation& e) {
+    const Vec3<Real> total = sumOf<Real>(e, &LightReport::unshadowedDiffuse, &LightReport::unshadowedSpecular);
     for (int c = 0; c < 3; ++c) {
-        double total = e.emission[c] + e.ambient[c];
-        for (const LightReport& light : e.lights) total += light.unshadowed[c];
-        if (total >= 0 && total <= 1) continue;
-        const double share = total > 1 ? 1 / total : 0;
-        e.emission[c] *= share, e.ambient[c] *= share;
-        for (LightReport& light : e.lights) light.diffuse[c] *= share, light.specular[c] *= share;
+        if (total[c] >= 0 && total[c] <= 1) continue;
+        const Real share = total[c] > 1 ? 1 / total[c] : Real(0);
+        const auto shrink = [&](Vec3d& term) { term[c] = double(Real(term[c]) * share); };
+        shrink(e.emission), shrink(e.ambient);
+        for (LightReport& light : e.lights) {
+            shrink(light.diffuse), shrink(light.specular);
+            shrink(light.unshadowedDiffuse), shrink(light.unshadowedSpecular);
+        }
         e.clamped = true;
     }
 }
 
+// In the frame's own arithmetic, so that the terms are those of its buffers to the last bit.
 template <class Real>
 Evaluation evaluate(const ShadingInputs& inputs, const Surface<Real>& at, const Material& material, std::string where,
                     double weight, const std::vector<double>& shadow) {
     const Model model = inputs.illumination.model;
     Evaluation e{std::move(where), weight, Vec3d(at.position), Vec3d(at.N), Vec3d(at.V), {}, {}, {}};
-    e.emission = Vec3d(emissionTerm<Real>(model, material));
-    e.ambient = Vec3d(ambientTerm<Real>(model, inputs.ambient, material));
+    e.emission = Vec3d(Vec3<Real>(0) + emissionTerm<Real>(model, material));
+    Vec3<Real> ambient = Vec3<Real>(0) + ambientTerm<Real>(model, inputs.ambient, material);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-        e.lights.push_back(reportLight(k, inputs.lights[k],
-                                       sampleLight(inputs.illumination, inputs.lights[k], material, at),
-                                       !usesHalfway(model, material), shadow[k]));
-        e.ambient += e.lights.back().ambient;
+        const LightSample<Real> sample = sampleLight(inputs.illumination, inputs.lights[k], material, at);
+        e.lights.push_back(reportLight(k, inputs.lights[k], sample, !usesHalfway(model, material), Real(shadow[k])));
+        ambient += sample.ambient;
     }
-    if (model == Model::OpenGl && inputs.shading != Shading::Phong) clampTerms(e);
-    e.intensity = e.emission + e.ambient;
-    for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-        e.intensity += e.lights[k].diffuse;
-        e.intensity += e.lights[k].specular;
-    }
+    e.ambient = Vec3d(ambient);
+    if (model == Model::OpenGl && inputs.shading != Shading::Phong) clampTerms<Real>(e);
+    e.intensity = Vec3d(sumOf<Real>(e, &LightReport::diffuse, &LightReport::specular));
     return e;
 }
 
@@ -183,21 +193,25 @@ void explainShadows(const Scene& scene, const FrameData<Real>& data, const std::
     }
 }
 
-// Intensities and terms as the frame has them: the weighted sum of the evaluations.
+// The terms as the frame has them: interpolated in its own arithmetic, and the shadow's factor last.
+template <class Real>
 void sumUp(PixelReport& report, std::size_t lights) {
-    report.diffuse.assign(lights, Vec3d(0));
-    report.specular.assign(lights, Vec3d(0));
     const Evaluation& first = report.evaluations[0];
-    report.ambient = first.ambient;
-    report.emission = first.emission;
+    Vec3<Real> ambient(first.ambient), emission(first.emission);
     for (const Evaluation& e : report.evaluations) {
         // Differences: what is the same at every vertex stays what it is.
-        report.ambient += e.weight * (e.ambient - first.ambient);
-        report.emission += e.weight * (e.emission - first.emission);
-        for (std::size_t k = 0; k < lights; ++k) {
-            report.diffuse[k] += e.weight * e.lights[k].diffuse;
-            report.specular[k] += e.weight * e.lights[k].specular;
+        ambient += Real(e.weight) * (Vec3<Real>(e.ambient) - Vec3<Real>(first.ambient));
+        emission += Real(e.weight) * (Vec3<Real>(e.emission) - Vec3<Real>(first.emission));
+    }
+    report.ambient = Vec3d(ambient), report.emission = Vec3d(emission);
+    for (std::size_t k = 0; k < lights; ++k) {
+        Vec3<Real> diffuse(0), specular(0);
+        for (const Evaluation& e : report.evaluations) {
+            diffuse += Real(e.weight) * Vec3<Real>(e.lights[k].unshadowedDiffuse);
+            specular += Real(e.weight) * Vec3<Real>(e.lights[k].unshadowedSpecular);
         }
+        report.diffuse.push_back(Vec3d(Real(report.shadow[k]) * diffuse));
+        report.specular.push_back(Vec3d(Real(report.shadow[k]) * specular));
     }
 }
 
@@ -330,7 +344,7 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, PixelReport&
                                               ? shadowPlace(data.keys.shading.lights[k], report.shadow[k])
                                               : kNotLookedFor);
     evaluateAll(data, triangle, b, report);
-    sumUp(report, lights);
+    sumUp<Real>(report, lights);
 }
 
 }  // namespace

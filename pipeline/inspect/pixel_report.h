@@ -56,15 +56,15 @@ struct LayerReport {
 
 struct LightReport {
     int light;
-    Vec3d L, R, H;               // world space, unit
-    double nDotL, rDotV, nDotH;  // before clamping
-    double specularPower;        // (R·V)^n or (N·H)^n after clamping, 0 where it does not count
-    double fading;               // OpenGL: attenuation times spot, else 1
-    double shadow;               // S
-    Vec3d ambient;               // OpenGL: the light's own ambient part, else 0
-    Vec3d diffuse, specular;     // what they add to the intensity, S included
-    Vec3d unshadowed;            // diffuse and specular together for S = 1, before any clamp
-    std::string note;            // "N·L is below 0, so light 0 adds nothing here."; may be empty
+    Vec3d L, R, H;                                // world space, unit
+    double nDotL, rDotV, nDotH;                   // before clamping
+    double specularPower;                         // (R·V)^n or (N·H)^n after clamping, 0 where it does not count
+    double fading;                                // OpenGL: attenuation times spot, else 1
+    double shadow;                                // S
+    Vec3d ambient;                                // OpenGL: the light's own ambient part, else 0
+    Vec3d diffuse, specular;                      // what they add to the intensity, S included
+    Vec3d unshadowedDiffuse, unshadowedSpecular;  // for S = 1
+    std::string note;                             // "N·L is below 0, so light 0 adds nothing here."; may be empty
 };
 
 // Where the vectors of a report were taken: one entry for flat and Phong shading, one per
@@ -79,7 +79,8 @@ struct Evaluation {
     bool clamped = false;  // OpenGL: the colour was above 1 (or below 0), and its terms shrank
 };
 
-// Everything known about a pixel, replayed by the pure stages from a frame.
+// Everything known about a pixel, replayed by the pure stages from a frame, in its own arithmetic: a term is, bit for bit,
+// what its buffer holds.
 struct PixelReport {
     glm::ivec2 pixel;
     Color8 color;

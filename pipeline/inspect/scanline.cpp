@@ -50,8 +50,9 @@ void addRuns(const FrameData<Real>& data, const std::stop_token& stop, ScanlineS
             section.runs.back().samples.push_back(of[i]);
         }
     }
-    section.storesDepth = !data.zBuffer->depth.empty();
-    section.nearIsLarger = isReversed(data.transform->depthFormat);
+    // A painter compares z_view, whatever format the depths of the frame would have.
+    section.storesDepth = data.keys.zBuffer.visibility == Visibility::ZBuffer && !data.zBuffer->depth.empty();
+    section.nearIsLarger = section.storesDepth && isReversed(data.transform->depthFormat);
     if (data.shading) section.iMax = data.shading->iMax;
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <limits>
 
 #include "pipeline/inspect/pixel_report.h"
@@ -32,6 +34,26 @@ struct Comparison {
     bool shadowed;
 };
 
+double numberIn(const std::string& text) {
+    double number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
+
+// "z' 120.3 > Z'[12][44] 120.3 + 0.02" in as many digits as the relation needs to be seen in them.
+std::string comparisonOf(double z, bool shadowed, glm::ivec2 texel, double stored, double bias) {
+    constexpr int kMostDigits = 17;  // what tells any two doubles apart
+    for (int digits = 7;; ++digits) {
+        const std::string left = depthText(z, digits), right = depthText(stored, digits);
+        const std::string added = fmt::format("{:.{}g}", bias, digits == 7 ? 3 : digits);
+        // Infinity stands where nothing is stored: everything is below it.
+        const bool seen = !std::isfinite(stored) || (numberIn(left) > numberIn(right) + numberIn(added)) == shadowed;
+        if (seen || digits == kMostDigits)
+            return fmt::format("z' {} {} Z'[{}][{}] {} + {}", left, shadowed ? ">" : "≤", texel.x, texel.y, right,
+                               added);
+    }
+}
+
 template <class Real>
 Comparison compare(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
                    Vec3<Real> normal) {
@@ -41,9 +63,7 @@ Comparison compare(const LightView<Real>& light, const ShadowSettings& settings,
     const bool inside = at.x >= 0 && at.y >= 0 && at.x < depth.size.x && at.y < depth.size.y;
     const Real stored = inside ? depth.at(at) : std::numeric_limits<Real>::infinity();
     const bool shadowed = test.z > stored + test.bias;
-    return {fmt::format("z' {} {} Z'[{}][{}] {} + {:.3g}", depthText(double(test.z)), shadowed ? ">" : "≤", at.x, at.y,
-                        depthText(double(stored)), double(test.bias)),
-            shadowed};
+    return {comparisonOf(double(test.z), shadowed, at, double(stored), double(test.bias)), shadowed};
 }
 
 template <class Real>

@@ -250,6 +250,36 @@ TEST(PixelReport, AgreesWithTheFramesBuffers) {
     }
 }
 
+// Computed where they are shown, in the arithmetic of the frame: bit for bit what the buffers hold.
+TEST(PixelReport, ItsTermsAreThoseOfTheBuffers) {
+    using enum BufferId;
+    std::size_t compared = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        Scene scene = test::randomScene(seed);
+        scene.settings.precision = seed % 2 == 0 ? Precision::Float : Precision::Double;
+        scene.settings.arithmetic = Arithmetic::Exact;
+        if (scene.settings.visibility == Visibility::None) continue;
+        const FramePtr frame = test::frameOf(scene, setOf({Ambient, Emission, Diffuse, Specular}));
+        const glm::ivec2 size(scene.settings.width, scene.settings.height);
+        for (int y = 0; y < size.y; y += 7)
+            for (int x = 0; x < size.x; x += 7) {
+                const PixelReport r = inspectPixel(*frame, {x, y});
+                if (!r.covered) continue;
+                const auto expectIs = [&](BufferName name, Vec3d term) {
+                    for (int c = 0; c < 3; ++c)
+                        ASSERT_EQ(frame->buffer(name)->value(std::size_t(x), std::size_t(y), c), term[c])
+                            << name.text() << " of seed " << seed << " at " << x << ", " << y;
+                };
+                expectIs({Ambient}, r.ambient), expectIs({Emission}, r.emission);
+                for (std::size_t k = 0; k < r.diffuse.size(); ++k)
+                    expectIs({Diffuse, int(k)}, r.diffuse[k]), expectIs({Specular, int(k)}, r.specular[k]);
+                if (HasFatalFailure()) return;
+                ++compared;
+            }
+    }
+    EXPECT_GT(compared, 500u);
+}
+
 // The record of comparisons explains the z-buffer: every "won" is nearer than what was stored, and the last one stays.
 TEST(PixelReport, ItsFragmentsExplainTheWinner) {
     Scene scene = test::randomScene(7);

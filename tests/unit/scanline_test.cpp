@@ -133,6 +133,21 @@ TEST(ScanlineSection, IsWrittenAsATable) {
 }
 
 // Polygon 7 is drawn first, comes twice to x = 1 and has two runs; polygon 4 is seen at x = 0 and 1, nothing at x = 3.
+// A painter compares distances, whatever format the frame's depths have: near is small there.
+TEST(ScanlineSection, OfAPainterSaysZView) {
+    Scene scene = test::pyramid();
+    scene.settings.visibility = Visibility::Painter;
+    for (const DepthFormat format : {DepthFormat::Fixed16, DepthFormat::Reversed}) {
+        scene.settings.depthFormat = format;
+        const FramePtr frame = frameFor(scene);
+        const ScanlineSection section = scanlineSection(*frame, 281);
+        EXPECT_TRUE(sectionCsv(section).starts_with("x,seen,z_view.")) << sectionCsv(section).substr(0, 40);
+        EXPECT_FALSE(section.nearIsLarger);
+        const int x = section.runs[0].samples[0].x;
+        EXPECT_EQ(section.runs[0].samples[0].depth, inspectPixel(*frame, {x, 281}).zView);
+    }
+}
+
 TEST(ScanlineSection, ATableHasAPolygonsFirstDepthInItsColumn) {
     ScanlineSection section;
     section.width = 4;

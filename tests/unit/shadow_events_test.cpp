@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
+
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/inspect/shadow_blocker.h"
 #include "tests/support/scenes.h"
@@ -73,6 +76,31 @@ TEST(ShadowEvents, FacingAwayNeedsNoComparison) {
     EXPECT_EQ(r.fragments[0].shadows[0], "light 0: the polygon faces away: only the ambient term");
     scene.settings.model = Model::OpenGl;
     EXPECT_TRUE(inspectPixel(*test::frameOf(scene), {50, 70}).fragments[0].shadows.empty());
+}
+
+// Without a bias what a texel holds and what is compared with it differ in the last digits, which are then shown.
+TEST(ShadowEvents, TheNumbersShowTheirRelation) {
+    Scene scene = lidOverFloor();
+    // Turned, and straight under the light as before: every place on the floor is as deep but for rounding.
+    for (Object& object : scene.objects) object.transform.rotation = {30, 0, 0};
+    scene.lights[0].position = {0, -0.5, std::sqrt(0.75)};
+    scene.settings.shadowBias = ShadowBias::Constant, scene.settings.shadowBiasValue = 0;
+    const FramePtr frame = test::frameOf(scene);
+    int compared = 0, shadowed = 0;
+    for (int y = 0; y < 100; y += 3)
+        for (int x = 0; x < 100; x += 3)
+            for (const FragmentReport& fragment : inspectPixel(*frame, {x, y}).fragments)
+                for (const std::string& text : fragment.shadows) {
+                    double z = 0, stored = 0, bias = 0;
+                    char relation[4]{};
+                    if (std::sscanf(text.c_str(), "light 0: z' %lf %3s Z'[%*d][%*d] %lf + %lf", &z, relation, &stored,
+                                    &bias) != 4)
+                        continue;
+                    ++compared, shadowed += relation[0] == '>';
+                    ASSERT_EQ(z > stored + bias, relation[0] == '>') << text;
+                }
+    EXPECT_GT(compared, 300);
+    EXPECT_GT(shadowed, 30);
 }
 
 }  // namespace
