@@ -16,7 +16,7 @@ Real largestComponent(Vec3<Real> v) {
 }
 
 // Between this and its inverse squares need no scaling: what underflows is too small to count, and the bits are those of
-// the scaled form.
+// the scaled form, but for components that are no longer normal in a vector of length 1.
 inline constexpr float kLargestUnscaled = 0x1p30F;
 
 // v at length 1 within 2 rounding units, over the whole range of Real. The zero vector, and

@@ -23,7 +23,7 @@ inline constexpr std::array kExpTail{0.49999994F, 0.166665211F, 0.0416683890F, 0
 inline constexpr float kLog2Head = 0x1.62e3p-1F, kLog2Rest = 0x1.2fefa4p-17F;
 // Added to a number below 2^22, it rounds it to a whole one, which is in the last bits of the sum.
 inline constexpr float kToWhole = 0x1.8p23F;
-// Powers below exp of this are 0: the next are no longer normal.
+// Powers below exp of this are 0: below exp(−87.34) they are no longer normal.
 inline constexpr float kSmallestExponent = -87;
 
 // Its even and its odd powers apart: two short chains of operations, where Horner's rule has one long one.

@@ -71,16 +71,9 @@ int litTexels(const LightView<Real>& light, const ShadowSettings& settings, Vec3
     return lit;
 }
 
-template <class Real>
-Real shadowFactor(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
-                  Vec3<Real> normal) {
-    return Real(litTexels(light, settings, position, normal)) / Real(filteredTexels(settings));
-}
-
 #define SHADESCOPE_INSTANTIATE(Real)                                                                             \
     template ShadowTest<Real> shadowTest(const LightView<Real>&, const ShadowSettings&, Vec3<Real>, Vec3<Real>); \
-    template int litTexels(const LightView<Real>&, const ShadowSettings&, Vec3<Real>, Vec3<Real>);               \
-    template Real shadowFactor(const LightView<Real>&, const ShadowSettings&, Vec3<Real>, Vec3<Real>);
+    template int litTexels(const LightView<Real>&, const ShadowSettings&, Vec3<Real>, Vec3<Real>);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

@@ -39,8 +39,4 @@ constexpr int filteredTexels(const ShadowSettings& settings) {
 template <class Real>
 int litTexels(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position, Vec3<Real> normal);
 
-// Their share: 1 lit, 0 in shadow, between with filtering.
-template <class Real>
-Real shadowFactor(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position, Vec3<Real> normal);
-
 }  // namespace pipeline

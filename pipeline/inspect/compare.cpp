@@ -183,11 +183,4 @@ StageDifference stageDifference(const Frame& a, const Frame& b, const BufferName
     return row;
 }
 
-std::vector<StageDifference> stageDifferences(const Frame& a, const Frame& b) {
-    std::vector<StageDifference> all;
-    for (const AnyBuffer& mine : a.buffers())
-        if (b.buffer(mine.name)) all.push_back(stageDifference(a, b, mine.name));
-    return all;
-}
-
 }  // namespace pipeline

@@ -74,7 +74,5 @@ struct StageDifference {
     std::string why{};  // why they cannot be compared; then the rest is 0
 };
 StageDifference stageDifference(const Frame& a, const Frame& b, const BufferName& name);  // both must hold it
-// Every buffer that both frames hold, in the order of the stages.
-std::vector<StageDifference> stageDifferences(const Frame& a, const Frame& b);
 
 }  // namespace pipeline

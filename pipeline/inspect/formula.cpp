@@ -189,6 +189,4 @@ std::string latexWords(std::string_view text) {
     return latex;
 }
 
-std::string toMarkdown(const Formula& formula) { return '$' + toLatex(formula) + '$'; }
-
 }  // namespace pipeline

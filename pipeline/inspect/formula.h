@@ -36,8 +36,7 @@ bool standApart(std::string_view left, std::string_view right);
 
 // What is struck stands between ~.
 std::string toText(const Formula& formula);
-std::string toLatex(const Formula& formula);     // without $
-std::string toMarkdown(const Formula& formula);  // $…$
+std::string toLatex(const Formula& formula);  // without $
 // A sentence for the inside of \text{…}: signs that plain text lacks stand between $.
 std::string latexWords(std::string_view text);
 

@@ -97,7 +97,8 @@ std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     return a == b ? "" : "Other parts of it are needed.";
 }
 
-// Whether the same light falls on the same pixels: only what it is multiplied with may differ.
+// Whether the same light falls on the same pixels: only what is made of it may differ, the materials with their exponents,
+// the strength and colours of lights, and ambient light.
 bool hasSameIncidence(ShadingInputs a, const ShadingInputs& b) {
     if (a.lights.size() != b.lights.size()) return false;
     a.materials = b.materials, a.backMaterials = b.backMaterials, a.ambient = b.ambient;

@@ -70,7 +70,9 @@ public:
     const FrameStages& stages() const { return *m_stages; }
 
     BufferSet wanted() const { return m_wanted; }  // the request's
-    BufferSet made() const { return m_made; }      // more than those where the plan leaves none out
+    BufferSet made() const {
+        return m_made;
+    }  // what shading keeps beside; all of them where unread ones are not left out
     const Topology& topology() const { return *m_topology; }
     // The same for all frames in a row that have the same meshes.
     const std::shared_ptr<const Topology>& sharedTopology() const { return m_topology; }

@@ -24,7 +24,7 @@
 // Each stage as a whole: its pieces on threads. runner.cpp alone reads it.
 namespace pipeline {
 
-// What the kernels of pipeline/simd read beside; in float alone.
+// Room for the snapped vertices, which the kernels of pipeline/simd read beside their places; in float alone.
 inline void prepareSnapped(TransformOutput<float>& out) {
     out.snapped.bits = out.view.subPixelBits;
     out.snapped.of.resize(out.world.size());
@@ -155,7 +155,7 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
         drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, cull.get());
     if constexpr (std::is_same_v<Real, float>) {
         if (inputs.visibility == Visibility::ZBuffer && in.depthFormat == DepthFormat::Linear) {
-            // Once more, as it was; the stages before are kept for it.
+            // The stage once more, for the triangles alone; what the stages before have left is kept for it.
             const auto findTriangles = [again = inputs, transform, cull]() mutable {
                 Threads one(1, {});
                 again.names = true, again.counts = again.weights = false;

@@ -45,7 +45,8 @@ struct ShadowBufferOutput {
     std::vector<std::vector<LightView<Real>>> lights;
 };
 
-// Gives a view whose `forward` is set a right-handed pair of axes across it: the sides of the texels.
+// Gives a view whose `forward` is set its axes right and up across it, the sides of the texels: left-handed with
+// `forward`, as every view space.
 void placeAxes(View& view);
 
 // The smallest box along the axes of a view around what was added.

@@ -46,7 +46,7 @@ struct TransformOutput {
     DepthFormat depthFormat = DepthFormat::Linear;
     std::vector<std::uint8_t> mirrored;     // per object
     std::vector<std::uint8_t> transparent;  // per object, 1 where it is as if not there; empty when none is
-    std::vector<glm::dmat3> normalMatrix;   // per object: cofactors, which hold for a flattened object too
+    std::vector<glm::dmat3> normalMatrix;   // per object, in the form that the inputs ask for
     RawVector<Vec3<Real>> world;            // per vertex
     std::size_t done = 0;                   // of the vertices, from the first; all, but while stepping inside the stage
     SnappedVertices snapped{};              // in float, for pipeline/simd; else empty

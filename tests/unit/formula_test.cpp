@@ -57,8 +57,6 @@ TEST(Formula, ReadsAsLatex) {
     EXPECT_EQ(toLatex(text("in the shadow of a_b")), "\\text{in the shadow of a}\\_\\text{b}");
 }
 
-TEST(Formula, MarkdownIsLatexBetweenDollars) { EXPECT_EQ(toMarkdown(symbol("n")), "$n$"); }
-
 TEST(Formula, FractionsAndScriptsKeepTheirParts) {
     const Formula ratio = node(
         Kind::Fraction, {row({text("255"), text("·"), sub(symbol("I"), symbol("b"))}), sub(symbol("I"), text("max"))});

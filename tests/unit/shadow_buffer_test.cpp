@@ -168,12 +168,12 @@ TEST(ShadowFactor, FilteringCountsTexels) {
     for (int y = 0; y < 4; ++y) light.depth[0]->at({0, y}) = 9;  // one column of four lies behind the point
     const ShadowSettings constant{ShadowBias::Constant, 0, 1};
     // Texel (1, 1) and its 8 neighbours: the column x = 0 has 3 of the 9.
-    EXPECT_NEAR(shadowFactor(light, constant, Vec3d(-0.5, 0.5, 5), Vec3d(0, 0, -1)), 3.0 / 9, 1e-15);
-    EXPECT_EQ(shadowFactor(light, constant, Vec3d(100, 0, 5), Vec3d(0, 0, -1)), 1);     // outside nothing is in the way
-    EXPECT_EQ(shadowFactor(light, constant, Vec3d(-0.5, 0.5, 1), Vec3d(0, 0, -1)), 1);  // what a texel holds is lit
+    EXPECT_EQ(litTexels(light, constant, Vec3d(-0.5, 0.5, 5), Vec3d(0, 0, -1)), 3);
+    EXPECT_EQ(litTexels(light, constant, Vec3d(100, 0, 5), Vec3d(0, 0, -1)), 9);     // outside nothing is in the way
+    EXPECT_EQ(litTexels(light, constant, Vec3d(-0.5, 0.5, 1), Vec3d(0, 0, -1)), 9);  // what a texel holds is lit
     // However far outside, and however wide the filter.
     const ShadowSettings wide{ShadowBias::Constant, 0, 2};
-    EXPECT_EQ(shadowFactor(light, wide, Vec3d(1e12, 0, 5), Vec3d(0, 0, -1)), 1);
+    EXPECT_EQ(litTexels(light, wide, Vec3d(1e12, 0, 5), Vec3d(0, 0, -1)), 25);
 }
 
 }  // namespace
