@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <atomic>
 
+#include "app/core/window_look.h"
+
 namespace app {
 
 BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {}
@@ -28,7 +30,8 @@ void BackgroundJob::start(std::function<std::function<void()>(const Control&)> j
             Qt::QueuedConnection);
     };
     m_worker->ask(
-        [this, ticket, job = std::move(job), progress](const std::stop_token& stop) {
+        [this, ticket, job = std::move(job), progress, look = WindowLook()](const std::stop_token& stop) {
+            const WornLook worn(look);
             const auto done = job({stop, progress});
             if (stop.stop_requested()) return;
             QMetaObject::invokeMethod(

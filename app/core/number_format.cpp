@@ -52,6 +52,8 @@ std::optional<QString> written(const NumberFormat& format, double value, int cha
     return {};
 }
 
+thread_local const NumberFormat* NumberStyle::s_worn = nullptr;
+
 NumberStyle& NumberStyle::current() {
     static NumberStyle style;
     return style;

@@ -32,14 +32,16 @@ class NumberStyle : public QObject {
     Q_OBJECT
 public:
     static NumberStyle& current();
-    const NumberFormat& format() const { return m_format; }
+    const NumberFormat& format() const { return s_worn ? *s_worn : m_format; }
     void set(const NumberFormat& format);
 
 signals:
     void changed();
 
 private:
+    friend class WornLook;
     NumberStyle() = default;
+    static thread_local const NumberFormat* s_worn;  // as the theme's
     NumberFormat m_format;
 };
 

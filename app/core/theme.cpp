@@ -20,6 +20,8 @@ QFont font(const QStringList& families, double pixels, int weight) {
 
 }  // namespace
 
+thread_local const Theme::Look* Theme::s_worn = nullptr;
+
 Theme& Theme::current() {
     static Theme theme;
     return theme;
@@ -29,8 +31,6 @@ void Theme::set(ThemeId id) {
     m_id = id;
     apply();
 }
-
-double Theme::scale() const { return m_scales[std::size_t(m_id)]; }
 
 void Theme::setScale(double scale) {
     m_scales[std::size_t(m_id)] = std::clamp(std::round(scale * 20) / 20, kLeastScale, kMostScale);

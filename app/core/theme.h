@@ -19,23 +19,31 @@ struct ThemeColors {
 };
 
 // The theme in force and its font scale: one object for the program, passed to nobody, because
-// every painter needs it. Widgets repaint on changed().
+// every painter needs it. Widgets repaint on changed(). A thread beside the window's wears a look of its own.
 class Theme : public QObject {
     Q_OBJECT
 public:
     static Theme& current();
 
-    ThemeId id() const { return m_id; }
+    struct Look {
+        ThemeId id;
+        double scale;
+        bool operator==(const Look&) const = default;
+    };
+    Look look() const { return s_worn ? *s_worn : Look{m_id, m_scales[std::size_t(m_id)]}; }
+    ThemeId id() const { return look().id; }
     void set(ThemeId id);
     // What 3840 by 2160 pixels need where one is a pixel of the screen: 2 % of the height is 44 pixels of a letter of 12.
     static constexpr double kLeastScale = 0.85, kMostScale = 4;
-    double scale() const;         // within these; each theme keeps its own, the projector's starts at 1.25
+    double scale() const {
+        return look().scale;
+    }                             // within these; each theme keeps its own, the projector's starts at 1.25
     void setScale(double scale);  // clamped, in steps of 0.05
     // Gives palette, font and style sheet to the application, and emits changed().
     // set and setScale do it too; without either, call it once at the start.
     void apply();
 
-    const ThemeColors& colors() const { return colors(m_id); }
+    const ThemeColors& colors() const { return colors(id()); }
     static const ThemeColors& colors(ThemeId id);
     QColor vector(pipeline::VectorCode code) const;  // text colour for VectorCode::None
     // The dash of a vector's shaft and of its underline, in pen widths; empty for a solid line.
@@ -52,7 +60,9 @@ signals:
     void changed();
 
 private:
+    friend class WornLook;
     Theme() = default;
+    static thread_local const Look* s_worn;  // in the window's own thread null
     ThemeId m_id = ThemeId::Light;
     std::array<double, 3> m_scales{1.0, 1.0, 1.25};
 };

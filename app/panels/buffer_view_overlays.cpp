@@ -34,6 +34,7 @@ void BufferView::observeOverlays() {
         condition->setToolTip(tr("Veils the pixels for which a condition does not hold (/)"));
     });
     connect(m_condition, &ConditionBar::changed, this, &BufferView::refresh);
+    connect(&Theme::current(), &Theme::changed, this, &BufferView::refresh);  // its ground is the veil's
     connect(m_condition, &ConditionBar::left, m_canvas, qOverload<>(&QWidget::setFocus));
 }
 

@@ -59,7 +59,7 @@ ShownOther showOther(const ShowRequest& request, const ShownBuffer& a, const std
 bool operator==(const ShowRequest& a, const ShowRequest& b) {
     return a.frame == b.frame && isSame(a.buffer, b.buffer) && isSame(a.mix, b.mix) && a.channel == b.channel &&
            a.range == b.range && a.overlays == b.overlays && a.hatches == b.hatches && a.shadows == b.shadows &&
-           a.veil == b.veil && isSame(a.other, b.other) && a.numbers == b.numbers;
+           a.veil == b.veil && isSame(a.other, b.other) && a.look == b.look;
 }
 
 ShownBuffer show(const ShowRequest& request, const std::stop_token& stop) {

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "app/core/background_job.h"
-#include "app/core/number_format.h"
 #include "app/core/other_source.h"
+#include "app/core/window_look.h"
 #include "app/panels/overlays.h"
 #include "app/panels/shown_buffer.h"
 #include "lessons/condition.h"
@@ -32,7 +32,7 @@ struct ShowRequest {
     std::shared_ptr<const lessons::ConditionMask> veil{};       // likewise
     std::shared_ptr<const std::vector<bool>> drawn{};  // of a difference: which elements hold something; empty: all
     std::optional<OtherRequest> other{};
-    NumberFormat numbers = NumberStyle::current().format();
+    WindowLook look{};
 };
 bool operator==(const ShowRequest& a, const ShowRequest& b);
 

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "app/core/numbers.h"
-#include "app/core/theme.h"
+#include "app/core/window_look.h"
 #include "app/view3d/headless_window.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
@@ -210,7 +210,11 @@ pipeline::Result<QImage> renderView(const SpacePicture& picture, const ShotProgr
 }
 
 pipeline::Result<QImage> renderBeside(const SpacePicture& picture, const ShotProgress& progress) {
-    return std::async(std::launch::async, [&] { return renderView(picture, progress); }).get();
+    const auto render = [&, look = WindowLook()] {
+        const WornLook worn(look);
+        return renderView(picture, progress);
+    };
+    return std::async(std::launch::async, render).get();
 }
 
 pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::Frame& frame,

@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "app/core/freed_aside.h"
+#include "app/core/window_look.h"
 #include "app/core/work_list.h"
 
 namespace app {
@@ -75,6 +76,31 @@ TEST(BackgroundJob, WhatRunsMayFinishWhereThatIsAsked) {
     gate.open = true;
     ASSERT_TRUE(QTest::qWaitFor([&] { return !job.busy(); }, 10000));
     EXPECT_EQ(given, (std::vector{1, 2}));
+}
+
+TEST(BackgroundJob, WorkSeesTheLookThatTheWindowHadWhenItWasAsked) {
+    Theme& theme = Theme::current();
+    NumberStyle& numbers = NumberStyle::current();
+    const WindowLook before;
+    BackgroundJob job;
+    Gate gate;
+    std::optional<WindowLook> seen;
+    job.ask(
+        [&](const Control& control) {
+            gate.wait(control);
+            return WindowLook();
+        },
+        [&](const WindowLook& look) { seen = look; });
+    theme.set(ThemeId::Dark);
+    theme.setScale(2);
+    numbers.set({.form = NumberFormat::Form::Hexadecimal, .power = {}});
+    EXPECT_NE(WindowLook(), before);
+    gate.open = true;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return seen.has_value(); }, 10000));
+    EXPECT_EQ(seen, before);
+    theme.setScale(1);
+    theme.set(before.theme.id);
+    numbers.set(before.numbers);
 }
 
 TEST(BackgroundJob, ForgottenWorkGivesNothing) {

@@ -46,6 +46,24 @@ TEST(ShowJob, LittleIsMadeAtOnce) {
     EXPECT_EQ(job.answer(depthOf(frame)), answer) << "asking the same again costs nothing";
 }
 
+TEST(ShowJob, TheVeilIsOfTheThemesGround) {
+    ShowJob job;
+    const auto frame = frameOf(test::pyramid());
+    const glm::ivec2 size(frame->scene().settings.width, frame->scene().settings.height);
+    const lessons::ConditionMask nowhere{.size = size,
+                                         .holds = std::vector<bool>(std::size_t(size.x) * std::size_t(size.y))};
+    const auto veil = [&] {
+        ShowRequest request = depthOf(frame);
+        request.veil = std::make_shared<const lessons::ConditionMask>(nowhere);
+        return job.answer(request)->shown.content.overlays.back().pixelColor(0, 0);
+    };
+    app::Theme::current().set(app::ThemeId::Light);
+    EXPECT_GT(veil().lightness(), 200);
+    app::Theme::current().set(app::ThemeId::Dark);
+    EXPECT_LT(veil().lightness(), 50);
+    app::Theme::current().set(app::ThemeId::Light);
+}
+
 // Until the new answer is there it is the whole old one: never a histogram of one frame beside the picture of another.
 TEST(ShowJob, OfManyPolygonsTheOldAnswerStaysWholeUntilTheNewOneIsThere) {
     ShowJob job;

@@ -1,0 +1,30 @@
+#pragma once
+#include "app/core/number_format.h"
+#include "app/core/theme.h"
+
+namespace app {
+
+// Theme, size of the letters and form of numbers as they were when this was made: what is asked of another thread takes
+// them along as values.
+struct WindowLook {
+    Theme::Look theme = Theme::current().look();
+    NumberFormat numbers = NumberStyle::current().format();
+    bool operator==(const WindowLook&) const = default;
+};
+
+// While it lives its thread sees them so, whatever the window has meanwhile.
+class WornLook {
+public:
+    explicit WornLook(const WindowLook& look) {
+        Theme::s_worn = &look.theme;
+        NumberStyle::s_worn = &look.numbers;
+    }
+    ~WornLook() {
+        Theme::s_worn = nullptr;
+        NumberStyle::s_worn = nullptr;
+    }
+    WornLook(const WornLook&) = delete;
+    WornLook& operator=(const WornLook&) = delete;
+};
+
+}  // namespace app
