@@ -42,11 +42,9 @@ Exported runExport(std::shared_ptr<const pipeline::Scene> scene, const pipeline:
 
 ExportJob::ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::FramePtr before,
                      pipeline::ExportRequest request, DerivedRecipe recipe, QObject* parent)
-    : QObject(parent) {
-    // Signals leave in this object's own thread, and not at all once it is gone.
-    const auto later = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
-    m_thread = std::jthread([this, later, scene = std::move(scene), before = std::move(before),
-                             request = std::move(request), recipe = std::move(recipe)](const std::stop_token& stop) {
+    : ThreadJob(parent) {
+    start([this, scene = std::move(scene), before = std::move(before), request = std::move(request),
+           recipe = std::move(recipe)](const std::stop_token& stop) {
         const auto progress = [&](double share, std::string_view file) {
             later([this, share, name = toQString(file)] { emit progressed(share, name); });
             return !stop.stop_requested();
@@ -61,11 +59,6 @@ ExportJob::ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::Fra
             }
         });
     });
-}
-
-ExportJob::~ExportJob() {
-    m_thread.request_stop();
-    m_thread.join();
 }
 
 }  // namespace app

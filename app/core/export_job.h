@@ -1,7 +1,5 @@
 #pragma once
-#include <QObject>
-#include <thread>
-
+#include "app/core/thread_job.h"
 #include "app/derived/derived_buffer.h"
 #include "pipeline/export/export_frame.h"
 
@@ -9,23 +7,17 @@ namespace app {
 
 // Writes an export on a thread of its own: computes the frame that holds all its buffers, then
 // the files. One job, one export.
-class ExportJob : public QObject {
+class ExportJob : public ThreadJob {
     Q_OBJECT
 public:
     // `before` may be null; what it holds is reused. Derived buffers that the request names are made after the recipe.
     ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::FramePtr before, pipeline::ExportRequest request,
               DerivedRecipe recipe, QObject* parent = nullptr);
-    ~ExportJob() override;  // cancels what still runs, and waits
-
-    void cancel() { m_thread.request_stop(); }
 
 signals:
     void progressed(double share, const QString& file);
     void finished(const pipeline::ExportSummary& summary);
     void failed(const pipeline::Errors& errors);
-
-private:
-    std::jthread m_thread;
 };
 
 }  // namespace app

@@ -55,29 +55,21 @@ QString filmCommand(const pipeline::Scene& scene, const QStringList& changes, co
     return words.join(' ') + " -o " + shellWord(toQString(order.target.string()));
 }
 
-FilmJob::FilmJob(std::shared_ptr<const pipeline::Scene> scene, FilmOrder order, QObject* parent) : QObject(parent) {
-    // Signals leave in this object's own thread, and not at all once it is gone.
-    const auto later = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
-    m_thread =
-        std::jthread([this, later, scene = std::move(scene), order = std::move(order)](const std::stop_token& stop) {
-            const auto progress = [&](std::size_t done, std::size_t all) {
-                later([this, share = double(done) / double(all)] { emit progressed(share); });
-                return !stop.stop_requested();
-            };
-            const auto result = write(scene, order, stop, progress);
-            later([this, result] {
-                if (result) {
-                    emit finished(*result);
-                } else {
-                    emit failed(result.errors());
-                }
-            });
+FilmJob::FilmJob(std::shared_ptr<const pipeline::Scene> scene, FilmOrder order, QObject* parent) : ThreadJob(parent) {
+    start([this, scene = std::move(scene), order = std::move(order)](const std::stop_token& stop) {
+        const auto progress = [&](std::size_t done, std::size_t all) {
+            later([this, share = double(done) / double(all)] { emit progressed(share); });
+            return !stop.stop_requested();
+        };
+        const auto result = write(scene, order, stop, progress);
+        later([this, result] {
+            if (result) {
+                emit finished(*result);
+            } else {
+                emit failed(result.errors());
+            }
         });
-}
-
-FilmJob::~FilmJob() {
-    m_thread.request_stop();
-    m_thread.join();
+    });
 }
 
 }  // namespace app

@@ -1,9 +1,8 @@
 #pragma once
-#include <QObject>
 #include <QStringList>
 #include <filesystem>
-#include <thread>
 
+#include "app/core/thread_job.h"
 #include "pipeline/export/film.h"
 
 namespace app {
@@ -24,21 +23,15 @@ FilmOrder filmOf(const pipeline::BufferName& buffer);
 QString filmCommand(const pipeline::Scene& scene, const QStringList& changes, const FilmOrder& order);
 
 // Writes a film on a thread of its own. One job, one film.
-class FilmJob : public QObject {
+class FilmJob : public ThreadJob {
     Q_OBJECT
 public:
     FilmJob(std::shared_ptr<const pipeline::Scene> scene, FilmOrder order, QObject* parent = nullptr);
-    ~FilmJob() override;  // cancels what still runs, and waits
-
-    void cancel() { m_thread.request_stop(); }
 
 signals:
     void progressed(double share);
     void finished(const pipeline::FilmSummary& summary);
     void failed(const pipeline::Errors& errors);
-
-private:
-    std::jthread m_thread;
 };
 
 }  // namespace app

@@ -78,24 +78,17 @@ struct Work {
 
 }  // namespace
 
-StudyJob::StudyJob(StudyRequest request, QObject* parent) : QObject(parent) {
-    // Signals leave in this object's own thread, and not at all once it is gone.
-    const auto later = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
+StudyJob::StudyJob(StudyRequest request, QObject* parent) : ThreadJob(parent) {
     Work work{
         std::move(request),
-        [this, later](double share, std::string what, double secondsLeft) {
+        [this](double share, std::string what, double secondsLeft) {
             later([this, share, what = toQString(what), secondsLeft] { emit progressed(share, what, secondsLeft); });
         },
-        [this, later](const StudyReport& report) { later([this, report] { emit reported(report); }); }};
-    m_thread = std::jthread([this, later, work = std::move(work)](const std::stop_token& stop) {
+        [this](const StudyReport& report) { later([this, report] { emit reported(report); }); }};
+    start([this, work = std::move(work)](const std::stop_token& stop) {
         const bool done = work(stop);
         later([this, done] { emit finished(!done); });
     });
-}
-
-StudyJob::~StudyJob() {
-    m_thread.request_stop();
-    m_thread.join();
 }
 
 }  // namespace app
