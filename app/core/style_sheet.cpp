@@ -91,7 +91,7 @@ QTabBar::tab:hover { color: @text; }
 QTabWidget::pane { border: 0; border-top: 1px solid @line; }
 
 QAbstractScrollArea { background: @surface; border: 0; }
-QAbstractItemView { background: @surface; color: @text; border: 0; alternate-background-color: @surface;
+QAbstractItemView { background: @surface; color: @text; border: 2px solid transparent; alternate-background-color: @surface;
   selection-background-color: @tint; selection-color: @text; }
 QAbstractItemView::item { min-height: 24u; }
 QTreeView::item { border: 0; } /* else the text of a row stands where a check box of the usual size ends */
@@ -117,6 +117,7 @@ QPushButton:focus, QToolButton:focus, QLineEdit:focus, QComboBox:focus, QAbstrac
 QPlainTextEdit:focus, QTextBrowser:focus { border: 2px solid @focus; }
 QPushButton[kind="segment"]:checked:focus, QToolButton[kind="segment"]:checked:focus { border-color: @text; }
 QTabBar::tab:focus { padding: 4u 6u 6u 6u; }
+QAbstractItemView:focus { border-color: @focus; }
 QSlider:focus { border: 2px solid @focus; border-radius: 4u; }
 QCheckBox:focus, QRadioButton:focus { border: 2px solid @focus; border-radius: 4u; }
 )";

@@ -43,7 +43,7 @@ public:
         painter->setRenderHint(QPainter::Antialiasing);
         const bool isSelected = option.state & QStyle::State_Selected;
         if (isSelected || option.state & QStyle::State_MouseOver) {
-            painter->setPen(option.state & QStyle::State_HasFocus ? QPen(c.focus, 2) : QPen(Qt::NoPen));
+            painter->setPen(Qt::NoPen);
             painter->setBrush(isSelected ? c.tint : c.hover);
             painter->drawRoundedRect(box.adjusted(1, 1, -1, -1), theme.px(4), theme.px(4));
         }

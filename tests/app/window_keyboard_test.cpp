@@ -1,3 +1,4 @@
+#include <QAbstractItemView>
 #include <QAccessible>
 #include <QApplication>
 #include <QClipboard>
@@ -256,6 +257,26 @@ TEST_F(WindowKeyboard, TheEquationsRingGoesWithTheFocus) {
     EXPECT_EQ(rim(), Theme::current().colors().focus);
     canvas()->setFocus();
     EXPECT_NE(rim(), Theme::current().colors().focus);
+}
+
+TEST_F(WindowKeyboard, ListsAndTablesShowThatTheyHaveTheFocus) {
+    openPyramid();
+    for (const char* name : {"cues", "tables"}) {
+        auto* dock = find<PanelDock>(name);
+        dock->show(), dock->raise();
+    }
+    QCoreApplication::processEvents();
+    int seen = 0;
+    for (auto* list : window.findChildren<QAbstractItemView*>()) {
+        if (!list->isVisible() || list->focusPolicy() == Qt::NoFocus) continue;
+        const auto rim = [list] { return list->grab().toImage().pixelColor(list->width() / 2, 1); };
+        list->setFocus();
+        EXPECT_EQ(rim(), Theme::current().colors().focus) << list->objectName().toStdString();
+        canvas()->setFocus();
+        EXPECT_NE(rim(), Theme::current().colors().focus) << list->objectName().toStdString();
+        ++seen;
+    }
+    EXPECT_GE(seen, 3) << "the scene's, the cues, a table";
 }
 
 TEST_F(WindowKeyboard, TextFieldsCopyTheirOwnText) {
