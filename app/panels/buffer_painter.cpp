@@ -167,11 +167,9 @@ void paintChecker(QPainter& painter, QRect rect) {
     const ThemeColors& c = Theme::current().colors();
     QPixmap tile(16, 16);
     tile.fill(c.view);
-    // On white grounds these two are one: what is not drawn must not look like white.
-    const QColor& other = c.view.lightness() > 128 ? c.hover : c.surface;
     QPainter tilePainter(&tile);
-    tilePainter.fillRect(0, 0, 8, 8, other);
-    tilePainter.fillRect(8, 8, 8, 8, other);
+    tilePainter.fillRect(0, 0, 8, 8, c.hover);
+    tilePainter.fillRect(8, 8, 8, 8, c.hover);
     tilePainter.end();
     painter.drawTiledPixmap(rect, tile);
 }

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QFontInfo>
+#include <QPainter>
 #include <QRegularExpression>
 #include <algorithm>
 
 #include "app/core/style_sheet.h"
+#include "app/panels/buffer_painter.h"
 #include "tests/app/color_math.h"
 
 using app::Theme;
@@ -33,6 +35,18 @@ INSTANTIATE_TEST_SUITE_P(Each, ThemePerId, testing::ValuesIn(kThemes), [](const 
 TEST(ColorMath, BlackAndWhiteDifferByAHundred) {
     EXPECT_NEAR(test::deltaE00(Qt::black, Qt::white, Vision::Normal), 100, 0.01);
     EXPECT_NEAR(contrast(Qt::black, Qt::white), 21, 1e-9);
+}
+
+// Else what was not drawn looks like the end of a palette: dark like S = 0, or white like S = 1.
+TEST_P(ThemePerId, TheCheckerOfWhatWasNotDrawnIsSeenAsOne) {
+    const ThemeId before = Theme::current().id();
+    Theme::current().set(GetParam());
+    QImage image(16, 16, QImage::Format_RGB32);
+    QPainter painter(&image);
+    app::paintChecker(painter, image.rect());
+    Theme::current().set(before);
+    for (const Vision vision : {Vision::Normal, Vision::Protan, Vision::Deutan, Vision::Tritan})
+        EXPECT_GE(test::deltaE00(image.pixelColor(0, 0), image.pixelColor(8, 0), vision), 5);
 }
 
 TEST_P(ThemePerId, EveryTextIsReadableOnEveryGround) {
