@@ -33,6 +33,7 @@ public:
     CompareBar* bar() { return m_bar; }
     const std::optional<OtherSource>& source() const { return m_source; }
     void compareWith(std::optional<OtherSource> source);  // nothing: no longer
+    bool isOn() const { return current().has_value(); }   // the pictures bear names of their own
     CompareMode mode() const { return m_mode; }
     void setMode(CompareMode mode);  // the same again: back to A
     void setMetric(pipeline::DifferenceMetric metric);

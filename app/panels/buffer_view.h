@@ -122,8 +122,9 @@ private:
     ShowJob m_showing;
     pipeline::FramePtr m_frame;  // that m_shown is of
     std::optional<ShownBuffer> m_shown;
-    BackgroundJob m_marking;             // what is selected, in m_frame
-    bool m_fitsOnce = false;             // the range is to stay as the next picture fits it
+    BackgroundJob m_marking;  // what is selected, in m_frame
+    bool m_fitsOnce = false;  // the range is to stay as the next picture fits it
+    bool m_bare = false;
     bool m_missed = false;               // a refresh, while it was put away
     std::optional<QPoint> m_localHover;  // of a picture that is not the document's
 

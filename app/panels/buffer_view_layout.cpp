@@ -87,8 +87,9 @@ void BufferView::build() {
 }
 
 void BufferView::setBare(bool bare) {
+    m_bare = bare;
     m_header->setVisible(!bare);
-    m_title->setVisible(bare);
+    m_compare->bar()->setBare(bare);
     m_foot->setBare(bare);
     placeOverlays();
 }
@@ -135,6 +136,7 @@ void BufferView::placeOverlays() {
     // Over "0, 0", where the canvas marks it.
     const int origin = m_canvas->isFlipped() ? QFontMetrics(theme.mono(12)).height() + 4 : 0;
     m_readout->move(kMargin, m_canvas->height() - m_readout->height() - kMargin - origin);
+    m_title->setVisible(m_bare && !m_compare->isOn());
     m_title->adjustSize();
     m_title->move(kMargin, kMargin);
     m_notice->adjustSize();

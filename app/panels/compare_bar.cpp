@@ -2,13 +2,13 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 
 #include "app/core/icons.h"
 #include "app/core/spoken.h"
 #include "app/core/text.h"
-#include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/segmented.h"
 
@@ -29,9 +29,9 @@ CompareBar::CompareBar(QWidget* parent)
     : QWidget(parent),
       m_modes(new Segmented(modeTexts(), this)),
       m_metric(new QComboBox(this)),
-      m_finding(new ElidedLabel(this)),
-      m_worst(new QPushButton(tr("Worst pixel"), this)),
-      m_stages(new QPushButton(tr("By stage"), this)),
+      m_finding(new QLabel(this)),
+      m_worst(new QPushButton(this)),
+      m_stages(new QPushButton(this)),
       m_offer(new QPushButton(this)),
       m_close(new QToolButton(this)),
       m_first(new QHBoxLayout),
@@ -44,6 +44,8 @@ CompareBar::CompareBar(QWidget* parent)
                               Qt::ToolTipRole);
     }
     nameChoice(*m_metric, tr("Metric of the difference"));
+    m_worst->setAccessibleName(tr("Worst pixel"));
+    m_stages->setAccessibleName(tr("By stage"));
     m_stages->setToolTip(tr("Lists how much every buffer of every stage differs"));
     m_close->setIcon(icon("close"));
     m_close->setAccessibleName(tr("Compare no longer"));
@@ -53,11 +55,13 @@ CompareBar::CompareBar(QWidget* parent)
     m_first->addWidget(m_modes);
     m_first->addWidget(m_metric);
     m_first->addStretch();
+    m_first->addWidget(m_worst);
+    m_first->addWidget(m_stages);
     m_first->addWidget(m_close);
     m_second->addWidget(m_finding, 1);
     m_second->addWidget(m_offer);
-    m_second->addWidget(m_worst);
-    m_second->addWidget(m_stages);
+    m_finding->setWordWrap(true);
+    m_finding->setMinimumWidth(1);  // a long path is no reason for a wide view
     column->addLayout(m_first);
     column->addLayout(m_second);
     m_offer->hide();
@@ -77,29 +81,36 @@ CompareBar::CompareBar(QWidget* parent)
         m_metric->setFont(theme.text(12));
         m_finding->setFont(theme.text(12));
         for (QPushButton* button : {m_worst, m_stages, m_offer}) button->setFont(theme.text(12, 500));
-        m_close->setIconSize(QSize(1, 1) * theme.px(16));
+        for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{m_worst, m_stages, m_close})
+            button->setIconSize(QSize(1, 1) * theme.px(16));
     });
 }
 
-void CompareBar::fit(int height) {
-    const bool isLow = height < Theme::current().px(260);
-    m_finding->setVisible(!isLow);
-    for (QPushButton* button : {m_worst, m_stages}) button->setVisible(!isLow || m_first->indexOf(button) >= 0);
+void CompareBar::setBare(bool bare) {
+    m_bare = bare;
+    for (QWidget* part :
+         {static_cast<QWidget*>(m_worst), static_cast<QWidget*>(m_stages), static_cast<QWidget*>(m_close)})
+        part->setVisible(!bare);
+    if (bare) m_first->insertWidget(m_first->indexOf(m_metric) + 1, m_finding, 1);
 }
 
-// Where there is no room beside the choices the buttons stand beside the words.
+void CompareBar::fit(int height) { m_finding->setVisible(m_bare || height >= Theme::current().px(260)); }
+
+// Where there is no room for their words the buttons bear signs.
 void CompareBar::resizeEvent(QResizeEvent*) {
-    int needed = Theme::current().px(12 + 5 * 6);
-    for (QWidget* part : {static_cast<QWidget*>(m_metric), static_cast<QWidget*>(m_worst),
-                          static_cast<QWidget*>(m_stages), static_cast<QWidget*>(m_close)})
-        needed += part->sizeHint().width();
-    const bool isWide = width() >= needed + m_modes->width();
-    QHBoxLayout* place = isWide ? m_first : m_second;
-    if (place->indexOf(m_worst) >= 0) return;
-    int at = isWide ? place->indexOf(m_close) : place->count();
-    for (QPushButton* button : {m_worst, m_stages}) {
-        (isWide ? m_second : m_first)->removeWidget(button);
-        place->insertWidget(at++, button);
+    const Theme& theme = Theme::current();
+    const QFontMetrics metrics(m_worst->font());
+    const auto widthOf = [&](const QPushButton* button) {
+        return metrics.horizontalAdvance(button->accessibleName()) + theme.px(26);
+    };
+    const int others =
+        m_modes->width() + m_metric->sizeHint().width() + m_close->sizeHint().width() + theme.px(12 + 5 * 6);
+    const bool hasWords = width() >= others + widthOf(m_worst) + widthOf(m_stages);
+    for (auto [button, sign] : {std::pair(m_worst, "pin"), std::pair(m_stages, "histogram")}) {
+        button->setText(hasWords ? button->accessibleName() : QString());
+        button->setIcon(hasWords ? QIcon() : icon(sign));
+        button->setStyleSheet(hasWords ? QString()
+                                       : QStringLiteral("QPushButton { padding: 0 %1px; }").arg(theme.px(3)));
     }
 }
 
@@ -121,6 +132,7 @@ void CompareBar::setOffer(Offer offer) {
 
 void CompareBar::setFinding(const QString& sentence, const QString& whyNoWorst) {
     m_finding->setText(sentence);
+    m_finding->setToolTip(sentence);
     setAccessibleDescription(sentence);
     m_worst->setEnabled(whyNoWorst.isEmpty());
     m_worst->setToolTip(whyNoWorst.isEmpty() ? tr("Picks the pixel where the two differ most") : whyNoWorst);

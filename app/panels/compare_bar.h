@@ -5,12 +5,12 @@
 
 class QComboBox;
 class QHBoxLayout;
+class QLabel;
 class QPushButton;
 class QToolButton;
 
 namespace app {
 
-class ElidedLabel;
 class Segmented;
 
 enum class CompareMode : unsigned char { A, B, Blink, Wipe, Difference };
@@ -28,7 +28,8 @@ public:
     void setFinding(const QString& sentence, const QString& whyNoWorst);
     enum class Offer : unsigned char { Nothing, Cancel, Compute };
     void setOffer(Offer offer);
-    void fit(int height);  // of the view: in a low one the choices alone stand here
+    void fit(int height);     // of the view: in a low one without the words
+    void setBare(bool bare);  // the choices and the words, in one line
 
 signals:
     void modeChosen(CompareMode mode);
@@ -44,10 +45,11 @@ protected:
 private:
     Segmented* m_modes;
     QComboBox* m_metric;
-    ElidedLabel* m_finding;
+    QLabel* m_finding;
     QPushButton *m_worst, *m_stages, *m_offer;
     QToolButton* m_close;
     QHBoxLayout *m_first, *m_second;
+    bool m_bare = false;
 };
 
 }  // namespace app

@@ -3,26 +3,48 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
 
 #include "app/core/theme.h"
 
 namespace {
 
-TEST(CompareBar, InALowViewItIsOneRow) {
-    QWidget view;
-    app::CompareBar bar(&view);
-    bar.setFinding("They differ at 12 pixels.", {});
-    view.show();
-    bar.resize(200, 100);  // too narrow for the buttons beside the choices
-    const auto heightIn = [&](int height) {
+class Bar : public testing::Test {
+protected:
+    Bar() { view.show(); }
+    void show(int width, int height) {
+        bar.resize(width, 100);
         bar.fit(height);
         QCoreApplication::processEvents();
+    }
+    QWidget view;
+    app::CompareBar bar{&view};
+};
+
+TEST_F(Bar, InALowViewItIsOneRow) {
+    bar.setFinding("They differ at 12 pixels.", {});
+    const auto heightIn = [&](int height) {
+        show(280, height);
         return bar.sizeHint().height();
     };
     const int all = heightIn(1000), low = heightIn(200);
-    EXPECT_LT(low, all - app::Theme::current().px(20)) << "a row of words and buttons";
+    EXPECT_LT(low, all - app::Theme::current().px(14)) << "a row of words";
     EXPECT_LT(all, 3 * low) << "two rows, not three";
     EXPECT_EQ(heightIn(1000), all);
+}
+
+TEST_F(Bar, InANarrowViewAllThatWasFoundIsRead) {
+    bar.setFinding("180 897 of 307 200 pixels differ, most by 40 at 268, 281", {});
+    show(280, 1000);
+    bar.resize(280, bar.heightForWidth(280));
+    QCoreApplication::processEvents();
+    const auto* finding = bar.findChild<QLabel*>();
+    EXPECT_GE(finding->height(), finding->heightForWidth(finding->width()));
+    const auto buttons = bar.findChildren<QPushButton*>();
+    EXPECT_TRUE(std::ranges::any_of(buttons, [](auto* b) { return b->accessibleName() == "Worst pixel"; }));
+    for (const auto* button : buttons) EXPECT_LE(button->geometry().right(), 280) << button->text().toStdString();
 }
 
 }  // namespace
