@@ -12,7 +12,8 @@ void SceneView::setBuilding(bool building) {
 
 void SceneView::tellWorking() {
     m_working->setWorking(m_rendering || m_building);
-    emit workingChanged(m_rendering || m_building);
+    // Without the first picture there would be nothing to see: nobody is asked to stop that one.
+    emit workingChanged(m_building || (m_rendering && m_vtk->shown()));
 }
 
 void SceneView::setStopped(bool stopped) {

@@ -44,6 +44,21 @@ TEST_F(View3dBeside, TheWindowDoesNotWaitForAPicture) {
     EXPECT_EQ(vtk.shown()->view.camera, view.camera());
 }
 
+// Whoever presses Esc to leave a talk that has just begun leaves no empty view behind.
+TEST_F(View3dBeside, TheFirstPictureIsNotStopped) {
+    app::View3dPanel other(document);
+    other.resize(400, 300);
+    const auto& drawing = *other.findChild<app::VtkWidget*>();
+    {
+        const std::lock_guard turnOfVtk(app::vtkTurn());
+        other.show();
+        QTest::qWait(600);  // until what takes long may be stopped
+        EXPECT_FALSE(drawing.shown());
+        document.work().cancel();
+    }
+    EXPECT_TRUE(QTest::qWaitFor([&] { return drawing.shown() != nullptr; }, 10000));
+}
+
 TEST_F(View3dBeside, OfManyChangesMeanwhileTheNewestAloneIsDrawn) {
     int drawn = 0;
     QObject::connect(&view, &SceneView::drawn, [&] { ++drawn; });
