@@ -133,6 +133,7 @@ private:
     void keepCue();
     bool saveCuesAs();  // false: not saved
     bool mayLeaveCues();
+    void raiseCues();
     void goToCue(int cue, const Then& then = {});
     void stepCue(int by);
     void beginPresenting();
@@ -177,6 +178,7 @@ private:
     CuePanel* m_cues;
     Presentation* m_presentation;
     bool m_presents = false;  // from before it begins to after it has ended
+    QByteArray m_beforeTalk;  // where the panels stood
     Session* m_session = nullptr;
     StudyPanel* m_study = nullptr;     // a window of its own; made when first asked for
     ManualWindow* m_manual = nullptr;  // likewise

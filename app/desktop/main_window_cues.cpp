@@ -2,11 +2,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QLayout>
 
 #include "app/core/scene_opener.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/keep_changes.h"
+#include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/presentation.h"
@@ -73,7 +75,15 @@ void MainWindow::connectCues() {
                 Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
     }
     connect(m_presentation, &Presentation::cueAsked, this, [this](int cue) { goToCue(cue); });
-    connect(m_presentation, &Presentation::ended, this, [this] { m_presents = false; });
+    connect(m_presentation, &Presentation::ended, this, [this] {
+        m_presents = false;
+        // Letters as large as a talk's have pushed the panels. There is room for their places once all is small again,
+        // also what is behind a tab, which has not heard of it.
+        for (QLayout* layout : findChildren<QLayout*>()) layout->invalidate();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        restoreState(m_beforeTalk, kLayoutVersion);
+        fitLetters();
+    });
     const auto on = [&](A id, auto run) { connect((*m_actions)[id], &QAction::triggered, this, run); };
     on(A::KeepCue, [this] { keepCue(); });
     on(A::NextCue, [this] { stepCue(1); });
@@ -108,6 +118,10 @@ void MainWindow::keepCue() {
     const int row = model.add({std::string(stageInfo(now->stage).label), {}, {}, *now});
     emit m_document.said(
         tr("Kept as cue %1, %2. F2 in the list of cues names it.").arg(row + 1).arg(toQString(model.cue(row).name)));
+    raiseCues();
+}
+
+void MainWindow::raiseCues() {
     for (PanelDock* dock : m_docks)
         if (dock->objectName() == "cues" && m_width == Width::Wide) dock->show(), dock->raise();
 }
@@ -160,9 +174,11 @@ bool MainWindow::openCues(const QString& file, const QString& name, const Then& 
         }
         first = int(*found);
     }
-    goToCue(first, then);
-    for (PanelDock* dock : m_docks)
-        if (dock->objectName() == "cues" && m_width == Width::Wide) dock->show(), dock->raise();
+    // The panel first: after a talk the panels stand as they did when it began.
+    goToCue(first, [this, then] {
+        raiseCues();
+        if (then) then();
+    });
     return true;
 }
 
@@ -178,6 +194,7 @@ void MainWindow::beginPresenting() {
     QList<QAction*> keys;
     for (const A id : kKeys) keys << (*m_actions)[id];
     m_presents = true;
+    m_beforeTalk = saveState(kLayoutVersion);
     m_presentation->begin(*now, keys, (*m_actions)[A::NotesScreen]->isChecked());
 }
 

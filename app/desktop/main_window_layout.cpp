@@ -242,7 +242,7 @@ void MainWindow::showOneLeftDock(PanelDock* shown) {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    fitWidth(false);
+    if (!m_presents) fitWidth(false);
 }
 
 }  // namespace app
