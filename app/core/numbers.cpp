@@ -71,6 +71,11 @@ QString milliseconds(double value) {
     return number(value, decimals) + " ms";
 }
 
+QString sixDigits(double value) {
+    const QString text = QString::number(std::abs(value), 'g', 6);
+    return value < 0 ? kMinus + text : text;
+}
+
 QString count(qint64 value) { return number(double(value), 0); }
 
 QString withGroups(const QString& text) {

@@ -21,6 +21,7 @@ QString depth(double value, bool isDouble = false);
 QString angle(double degrees);            // "39.2°"
 QString errorText(double value);          // two digits: "3.9e-6", "0"
 QString milliseconds(double value);       // three digits: "0.161 ms", "12.3 ms"
+QString sixDigits(double value);          // as short as six digits that matter are: "−0.25", "1e-07"
 QString count(qint64 value);              // "2 686"
 QString withGroups(const QString& text);  // "2686 fragments" as "2 686 fragments", every number in it
 QString fullPrecision(double value);      // the shortest text that reads back as the same double; plain ASCII

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/core/number_format.h"
+#include "app/core/numbers.h"
 #include "app/core/text.h"
 
 namespace app {
@@ -15,7 +16,7 @@ constexpr std::size_t kMostDistinct = 500'000;  // numbers that are sorted for i
 
 QString shortest(std::optional<double> value) {
     if (!value) return QStringLiteral("–");
-    return chosenText(*value).value_or(QString::number(*value, 'g', 6));
+    return chosenText(*value).value_or(sixDigits(*value));
 }
 
 }  // namespace

@@ -13,8 +13,6 @@ using pipeline::Scene;
 using pipeline::SettingGroup;
 using pipeline::SettingRef;
 
-QString number(double value) { return QString::number(value, 'g', 6); }
-
 QString plural(std::size_t n, const QString& one, const QString& many) {
     return QStringLiteral("%1 %2").arg(count(qint64(n)), n == 1 ? one : many);
 }
@@ -64,9 +62,9 @@ std::vector<OutlineRow> outline(const Scene& scene) {
         const QString kind = light.kind == pipeline::LightKind::AtInfinity ? "at infinity"
                              : light.kind == pipeline::LightKind::Area     ? "area"
                                                                            : "point";
-        rows.push_back({{Kind::Light, i}, QStringLiteral("light %1").arg(i), kind + ", " + number(light.intensity)});
+        rows.push_back({{Kind::Light, i}, QStringLiteral("light %1").arg(i), kind + ", " + sixDigits(light.intensity)});
     }
-    rows.push_back({{Kind::Ambient, 0}, "ambient light", number(scene.ambient.intensityIn(scene.settings.model))});
+    rows.push_back({{Kind::Ambient, 0}, "ambient light", sixDigits(scene.ambient.intensityIn(scene.settings.model))});
     rows.push_back(
         {{Kind::Camera, 0}, "camera", scene.camera.kind == pipeline::CameraKind::Spherical ? "spherical" : "look-at"});
     return rows;

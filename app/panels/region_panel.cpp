@@ -47,7 +47,9 @@ RegionPanel::RegionPanel(QWidget* parent) : QFrame(parent), m_table(new QLabel(t
     close->setIcon(icon("close"));
     close->setAccessibleName(tr("Close the statistics"));
     close->setToolTip(tr("Close (Esc)"));
-    connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(m_text); });
+    // With the signs that other programs read.
+    connect(copy, &QToolButton::clicked, this,
+            [this] { QApplication::clipboard()->setText(QString(m_text).replace(QChar(0x2212), '-')); });
     connect(close, &QToolButton::clicked, this, &RegionPanel::closed);
     auto* row = new QHBoxLayout(this);
     row->addWidget(m_table);

@@ -110,6 +110,10 @@ TEST(RegionStatistics, CountsWhatIsThere) {
     EXPECT_EQ(app::regionStatistics(numbers(), {{-5, -5}, {0, 0}}, 0).count, 1u) << "only what lies in the buffer";
 }
 
+TEST(RegionStatistics, AreWrittenWithTheWindowsMinus) {
+    EXPECT_TRUE(app::regionText(numbers(), {{3, 1}, {0, 0}}, app::ShownChannel::All, {}).contains("minimum\t−1\n"));
+}
+
 // A mean of squares less the square of the mean would lose this spread of 1 in 10^9 altogether in float.
 TEST(RegionStatistics, AreStableFarFromZero) {
     auto data = std::make_shared<std::vector<double>>();

@@ -67,6 +67,12 @@ TEST(Numbers, ErrorsHaveTwoDigitsAndTimesThree) {
     EXPECT_EQ(utf8(app::angle(39.2315)), "39.2°");
 }
 
+TEST(Numbers, ASignOfNumbersIsAMinusNoHyphen) {
+    EXPECT_EQ(utf8(app::sixDigits(-0.25)), "−0.25");
+    EXPECT_EQ(utf8(app::sixDigits(1234567)), "1.23457e+06");
+    EXPECT_EQ(utf8(app::sixDigits(-0.0)), "0");
+}
+
 TEST(Numbers, FullPrecisionReadsBackTheSame) {
     for (const double value : {0.1, 1.0 / 3, 671.45391845703125, -1e-300, 0.0})
         EXPECT_EQ(app::fullPrecision(value).toDouble(), value);
