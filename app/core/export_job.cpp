@@ -11,8 +11,8 @@ using pipeline::ExportSummary;
 using Exported = pipeline::Result<ExportSummary>;
 
 Exported runExport(std::shared_ptr<const pipeline::Scene> scene, const pipeline::FramePtr& before,
-                   pipeline::ExportRequest request, const DerivedRecipe& recipe, const std::stop_token& stop,
-                   const pipeline::ExportProgress& progress) {
+                   pipeline::ExportRequest request, const DerivedRecipe& recipe, const WriteMore& more,
+                   const std::stop_token& stop, const pipeline::ExportProgress& progress) {
     const ExportSummary cancelled{.cancelled = true, .files = {}};
     pipeline::FrameRequest wanted{.wanted = {}, .stop = stop};
     for (const pipeline::BufferName& name : request.buffers) {
@@ -35,22 +35,23 @@ Exported runExport(std::shared_ptr<const pipeline::Scene> scene, const pipeline:
         if (!made) return made.errors();
         request.derived.push_back({made->buffer, made->meaning});
     }
+    if (more) request.writeMore = [&](const std::filesystem::path& folder) { return more(*frame, folder); };
     return exportFrame(*frame, request, progress);
 }
 
 }  // namespace
 
 ExportJob::ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::FramePtr before,
-                     pipeline::ExportRequest request, DerivedRecipe recipe, QObject* parent)
+                     pipeline::ExportRequest request, DerivedRecipe recipe, WriteMore more, QObject* parent)
     : ThreadJob(parent) {
     start([this, scene = std::move(scene), before = std::move(before), request = std::move(request),
-           recipe = std::move(recipe)](const std::stop_token& stop) {
+           recipe = std::move(recipe), more = std::move(more)](const std::stop_token& stop) {
         const auto progress = [&](double share, std::string_view file) {
             later([this, share, name = toQString(file)] { emit progressed(share, name); });
             return !stop.stop_requested();
         };
         progress(0, tr("Computing the frame").toStdString());
-        const auto result = runExport(scene, before, request, recipe, stop, progress);
+        const auto result = runExport(scene, before, request, recipe, more, stop, progress);
         later([this, result] {
             if (result) {
                 emit finished(*result);

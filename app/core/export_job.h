@@ -5,14 +5,19 @@
 
 namespace app {
 
+// Writes more files of a frame into a folder, such as pictures of its 3D views, and gives their names.
+using WriteMore = std::function<pipeline::Result<std::vector<std::filesystem::path>>(
+    const pipeline::Frame& frame, const std::filesystem::path& folder)>;
+
 // Writes an export on a thread of its own: computes the frame that holds all its buffers, then
 // the files. One job, one export.
 class ExportJob : public ThreadJob {
     Q_OBJECT
 public:
     // `before` may be null; what it holds is reused. Derived buffers that the request names are made after the recipe.
+    // `more` may be empty.
     ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::FramePtr before, pipeline::ExportRequest request,
-              DerivedRecipe recipe, QObject* parent = nullptr);
+              DerivedRecipe recipe, WriteMore more, QObject* parent = nullptr);
 
 signals:
     void progressed(double share, const QString& file);

@@ -34,6 +34,7 @@
 #include "app/panels/lesson_shelf.h"
 #include "app/panels/save_dialog.h"
 #include "app/panels/study_panel.h"
+#include "app/view3d/offscreen.h"
 #include "pipeline/formats/format_table.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/scene/settings_table.h"
@@ -245,6 +246,9 @@ void MainWindow::exportBuffers(bool onlyActive) {
         now->scene.clear(), now->set.clear(), now->sceneText.clear();  // it stands beside it
         dialog->setState(toToml(*now));
     }
+    QStringList views;
+    for (const std::string& file : viewFiles()) views += toQString(file);
+    dialog->setViews(writeViews, views);
     if (onlyActive) dialog->choose(m_views->activeBuffer().buffer());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();

@@ -1,5 +1,6 @@
 #include "app/panels/export_dialog.h"
 
+#include <QCheckBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -94,6 +95,11 @@ void ExportDialog::setShown(std::vector<pipeline::BufferName> buffers) {
     m_onlyShown->setVisible(!m_shown.empty());
 }
 
+void ExportDialog::setViews(WriteViews write, QStringList files) {
+    m_writeViews = std::move(write), m_viewFiles = std::move(files);
+    m_views->show();
+}
+
 void ExportDialog::choose(const pipeline::BufferName& buffer) { m_buffers->choose({buffer}); }
 
 QWidget* ExportDialog::makeFields() {
@@ -105,6 +111,11 @@ QWidget* ExportDialog::makeFields() {
     m_formats = new ExportFormats(m_document.scene(), right);
     connect(m_formats, &ExportFormats::changed, this, &ExportDialog::showOrder);
     form->addRow(tr("Formats"), m_formats);
+    m_views = new QCheckBox(tr("Pictures of the 3D views"), right);
+    m_views->setObjectName("exportViews");
+    m_views->hide();
+    connect(m_views, &QCheckBox::toggled, this, &ExportDialog::showOrder);
+    form->addRow(QString(), m_views);
 
     auto* size = new QHBoxLayout;
     const auto makeSide = [&](int value, const char* name, const QString& words) {
@@ -169,6 +180,7 @@ void ExportDialog::showOrder() {
     m_buffers->setScale(scale);
     double bytes = 0;
     QStringList files = m_formats->sceneFiles();
+    if (m_views->isChecked()) files += m_viewFiles;
     std::vector<pipeline::PlannedFile> planned = plannedFiles(*m_document.wholeFrame(), wanted);
     for (pipeline::PlannedFile& file : plannedDerived(m_document.scene(), wanted)) planned.push_back(std::move(file));
     for (const pipeline::PlannedFile& file : planned) {
@@ -182,11 +194,14 @@ void ExportDialog::showOrder() {
             .arg(wanted.buffers.size())
             .arg(files.size() + 1)
             .arg(sizeText(std::uint64_t(bytes))));
-    const QString more = files.size() > 7 ? tr("\nand %1 more").arg(files.size() - 7) : QString();
-    m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') + more);
+    const QString rest = files.size() > 7 ? tr("\nand %1 more").arg(files.size() - 7) : QString();
+    m_files->setText("manifest.json\n" + files.mid(0, 7).join('\n') + rest);
     const auto scene = sceneToExport();
-    foot().setCommand(exportCommand(*scene, m_changes.words(*scene), wanted, m_document.derived().recipe(),
-                                    m_buffers->isAllChosen()));
+    QStringList more = m_changes.words(*scene);
+    if (m_views->isChecked()) more.prepend("--views");
+    if (m_views->isChecked() && m_document.pixel())
+        more.insert(1, QStringLiteral("--pixel %1,%2").arg(m_document.pixel()->x).arg(m_document.pixel()->y));
+    foot().setCommand(exportCommand(*scene, more, wanted, m_document.derived().recipe(), m_buffers->isAllChosen()));
     const bool ready = !wanted.buffers.empty() && !wanted.formats.empty() && !field().text().isEmpty() &&
                        m_width->hasAcceptableInput() && m_height->hasAcceptableInput();
     foot().setReady(ready, tr("Choose a buffer, a format, a folder and a size first."));
@@ -198,7 +213,13 @@ QString ExportDialog::chooseTarget() {
 
 void ExportDialog::start() {
     const pipeline::ExportRequest wanted = request();
-    auto* job = new ExportJob(sceneToExport(), m_document.wholeFrame(), wanted, m_document.derived().recipe(), this);
+    WriteMore more;
+    if (m_views->isChecked())
+        more = [write = m_writeViews, pixel = m_document.pixel()](const auto& frame, const auto& folder) {
+            return write(frame, pixel, folder);
+        };
+    auto* job =
+        new ExportJob(sceneToExport(), m_document.wholeFrame(), wanted, m_document.derived().recipe(), more, this);
     run(job, wanted.folder, [](const pipeline::ExportSummary& summary) {
         return tr("%1 files, %2, are in the folder.").arg(summary.files.size()).arg(sizeText(summary.bytes));
     });

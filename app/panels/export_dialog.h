@@ -4,6 +4,7 @@
 #include "app/core/export_plan.h"
 #include "app/panels/job_dialog.h"
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -24,6 +25,10 @@ public:
     void setState(std::string state) { m_state = std::move(state); }
     void setShown(std::vector<pipeline::BufferName> buffers);  // in the window's views
     void choose(const pipeline::BufferName& buffer);           // this one alone
+    // Offers pictures of the 3D views too: who writes them, with the vectors of a pixel where one is picked, and their names.
+    using WriteViews = std::function<pipeline::Result<std::vector<std::filesystem::path>>(
+        const pipeline::Frame& frame, std::optional<glm::ivec2> pixel, const std::filesystem::path& folder)>;
+    void setViews(WriteViews write, QStringList files);
     pipeline::ExportRequest request() const;
 
 private:
@@ -42,7 +47,10 @@ private:
     ExportList* m_buffers;
     ExportFormats* m_formats;
     QLineEdit *m_width, *m_height;
+    QCheckBox* m_views;
     QLabel *m_total, *m_files;
+    WriteViews m_writeViews;
+    QStringList m_viewFiles;
     std::string m_state;
     std::vector<pipeline::BufferName> m_shown;
 };

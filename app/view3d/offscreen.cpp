@@ -217,11 +217,18 @@ pipeline::Result<QImage> renderBeside(const SpacePicture& picture, const ShotPro
     return std::async(std::launch::async, render).get();
 }
 
+std::vector<std::string> viewFiles() {
+    std::vector<std::string> names;
+    for (const View& view : kViews) names.emplace_back(view.file);
+    return names;
+}
+
 pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::Frame& frame,
                                                                 std::optional<glm::ivec2> pixel,
                                                                 const std::filesystem::path& folder) {
     const FontSystem fonts;
     if (!fonts.ready()) return pipeline::Error{{}, "no font system for the letters of the views", {}};
+    const std::lock_guard turn(vtkTurn());
     const auto window = HeadlessWindow::create(kSize);
     if (!window) return window.errors();
     const auto content = std::make_shared<const ViewContent>(contentOf(frame, pixel));

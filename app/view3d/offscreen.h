@@ -46,6 +46,7 @@ pipeline::Result<QImage> renderBeside(const SpacePicture& picture, const ShotPro
 // side.png, top.png, eye.png and everything.png (the eye and its picture plane included), with
 // the vectors of `pixel` where one is given, and then point.png, the hemisphere there. Works without a display; makes a QGuiApplication
 // where there is none. Errors: no EGL with OpenGL 3.2, or a file that cannot be written.
+std::vector<std::string> viewFiles();  // without the pixel's
 pipeline::Result<std::vector<std::filesystem::path>> writeViews(const pipeline::Frame& frame,
                                                                 std::optional<glm::ivec2> pixel,
                                                                 const std::filesystem::path& folder);

@@ -12,6 +12,7 @@
 #include "app/desktop/actions.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/export_dialog.h"
+#include "app/view3d/offscreen.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {
@@ -43,6 +44,26 @@ TEST_F(WindowExport, WritesTheFrameThatTheWindowShows) {
     ASSERT_EQ(picture.size(), QSize(640, 480));
     for (const glm::ivec2 pixel : {glm::ivec2(268, 281), glm::ivec2(0, 0), glm::ivec2(292, 259)})
         EXPECT_EQ(picture.pixelColor(pixel.x, pixel.y), frameColor(pixel));
+}
+
+// As `export --views` does.
+TEST_F(WindowExport, WritesTheViewsThatTheCommandLineWrites) {
+    openPyramid();
+    document().pick(glm::ivec2(268, 281));
+    ASSERT_TRUE(waitForFrame());
+    ExportDialog* dialog = openDialog();
+    auto* views = dialog->findChild<QCheckBox*>("exportViews");
+    ASSERT_TRUE(views && views->isVisible() && !views->isChecked());
+    views->setChecked(true);
+    EXPECT_TRUE(dialog->findChild<QLabel*>("exportFiles")->text().contains("world.png"));
+    EXPECT_TRUE(dialog->findChild<QLineEdit*>("exportCommand")->text().contains(" --views --pixel 268,281"));
+    QTest::mouseClick(dialog->findChild<QPushButton*>("exportStart"), Qt::LeftButton);
+    auto* message = dialog->findChild<QLabel*>("exportMessage");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return message->text().contains("in the folder"); }, 60000))
+        << message->text().toStdString();
+    const QDir out(folder.filePath("out"));
+    for (const std::string& file : viewFiles()) EXPECT_TRUE(out.exists(QString::fromStdString(file))) << file;
+    EXPECT_TRUE(out.exists("point.png"));
 }
 
 std::vector<std::string> chosenIn(const ExportDialog& dialog) {
