@@ -21,6 +21,7 @@ std::span<const ActionRow> actionTable() {
         {A::Slide, "File", "Picture for a slide…", "Ctrl+F12; F12",
          "Saves a view in any size, on a transparent ground; the file opens the scene again."},
         {A::Film, "File", "Step film…", "", "Writes a buffer's build-up, step by step, as a GIF or as PNG files."},
+        {A::Handout, "File", "Lesson as a handout…", "", "Writes the open lesson as pages for a browser."},
         {A::RestoreSession, "File", "Restore the session at start", "",
          "Begins the next time with what the window shows when it is closed.", true, true},
         {A::Close, "File", "Close", "Ctrl+W", "Closes the scene and shows the start page.", false, true},

@@ -17,6 +17,7 @@ enum class ActionId : unsigned char {
     SaveBuffer,
     Slide,
     Film,
+    Handout,
     RestoreSession,
     Close,
     Quit,

@@ -25,10 +25,12 @@
 #include "app/desktop/step_actions.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/buffer_canvas.h"
+#include "app/panels/buffer_header.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/check_panel.h"
 #include "app/panels/export_dialog.h"
 #include "app/panels/follow_theme.h"
+#include "app/panels/handout_button.h"
 #include "app/panels/inspector_panel.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/lesson_shelf.h"
@@ -94,6 +96,7 @@ void MainWindow::connectActions() {
     connect(m_views, &ViewArea::saveAsked, this, [this] { exportBuffers(true); });
     on(A::Slide, [this] { exportSlide(); });
     on(A::Film, [this] { exportFilm(); });
+    on(A::Handout, [this] { m_lessons->findChild<HandoutButton*>()->click(); });
     on(A::Close, [this] { closeScene(); });
     on(A::RestoreSession, [](bool wanted) { SessionFile::setWanted(wanted); });
     on(A::Quit, [this] { close(); });
@@ -157,6 +160,7 @@ void MainWindow::connectActions() {
         builtIn->addAction(toQString(scene.title), [this, path = toQString(scene.file.string())] { openFile(path); });
     }
     connect(file, &QMenu::aboutToShow, this, [this] {
+        enableActions();
         m_recent->clear();
         const std::vector<RecentFile> files = recentFiles();
         QStringList names = recentNames(files);
@@ -165,6 +169,18 @@ void MainWindow::connectActions() {
             m_recent->addAction(names[qsizetype(i)], [this, path = files[i].file] { openRecent(path); });
         m_recent->setEnabled(!m_recent->isEmpty());
     });
+    // What the active buffer view has above its picture.
+    QMenu* inspect = actions.menu("Inspect");
+    const auto addOwn = [&](const QString& name, void (BufferHeader::*opens)(QMenu*)) {
+        auto* menu = new QMenu(name, inspect);
+        const QList<QAction*> all = inspect->actions();
+        inspect->insertMenu(all[all.indexOf(actions[A::RedChannel]) - 1], menu);
+        connect(menu, &QMenu::aboutToShow, this,
+                [this, menu, opens] { (m_views->activeBuffer().findChild<BufferHeader*>()->*opens)(menu); });
+        connect(inspect, &QMenu::aboutToShow, menu, [this, menu] { menu->setEnabled(showsScene()); });
+    };
+    addOwn(tr("Overlays"), &BufferHeader::overlayMenuOpens);
+    addOwn(tr("Compare with"), &BufferHeader::compareMenuOpens);
     QMenu* view = actions.menu("View");
     for (PanelDock* dock : m_docks) {
         view->insertAction(actions[A::TwoBufferViews], dock->toggleViewAction());
@@ -189,6 +205,7 @@ void MainWindow::enableActions() {
     for (const A id : {A::Save, A::SaveAs}) m_actions->setEnabled(id, scene, noScene);
     m_actions->setEnabled(A::ReadAgain, scene && m_document.kept().scene,
                           scene ? tr("This scene comes from no file.") : noScene);
+    m_actions->setEnabled(A::Handout, m_lessons->lesson() != nullptr, tr("Open a lesson first."));
     enableViewActions();
     for (const A id : {A::Export, A::SaveBuffer, A::Slide, A::Film})
         m_actions->setEnabled(id, scene && m_document.frame(),
@@ -282,6 +299,7 @@ void MainWindow::showChecks() {
 }
 
 std::vector<PaletteEntry> MainWindow::commands() {
+    enableActions();
     std::vector<PaletteEntry> all;
     for (const ActionRow& row : actionTable()) {
         QAction* action = (*m_actions)[row.id];

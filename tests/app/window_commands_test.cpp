@@ -4,11 +4,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
 #include <QTest>
 #include <QTimer>
+#include <algorithm>
 #include <map>
 #include "app/core/theme.h"
 #include "app/desktop/actions.h"
@@ -45,6 +47,32 @@ TEST_F(WindowCommands, ACommandIsFoundByWordsInAnyOrderTheBestFirst) {
     auto* list = find<CommandPalette>("commandPalette")->findChild<QListWidget*>();
     ASSERT_GT(list->count(), 0);
     EXPECT_EQ(list->item(0)->text(), "Shadow of a point light");
+}
+
+// Who looks for a comparison or an overlay looks in the menus.
+TEST_F(WindowCommands, TheMenusHaveWhatTheActiveBufferViewHasAboveItsPicture) {
+    openPyramid();
+    const auto textsIn = [this](const QString& name) {
+        QStringList texts;
+        for (auto* menu : window.findChildren<QMenu*>()) {
+            if (menu->title().remove('&') != name) continue;
+            emit menu->aboutToShow();
+            for (const QAction* action : menu->actions()) texts += action->text();
+        }
+        return texts;
+    };
+    EXPECT_TRUE(textsIn("Compare with").contains("Another pipeline"));
+    EXPECT_TRUE(textsIn("Overlays").contains("Condition…"));
+    EXPECT_EQ(textsIn("Overlays").count("Condition…"), 1) << "each time anew";
+    const auto mayWriteHandout = [this, &textsIn] {
+        EXPECT_TRUE(textsIn("File").contains("Lesson as a handout…"));
+        const auto actions = window.findChildren<QAction*>();
+        return std::ranges::any_of(actions,
+                                   [](QAction* a) { return a->text() == "Lesson as a handout…" && a->isEnabled(); });
+    };
+    EXPECT_FALSE(mayWriteHandout()) << "of no lesson";
+    window.openLesson("pyramid");
+    EXPECT_TRUE(mayWriteHandout());
 }
 
 TEST_F(WindowCommands, ACommandThatNothingIsCalledSaysSo) {
