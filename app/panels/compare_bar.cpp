@@ -88,24 +88,43 @@ CompareBar::CompareBar(QWidget* parent)
 
 void CompareBar::setBare(bool bare) {
     m_bare = bare;
-    for (QWidget* part :
-         {static_cast<QWidget*>(m_worst), static_cast<QWidget*>(m_stages), static_cast<QWidget*>(m_close)})
-        part->setVisible(!bare);
+    m_close->setVisible(!bare);
     if (bare) m_first->insertWidget(m_first->indexOf(m_metric) + 1, m_finding, 1);
+    arrange();
 }
 
-void CompareBar::fit(int height) { m_finding->setVisible(m_bare || height >= Theme::current().px(260)); }
+void CompareBar::fit(int height) {
+    m_isLow = !m_bare && height < Theme::current().px(260);
+    m_finding->setVisible(!m_isLow);
+    arrange();
+}
 
-// Where there is no room for their words the buttons bear signs.
-void CompareBar::resizeEvent(QResizeEvent*) {
+void CompareBar::resizeEvent(QResizeEvent*) { arrange(); }
+
+// Where there is no room for their words the buttons bear signs, and what has no room beside the choices at all stands
+// beside the words below.
+void CompareBar::arrange() {
     const Theme& theme = Theme::current();
     const QFontMetrics metrics(m_worst->font());
-    const auto widthOf = [&](const QPushButton* button) {
-        return metrics.horizontalAdvance(button->accessibleName()) + theme.px(26);
+    int words = 0, others = theme.px(12 + 5 * 6) + m_modes->width();
+    for (const QWidget* part : {static_cast<QWidget*>(m_metric), static_cast<QWidget*>(m_close)})
+        others += part->sizeHint().width();
+    for (const QPushButton* button : {m_worst, m_stages})
+        words += metrics.horizontalAdvance(button->accessibleName()) + theme.px(26);
+    const bool hasWords = width() >= others + words;
+    const auto put = [this](QWidget* part, bool inFirst, int at, bool isWanted) {
+        QHBoxLayout *place = inFirst ? m_first : m_second, *other = inFirst ? m_second : m_first;
+        if (place->indexOf(part) < 0) {
+            other->removeWidget(part);
+            place->insertWidget(inFirst ? at : place->count(), part);
+        }
+        part->setVisible(isWanted && (inFirst || !m_isLow));
     };
-    const int others =
-        m_modes->width() + m_metric->sizeHint().width() + m_close->sizeHint().width() + theme.px(12 + 5 * 6);
-    const bool hasWords = width() >= others + widthOf(m_worst) + widthOf(m_stages);
+    const bool hasSigns = width() >= others + 2 * theme.px(24);
+    put(m_worst, hasSigns, m_first->indexOf(m_close), !m_bare);
+    put(m_stages, hasSigns, m_first->indexOf(m_close), !m_bare);
+    const bool isDifference = m_modes->current() == int(CompareMode::Difference);
+    put(m_metric, m_bare || width() >= others, 1, isDifference);
     for (auto [button, sign] : {std::pair(m_worst, "pin"), std::pair(m_stages, "histogram")}) {
         button->setText(hasWords ? button->accessibleName() : QString());
         button->setIcon(hasWords ? QIcon() : icon(sign));
@@ -116,7 +135,7 @@ void CompareBar::resizeEvent(QResizeEvent*) {
 
 void CompareBar::setMode(CompareMode mode) {
     m_modes->setCurrent(int(mode));
-    m_metric->setVisible(mode == CompareMode::Difference);
+    arrange();
 }
 
 void CompareBar::setMetric(DifferenceMetric metric) {

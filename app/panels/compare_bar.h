@@ -43,13 +43,15 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void arrange();
+
     Segmented* m_modes;
     QComboBox* m_metric;
     QLabel* m_finding;
     QPushButton *m_worst, *m_stages, *m_offer;
     QToolButton* m_close;
     QHBoxLayout *m_first, *m_second;
-    bool m_bare = false;
+    bool m_bare = false, m_isLow = false;
 };
 
 }  // namespace app

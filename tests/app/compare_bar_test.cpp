@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "app/core/theme.h"
+#include "app/panels/segmented.h"
 
 namespace {
 
@@ -45,6 +46,21 @@ TEST_F(Bar, InANarrowViewAllThatWasFoundIsRead) {
     const auto buttons = bar.findChildren<QPushButton*>();
     EXPECT_TRUE(std::ranges::any_of(buttons, [](auto* b) { return b->accessibleName() == "Worst pixel"; }));
     for (const auto* button : buttons) EXPECT_LE(button->geometry().right(), 280) << button->text().toStdString();
+}
+
+// Of choices that lie under buttons some cannot be chosen.
+TEST_F(Bar, NothingLiesOnTheChoices) {
+    bar.setMode(app::CompareMode::Difference);
+    const auto* choices = bar.findChild<app::Segmented*>();
+    for (const double scale : {1.0, 1.25, 1.5})
+        for (const int height : {200, 1000}) {
+            app::Theme::current().setScale(scale);
+            show(int(282 * std::max(scale, 1.1)), height);
+            for (const auto* part : bar.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+                EXPECT_TRUE(part == choices || !part->isVisible() || !part->geometry().intersects(choices->geometry()))
+                    << scale << ' ' << height << ' ' << part->accessibleName().toStdString();
+        }
+    app::Theme::current().setScale(1);
 }
 
 }  // namespace
