@@ -2,6 +2,9 @@
 
 #include <md4c-html.h>
 
+#include <algorithm>
+
+#include "pipeline/core/text.h"
 #include "pipeline/export/formula_html.h"
 #include "pipeline/inspect/formula_parts.h"
 
@@ -61,13 +64,47 @@ std::string markVectors(std::string html) {
     return html;
 }
 
+// Whether an address stays within the page and its folder, or leads to one of these at a click.
+bool mayLead(std::string_view address) {
+    if (address.starts_with("//")) return false;
+    const std::size_t colon = address.find_first_of(":/?#");
+    if (colon == address.npos || address[colon] != ':') return true;
+    const std::string_view scheme = address.substr(0, colon);
+    return pipeline::sameLetters(scheme, "https") || pipeline::sameLetters(scheme, "http") ||
+           pipeline::sameLetters(scheme, "mailto");
+}
+// A lesson is data: opening its page runs nothing and asks no network. Pictures that lie elsewhere give way to their
+// words, and links that run something are none.
+std::string withoutForeign(std::string_view html) {
+    constexpr std::string_view kLink = "<a href=\"", kPicture = "<img src=\"", kWords = " alt=\"";
+    std::string out;
+    while (!html.empty()) {
+        const std::size_t tag = std::min(html.find(kLink), html.find(kPicture));
+        out += html.substr(0, tag);
+        if (tag == html.npos) break;
+        html.remove_prefix(tag);
+        const bool isLink = html.starts_with(kLink);
+        const std::string_view rest = html.substr((isLink ? kLink : kPicture).size());
+        const std::string_view address = rest.substr(0, rest.find('"'));
+        const std::string_view whole = html.substr(0, html.find('>') + 1);
+        html.remove_prefix(whole.size());
+        if (isLink ? mayLead(address) : mayLead(address) && address.find(':') == address.npos)
+            out += whole;
+        else if (isLink)
+            out += "<a>";
+        else if (const std::size_t words = whole.find(kWords); words != whole.npos)
+            out += whole.substr(words + kWords.size(), whole.find('"', words + kWords.size()) - words - kWords.size());
+    }
+    return out;
+}
+
 }  // namespace
 
 std::string proseHtml(std::string_view markdown) {
     std::string html;
     constexpr unsigned kFlags = MD_FLAG_TABLES | MD_FLAG_STRIKETHROUGH | MD_FLAG_NOHTML;
     if (md_html(markdown.data(), MD_SIZE(markdown.size()), append, &html, kFlags, 0) != 0) return {};  // no memory
-    return raiseScripts(markVectors(std::move(html)));
+    return raiseScripts(markVectors(withoutForeign(html)));
 }
 
 }  // namespace lessons
