@@ -188,7 +188,12 @@ Real lightSeen(const RayScene<Real>& scene, const RayLighting<Real>& lighting, s
                !isBlocked(scene, at, Ray<Real>{at.position, direction}, end, among);
     };
     if (light.kind == LightKind::AtInfinity) return isLit(light.place, kInfinity<Real>) ? Real(1) : Real(0);
-    if (light.kind == LightKind::Point) return isLit(light.place - at.position, Real(1)) ? Real(1) : Real(0);
+    // What the lamp itself stands on is not before it: the way ends before, by what rounding may do to the place.
+    const auto isLitFrom = [&](Vec3<Real> place, const Blockers* among = nullptr) {
+        const Vec3<Real> way = place - at.position;
+        return isLit(way, Real(1) - 8 * at.rounding / glm::length(way), among);
+    };
+    if (light.kind == LightKind::Point) return isLitFrom(light.place) ? Real(1) : Real(0);
     const auto placeAt = [&](Real u, Real v) {
         return light.place + (u - Real(0.5)) * light.width + (v - Real(0.5)) * light.height;
     };
@@ -197,7 +202,7 @@ Real lightSeen(const RayScene<Real>& scene, const RayLighting<Real>& lighting, s
     if (std::ranges::none_of(corners, isFaced)) return 0;
     const Blockers among = blockersBefore(scene, at, corners);
     if (among.empty() && std::ranges::all_of(corners, isFaced)) return 1;
-    return litShare<Real>(cells, [&](Real u, Real v) { return isLit(placeAt(u, v) - at.position, Real(1), &among); });
+    return litShare<Real>(cells, [&](Real u, Real v) { return isLitFrom(placeAt(u, v), &among); });
 }
 
 #define SHADESCOPE_INSTANTIATE(Real)                                                                                 \

@@ -143,6 +143,23 @@ TEST(RayCaster, ASpheresShadowOnAPlaneIsAnEllipse) {
     EXPECT_NEAR(dark, 2.749 / 0.0144, 10);
 }
 
+// What a lamp hangs on is not before it: in a room without walls all of the floor is lit.
+TEST(RayCaster, ACeilingDoesNotShadowTheLampOnIt) {
+    for (const LightKind kind : {LightKind::Point, LightKind::Area}) {
+        Scene scene = fromAbove(12);
+        scene.camera.eye = {0, 0, 5};
+        scene.lights[0].kind = kind, scene.lights[0].position = {0.1, 0.2, 6};
+        scene.objects = {shape(ShapeKind::Plane, {Vec3d(12), {}, {}}),
+                         shape(ShapeKind::Plane, {Vec3d(12), {180, 0, 0}, {0, 0, 6}})};
+        const Picture picture = exactPicture(scene);
+        for (int j = 0; j < 100; ++j)
+            for (int i = 0; i < 100; ++i) {
+                ASSERT_EQ(picture.object.at({i, j}), 0);
+                ASSERT_EQ(picture.shadow[0].at({i, j}), 1) << int(kind) << ": " << i << ", " << j;
+            }
+    }
+}
+
 // Lit along -x, the inner side of the ring that faces the light, at x < 0, lies behind the tube at x > 0: there every
 // |y| < 1 is in the way, and on the inner side no other is. What is lit is the outer side at x > 0.
 TEST(RayCaster, ATorusShadowsItself) {
