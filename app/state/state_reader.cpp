@@ -66,8 +66,8 @@ public:
             if (const auto i = m_values.choice(*node, m_path + "equation", kChannels)) state.channel = int(*i);
         if (const auto* node = table.get("place")) state.place = place(*node, m_path + "place");
         if (const auto* node = table.get("pixel"))
-            if (const auto xy = m_values.numbers(*node, m_path + "pixel", 2, 0, 1 << 20))
-                state.pixel = {int((*xy)[0]), int((*xy)[1])};
+            if (const auto xy = m_values.wholeNumbers(*node, m_path + "pixel", 2, 0, 1 << 20))
+                state.pixel = {(*xy)[0], (*xy)[1]};
         if (const auto* node = table.get("bookmarks")) state.bookmarks = places(*node);
         if (const auto* node = table.get("view")) {
             state.views.clear();
@@ -178,8 +178,8 @@ private:
         const toml::array* array = node.as_array();
         if (!array || array->size() > 9) m_values.refuse(node, m_path + "pins", "an array of up to 9 [number, x, y]");
         for (std::size_t i = 0; array && i < std::min<std::size_t>(array->size(), 9); ++i)
-            if (const auto pin = m_values.numbers((*array)[i], m_path + "pins", 3, 0, 1 << 20)) {
-                const int number = int((*pin)[0]);
+            if (const auto pin = m_values.wholeNumbers((*array)[i], m_path + "pins", 3, 0, 1 << 20)) {
+                const int number = (*pin)[0];
                 if (number < 1 || number > 9)
                     m_values.refuse((*array)[i], m_path + "pins", "a number from 1 to 9 before x and y");
                 else
@@ -248,8 +248,8 @@ private:
         view.compared = readCompared(table, path);
         view.flipped = flag(table, "flipped", path).value_or(view.flipped);
         if (const auto* node = table.get("region"))
-            if (const auto r = m_values.numbers(*node, path + "region", 4, 0, 1 << 20))
-                view.region = {int((*r)[0]), int((*r)[1]), int((*r)[2]), int((*r)[3])};
+            if (const auto r = m_values.wholeNumbers(*node, path + "region", 4, 0, 1 << 20))
+                view.region = {(*r)[0], (*r)[1], (*r)[2], (*r)[3]};
         if (const auto* node = table.get("zoom")) {
             const auto factor = m_values.number(*node, path + "zoom", 1e-3, 1e3);
             const auto center = numbers<2>(table, "center", path), size = numbers<2>(table, "size", path, 1);

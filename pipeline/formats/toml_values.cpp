@@ -111,6 +111,16 @@ std::optional<std::vector<double>> TomlValues::numbers(const toml::node& node, c
     return values.size() == count ? std::optional(values) : std::nullopt;
 }
 
+std::optional<std::vector<int>> TomlValues::wholeNumbers(const toml::node& node, const std::string& path,
+                                                         std::size_t count, int min, int max) {
+    const auto values = numbers(node, path, count, min, max);
+    if (!values) return {};
+    std::vector<int> whole(values->begin(), values->end());
+    if (std::ranges::equal(whole, *values)) return whole;
+    refuse(node, path, fmt::format("whole numbers from {}", range(min, max)));
+    return {};
+}
+
 const toml::table* TomlValues::table(const toml::node& node, const std::string& path) {
     if (!node.is_table()) refuse(node, path, "a table");
     return node.as_table();

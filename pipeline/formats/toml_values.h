@@ -40,6 +40,8 @@ public:
     // Exactly `count` numbers of an array.
     std::optional<std::vector<double>> numbers(const toml::node& node, const std::string& path, std::size_t count,
                                                double min, double max);
+    std::optional<std::vector<int>> wholeNumbers(const toml::node& node, const std::string& path, std::size_t count,
+                                                 int min, int max);
     const toml::table* table(const toml::node& node, const std::string& path);
     // [[name]], each of them a table.
     std::vector<const toml::table*> tables(const toml::node& node, const std::string& path, std::size_t most);

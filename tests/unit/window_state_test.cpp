@@ -72,6 +72,8 @@ TEST(WindowState, WhatIsWrongIsToldWithItsPlace) {
     EXPECT_TRUE(errorsIn("[[view]]\nzoom = 4\n").starts_with("s.toml:2:8: view.zoom stands without"));
     EXPECT_TRUE(errorsIn("[view3d]\ndistance = 4\ntarget = [0, 0, 0]\n").starts_with("s.toml:2:12: view3d.distance"));
     EXPECT_TRUE(errorsIn("pixel = [1]\n").starts_with("s.toml:1:9: pixel is an array of 1, expected an array of 2"));
+    for (const char* text : {"pixel = [2.5, 3]\n", "pins = [[1, 4.5, 5]]\n", "[[view]]\nregion = [0, 0, 2, 1.5]\n"})
+        EXPECT_NE(errorsIn(text).find("expected whole numbers from 0"), std::string::npos) << errorsIn(text);
     EXPECT_EQ(errorsIn("selected = \"polygn 3\"\n"),
               "s.toml:1:12: selected is \"polygn 3\", expected object, polygon, vertex or light, and its number\n");
     EXPECT_TRUE(errorsIn("pins = [[10, 3, 4]]\n").starts_with("s.toml:1:9: pins is "));
