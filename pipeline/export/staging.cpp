@@ -43,10 +43,11 @@ Result<Staging> Staging::begin(const fs::path& target) {
     for (fs::path p = parent; !fs::exists(p, error) && !error && p.has_relative_path(); p = p.parent_path())
         missing.push_back(p);
     for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
-        if (!fs::create_directory(*p, error)) {
+        const bool made = fs::create_directory(*p, error);
+        // Another process may have been first.
+        if (error || (!made && !fs::is_directory(*p, error)))
             return folderError(target, error ? error : std::make_error_code(std::errc::file_exists));
-        }
-        staging.m_made.push_back(*p);
+        if (made) staging.m_made.push_back(*p);
     }
     const fs::path folder = makeHidden(parent, staging.m_target.filename(), error);
     if (error) return folderError(target, error);

@@ -179,9 +179,9 @@ std::string studyHtml(const StudyReport& report, const StudyAnalysis& analysis, 
     for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
         html += element("li", referenceText(report, static_cast<ErrorKind>(kind))) + "\n";
     html += "</ul>\n<h2>How it was measured</h2>\n" + element("p", protocolText(report)) + "\n" +
-            element("p", fmt::format("{}{}, {} \u00d7 {} pixels. Shadescope {}.", report.scene,
-                                     report.file.empty() ? ", built in" : ", " + report.file, report.width,
-                                     report.height, report.version)) +
+            element("p", fmt::format("{}{}, {}. Shadescope {}.", report.scene,
+                                     report.file.empty() ? ", built in" : ", " + report.file, pictureSizeText(report),
+                                     report.version)) +
             "\n";
     return html + settingsTable(report) + "</main>\n</body>\n</html>\n";
 }

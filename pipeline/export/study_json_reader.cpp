@@ -178,7 +178,7 @@ void readHead(const Value& root, StudyReport& report) {
     report.processes = count(root["processes"], 0);
     report.machine = root["machine"].text();
     report.compiler = root["compiler"].text();
-    root["load"].eachElement([&](const Value& load) { report.load.push_back(load.number(0)); });
+    root["load"].eachElement([&](const Value& load) { report.load.push_back(load.number(-1)); });
     root["settings"].eachMember([&](const std::string& key, const Value& v) { report.settings[key] = v.text(); });
     root["axes"].eachElement([&](const Value& axis) {
         report.axes.push_back({axis["key"].text(), axis["label"].text(), axis["values"].texts()});

@@ -109,7 +109,8 @@ std::string protocolText(const StudyReport& report) {
                     report.processes == 1 ? "" : "es", report.repeats, report.warmups, threadsText(report.threads));
     if (!report.machine.empty()) text += fmt::format(" {}.", report.machine);
     if (!report.compiler.empty()) text += fmt::format(" {}.", report.compiler);
-    if (!report.load.empty()) text += fmt::format(" Load {:.1f} at most.", *std::ranges::max_element(report.load));
+    if (std::ranges::any_of(report.load, [](double load) { return load >= 0; }))
+        text += fmt::format(" Load {:.1f} at most.", *std::ranges::max_element(report.load));
     if (frames < 6) text += " Of fewer than 6 frames the interval goes from the fastest to the slowest.";
     return text + fmt::format(" Differences below {:g} % count as none.", 100 * kSameTime);
 }
@@ -130,7 +131,7 @@ std::string referenceText(const StudyReport& report, ErrorKind kind) {
 }
 
 std::string studyText(const StudyReport& report, const StudyAnalysis& analysis, const StudyLimits& limits) {
-    std::string text = fmt::format("{}, {} \u00d7 {}: {}, {} error\n\n", report.scene, report.width, report.height,
+    std::string text = fmt::format("{}, {}: {}, {} error\n\n", report.scene, pictureSizeText(report),
                                    measureWithUnit(analysis), name(analysis.choice.kind));
     text += pointTable(report, analysis) + orderTable(report, analysis);
     text += fmt::format("\n{}\n{}\n", cheapestSentence(analysis, limits.error),

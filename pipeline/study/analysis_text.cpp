@@ -62,6 +62,12 @@ std::string orderText(double order) {
     return order < 0 && digits != "0.00" ? "\u2212" + digits : digits;
 }
 
+std::string pictureSizeText(const StudyReport& report) {
+    const bool changes = std::ranges::any_of(
+        report.axes, [](const SweepAxis& axis) { return axis.key == "width" || axis.key == "height"; });
+    return changes ? "several sizes" : fmt::format("{} × {}", report.width, report.height);
+}
+
 std::string withinSentence(std::string label) {
     const auto upper = [](char c) { return c >= 'A' && c <= 'Z'; };
     const auto lower = [](char c) { return c >= 'a' && c <= 'z'; };

@@ -16,6 +16,8 @@ std::string orderText(double order);
 
 // "1 thread", "4 threads"; 0 stands for as many as the machine has: "all threads".
 std::string threadsText(int threads);
+// Of the picture: "640 × 480"; where the study changes it "several sizes".
+std::string pictureSizeText(const StudyReport& report);
 // A setting's label within a sentence: "shadow buffer" of "Shadow buffer"; "L x" and "θ around z" stay.
 std::string withinSentence(std::string label);
 // "RMSE of intensity", "largest angle of normal".

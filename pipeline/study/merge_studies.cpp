@@ -33,16 +33,21 @@ std::string difference(const StudyReport& a, const StudyReport& b) {
 }
 
 // Whether a report holds the very times that another one holds: no two frames take the same time to the last digit, again
-// and again.
+// and again. One frame a point may, but not at every point.
 bool measuresAgain(const StudyReport& from, const StudyReport& of) {
-    return std::ranges::any_of(from.points, [&](const StudyPoint& point) {
+    std::size_t both = 0, same = 0;
+    bool again = false;
+    for (const StudyPoint& point : from.points) {
         const auto place = std::ranges::find(of.points, point.number, &StudyPoint::number);
-        if (place == of.points.end()) return false;
-        return std::ranges::any_of(point.frame.processes, [&](const auto& process) {
-            return process.size() > 1 &&
-                   std::ranges::find(place->frame.processes, process) != place->frame.processes.end();
-        });
-    });
+        if (place == of.points.end()) continue;
+        for (const auto& process : point.frame.processes) {
+            const auto& there = place->frame.processes;
+            const bool isThere = std::ranges::find(there, process) != there.end();
+            again = again || (isThere && process.size() > 1);
+            both += !there.empty(), same += isThere;
+        }
+    }
+    return again || (both > 0 && same == both);
 }
 
 // Machines that differ are told side by side: their times are not one sample, but each point's are.

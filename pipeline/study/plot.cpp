@@ -12,7 +12,7 @@ namespace {
 
 std::string subtitle(const StudyReport& report, const StudyAnalysis& analysis) {
     const std::string& reference = report.references[index(analysis.choice.kind)];
-    std::string text = fmt::format("{}, {} \u00d7 {}, {}, {} error", report.scene, report.width, report.height,
+    std::string text = fmt::format("{}, {}, {}, {} error", report.scene, pictureSizeText(report),
                                    threadsText(report.threads), name(analysis.choice.kind));
     if (!reference.empty()) text += " against " + reference;
     if (analysis.refined) text += "; numbers at points: " + withinSentence(report.axes[*analysis.refined].label);

@@ -247,6 +247,14 @@ TEST(Analysis, SentencesNameTheUnit) {
               "Within 1 ms largest angle of normal is at best 10 degrees: flat, tessellation 4.");
 }
 
+TEST(Analysis, NamesThePicturesSizeWhereThereIsOne) {
+    StudyReport report = sphereStudy();
+    report.width = 640, report.height = 480;
+    EXPECT_EQ(pictureSizeText(report), "640 × 480");
+    report.axes.push_back({"width", "Width", {"8", "16"}});
+    EXPECT_EQ(pictureSizeText(report), "several sizes");
+}
+
 TEST(Analysis, WritesNumbersShort) {
     EXPECT_EQ(errorText(0), "0");
     EXPECT_EQ(errorText(84), "84");

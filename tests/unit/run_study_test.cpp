@@ -201,6 +201,12 @@ TEST(RunStudy, aPartThatIsGivenTwiceIsRefused) {
     const auto twice = mergeStudies({part, other, part});
     ASSERT_FALSE(twice);
     EXPECT_EQ(twice.errors().front().found, "part 3 has times that a part before has too");
+    // Of one frame each, two points may agree by chance, all do not.
+    for (StudyPoint& point : part.points) point.frame.processes = {{1.25}};
+    other = part;
+    EXPECT_FALSE(mergeStudies({part, other}));
+    other.points[0].frame.processes = {{1.5}};
+    EXPECT_TRUE(mergeStudies({part, other}));
 }
 
 // Two parts of 3 processes with the same points hold 6 a point; a part with other points adds none to these. Of a part
