@@ -139,12 +139,16 @@ void InspectorPanel::refresh() {
     m_why->show(frame, report);
     m_whyFold->setSentence(m_why->sentence());
     const bool isLit = !report.evaluations.empty();  // not before the shading stage, nor where outlines are drawn
-    for (Section* section : {m_equationFold, m_termsFold}) section->setVisible(isLit);
+    const bool isLaid = !report.layers.empty() && report.isShaded;  // of translucent surfaces, maybe over nothing
+    m_equationFold->setVisible(isLit || isLaid);
+    m_termsFold->setVisible(isLit);
     m_fragments->show(frame, report);
     m_fragmentsFold->setSentence(m_fragments->sentence());
-    if (isLit) {
+    if (isLit || isLaid) {
         m_equation->show(frame, report);
         m_equationFold->setSentence(m_equation->sentence());
+    }
+    if (isLit) {
         m_terms->show(report, m_document.channel());
         m_termsFold->setSentence(
             tr("of I in %1").arg(QStringList{tr("red"), tr("green"), tr("blue")}[m_document.channel()]));
@@ -164,7 +168,9 @@ void InspectorPanel::showHeader() {
         m_place->setText(tr("Polygon %1 of %2, row 0 on top").arg(r.polygon).arg(object));
     } else {
         const bool isDrawn = m_shown->frame->until() > pipeline::StageId::ZBuffer || !m_document.stepper().isInside();
-        m_place->setText(isDrawn ? tr("Background: nothing was drawn here.") : tr("Nothing is drawn here yet."));
+        m_place->setText(!r.layers.empty() ? tr("Background, behind translucent surfaces.")
+                         : isDrawn         ? tr("Background: nothing was drawn here.")
+                                           : tr("Nothing is drawn here yet."));
     }
     setAccessibleDescription(tr("Pixel %1, colour %2. %3").arg(place, m_value->text(), m_place->text()));
 }

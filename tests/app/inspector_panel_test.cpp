@@ -59,6 +59,18 @@ TEST_F(InspectorPanelTest, ShowsTheEquationOfThePickedPixelWithItsNumbers) {
     EXPECT_TRUE(shows("Polygon 2"));
 }
 
+// Half of 114.739 over a background of 0: FB = round(255·57.369/175) = 84.
+TEST_F(InspectorPanelTest, OverTheBackgroundItShowsWhatTranslucentSurfacesMakeOfIt) {
+    pipeline::Scene scene = test::pyramid();
+    scene.objects[0].material.alpha = 0.5;
+    document.setScene(scene);
+    document.pick(glm::ivec2(268, 281));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return shows("Background, behind translucent surfaces."); }, 10000));
+    EXPECT_TRUE(panel.equation().math()->isVisible());
+    EXPECT_TRUE(equation().contains("= 84")) << equation().toStdString();
+    EXPECT_FALSE(panel.findChild<app::TermsSection*>()->isVisible()) << "no surface was lit here";
+}
+
 // As it is in a scene that a picture or a session carries.
 TEST_F(InspectorPanelTest, NamesNoFileWhereTheMeshComesFromNone) {
     pipeline::Scene scene = test::pyramid();
