@@ -81,11 +81,12 @@ Errors checkMemory(const Scene& scene, BufferSet wanted, StageId until) {
     const bool samples = bytesOfFrame(hard, needs, until) <= kMemoryLimit;
     const bool fewer = bytesOfFrame(scene, needsOf(scene, {}, until), until) <= kMemoryLimit;
     const Settings& s = scene.settings;
+    const auto faces = shadowsOf(scene, needs, until).faces;
     Error error{{},
-                fmt::format("the buffers of a {} × {} picture with {} lights and {} shadow buffers of {} × {} "
+                fmt::format("the buffers of a {} × {} picture with {} light{} and {} shadow buffer{} of {} × {} "
                             "take {:.1f} GiB",
-                            s.width, s.height, scene.lights.size(), shadowsOf(scene, needs, until).faces, s.shadowSize,
-                            s.shadowSize, bytes / kGiB),
+                            s.width, s.height, scene.lights.size(), scene.lights.size() == 1 ? "" : "s", faces,
+                            faces == 1 ? "" : "s", s.shadowSize, s.shadowSize, bytes / kGiB),
                 fmt::format("at most 4 GiB; {}{}", fewer ? "ask for fewer buffers, or " : "",
                             samples ? "make shadow.size or the samples of the area lights smaller"
                                     : "make the picture smaller")};

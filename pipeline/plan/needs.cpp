@@ -131,6 +131,10 @@ struct Decision {
         if (outlines() && !anyWanted(wanted, {BufferId::PolygonsIntensity, BufferId::VerticesIntensity}))
             return {kOutlines, {}};
         if (anyPerLight(wanted)) return {};
+        return adding(light);
+    }
+    // Whether it adds anything.
+    Need adding(const Light& light) const {
         if (const std::string why = whyDark(light, model()); !why.empty()) return unless(Rule::DarkLight, why);
         if (isReflected(drawn, light)) return {};
         return unless(Rule::Unreflected,
@@ -155,6 +159,7 @@ struct Decision {
         if (outlines()) return {kOutlines, {}};
         if (model() == Model::OpenGl) return {kNoShadowsInOpenGl, {}};
         if (!counts) return counts;
+        if (const Need adds = adding(light); !adds && !has(BufferId::Shadow)) return adds;
         if (drawn.objects.empty()) return {ofAll("The scene has no object.", "Every object has alpha 0."), {}};
         const auto amongDrawn = [&](const std::string& why) {
             return why.empty() ? why : ofAll(why, "Objects of alpha 0 cast none. " + why);
@@ -362,7 +367,10 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
         case BufferId::Emission: return model == Model::OpenGl ? "" : "Only OpenGL's model has emission.";
         case BufferId::Shadow:
             if (model == Model::OpenGl) return kNoShadowsInOpenGl;
-            return std::ranges::any_of(scene.lights, &Light::castsShadow) ? "" : "No light casts a shadow.";
+            if (std::ranges::none_of(scene.lights, &Light::castsShadow)) return "No light casts a shadow.";
+            for (std::size_t k = 0; k < scene.lights.size(); ++k)
+                if (scene.lights[k].castsShadow && needs.light[k]) return {};
+            return "No light that casts a shadow adds anything.";
         default: return {};
     }
 }

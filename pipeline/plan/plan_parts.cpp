@@ -38,8 +38,7 @@ void shadowParts(Parts& out) {
     const double texels = double(scene.settings.shadowSize) * scene.settings.shadowSize;
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
         const int faces = sampleGrid(scene.lights[k]).count() * shadowFacesPerSample(scene.lights[k].kind);
-        out.add(fmt::format("light {}", k), out.needs.shadowBuffer[k],
-                "It casts a shadow, or somebody reads its buffer.",
+        out.add(fmt::format("light {}", k), out.needs.shadowBuffer[k], "It casts a shadow, or its buffer is asked for.",
                 fmt::format("{} {}, {:.1f} MB", faces, faces == 1 ? "pass" : "passes",
                             bytesOf(scene, texels * faces) / 1e6));
     }
@@ -58,11 +57,11 @@ void zBufferParts(Parts& out) {
     else if (!outlines)
         out.runs("clipping",
                  "Of every polygon: culling, which finds those that are whole in the picture, is left out.");
-    out.add("polygons seen", out.needs.seenPolygons, "Shading, or somebody, reads which polygon a pixel sees.",
+    out.add("polygons seen", out.needs.seenPolygons, "Shading reads which polygon a pixel sees, or it is asked for.",
             "4 bytes a pixel");
     out.add("counts of fragments", out.needs.fragmentCounts, "They are asked for, or come by themselves.",
             "8 bytes a pixel");
-    out.add("barycentric weights", out.needs.weights, "Shading, or somebody, reads them.", "12 bytes a pixel");
+    out.add("barycentric weights", out.needs.weights, "Shading reads them, or they are asked for.", "12 bytes a pixel");
     out.add("depth test", out.needs.depthTest, "Of all fragments at a pixel the nearest stays.", "");
     out.add("sort", {noOrder, {}}, "Polygons are painted from the farthest to the nearest.", "");
     out.add("split", {sorts && !settings.split ? "Off in this scene: split = off." : noOrder, {}},
@@ -74,7 +73,7 @@ void hiddenPart(Parts& out, std::string part, Rule rule, bool evaluatesAll, std:
     if (out.scene.settings.antialiasing > 1)
         out.runs(std::move(part), "All: snapped anew for each sample of a pixel, any may be seen in one.");
     else if (evaluatesAll && out.needs.rules[index(rule)])
-        out.runs(std::move(part), "All: somebody reads their intensities.");
+        out.runs(std::move(part), "All: their intensities are asked for.");
     else
         out.within(std::move(part), rule, std::move(where), std::move(why));
 }
@@ -82,8 +81,10 @@ void hiddenPart(Parts& out, std::string part, Rule rule, bool evaluatesAll, std:
 void shadingParts(Parts& out) {
     const Needs& needs = out.needs;
     const Model model = out.scene.settings.model;
-    out.add("polygon terms", needs.polygonTerms, "Flat shading, or somebody, reads them.", "a pass over the polygons");
-    out.add("vertex terms", needs.vertexTerms, "Gouraud shading, or somebody, reads them.", "a pass over the vertices");
+    out.add("polygon terms", needs.polygonTerms, "Flat shading reads them, or they are asked for.",
+            "a pass over the polygons");
+    out.add("vertex terms", needs.vertexTerms, "Gouraud shading reads them, or they are asked for.",
+            "a pass over the vertices");
     if (out.scene.settings.visibility == Visibility::None) {
         for (std::size_t k = 0; k < needs.light.size(); ++k)
             out.add(fmt::format("light {}", k), needs.light[k], "Somebody reads what it adds to polygons or vertices.",
@@ -99,7 +100,7 @@ void shadingParts(Parts& out) {
                    "Not those all of whose polygons are hidden.", "Also those all of whose polygons are hidden.");
     out.add("ambient term", needs.ambient, "There is ambient light.", "a product a point");
     for (std::size_t k = 0; k < needs.light.size(); ++k) {
-        out.add(fmt::format("light {}", k), needs.light[k], "It shines, or somebody reads what it adds.",
+        out.add(fmt::format("light {}", k), needs.light[k], "It shines, or what it adds is asked for.",
                 "an evaluation a point");
         out.add(fmt::format("specular of light {}", k), needs.specular[k], "A material has a k_s other than 0.",
                 "a power a point");
@@ -108,8 +109,9 @@ void shadingParts(Parts& out) {
                     "a distance and a division a point");
     }
     if (!needs.light.empty()) {
-        out.add("R", needs.reflection, "The illumination model, or somebody, reads it.", "a vector a point and light");
-        out.add("H", needs.halfway, "The illumination model, or somebody, reads it.",
+        out.add("R", needs.reflection, "The illumination model reads it, or it is asked for.",
+                "a vector a point and light");
+        out.add("H", needs.halfway, "The illumination model reads it, or it is asked for.",
                 "a normalisation a point and light");
         if (out.scene.settings.forms.power == PowerForm::Log1p)
             out.within("powers", Rule::VanishingPower, "Not where the result is certain to round to 0.",
@@ -117,9 +119,10 @@ void shadingParts(Parts& out) {
         else
             out.runs("powers", "All: where the result rounds to 0 is known of numerics.power = log1p alone.");
     }
-    out.add("V at a pixel", needs.viewVector, "A specular term, or somebody, reads it.", "a normalisation a pixel");
-    out.add("position at a pixel", needs.position, "A light, a shadow, V in OpenGL's model or somebody reads it.",
-            "an interpolation a pixel");
+    out.add("V at a pixel", needs.viewVector, "A specular term reads it, or it is asked for.",
+            "a normalisation a pixel");
+    out.add("position at a pixel", needs.position,
+            "A light, a shadow or V in OpenGL's model reads it, or it is asked for.", "an interpolation a pixel");
     if (needs.shadowBuffers)
         out.within("shadow look-up", Rule::ShadowLookup, "Not where the terms that it would multiply are 0.",
                    "At every pixel.");
@@ -167,8 +170,8 @@ std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& ne
         case StageId::Transform:
         case StageId::Cull: break;
         case StageId::Normals:
-            out.add("polygon normals", needs.polygonNormals, "Shading, shadows, vertex normals or somebody reads them.",
-                    "a pass over the polygons");
+            out.add("polygon normals", needs.polygonNormals,
+                    "Shading, shadows or vertex normals read them, or they are asked for.", "a pass over the polygons");
             if (needs.vertexNormals)
                 out.add("sums around vertices", needs.normalSums, sumsOf(needs), "a pass over the polygons");
             out.add("vertex normals", needs.vertexNormals, "Normals are interpolated, or asked for.",

@@ -53,8 +53,8 @@ inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
      "Leaves polygon normals, and their sums around vertices, out where nobody reads them."},
     {"rule.vertex_normals", "Vertex normals",
      "Leaves vertex normals out where only polygon normals are read, or none."},
-    {"rule.polygon_terms", "Polygon terms", "Evaluates polygons only in flat shading, or where somebody reads them."},
-    {"rule.vertex_terms", "Vertex terms", "Evaluates vertices only in Gouraud shading, or where somebody reads them."},
+    {"rule.polygon_terms", "Polygon terms", "Evaluates polygons only in flat shading, or where they are asked for."},
+    {"rule.vertex_terms", "Vertex terms", "Evaluates vertices only in Gouraud shading, or where they are asked for."},
     {"rule.hidden_polygons", "Hidden polygons",
      "Leaves the evaluation of polygons out that culling dropped and, where more than one for four pixels is left, of "
      "those that no pixel shows."},

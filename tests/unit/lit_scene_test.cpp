@@ -48,7 +48,7 @@ TEST(LitScene, ABlackLightIsLeftOutWithItsShadowBuffer) {
         scene.lights[1].color = Vec3d(0);
         EXPECT_EQ(said(scene, "light 1"), "left out: Its colour is black.");
         EXPECT_EQ(said(scene, "light 1", StageId::ShadowBuffer), "left out: Its colour is black.");
-        EXPECT_EQ(said(scene, "light 0"), "runs: It shines, or somebody reads what it adds.");
+        EXPECT_EQ(said(scene, "light 0"), "runs: It shines, or what it adds is asked for.");
         expectSameBits(scene);
         scene.lights[1].color = {0, 1e-300, 0};
         EXPECT_TRUE(said(scene, "light 1").starts_with("runs: ")) << "a little green";

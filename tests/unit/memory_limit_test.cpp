@@ -55,7 +55,7 @@ TEST(MemoryLimit, OfAreaLightsIsTheirSamples) {
     Light& light = scene.lights[0];
     light.kind = LightKind::Area, light.position = {0, 0, 9}, light.area.facing = {0, 0, -1};
     light.area.width = light.area.height = 2, light.area.samples = 16;
-    EXPECT_TRUE(has(found(scene, {}), "1 lights and 1536 shadow buffers of 1024 × 1024 take 6.0 GiB"));
+    EXPECT_TRUE(has(found(scene, {}), "1 light and 1536 shadow buffers of 1024 × 1024 take 6.0 GiB"));
     const std::string twice = found(scene, setOf({BufferId::ShadowBuffer}));
     EXPECT_TRUE(has(twice, "take 12.0 GiB, expected at most 4 GiB; make shadow.size or the samples of the area lights"))
         << twice;

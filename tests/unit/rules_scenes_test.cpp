@@ -1,8 +1,11 @@
 // Leaving out changes no bit of any scene that comes with the program.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "pipeline/formats/built_in_scenes.h"
 #include "pipeline/formats/scene_reader.h"
+#include "pipeline/plan/needs.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -30,6 +33,21 @@ TEST_P(BuiltInRules, GiveTheSameBits) {
         ASSERT_EQ(differs(RuleSet().set(i)), "") << "with " << name(Rule(i)) << " alone";
         ASSERT_EQ(differs(RuleSet().set().reset(i)), "") << "without " << name(Rule(i));
     }
+}
+
+// Else the plan says of a shadow buffer that nobody has a use for it, and draws it for S of a light that adds nothing.
+TEST(UsefulBuffers, NeedNothingThatIsUseless) {
+    int left = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        Scene scene = test::randomScene(seed);
+        scene.settings.leaveOut = true, scene.settings.rules = RuleSet().set();
+        for (Light& light : scene.lights) light.intensity = seed % 2;
+        const auto plan = test::frameOf(scene, usefulBuffers(scene))->plan();
+        if (whyUseless(scene, BufferId::ShadowBuffer).empty()) continue;
+        EXPECT_EQ(plan[index(StageId::ShadowBuffer)].action, Action::LeaveOut) << seed;
+        left += std::ranges::any_of(scene.lights, &Light::castsShadow);
+    }
+    EXPECT_GT(left, 5);
 }
 
 }  // namespace

@@ -72,7 +72,8 @@ TEST(LayerReport, OverTheBackground) {
     const std::vector<EquationLine> lines = equation(frame->scene(), r, 1);
     ASSERT_EQ(lines.size(), 3u);
     EXPECT_EQ(toText(lines[1].formula).find("= 0.3750·0.000 + 15.000 = 15.000"), 0u) << toText(lines[1].formula);
-    EXPECT_EQ(toText(lines[2].formula).find("FB_g = round(255·C_g/I_max) = round(255·15.000/40) = 96"), 0u) << toText(lines[2].formula);
+    EXPECT_EQ(toText(lines[2].formula).find("FB_g = round(255·C_g/I_max) = round(255·15.000/40) = 96"), 0u)
+        << toText(lines[2].formula);
 }
 
 // The report replays what the frame did, whatever the scene.
