@@ -107,7 +107,7 @@ int runFilm(const FilmOptions& options) {
         return kCouldNotWrite;
     }
     if (summary->cancelled) return cancelled();
-    tell("{} picture{}, {}, in {}{}\n", summary->pictures, summary->pictures == 1 ? "" : "s",
+    tell("{}, {}, in {}{}\n", pipeline::plural(std::int64_t(summary->pictures), "picture"),
          pipeline::sizeText(summary->bytes), options.target,
          summary->behind == 0 ? "" : fmt::format("; {} not of this film behind them", summary->behind));
     return kDone;

@@ -24,8 +24,8 @@ public:
     explicit BackgroundJob(QObject* parent = nullptr);
     ~BackgroundJob() override;  // stops what runs, and waits; nothing comes after
 
-    // work(control) gives a result that can be copied, and sees the window's look as it is now; done(result) follows, unless
-    // it was stopped or forgotten.
+    // work(control) gives a result that can be copied, and sees the window's look as it is now; done(result) follows,
+    // unless it was stopped or forgotten.
     template <class Work, class Done>
     void ask(Work work, Done done, Running running = Running::Stop) {
         start(

@@ -45,7 +45,7 @@ ExportJob::ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::Fra
                      pipeline::ExportRequest request, DerivedRecipe recipe, WriteMore more, QObject* parent)
     : ThreadJob(parent) {
     start([this, scene = std::move(scene), before = std::move(before), request = std::move(request),
-           recipe = std::move(recipe), more = std::move(more)](const std::stop_token& stop) {
+           recipe = std::move(recipe), more = std::move(more)](const std::stop_token& stop, const auto& later) {
         const auto progress = [&](double share, std::string_view file) {
             later([this, share, name = toQString(file)] { emit progressed(share, name); });
             return !stop.stop_requested();

@@ -56,7 +56,7 @@ QString filmCommand(const pipeline::Scene& scene, const QStringList& changes, co
 }
 
 FilmJob::FilmJob(std::shared_ptr<const pipeline::Scene> scene, FilmOrder order, QObject* parent) : ThreadJob(parent) {
-    start([this, scene = std::move(scene), order = std::move(order)](const std::stop_token& stop) {
+    start([this, scene = std::move(scene), order = std::move(order)](const std::stop_token& stop, const auto& later) {
         const auto progress = [&](std::size_t done, std::size_t all) {
             later([this, share = double(done) / double(all)] { emit progressed(share); });
             return !stop.stop_requested();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/plan/lit_scene.h"
 #include "pipeline/plan/needs.h"
 
 namespace app {
@@ -99,7 +100,7 @@ bool isDark(const pipeline::Scene& scene, const BufferName& name) {
     if (name.id == BufferId::Ambient) return !isGl && scene.ambient.intensityIn(scene.settings.model) == 0;
     if (name.id != BufferId::Specular && name.id != BufferId::Diffuse) return false;
     const pipeline::Light& light = scene.lights[std::size_t(name.light)];
-    if (light.intensity == 0 || (!isGl && light.color == pipeline::Vec3d(0))) return true;
+    if (!pipeline::whyDark(light, scene.settings.model).empty()) return true;
     if (name.id == BufferId::Diffuse) return none([](const pipeline::Material& m) { return m.diffuse; });
     return none([](const pipeline::Material& m) { return m.specular; }) ||
            (isGl && light.gl.specular == pipeline::Vec3d(0));

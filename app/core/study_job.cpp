@@ -79,14 +79,12 @@ struct Work {
 }  // namespace
 
 StudyJob::StudyJob(StudyRequest request, QObject* parent) : ThreadJob(parent) {
-    Work work{
-        std::move(request),
-        [this](double share, std::string what, double secondsLeft) {
+    start([this, request = std::move(request)](const std::stop_token& stop, const auto& later) {
+        const auto progress = [&](double share, const std::string& what, double secondsLeft) {
             later([this, share, what = toQString(what), secondsLeft] { emit progressed(share, what, secondsLeft); });
-        },
-        [this](const StudyReport& report) { later([this, report] { emit reported(report); }); }};
-    start([this, work = std::move(work)](const std::stop_token& stop) {
-        const bool done = work(stop);
+        };
+        const auto report = [&](const StudyReport& study) { later([this, study] { emit reported(study); }); };
+        const bool done = Work{request, progress, report}(stop);
         later([this, done] { emit finished(!done); });
     });
 }

@@ -35,9 +35,8 @@ public:
     void set(ThemeId id);
     // What 3840 by 2160 pixels need where one is a pixel of the screen: 2 % of the height is 44 pixels of a letter of 12.
     static constexpr double kLeastScale = 0.85, kMostScale = 4;
-    double scale() const {
-        return look().scale;
-    }                             // within these; each theme keeps its own, the projector's starts at 1.25
+    // Within these; each theme keeps its own, the projector's starts at 1.25.
+    double scale() const { return look().scale; }
     void setScale(double scale);  // clamped, in steps of 0.05
     // Gives palette, font and style sheet to the application, and emits changed().
     // set and setScale do it too; without either, call it once at the start.

@@ -7,24 +7,23 @@
 
 namespace app {
 
-// One piece of work on a thread of its own, which sees the window's look as it was at the start. The end of this object cancels what still runs, and waits.
+// One piece of work on a thread of its own, which sees the window's look as it was at the start. The end of this object
+// cancels what still runs, and waits.
 class ThreadJob : public QObject {
 public:
     using QObject::QObject;
     void cancel() { m_thread.request_stop(); }
 
 protected:
+    // work(stop, later); later(call) has the call made in this object's own thread, and not at all once it is gone. Work
+    // does nothing else with this object, of which it may see the end.
     template <class Work>
     void start(Work work) {
-        m_thread = std::jthread([work = std::move(work), look = WindowLook()](const std::stop_token& stop) {
+        QObject* const home = this;
+        m_thread = std::jthread([home, work = std::move(work), look = WindowLook()](const std::stop_token& stop) {
             const WornLook worn(look);
-            work(stop);
+            work(stop, [home](auto call) { QMetaObject::invokeMethod(home, std::move(call), Qt::QueuedConnection); });
         });
-    }
-    // From the work: a call in this object's own thread, and none once it is gone.
-    template <class Call>
-    void later(Call call) {
-        QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
     }
 
 private:

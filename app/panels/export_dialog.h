@@ -25,7 +25,8 @@ public:
     void setState(std::string state) { m_state = std::move(state); }
     void setShown(std::vector<pipeline::BufferName> buffers);  // in the window's views
     void choose(const pipeline::BufferName& buffer);           // this one alone
-    // Offers pictures of the 3D views too: who writes them, with the vectors of a pixel where one is picked, and their names.
+    // Offers pictures of the 3D views too: who writes them, with the vectors of a pixel where one is picked, and their
+    // names.
     using WriteViews = std::function<pipeline::Result<std::vector<std::filesystem::path>>(
         const pipeline::Frame& frame, std::optional<glm::ivec2> pixel, const std::filesystem::path& folder)>;
     void setViews(WriteViews write, QStringList files);

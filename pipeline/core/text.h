@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@ std::string shortestText(double value);
 // "words" in double quotes; control characters become "?" and more than 60 bytes of it are left out,
 // so that a message stays one line whatever the input was.
 std::string inQuotes(std::string_view words);
+
+// "1 light", "2 lights".
+std::string plural(std::int64_t count, std::string_view noun);
 
 // Whether two words are the same but for the case of A to Z.
 bool sameLetters(std::string_view a, std::string_view b);

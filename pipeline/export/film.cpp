@@ -122,7 +122,7 @@ std::vector<Moment> filmMoments(const Steps& steps, const FilmRequest& request) 
     for (std::size_t stage = index(all[0].stage); stage <= index(to.stage); ++stage) {
         const StageId id = kStages[stage];
         std::vector<std::int64_t> ends = steps.ends(id, request.level, std::numeric_limits<std::int64_t>::max());
-        if (steps.runs(id) && steps.total(id) == 0) ends.push_back(0);
+        if (steps.runs(id) && steps.total(id) == 0) ends.push_back(0);  // as `next` has it
         for (const std::int64_t end : ends)
             if (const Moment moment{id, end}; all.back() < moment && moment < to) all.push_back(moment);
     }

@@ -30,8 +30,9 @@ struct FragmentReport {
     int polygon;
     double depth, stored;  // compared: the new one, and what the z-buffer held before (+inf: nothing)
     FragmentVerdict verdict;
-    std::string_view
-        relation;  // that holds between the two: "<", "≥", "=" of the first one at the depth of the cleared buffer; empty where they are not compared
+    // That holds between the two: "<", "≥", or "=" of the first at the depth of the cleared buffer. Empty where they are
+    // not compared.
+    std::string_view relation;
     // What happens then to one that won, a line each: "light 0: z' 120.3 ≤ Z'[12][44] 120.3 + 0.02: lit".
     std::vector<std::string> shadows{};
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/core/text.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/scene/area_light.h"
 #include "pipeline/scene/settings_table.h"
@@ -83,10 +84,10 @@ Errors checkMemory(const Scene& scene, BufferSet wanted, StageId until) {
     const Settings& s = scene.settings;
     const auto faces = shadowsOf(scene, needs, until).faces;
     Error error{{},
-                fmt::format("the buffers of a {} × {} picture with {} light{} and {} shadow buffer{} of {} × {} "
+                fmt::format("the buffers of a {} × {} picture with {} and {} of {} × {} "
                             "take {:.1f} GiB",
-                            s.width, s.height, scene.lights.size(), scene.lights.size() == 1 ? "" : "s", faces,
-                            faces == 1 ? "" : "s", s.shadowSize, s.shadowSize, bytes / kGiB),
+                            s.width, s.height, plural(std::int64_t(scene.lights.size()), "light"),
+                            plural(faces, "shadow buffer"), s.shadowSize, s.shadowSize, bytes / kGiB),
                 fmt::format("at most 4 GiB; {}{}", fewer ? "ask for fewer buffers, or " : "",
                             samples ? "make shadow.size or the samples of the area lights smaller"
                                     : "make the picture smaller")};

@@ -4,13 +4,10 @@
 
 #include <algorithm>
 
+#include "pipeline/core/text.h"
+
 namespace pipeline {
 namespace {
-
-template <class Count>
-std::string plural(Count count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 std::uint32_t keptOf(const CullOutput& cull) {
     std::uint32_t kept = 0;  // count_if counts in 64 bits, which took several times as long

@@ -39,7 +39,7 @@ TEST(Memory, isJudgedAfterTheSettings) {
 // 3500² pixels of 207 bytes are 2.4 GiB: fewer than the program may take, and more than there are here.
 TEST(Memory, thatIsNotThereIsAnError) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "sanitizers take terabytes of addresses";
+    GTEST_SKIP() << "a sanitizer reserves more addresses than the limit leaves, and the program would not start";
 #endif
     const test::TemporaryFolder folder;
     const std::string out = folder / "out";
