@@ -22,7 +22,7 @@ Vec3<Real> worldAt(const FrameData<Real>& data, std::uint32_t triangle, glm::ive
     setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, triangle,
                         [&](const RasterTriangle<Real>& piece) {
                             forEachCovered(piece.snapped, {pixel, pixel + 1}, [&](glm::ivec2, const auto& e) {
-                                const Fragment<Real> fragment = interpolate(piece, e, in.view.perspective);
+                                const Fragment<Real> fragment = interpolate(piece, pixel, e, in.view.perspective);
                                 position = interpolated(in.world, v, fragment.barycentric);
                             });
                         });

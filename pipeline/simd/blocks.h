@@ -69,44 +69,44 @@ struct BlockRange {
           maxY((std::min(high.y, tile.max.y) - tile.min.y + kBlock - 1) / kBlock) {}
 };
 
+// PlaneEquation at the pixels of a tile.
+class PlaneInTile {
+public:
+    // from: the plane's first pixel, in the tile.
+    HWY_INLINE PlaneInTile(float first, float column, float row, glm::ivec2 from)
+        : m_first(first), m_column(column), m_row(row), m_from(from) {}
+    PlaneInTile(const PlaneEquation<float>& plane, Tile tile)
+        : PlaneInTile(plane.first, plane.column, plane.row, plane.from - tile.min) {}
+
+    // At the first pixels of blocks, of these columns and rows of the tile.
+    HWY_INLINE Floats atBlocks(Ints column, Ints row) const {
+        const Ints right = hn::Sub(column, hn::Set(I(), m_from.x)), down = hn::Sub(row, hn::Set(I(), m_from.y));
+        return hn::Add(all(m_first), sum(right, down));
+    }
+    float atBlock(int column, int row) const {
+        return m_first + (m_column * float(column - m_from.x) + m_row * float(row - m_from.y));
+    }
+    // What pixels have more than the first one of their block, in these columns and rows of it.
+    HWY_INLINE Floats within(Ints column, Ints row) const { return sum(column, row); }
+    HWY_INLINE Floats at(const VectorPlace& place) const {
+        const Ints mask = hn::Set(I(), kBlock - 1);
+        return hn::Add(atBlocks(hn::AndNot(mask, place.column), hn::AndNot(mask, place.row)),
+                       within(hn::And(place.column, mask), hn::And(place.row, mask)));
+    }
+
+private:
+    HWY_INLINE Floats sum(Ints right, Ints down) const {
+        return hn::Add(hn::Mul(all(m_column), hn::ConvertTo(F(), right)),
+                       hn::Mul(all(m_row), hn::ConvertTo(F(), down)));
+    }
+    float m_first, m_column, m_row;
+    glm::ivec2 m_from;
+};
+
 // What has to be known of the edge functions at a pixel.
 struct EdgesAt {
     Ints outside;   // below 0 where an edge leaves the pixel outside
     Floats l1, l2;  // the linear weights of corners 1 and 2
-};
-
-// A small triangle's edge functions 1 and 2 at the pixels of a vector, which it walks over its neighbours: less 1 where the
-// edge does not own its samples, so that a pixel is inside where none is below 0.
-class SmallEdges {
-public:
-    // x, y: the vector's first pixel, relative to that of the triangle's box.
-    HWY_INLINE SmallEdges(const SmallTriangle& t, int x, int y)
-        : m_bias1(hn::Set(I(), t.bias1)),
-          m_bias2(hn::Set(I(), t.bias2)),
-          m_area(hn::Set(I(), t.biasedArea - t.bias1 - t.bias2)),
-          m_inverse(all(t.inverseArea2)),
-          m_right1(hn::Set(I(), kWide * t.a1)),
-          m_right2(hn::Set(I(), kWide * t.a2)),
-          m_down1(hn::Set(I(), kHigh * t.b1)),
-          m_down2(hn::Set(I(), kHigh * t.b2)) {
-        const auto start = [&](int a, int b, int c) HWY_ATTR {
-            const Ints inVector = hn::Add(hn::Mul(hn::Set(I(), a), columnOf(0)), hn::Mul(hn::Set(I(), b), rowOf(0)));
-            return hn::Add(hn::Set(I(), c + a * x + b * y), inVector);
-        };
-        m_row1 = m_e1 = start(t.a1, t.b1, t.c1 - t.bias1), m_row2 = m_e2 = start(t.a2, t.b2, t.c2 - t.bias2);
-    }
-    HWY_INLINE EdgesAt here() const {
-        const Ints e0 = hn::Sub(hn::Sub(m_area, m_e1), m_e2);
-        return {hn::Or(e0, hn::Or(m_e1, m_e2)), share(hn::Add(m_e1, m_bias1)), share(hn::Add(m_e2, m_bias2))};
-    }
-    HWY_INLINE void goRight() { m_e1 = hn::Add(m_e1, m_right1), m_e2 = hn::Add(m_e2, m_right2); }
-    HWY_INLINE void goDown() { m_e1 = m_row1 = hn::Add(m_row1, m_down1), m_e2 = m_row2 = hn::Add(m_row2, m_down2); }
-
-private:
-    HWY_INLINE Floats share(Ints e) const { return hn::Mul(hn::ConvertTo(F(), e), m_inverse); }
-    Ints m_e1, m_e2, m_row1, m_row2, m_bias1, m_bias2, m_area;
-    Floats m_inverse;
-    Ints m_right1, m_right2, m_down1, m_down2;
 };
 
 // For the rows of blocks of a tile: between which blocks of it a triangle's edge functions leave pixels inside.
@@ -185,39 +185,10 @@ public:
     float below(int i) const { return m_below[i]; }
     float unit() const { return m_unit; }
     float inverse() const { return m_inverse; }
-    EdgeRows rows() const {
-        double value[3], column[3], row[3];
-        for (int i = 0; i < 3; ++i) value[i] = m_edges[i].value, column[i] = m_edges[i].column, row[i] = m_edges[i].row;
-        return {value, column, row};
-    }
-    // What it has of them in a vector, from which it goes to the next block's.
-    struct Walk {
-        Ints e[3], right[3];
-        HWY_INLINE void goRight() {
-            for (int i = 0; i < 3; ++i) e[i] = hn::Add(e[i], right[i]);
-        }
-    };
-    HWY_INLINE Walk from(const VectorPlace& place) const {
-        Walk walk;
-        for (int i = 0; i < 3; ++i)
-            walk.e[i] = m_edges[i].in(place), walk.right[i] = hn::Set(I(), kBlock * m_edges[i].column);
-        return walk;
-    }
-    HWY_INLINE EdgesAt at(const Walk& walk) const {
-        return {hn::Or(walk.e[0], hn::Or(walk.e[1], walk.e[2])), linear(walk.e[1], 1), linear(walk.e[2], 2)};
-    }
-    // l_i alone.
     HWY_INLINE Floats linear(int i, const VectorPlace& place) const { return linear(m_edges[i].in(place), i); }
-    Slope slope(int i, glm::ivec2 first) const {
-        const PixelFunction& edge = m_edges[i];
-        const float unit = m_unit * m_inverse;
-        return {float(edge.atPixel(first.x, first.y)) * unit + m_below[i] * m_inverse, float(edge.column) * unit,
-                float(edge.row) * unit};
-    }
-
-private:
-    // The edge function is rounded once: it is a sum of two numbers that have at most 24 bits each.
+    // l_i. high: how many of these multiples its edge function has.
     HWY_INLINE Floats linear(Ints high, int i) const {
+        // The edge function is rounded once: it is a sum of two numbers that have at most 24 bits each.
         if (HWY_LIKELY(m_isNarrow)) return linearWeight(high, m_unit, m_below[i], m_inverse);
         const int split = 23 - m_bits;
         const Ints part = hn::And(high, hn::Set(I(), (1 << split) - 1));
@@ -226,6 +197,14 @@ private:
                                      hn::ConvertTo(F(), low));
         return hn::Mul(whole, all(m_inverse));
     }
+    Slope slope(int i, glm::ivec2 first) const {
+        const PixelFunction& edge = m_edges[i];
+        const float unit = m_unit * m_inverse;
+        return {float(edge.atPixel(first.x, first.y)) * unit + m_below[i] * m_inverse, float(edge.column) * unit,
+                float(edge.row) * unit};
+    }
+
+private:
     PixelFunction m_edges[3]{};
     int m_bits = 1;
     float m_unit = 2, m_inverse = 0, m_below[3]{};
@@ -257,14 +236,8 @@ public:
         const double value[3]{m_value[0] - m_bias[0], m_value[1] - m_bias[1], m_value[2] - m_bias[2]};
         return {value, m_column, m_row};
     }
-    // A vector, from which it goes to the next block's.
-    struct Walk {
-        Ints column, row;
-        HWY_INLINE void goRight() { column = hn::Add(column, hn::Set(I(), kBlock)); }
-    };
-    HWY_INLINE Walk from(const VectorPlace& place) const { return {place.column, place.row}; }
-    HWY_INLINE EdgesAt at(const Walk& walk) const {
-        const Ints column = walk.column, row = walk.row;
+    HWY_INLINE EdgesAt at(const VectorPlace& place) const {
+        const Ints column = place.column, row = place.row;
         const Floats inverse = all(m_inverse);
 #if HWY_TARGET == HWY_SCALAR  // whose vectors of one number have no halves
         const auto here = edges(column, row);
@@ -328,12 +301,14 @@ struct Distances {
         : w0(all(first)), toW1(all(second - first)), toW2(all(third - first)) {}
     HWY_INLINE Distances(Floats first, Floats second, Floats third)
         : w0(first), toW1(hn::Sub(second, first)), toW2(hn::Sub(third, first)) {}
-    template <bool kPerspective>
-    HWY_INLINE Floats z(Floats l1, Floats l2) const {
-        const Floats w = hn::Add(hn::Add(w0, hn::Mul(l1, toW1)), hn::Mul(l2, toW2));
-        return kPerspective ? hn::Div(all(1), w) : w;
+    HWY_INLINE Floats w(Floats l1, Floats l2) const {
+        return hn::Add(hn::Add(w0, hn::Mul(l1, toW1)), hn::Mul(l2, toW2));
     }
 };
+template <bool kPerspective>
+HWY_INLINE Floats zOf(Floats w) {
+    return kPerspective ? hn::Div(all(1), w) : w;
+}
 
 // Where a pixel of a tile stands in its blocks.
 HWY_INLINE std::size_t placeOf(std::uint32_t x, std::uint32_t y) {
@@ -341,38 +316,6 @@ HWY_INLINE std::size_t placeOf(std::uint32_t x, std::uint32_t y) {
     return blockAt(int(x / kSide), int(y / kSide)) + y % kSide * kSide + x % kSide;
 }
 HWY_INLINE std::size_t placeOf(glm::ivec2 pixel) { return placeOf(std::uint32_t(pixel.x), std::uint32_t(pixel.y)); }
-
-// Calls visit(at, edges) for the vectors of the tile that a triangle covers a part of; at: of its first pixel in the
-// blocks. A small one also for the others of its box: to draw nothing costs less than a guess that fails.
-template <class Visit>
-HWY_INLINE void forEachVector(const SmallTriangle& t, Tile tile, Visit visit) {
-    const auto inTile = [](int from, int first) { return std::uint32_t(std::max(from - first, 0)); };
-    const std::uint32_t left = inTile(t.x, tile.min.x) / kWide * kWide, top = inTile(t.y, tile.min.y) / kHigh * kHigh;
-    const auto right = std::uint32_t(std::min(t.x + t.width, tile.max.x) - tile.min.x);
-    const auto bottom = std::uint32_t(std::min(t.y + t.height, tile.max.y) - tile.min.y);
-    SmallEdges edges(t, tile.min.x + int(left) - t.x, tile.min.y + int(top) - t.y);
-    for (std::uint32_t y = top; y < bottom; y += kHigh, edges.goDown()) {
-        std::size_t at = placeOf(left, y);
-        for (std::uint32_t x = left; x < right; x += kWide, edges.goRight()) {
-            visit(kWide == kBlock ? at : placeOf(x, y), edges.here());
-            at += kBlockPixels;  // where a vector is as wide as a block
-        }
-    }
-}
-template <class Edges, class Visit>
-HWY_INLINE void forEachVector(const Edges& edges, const RasterTriangle<float>& t, Tile tile, Visit visit) {
-    const Tile box = t.snapped.pixels();
-    const BlockRange blocks(box.min, box.max, tile);
-    const EdgeRows rows = edges.rows();
-    for (int y = blocks.minY; y < blocks.maxY; ++y) {
-        const auto [left, right] = rows.blocksInRow(y, blocks.minX, blocks.maxX);
-        for (std::size_t first = 0; first < kBlockPixels; first += kLanes) {
-            std::size_t at = blockAt(left, y) + first;
-            auto walk = edges.from(VectorPlace(at));
-            for (int x = left; x < right; ++x, at += kBlockPixels, walk.goRight()) visit(at, edges.at(walk));
-        }
-    }
-}
 
 // Blocks reach beyond a picture whose size 4 does not divide: those of their pixels count for nothing.
 HWY_INLINE Mask within(Tile tile, std::size_t at) {

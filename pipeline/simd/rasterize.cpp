@@ -13,6 +13,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
+#include "pipeline/simd/edge_blocks.h"
 #include "pipeline/simd/seen.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -92,15 +93,13 @@ HWY_INLINE void forEachOther(const TrianglePiece& piece, TriangleRun run, Visit 
     for (std::uint32_t i = first; i < first + run.count; ++i) visit(piece.others[i], i);
 }
 
-// Calls visit(at, edges, distances) for the vectors of a tile that a triangle which is not small covers a part of, and
+// Calls visit(at, outside, w) for the vectors of a tile that a triangle which is not small covers a part of, and
 // visitPixel(pixel, e) for its pixels where no vectors hold its edge functions.
 template <class Visit, class VisitPixel>
 HWY_INLINE void forEachOfOther(const RasterTriangle<float>& t, Tile tile, int bits, Visit visit,
                                VisitPixel visitPixel) {
-    const Distances distances(t.w[0], t.w[1], t.w[2]);
-    const auto draw = [&](std::size_t at, const EdgesAt& e) HWY_ATTR { visit(at, e, distances); };
-    if (const MiddleEdges middle(t, tile, bits); middle.fits()) return forEachVector(middle, t, tile, draw);
-    if (const LargeEdges large(t, tile); large.exact()) return forEachVector(large, t, tile, draw);
+    if (const MiddleEdges middle(t, tile, bits); middle.fits()) return forEachVector(middle, t, tile, visit);
+    if (const LargeEdges large(t, tile); large.exact()) return forEachVector(large, t, tile, visit);
     forEachCovered(t.snapped, tile, visitPixel);
 }
 
@@ -113,7 +112,6 @@ public:
         : m_bits(in.view.subPixelBits), m_tile(tile), m_out(out) {}
 
     HWY_NOINLINE TileCounts draw(const TrianglePieces& all, std::size_t index) {
-        Sums sums;
         for (std::size_t number = 0; number < all.pieces.size(); ++number) {
             const TrianglePiece& piece = all.pieces[number];
             FetchedAhead ahead(piece, piece.list(index));
@@ -126,10 +124,9 @@ public:
                         drawOther(t, TrianglePieces::nameOfOther(number, i));
                     });
                 else
-                    forEachSmall(piece, run, ahead, [&](const SmallTriangle& t) HWY_ATTR { drawSmall(t, sums); });
+                    drawSmall(piece, run, ahead);
             }
         }
-        sums.addTo(m_counts);
         return m_counts;
     }
 
@@ -142,34 +139,36 @@ private:
         ++m_counts.arrived, m_counts.won += won;
         if (!kPlain && m_out.counted) ++m_out.counted->arrived[0].of[at], m_out.counted->won[0].of[at] += won;
     }
-    HWY_INLINE void drawSmall(const SmallTriangle& t, Sums& sums) {
-        const Distances distances(t.w0, t.w1, t.w2);
-        const auto name = hn::Set(U(), t.id);
-        forEachVector(t, m_tile, [&](std::size_t at, const EdgesAt& edges) HWY_ATTR {
-            drawVector(at, edges, distances, name, sums);
-        });
+    // Those of a run. By itself, for its sums to stay in registers.
+    HWY_NOINLINE void drawSmall(const TrianglePiece& piece, TriangleRun run, FetchedAhead& ahead) {
+        Sums sums;
+        for (std::uint32_t i = 0; i < run.count; ++i) {
+            ahead.fetch();
+            const SmallTriangle& t = piece.small[run.first + i];
+            const auto name = hn::Set(U(), t.id);
+            forEachVector(t, m_tile, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR {
+                drawVector(at, outside, w, name, sums);
+            });
+        }
+        sums.addTo(m_counts);
     }
     HWY_NOINLINE void drawOther(const RasterTriangle<float>& t, std::uint32_t name) {
         Sums sums;
         const auto names = hn::Set(U(), name);
         forEachOfOther(
             t, m_tile, m_bits,
-            [&](std::size_t at, const EdgesAt& edges, const Distances& distances)
-                HWY_ATTR { drawVector(at, edges, distances, names, sums); },
+            [&](std::size_t at, Ints outside, Floats w) HWY_ATTR { drawVector(at, outside, w, names, sums); },
             [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
-                drawPixel(placeOf(pixel - m_tile.min), interpolate(t, e, kPerspective).z, name);
+                drawPixel(placeOf(pixel - m_tile.min), interpolate(t, pixel, e, kPerspective).z, name);
             });
         sums.addTo(m_counts);
     }
     // What a triangle has in one vector.
-    HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances& distances, hn::Vec<U> name,
-                               Sums& sums) {
+    HWY_INLINE void drawVector(std::size_t at, Ints outside, Floats w, hn::Vec<U> name, Sums& sums) {
         float* const to = &m_out.z[0].of[at];
-        const Ints outside =
-            kPlain ? edges.outside
-                   : hn::IfThenElse(hn::RebindMask(I(), within(m_tile, at)), edges.outside, hn::Set(I(), -1));
+        if (!kPlain) outside = hn::IfThenElse(hn::RebindMask(I(), within(m_tile, at)), outside, hn::Set(I(), -1));
         const Mask inside = asFloats(hn::Gt(outside, hn::Set(I(), -1)));
-        const Floats z = distances.template z<kPerspective>(edges.l1, edges.l2);
+        const Floats z = zOf<kPerspective>(w);
         const Floats stored = hn::Load(F(), to);
         const Mask won = hn::And(inside, hn::Lt(z, stored));
         sums.add(inside, won);
@@ -219,11 +218,12 @@ public:
                 m_of[y][x] = hn::GetLane(hn::MaxOfLanes(F(), most));
             }
     }
-    // Whether no pixel of a triangle with these w can be nearer than what is there; box: its pixels.
-    bool hides(std::array<float, 3> w, Tile box, Tile tile, bool perspective) const {
-        const auto [low, high] = std::ranges::minmax(w);
-        // Two products and three sums of at most twice the largest |w|, and shares with four roundings, err by less than
-        // 2^-19 of it; the reciprocal by twice as much.
+    // Whether no pixel of a triangle whose corners have w from `low` to `high` can be nearer than what is there; box: its
+    // pixels.
+    bool hides(float low, float high, Tile box, Tile tile, bool perspective) const {
+        // w errs by less than 2^-20 of the largest |w|: by the plane's 3 + 8 kSteepest halves of its last place, and by
+        // fewer with weights. The reciprocal errs by twice as much.
+        static_assert(kSteepest <= 1);
         const float nearest =
             perspective ? (1 - 0x1p-18F) / high : low - 0x1p-19F * std::max(std::abs(low), std::abs(high));
         const glm::ivec2 first = glm::max(box.min - tile.min, 0) / kSide;
@@ -328,22 +328,22 @@ public:
         }
         if (rest.empty() && otherRest.empty()) return;
         const Farthest farthest(m_blocks);
-        const auto isHidden = [&](std::array<float, 3> w, Tile box) {
-            return farthest.hides(w, box, m_tile, kPerspective);
+        const auto isHidden = [&](float low, float high, Tile box) {
+            return farthest.hides(low, high, box, m_tile, kPerspective);
         };
-        for (const RasterTriangle<float>* t : otherRest)
-            if (!isHidden(t->w, t->snapped.pixels())) drawOther(*t);
+        for (const RasterTriangle<float>* t : otherRest) {
+            const auto [low, high] = std::ranges::minmax(t->w);
+            if (!isHidden(low, high, t->snapped.pixels())) drawOther(*t);
+        }
         for (const SmallTriangle* t : rest) {
             const glm::ivec2 low(t->x, t->y);
-            if (!isHidden({t->w0, t->w1, t->w2}, {low, low + glm::ivec2(t->width, t->height)})) drawSmall(*t);
+            if (!isHidden(t->leastW, t->mostW, {low, low + glm::ivec2(t->width, t->height)})) drawSmall(*t);
         }
     }
 
 private:
     HWY_INLINE void drawSmall(const SmallTriangle& t) {
-        const Distances distances(t.w0, t.w1, t.w2);
-        forEachVector(t, m_tile,
-                      [&](std::size_t at, const EdgesAt& edges) HWY_ATTR { drawVector(at, edges, distances); });
+        forEachVector(t, m_tile, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR { drawVector(at, outside, w); });
     }
     HWY_INLINE void drawTexel(std::size_t at, float z) {
         float& stored = m_blocks[0].of[at];
@@ -351,16 +351,14 @@ private:
     }
     HWY_NOINLINE void drawOther(const RasterTriangle<float>& t) {
         forEachOfOther(
-            t, m_tile, m_bits,
-            [&](std::size_t at, const EdgesAt& edges, const Distances& distances)
-                HWY_ATTR { drawVector(at, edges, distances); },
+            t, m_tile, m_bits, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR { drawVector(at, outside, w); },
             [&](glm::ivec2 texel, const std::array<std::int64_t, 3>& e) {
-                drawTexel(placeOf(texel - m_tile.min), interpolate(t, e, kPerspective).z);
+                drawTexel(placeOf(texel - m_tile.min), interpolate(t, texel, e, kPerspective).z);
             });
     }
-    HWY_INLINE void drawVector(std::size_t at, const EdgesAt& edges, const Distances& distances) {
+    HWY_INLINE void drawVector(std::size_t at, Ints outside, Floats w) {
         float* const to = &m_blocks[0].of[at];
-        const Floats z = nowhereOutside(edges.outside, distances.template z<kPerspective>(edges.l1, edges.l2));
+        const Floats z = nowhereOutside(outside, zOf<kPerspective>(w));
         hn::Store(hn::Min(z, hn::Load(F(), to)), F(), to);
     }
 

@@ -180,7 +180,7 @@ private:
             const glm::ivec2 pixel = in.tile.min + pixelOf(place.at + l);
             const std::array<std::int64_t, 3> e{edges[0].atPixel(pixel), edges[1].atPixel(pixel),
                                                 edges[2].atPixel(pixel)};
-            const Vec3<float> weights = interpolate(*m_other->triangle, e, in.view.perspective).barycentric;
+            const Vec3<float> weights = interpolate(*m_other->triangle, pixel, e, in.view.perspective).barycentric;
             one[l] = weights.y, two[l] = weights.z;
         }
         return {hn::Load(F(), one), hn::Load(F(), two)};

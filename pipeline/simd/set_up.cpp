@@ -13,6 +13,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
+#include "pipeline/simd/plane_equations.h"
 #include "pipeline/simd/tiny_triangles.h"
 
 #ifndef SHADESCOPE_SET_UP_BINNER
@@ -125,8 +126,8 @@ struct Fields {
     }
     HWY_INLINE void copyTo(SmallTriangle& out, std::size_t lane) const {
         static_assert(std::endian::native == std::endian::little);
-        static_assert(offsetof(SmallTriangle, b2) == 16 && offsetof(SmallTriangle, biasedArea) == 32);
-        static_assert(offsetof(SmallTriangle, inverseArea2) == 48 && offsetof(SmallTriangle, width) == 60);
+        static_assert(offsetof(SmallTriangle, b2) == 16 && offsetof(SmallTriangle, column) == 32);
+        static_assert(offsetof(SmallTriangle, facesViewer) == 52 && offsetof(SmallTriangle, leastW) == 56);
         auto* const to = reinterpret_cast<std::int32_t*>(&out);
         for (int i = 0; i < 4; ++i) std::memcpy(to + 4 * i, quarters[i] + 4 * lane, 16);
     }
@@ -201,11 +202,16 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     const Ints bias0 = edge(1, 2).bias;  // what else there is of that of corner 0 follows from the others
     const Ints width = hn::Sub(maxX, minX), height = hn::Sub(maxY, minY);
 
+    // Of the whole box, of which a border of the picture may cut a part.
+    const Ints fromX = hn::Add(pixelsBelow(hn::Sub(lowX, one)), one),
+               fromY = hn::Add(pixelsBelow(hn::Sub(lowY, one)), one);
+    const Ints across = hn::Sub(hn::Add(pixelsBelow(highX), one), fromX);
+    const Ints down = hn::Sub(hn::Add(pixelsBelow(highY), one), fromY);
     const auto areWithin = [&](int side) HWY_ATTR {
         const Ints beyond = hn::Set(whole, side + 1);
-        return bitsOf(asFloats(hn::And(hn::Lt(width, beyond), hn::Lt(height, beyond)))) & drawn;
+        return bitsOf(asFloats(hn::And(hn::Lt(across, beyond), hn::Lt(down, beyond)))) & drawn;
     };
-    if (const std::uint32_t tiny = areWithin(kBlock); tiny != 0) {
+    if (const std::uint32_t tiny = areWithin(kTinySide); tiny != 0) {
         const Ints e1 = hn::Sub(edge1.c, edge1.bias), e2 = hn::Sub(edge2.c, edge2.bias);
         const Ints e0 = hn::Sub(hn::Sub(size, bias0), hn::Add(edge1.c, edge2.c));
         const bool areInSquares = areWithin(2) == tiny;
@@ -221,19 +227,28 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
         }
         if (found.tiny == drawn) return found;
     }
+    Mask areFlat;
+    const auto blockOf = [&](Ints pixel) HWY_ATTR { return hn::AndNot(hn::Set(whole, kBlock - 1), pixel); };
+    const PlanesInVectors planes = planesOf(corners, size, blockOf(minX), blockOf(minY), hn::Sub(highX, lowX),
+                                            hn::Sub(highY, lowY), bits, in.view.perspective, areFlat);
+    const std::uint32_t steep = drawn & ~found.tiny & ~bitsOf(areFlat);
+    found.others |= steep, drawn &= ~steep;
+    if (found.tiny == drawn) return found;
     hn::Store(minX, whole, out.lowX), hn::Store(minY, whole, out.lowY);
     hn::Store(maxX, whole, out.highX), hn::Store(maxY, whole, out.highY);
     const Ints tile = tileAt(minX, minY, tilesAcross);
     hn::Store(tile, whole, out.tile);
     out.inOneTile = bitsOf(asFloats(hn::Eq(tile, tileAt(hn::Sub(maxX, one), hn::Sub(maxY, one), tilesAcross))));
     const auto bitsIn = [](Floats value) HWY_ATTR { return hn::BitCast(I(), value); };
-    const Ints corner = hn::Or(minX, hn::ShiftLeft<16>(minY)), box = hn::Or(width, hn::ShiftLeft<8>(height));
+    const auto pair = [](Ints low, Ints high) HWY_ATTR { return hn::Or(low, hn::ShiftLeft<16>(high)); };
+    const Ints box = hn::Or(width, hn::ShiftLeft<8>(height)), facing = pick(turned, one, zero);
     const Floats(&w)[3] = corners.w;
     out.storeQuarter(0, edge1.a, edge1.b, edge1.c, edge2.a);
-    out.storeQuarter(1, edge2.b, edge2.c, edge1.bias, edge2.bias);
-    out.storeQuarter(2, hn::Sub(size, bias0), bitsIn(w[0]), bitsIn(w[1]), bitsIn(w[2]));
-    out.storeQuarter(3, bitsIn(inverseOf(size)), hn::Iota(whole, std::int32_t(firstId)), corner,
-                     hn::Or(box, hn::Or(pick(turned, hn::Set(whole, 1 << 16), zero), hn::ShiftLeft<24>(bias0))));
+    out.storeQuarter(1, edge2.b, edge2.c, hn::Sub(size, bias0), bitsIn(planes.first));
+    out.storeQuarter(2, bitsIn(planes.column), bitsIn(planes.row), hn::Iota(whole, std::int32_t(firstId)),
+                     pair(minX, minY));
+    out.storeQuarter(3, pair(box, hn::Or(edge1.bias, hn::ShiftLeft<8>(edge2.bias))), facing, bitsIn(w[0]),
+                     bitsIn(hn::Max(w[0], hn::Max(w[1], w[2]))));
     return found;
 }
 

@@ -11,22 +11,22 @@
 namespace pipeline {
 
 // The triangles of a picture, set up and sorted into its tiles: what binTriangles does, many triangles at a time, from
-// vertices that have been projected before. Of a triangle whose edge functions fit into 32 bits a record is kept until it
-// is drawn; of a tiny one its fragments are, which take less room, and less time than its edge functions once more.
+// vertices that have been projected before. Of a triangle whose edge functions fit into 32 bits, and w into a plane, a
+// record is kept until it is drawn; of a tiny one its fragments are, which take less room, and less time than its edge functions once more.
 
 // Edge functions in steps² of the grid, c at the first pixel of its box, a more at the next column, b at the next row.
-// The one of corner 0 is its triangle's area, doubled, - e1 - e2. Corners and w as in RasterTriangle: clockwise, the
-// farthest first. One line of the cache: what draws jumps about in them.
+// The one of corner 0 is its triangle's area, doubled, - e1 - e2. Corners as in RasterTriangle: clockwise, the farthest
+// first; w over it is a PlaneEquation. One line of the cache: what draws jumps about in them.
 struct alignas(64) SmallTriangle {
     std::int32_t a1, b1, c1, a2, b2, c2;
-    std::int32_t bias1, bias2;       // 0 where the edge owns the samples on it, else 1: e - bias is below 0 outside
-    std::int32_t biasedArea;         // less the bias of edge 0
-    float w0, w1, w2, inverseArea2;  // in steps too: exactly that of RasterTriangle by a power of two
-    std::uint32_t id;                // index into Topology::triangles
-    std::int16_t x, y;               // the box's first pixel
-    std::uint8_t width, height;      // of the box within the picture, pixels, at least 1
-    std::uint8_t facesViewer;        // 1 where its own corners run anticlockwise, else 0
-    std::uint8_t bias0;              // of edge 0, as bias1
+    std::int32_t biasedArea;     // less the bias of edge 0
+    float first, column, row;    // PlaneEquation's, from the first pixel of the block that holds the box's first pixel
+    std::uint32_t id;            // index into Topology::triangles
+    std::int16_t x, y;           // the box's first pixel
+    std::uint8_t width, height;  // of the box within the picture, pixels, at least 1
+    std::uint8_t bias1, bias2;   // 0 where the edge owns the samples on it, else 1: e - bias is below 0 outside
+    std::uint8_t facesViewer;    // 1 where its own corners run anticlockwise, else 0
+    float leastW, mostW;         // of its corners
 };
 static_assert(sizeof(SmallTriangle) == 64);
 
@@ -52,7 +52,7 @@ struct TriangleRun {
         count;  // first: an index into TrianglePiece::small; with kOther into `others`, kTiny `fragments`
 };
 
-// Those of a range of polygons. What is too large for 32 bits, or had to be clipped, stands in `others`.
+// Those of a range of polygons. What is too large for 32 bits, has no plane or had to be clipped stands in `others`.
 struct TrianglePiece {
     std::vector<SmallTriangle, AlignsPieces<SmallTriangle>> small;
     Fragments fragments;

@@ -62,7 +62,7 @@ HWY_INLINE Ints tileAt(Ints x, Ints y, int tilesAcross) {
     return hn::Add(hn::Mul(hn::ShiftRight<6>(y), hn::Set(I(), tilesAcross)), hn::ShiftRight<6>(x));
 }
 
-// Tiny triangles, as many as a vector holds.
+// Tiny triangles, as many as a vector holds. Too small for a plane to pay, their w comes from the weights of their corners.
 struct TinyTriangles {
     EdgeInVectors edge1, edge2;  // c at their boxes' first pixels
     Floats inverse;              // of their areas
@@ -152,7 +152,7 @@ private:
         };
         Distances distances = t.distances;
         for (Floats* of : {&distances.w0, &distances.toW1, &distances.toW2}) *of = pickFloats(*of);
-        hn::StoreU(distances.z<kPerspective>(share(t.edge1), share(t.edge2)), F(), &out.z[at]);
+        hn::StoreU(zOf<kPerspective>(distances.w(share(t.edge1), share(t.edge2))), F(), &out.z[at]);
         hn::StoreU(hn::Add(lane, hn::Set(whole, std::int32_t(t.id))), whole,
                    reinterpret_cast<std::int32_t*>(&out.id[at]));
         const Ints x = hn::Add(pickInts(t.x), column), y = hn::Add(pickInts(t.y), row),

@@ -49,7 +49,7 @@ void paint(const View& view, const TriangleBins<Real>& bins, const PaintingOrder
         const RasterTriangle<Real>& triangle = bins.triangles[piece.triangle];
         forEachCovered(triangle.snapped, tile, [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
             if (!order.has(piece, pixel)) return;
-            const Fragment<Real> fragment = interpolate(triangle, e, view.perspective);
+            const Fragment<Real> fragment = interpolate(triangle, pixel, e, view.perspective);
             const std::size_t at = out.zView->offset(pixel - out.origin);
             if (record)
                 record->push_back({triangle.id, pixel, double(fragment.z), double(out.zView->pixels[at]), true});

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "pipeline/buffers/buffer2d.h"
+#include "pipeline/buffers/block_buffer.h"
 #include "pipeline/stages/clip.h"
 
 namespace pipeline {
@@ -79,6 +79,52 @@ void forEachCovered(const SnappedTriangle& t, Tile tile, Visit visit) {
     }
 }
 
+// w over a triangle as it is linear in the picture: at the first pixel of its first block of 4 × 4 pixels, and what a step
+// to the right and one down add. Found at the first pixel of a pixel's block, and stepped from there, so that all of
+// a block are one sum away from a number they share. Each number is rounded four times, in relation to what `isFlat` bounds.
+template <class Real>
+struct PlaneEquation {
+    Real first = 0, column = 0, row = 0;
+    glm::ivec2 from{0};  // that first pixel; its block is the first in the picture
+    bool holds = false;  // else w comes from the weights of the corners
+
+    Real at(glm::ivec2 pixel) const {
+        const glm::ivec2 inBlock = pixel & (kBlock - 1), block = pixel - inBlock - from;
+        return (first + (column * Real(block.x) + row * Real(block.y))) +
+               (column * Real(inBlock.x) + row * Real(inBlock.y));
+    }
+};
+
+// How much w may grow over a triangle and the blocks around it, in relation to the least of it, for its plane to be used. It
+// then errs by at most 3 + 8 kSteepest halves of a unit in the last place of that. Where w grows more, at a grazing view or
+// in a splinter, sums of steps would lose digits that the weights of the corners keep.
+inline constexpr double kSteepest = 1;
+// Nor is it where it would not pay: for a box that is no larger than this on either side, pixels.
+inline constexpr int kTinySide = kBlock;
+
+// Of a triangle whose corners run clockwise, the farthest first. W is double or better.
+template <class W, class Real>
+PlaneEquation<Real> planeEquation(const SnappedTriangle& t, const std::array<Real, 3>& w, bool perspective) {
+    const std::array<glm::i64vec2, 3>& p = t.corners;
+    const W w0 = W(w[0]), one = W(w[1]) - w0, two = W(w[2]) - w0, inverse = 1 / W(t.area2());
+    const auto slope = [&](std::int64_t p20, std::int64_t p01) { return (one * W(p20) + two * W(p01)) * inverse; };
+    const W column = slope(p[2].y - p[0].y, p[0].y - p[1].y), row = slope(p[0].x - p[2].x, p[1].x - p[0].x);
+    const Tile box = t.pixels();
+    const glm::ivec2 from = glm::max(box.min, 0) & ~(kBlock - 1);
+    const glm::i64vec2 centre = glm::i64vec2(from) * kSubPixels + kSubPixels / 2 - p[0];
+    PlaneEquation<Real> out;
+    out.first = Real(w0 + (column * W(centre.x) + row * W(centre.y)));
+    out.column = Real(column * W(kSubPixels)), out.row = Real(row * W(kSubPixels));
+    out.from = from;
+    const glm::i64vec2 side = glm::max(p[0], glm::max(p[1], p[2])) - glm::min(p[0], glm::min(p[1], p[2]));
+    const auto reach = [](std::int64_t of) { return Real(of) * (1 / Real(kSubPixels)) + Real(kBlock); };
+    const Real grows = abs(out.column) * reach(side.x) + abs(out.row) * reach(side.y);
+    const Real least = perspective ? w[0] : std::max(abs(w[0]), std::max(abs(w[1]), abs(w[2])));
+    const glm::ivec2 pixels = box.max - box.min;
+    out.holds = (pixels.x > kTinySide || pixels.y > kTinySide) && grows <= Real(kSteepest) * least;
+    return out;
+}
+
 // A triangle ready to be rasterized, its corners clockwise as seen, the farthest first.
 template <class Real>
 struct RasterTriangle {
@@ -88,6 +134,7 @@ struct RasterTriangle {
     Real inverseArea2;                          // 1 / area2()
     std::array<AtLeastDouble<Real>, 3> exactW;  // w before it was rounded to Real
     AtLeastDouble<Real> exactInverseArea2;
+    PlaneEquation<Real> plane;
     std::uint32_t id;  // index into Topology::triangles
 };
 
@@ -131,6 +178,7 @@ std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& co
         }
         out.exactInverseArea2 = 1 / abs(W(area2));
         out.inverseArea2 = Real(out.exactInverseArea2);
+        out.plane = planeEquation<W>(out.snapped, out.w, view.perspective);
         out.id = id;
         emit(out);
     }
@@ -145,14 +193,16 @@ struct Fragment {
     Vec3<Real> barycentric;  // perspective-correct weights over the corners of triangle `id`
 };
 
-// z from differences from corner 0: a polygon at one depth keeps that depth exactly. Corner 0 has the smallest w, so
-// nothing is subtracted and lost, however much nearer the others are. The weights are those of the triangle's own
-// corners, whichever of them comes first here: 1 and 2 as products, and what they leave is that of 0, so that they sum to 1.
+// z from the triangle's plane, or from differences from corner 0: either way a polygon at one depth keeps that depth
+// exactly. Corner 0 has the smallest w, so nothing is subtracted and lost, however much nearer the others are. The weights
+// are those of the triangle's own corners, whichever of them comes first here: 1 and 2 as products, and what they leave is
+// that of 0, so that they sum to 1. e: the edge functions at the pixel.
 // P. Heckbert and H. Moreton, "Interpolation for polygon texture mapping and shading", 1991.
 template <class Real>
-Fragment<Real> interpolate(const RasterTriangle<Real>& t, const std::array<std::int64_t, 3>& e, bool perspective) {
+Fragment<Real> interpolate(const RasterTriangle<Real>& t, glm::ivec2 pixel, const std::array<std::int64_t, 3>& e,
+                           bool perspective) {
     const Vec3<Real> l = Vec3<Real>(Real(e[0]), Real(e[1]), Real(e[2])) * t.inverseArea2;
-    const Real w = t.w[0] + l.y * (t.w[1] - t.w[0]) + l.z * (t.w[2] - t.w[0]);
+    const Real w = t.plane.holds ? t.plane.at(pixel) : t.w[0] + l.y * (t.w[1] - t.w[0]) + l.z * (t.w[2] - t.w[0]);
     const Real z = perspective ? 1 / w : w;
     Real b1 = 0, b2 = 0;
     for (int i = 0; i < 3; ++i) {

@@ -130,7 +130,7 @@ void shadowBuffer(const View& face, const TriangleBins<Real>& bins, std::size_t 
     for (const std::uint32_t i : bins.bins[tile]) {
         const RasterTriangle<Real>& triangle = bins.triangles[i];
         forEachCovered(triangle.snapped, bins.tile(tile), [&](glm::ivec2 texel, const std::array<std::int64_t, 3>& e) {
-            const Real z = interpolate(triangle, e, face.perspective).z;
+            const Real z = interpolate(triangle, texel, e, face.perspective).z;
             Real& stored = depth.at(texel);
             if (z < stored) stored = z;
         });

@@ -75,7 +75,7 @@ std::optional<std::vector<Layer<Real>>> layersIn(const ShadingInputs& inputs, co
         forEachCovered(triangle.snapped, tile, [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
             if (found.size() > limit) return;
             const std::size_t at = in.zBuffer.zView->offset(pixel);
-            const Fragment<Real> fragment = interpolate(triangle, e, view.perspective);
+            const Fragment<Real> fragment = interpolate(triangle, pixel, e, view.perspective);
             const auto w = interpolateW(triangle, e);
             const bool first = in.zBuffer.triangle->pixels[at] == kNoTriangle;
             const bool nearer = compares ? first || code.nearer(code.encode(w, w), in.zBuffer.depth.pixels[at])

@@ -25,7 +25,7 @@ Vec3<Real> barycentricAt(const TransformOutput<Real>& in, std::uint32_t triangle
     // Of the pieces that clipping leaves, one covers the pixel.
     const auto look = [&](const RasterTriangle<Real>& piece) {
         forEachCovered(piece.snapped, {pixel, pixel + 1}, [&](glm::ivec2, const std::array<std::int64_t, 3>& e) {
-            weights = interpolate(piece, e, in.view.perspective).barycentric;
+            weights = interpolate(piece, pixel, e, in.view.perspective).barycentric;
         });
     };
     setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, triangle, look);
@@ -41,7 +41,7 @@ void zBuffer(const View& view, DepthFormat format, const TriangleBins<Real>& bin
         const RasterTriangle<Real>& triangle = bins.triangles[i];
         forEachCovered(triangle.snapped, tile, [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
             const std::size_t at = out.zView->offset(pixel - out.origin);
-            const Fragment<Real> fragment = interpolate(triangle, e, view.perspective);
+            const Fragment<Real> fragment = interpolate(triangle, pixel, e, view.perspective);
             double depth = double(fragment.z);
             if (!linear) {
                 const auto w = interpolateW(triangle, e);

@@ -184,7 +184,7 @@ TEST(ZBuffer, InterpolatesInPerspective) {
     t.w = {1.0 / 100, 1, 1};
     t.weights = {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)};
     const std::int64_t half = t.snapped.area2() / 2;
-    const Fragment<double> f = interpolate(t, {half, half, 0}, true);
+    const Fragment<double> f = interpolate(t, {4, 0}, {half, half, 0}, true);
     EXPECT_NEAR(f.barycentric.x, 0.5 / 50.5, 1e-15);
     EXPECT_NEAR(f.z, 100 / 50.5, 1e-14);
 }

@@ -1,0 +1,216 @@
+// Included once for each instruction set, like lanes.h.
+#if defined(SHADESCOPE_EDGE_BLOCKS_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHADESCOPE_EDGE_BLOCKS_H
+#undef SHADESCOPE_EDGE_BLOCKS_H
+#else
+#define SHADESCOPE_EDGE_BLOCKS_H
+#endif
+
+#include <algorithm>
+#include <bit>
+
+#include "pipeline/simd/blocks.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pipeline::HWY_NAMESPACE {
+
+// Three edge functions. Each by its name: GCC keeps arrays of vectors in memory.
+struct Edges {
+    Ints e0, e1, e2;
+};
+HWY_INLINE Edges operator+(const Edges& a, const Edges& b) {
+    return {hn::Add(a.e0, b.e0), hn::Add(a.e1, b.e1), hn::Add(a.e2, b.e2)};
+}
+// Below 0 where one of them is.
+HWY_INLINE Ints outsideOf(const Edges& e) { return hn::Or(e.e0, hn::Or(e.e1, e.e2)); }
+
+// How 16 blocks that are looked at together stand: 4 × 4, 8 × 2 or 16 × 1. Of the k-th, in which column and row.
+struct BlockGroup {
+    explicit HWY_INLINE BlockGroup(int across) : widthBits(across <= 4 ? 2 : across <= 8 ? 3 : 4) {}
+    int widthBits;
+    int rows() const { return kBlockPixels >> widthBits; }
+    // Of those in a vector, from the `first` one on.
+    HWY_INLINE Ints column(int first) const {
+        return hn::And(hn::Iota(I(), first), hn::Set(I(), (1 << widthBits) - 1));
+    }
+    HWY_INLINE Ints row(int first) const { return hn::ShiftRightSame(hn::Iota(I(), first), widthBits); }
+};
+
+// Calls visit(at, e, w) for the vectors of the blocks in a range of which no edge function leaves all outside. edges: those
+// of a triangle, below 0 where they leave a pixel outside; what they have more at the next pixel sums to 0. at: of the
+// vector's first pixel in the tile's blocks; e: the three functions at its pixels; w: of the plane, with kPlane.
+// In which blocks there are pixels inside is found first, with a block in each number of a vector, and then these are gone
+// through in one loop: where a row of blocks ends within a triangle nobody could guess, and every wrong guess takes as long
+// as drawing two blocks. N. Greene, "Hierarchical polygon tiling with coverage masks", SIGGRAPH 1996.
+template <bool kPlane, class Visit>
+HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& edge1, const PixelFunction& edge2,
+                              const PlaneInTile& plane, const BlockRange& range, Visit visit) {
+    const int across = range.maxX - range.minX, down = range.maxY - range.minY;
+    if (across <= 0 || down <= 0) return;
+    using Wraps = std::uint32_t;
+    const auto most = [](const PixelFunction& edge) {  // in a block, more than at its first pixel: in a corner
+        const Wraps right = Wraps(std::max(edge.column, 0)), below = Wraps(std::max(edge.row, 0));
+        return hn::Set(I(), std::int32_t((right + below) * Wraps(kBlock - 1)));
+    };
+    const Edges mosts{most(edge0), most(edge1), most(edge2)};
+    const Ints column1 = hn::Set(I(), edge1.column), row1 = hn::Set(I(), edge1.row);
+    const Ints column2 = hn::Set(I(), edge2.column), row2 = hn::Set(I(), edge2.row);
+    const auto more = [&](Ints column, Ints row) HWY_ATTR {
+        const Ints one = hn::Add(hn::Mul(column1, column), hn::Mul(row1, row));
+        const Ints two = hn::Add(hn::Mul(column2, column), hn::Mul(row2, row));
+        return Edges{hn::Neg(hn::Add(one, two)), one, two};
+    };
+    const BlockGroup group(across);
+    const int rows = group.rows(), left = range.minX * kBlock, top = range.minY * kBlock;
+    const std::uint32_t width = 1U << group.widthBits;
+    // Bits of the columns of the range in each row of a group.
+    const std::uint32_t columns = ((1U << across) - 1) * (rows == 4 ? 0x1111U : rows == 2 ? 0x101U : 1U);
+    const std::int32_t first0 = edge0.atPixel(left, top), first1 = edge1.atPixel(left, top),
+                       first2 = edge2.atPixel(left, top);
+    Edges within[kVectors];  // what the pixels of a block have more than its first one
+    Floats planeWithin[kVectors];
+    for (int v = 0; v < kVectors; ++v) {
+        within[v] = more(columnOf(v * kLanes), rowOf(v * kLanes));
+        planeWithin[v] = kPlane ? plane.within(columnOf(v * kLanes), rowOf(v * kLanes)) : hn::Zero(F());
+    }
+    constexpr int kGroups = 4;  // whose bits a word holds
+    HWY_ALIGN std::int32_t e0[kGroups * kBlockPixels], e1[kGroups * kBlockPixels], e2[kGroups * kBlockPixels];
+    HWY_ALIGN float w[kGroups * kBlockPixels];
+    for (int y = 0; y < down; y += kGroups * rows) {
+        std::uint64_t inside = 0;
+        for (int v = 0; v < kVectors; ++v) {
+            const Ints column = hn::ShiftLeft<2>(group.column(v * kLanes));
+            Ints row = hn::Add(hn::ShiftLeft<2>(group.row(v * kLanes)), hn::Set(I(), y * kBlock));
+            Edges here = Edges{hn::Set(I(), first0), hn::Set(I(), first1), hn::Set(I(), first2)} + more(column, row);
+            const Edges step = more(hn::Zero(I()), hn::Set(I(), rows * kBlock));
+            for (int g = 0; g < kGroups && y + g * rows < down; ++g) {
+                const int place = g * kBlockPixels + v * kLanes;
+                const Ints outside = outsideOf(here + mosts);
+                inside |= std::uint64_t(bitsOf(asFloats(hn::Gt(outside, hn::Set(I(), -1))))) << place;
+                hn::Store(here.e0, I(), e0 + place), hn::Store(here.e1, I(), e1 + place);
+                hn::Store(here.e2, I(), e2 + place);
+                here = here + step;
+                if constexpr (kPlane) {
+                    hn::Store(plane.atBlocks(hn::Add(column, hn::Set(I(), left)), hn::Add(row, hn::Set(I(), top))), F(),
+                              w + place);
+                    row = hn::Add(row, hn::Set(I(), rows * kBlock));
+                }
+            }
+        }
+        inside &= columns * 0x0001000100010001U;
+        if (const int last = (down - y) * int(width); last < 64) inside &= (std::uint64_t(1) << last) - 1;
+        const std::size_t corner = std::size_t(range.minY + y) * kBlocksAcross + std::size_t(range.minX);
+        for (; inside != 0; inside &= inside - 1) {
+            const auto place = std::size_t(std::countr_zero(inside));
+            const std::size_t block = corner + (place >> group.widthBits) * kBlocksAcross + (place & (width - 1));
+            const Edges e{hn::Set(I(), e0[place]), hn::Set(I(), e1[place]), hn::Set(I(), e2[place])};
+            for (int v = 0; v < kVectors; ++v)
+                visit(block * kBlockPixels + std::size_t(v) * kLanes, e + within[v],
+                      kPlane ? hn::Add(hn::Set(F(), w[place]), planeWithin[v]) : hn::Zero(F()));
+        }
+    }
+}
+
+// The same of all blocks in a range: where there are few, to draw nothing in some takes no longer than to find them.
+template <class Visit>
+HWY_INLINE void forEachVectorOfAll(const PixelFunction& edge0, const PixelFunction& edge1, const PixelFunction& edge2,
+                                   const PlaneInTile& plane, const BlockRange& range, Visit visit) {
+    const auto of = [&](std::int32_t PixelFunction::*part, int n) HWY_ATTR {
+        const auto times = [&](const PixelFunction& edge) HWY_ATTR {
+            return hn::Set(I(), std::int32_t(std::uint32_t(edge.*part) * std::uint32_t(n)));
+        };
+        return Edges{times(edge0), times(edge1), times(edge2)};
+    };
+    const Edges right = of(&PixelFunction::column, kBlock), down = of(&PixelFunction::row, kBlock);
+    Edges first[kVectors];
+    Floats planeWithin[kVectors];
+    const int left = range.minX * kBlock, top = range.minY * kBlock;
+    for (int v = 0; v < kVectors; ++v) {
+        const Ints column = columnOf(v * kLanes), row = rowOf(v * kLanes);
+        const auto start = [&](const PixelFunction& edge) HWY_ATTR {
+            const Ints within =
+                hn::Add(hn::Mul(hn::Set(I(), edge.column), column), hn::Mul(hn::Set(I(), edge.row), row));
+            return hn::Add(hn::Set(I(), edge.atPixel(left, top)), within);
+        };
+        first[v] = {start(edge0), start(edge1), start(edge2)};
+        planeWithin[v] = plane.within(column, row);
+    }
+    for (int y = range.minY; y < range.maxY; ++y) {
+        Edges e[kVectors];
+        for (int v = 0; v < kVectors; ++v) e[v] = first[v], first[v] = first[v] + down;
+        for (int x = range.minX; x < range.maxX; ++x) {
+            const Floats w = hn::Set(F(), plane.atBlock(x * kBlock, y * kBlock));
+            for (int v = 0; v < kVectors; ++v) {
+                visit(blockAt(x, y) + std::size_t(v) * kLanes, e[v], hn::Add(w, planeWithin[v]));
+                e[v] = e[v] + right;
+            }
+        }
+    }
+}
+
+// Calls visit(at, outside, w) for the vectors of the tile that a small triangle covers a part of; at: of its first pixel in
+// the blocks, outside: below 0 where a pixel is.
+template <class Visit>
+HWY_INLINE void forEachVector(const SmallTriangle& t, Tile tile, Visit visit) {
+    using Wraps = std::uint32_t;  // exact wherever an edge function fits: up to three pixels beyond the box
+    const glm::ivec2 low(t.x, t.y), high = low + glm::ivec2(t.width, t.height), from = tile.min - low;
+    const auto edgeFrom = [&](std::int32_t c, std::int32_t a, std::int32_t b, std::int32_t bias) {
+        return PixelFunction{PixelFunction{c - bias, a, b}.atPixel(from.x, from.y), a, b};
+    };
+    const PixelFunction edge1 = edgeFrom(t.c1, t.a1, t.b1, t.bias1), edge2 = edgeFrom(t.c2, t.a2, t.b2, t.bias2);
+    const auto rest = [](std::int32_t sum, std::int32_t one, std::int32_t two) {
+        return std::int32_t(Wraps(sum) - Wraps(one) - Wraps(two));
+    };
+    const PixelFunction edge0{rest(t.biasedArea - t.bias1 - t.bias2, edge1.value, edge2.value), rest(0, t.a1, t.a2),
+                              rest(0, t.b1, t.b2)};
+    const PlaneInTile plane(t.first, t.column, t.row, (low & ~(kBlock - 1)) - tile.min);
+    const auto visitEdges = [&](std::size_t at, const Edges& e, Floats w) HWY_ATTR { visit(at, outsideOf(e), w); };
+    constexpr int kFew = 12;
+    const BlockRange range(low, high, tile);
+    if ((range.maxX - range.minX) * (range.maxY - range.minY) <= kFew)
+        forEachVectorOfAll(edge0, edge1, edge2, plane, range, visitEdges);
+    else
+        forEachVector<true>(edge0, edge1, edge2, plane, range, visitEdges);
+}
+
+// And of one of up to some thousands of pixels.
+template <class Visit>
+HWY_INLINE void forEachVector(const MiddleEdges& middle, const RasterTriangle<float>& t, Tile tile, Visit visit) {
+    const PixelFunction &edge0 = middle.edge(0), &edge1 = middle.edge(1), &edge2 = middle.edge(2);
+    const Tile box = t.snapped.pixels();
+    const BlockRange range(box.min, box.max, tile);
+    const PlaneInTile plane(t.plane, tile);
+    if (t.plane.holds)
+        return forEachVector<true>(edge0, edge1, edge2, plane, range,
+                                   [&](std::size_t at, const Edges& e, Floats w)
+                                       HWY_ATTR { visit(at, outsideOf(e), w); });
+    const Distances distances(t.w[0], t.w[1], t.w[2]);
+    forEachVector<false>(edge0, edge1, edge2, plane, range, [&](std::size_t at, const Edges& e, Floats) HWY_ATTR {
+        visit(at, outsideOf(e), distances.w(middle.linear(e.e1, 1), middle.linear(e.e2, 2)));
+    });
+}
+
+// And of any other whose edge functions double holds.
+template <class Visit>
+HWY_INLINE void forEachVector(const LargeEdges& large, const RasterTriangle<float>& t, Tile tile, Visit visit) {
+    const Distances distances(t.w[0], t.w[1], t.w[2]);
+    const PlaneInTile plane(t.plane, tile);
+    const Tile box = t.snapped.pixels();
+    const BlockRange blocks(box.min, box.max, tile);
+    const EdgeRows rows = large.rows();
+    for (int y = blocks.minY; y < blocks.maxY; ++y) {
+        const auto [left, right] = rows.blocksInRow(y, blocks.minX, blocks.maxX);
+        for (std::size_t first = 0; first < kBlockPixels; first += kLanes) {
+            std::size_t at = blockAt(left, y) + first;
+            for (int x = left; x < right; ++x, at += kBlockPixels) {
+                const VectorPlace place(at);
+                const EdgesAt edges = large.at(place);
+                visit(at, edges.outside, t.plane.holds ? plane.at(place) : distances.w(edges.l1, edges.l2));
+            }
+        }
+    }
+}
+
+}  // namespace pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
