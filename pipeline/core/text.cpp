@@ -1,5 +1,7 @@
 #include "pipeline/core/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
