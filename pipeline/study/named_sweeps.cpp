@@ -30,7 +30,10 @@ using Texts = std::vector<std::string>;
 
 Texts shadingSweep(const Scene& scene) {
     if (hasCurvedShape(scene)) return {"shading=flat,gouraud,phong", kPieces};
+bool isGl(const Scene& scene) { return scene.settings.model == Model::OpenGl; }
+
     return {"shading=flat,gouraud,phong", "precision=float,double"};
+constexpr const char* kGlExponents = "material.#.n=1..128*2";  // OpenGL refuses what is above 128
 }
 
 // A near plane that comes closer to the eye, by powers of ten from where it stands. In double: z_view as a float is no
@@ -57,12 +60,13 @@ Texts shadowSweep(const Scene& scene) {
 
 Texts specularSweep(const Scene& scene) {
     if (!hasHighlight(scene)) return {};
-    return {"shading=gouraud,phong", "material.#.n=1..4096*4"};
+    return {"shading=gouraud,phong", isGl(scene) ? kGlExponents : "material.#.n=1..4096*4"};
 }
 
 Texts powerSweep(const Scene& scene) {
     if (!hasHighlight(scene)) return {};
-    return {"numerics.power=log1p,pow,squaring,exp2,schlick,gaussian", "material.#.n=1..65536*4", "shading=phong"};
+    return {"numerics.power=log1p,pow,squaring,exp2,schlick,gaussian",
+            isGl(scene) ? kGlExponents : "material.#.n=1..65536*4", "shading=phong"};
 }
 
 Texts normalizeSweep(const Scene& scene) {

@@ -1,6 +1,8 @@
 // Sweeps as a study takes them: keys, values, ranges, and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "pipeline/core/result.h"
 #include "pipeline/study/sweep.h"
 #include "tests/support/scenes.h"
@@ -106,3 +108,21 @@ TEST(Sweep, readyMadeOnesFitTheScenesThatTheyAreFor) {
 }
 
 }  // namespace
+// OpenGL refuses an exponent above 128: a point with one would have no result.
+TEST(Sweep, readyMadeExponentsStayWithinWhatTheModelTakes) {
+    Scene scene = sphereScene();
+    for (Object& object : scene.objects) object.material.specular = Vec3d(0.5);
+    scene.settings.model = Model::OpenGl;
+    for (const char* name : {"specular", "power"}) {
+        const auto sweep = parseSweeps(scene, Texts{name});
+        ASSERT_TRUE(sweep) << name << ": " << format(sweep.errors());
+        const auto exponents = std::ranges::find(sweep->axes, "material.#.n", &SweepAxis::key);
+        ASSERT_NE(exponents, sweep->axes.end());
+        EXPECT_EQ(exponents->values.back(), "128") << "the sharpest highlight that there is";
+        for (std::size_t i = 0; i < pointCount(sweep->axes); ++i) {
+            const auto at = sceneAt(scene, sweep->axes, valuesOf(sweep->axes, i));
+            EXPECT_TRUE(at) << name << " point " << i << ": " << format(at.errors());
+        }
+    }
+}
+
