@@ -34,7 +34,7 @@ struct Sweep {
     std::optional<ErrorChoice> choice;  // of a ready-made sweep
 };
 // Several of them, each once, or the name of one ready-made sweep and axes to add to it. Refused as well: more points
-// than kMaxStudyPoints, and an axis without effect, whatever choice the other axes make.
+// than kMaxStudyPoints, a setting that two keys stand for, and an axis without effect, whatever choice the other axes make.
 Result<Sweep> parseSweeps(const Scene& scene, std::span<const std::string> texts);
 
 // Points of a sweep: the product of the axes, the last one fastest.

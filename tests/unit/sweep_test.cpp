@@ -77,6 +77,19 @@ TEST(Sweep, refusesWhatSaysNothingOrTooMuch) {
     EXPECT_NE(message("normals").find("needs a built-in shape"), std::string::npos);
     const auto twice = parseSweeps(scene, Texts{"width=4", "width=5"});
     EXPECT_EQ(format(twice.errors().front()), "width is swept twice, expected each setting once");
+    // The sphere is object 1, the pyramid no shape; "tessellation" and "object.#.tessellation" are that one setting.
+    const auto refusalOf = [](Texts texts) {
+        const auto sweep = parseSweeps(sphereScene(), texts);
+        return sweep ? "accepted" : format(sweep.errors().front());
+    };
+    EXPECT_EQ(
+        refusalOf({"tessellation=4,8", "object.#.tessellation=4,8"}),
+        "object.1.tessellation is swept twice, as tessellation and as object.#.tessellation, expected each setting "
+        "once");
+    EXPECT_EQ(refusalOf({"normals", "object.1.tessellation=5"}),
+              "object.1.tessellation is swept twice, as object.#.tessellation and as object.1.tessellation, expected "
+              "each setting once");
+    EXPECT_EQ(refusalOf({"material.0.n=4,8", "material.1.n=4,8"}), "accepted") << "of two objects";
     const auto many = parseSweeps(scene, Texts{"width=1..300", "height=1..300"});
     EXPECT_EQ(format(many.errors().front()), "the sweep has more than 10000 points, expected fewer values");
 }
