@@ -180,7 +180,7 @@ Result<Sweep> parseSweeps(const Scene& scene, std::span<const std::string> texts
         const std::vector<std::string> axes = named->sweeps(scene);
         if (axes.empty()) return Error{{}, fmt::format("the sweep {} needs {}", named->name, named->needs), {}};
         all.insert(all.end(), axes.begin(), axes.end());
-        sweep.choice = named->choice;
+        sweep.choice = choiceOf(*named, scene);
     }
     for (const std::string& text : all) {
         auto axis = parseSweep(scene, text);

@@ -120,7 +120,6 @@ TEST(Sweep, readyMadeOnesFitTheScenesThatTheyAreFor) {
     }
 }
 
-}  // namespace
 // OpenGL refuses an exponent above 128: a point with one would have no result.
 TEST(Sweep, readyMadeExponentsStayWithinWhatTheModelTakes) {
     Scene scene = sphereScene();
@@ -139,3 +138,21 @@ TEST(Sweep, readyMadeExponentsStayWithinWhatTheModelTakes) {
     }
 }
 
+// Of a light without a shadow there is no error of one, and the plot would show something else instead.
+TEST(Sweep, shadowIsAboutTheFirstLightThatCastsOne) {
+    Scene scene = test::pyramid();
+    scene.lights.assign(3, scene.lights.front());
+    const auto buffer = [&] {
+        const auto sweep = parseSweeps(scene, Texts{"shadow"});
+        return sweep && sweep->choice ? sweep->choice->buffer : "refused";
+    };
+    EXPECT_EQ(buffer(), "shadow.0");
+    scene.lights[0].castsShadow = false;
+    EXPECT_EQ(buffer(), "shadow.1");
+    scene.lights[1].intensity = 0;
+    EXPECT_EQ(buffer(), "shadow.2");
+    scene.lights[2].color = Vec3d(0);
+    EXPECT_EQ(buffer(), "refused") << "no light is left";
+}
+
+}  // namespace
