@@ -27,6 +27,16 @@ std::string shortestText(double value) {
     return text;
 }
 
+std::string textBeyond(double value, double bound) {
+    for (int digits = 3; digits < 17; ++digits) {
+        const std::string text = fmt::format("{:.{}g}", value, digits);
+        double rounded = value;  // it stays where the text is no number: NaN
+        std::from_chars(text.data(), text.data() + text.size(), rounded);
+        if (rounded != bound) return shortestText(rounded);
+    }
+    return shortestText(value);
+}
+
 std::string inQuotes(std::string_view words) {
     constexpr std::size_t kLongest = 60;
     std::string text = "\"";
