@@ -80,6 +80,12 @@ void tellLeftOut(const pipeline::Frame& frame, const pipeline::ExportRequest& re
     }
 }
 
+// What the stages did not do as they were asked; the manifest has it among its remarks.
+void tellRemarks(const pipeline::Frame& frame) {
+    for (const pipeline::StageId stage : pipeline::kStages)
+        if (const auto& remark = frame.run(stage).remark) tell("{}: {}\n", remark->about, remark->text);
+}
+
 // Whether an export would write its manifest alone, and with that remove the export before.
 bool isWithoutFiles(const pipeline::Frame& frame, const pipeline::ExportRequest& request) {
     const auto isWhole = [](const std::string& format) { return pipeline::findFrameExporter(format) != nullptr; };
@@ -230,6 +236,7 @@ int runExport(ExportOptions options, const CliHost& host) {
         frameRequest.wanted |= pipeline::normalsOfShading(*scene);
     if (!fits(*scene, frameRequest, options.scene, status)) return status;
     pipeline::FramePtr frame = runFrame(scene, frameRequest, nullptr);
+    if (frame) tellRemarks(*frame);
     // Derived ones alone: and no other.
     const auto& buffers = argument.buffers.empty() ? derivedOnes->names : wanted->buffers;
     pipeline::ExportRequest request{options.folder, buffers, options.formats, {}, {}, {}};

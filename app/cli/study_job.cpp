@@ -126,6 +126,17 @@ struct Run {
     }
 };
 
+// Why no point has both a time and the error of the plot: each reason once, in the order of the points.
+std::string whyNoPoint(const pipeline::StudyAnalysis& analysis) {
+    constexpr std::size_t kTold = 3;  // a reason may name its value: there are as many as points then
+    std::vector<std::string_view> reasons;
+    for (const pipeline::PointAnalysis& point : analysis.points)
+        if (std::ranges::find(reasons, point.missing) == reasons.end()) reasons.emplace_back(point.missing);
+    const std::size_t more = reasons.size() - std::min(reasons.size(), kTold);
+    reasons.resize(reasons.size() - more);
+    return fmt::format("{}{}", fmt::join(reasons, "; "), more == 0 ? "" : fmt::format("; and {} more", more));
+}
+
 }  // namespace
 
 int studyCancelled(const StudyOrder& job) {
@@ -161,7 +172,8 @@ int reportStudy(const StudyReport& report, pipeline::StudyLimits limits,
                 const std::vector<pipeline::StudyPictures>& pictures, const fs::path& folder, bool json) {
     const pipeline::StudyAnalysis analysis = analyse(report, report.choice);
     const auto middle = middleOfFront(analysis).value_or(pipeline::StudyLimits());
-    const bool isNo = (limits.error > 0 && !cheapestWithin(analysis, limits.error)) ||
+    const bool hasNone = analysis.byTime.empty();
+    const bool isNo = hasNone || (limits.error > 0 && !cheapestWithin(analysis, limits.error)) ||
                       (limits.milliseconds > 0 && !bestWithin(analysis, limits.milliseconds));
     if (limits.error == 0) limits.error = middle.error;
     if (limits.milliseconds == 0) limits.milliseconds = middle.milliseconds;
@@ -175,6 +187,7 @@ int reportStudy(const StudyReport& report, pipeline::StudyLimits limits,
     else
         fmt::print("{}", studyText(report, analysis, limits));
     tell("{} are in {}\n", fmt::join(*written, ", "), folder.string());
+    if (hasNone) tell("No point of the study has both a time and an error: {}\n", whyNoPoint(analysis));
     return isNo ? kAnswerIsNo : kDone;
 }
 

@@ -32,7 +32,7 @@ int takeTimes(const pipeline::StudyRequest& request, const std::filesystem::path
               const Interrupt& interrupt);
 
 // Writes the folder's files and prints the table, or the whole study as JSON. limits: what is 0 is chosen from the
-// front. Gives the exit status: that the answer is no where a limit was given that no point keeps.
+// front. Gives the exit status: that the answer is no where no point has an answer, or a limit was given that none keeps.
 int reportStudy(const pipeline::StudyReport& report, pipeline::StudyLimits limits,
                 const std::vector<pipeline::StudyPictures>& pictures, const std::filesystem::path& folder, bool json);
 

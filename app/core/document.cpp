@@ -37,6 +37,10 @@ Document::Document(QObject* parent) : QObject(parent) {
         [this](FramePtr frame, const FrameCheck& check) {
             QMetaObject::invokeMethod(
                 this, [this, frame = std::move(frame), check] { takeCheck(frame, check); }, Qt::QueuedConnection);
+        },
+        [this](long ticket) {
+            QMetaObject::invokeMethod(
+                this, [this, ticket] { takeFailure(ticket); }, Qt::QueuedConnection);
         });
     observeWork();
     m_mixer = std::make_unique<MixModel>(*this);

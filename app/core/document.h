@@ -139,6 +139,7 @@ signals:
     void busyChanged(bool busy);                  // a frame is being computed
     void failed(const pipeline::Errors& errors);  // a change that cannot be, or a file that could not be read
     void notWritten(const QString& file, const pipeline::Errors& errors);
+    void outOfMemory();                  // a frame is not computed: frame() is the one before, until something changes
     void said(const QString& sentence);  // for the status bar
 
 private:
@@ -153,6 +154,7 @@ private:
     void observeWork();
     void cancelFrame();
     void takeFrame(pipeline::FramePtr frame, long ticket);
+    void takeFailure(long ticket);
     void takeCheck(const pipeline::FramePtr& frame, const FrameCheck& check);
     void forgetCheck();
     void setBusy(bool busy);

@@ -27,4 +27,15 @@ void Document::cancelFrame() {
     setBusy(false);
 }
 
+// The same request would fail again: it counts as answered, so that none is made until something changes.
+void Document::takeFailure(long ticket) {
+    if (ticket < m_oldestValid || ticket != m_ticket) return;  // of a newer one is told
+    m_taken = ticket;
+    if (m_requestPending)
+        m_held.start(0);
+    else
+        setBusy(false);
+    emit outOfMemory();
+}
+
 }  // namespace app

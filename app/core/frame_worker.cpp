@@ -1,6 +1,7 @@
 #include "app/core/frame_worker.h"
 
 #include <chrono>
+#include <new>
 
 namespace app {
 
@@ -8,9 +9,10 @@ using pipeline::FramePtr;
 using pipeline::FrameRequest;
 using pipeline::Scene;
 
-FrameWorker::FrameWorker(Deliver deliver, DeliverCheck deliverCheck)
+FrameWorker::FrameWorker(Deliver deliver, DeliverCheck deliverCheck, Fail fail)
     : m_deliver(std::move(deliver)),
       m_deliverCheck(std::move(deliverCheck)),
+      m_fail(std::move(fail)),
       m_thread([this](std::stop_token quit) { work(std::move(quit)); }) {}
 
 FrameWorker::~FrameWorker() {
@@ -68,12 +70,25 @@ void FrameWorker::work(std::stop_token quit) {
             if (quit.stop_requested()) return;
             job.request.stop = m_stopFrame.get_token();
         }
-        FramePtr frame = pipeline::runFrame(std::move(job.scene), job.request, m_last);
-        if (!frame) continue;  // stopped: a newer request waits, or none is wanted
+        const long ticket = job.ticket;
+        FramePtr frame = run(std::move(job));
+        if (!frame) continue;
         m_last = std::move(frame);
-        readAhead(*m_last);
-        m_deliver(m_last, job.ticket);
+        m_deliver(m_last, ticket);
         if (m_deliverCheck) check();
+    }
+}
+
+// Null where it was stopped, for a newer request waits or none is wanted, and where the machine has too little memory:
+// pipeline/plan/memory_limit.h says what a frame may take, and not what there is.
+FramePtr FrameWorker::run(Job job) {
+    try {
+        FramePtr frame = pipeline::runFrame(std::move(job.scene), job.request, m_last);
+        if (frame) readAhead(*frame);
+        return frame;
+    } catch (const std::bad_alloc&) {
+        if (m_fail) m_fail(job.ticket);
+        return nullptr;
     }
 }
 
@@ -91,12 +106,20 @@ void FrameWorker::check() {
         stop = m_stopCheck.get_token();
     }
     if (!staysIdle(stop)) return;
+    try {
+        const FrameCheck found = checked(stop);
+        if (!stop.stop_requested()) m_deliverCheck(m_last, found);
+    } catch (const std::bad_alloc&) {  // of a frame that is there, only its errors stay unknown
+    }
+}
+
+FrameCheck FrameWorker::checked(const std::stop_token& stop) const {
     FrameCheck found{.errors = pipeline::errorAgainstDouble(m_last, stop)};
     for (const pipeline::AnyBuffer& buffer : m_last->buffers()) {
-        if (stop.stop_requested()) return;
+        if (stop.stop_requested()) break;
         found.nan += statistics(buffer).nan;
     }
-    if (!stop.stop_requested()) m_deliverCheck(m_last, found);
+    return found;
 }
 
 }  // namespace app

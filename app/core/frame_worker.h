@@ -28,9 +28,12 @@ public:
     // later, if nothing came in between, with the check of that frame.
     using Deliver = std::function<void(pipeline::FramePtr, long ticket)>;
     using DeliverCheck = std::function<void(pipeline::FramePtr, const FrameCheck&)>;
+    // There was not enough memory for the frame of this request: it is given up, and the next one may fit.
+    using Fail = std::function<void(long ticket)>;
 
-    FrameWorker(Deliver deliver, DeliverCheck deliverCheck);  // without the second no frame is checked
-    ~FrameWorker();                                           // stops what runs and waits for it; no call comes after
+    // Without deliverCheck no frame is checked.
+    FrameWorker(Deliver deliver, DeliverCheck deliverCheck, Fail fail = {});
+    ~FrameWorker();  // stops what runs and waits for it; no call comes after
 
     // Whether a frame that is being computed may finish although a newer one is wanted. While a
     // slider moves it may: a picture a little late is better than none until the hand rests.
@@ -46,11 +49,14 @@ private:
         long ticket = 0;
     };
     void work(std::stop_token quit);
+    pipeline::FramePtr run(Job job);
     void check();
+    FrameCheck checked(const std::stop_token& stop) const;
     bool staysIdle(const std::stop_token& stop);
 
     Deliver m_deliver;
     DeliverCheck m_deliverCheck;
+    Fail m_fail;
 
     std::mutex m_mutex;
     std::condition_variable_any m_arrived;

@@ -28,7 +28,16 @@ void OtherFrame::request(const std::shared_ptr<const pipeline::Scene>& scene, pi
                 },
                 Qt::QueuedConnection);
         };
-        m_worker = std::make_unique<FrameWorker>(deliver, FrameWorker::DeliverCheck());
+        // Too little memory: as if it had been stopped by hand.
+        const auto fail = [this](long ticket) {
+            QMetaObject::invokeMethod(
+                this,
+                [this, ticket] {
+                    if (ticket == m_ticket) cancel();
+                },
+                Qt::QueuedConnection);
+        };
+        m_worker = std::make_unique<FrameWorker>(deliver, FrameWorker::DeliverCheck(), fail);
     }
     // A picture a little late is better than none until the hand rests.
     m_ticket =

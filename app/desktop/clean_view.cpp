@@ -80,6 +80,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
         const QString file = QFileInfo(toQString(errors.front().where.file)).fileName();
         tell(file.isEmpty() ? toQString(errors.front().found) : tr("%1 could not be read").arg(file));
     });
+    connect(&document, &Document::outOfMemory, this, [tell] { tell(tr("not enough memory for this frame")); });
     const auto tellNotWritten = [tell](const QString& file) {
         tell(tr("%1 could not be written").arg(QFileInfo(file).fileName()));
     };

@@ -219,6 +219,10 @@ void MainWindow::connectDocument() {
         const QString still = m_document.hasScene() ? tr(" The scene before is still open.") : QString();
         m_errors->report(tr("%1 could not be read.").arg(file) + still, errors);
     });
+    connect(&m_document, &Document::outOfMemory, this, [this] {
+        m_errors->report(tr("There is not enough memory for this frame. What you see is the one before."),
+                         {{{}, "not enough memory; a smaller picture and fewer buffers need less", {}}});
+    });
     connect(&m_document, &Document::notWritten, this, [this](const QString& file, const pipeline::Errors& errors) {
         m_errors->report(tr("%1 could not be written. Nothing has changed.").arg(QFileInfo(file).fileName()), errors);
     });

@@ -48,7 +48,7 @@ Result<CueList> readCues(std::string_view text, const std::string& file) {
             values.unknown(key, std::string(key.str()), kListKeys);
     if (const auto* node = table->get("title")) list.title = values.text(*node, "title").value_or("");
     if (const auto* node = table->get("minutes"))
-        list.minutes = int(values.number(*node, "minutes", 1, 600).value_or(list.minutes));
+        list.minutes = int(values.wholeNumber(*node, "minutes", 1, 600).value_or(list.minutes));
     const auto* cues = table->get("cue");
     for (const toml::table* one : cues ? values.tables(*cues, "cue", kMaxCues) : std::vector<const toml::table*>()) {
         const std::string path = fmt::format("cue.{}", list.cues.size());

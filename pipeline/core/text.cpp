@@ -1,5 +1,7 @@
 #include "pipeline/core/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -23,6 +25,16 @@ std::string shortestText(double value) {
         if (text[sign] == '+') text.erase(sign, 1);
     }
     return text;
+}
+
+std::string textBeyond(double value, double bound) {
+    for (int digits = 3; digits < 17; ++digits) {
+        const std::string text = fmt::format("{:.{}g}", value, digits);
+        double rounded = value;  // it stays where the text is no number: NaN
+        std::from_chars(text.data(), text.data() + text.size(), rounded);
+        if (rounded != bound) return shortestText(rounded);
+    }
+    return shortestText(value);
 }
 
 std::string inQuotes(std::string_view words) {

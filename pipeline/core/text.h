@@ -8,6 +8,9 @@ namespace pipeline {
 
 // The shortest text that reads back as the same double: "0.25", "640", "1e9", "-0".
 std::string shortestText(double value);
+// The same of a value that is refused beyond a bound, rounded to three digits, or to as many as it takes to read as
+// another number than the bound: "1.27e9", and "1000000100" beyond 1e9.
+std::string textBeyond(double value, double bound);
 
 // "words" in double quotes; control characters become "?" and more than 60 bytes of it are left out,
 // so that a message stays one line whatever the input was.

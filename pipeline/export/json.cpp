@@ -219,10 +219,22 @@ Json toJson(const ScanlineSection& section) {
             {"runs", runs},       {"intensity", intensity}, {"i_max", section.iMax}};
 }
 
+namespace {
+
+Json remarkToJson(const Remark& remark) { return {{"about", remark.about}, {"text", remark.text}}; }
+
+}  // namespace
+
 Json remarksToJson(const Scene& scene) {
     Json remarks = Json::array();
-    for (const Remark& remark : sceneRemarks(scene))
-        remarks.push_back({{"about", remark.about}, {"text", remark.text}});
+    for (const Remark& remark : sceneRemarks(scene)) remarks.push_back(remarkToJson(remark));
+    return remarks;
+}
+
+Json remarksToJson(const Frame& frame) {
+    Json remarks = remarksToJson(frame.scene());
+    for (const StageId stage : kStages)
+        if (const auto& remark = frame.run(stage).remark) remarks.push_back(remarkToJson(*remark));
     return remarks;
 }
 

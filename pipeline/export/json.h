@@ -27,7 +27,8 @@ Json toJson(const std::vector<EquationLine>& lines);  // role, text, latex, rema
 Json toJson(const ScanlineSection& section);
 
 Json toJson(const Vec3d& vector);  // [x, y, z]
-// What is strange about a scene: about and text of each remark.
+// What is strange about a scene: about and text of each remark. Of a frame also what its stages did not do as asked.
 Json remarksToJson(const Scene& scene);
+Json remarksToJson(const Frame& frame);
 
 }  // namespace pipeline

@@ -89,7 +89,7 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
     Json all{{"program", {{"name", "Shadescope"}, {"version", programVersion()}}},
              {"scene", sceneToJson(frame.scene())},
              {"settings", settingsToJson(frame.scene())},
-             {"remarks", remarksToJson(frame.scene())},
+             {"remarks", remarksToJson(frame)},
              {"until", stageInfo(frame.until()).name},
              {"plan", toJson(frame.plan())},
              {"milliseconds", frame.milliseconds()},

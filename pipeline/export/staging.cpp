@@ -35,24 +35,38 @@ Result<Staging> Staging::begin(const fs::path& target) {
     std::error_code error;
     staging.m_target = fs::absolute(target, error).lexically_normal();
     if (!staging.m_target.has_filename()) staging.m_target = staging.m_target.parent_path();  // "out/"
-    const bool exists = fs::exists(staging.m_target, error);
-    if (exists && !fs::is_directory(staging.m_target, error)) return writeError(target, ENOTDIR);
+    // Another process that made a parent removes it where it publishes nothing, and may do so right after this one has
+    // seen it there, or has been told that it exists. Then all is looked at anew.
+    constexpr int kMostAttempts = 100;
+    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+        error.clear();
+        if (staging.makeFolder(error)) return staging;
+        if (error != std::errc::no_such_file_or_directory && error != std::errc::file_exists) break;
+    }
+    return folderError(target, error);
+}
 
-    fs::path parent = exists ? staging.m_target : staging.m_target.parent_path();
+bool Staging::makeFolder(std::error_code& error) {
+    const bool exists = fs::exists(m_target, error);
+    if (exists && !fs::is_directory(m_target, error)) {
+        error = std::make_error_code(std::errc::not_a_directory);
+        return false;
+    }
+    const fs::path parent = exists ? m_target : m_target.parent_path();
     std::vector<fs::path> missing;  // innermost first
     for (fs::path p = parent; !fs::exists(p, error) && !error && p.has_relative_path(); p = p.parent_path())
         missing.push_back(p);
     for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
         const bool made = fs::create_directory(*p, error);
-        // Another process may have been first.
-        if (error || (!made && !fs::is_directory(*p, error)))
-            return folderError(target, error ? error : std::make_error_code(std::errc::file_exists));
-        if (made) staging.m_made.push_back(*p);
+        if (made) m_made.push_back(*p);
+        // Another process may have been first, with a folder or with a file.
+        if (!made && !error && !fs::is_directory(*p, error) && !error)
+            error = std::make_error_code(std::errc::file_exists);
+        if (error) return false;
     }
-    const fs::path folder = makeHidden(parent, staging.m_target.filename(), error);
-    if (error) return folderError(target, error);
-    staging.m_folder = folder;
-    return staging;
+    const fs::path folder = makeHidden(parent, m_target.filename(), error);
+    if (!error) m_folder = folder;
+    return !error;
 }
 
 Staging::Staging(Staging&& other) noexcept
@@ -68,10 +82,15 @@ Staging::~Staging() {
 
 Result<std::monostate> Staging::publish(const std::vector<std::string>& gone) {
     std::error_code error;
-    if (!fs::exists(m_target, error)) {
+    bool isThere = fs::exists(m_target, error);
+    if (!isThere) {
         fs::rename(m_folder, m_target, error);
-        if (error) return folderError(m_target, error);
-    } else {
+        // Another process has put its files there meanwhile: these join them.
+        isThere = error == std::errc::directory_not_empty || error == std::errc::file_exists;
+        if (error && !isThere) return folderError(m_target, error);
+        error.clear();
+    }
+    if (isThere) {
         std::vector<fs::path> names;
         for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, error))
             names.push_back(entry.path().filename());

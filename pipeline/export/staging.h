@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,9 @@ public:
 
 private:
     Staging() = default;
+    // In the target, or beside it where there is none, after the parents that are missing. False: why not.
+    bool makeFolder(std::error_code& error);
+
     std::filesystem::path m_target, m_folder;   // m_folder is empty once published or moved from
     std::vector<std::filesystem::path> m_made;  // parents that were missing, outermost first
 };

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
+#include "pipeline/core/text.h"
 #include "pipeline/formats/gltf_accessor.h"
 #include "pipeline/formats/gltf_formats.h"
 #include "pipeline/formats/lecture_values.h"
@@ -142,8 +144,9 @@ private:
             vertices.positions.push_back(fromYUp(Vec3d(instance.toWorld * glm::dvec4(p, 1))) + 0.0);
             const Vec3d& there = vertices.positions.back();
             if (isCoordinate(there.x) && isCoordinate(there.y) && isCoordinate(there.z)) continue;
-            instance.node.fail(fmt::format("{} moves a vertex to ({:.3g}, {:.3g}, {:.3g})", instance.node.pointer(),
-                                           there.x, there.y, there.z),
+            const auto place = [](double x) { return textBeyond(x, std::copysign(kFarthestVertex, x)); };
+            instance.node.fail(fmt::format("{} moves a vertex to ({}, {}, {})", instance.node.pointer(), place(there.x),
+                                           place(there.y), place(there.z)),
                                numberFrom(-kFarthestVertex, kFarthestVertex));
             return {};
         }

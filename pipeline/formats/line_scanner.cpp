@@ -9,7 +9,10 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+// Of most characters the first comparison is the only one.
+bool isSpace(char c) {
+    return static_cast<unsigned char>(c) <= ' ' && (c == ' ' || c == '\t' || c == '\v' || c == '\f');
+}
 
 }  // namespace
 
@@ -29,7 +32,7 @@ LineScanner::LineScanner(ByteWindow& window, std::string file, Errors& errors, R
 bool LineScanner::readOn() {
     const std::size_t gone = m_lineBegin;
     if (!m_window || !m_window->readOn(m_before + gone)) return false;
-    for (std::size_t* place : {&m_next, &m_begin, &m_end, &m_lineEnd, &m_lineBegin}) *place -= gone;
+    for (std::size_t* place : {&m_next, &m_begin, &m_end, &m_lineEnd, &m_lineBegin, &m_countedTo}) *place -= gone;
     m_before = m_window->begin(), m_text = m_window->view();
     m_newline = 0;
     return true;
@@ -48,6 +51,7 @@ bool LineScanner::nextLine() {
     } while (end + 1 >= m_text.size() && readOn());
     if (m_next >= m_text.size()) return false;
     m_lineBegin = m_begin = m_end = m_next, m_lineEnd = end;
+    m_countedTo = m_lineBegin, m_counted = 0;
     m_line = m_nextLine++;
     if (end == m_text.size() && m_window && !m_window->atEnd()) {
         fail("found a line of more than " + groupedDigits(kMaxFileBytes) + " bytes");
@@ -74,9 +78,12 @@ std::string_view LineScanner::next() {
         }
     }
     if (m_end < m_lineEnd && m_text[m_end] == '#') m_end = m_lineEnd;
-    m_begin = m_end;
-    while (m_end < m_lineEnd && !isSpace(m_text[m_end]) && !(m_text[m_end] == '\\' && m_end + 1 == m_lineEnd)) ++m_end;
-    return m_text.substr(m_begin, m_end - m_begin);
+    const std::string_view line = m_text.substr(0, m_lineEnd);
+    std::size_t end = m_begin = m_end;
+    while (end < line.size() && !isSpace(line[end])) ++end;
+    if (end == line.size() && end > m_begin && line[end - 1] == '\\') --end;  // it continues the line
+    m_end = end;
+    return line.substr(m_begin, end - m_begin);
 }
 
 std::string_view LineScanner::rest() {
@@ -88,10 +95,12 @@ std::string_view LineScanner::rest() {
 }
 
 TextPosition LineScanner::place() const {
-    const std::string_view before = m_text.substr(m_lineBegin, m_begin - m_lineBegin);
-    const auto characters =
-        std::ranges::count_if(before, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-    return {m_line, static_cast<int>(characters) + 1};
+    if (m_begin < m_countedTo) m_countedTo = m_lineBegin, m_counted = 0;
+    const std::string_view between = m_text.substr(m_countedTo, m_begin - m_countedTo);
+    m_counted += static_cast<std::size_t>(
+        std::ranges::count_if(between, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    m_countedTo = m_begin;
+    return {m_line, static_cast<int>(m_counted) + 1};
 }
 
 void LineScanner::refuse(std::string expected) {

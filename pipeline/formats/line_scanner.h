@@ -29,6 +29,8 @@ public:
     std::string_view peek() const;
     // The rest of this line without white space at its ends: names may hold spaces.
     std::string_view rest();
+    // The next word is the first of `text`, an end of what rest has just given.
+    void goBackTo(std::string_view text) { m_end = static_cast<std::size_t>(text.data() - m_text.data()); }
 
     // Of the word read last.
     TextPosition place() const;
@@ -56,6 +58,9 @@ private:
     std::size_t m_begin = 0, m_end = 0;  // the word read last
     std::size_t m_lineEnd = 0;           // of this line as written, without its end mark
     std::size_t m_lineBegin = 0;
+    // A place of this line that was asked for, and the characters before it: all of a file may stand on one line, and
+    // counting from its beginning for each of its polygons would take the time of its square.
+    mutable std::size_t m_countedTo = 0, m_counted = 0;
     int m_line = 0;      // of the word read last
     int m_nextLine = 1;  // number of the line at m_next
 };

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <unordered_map>
 
@@ -15,6 +16,7 @@
 namespace pipeline {
 namespace {
 
+constexpr std::string_view kSpaces = " \t\v\f";
 constexpr std::size_t kHeader = 80, kFirstFacet = 84, kFacet = 50;  // bytes
 
 struct PositionHash {
@@ -107,18 +109,52 @@ Result<LoadedModel> readBinary(const SourceText& source) {
     return model;
 }
 
+// The words of a text one after the other, whatever lines they stand on: false at the end.
+bool nextWord(LineScanner& scanner, std::string_view& word) {
+    do word = scanner.next();
+    while (word.empty() && scanner.nextLine());
+    return !word.empty();
+}
+
 std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedMesh& welded) {
     std::array<double, 3> p{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::optional<double> value = parseNumber(scanner.next());
+        std::string_view word;
+        const bool atEnd = !nextWord(scanner, word);
+        const std::optional<double> value = parseNumber(word);
         if (!value || !isCoordinate(*value)) {
-            scanner.refuse(
-                fmt::format("{} of a vertex, {}", "xyz"[axis], numberFrom(-kFarthestVertex, kFarthestVertex)));
+            std::string expected =
+                fmt::format("{} of a vertex, {}", "xyz"[axis], numberFrom(-kFarthestVertex, kFarthestVertex));
+            atEnd ? scanner.fail("found the end of the file", expected) : scanner.refuse(expected);
             return {};
         }
         p[axis] = *value;
     }
     return welded.vertex(p);
+}
+
+std::string_view wordAt(std::string_view text, std::size_t begin) {
+    return text.substr(begin, std::min(text.find_first_of(kSpaces, begin), text.size()) - begin);
+}
+
+// Reads the name behind solid or endsolid. It ends with its line, but for a facet with its normal, or the solid of one,
+// that stands on the same line: a name may hold spaces, and one of the words alone.
+std::string_view readName(LineScanner& scanner, bool ofEnd) {
+    const std::string_view rest = scanner.rest();
+    std::size_t solid = rest.npos;
+    for (std::size_t i = 0; (i = rest.find_first_not_of(kSpaces, i)) != rest.npos;) {
+        const std::string_view word = wordAt(rest, i);
+        const std::size_t next = rest.find_first_not_of(kSpaces, i + word.size());
+        if (ofEnd && sameLetters(word, "solid")) solid = i;
+        if (next != rest.npos && sameLetters(word, "facet") && sameLetters(wordAt(rest, next), "normal")) {
+            const std::size_t end = std::min(solid, i);
+            scanner.goBackTo(rest.substr(end));
+            const std::string_view name = rest.substr(0, end);
+            return name.substr(0, name.find_last_not_of(kSpaces) + 1);
+        }
+        i += word.size();
+    }
+    return rest;
 }
 
 Result<LoadedModel> readText(const SourceText& source) {
@@ -131,30 +167,39 @@ Result<LoadedModel> readText(const SourceText& source) {
     std::vector<std::uint32_t> corners;
     TextPosition place;
     bool ended = false;
+    int ofNormal = 0;  // words that may still come, "normal" and its numbers: none of them is read
     std::size_t leftOut = 0;
-    while (scanner.nextLine()) {
-        const std::string_view word = scanner.next();
-        if (word.empty()) continue;
+    for (std::string_view word; nextWord(scanner, word);) {
+        if (word[0] < 'A' && --ofNormal >= 0)
+            continue;  // a number: compared with every keyword it took as long as read
         const auto is = [&](std::string_view keyword) { return sameLetters(word, keyword); };
-        ended = is("endsolid");
-        if (is("solid")) {
-            name = shownName(scanner.rest(), stemOf(source.name));
+        ended = false;
+        if (is("vertex")) {
+            if (const std::optional<std::uint32_t> vertex = readVertex(scanner, welded))
+                corners.push_back(*vertex);
+            else
+                scanner.rest();  // one error for a line
         } else if (is("facet")) {
             place = scanner.place();
+            ofNormal = 4;
         } else if (is("outer")) {
             corners.clear();
-        } else if (is("vertex")) {
-            if (const std::optional<std::uint32_t> vertex = readVertex(scanner, welded)) corners.push_back(*vertex);
+            ofNormal = 0;
         } else if (is("endloop")) {
             if (corners.size() < 3 && errors.empty()) scanner.fail("a loop of fewer than three vertices", "three");
             if (place.line == 0) place = scanner.place();  // no facet so far: every polygon has a place, or none
             if (!addPolygon(welded.mesh(), corners, place)) ++leftOut;
             corners.clear();
-        } else if (ended) {
+        } else if (is("solid")) {
+            name = shownName(readName(scanner, false), stemOf(source.name));
+        } else if (is("endsolid")) {
+            readName(scanner, true);
             addObject(welded, source, name, model.objects);
             corners.clear();  // vertices of the object that is over
-        } else if (!is("endfacet")) {
+            ended = true;
+        } else if (!is("loop") && !is("endfacet") && --ofNormal < 0) {
             scanner.refuse("solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
+            scanner.rest();
         }
     }
     if (!ended && errors.empty()) scanner.fail("found the end of the file", "endsolid");

@@ -74,6 +74,13 @@ std::optional<double> TomlValues::number(const toml::node& node, const std::stri
     return {};
 }
 
+std::optional<double> TomlValues::wholeNumber(const toml::node& node, const std::string& path, double min, double max) {
+    const std::optional<double> value = finite(node);
+    if (value && *value == std::trunc(*value) && *value >= min && *value <= max) return value;
+    refuse(node, path, fmt::format("a whole number from {}", range(min, max)));
+    return {};
+}
+
 std::optional<std::string> TomlValues::text(const toml::node& node, const std::string& path) {
     if (const auto* value = node.as_string()) return value->get();
     refuse(node, path, "a string");
@@ -152,14 +159,9 @@ void TomlValues::setting(const toml::node& node, const std::string& path, const 
             else
                 refuse(node, path, "true or false");
             return;
-        case SettingKind::Integer: {
-            const std::optional<double> value = finite(node);
-            if (value && *value == std::trunc(*value) && *value >= row.min && *value <= row.max)
-                row.set(scene, index, *value);
-            else
-                refuse(node, path, fmt::format("a whole number from {}", range(row.min, row.max)));
+        case SettingKind::Integer:
+            if (const auto value = wholeNumber(node, path, row.min, row.max)) row.set(scene, index, *value);
             return;
-        }
         case SettingKind::Number:
             if (const auto value = number(node, path, row.min, row.max)) row.set(scene, index, *value);
             return;

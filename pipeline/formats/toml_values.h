@@ -31,6 +31,7 @@ public:
 
     // `path` names the value in messages: "light.0.color".
     std::optional<double> number(const toml::node& node, const std::string& path, double min, double max);
+    std::optional<double> wholeNumber(const toml::node& node, const std::string& path, double min, double max);
     std::optional<std::string> text(const toml::node& node, const std::string& path);
     // A text for a line of a terminal or a file's name.
     std::optional<std::string> name(const toml::node& node, const std::string& path);

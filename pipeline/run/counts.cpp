@@ -75,9 +75,18 @@ std::vector<Tally> talliesOf(StageId stage, const FrameData<Real>& data) {
     return tallies;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                \
-    template std::string countsOf(StageId, const FrameData<Real>&); \
-    template std::vector<Tally> talliesOf(StageId, const FrameData<Real>&);
+template <class Real>
+std::optional<Remark> remarkOf(StageId stage, const FrameData<Real>& data) {
+    if (stage != StageId::ZBuffer || data.zBuffer->unordered == 0) return {};
+    return Remark{"split", fmt::format("The painter has given up on {} of {} pieces of triangles after too many "
+                                       "comparisons: they are painted unordered, and may hide what is nearer.",
+                                       data.zBuffer->unordered, data.zBuffer->pieces)};
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                        \
+    template std::string countsOf(StageId, const FrameData<Real>&);         \
+    template std::vector<Tally> talliesOf(StageId, const FrameData<Real>&); \
+    template std::optional<Remark> remarkOf(StageId, const FrameData<Real>&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,9 @@ std::string countsOf(StageId stage, const FrameData<Real>& data);
 // What was done and what a rule left out, element by element.
 template <class Real>
 std::vector<Tally> talliesOf(StageId stage, const FrameData<Real>& data);
+
+// Where what the stage leaves is not what was asked for: why.
+template <class Real>
+std::optional<Remark> remarkOf(StageId stage, const FrameData<Real>& data);
 
 }  // namespace pipeline

@@ -11,6 +11,7 @@
 #include "pipeline/buffers/any_buffer.h"
 #include "pipeline/plan/needs.h"
 #include "pipeline/plan/plan.h"
+#include "pipeline/scene/remark.h"
 #include "pipeline/scene/scene.h"
 
 namespace pipeline {
@@ -28,6 +29,7 @@ struct StageRun {
     double milliseconds = 0;
     std::string counts;  // "5 vertices", "3 of 5 polygons kept"
     std::vector<Tally> tallies;
+    std::optional<Remark> remark{};  // where what it leaves is not what was asked for
 };
 
 // What is asked of a frame beside the scene.

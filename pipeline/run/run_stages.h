@@ -180,6 +180,7 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
         });
         out->note = fmt::format("; {} triangles in order, {} split", order.pieces.size() - order.splits, order.splits);
         if (order.unordered > 0) out->note += fmt::format(", {} out of order", order.unordered);
+        out->unordered = order.unordered, out->pieces = order.pieces.size();
         sumCounts(*out);
         return out;
     }

@@ -171,6 +171,7 @@ private:
             if (threads.stopped()) return;
             frame.m_runs[index(id)].counts = countsOf(id, data);
             frame.m_runs[index(id)].tallies = talliesOf(id, data);
+            frame.m_runs[index(id)].remark = remarkOf(id, data);
         };
         using Data = FrameData<Real>;
         stage(StageId::Transform, &Data::transform, [&] { return runTransform<Real>(data.keys.transform, threads); });

@@ -103,7 +103,8 @@ void checkExtent(const Scene& scene, Errors& errors) {
         if (size + away <= kFarthest) continue;  // false for NaN
         std::vector<std::string> keys = keysOf("object", i, away > size ? kTranslation : kScale);
         std::ranges::move(keysOf("object", i, away > size ? kScale : kTranslation), std::back_inserter(keys));
-        refuse(errors, std::move(keys), fmt::format("object {} reaches {:.3g} world units", i, size + away),
+        refuse(errors, std::move(keys),
+               fmt::format("object {} reaches {} world units", i, textBeyond(size + away, kFarthest)),
                fmt::format("at most {}", shortestText(kFarthest)));
     }
 }

@@ -44,6 +44,7 @@ struct ZBufferOutput {
     std::shared_ptr<const SeenBlocks> seen{};  // what zView and triangle are made of, where pipeline/simd drew
     long long seenPixels = 0;                  // in which there is a triangle
     std::string note;                          // what the painter's order took; may be empty
+    std::size_t unordered = 0, pieces = 0;     // of the painter's triangles those that are not in order, and all
     std::vector<std::uint8_t> tileIsDrawn;     // per tile of kTileSize, row by row: whether a triangle touches it
     long long clipped = 0, unclipped = 0;      // triangles that went through the clipper; that did not
 };

@@ -70,11 +70,11 @@ std::optional<std::size_t> refinedAxis(const std::vector<SweepAxis>& axes);
 // samples along a side); 2^-value where the key ends in "bits". Nothing where it has none.
 std::optional<double> stepWidth(const SweepAxis& axis, const std::string& value);
 
-// A point is dominated when another one is at most as slow and at most as wrong, better in one of
-// both, and that is no accident. At most as wrong: in its error, and in the pixels that the error leaves out. No
-// accident: of times that differ by more than kSameTime the median intervals do not overlap; of times that do not, only
-// the errors count. An error of exactly 0 is better than
-// every other. Named is the dominating point with the smallest error, if possible one on the front.
+// A point is dominated when another one is at most as slow and at most as wrong, better in one of both, and that is no
+// accident. At most as wrong: in its error, and in the pixels that the error leaves out. No accident: of times that
+// differ by more than kSameTime the median intervals do not overlap; of times that do not, only the errors count. An
+// error of exactly 0 is better than every other. Named is the dominating point with the smallest error, if possible one
+// on the front.
 StudyAnalysis analyse(const StudyReport& report, const ErrorChoice& choice);
 
 // Observed order p = ln(e / e') / ln(h / h') of errors over widths, coarse to fine.

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "pipeline/core/text.h"
+#include "pipeline/plan/lit_scene.h"
 #include "pipeline/stages/view.h"
 #include "pipeline/study/sweep.h"
 
@@ -19,12 +20,20 @@ bool hasCurvedShape(const Scene& scene) {
 bool hasHighlight(const Scene& scene) {
     return std::ranges::any_of(scene.objects, [](const Object& o) { return o.material.specular != Vec3d(0); });
 }
-bool castsShadows(const Scene& scene) {
-    return scene.settings.model != Model::OpenGl &&
-           std::ranges::any_of(scene.lights, [](const Light& light) { return light.castsShadow; });
+// The first light with a shadow of its own to be wrong about.
+std::optional<std::size_t> castingLight(const Scene& scene) {
+    if (scene.settings.model == Model::OpenGl) return {};
+    const auto found = std::ranges::find_if(scene.lights, [&](const Light& light) {
+        return light.castsShadow && whyDark(light, scene.settings.model).empty();
+    });
+    if (found == scene.lights.end()) return {};
+    return static_cast<std::size_t>(found - scene.lights.begin());
 }
 
+bool isGl(const Scene& scene) { return scene.settings.model == Model::OpenGl; }
+
 constexpr const char* kPieces = "object.#.tessellation=4..64*2";
+constexpr const char* kGlExponents = "material.#.n=1..128*2";  // OpenGL refuses what is above 128
 
 using Texts = std::vector<std::string>;
 
@@ -51,18 +60,19 @@ Texts depthSweep(const Scene& scene) {
 }
 
 Texts shadowSweep(const Scene& scene) {
-    if (!castsShadows(scene)) return {};
+    if (!castingLight(scene)) return {};
     return {"shadow.filter=0,1", "shadow.size=64..2048*2"};
 }
 
 Texts specularSweep(const Scene& scene) {
     if (!hasHighlight(scene)) return {};
-    return {"shading=gouraud,phong", "material.#.n=1..4096*4"};
+    return {"shading=gouraud,phong", isGl(scene) ? kGlExponents : "material.#.n=1..4096*4"};
 }
 
 Texts powerSweep(const Scene& scene) {
     if (!hasHighlight(scene)) return {};
-    return {"numerics.power=log1p,pow,squaring,exp2,schlick,gaussian", "material.#.n=1..65536*4", "shading=phong"};
+    return {"numerics.power=log1p,pow,squaring,exp2,schlick,gaussian",
+            isGl(scene) ? kGlExponents : "material.#.n=1..65536*4", "shading=phong"};
 }
 
 Texts normalizeSweep(const Scene& scene) {
@@ -99,7 +109,7 @@ const std::array kSweeps = std::to_array<NamedSweep>({
      "Shadow buffers of more and more texels, with and without filtering.",
      {"shadow.0", "misclassified", ErrorKind::Model},
      shadowSweep,
-     "a light that casts a shadow"},
+     "a light that casts a shadow, and is not dark"},
     {"specular",
      "Sharper and sharper highlights, by vertex and by pixel.",
      {},
@@ -136,6 +146,12 @@ std::span<const NamedSweep> namedSweeps() { return kSweeps; }
 const NamedSweep* findNamedSweep(std::string_view name) {
     const auto found = std::ranges::find(kSweeps, name, &NamedSweep::name);
     return found == kSweeps.end() ? nullptr : &*found;
+}
+
+ErrorChoice choiceOf(const NamedSweep& sweep, const Scene& scene) {
+    ErrorChoice choice = sweep.choice;
+    if (choice.buffer == "shadow.0") choice.buffer = fmt::format("shadow.{}", castingLight(scene).value_or(0));
+    return choice;
 }
 
 }  // namespace pipeline

@@ -120,7 +120,7 @@ StudyReport beginStudy(const StudyRequest& request) {
         point.number = i, point.values = valuesOf(report.axes, i);
         const auto at = sceneAt(scene, report.axes, point.values);
         const Errors errors = at ? checkMemory(*at, errorsNeed()) : at.errors();
-        if (!errors.empty()) point.failure = errors.front().found;
+        if (!errors.empty()) point.failure = format(errors.front());
     }
     return report;
 }
@@ -177,7 +177,7 @@ std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene,
 
 bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token stop) {
     const auto scene = sceneAt(*m_request.scene, report.axes, point.values);
-    if (!scene) point.failure = scene.errors().front().found;
+    if (!scene) point.failure = format(scene.errors().front());
     if (!point.failure.empty()) return true;
     // Counted is the frame whose time is taken: nobody asks it for buffers.
     const FramePtr frame = frameOf(*scene, wanted(), 0, stop), plain = frameOf(*scene, {}, 0, stop);
@@ -191,7 +191,7 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token s
         if (!exact) return false;
         report.references[arithmetic] = "the same stages in quad, 113 bits";
     } else {
-        report.whyNone[arithmetic] = fmt::format("none for point {}: {}", point.number, quad.errors().front().found);
+        report.whyNone[arithmetic] = fmt::format("none for point {}: {}", point.number, format(quad.errors().front()));
     }
     report.references[index(ErrorKind::Storage)] = "what was to be stored, unrounded";
     const auto reference = modelReference(*scene, &report, stop);

@@ -135,6 +135,14 @@ std::string_view whyIdle(const Scene& scene, const SweepAxis& axis) {
     return sweptSettings(scene, axis.key)->front().setting->idle(scene);
 }
 
+// The key of a setting that both axes change: one setting may have a shorter key, and one key stand for several.
+std::optional<std::string> inBoth(const Scene& scene, const SweepAxis& a, const SweepAxis& b) {
+    const auto ofA = sweptSettings(scene, a.key), ofB = sweptSettings(scene, b.key);
+    for (const SettingRef& ref : *ofA)
+        if (std::ranges::find(*ofB, ref) != ofB->end()) return ref.key();
+    return {};
+}
+
 // Why an axis changes nothing, neither in the scene as it is nor with any choice that another axis makes, or the last
 // of its numbers.
 std::string_view whyWithoutEffect(const Scene& scene, std::span<const SweepAxis> axes, const SweepAxis& axis) {
@@ -172,13 +180,18 @@ Result<Sweep> parseSweeps(const Scene& scene, std::span<const std::string> texts
         const std::vector<std::string> axes = named->sweeps(scene);
         if (axes.empty()) return Error{{}, fmt::format("the sweep {} needs {}", named->name, named->needs), {}};
         all.insert(all.end(), axes.begin(), axes.end());
-        sweep.choice = named->choice;
+        sweep.choice = choiceOf(*named, scene);
     }
     for (const std::string& text : all) {
         auto axis = parseSweep(scene, text);
         if (!axis) return axis.errors();
-        if (std::ranges::find(sweep.axes, axis->key, &SweepAxis::key) != sweep.axes.end())
-            return Error{{}, fmt::format("{} is swept twice", axis->key), "each setting once"};
+        for (const SweepAxis& other : sweep.axes)
+            if (const auto both = inBoth(scene, other, *axis))
+                return Error{{},
+                             other.key == axis->key
+                                 ? fmt::format("{} is swept twice", axis->key)
+                                 : fmt::format("{} is swept twice, as {} and as {}", *both, other.key, axis->key),
+                             "each setting once"};
         sweep.axes.push_back(std::move(axis).value());
     }
     if (const std::size_t count = pointCount(sweep.axes); count > kMaxStudyPoints)

@@ -34,7 +34,7 @@ struct Sweep {
     std::optional<ErrorChoice> choice;  // of a ready-made sweep
 };
 // Several of them, each once, or the name of one ready-made sweep and axes to add to it. Refused as well: more points
-// than kMaxStudyPoints, and an axis without effect, whatever choice the other axes make.
+// than kMaxStudyPoints, a setting that two keys stand for, and an axis without effect, whatever choice the other axes make.
 Result<Sweep> parseSweeps(const Scene& scene, std::span<const std::string> texts);
 
 // Points of a sweep: the product of the axes, the last one fastest.
@@ -48,12 +48,14 @@ Result<Scene> sceneAt(const Scene& scene, std::span<const SweepAxis> axes, std::
 struct NamedSweep {
     std::string_view name;     // "shading"
     std::string_view meaning;  // one sentence
-    ErrorChoice choice;        // what it is about
+    ErrorChoice choice;        // what it is about; of lights the first, see choiceOf
     std::vector<std::string> (*sweeps)(
         const Scene&);       // as --sweep takes them; none where the scene has nothing to vary
     std::string_view needs;  // what the scene lacks then
 };
 std::span<const NamedSweep> namedSweeps();
 const NamedSweep* findNamedSweep(std::string_view name);
+// What it is about in this scene: of lights the first that the sweep changes anything of.
+ErrorChoice choiceOf(const NamedSweep& sweep, const Scene& scene);
 
 }  // namespace pipeline

@@ -10,6 +10,7 @@
 #include "pipeline/export/export_frame.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/run/runner.h"
+#include "tests/support/little_memory.h"
 
 namespace app {
 namespace {
@@ -98,6 +99,33 @@ TEST_F(DocumentTest, ACancelledFrameLeavesTheOneBeforeUntilItIsToGoOn) {
     EXPECT_FALSE(document.work().stopped().contains("the frame")) << "newer work is not stopped";
     ASSERT_TRUE(waitForFrame());
     EXPECT_EQ(document.frame()->scene().settings.width, 640);
+}
+
+// Of 4000 × 3000 pixels the positions and the normals are 144 MB each: neither fits into 100 MB more.
+TEST_F(DocumentTest, AFrameWithoutMemoryLeavesTheOneBeforeAndIsTold) {
+    if (!test::LittleMemory::kWorks) GTEST_SKIP() << "a sanitizer reserves more addresses than there are";
+    ASSERT_TRUE(waitForFrame());
+    const auto before = document.frame();
+    QSignalSpy told(&document, &Document::outOfMemory);
+    QObject view;
+    document.want(&view, pipeline::setOf({pipeline::BufferId::Position, pipeline::BufferId::Normal}));
+    ASSERT_TRUE(waitForFrame());
+    pipeline::Scene large = document.scene();
+    large.settings.width = 4000, large.settings.height = 3000;
+    {
+        const test::LittleMemory little(100'000'000);
+        document.replace(large, "size");
+        ASSERT_TRUE(told.wait(30000));
+        EXPECT_FALSE(document.busy());
+        EXPECT_EQ(document.frame()->scene().settings.width, before->scene().settings.width);
+        QTest::qWait(300);
+        EXPECT_EQ(told.count(), 1) << "it is not tried again by itself";
+    }
+    ++large.settings.height;
+    document.replace(large, "size");  // with memory again
+    ASSERT_TRUE(waitForFrame());
+    EXPECT_EQ(document.frame()->scene().settings.width, 4000);
+    EXPECT_EQ(told.count(), 1);
 }
 
 TEST_F(DocumentTest, RefusesWhatIsOutOfRange) {

@@ -10,6 +10,7 @@
 #include "app/panels/start_card.h"
 #include "app/panels/start_page.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/little_memory.h"
 
 namespace app {
 namespace {
@@ -82,6 +83,26 @@ TEST_F(WindowOpen, WhatCannotBeOpenedIsAnsweredWhenItIsDropped) {
     drop(window, QList{QUrl("https://example.org/a.obj")});
     EXPECT_TRUE(errors->text().contains("is no file of this machine")) << errors->text().toStdString();
     EXPECT_EQ(document().scene().name, "pyramid.scene");
+}
+
+// A z-buffer of 4000 × 3000 numbers is 48 MB, more than there are.
+TEST_F(WindowOpen, AFrameWithoutMemoryIsAnsweredAndTheWindowGoesOn) {
+    if (!test::LittleMemory::kWorks) GTEST_SKIP() << "a sanitizer reserves more addresses than there are";
+    openPyramid();
+    auto* errors = find<ErrorList>("errorList");
+    pipeline::Scene large = document().scene();
+    large.settings.width = 4000, large.settings.height = 3000;
+    {
+        const test::LittleMemory little(40'000'000);
+        document().replace(large, "size");
+        EXPECT_TRUE(QTest::qWaitFor([&] { return errors->text().contains("not enough memory"); }, 30000))
+            << errors->text().toStdString();
+    }
+    EXPECT_EQ(document().frame()->scene().settings.width, 640);
+    document().undoStack()->undo();
+    document().change(*findSetting(document().scene(), "material.0.n"), 4);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return !document().busy() && document().frame()->scene().objects[0].material.exponent == 4; }, 30000));
 }
 
 TEST_F(WindowOpen, AFileMayBeDroppedOnAnyPartOfTheWindow) {

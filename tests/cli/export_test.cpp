@@ -17,6 +17,31 @@ using test::scene;
 
 Json manifestOf(const fs::path& folder) { return Json::parse(test::readText(folder / "manifest.json")); }
 
+// A square of 2 · 128² = 32 768 triangles that faces the eye: all are as far away, so that each is compared with all that
+// come after it. 6 811 of them take 32 767 + ... + 25 957 = 199 984 582 comparisons, and the next one's pass 200 million.
+TEST(Export, SaysWhereThePainterGivesUp) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "wall.toml",
+                    "visibility = \"painter\"\nsplit = true\nshading = \"flat\"\n"
+                    "camera = { kind = \"look-at\", eye = [0, 0, 3], up = [0, 1, 0] }\n"
+                    "light = [{ position = [0, 0, 1] }]\n[[object]]\nshape = \"plane\"\ntessellation = 128\n");
+    const auto remarks = [&](const char* split) {
+        const auto done = run({"export", folder / "wall.toml", "--size", "640x480", "--set", split, "--buffers",
+                               "color", "--format", "png", "-o", folder / "out"});
+        EXPECT_EQ(done.status, 0) << done.err;
+        std::string of;
+        const Json manifest = manifestOf(folder.path() / "out");
+        for (const Json& remark : manifest["remarks"])
+            if (remark["about"] == "split") of = remark["text"];
+        EXPECT_EQ(done.err.find("split: ") != done.err.npos, !of.empty()) << done.err;
+        EXPECT_NE(done.err.find(of), done.err.npos) << done.err;
+        return of;
+    };
+    const std::string unordered = remarks("split=on");
+    EXPECT_TRUE(unordered.starts_with("The painter has given up on 25957 of 32768 pieces of triangles")) << unordered;
+    EXPECT_EQ(remarks("split=off"), "") << "nothing is compared";
+}
+
 TEST(Export, WritesWhatIsMadeFromTheFrame) {
     const test::TemporaryFolder folder;
     const auto done =

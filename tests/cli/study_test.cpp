@@ -74,6 +74,39 @@ TEST(StudyCommand, aLimitThatNoSettingKeepsIsStatus1) {
     EXPECT_EQ(merged("1"), 0);
 }
 
+// No setting has an error or a time: there is no answer, neither of the study nor of its parts put together.
+TEST(StudyCommand, ofPointsThatAllFailIsStatus1) {
+    const test::TemporaryFolder folder;
+    // The sphere is a few world units wide, and far outside the picture at 100 000.
+    const auto study = [&](const char* places, const char* out, std::vector<std::string> more) {
+        std::vector<std::string> arguments{"study",       "flat_gouraud_phong",
+                                           "--sweep",     std::string("object.0.ty=") + places,
+                                           "--size",      "48x36",
+                                           "--repeat",    "1",
+                                           "--warm-up",   "0",
+                                           "--processes", "1",
+                                           "-o",          folder / out};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return test::run(arguments);
+    };
+    const std::string none =
+        "No point of the study has both a time and an error: nothing is drawn: there is nothing to compare\n";
+    const auto all = study("1e5,2e5", "all", {});
+    EXPECT_EQ(all.status, 1) << all.err;
+    EXPECT_TRUE(all.err.ends_with(none)) << all.err;
+    EXPECT_TRUE(fs::exists(folder.path() / "all/report.html"));
+    EXPECT_FALSE(fs::exists(folder.path() / "all/study.part.json"));
+    const auto some = study("0,1e5", "some", {});
+    EXPECT_EQ(some.status, 0) << some.err;
+    EXPECT_EQ(some.err.find("No point"), some.err.npos) << some.err;
+    EXPECT_EQ(study("1e5,2e5", "parts", {"--shard", "1/2"}).status, 0) << "a part of a study answers nothing";
+    EXPECT_EQ(study("1e5,2e5", "parts", {"--shard", "2/2"}).status, 0);
+    const auto merged = test::run({"study", "merge", folder / "parts/study-1-of-2.json",
+                                   folder / "parts/study-2-of-2.json", "-o", folder / "merged"});
+    EXPECT_EQ(merged.status, 1) << merged.err;
+    EXPECT_TRUE(merged.err.ends_with(none)) << merged.err;
+}
+
 // Errors and counters depend on the point alone, not on who computes it with what others.
 TEST(StudyCommand, shardsMergeToTheSameStudy) {
     const test::TemporaryFolder whole, parts, merged;

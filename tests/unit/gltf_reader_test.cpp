@@ -166,7 +166,7 @@ TEST(GltfReader, WhatIsRefused) {
         {fileOf("nodes", R"([{"mesh": 0, "scale": [1, 1, "1"]}])"),
          "/nodes/0/scale/2 is \"1\", expected a number from -1e9 to 1e9"},
         {fileOf("nodes", R"([{"children": [1], "scale": [1e9, 1, 1]}, {"mesh": 0, "scale": [1e9, 1, 1]}])"),
-         "/nodes/1 moves a vertex to (1e+18, 0, 0), expected a number from -1e9 to 1e9"},
+         "/nodes/1 moves a vertex to (1e18, 0, 0), expected a number from -1e9 to 1e9"},
         {primitive(R"("attributes": {"POSITION": 9})"),
          "/meshes/0/primitives/0/attributes/POSITION is 9, expected an index of accessors, 0 to 2"},
         {primitive(R"("attributes": {"POSITION": 1})"),

@@ -50,7 +50,7 @@ TEST(KeyPlaces, OfATomlSceneAreThoseOfItsValues) {
     EXPECT_EQ(refusalOf(kOpenGl + "[[light]]\nspot_cutoff = 30\nspot_direction = [0, 0, 0]\n"),
               "s.toml:4:18: the spot of light 0 points nowhere, expected a direction that is not zero\n");
     EXPECT_EQ(refusalOf("[[object]]\nshape = \"box\"\ntranslation = [9e8, 9e8, 0]\n"),
-              "s.toml:3:15: object 0 reaches 1.27e+09 world units, expected at most 1e9\n");
+              "s.toml:3:15: object 0 reaches 1.27e9 world units, expected at most 1e9\n");
 }
 
 TEST(KeyPlaces, AreTheTablesWhereNoValueWasGiven) {
@@ -60,7 +60,7 @@ TEST(KeyPlaces, AreTheTablesWhereNoValueWasGiven) {
     // A mesh's own file has the exponent and the vertices; the scene names it in [[object]].
     EXPECT_EQ(refusalOf(kOpenGl + "[[object]]\nmesh = \"t.des\"\n"),
               "s.toml:2:1: material.0.n is 200, expected at most 128 in OpenGL's model\n"
-              "s.toml:2:1: object 0 reaches 1.27e+09 world units, expected at most 1e9\n");
+              "s.toml:2:1: object 0 reaches 1.27e9 world units, expected at most 1e9\n");
 }
 
 // Front and back are told apart, each with its own value and place.
@@ -88,7 +88,7 @@ TEST(KeyPlaces, OfALectureSceneAreItsNumbersAndItsObjects) {
         refusal("0, 0, 0, 100", "1e-9, 1e-9, 1e-9"),
         "s.scene:8:1: light 0 is at infinity in the direction (0, 0, 0), expected a direction that is not zero\n");
     EXPECT_EQ(refusal("1, 1, 1, 100", "1, 1, 1"),
-              "s.scene:3:1: object 0 reaches 1.27e+09 world units, expected at most 1e9\n");
+              "s.scene:3:1: object 0 reaches 1.27e9 world units, expected at most 1e9\n");
 }
 
 }  // namespace

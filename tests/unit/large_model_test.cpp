@@ -126,6 +126,7 @@ TEST_F(LargeModel, IsTheSameHoweverItIsCut) {
         {".ply", test::plyBytes(20)},
         {".stl", test::stlText(20)},
         {".stl", test::stlText(20).substr(0, 2000)},
+        {".stl", test::stlText(20, " ")},  // all on one line
         {".stl", test::stlBytes(40)},
     };
     for (const auto& [extension, text] : texts)

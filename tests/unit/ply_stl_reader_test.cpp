@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cstring>
 #include <limits>
 
@@ -263,9 +264,75 @@ TEST(StlReader, TextFilesThatAreWrong) {
               "m:5:16: found \"inf\", expected y of a vertex, a number from -1e9 to 1e9\n");
     EXPECT_EQ(errorsOf(withReplaced(textStl(), "      vertex 0 1 0\n", ""), ".stl"),
               "m:6:5: a loop of fewer than three vertices, expected three\n");
-    EXPECT_EQ(errorsOf("solid\nfacet normal 0 0 1\n", ".stl"), "m:2:1: found the end of the file, expected endsolid\n");
-    EXPECT_EQ(errorsOf("solid\nfacets\nendsolid", ".stl"),
+    EXPECT_EQ(errorsOf("solid\nfacet normal 0 0 1\n", ".stl"),
+              "m:2:19: found the end of the file, expected endsolid\n");
+    EXPECT_EQ(errorsOf("solid\nfacets normal 0 0 1\nendsolid", ".stl"),
               "m:2:1: found \"facets\", expected solid, facet, outer loop, vertex, endloop, endfacet or endsolid\n");
+}
+
+std::string onOneLine(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    return text;
+}
+
+// Words mean the same on whatever lines they stand: a facet on one line, two vertices on one, a word on each.
+TEST(StlReader, ReadsByWordsNotByLines) {
+    const auto plain = objectsOf(textStl(), ".stl");
+    const std::string body = textStl().substr(15);  // behind the line "solid part one"
+    std::string facets = body, pairs = textStl(), words = body;
+    for (std::size_t at = 0; (at = facets.find('\n', at)) != facets.npos; ++at)
+        if (!facets.substr(0, at).ends_with("endfacet")) facets[at] = ' ';
+    pairs = withReplaced(withReplaced(pairs, "vertex 0 0 0\n", "vertex 0 0 0 "), "outer loop\n", "outer loop ");
+    std::ranges::replace(words, ' ', '\n');
+    words = withReplaced(words, "endsolid\npart\none", "endsolid part one");
+    for (const std::string& text : {"solid part one\n" + facets, pairs, "solid part one\n" + words,
+                                    "solid part one\n" + onOneLine(body), onOneLine(textStl())}) {
+        const auto objects = objectsOf(text, ".stl");
+        ASSERT_EQ(objects.size(), 1u) << text;
+        EXPECT_EQ(objects[0].name, "part one") << text;
+        EXPECT_EQ(objects[0].mesh->positions, plain[0].mesh->positions) << text;
+        EXPECT_EQ(objects[0].mesh->triangles, plain[0].mesh->triangles) << text;
+    }
+    const auto two = objectsOf(onOneLine(textStl() + withReplaced(textStl(), "one", "two")), ".stl");
+    ASSERT_EQ(two.size(), 2u);
+    EXPECT_EQ(two[1].name, "part two") << "solid on the line of the endsolid before it";
+    EXPECT_TRUE(two[1].mesh->facts.closed);
+    EXPECT_EQ(objectsOf(withReplaced(textStl(), "part one", "solid facet"), ".stl")[0].name, "solid facet")
+        << "words of a name";
+}
+
+TEST(StlReader, PlacesOfWordsOnOneLine) {
+    const std::string facet = "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet ";
+    const auto objects = objectsOf("solid é " + facet + facet + "endsolid", ".stl");
+    ASSERT_EQ(objects.size(), 1u);
+    // "solid é " has 8 characters, a facet 86.
+    ASSERT_EQ(facet.size(), 86u);
+    EXPECT_EQ(objects[0].mesh->polygonPlaces, (std::vector<TextPosition>{{1, 9}, {1, 95}}));
+    // 8 + 50 characters stand before the x of the second vertex.
+    ASSERT_EQ(facet.substr(43, 8), "vertex 1");
+    EXPECT_EQ(errorsOf("solid é " + withReplaced(facet, "vertex 1 0", "vertex x 0"), ".stl"),
+              "m:1:59: found \"x\", expected x of a vertex, a number from -1e9 to 1e9\n");
+    EXPECT_EQ(errorsOf("solid\nouter loop vertex 0 0\nvertex 1 0 0\nendsolid\n", ".stl"),
+              "m:3:1: found \"vertex\", expected z of a vertex, a number from -1e9 to 1e9\n");
+    EXPECT_EQ(errorsOf("solid\nfacet normal 0 0 1 0 outer loop\nendsolid\n", ".stl"),
+              "m:2:20: found \"0\", expected solid, facet, outer loop, vertex, endloop, endfacet or endsolid\n");
+    EXPECT_EQ(errorsOf("solid " + facet + "endsolid solid b " + facet, ".stl"),
+              "m:1:196: found the end of the file, expected endsolid\n");  // after 6 + 86 + 17 + 86
+    EXPECT_EQ(errorsOf("solid\nouter loop vertex 0 0", ".stl"),
+              "m:2:22: found the end of the file, expected z of a vertex, a number from -1e9 to 1e9\n");
+}
+
+// Counting a place from the beginning of its line takes the time of the square: for 100 000 facets on one line, 8.6 MB,
+// some 4e11 characters, or minutes. Once through takes some 0.05 s.
+TEST(StlReader, AllOnOneLineTakesTheTimeOfItsLength) {
+    std::string text = "solid ";
+    for (int i = 0; i < 100'000; ++i)
+        text += "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet ";
+    const auto start = std::chrono::steady_clock::now();
+    const auto objects = objectsOf(text + "endsolid", ".stl");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    ASSERT_EQ(objects.size(), 1u);
+    EXPECT_EQ(objects[0].mesh->polygonCount(), 100'000u);
 }
 
 // Found by fuzzing: polygons after the first had the places of others.

@@ -212,7 +212,10 @@ TEST(CheckScene, RefusesWhatNoSingleSettingCan) {
     EXPECT_EQ(check([](Scene& s) { s.camera.rho = std::numeric_limits<double>::quiet_NaN(); }),
               "camera.rho is nan, expected a value from 0 to 1e9");
     EXPECT_EQ(check([](Scene& s) { s.objects[0].transform.scale.x = 2e8, s.objects[0].transform.translation.x = 9e8; }),
-              "object 0 reaches 1.1e+09 world units, expected at most 1e9");
+              "object 0 reaches 1.1e9 world units, expected at most 1e9");
+    // Its corners are within (1, 1, 0), √2 long: 1e9 to three digits, as the bound is.
+    EXPECT_EQ(check([](Scene& s) { s.objects[0].transform.translation.x = 1e9; }),
+              "object 0 reaches 1000000001 world units, expected at most 1e9");
 }
 
 }  // namespace

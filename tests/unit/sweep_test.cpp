@@ -1,6 +1,8 @@
 // Sweeps as a study takes them: keys, values, ranges, and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "pipeline/core/result.h"
 #include "pipeline/study/sweep.h"
 #include "tests/support/scenes.h"
@@ -75,6 +77,19 @@ TEST(Sweep, refusesWhatSaysNothingOrTooMuch) {
     EXPECT_NE(message("normals").find("needs a built-in shape"), std::string::npos);
     const auto twice = parseSweeps(scene, Texts{"width=4", "width=5"});
     EXPECT_EQ(format(twice.errors().front()), "width is swept twice, expected each setting once");
+    // The sphere is object 1, the pyramid no shape; "tessellation" and "object.#.tessellation" are that one setting.
+    const auto refusalOf = [](Texts texts) {
+        const auto sweep = parseSweeps(sphereScene(), texts);
+        return sweep ? "accepted" : format(sweep.errors().front());
+    };
+    EXPECT_EQ(
+        refusalOf({"tessellation=4,8", "object.#.tessellation=4,8"}),
+        "object.1.tessellation is swept twice, as tessellation and as object.#.tessellation, expected each setting "
+        "once");
+    EXPECT_EQ(refusalOf({"normals", "object.1.tessellation=5"}),
+              "object.1.tessellation is swept twice, as object.#.tessellation and as object.1.tessellation, expected "
+              "each setting once");
+    EXPECT_EQ(refusalOf({"material.0.n=4,8", "material.1.n=4,8"}), "accepted") << "of two objects";
     const auto many = parseSweeps(scene, Texts{"width=1..300", "height=1..300"});
     EXPECT_EQ(format(many.errors().front()), "the sweep has more than 10000 points, expected fewer values");
 }
@@ -103,6 +118,41 @@ TEST(Sweep, readyMadeOnesFitTheScenesThatTheyAreFor) {
         for (std::size_t i = 0; i < pointCount(sweep->axes); ++i)
             EXPECT_TRUE(sceneAt(scene, sweep->axes, valuesOf(sweep->axes, i))) << named.name << " point " << i;
     }
+}
+
+// OpenGL refuses an exponent above 128: a point with one would have no result.
+TEST(Sweep, readyMadeExponentsStayWithinWhatTheModelTakes) {
+    Scene scene = sphereScene();
+    for (Object& object : scene.objects) object.material.specular = Vec3d(0.5);
+    scene.settings.model = Model::OpenGl;
+    for (const char* name : {"specular", "power"}) {
+        const auto sweep = parseSweeps(scene, Texts{name});
+        ASSERT_TRUE(sweep) << name << ": " << format(sweep.errors());
+        const auto exponents = std::ranges::find(sweep->axes, "material.#.n", &SweepAxis::key);
+        ASSERT_NE(exponents, sweep->axes.end());
+        EXPECT_EQ(exponents->values.back(), "128") << "the sharpest highlight that there is";
+        for (std::size_t i = 0; i < pointCount(sweep->axes); ++i) {
+            const auto at = sceneAt(scene, sweep->axes, valuesOf(sweep->axes, i));
+            EXPECT_TRUE(at) << name << " point " << i << ": " << format(at.errors());
+        }
+    }
+}
+
+// Of a light without a shadow there is no error of one, and the plot would show something else instead.
+TEST(Sweep, shadowIsAboutTheFirstLightThatCastsOne) {
+    Scene scene = test::pyramid();
+    scene.lights.assign(3, scene.lights.front());
+    const auto buffer = [&] {
+        const auto sweep = parseSweeps(scene, Texts{"shadow"});
+        return sweep && sweep->choice ? sweep->choice->buffer : "refused";
+    };
+    EXPECT_EQ(buffer(), "shadow.0");
+    scene.lights[0].castsShadow = false;
+    EXPECT_EQ(buffer(), "shadow.1");
+    scene.lights[1].intensity = 0;
+    EXPECT_EQ(buffer(), "shadow.2");
+    scene.lights[2].color = Vec3d(0);
+    EXPECT_EQ(buffer(), "refused") << "no light is left";
 }
 
 }  // namespace

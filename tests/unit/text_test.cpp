@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -23,6 +24,16 @@ TEST(ShortestText, WritesWholeNumbersAndPowersPlainly) {
     EXPECT_EQ(shortestText(1e9), "1e9");
     EXPECT_EQ(shortestText(1e-9), "1e-9");
     EXPECT_EQ(shortestText(0.25), "0.25");
+}
+
+// A number that is refused beside the bound that it passes: three digits, and more where those would read as the bound.
+TEST(TextBeyond, ReadsAsAnotherNumberThanTheBound) {
+    EXPECT_EQ(textBeyond(1.2734e9, 1e9), "1.27e9");
+    EXPECT_EQ(textBeyond(1000000100.0, 1e9), "1000000100") << "the eighth digit is the first that differs";
+    EXPECT_EQ(textBeyond(-1000000100.0, -1e9), "-1000000100");
+    EXPECT_EQ(textBeyond(std::nextafter(1e9, 2e9), 1e9), "1000000000.0000001") << "2^-23 more, the next double";
+    EXPECT_EQ(textBeyond(std::numeric_limits<double>::quiet_NaN(), 1e9), "nan");
+    EXPECT_EQ(textBeyond(std::numeric_limits<double>::infinity(), 1e9), "inf");
 }
 
 TEST(InQuotes, KeepsAMessageOnOneLineAndUtf8Whole) {

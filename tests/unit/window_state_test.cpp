@@ -197,7 +197,10 @@ TEST(CueList, WhatIsWrongIsToldWithItsPlace) {
     EXPECT_TRUE(wrong("[[cue]]\nscene = \"pyramid\"\n").starts_with("a.cues:1:1: cue.0 has no name"));
     EXPECT_TRUE(wrong("[[cue]]\nname = \"a\"\nscene = \"p\"\n[[cue]]\nname = \"a\"\nscene = \"p\"\n")
                     .starts_with("a.cues:4:1: cue.1: another cue is called \"a\""));
-    EXPECT_TRUE(wrong("minutes = 0\n").starts_with("a.cues:1:11: minutes is 0, expected a number from 1 to 600"));
+    EXPECT_TRUE(wrong("minutes = 0\n").starts_with("a.cues:1:11: minutes is 0, expected a whole number from 1 to 600"));
+    // The window counts whole minutes: half of one would be gone from the talk, and from the file once it is written.
+    EXPECT_EQ(wrong("\nminutes = 22.5\n"), "a.cues:2:11: minutes is 22.5, expected a whole number from 1 to 600\n");
+    EXPECT_EQ(wrong("minutes = 45.0\n"), "");
     EXPECT_TRUE(
         wrong("[[cue]]\nname = \"a\"\nscene = \"p\"\n[[cue.view]]\nbufer = \"color\"\n").starts_with("a.cues:5:1:"));
 }

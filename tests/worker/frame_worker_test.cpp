@@ -8,6 +8,7 @@
 #include <map>
 
 #include "pipeline/formats/scene_reader.h"
+#include "tests/support/little_memory.h"
 
 namespace app {
 namespace {
@@ -129,6 +130,28 @@ TEST(FrameWorker, ACancelledFrameDoesNotComeAndTheNextOneDoes) {
         came += got.has(large);
     }
     EXPECT_LT(came, 10) << "one may be done before it is cancelled, on a busy machine";
+}
+
+// Of 4000 × 3000 pixels the positions and the normals are 144 MB each: neither fits into 100 MB more.
+TEST(FrameWorker, AFrameWithoutMemoryIsToldAndTheNextOneComes) {
+    if (!test::LittleMemory::kWorks) GTEST_SKIP() << "a sanitizer reserves more addresses than there are";
+    Deliveries got;
+    std::promise<long> failed;
+    FrameWorker worker(got.frames(), nullptr, [&](long ticket) { failed.set_value(ticket); });
+    ASSERT_TRUE(got.waitFor(worker.request(pyramid(64), color(), Running::Stop)));
+    pipeline::FrameRequest large = color();
+    large.wanted |= pipeline::setOf({pipeline::BufferId::Position, pipeline::BufferId::Normal});
+    long ticket = 0;
+    {
+        const test::LittleMemory little(100'000'000);
+        ticket = worker.request(pyramid(4000), large, Running::Stop);
+        auto told = failed.get_future();
+        ASSERT_EQ(told.wait_for(60s), std::future_status::ready);
+        EXPECT_EQ(told.get(), ticket);
+    }
+    EXPECT_FALSE(got.has(ticket));
+    ASSERT_TRUE(got.waitFor(worker.request(pyramid(64, 4), color(), Running::Stop)));
+    ASSERT_TRUE(got.waitFor(worker.request(pyramid(4000), large, Running::Stop))) << "there is memory again";
 }
 
 TEST(FrameWorker, ReusesWhatTheChangeDoesNotTouch) {
