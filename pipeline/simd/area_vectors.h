@@ -12,22 +12,29 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
+HWY_INLINE Floats3 cross(Floats3 a, Floats3 b) {
+    const auto minor = [](Floats p, Floats q, Floats r, Floats s)
+                           HWY_ATTR { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
+    return {minor(a.y, b.z, b.y, a.z), minor(a.z, b.x, b.z, a.x), minor(a.x, b.y, b.x, a.y)};
+}
+
+// What points inward of polygons, turned outward: of those whose objects are mirrored. polygonOf(l): that of lane l.
+template <class PolygonOf>
+HWY_INLINE Floats3 outward(const TransformOutput<float>& in, Floats3 sum, PolygonOf polygonOf) {
+    HWY_ALIGN float turned[16];
+    for (std::size_t l = 0; l < hn::Lanes(F()); ++l)
+        turned[l] = in.mirrored[in.topology->objectOfPolygon(polygonOf(l))] != 0 ? -1.0F : 1.0F;
+    return scaled(sum, hn::Load(F(), turned));
+}
+
 // Twice the areas of triangles along their normals, outward, as polygonNormals sums them. mirrors: in.anyMirrored(), which
 // looks at every object; toSecond, toThird: from corner 0; polygonOf(l): that of lane l.
 template <class PolygonOf>
 HWY_INLINE Floats3 areaVectors(const TransformOutput<float>& in, bool mirrors, Floats3 toSecond, Floats3 toThird,
                                PolygonOf polygonOf) {
-    const auto minor = [](Floats p, Floats q, Floats r, Floats s)
-                           HWY_ATTR { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
-    const Floats3 &a = toSecond, &b = toThird;
     // Added to zero, as the sum over a polygon's triangles is: a negative zero becomes a positive one.
-    const Floats3 sum =
-        all(Vec3<float>(0)) + Floats3{minor(a.y, b.z, b.y, a.z), minor(a.z, b.x, b.z, a.x), minor(a.x, b.y, b.x, a.y)};
-    if (!mirrors) return sum;
-    HWY_ALIGN float turned[16];
-    for (std::size_t l = 0; l < hn::Lanes(F()); ++l)
-        turned[l] = in.mirrored[in.topology->objectOfPolygon(polygonOf(l))] != 0 ? -1.0F : 1.0F;
-    return scaled(sum, hn::Load(F(), turned));
+    const Floats3 sum = all(Vec3<float>(0)) + cross(toSecond, toThird);
+    return mirrors ? outward(in, sum, polygonOf) : sum;
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

@@ -1,5 +1,6 @@
 #include "pipeline/simd/cull.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "pipeline/simd/fetch_ahead.h"
@@ -14,13 +15,41 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
+namespace {
+
+// Of as many triangles as a vector holds: twice the signed areas, steps², below 0 where they run anticlockwise on the
+// screen; and which of them are in front of every plane and so small that these hold.
+struct SnappedAreas {
+    Ints area2;
+    hn::Mask<I> isPlain;
+
+    // triangleAt(l): the one in lane l.
+    template <class TriangleAt>
+    HWY_INLINE SnappedAreas(const SnappedVertices& from, TriangleAt triangleAt) {
+        // Products of two sides stay below 2^30.
+        const Ints limit = hn::Set(I(), 1 << 15), zero = hn::Zero(I());
+        Ints x[3], y[3], beside = zero;
+        for (int i = 0; i < 3; ++i) {
+            const auto corner = loadFours(I(), [&](std::size_t l) { return &from.of[triangleAt(l).vertices[i]].x; });
+            x[i] = corner.of[0], y[i] = corner.of[1], beside = hn::Or(beside, corner.of[3]);
+        }
+        const auto extent = [&](const Ints(&c)[3]) HWY_ATTR {
+            return hn::Sub(hn::Max(c[0], hn::Max(c[1], c[2])), hn::Min(c[0], hn::Min(c[1], c[2])));
+        };
+        isPlain = hn::And(hn::Eq(beside, zero), hn::And(hn::Lt(extent(x), limit), hn::Lt(extent(y), limit)));
+        area2 = hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])),
+                        hn::Mul(hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0])));
+    }
+};
+
+}  // namespace
+
+// Of polygons that are all triangles.
 void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                    CullOutput& out) {
     const I whole;
-    const SnappedVertices& from = in.snapped;
     const std::span<const Triangle> triangles = in.topology->triangles;
-    // Products of two sides stay below 2^30.
-    const Ints limit = hn::Set(whole, 1 << 15), zero = hn::Zero(whole);
+    const Ints zero = hn::Zero(whole);
     const hn::Rebind<std::uint8_t, I> bytes;
     const auto verdict = [&](Verdict one) HWY_ATTR { return hn::Set(whole, std::int32_t(one)); };
     const Ints degenerate = verdict(Verdict::Degenerate), back = verdict(Verdict::BackFacing),
@@ -32,23 +61,13 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
     for (; base + lanes <= end; base += lanes) {
         const Triangle* const here = &triangles[base];
         fetchAhead(here, lanes);
-        Ints x[3], y[3], beside = zero;
-        for (int i = 0; i < 3; ++i) {
-            const auto corner = loadFours(whole, [&](std::size_t l) { return &from.of[here[l].vertices[i]].x; });
-            x[i] = corner.of[0], y[i] = corner.of[1], beside = hn::Or(beside, corner.of[3]);
-        }
-        const auto extent = [&](const Ints(&c)[3]) HWY_ATTR {
-            return hn::Sub(hn::Max(c[0], hn::Max(c[1], c[2])), hn::Min(c[0], hn::Min(c[1], c[2])));
-        };
-        const auto plain = hn::And(hn::Eq(beside, zero), hn::And(hn::Lt(extent(x), limit), hn::Lt(extent(y), limit)));
-        const Ints area2 = hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])),
-                                   hn::Mul(hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0])));
-        Ints front = hn::Neg(area2);
+        const SnappedAreas areas(in.snapped, [&](std::size_t l) -> const Triangle& { return here[l]; });
+        Ints front = hn::Neg(areas.area2);
         if (mirrors) {
             std::uint32_t mirrored = 0;
             for (std::size_t l = 0; l < lanes; ++l)
                 mirrored |= std::uint32_t(in.mirrored[in.topology->objectOfPolygon(base + l)] != 0) << l;
-            front = hn::IfThenElse(hn::RebindMask(whole, maskOf(mirrored)), area2, front);
+            front = hn::IfThenElse(hn::RebindMask(whole, maskOf(mirrored)), areas.area2, front);
         }
         const Ints isBack = hn::BitCast(whole, hn::ShiftRight<31>(hn::BitCast(U(), front)));
         const Ints found =
@@ -58,12 +77,53 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
         };
         put(found, &out.verdicts[base]), put(isBack, &out.isBack[base]), put(hn::Set(whole, 1), &out.inside[base]);
         // The stage's own text writes over what is not plain.
-        for (std::uint32_t rest = bitsOf(hn::Not(asFloats(plain))); rest != 0; rest &= rest - 1) {
+        for (std::uint32_t rest = bitsOf(hn::Not(asFloats(areas.isPlain))); rest != 0; rest &= rest - 1) {
             const std::size_t p = base + std::size_t(std::countr_zero(rest));
             cull(inputs, in, p, p + 1, out);
         }
     }
     cull(inputs, in, base, end, out);
+}
+
+// Of any polygons: what their triangles have is summed. As many triangles at a time as there is room for; a polygon of more
+// is left to the stage's own text.
+void cullSums(const CullInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
+              CullOutput& out) {
+    constexpr std::size_t kRoom = 256;
+    const Topology& topology = *in.topology;
+    const std::span<const Triangle> triangles = topology.triangles;
+    HWY_ALIGN std::int32_t area2[kRoom], plain[kRoom];
+    for (std::size_t polygon = begin; polygon < end;) {
+        const std::size_t first = topology.firstTriangleOf(polygon);
+        std::size_t next = polygon, last = first;
+        while (next < end && last + topology.triangleCountOf(next) <= first + kRoom)
+            last += topology.triangleCountOf(next++);
+        if (next == polygon) {
+            cull(inputs, in, polygon, polygon + 1, out), ++polygon;
+            continue;
+        }
+        for (std::size_t t = first; t < last; t += hn::Lanes(I())) {
+            const SnappedAreas areas(
+                in.snapped, [&](std::size_t l) -> const Triangle& { return triangles[std::min(t + l, last - 1)]; });
+            hn::Store(areas.area2, I(), area2 + (t - first));
+            hn::Store(hn::VecFromMask(I(), areas.isPlain), I(), plain + (t - first));
+        }
+        for (std::size_t t = 0; polygon < next; ++polygon) {
+            std::int64_t front = 0;
+            bool covers = false, isPlain = true;
+            for (const std::size_t behind = t + topology.triangleCountOf(polygon); t < behind; ++t)
+                front -= area2[t], covers = covers || area2[t] != 0, isPlain = isPlain && plain[t] != 0;
+            if (!isPlain) {
+                cull(inputs, in, polygon, polygon + 1, out);
+                continue;
+            }
+            if (in.mirrored[topology.objectOfPolygon(polygon)]) front = -front;
+            out.isBack[polygon] = front < 0, out.inside[polygon] = 1;
+            out.verdicts[polygon] = !covers                                      ? Verdict::Degenerate
+                                    : front < 0 && inputs.mode == CullMode::Back ? Verdict::BackFacing
+                                                                                 : Verdict::Kept;
+        }
+    }
 }
 
 }  // namespace pipeline::HWY_NAMESPACE
@@ -73,13 +133,16 @@ HWY_AFTER_NAMESPACE();
 namespace pipeline {
 
 HWY_EXPORT(cullTriangles);
+HWY_EXPORT(cullSums);
 
 void cullInVectors(const CullInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
                    CullOutput& out) {
-    // Where a polygon is a triangle, it is the one of its number.
-    const bool triangles = in.topology->triangles.size() == in.topology->polygonCount();
-    if (!triangles || in.snapped.of.empty() || !in.transparent.empty()) return cull(inputs, in, begin, end, out);
-    HWY_DYNAMIC_DISPATCH(cullTriangles)(inputs, in, begin, end, out);
+    if (in.snapped.of.empty() || !in.transparent.empty()) return cull(inputs, in, begin, end, out);
+    // Where every polygon is a triangle, it is the one of its number.
+    if (in.topology->triangles.size() == in.topology->polygonCount())
+        HWY_DYNAMIC_DISPATCH(cullTriangles)(inputs, in, begin, end, out);
+    else
+        HWY_DYNAMIC_DISPATCH(cullSums)(inputs, in, begin, end, out);
 }
 
 }  // namespace pipeline

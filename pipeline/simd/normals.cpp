@@ -1,5 +1,7 @@
 #include "pipeline/simd/normals.h"
 
+#include <algorithm>
+
 #include "pipeline/simd/fetch_ahead.h"
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
@@ -36,6 +38,49 @@ void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& 
         };
         const Floats3 origin = corner(0), a = corner(1) - origin, b = corner(2) - origin;
         const Floats3 sum = areaVectors(in, mirrors, a, b, [&](std::size_t l) { return base + l; });
+        if (!out.weighted.empty()) hn::StoreInterleaved3(sum.x, sum.y, sum.z, F(), &out.weighted[base].x);
+        storeUnit(sum, &out.polygon[base].x);
+    }
+    polygonNormals(inputs, in, base, end, out);
+}
+
+// Of polygons of which some are no triangles, as many at a time as a vector holds; those of many corners are left to the
+// stage's own text, for the others would wait for them.
+void polygonSums(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin, std::size_t end,
+                 NormalsOutput<float>& out) {
+    constexpr std::size_t kMostCorners = 8;
+    const std::size_t lanes = hn::Lanes(F());
+    const bool mirrors = in.anyMirrored();
+    std::size_t base = begin;
+    for (; base + lanes <= end; base += lanes) {
+        Topology::Corners corners[16];
+        HWY_ALIGN std::int32_t counts[16];
+        std::size_t most = 0;
+        for (std::size_t l = 0; l < lanes; ++l) {
+            corners[l] = in.topology->corners(base + l);
+            counts[l] = std::int32_t(std::min(corners[l].size(), kMostCorners + 1)),
+            most = std::max(most, corners[l].size());
+        }
+        if (most > kMostCorners) {
+            polygonNormals(inputs, in, base, base + lanes, out);
+            continue;
+        }
+        const Ints count = hn::Load(I(), counts);
+        // Of corner i; where a polygon has no more, its last.
+        const auto corner = [&](std::size_t i) HWY_ATTR {
+            return loadThrees(in.world, [&](std::size_t l) { return corners[l][std::min(i, corners[l].size() - 1)]; });
+        };
+        const Floats3 origin = corner(0);
+        Floats3 sum = all(Vec3<float>(0)), before = corner(1) - origin;
+        for (std::size_t i = 2; i < most; ++i) {
+            const Floats3 here = corner(i) - origin;
+            const Mask isThere = asFloats(hn::Gt(count, hn::Set(I(), std::int32_t(i))));
+            const Floats3 more = sum + cross(before, here);
+            sum = {hn::IfThenElse(isThere, more.x, sum.x), hn::IfThenElse(isThere, more.y, sum.y),
+                   hn::IfThenElse(isThere, more.z, sum.z)};
+            before = here;
+        }
+        if (mirrors) sum = outward(in, sum, [&](std::size_t l) { return base + l; });
         if (!out.weighted.empty()) hn::StoreInterleaved3(sum.x, sum.y, sum.z, F(), &out.weighted[base].x);
         storeUnit(sum, &out.polygon[base].x);
     }
@@ -92,15 +137,18 @@ HWY_AFTER_NAMESPACE();
 namespace pipeline {
 
 HWY_EXPORT(triangleNormals);
+HWY_EXPORT(polygonSums);
 HWY_EXPORT(unitSums);
 HWY_EXPORT(unitGiven);
 
 void polygonNormalsInVectors(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t begin,
                              std::size_t end, NormalsOutput<float>& out) {
-    const bool triangles = in.topology->triangles.size() == in.topology->polygonCount();
     const bool stable = inputs.form == PolygonNormalForm::Newell && inputs.unit == UnitForm::Scaled;
-    if (!triangles || !stable) return polygonNormals(inputs, in, begin, end, out);
-    HWY_DYNAMIC_DISPATCH(triangleNormals)(inputs, in, begin, end, out);
+    if (!stable) return polygonNormals(inputs, in, begin, end, out);
+    if (in.topology->triangles.size() == in.topology->polygonCount())
+        HWY_DYNAMIC_DISPATCH(triangleNormals)(inputs, in, begin, end, out);
+    else
+        HWY_DYNAMIC_DISPATCH(polygonSums)(inputs, in, begin, end, out);
 }
 
 void unitVertexNormalsInVectors(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t object,

@@ -3,6 +3,7 @@
 #include <hwy/targets.h>
 
 #include <cstring>
+#include <numbers>
 #include <numeric>
 #include <random>
 #include <set>
@@ -100,6 +101,42 @@ TEST(Vectors, RasterizeToTheSameBits) {
         for (Object& object : random.objects) object.material.alpha = 1;
         if (random.settings.antialiasing == 1) expectTheSameBits(random);
     }
+}
+
+// Polygons of three corners and more side by side, one of so many that its triangles do not fit into the room for sums, some
+// of them turned inside out, thin as a line, or behind the eye; and once more mirrored.
+Scene polygonsOfAllSizes() {
+    Scene scene = spheres();
+    Mesh mesh;
+    const auto add = [&](std::size_t corners, Vec3d middle, double radius, double width, bool turned) {
+        std::vector<std::uint32_t> polygon;
+        for (std::size_t i = 0; i < corners; ++i) {
+            const double angle = (turned ? -1 : 1) * 2 * std::numbers::pi * double(i) / double(corners);
+            polygon.push_back(std::uint32_t(mesh.positions.size()));
+            mesh.positions.push_back(
+                middle + radius * Vec3d(std::cos(angle), width * std::sin(angle), 0.1 * std::sin(3 * angle)));
+        }
+        mesh.addPolygon(polygon);
+    };
+    for (std::size_t n = 0; n < 300; ++n) {
+        const std::size_t corners = n == 100 ? 300 : n == 200 ? 258 : n % 40 == 7 ? 12 : 3 + n % 4;
+        add(corners, Vec3d(double(n % 20) - 10, double(n / 20) - 7, double(n % 3) * 40 - 40), 0.1 + double(n % 5),
+            n % 11 == 0 ? 0 : 1, n % 2 == 0);
+    }
+    scene.objects.resize(1);
+    scene.objects[0].mesh = makeMesh(std::move(mesh));
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].transform.scale.x = -scene.objects[1].transform.scale.x;
+    return scene;
+}
+
+TEST(Vectors, CullPolygonsOfAnyNumberOfCornersToTheSameBits) {
+    Scene scene = polygonsOfAllSizes();
+    for (const CullMode cull : {CullMode::Back, CullMode::None})
+        for (const Shading shading : {Shading::Flat, Shading::Gouraud}) {
+            scene.settings.cull = cull, scene.settings.shading = shading;
+            expectTheSameBits(scene);
+        }
 }
 
 // Of as many points as are left over behind any vector, of which some have the largest and the smallest numbers.
@@ -368,6 +405,7 @@ TEST(Vectors, HaveTheSameBitsInEveryWidth) {
         SCOPED_TRACE(hwy::TargetName(target));
         widths.insert(vectorLanes());
         expectTheSameBits(phong);
+        expectTheSameBits(polygonsOfAllSizes());
         EXPECT_TRUE(expectTheSameShading(phong, test::everyBuffer()));
         EXPECT_TRUE(expectTheSameShading(gouraud, withoutVectors()));
         EXPECT_TRUE(expectTheSameShading(area, test::everyBuffer()));
