@@ -80,8 +80,8 @@ void forEachCovered(const SnappedTriangle& t, Tile tile, Visit visit) {
 }
 
 // w over a triangle as it is linear in the picture: at the first pixel of its first block of 4 × 4 pixels, and what a step
-// to the right and one down add. Found at the first pixel of a pixel's block, and stepped from there, so that all of
-// a block are one sum away from a number they share. Each number is rounded four times, in relation to what `isFlat` bounds.
+// to the right and one down add. Found at the first pixel of a pixel's block, and stepped from there, so that all of a block
+// are one sum away from a number they share.
 template <class Real>
 struct PlaneEquation {
     Real first = 0, column = 0, row = 0;

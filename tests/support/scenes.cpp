@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 namespace test {
 
@@ -295,6 +296,33 @@ std::string firstDifference(const Frame& a, const Frame& b, BufferSet compared) 
         }
     }
     return {};
+}
+
+// Polygons of three corners and more side by side, one of so many that its triangles do not fit into the room for sums, some
+// of them turned inside out, thin as a line, or behind the eye; and once more mirrored.
+Scene polygonsOfAllSizes() {
+    Scene scene = spheres();
+    Mesh mesh;
+    const auto add = [&](std::size_t corners, Vec3d middle, double radius, double width, bool turned) {
+        std::vector<std::uint32_t> polygon;
+        for (std::size_t i = 0; i < corners; ++i) {
+            const double angle = (turned ? -1 : 1) * 2 * std::numbers::pi * double(i) / double(corners);
+            polygon.push_back(std::uint32_t(mesh.positions.size()));
+            mesh.positions.push_back(
+                middle + radius * Vec3d(std::cos(angle), width * std::sin(angle), 0.1 * std::sin(3 * angle)));
+        }
+        mesh.addPolygon(polygon);
+    };
+    for (std::size_t n = 0; n < 300; ++n) {
+        const std::size_t corners = n == 100 ? 300 : n == 200 ? 258 : n % 40 == 7 ? 12 : 3 + n % 4;
+        add(corners, Vec3d(double(n % 20) - 10, double(n / 20) - 7, double(n % 3) * 40 - 40), 0.1 + double(n % 5),
+            n % 11 == 0 ? 0 : 1, n % 2 == 0);
+    }
+    scene.objects.resize(1);
+    scene.objects[0].mesh = makeMesh(std::move(mesh));
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].transform.scale.x = -scene.objects[1].transform.scale.x;
+    return scene;
 }
 
 }  // namespace test

@@ -135,6 +135,9 @@ inline FramePtr frameOf(const Scene& scene, BufferSet wanted = everyBuffer(), in
     return runFrame(std::make_shared<const Scene>(scene), request, before);
 }
 
+// Polygons of three corners and more side by side, of one object and once more mirrored.
+Scene polygonsOfAllSizes();
+
 // A scene of spheres, boxes, loose polygons, lights and a camera, different for every seed.
 Scene randomScene(unsigned seed);
 

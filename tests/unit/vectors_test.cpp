@@ -3,7 +3,6 @@
 #include <hwy/targets.h>
 
 #include <cstring>
-#include <numbers>
 #include <numeric>
 #include <random>
 #include <set>
@@ -18,6 +17,7 @@
 namespace pipeline {
 namespace {
 
+using test::polygonsOfAllSizes;
 using test::spheres;
 
 // The stages' own text, a pixel at a time, against the vectors that the runner takes in float.
@@ -103,33 +103,6 @@ TEST(Vectors, RasterizeToTheSameBits) {
     }
 }
 
-// Polygons of three corners and more side by side, one of so many that its triangles do not fit into the room for sums, some
-// of them turned inside out, thin as a line, or behind the eye; and once more mirrored.
-Scene polygonsOfAllSizes() {
-    Scene scene = spheres();
-    Mesh mesh;
-    const auto add = [&](std::size_t corners, Vec3d middle, double radius, double width, bool turned) {
-        std::vector<std::uint32_t> polygon;
-        for (std::size_t i = 0; i < corners; ++i) {
-            const double angle = (turned ? -1 : 1) * 2 * std::numbers::pi * double(i) / double(corners);
-            polygon.push_back(std::uint32_t(mesh.positions.size()));
-            mesh.positions.push_back(
-                middle + radius * Vec3d(std::cos(angle), width * std::sin(angle), 0.1 * std::sin(3 * angle)));
-        }
-        mesh.addPolygon(polygon);
-    };
-    for (std::size_t n = 0; n < 300; ++n) {
-        const std::size_t corners = n == 100 ? 300 : n == 200 ? 258 : n % 40 == 7 ? 12 : 3 + n % 4;
-        add(corners, Vec3d(double(n % 20) - 10, double(n / 20) - 7, double(n % 3) * 40 - 40), 0.1 + double(n % 5),
-            n % 11 == 0 ? 0 : 1, n % 2 == 0);
-    }
-    scene.objects.resize(1);
-    scene.objects[0].mesh = makeMesh(std::move(mesh));
-    scene.objects.push_back(scene.objects[0]);
-    scene.objects[1].transform.scale.x = -scene.objects[1].transform.scale.x;
-    return scene;
-}
-
 TEST(Vectors, CullPolygonsOfAnyNumberOfCornersToTheSameBits) {
     Scene scene = polygonsOfAllSizes();
     for (const CullMode cull : {CullMode::Back, CullMode::None})
@@ -137,25 +110,6 @@ TEST(Vectors, CullPolygonsOfAnyNumberOfCornersToTheSameBits) {
             scene.settings.cull = cull, scene.settings.shading = shading;
             expectTheSameBits(scene);
         }
-}
-
-// Of as many points as are left over behind any vector, of which some have the largest and the smallest numbers.
-TEST(Vectors, FindTheSameBounds) {
-    std::mt19937 random(3);
-    const auto component = [&] {
-        const float magnitudes[]{1, 1e-40F, 1e30F, 0};
-        return std::uniform_real_distribution<float>(-1, 1)(random) * magnitudes[random() % 4];
-    };
-    View view;
-    view.eye = {0.5, -3, 1e10}, view.right = {0.6, 0.8, 0}, view.up = {0, 0, -1}, view.forward = {-0.8, 0.6, 0};
-    for (std::size_t count = 0; count < 70; ++count) {
-        std::vector<Vec3<float>> points(count);
-        for (Vec3<float>& point : points) point = {component(), component(), component()};
-        const Bounds one = boundsIn<float>(view, points), several = boundsInVectors(view, points);
-        EXPECT_EQ(one.low, several.low) << count;
-        EXPECT_EQ(one.high, several.high) << count;
-        EXPECT_EQ(largestIn<float>(points), largestInVectors(points)) << count;
-    }
 }
 
 // 4 * 64 quadrilaterals around and 2 * 64 upwards are 64,512 triangles: set up in several pieces.
