@@ -25,7 +25,6 @@ HWY_INLINE Ints columnOf(int first) { return hn::Load(I(), kColumns + first); }
 HWY_INLINE Ints rowOf(int first) { return hn::Load(I(), kRows + first); }
 
 constexpr int kLanes = int(hn::MaxLanes(F())), kVectors = kBlockPixels / kLanes;  // of a vector; of a block
-constexpr int kWide = std::min(kLanes, kBlock), kHigh = kLanes / kWide;           // pixels of a vector
 
 // A vector of a tile.
 struct VectorPlace {

@@ -18,8 +18,6 @@ struct PlanesInVectors {
 };
 
 // What planeEquation finds in double, in its order: of a grid of steps every number is that of its units times a power of 2.
-// A difference of two w and a side of the triangle have too few bits for their product to be rounded, wherever the plane
-// holds: to multiply and add at once leaves the same bits.
 template <class D>
 struct PlanesInDouble {
     using V = hn::Vec<D>;
@@ -33,7 +31,7 @@ struct PlanesInDouble {
         const V inverse = hn::Div(hn::Set(d, 1), wide(area)), w0 = wide(w[0]);
         const V one = hn::Sub(wide(w[1]), w0), two = hn::Sub(wide(w[2]), w0);
         const auto slope = [&](H p20, H p01) HWY_ATTR {
-            return hn::Mul(hn::MulAdd(one, wide(p20), hn::Mul(two, wide(p01))), inverse);
+            return hn::Mul(hn::Add(hn::Mul(one, wide(p20)), hn::Mul(two, wide(p01))), inverse);
         };
         column = slope(hn::Sub(y[2], y[0]), hn::Sub(y[0], y[1])), row = slope(hn::Sub(x[0], x[2]), hn::Sub(x[1], x[0]));
         first = hn::Add(w0, hn::Add(hn::Mul(column, wide(hn::Sub(atX, x[0]))), hn::Mul(row, wide(hn::Sub(atY, y[0])))));

@@ -221,8 +221,9 @@ public:
     // Whether no pixel of a triangle whose corners have w from `low` to `high` can be nearer than what is there; box: its
     // pixels.
     bool hides(float low, float high, Tile box, Tile tile, bool perspective) const {
-        // w errs by less than 2^-20 of the largest |w|: by the plane's 3 + 8 kSteepest halves of its last place, and by
-        // fewer with weights. The reciprocal errs by twice as much.
+        // w errs by less than 2^-19 of the largest |w|: the plane's by 3 + 8 kSteepest halves of a last place; that of
+        // weights by two products and three sums of at most twice as much, and shares with four roundings. The reciprocal
+        // errs by twice as much.
         static_assert(kSteepest <= 1);
         const float nearest =
             perspective ? (1 - 0x1p-18F) / high : low - 0x1p-19F * std::max(std::abs(low), std::abs(high));

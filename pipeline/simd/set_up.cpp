@@ -175,15 +175,16 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     found.others = live & ~found.drawn;
     if (found.drawn == 0) return found;
 
-    // SnappedTriangle::pixels, within the picture.
+    // SnappedTriangle::pixels, and what of them is within the picture.
     const int bits = in.vertices.bits;
     const Ints half = hn::Set(whole, 1 << (bits - 1));
-    const auto pixelsBelow = [&](Ints steps) HWY_ATTR { return hn::ShiftRightSame(hn::Sub(steps, half), bits); };
-    const auto firstFrom = [&](Ints steps)
-                               HWY_ATTR { return hn::Max(zero, hn::Add(pixelsBelow(hn::Sub(steps, one)), one)); };
-    const Ints minX = firstFrom(lowX), minY = firstFrom(lowY);
-    const Ints maxX = hn::Min(hn::Add(pixelsBelow(highX), one), hn::Set(whole, in.view.size.x));
-    const Ints maxY = hn::Min(hn::Add(pixelsBelow(highY), one), hn::Set(whole, in.view.size.y));
+    const auto behind = [&](Ints steps)
+                            HWY_ATTR { return hn::Add(hn::ShiftRightSame(hn::Sub(steps, half), bits), one); };
+    const Ints fromX = behind(hn::Sub(lowX, one)), fromY = behind(hn::Sub(lowY, one));
+    const Ints toX = behind(highX), toY = behind(highY);
+    const Ints minX = hn::Max(zero, fromX), minY = hn::Max(zero, fromY);
+    const Ints maxX = hn::Min(toX, hn::Set(whole, in.view.size.x));
+    const Ints maxY = hn::Min(toY, hn::Set(whole, in.view.size.y));
     const Ints area = corners.area2(), size = hn::Abs(area);
     const auto seen = hn::And(hn::Ne(area, zero), hn::And(hn::Lt(minX, maxX), hn::Lt(minY, maxY)));
     const Mask turned = asFloats(hn::Lt(area, zero));
@@ -203,10 +204,7 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     const Ints width = hn::Sub(maxX, minX), height = hn::Sub(maxY, minY);
 
     // Of the whole box, of which a border of the picture may cut a part.
-    const Ints fromX = hn::Add(pixelsBelow(hn::Sub(lowX, one)), one),
-               fromY = hn::Add(pixelsBelow(hn::Sub(lowY, one)), one);
-    const Ints across = hn::Sub(hn::Add(pixelsBelow(highX), one), fromX);
-    const Ints down = hn::Sub(hn::Add(pixelsBelow(highY), one), fromY);
+    const Ints across = hn::Sub(toX, fromX), down = hn::Sub(toY, fromY);
     const auto areWithin = [&](int side) HWY_ATTR {
         const Ints beyond = hn::Set(whole, side + 1);
         return bitsOf(asFloats(hn::And(hn::Lt(across, beyond), hn::Lt(down, beyond)))) & drawn;

@@ -12,7 +12,8 @@ namespace pipeline {
 
 // The triangles of a picture, set up and sorted into its tiles: what binTriangles does, many triangles at a time, from
 // vertices that have been projected before. Of a triangle whose edge functions fit into 32 bits, and w into a plane, a
-// record is kept until it is drawn; of a tiny one its fragments are, which take less room, and less time than its edge functions once more.
+// record is kept until it is drawn; of a tiny one its fragments are, which take less room, and less time than its edge
+// functions once more.
 
 // Edge functions in steps² of the grid, c at the first pixel of its box, a more at the next column, b at the next row.
 // The one of corner 0 is its triangle's area, doubled, - e1 - e2. Corners as in RasterTriangle: clockwise, the farthest
