@@ -71,7 +71,7 @@ ScreenArea screenArea(const TransformOutput<Real>& in, std::size_t polygon, bool
         const auto& v = in.topology->triangles[t].vertices;
         area2 += setUpTriangle<Real>(
             in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, std::uint32_t(t),
-            [&](const RasterTriangle<Real>&) { covers = true; }, inside);
+            [&](const RasterTriangle<Real>&) { covers = true; }, inside, false);
     }
     if (in.mirrored[in.topology->objectOfPolygon(polygon)]) area2 = -area2;
     return {double(area2) / (2.0 * double(kSubPixels * kSubPixels)), covers};

@@ -141,10 +141,10 @@ struct RasterTriangle {
 // Clips a triangle, projects and snaps it (in double or better, so that a corner falls on the same grid point
 // whether or not its triangle was cut), and calls emit(RasterTriangle) for each piece with area.
 // Returns the sum of the pieces' signed areas, 2^-32 px², positive for a front face
-// (counter-clockwise as seen). inside: the triangle is known to need no clipping.
+// (counter-clockwise as seen). inside: the triangle is known to need no clipping. drawn: else the pieces have no plane.
 template <class Real, class Emit>
 std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& corners, std::uint32_t id, Emit emit,
-                           bool inside = false) {
+                           bool inside = false, bool drawn = true) {
     using W = AtLeastDouble<Real>;
     const std::array<Vec3<W>, 3> exact{Vec3<W>(corners[0]), Vec3<W>(corners[1]), Vec3<W>(corners[2])};
     const ClippedTriangle<W> clipped = inside ? wholeTriangle(exact) : clipTriangle(view, exact);
@@ -178,7 +178,7 @@ std::int64_t setUpTriangle(const View& view, const std::array<Vec3<Real>, 3>& co
         }
         out.exactInverseArea2 = 1 / abs(W(area2));
         out.inverseArea2 = Real(out.exactInverseArea2);
-        out.plane = planeEquation<W>(out.snapped, out.w, view.perspective);
+        if (drawn) out.plane = planeEquation<W>(out.snapped, out.w, view.perspective);
         out.id = id;
         emit(out);
     }
