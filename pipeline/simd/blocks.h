@@ -26,16 +26,21 @@ HWY_INLINE Ints rowOf(int first) { return hn::Load(I(), kRows + first); }
 
 constexpr int kLanes = int(hn::MaxLanes(F())), kVectors = kBlockPixels / kLanes;  // of a vector; of a block
 
-// A vector of a tile.
+// A vector of a tile. Where its pixels stand: what their block begins with, and what they have more.
 struct VectorPlace {
     std::uint32_t at;  // of its first pixel in the tile's blocks
-    Ints column, row;  // of its pixels in the tile
-    HWY_INLINE explicit VectorPlace(std::size_t place) : at(std::uint32_t(place)) {
+    HWY_INLINE explicit VectorPlace(std::size_t place) : at(std::uint32_t(place)) {}
+    HWY_INLINE glm::ivec2 block() const {  // its first pixel, in the tile
         constexpr std::uint32_t kAcross = kBlocksAcross, kPixels = kBlockPixels;
-        const std::uint32_t block = at / kPixels;
-        const int first = kVectors == 1 ? 0 : int(at % kPixels);
-        column = hn::Add(columnOf(first), hn::Set(I(), int(block % kAcross) * kBlock));
-        row = hn::Add(rowOf(first), hn::Set(I(), int(block / kAcross) * kBlock));
+        return glm::ivec2(at / kPixels % kAcross, at / kPixels / kAcross) * kBlock;
+    }
+    HWY_INLINE Ints columnInBlock() const { return columnOf(first()); }
+    HWY_INLINE Ints rowInBlock() const { return rowOf(first()); }
+    HWY_INLINE Ints column() const { return hn::Add(columnInBlock(), hn::Set(I(), block().x)); }
+    HWY_INLINE Ints row() const { return hn::Add(rowInBlock(), hn::Set(I(), block().y)); }
+
+    HWY_INLINE int first() const {  // in its block
+        return kVectors == 1 ? 0 : int(at % std::uint32_t(kBlockPixels));
     }
 };
 
@@ -47,9 +52,13 @@ struct PixelFunction {
         using Wraps = std::uint32_t;
         return std::int32_t(Wraps(value) + Wraps(column) * Wraps(x) + Wraps(row) * Wraps(y));
     }
+    // More than at the first pixel of a block, in these columns and rows of it.
+    HWY_INLINE Ints inBlock(Ints columns, Ints rows) const {
+        return hn::Add(hn::Mul(hn::Set(I(), column), columns), hn::Mul(hn::Set(I(), row), rows));
+    }
     HWY_INLINE Ints in(const VectorPlace& place) const {
-        const Ints right = hn::Mul(hn::Set(I(), column), place.column), down = hn::Mul(hn::Set(I(), row), place.row);
-        return hn::Add(hn::Add(right, down), hn::Set(I(), value));
+        const glm::ivec2 block = place.block();
+        return hn::Add(inBlock(place.columnInBlock(), place.rowInBlock()), hn::Set(I(), atPixel(block.x, block.y)));
     }
 };
 
@@ -88,9 +97,8 @@ public:
     // What pixels have more than the first one of their block, in these columns and rows of it.
     HWY_INLINE Floats within(Ints column, Ints row) const { return sum(column, row); }
     HWY_INLINE Floats at(const VectorPlace& place) const {
-        const Ints mask = hn::Set(I(), kBlock - 1);
-        return hn::Add(atBlocks(hn::AndNot(mask, place.column), hn::AndNot(mask, place.row)),
-                       within(hn::And(place.column, mask), hn::And(place.row, mask)));
+        const glm::ivec2 block = place.block();
+        return hn::Add(all(atBlock(block.x, block.y)), within(place.columnInBlock(), place.rowInBlock()));
     }
 
 private:
@@ -236,7 +244,7 @@ public:
         return {value, m_column, m_row};
     }
     HWY_INLINE EdgesAt at(const VectorPlace& place) const {
-        const Ints column = place.column, row = place.row;
+        const Ints column = place.column(), row = place.row();
         const Floats inverse = all(m_inverse);
 #if HWY_TARGET == HWY_SCALAR  // whose vectors of one number have no halves
         const auto here = edges(column, row);
@@ -254,11 +262,11 @@ public:
     // l_i alone.
     HWY_INLINE Floats linear(int i, const VectorPlace& place) const {
 #if HWY_TARGET == HWY_SCALAR
-        return hn::Mul(hn::DemoteTo(H(), edge(i, place.column, place.row)), all(m_inverse));
+        return hn::Mul(hn::DemoteTo(H(), edge(i, place.column(), place.row())), all(m_inverse));
 #else
         const hn::Half<I> half;
-        const auto low = edge(i, hn::LowerHalf(half, place.column), hn::LowerHalf(half, place.row));
-        const auto high = edge(i, hn::UpperHalf(half, place.column), hn::UpperHalf(half, place.row));
+        const auto low = edge(i, hn::LowerHalf(half, place.column()), hn::LowerHalf(half, place.row()));
+        const auto high = edge(i, hn::UpperHalf(half, place.column()), hn::UpperHalf(half, place.row()));
         return hn::Mul(hn::Combine(F(), hn::DemoteTo(H(), high), hn::DemoteTo(H(), low)), all(m_inverse));
 #endif
     }
@@ -319,8 +327,8 @@ HWY_INLINE std::size_t placeOf(glm::ivec2 pixel) { return placeOf(std::uint32_t(
 // Blocks reach beyond a picture whose size 4 does not divide: those of their pixels count for nothing.
 HWY_INLINE Mask within(Tile tile, std::size_t at) {
     const VectorPlace place(at);
-    return hn::RebindMask(F(), hn::And(hn::Lt(place.column, hn::Set(I(), tile.max.x - tile.min.x)),
-                                       hn::Lt(place.row, hn::Set(I(), tile.max.y - tile.min.y))));
+    return hn::RebindMask(F(), hn::And(hn::Lt(place.column(), hn::Set(I(), tile.max.x - tile.min.x)),
+                                       hn::Lt(place.row(), hn::Set(I(), tile.max.y - tile.min.y))));
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

@@ -44,18 +44,21 @@ HWY_INLINE void putPixels(Floats value, Mask mask, std::size_t at, glm::ivec2 or
     }
 }
 
-// The colors of a row of blocks: four rows of a tile's pixels. 0 where none is put.
+// A row of blocks of the frame buffer, to be written from left to right.
 class ColorRows {
 public:
-    // isFull: every block is put.
-    HWY_INLINE explicit ColorRows(bool isFull) {
-        if (!isFull) std::memset(m_rows, 0, sizeof m_rows);
-    }
-    // Channels in the lowest bytes of each, of the vector at `at` of the row of blocks.
+    // y: the first row's, in the tile.
+    HWY_INLINE ColorRows(Tile tile, int y, Buffer2D<Color8>& out)
+        : m_first(&out.at(tile.min + glm::ivec2(0, y)).r),
+          m_stride(std::size_t(out.size.x) * sizeof(Color8)),
+          m_size(tile.max - tile.min - glm::ivec2(0, y)),
+          m_next(m_size.x - 2 * kBlock + 1) {}
+    // Channels in the lowest bytes of each, of the vector at `at` of the row of blocks. The highest byte is 0.
     HWY_INLINE void put(Ints colors, std::size_t at) {
+        const int column = int(at / kBlockPixels) * kBlock + int(at % kBlock), row = int(at % kBlockPixels) / kBlock;
 #if HWY_TARGET == HWY_SCALAR
         const std::int32_t color = hn::GetLane(colors);
-        std::memcpy(place(at), &color, sizeof(Color8));
+        if (column < m_size.x && row < m_size.y) std::memcpy(place(column, row), &color, sizeof(Color8));
 #else
         // Rows of 4 pixels, of whose 4 bytes each 3 are kept, and 0 where the next block begins, which is put later.
         constexpr hn::Repartition<std::uint8_t, I> bytes;
@@ -63,25 +66,27 @@ public:
         const auto packed = hn::TableLookupBytes(hn::BitCast(bytes, colors), hn::LoadDup128(bytes, kKept));
         HWY_ALIGN std::uint8_t rows[64];
         hn::Store(packed, bytes, rows);
-        std::uint8_t* const to = place(at);
-        for (std::size_t l = 0; l < hn::Lanes(F()); l += kBlock)
-            std::memcpy(to + l / kBlock * sizeof m_rows[0], rows + 4 * l, 16);
+        constexpr int kPut = kLanes / kBlock;
+        if (HWY_LIKELY(column < m_next && m_size.y >= kBlock)) {
+            std::uint8_t* const to = place(column, row);
+            for (int y = 0; y < kPut; ++y) std::memcpy(to + std::size_t(y) * m_stride, rows + 16 * y, 16);
+        } else if (column < m_size.x) {  // beyond the tile others write
+            const auto width = std::size_t(std::min(kBlock, m_size.x - column)) * sizeof(Color8);
+            for (int y = 0; y < std::min(kPut, m_size.y - row); ++y)
+                std::memcpy(place(column, row + y), rows + 16 * y, width);
+        }
 #endif
-    }
-    // y: the first row's, in the tile.
-    void copyTo(Tile tile, int y, Buffer2D<Color8>& out) const {
-        const glm::ivec2 size = tile.max - tile.min;
-        for (int row = 0; row < std::min(kBlock, size.y - y); ++row)
-            std::memcpy(&out.at(tile.min + glm::ivec2(0, y + row)), m_rows[row], std::size_t(size.x) * sizeof(Color8));
     }
 
 private:
-    HWY_INLINE std::uint8_t* place(std::size_t at) {
-        const std::size_t block = at / kBlockPixels, pixel = at % kBlockPixels;
-        return m_rows[pixel / kBlock] + (block * kBlock + pixel % kBlock) * sizeof(Color8);
+    HWY_INLINE std::uint8_t* place(int column, int row) {
+        return m_first + std::size_t(row) * m_stride + std::size_t(column) * sizeof(Color8);
     }
     static_assert(sizeof(Color8) == 3);
-    std::uint8_t m_rows[kBlock][kTileSize * sizeof(Color8) + 16];
+    std::uint8_t* m_first;
+    std::size_t m_stride;
+    glm::ivec2 m_size;  // pixels from the row's first one to the tile's end
+    int m_next;         // column from which on no whole block follows
 };
 
 // frameBufferValue of channels. In exact arithmetic its bits: what it rounds is estimated in float first, and computed
@@ -94,30 +99,32 @@ public:
     // Red in the lowest byte, then green and blue; 0 in the highest.
     template <class A>
     HWY_INLINE Ints of(Floats3 intensity) const {
-        const Floats red = scaledUp(intensity.x), green = scaledUp(intensity.y), blue = scaledUp(intensity.z);
-        const Floats wholeRed = hn::Add(red, all(kToWhole)), wholeGreen = hn::Add(green, all(kToWhole));
-        const Floats wholeBlue = hn::Add(blue, all(kToWhole));
+        const Ints red = fixed(intensity.x), green = fixed(intensity.y), blue = fixed(intensity.z);
         if constexpr (A::kExact) {
-            // Two roundings of the share: 255 (2^-23) < 2^-15.
-            const auto rest = [](Floats value, Floats whole)
-                                  HWY_ATTR { return hn::Abs(hn::Sub(value, hn::Sub(whole, all(kToWhole)))); };
-            const Floats most = hn::Max(hn::Max(rest(red, wholeRed), rest(green, wholeGreen)), rest(blue, wholeBlue));
-            const bool sure = hn::AllTrue(F(), hn::Lt(most, all(0.5F - 0x1p-14F)));
-            if (HWY_UNLIKELY(!m_estimates || !sure))
-                return packed(inDouble(intensity.x), inDouble(intensity.y), inDouble(intensity.z));
+            const Mask unsure = hn::Or(hn::Or(isNearStep(red), isNearStep(green)), isNearStep(blue));
+            if (HWY_UNLIKELY(!m_estimates || !hn::AllFalse(F(), unsure)))
+                return hn::Or(inDouble(intensity.x), hn::Or(hn::ShiftLeft<8>(inDouble(intensity.y)),
+                                                            hn::ShiftLeft<16>(inDouble(intensity.z))));
         }
-        return packed(hn::BitCast(I(), wholeRed), hn::BitCast(I(), wholeGreen), hn::BitCast(I(), wholeBlue));
+        const auto byte = [](Ints value, int at) HWY_ATTR { return hn::And(value, hn::Set(I(), 255 << at)); };
+        return hn::Or(byte(hn::ShiftRight<kFraction>(red), 0), hn::Or(byte(hn::ShiftRight<kFraction - 8>(green), 8),
+                                                                      byte(hn::ShiftLeft<16 - kFraction>(blue), 16)));
     }
 
 private:
-    HWY_INLINE Floats scaledUp(Floats intensity) const {
+    static constexpr int kFraction = 14;  // bits
+    // 255 times the share, half a step and two last places: 8 bits in front of kFraction, and others above.
+    HWY_INLINE Ints fixed(Floats intensity) const {
+        constexpr float kLastPlace = 1.0F / (1 << kFraction);
+        constexpr float kFixed = 3 << (23 - kFraction - 1);  // sums are below 2^(24 - kFraction)
         const Floats value = hn::Mul(intensity, all(m_factor));
-        return hn::IfThenElseZero(hn::Gt(value, all(0)), hn::Min(value, all(255)));
+        const Floats clamped = hn::IfThenElseZero(hn::Gt(value, all(0)), hn::Min(value, all(255)));
+        return hn::BitCast(I(), hn::Add(clamped, all(kFixed + 0.5F + 2 * kLastPlace)));
     }
-    // Each in its lowest byte; those above of blue are 0 up to where they are shifted away.
-    HWY_INLINE static Ints packed(Ints r, Ints g, Ints b) {
-        const Ints low = hn::Set(I(), 255);
-        return hn::Or(hn::And(r, low), hn::Or(hn::ShiftLeft<8>(hn::And(g, low)), hn::ShiftLeft<16>(b)));
+    // Within two last places. Two roundings of the share, 255 (2^-23), and one of the sum are less than one of them.
+    HWY_INLINE static Mask isNearStep(Ints value) {
+        const Ints rest = hn::And(value, hn::Set(I(), (1 << kFraction) - 4));
+        return asFloats(hn::Eq(rest, hn::Zero(I())));
     }
     HWY_NOINLINE Ints inDouble(Floats intensity) const {
 #if HWY_TARGET == HWY_SCALAR
@@ -147,19 +154,16 @@ template <class A, class PixelsAt>
 HWY_INLINE void putRow(const Row3& intensity, std::uint32_t blocks, PixelsAt pixelsAt, const ToBytes& bytes, Tile tile,
                        int y, ShadingOutput<float>& out) {
     auto& intensities = out.vectors[index(BufferId::Intensity)];
-    ColorRows colors(blocks == (1U << kBlocksAcross) - 1);
+    ColorRows colors(tile, y * kBlock, out.color);
     for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
         const bool isSeen = (blocks >> i / kBlockPixels & 1) != 0;
-        if (!isSeen && intensities.empty()) continue;
-        const Mask pixels = isSeen ? pixelsAt(i) : maskOf(0);
-        const Floats3 v = isSeen ? where(pixels, load(intensity, i)) : all(Vec3<float>(0));
-        if (isSeen) colors.put(bytes.template of<A>(v), i);
+        const Floats3 v = isSeen ? where(pixelsAt(i), load(intensity, i)) : all(Vec3<float>(0));
+        colors.put(isSeen ? bytes.template of<A>(v) : hn::Zero(I()), i);
         if (intensities.empty()) continue;
         const std::size_t at = std::size_t(y) * kRowPixels + i;
         if (const Mask inTile = within(tile, at); !hn::AllFalse(F(), inTile))
             putPixels(v, inTile, at, tile.min, intensities[0]);
     }
-    colors.copyTo(tile, y * kBlock, out.color);
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

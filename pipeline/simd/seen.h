@@ -67,7 +67,7 @@ struct SeenInPixels {
         const int bits = in.vertices.bits;
         const auto centre = [&](Ints inTile, int first)
                                 HWY_ATTR { return SnappedCorners::centre(hn::Add(inTile, hn::Set(I(), first)), bits); };
-        const Ints x = centre(place.column, in.tile.min.x), y = centre(place.row, in.tile.min.y);
+        const Ints x = centre(place.column(), in.tile.min.x), y = centre(place.row(), in.tile.min.y);
         const Ints area = corners.area2();
         const auto turned = hn::Lt(area, hn::Zero(I()));
         const Floats inverse = inverseOf(hn::Abs(area)), z = hn::Load(F(), in.z + place.at);
@@ -84,7 +84,19 @@ struct SeenInPixels {
 // below, and 1 over the area; for linearWeight.
 struct NarrowWeights {
     PixelFunction edges[2];
-    float unit, below[2], inverse;
+    float inverse, unit, below[2];                    // the last two of middle ones; small ones are whole units
+    alignas(64) std::int32_t steps[2][kBlockPixels];  // what the pixels of a block have more than its first one
+
+    HWY_INLINE void findSteps() {
+        for (std::size_t i = 0; i < 2; ++i)
+            for (int l = 0; l < kBlockPixels; l += kLanes)
+                hn::Store(edges[i].inBlock(columnOf(l), rowOf(l)), I(), steps[i] + l);
+    }
+    // Of edge i, in a vector of the tile.
+    HWY_INLINE Ints units(std::size_t i, const VectorPlace& place) const {
+        const glm::ivec2 block = place.block();
+        return hn::Add(hn::Load(I(), steps[i] + place.first()), hn::Set(I(), edges[i].atPixel(block.x, block.y)));
+    }
 };
 
 // A triangle that is seen in a tile, for any vector of it. Its corners are its own, or, where clipping has cut it, those
@@ -110,7 +122,9 @@ public:
             const Wraps value = dx * (atY - y[from]) - dy * (atX - x[from]);
             return PixelFunction{std::int32_t(value), std::int32_t(Wraps(0) - (dy << bits)), std::int32_t(dx << bits)};
         };
-        m_narrow = {{edge(2, 0), edge(0, 1)}, 1, {0, 0}, float(1 / std::abs(double(area)))};
+        m_narrow.edges[0] = edge(2, 0), m_narrow.edges[1] = edge(0, 1);
+        m_narrow.inverse = float(1 / std::abs(double(area)));
+        m_narrow.findSteps();
         const auto firstPixel = [&](const Wraps(&of)[3]) {  // SnappedTriangle::pixels
             const std::int32_t least = std::min({std::int32_t(of[0]), std::int32_t(of[1]), std::int32_t(of[2])});
             return ((least - 1 - (1 << (bits - 1))) >> bits) + 1;
@@ -142,8 +156,10 @@ public:
     HWY_INLINE Shares weights(const SeenIn& in, const VectorPlace& place) const {
         if (HWY_UNLIKELY(m_kind > Kind::Middle)) return weightsOfLarge(in, place.at);
         const auto share = [&](std::size_t i) HWY_ATTR {
-            const Floats linear =
-                linearWeight(m_narrow.edges[i].in(place), m_narrow.unit, m_narrow.below[i], m_narrow.inverse);
+            const Ints units = m_narrow.units(i, place);
+            const Floats linear = m_kind == Kind::Small
+                                      ? hn::Mul(hn::ConvertTo(F(), units), all(m_narrow.inverse))
+                                      : linearWeight(units, m_narrow.unit, m_narrow.below[i], m_narrow.inverse);
             return corrected(in, place, m_w[i + 1], linear);
         };
         return {share(0), share(1)};
@@ -200,10 +216,10 @@ private:
         for (int corner = 0; corner < 3; ++corner) m_w[corner] = t.w[std::size_t(m_other->drawn[corner])];
         if (m_kind != Kind::Middle) return;
         const int one = m_other->drawn[1], two = m_other->drawn[2];
-        m_narrow = {{middle->edge(one), middle->edge(two)},
-                    middle->unit(),
-                    {middle->below(one), middle->below(two)},
-                    middle->inverse()};
+        m_narrow.edges[0] = middle->edge(one), m_narrow.edges[1] = middle->edge(two);
+        m_narrow.unit = middle->unit(), m_narrow.inverse = middle->inverse();
+        m_narrow.below[0] = middle->below(one), m_narrow.below[1] = middle->below(two);
+        m_narrow.findSteps();
     }
 
     // What is known of one that is not small.

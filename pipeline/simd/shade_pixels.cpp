@@ -14,12 +14,13 @@
 //
 #include "pipeline/simd/elements.h"
 #include "pipeline/simd/groups.h"
+#include "pipeline/simd/highlights.h"
 #include "pipeline/simd/keep_incidence.h"
 #include "pipeline/simd/look.h"
-#include "pipeline/simd/power.h"
 #include "pipeline/simd/put_pixels.h"
 #include "pipeline/simd/shadows.h"
 #include "pipeline/simd/surfaces.h"
+#include "pipeline/simd/view_vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
@@ -29,8 +30,6 @@ namespace {
 struct Terms {
     Floats3 diffuse, specular;
 };
-
-HWY_INLINE long long countOf(Mask mask) { return static_cast<long long>(hn::CountTrue(F(), mask)); }
 
 HWY_INLINE Mask isZero(Floats3 v) {
     return hn::And(hn::Eq(v.x, all(0)), hn::And(hn::Eq(v.y, all(0)), hn::Eq(v.z, all(0))));
@@ -42,6 +41,7 @@ HWY_INLINE float largest(Vec3<float> v) { return std::max({std::abs(v.x), std::a
 // A row of blocks on its way to the picture: what one of the loops over it leaves for the next.
 struct ShadedRow {
     SurfaceRow surface;
+    Row3 V;                    // where more than one asks for it
     Row nDotL, q, log, power;  // of a light; q: 1 - R·V or 1 - N·H; log: of what q leaves of 1, where that is kept
     Row3 diffuse, specular;    // of a light, where they were gathered
     Row S;
@@ -60,12 +60,15 @@ public:
           m_out(out),
           m_casters(inputs, in),
           m_surfaces(inputs, in, tile, m_casters.biases, m_casters.facing),
+          m_views(in.transform.view, tile),
           m_bytes(out.iMax) {
         for (std::size_t id = 0; id < kBufferCount; ++id)
             m_keeps = m_keeps || (id != index(BufferId::Intensity) && has(BufferId(id)));
         for (const Material& material : inputs.materials) m_looks.emplace_back(inputs, material);
         for (const Light& light : inputs.lights) m_lights.emplace_back(light);
         m_lookUps.resize(m_casters.biases.size());
+        const bool isViewed = inputs.shading == Shading::Phong && inputs.parts.viewVector;
+        m_sharesViews = isViewed && (m_keeps || std::ranges::count(inputs.parts.lights, true) > 1);
         if (!m_keeps && !out.incidence.empty()) m_keeper.emplace(inputs.lights.size());
     }
 
@@ -73,6 +76,8 @@ public:
         for (int y = 0; y * kBlock < m_tile.max.y - m_tile.min.y; ++y) {
             m_first = std::size_t(y) * kRowPixels;
             m_surfaces.find(y, m_row.surface);
+            m_views.beginRow(y);
+            if (m_sharesViews) leaveViews();
             for (std::size_t k = 0; k < m_lights.size(); ++k)
                 if (const auto bias = m_casters.biasOf[k]; bias && m_inputs.parts.lights[k])
                     m_casters.lights[k].template prepare<A>(m_row.surface, m_row.surface.bias[*bias], m_lookUps[*bias]);
@@ -157,6 +162,11 @@ private:
         if (!isLeft) leaveBase<kKeeps>(group, look);
     }
 
+    void leaveViews() {
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F()))
+            if (const Mask seen = m_row.surface.seenAt(i); !hn::AllFalse(F(), seen))
+                store(m_views.template at<A>(i, seen), m_row.V, i);
+    }
     // Leaves what is there without any light.
     template <bool kKeeps>
     void leaveBase(const Group& group, const Look& look) {
@@ -168,7 +178,7 @@ private:
             if constexpr (kKeeps) {
                 keep(BufferId::Position, load(m_row.surface.position, i), mask, i);
                 keep(BufferId::Normal, load(m_row.surface.N, i), mask, i);
-                keep(BufferId::ViewVector, load(m_row.surface.V, i), mask, i);
+                keep(BufferId::ViewVector, load(m_row.V, i), mask, i);
                 keep(BufferId::Emission, all(look.base.emission), mask, i);
                 keep(BufferId::Ambient, all(look.base.ambient), mask, i);
             }
@@ -184,7 +194,8 @@ private:
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);
-            const Floats3 N = load(m_row.surface.N, i), V = load(m_row.surface.V, i);
+            const Floats3 N = load(m_row.surface.N, i);
+            const Floats3 V = m_sharesViews ? load(m_row.V, i) : m_views.template at<A>(i, mask);
             const Floats3 L = atInfinity ? source : A::unit(source - load(m_row.surface.position, i), mask);
             const Floats nDotL = A::dot(N, L);
             const Mask lit = hn::And(mask, hn::Gt(nDotL, all(0)));
@@ -213,29 +224,11 @@ private:
         store(hn::IfThenElse(there, q, all(kNoHighlight)), m_row.q, i);
     }
 
-    // The powers of a highlight, and the logarithms that they come from, Incidence::kNoHighlight where there is none. Only
-    // where a vector has one that is asked for.
     void raise(const Group& group, float exponent) {
-        const Floats power = all(exponent), most = all(kVanishing<float>), none = all(Incidence::kNoHighlight);
-        long long powers = 0, vanished = 0;
-        for (std::size_t n = 0; n < group.count; ++n) {
-            const std::size_t i = group.at[n];
-            const Floats q = load(m_row.q, i);
-            const Mask there = hn::Lt(q, all(kNoHighlight)), vanishes = hn::And(there, hn::Gt(hn::Mul(power, q), most));
-            powers += countOf(there), vanished += countOf(vanishes);
-            // Another exponent may not make them vanish.
-            const Mask asked = hn::And(m_keeper ? there : hn::AndNot(vanishes, there), hn::Lt(q, all(1)));
-            if (hn::AllFalse(F(), asked)) {
-                store(all(0), m_row.power, i);
-                if (m_keeper) store(none, m_row.log, i);
-                continue;
-            }
-            const Floats log = logOneMinus<A>(hn::IfThenElseZero(asked, q));
-            store(hn::IfThenElseZero(asked, expOfNegative<A>(hn::Mul(power, log))), m_row.power, i);
-            if (m_keeper) store(hn::IfThenElse(asked, log, none), m_row.log, i);
-        }
-        if (m_inputs.illumination.detail.vanishing) vanished = 0;
-        m_counts.vanished += vanished, m_counts.powers += powers - vanished;
+        HighlightCounts counts =
+            raiseHighlights<A>(group, exponent, m_row.q, m_row.power, m_keeper ? &m_row.log : nullptr);
+        if (m_inputs.illumination.detail.vanishing) counts.vanished = 0;
+        m_counts.vanished += counts.vanished, m_counts.powers += counts.there - counts.vanished;
     }
 
     // What light k adds, added to the intensity, or to `base` where that is given. terms(n): in its shadow.
@@ -336,13 +329,14 @@ private:
         }
     }
 
-    static constexpr float kNoHighlight = 4;  // q is at most 2
     const ShadingInputs& m_inputs;
     const ShadingSources<float>& m_in;
     Tile m_tile;
     ShadingOutput<float>& m_out;
     Casters m_casters;
     Surfaces<A> m_surfaces;
+    ViewVectors m_views;
+    bool m_sharesViews;
     ToBytes m_bytes;
     bool m_keeps = false;           // any buffer beside color and intensity
     std::vector<Look> m_looks;      // per object

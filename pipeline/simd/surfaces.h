@@ -33,8 +33,8 @@ struct SurfaceRow {
     alignas(64) std::int32_t triangle[kRowPixels];  // of Gouraud shading
     alignas(64) std::int32_t polygon[kRowPixels];   // of flat shading
     alignas(64) std::int32_t object[kRowPixels];    // of Phong shading, where objects are told apart
-    Row3 N, V;                                      // unit, of Phong shading; V where it is asked for
-    Row3 position;                                  // likewise
+    Row3 N;                                         // unit, of Phong shading
+    Row3 position;                                  // where it is asked for
     Row3 weights;                                   // of Gouraud shading
     Row3 facing;                                    // the polygon's normal, where it is asked for
     std::vector<Row> bias;                          // its bias, of each light that has one for whole polygons
@@ -85,10 +85,7 @@ public:
           m_perPixel(inputs.shading == Shading::Phong),
           m_positioned(inputs.parts.position),
           m_tellsObjects(m_perPixel && inputs.materials.size() > 1),
-          m_isViewed(m_perPixel && inputs.parts.viewVector),
-          m_mirrors(in.transform.anyMirrored()),
-          m_rays(in.transform.view),
-          m_back(-Vec3<float>(in.transform.view.forward)) {
+          m_mirrors(in.transform.anyMirrored()) {
         if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
             m_index = tileAt(in.transform.view.size, tile);
             m_isDrawn = in.zBuffer.tileIsDrawn[m_index] != 0;
@@ -114,7 +111,6 @@ public:
             m_positioned ? findRow<true, true>(begin, out) : findRow<true, false>(begin, out);
         else
             m_positioned ? findRow<false, true>(begin, out) : findRow<false, false>(begin, out);
-        if (m_isViewed) findViewVectors(row, out);
         const bool isAffine = m_inputs.shading == Shading::Gouraud && m_inputs.interpolation == Interpolation::Affine;
         if (isAffine && m_in.transform.view.perspective) makeAffine(begin, out);
     }
@@ -171,8 +167,8 @@ private:
                     hn::BlendedStore(all(biasOf(surface, k)), mine, F(), out.bias[k].of + i);
                 if constexpr (!A::kExact && kPerPixel && !kPositions) {
                     if (surface.isPlane) {
-                        const Floats x = hn::Sub(hn::ConvertTo(F(), place.column), all(surface.firstPixel.x));
-                        const Floats y = hn::Sub(hn::ConvertTo(F(), place.row), all(surface.firstPixel.y));
+                        const Floats x = hn::Sub(hn::ConvertTo(F(), place.column()), all(surface.firstPixel.x));
+                        const Floats y = hn::Sub(hn::ConvertTo(F(), place.row()), all(surface.firstPixel.y));
                         normal = choose(mine, surface.normals.template at<A>(x, y), normal);
                         continue;
                     }
@@ -196,25 +192,6 @@ private:
             }
             if (m_facing) store(facing, out.facing, i);
             if constexpr (kPositions) store(position, out.position, i);
-        }
-    }
-    // towardsEye of the pixels of a row.
-    void findViewVectors(int row, SurfaceRow& out) const {
-        if (!m_in.transform.view.perspective) {
-            for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) store(all(m_back), out.V, i);
-            return;
-        }
-        const Floats3 right = all(m_rays.right), up = all(m_rays.up), forward = all(m_rays.forward);
-        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
-            const Mask seen = out.seenAt(i);
-            if (hn::AllFalse(F(), seen)) continue;
-            const VectorPlace place(std::size_t(row) * kRowPixels + i);
-            const auto along = [&](Ints inTile, int part) HWY_ATTR {
-                const Floats pixel = hn::ConvertTo(F(), hn::Add(inTile, hn::Set(I(), m_tile.min[part])));
-                return hn::Mul(hn::Add(pixel, all(m_rays.first[part])), all(m_rays.step[part]));
-            };
-            const Floats3 back = (scaled(up, along(place.row, 1)) - forward) - scaled(right, along(place.column, 0));
-            store(A::unit(back, seen), out.V, i);
         }
     }
     // In the pixels of vector i of a row, each of which sees a triangle of its own: to go through triangles would compute
@@ -363,9 +340,7 @@ private:
     bool m_isFine = false;       // for triangles of few pixels
     bool m_findsPlanes = false;  // SeenSurface::isPlane
     std::span<const PolygonBias> m_biases;
-    bool m_facing, m_perPixel, m_positioned, m_tellsObjects, m_isViewed, m_mirrors, m_isDrawn = true;
-    PixelRays<float> m_rays;                      // of the view
-    Vec3<float> m_back;                           // against its direction
+    bool m_facing, m_perPixel, m_positioned, m_tellsObjects, m_mirrors, m_isDrawn = true;
     std::size_t m_index = 0;                      // of the tile
     const std::uint32_t* m_drawnNames = nullptr;  // in the tile; null where the stage's own text drew
     std::optional<SeenIn> m_seenIn;               // likewise

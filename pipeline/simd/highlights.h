@@ -1,0 +1,58 @@
+// Included once for each instruction set, like lanes.h.
+#if defined(SHADESCOPE_HIGHLIGHTS_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHADESCOPE_HIGHLIGHTS_H
+#undef SHADESCOPE_HIGHLIGHTS_H
+#else
+#define SHADESCOPE_HIGHLIGHTS_H
+#endif
+
+#include "pipeline/core/numerics.h"
+#include "pipeline/simd/incidence.h"
+#include "pipeline/simd/power.h"
+#include "pipeline/simd/rows.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pipeline::HWY_NAMESPACE {
+
+HWY_INLINE long long countOf(Mask mask) { return static_cast<long long>(hn::CountTrue(F(), mask)); }
+
+// q of a pixel without a highlight; else q is 1 - R·V or 1 - N·H, at most 2.
+inline constexpr float kNoHighlight = 4;
+
+struct HighlightCounts {
+    long long there = 0, vanished = 0;  // of these, rounded to 0 by their exponent
+};
+
+// The powers of highlights, and the logarithms that they come from where `logs` is not null: Incidence::kNoHighlight
+// where there is none. Only where a vector has one that is asked for.
+template <class A>
+HWY_INLINE HighlightCounts raiseHighlights(const Group& group, float exponent, const Row& qs, Row& powers, Row* logs) {
+    const Floats power = all(exponent), none = all(Incidence::kNoHighlight);
+    const bool mayVanish = exponent * kNoHighlight > kVanishing<float>;
+    HighlightCounts counts;
+    for (std::size_t n = 0; n < group.count; ++n) {
+        const std::size_t i = group.at[n];
+        const Floats q = load(qs, i);
+        const Mask there = hn::Lt(q, all(kNoHighlight));
+        counts.there += countOf(there);
+        Mask asked = hn::Lt(q, all(1));
+        if (mayVanish) {
+            const Mask vanishes = hn::And(there, hn::Gt(hn::Mul(power, q), all(kVanishing<float>)));
+            counts.vanished += countOf(vanishes);
+            if (!logs) asked = hn::AndNot(vanishes, asked);  // another exponent may not make them vanish
+        }
+        if (hn::AllFalse(F(), asked)) {
+            store(all(0), powers, i);
+            if (logs) store(none, *logs, i);
+            continue;
+        }
+        const Floats log = logOneMinus<A>(hn::IfThenElseZero(asked, q));
+        store(hn::IfThenElseZero(asked, expOfNegative<A>(hn::Mul(power, log))), powers, i);
+        if (logs) store(hn::IfThenElse(asked, log, none), *logs, i);
+    }
+    return counts;
+}
+
+}  // namespace pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
