@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "pipeline/core/forms.h"
 #include "pipeline/core/power.h"
@@ -121,10 +122,18 @@ template <class Real>
 inline constexpr Real kVanishing = std::numeric_limits<Real>::digits == 24   ? 88
                                    : std::numeric_limits<Real>::digits == 53 ? 750
                                                                              : 11500;
+// And from which n q on it is less than half a unit in the last place of what it is added to, where its factor is at
+// most exp(logContrast) times that. The hundredth is more than all roundings make of it.
 template <class Real>
-bool powerVanishes(Vec3<Real> a, Vec3<Real> b, Real exponent) {
+Real vanishesFrom(double logContrast) {
+    return std::min(kVanishing<Real>,
+                    Real(logContrast + (std::numeric_limits<Real>::digits + 2) * std::numbers::ln2 + 0.01));
+}
+// from: the n q from which on a power counts as nothing.
+template <class Real>
+bool powerVanishes(Vec3<Real> a, Vec3<Real> b, Real exponent, Real from = kVanishing<Real>) {
     const Vec3<Real> difference = a - b;
-    return exponent * (glm::dot(difference, difference) / 2) > kVanishing<Real>;
+    return exponent * (glm::dot(difference, difference) / 2) > from;
 }
 
 // The angle between two vectors of any length, radians. acos of a dot product reads 0 below

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/scene/scene.h"
@@ -18,9 +19,12 @@ struct Surface {  // where a light is evaluated; world space, N and V unit
 struct LightDetail {
     bool reflection = true, halfway = true;  // R and R·V, H and N·H where the model does not read them
     bool dull = true;                        // the power where k_s is 0
-    bool vanishing = true;                   // the power where its result is rounded to 0
+    bool vanishing = true;                   // the power where its result is rounded to 0, or changes nothing
     PowerForm power = PowerForm::Log1p;
     UnitForm unit = UnitForm::Scaled;  // of L and H
+    // The logarithm of how often a specular term may hold what is there without any light: where `vanishing` is off, a
+    // power that changes no bit of their sum vanishes too. Infinite where nothing is known, or the term is asked for.
+    double logContrast = std::numeric_limits<double>::infinity();
     bool operator==(const LightDetail&) const = default;
 };
 
@@ -74,7 +78,8 @@ LightSample<Real> directionsOf(const Light& light, const Surface<Real>& at, bool
 // (a·b)^exponent into the sample. Where it is certain to vanish is known of its stable form alone.
 template <class Real>
 void raise(Vec3<Real> a, Vec3<Real> b, Real exponent, const LightDetail& detail, LightSample<Real>& s) {
-    const bool vanishes = !detail.vanishing && detail.power == PowerForm::Log1p && powerVanishes(a, b, exponent);
+    const bool vanishes = !detail.vanishing && detail.power == PowerForm::Log1p &&
+                          powerVanishes(a, b, exponent, vanishesFrom<Real>(detail.logContrast));
     s.power = vanishes ? Power::Vanished : Power::Computed;
     s.specularPower = vanishes ? Real(0) : powerOfCosine(a, b, exponent, detail.power);
 }

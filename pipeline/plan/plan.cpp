@@ -80,7 +80,9 @@ std::string difference(const ShadingInputs& a, const ShadingInputs& b) {
     if (a.interpolation != b.interpolation) return "The setting interpolation changed.";
     const LightDetail &forms = a.illumination.detail, &others = b.illumination.detail;
     if (forms.power != others.power || forms.unit != others.unit) return "The form of a formula changed.";
-    if (!(a.illumination == b.illumination)) return "The illumination model changed.";
+    Illumination model = a.illumination;
+    model.detail.logContrast = others.logContrast;  // which follows from materials and lights
+    if (!(model == b.illumination)) return "The illumination model changed.";
     if (auto text = firstDifferent(a.materials, b.materials, "Material", "The materials"); !text.empty()) return text;
     if (auto text = firstDifferent(a.backMaterials, b.backMaterials, "Back material", "The materials"); !text.empty())
         return text;
@@ -108,6 +110,7 @@ bool hasSameIncidence(ShadingInputs a, const ShadingInputs& b) {
     // What is needed for the materials; how each was shaded is kept with the light.
     a.illumination.detail.reflection = b.illumination.detail.reflection;
     a.illumination.detail.halfway = b.illumination.detail.halfway;
+    a.illumination.detail.logContrast = b.illumination.detail.logContrast;
     a.parts.ambient = b.parts.ambient, a.parts.position = b.parts.position, a.parts.viewVector = b.parts.viewVector;
     return a == b;
 }

@@ -114,8 +114,9 @@ void shadingParts(Parts& out) {
         out.add("H", needs.halfway, "The illumination model reads it, or it is asked for.",
                 "a normalisation a point and light");
         if (out.scene.settings.forms.power == PowerForm::Log1p)
-            out.within("powers", Rule::VanishingPower, "Not where the result is certain to round to 0.",
-                       "Also where the result rounds to 0.");
+            out.within("powers", Rule::VanishingPower,
+                       "Not where the result is certain to round to 0, or changes nothing that is asked for.",
+                       "Also where the result rounds to 0 or changes nothing.");
         else
             out.runs("powers", "All: where the result rounds to 0 is known of numerics.power = log1p alone.");
     }

@@ -82,6 +82,10 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
         keys.shading.backMaterials.push_back(object.backMaterial.value_or(object.material));
     }
     keys.shading.lights = lightsInWorldSpace(scene, keys.transform.view);
+    // OpenGL's model clamps its intensities; elsewhere than in pixels a vertex's terms are interpolated one by one.
+    const bool sums = settings.shading == Shading::Phong && settings.model != Model::OpenGl;
+    if (sums && needs.rules[index(Rule::VanishingPower)] && !needs.buffers[index(BufferId::Specular)])
+        keys.shading.illumination.detail.logContrast = logContrast(keys.shading);
     const std::vector<Light>& lights = keys.shading.lights;
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
         if (needs.shadowBuffer[k])

@@ -75,7 +75,8 @@ inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
     {"rule.directions", "R and H", "Leaves of R and H out what the illumination model does not read."},
     {"rule.specular", "Specular term", "Leaves the specular term of a light out where k_s is 0."},
     {"rule.vanishing_power", "Vanishing power",
-     "Leaves the power out so far from the highlight that its result is rounded to 0."},
+     "Leaves the power out so far from the highlight that its result is rounded to 0, or, with Phong shading, changes "
+     "no bit of an intensity whose specular term is not asked for."},
     {"rule.attenuation", "Attenuation", "Leaves the attenuation of a light out that is 1 at every distance."},
     {"rule.ambient", "Ambient term", "Leaves the ambient term out where there is no ambient light to reflect."},
     {"rule.unread_buffers", "Unread buffers", "Leaves buffers out that nobody asks for."},

@@ -20,15 +20,16 @@ HWY_INLINE long long countOf(Mask mask) { return static_cast<long long>(hn::Coun
 inline constexpr float kNoHighlight = 4;
 
 struct HighlightCounts {
-    long long there = 0, vanished = 0;  // of these, rounded to 0 by their exponent
+    long long there = 0, vanished = 0;  // of these, nothing by their exponent
 };
 
 // The powers of highlights, and the logarithms that they come from where `logs` is not null: Incidence::kNoHighlight
-// where there is none. Only where a vector has one that is asked for.
+// where there is none. Only where a vector has one that is asked for. vanishesFrom: of which exponent times q on it is not.
 template <class A>
-HWY_INLINE HighlightCounts raiseHighlights(const Group& group, float exponent, const Row& qs, Row& powers, Row* logs) {
+HWY_INLINE HighlightCounts raiseHighlights(const Group& group, float exponent, float vanishesFrom, const Row& qs,
+                                           Row& powers, Row* logs) {
     const Floats power = all(exponent), none = all(Incidence::kNoHighlight);
-    const bool mayVanish = exponent * kNoHighlight > kVanishing<float>;
+    const bool mayVanish = exponent * kNoHighlight > vanishesFrom;
     HighlightCounts counts;
     for (std::size_t n = 0; n < group.count; ++n) {
         const std::size_t i = group.at[n];
@@ -37,7 +38,7 @@ HWY_INLINE HighlightCounts raiseHighlights(const Group& group, float exponent, c
         counts.there += countOf(there);
         Mask asked = hn::Lt(q, all(1));
         if (mayVanish) {
-            const Mask vanishes = hn::And(there, hn::Gt(hn::Mul(power, q), all(kVanishing<float>)));
+            const Mask vanishes = hn::And(there, hn::Gt(hn::Mul(power, q), all(vanishesFrom)));
             counts.vanished += countOf(vanishes);
             if (!logs) asked = hn::AndNot(vanishes, asked);  // another exponent may not make them vanish
         }

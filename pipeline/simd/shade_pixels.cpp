@@ -66,6 +66,7 @@ public:
             m_keeps = m_keeps || (id != index(BufferId::Intensity) && has(BufferId(id)));
         for (const Material& material : inputs.materials) m_looks.emplace_back(inputs, material);
         for (const Light& light : inputs.lights) m_lights.emplace_back(light);
+        m_vanishesFrom = vanishesFrom<float>(inputs.illumination.detail.logContrast);
         m_lookUps.resize(m_casters.biases.size());
         const bool isViewed = inputs.shading == Shading::Phong && inputs.parts.viewVector;
         m_sharesViews = isViewed && (m_keeps || std::ranges::count(inputs.parts.lights, true) > 1);
@@ -226,7 +227,7 @@ private:
 
     void raise(const Group& group, float exponent) {
         HighlightCounts counts =
-            raiseHighlights<A>(group, exponent, m_row.q, m_row.power, m_keeper ? &m_row.log : nullptr);
+            raiseHighlights<A>(group, exponent, m_vanishesFrom, m_row.q, m_row.power, m_keeper ? &m_row.log : nullptr);
         if (m_inputs.illumination.detail.vanishing) counts.vanished = 0;
         m_counts.vanished += counts.vanished, m_counts.powers += counts.there - counts.vanished;
     }
@@ -337,6 +338,7 @@ private:
     Surfaces<A> m_surfaces;
     ViewVectors m_views;
     bool m_sharesViews;
+    float m_vanishesFrom;  // n q of a highlight
     ToBytes m_bytes;
     bool m_keeps = false;           // any buffer beside color and intensity
     std::vector<Look> m_looks;      // per object

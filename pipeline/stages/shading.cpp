@@ -1,6 +1,10 @@
 #include "pipeline/stages/shading.h"
 
+#include <cmath>
+#include <limits>
+
 #include "pipeline/scene/area_light.h"
+#include "pipeline/stages/shading_terms.h"
 
 namespace pipeline {
 
@@ -64,7 +68,28 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
 ShadingInputs withAllVectors(ShadingInputs inputs) {
     inputs.parts.position = inputs.parts.viewVector = true;
     inputs.illumination.detail.reflection = inputs.illumination.detail.halfway = true;
+    inputs.illumination.detail.logContrast = std::numeric_limits<double>::infinity();
     return inputs;
+}
+
+double logContrast(const ShadingInputs& inputs) {
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    double contrast = 0;
+    for (const auto* materials : {&inputs.materials, &inputs.backMaterials}) {
+        for (const Material& material : *materials) {
+            const Vec3d base = sumOf(baseTerms<double>(inputs, material));
+            for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
+                if (!inputs.parts.lights[k]) continue;
+                const Vec3d shining = inputs.lights[k].intensity * inputs.lights[k].color;
+                const Vec3d diffuse = shining * material.diffuse, specular = shining * material.specular;
+                for (int c = 0; c < 3; ++c) {
+                    if (!(diffuse[c] >= 0 && specular[c] >= 0)) return kUnknown;  // the sum may be less than its base
+                    if (specular[c] > 0) contrast = std::max(contrast, base[c] > 0 ? specular[c] / base[c] : kUnknown);
+                }
+            }
+        }
+    }
+    return contrast > 0 ? std::log(contrast) : kUnknown;
 }
 
 template <class Real>

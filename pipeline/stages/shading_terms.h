@@ -26,6 +26,9 @@ Vec3<Real> sumOf(const BaseTerms<Real>& base) {
     return Vec3<Real>(0) + base.emission + base.ambient;
 }
 
+// LightDetail::logContrast of Phong shading, of all materials and lights, channel by channel.
+double logContrast(const ShadingInputs& inputs);
+
 template <class Real>
 void count(const LightSample<Real>& sample, ShadingCounts& counts) {
     ++counts.evaluations;

@@ -280,6 +280,28 @@ TEST(Rules, WithoutPolygonNormalsAPixelsReportIsTheSame) {
     EXPECT_EQ(toText(*without, report), toText(*with, inspectPixel(*with, middle)));
 }
 
+// exp(-n q) falls to 2^-26 of a base as bright as the highlight at n q = 18, and to 2^-55 at 38; at n = 40 nothing is
+// rounded to 0, which takes 88 and 750.
+TEST(Rules, APowerIsLeftOutWhereItChangesNoBitThatIsAskedFor) {
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+        Scene scene = roundBall();
+        scene.settings.shading = Shading::Phong, scene.settings.precision = precision;
+        scene.objects[0].material = {Vec3d(0.8), Vec3d(0.1), 40}, scene.ambient.intensity = 1;
+        const BufferSet intensity = setOf({BufferId::Intensity});
+        const auto fires = [](const Scene& s, BufferSet wanted) {
+            return fired(*test::frameOf(s, wanted), Rule::VanishingPower);
+        };
+        EXPECT_TRUE(fires(scene, intensity));
+        EXPECT_FALSE(fires(scene, setOf({BufferId::Specular})));
+        const auto without = test::frameOf(scene, intensity)->buffer({BufferId::Intensity});
+        scene.settings.rules.reset(index(Rule::VanishingPower));
+        const auto with = test::frameOf(scene, intensity)->buffer({BufferId::Intensity});
+        for (std::size_t i = 0; i < 96 * 80 * 3; ++i) ASSERT_EQ(without->flat(i), with->flat(i)) << i;
+        scene.settings.rules.set(index(Rule::VanishingPower)), scene.ambient.intensity = 0;
+        EXPECT_FALSE(fires(scene, intensity));
+    }
+}
+
 // Where a run ends before shading nobody reads normals, unless it ends at them or they are asked for.
 TEST(Rules, NormalsAreLeftOutWhereTheRunEndsBeforeShading) {
     const auto step = [](StageId until, BufferSet wanted) {
