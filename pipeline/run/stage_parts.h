@@ -106,10 +106,7 @@ inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, st
     if (!std::ranges::all_of(pieces.pieces, [](const auto& piece) { return piece.runs.empty(); })) {
         blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
         threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t tile = begin; tile < end; ++tile) {
-                blocks->fill(tile, std::numeric_limits<float>::infinity());
-                shadowBufferInVectors(setUp, pieces, tile, *blocks);
-            }
+            for (std::size_t tile = begin; tile < end; ++tile) shadowBufferInVectors(setUp, pieces, tile, *blocks);
         });
     }
     light.blocks[number] = blocks ? blocks : empty.ofSize(face.size);

@@ -24,6 +24,13 @@ HWY_INLINE Edges operator+(const Edges& a, const Edges& b) {
 // Below 0 where one of them is.
 HWY_INLINE Ints outsideOf(const Edges& e) { return hn::Or(e.e0, hn::Or(e.e1, e.e2)); }
 
+// Two of them where none of the three leaves a pixel outside, and Inside instead of what outsideOf finds.
+struct InnerEdges {
+    Ints e1, e2;
+};
+struct Inside {};
+HWY_INLINE Inside outsideOf(const InnerEdges&) { return {}; }
+
 // How 16 blocks that are looked at together stand: 4 × 4, 8 × 2 or 16 × 1. Of the k-th, in which column and row.
 struct BlockGroup {
     explicit HWY_INLINE BlockGroup(int across) : widthBits(across <= 4 ? 2 : across <= 8 ? 3 : 4) {}
@@ -38,21 +45,28 @@ struct BlockGroup {
 
 // Calls visit(at, e, w) for the vectors of the blocks in a range of which no edge function leaves all outside. edges: those
 // of a triangle, below 0 where they leave a pixel outside; what they have more at the next pixel sums to 0. at: of the
-// vector's first pixel in the tile's blocks; e: the three functions at its pixels; w: of the plane, with kPlane.
-// In which blocks there are pixels inside is found first, with a block in each number of a vector, and then these are gone
-// through in one loop: where a row of blocks ends within a triangle nobody could guess, and every wrong guess takes as long
-// as drawing two blocks. N. Greene, "Hierarchical polygon tiling with coverage masks", SIGGRAPH 1996.
+// vector's first pixel in the tile's blocks; e: the three functions at its pixels; w: of the plane, with kPlane. In blocks
+// that are inside as a whole e is InnerEdges.
+// In which blocks there are pixels inside, and in which no others, is found first, with a block in each number of a vector,
+// and then these are gone through in two loops: where a row of blocks ends within a triangle nobody could guess, and every
+// wrong guess takes as long as drawing two blocks. N. Greene, "Hierarchical polygon tiling with coverage masks", SIGGRAPH
+// 1996.
 template <bool kPlane, class Visit>
 HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& edge1, const PixelFunction& edge2,
                               const PlaneInTile& plane, const BlockRange& range, Visit visit) {
     const int across = range.maxX - range.minX, down = range.maxY - range.minY;
     if (across <= 0 || down <= 0) return;
     using Wraps = std::uint32_t;
-    const auto most = [](const PixelFunction& edge) {  // in a block, more than at its first pixel: in a corner
+    // Most, and least, in a block, more than at its first pixel: in a corner.
+    const auto most = [](const PixelFunction& edge) {
         const Wraps right = Wraps(std::max(edge.column, 0)), below = Wraps(std::max(edge.row, 0));
         return hn::Set(I(), std::int32_t((right + below) * Wraps(kBlock - 1)));
     };
-    const Edges mosts{most(edge0), most(edge1), most(edge2)};
+    const auto least = [](const PixelFunction& edge) {
+        const Wraps right = Wraps(std::min(edge.column, 0)), below = Wraps(std::min(edge.row, 0));
+        return hn::Set(I(), std::int32_t((right + below) * Wraps(kBlock - 1)));
+    };
+    const Edges mosts{most(edge0), most(edge1), most(edge2)}, leasts{least(edge0), least(edge1), least(edge2)};
     const Ints column1 = hn::Set(I(), edge1.column), row1 = hn::Set(I(), edge1.row);
     const Ints column2 = hn::Set(I(), edge2.column), row2 = hn::Set(I(), edge2.row);
     const auto more = [&](Ints column, Ints row) HWY_ATTR {
@@ -77,7 +91,7 @@ HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& e
     HWY_ALIGN std::int32_t e0[kGroups * kBlockPixels], e1[kGroups * kBlockPixels], e2[kGroups * kBlockPixels];
     HWY_ALIGN float w[kGroups * kBlockPixels];
     for (int y = 0; y < down; y += kGroups * rows) {
-        std::uint64_t inside = 0;
+        std::uint64_t inside = 0, whole = 0;
         for (int v = 0; v < kVectors; ++v) {
             const Ints column = hn::ShiftLeft<2>(group.column(v * kLanes));
             Ints row = hn::Add(hn::ShiftLeft<2>(group.row(v * kLanes)), hn::Set(I(), y * kBlock));
@@ -85,8 +99,11 @@ HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& e
             const Edges step = more(hn::Zero(I()), hn::Set(I(), rows * kBlock));
             for (int g = 0; g < kGroups && y + g * rows < down; ++g) {
                 const int place = g * kBlockPixels + v * kLanes;
-                const Ints outside = outsideOf(here + mosts);
-                inside |= std::uint64_t(bitsOf(asFloats(hn::Gt(outside, hn::Set(I(), -1))))) << place;
+                const auto areInside = [&](const Edges& edges) HWY_ATTR {
+                    return std::uint64_t(bitsOf(asFloats(hn::Gt(outsideOf(edges), hn::Set(I(), -1))))) << place;
+                };
+                inside |= areInside(here + mosts);
+                whole |= areInside(here + leasts);
                 hn::Store(here.e0, I(), e0 + place), hn::Store(here.e1, I(), e1 + place);
                 hn::Store(here.e2, I(), e2 + place);
                 here = here + step;
@@ -100,39 +117,47 @@ HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& e
         inside &= columns * 0x0001000100010001U;
         if (const int last = (down - y) * int(width); last < 64) inside &= (std::uint64_t(1) << last) - 1;
         const std::size_t corner = std::size_t(range.minY + y) * kBlocksAcross + std::size_t(range.minX);
-        for (; inside != 0; inside &= inside - 1) {
-            const auto place = std::size_t(std::countr_zero(inside));
-            const std::size_t block = corner + (place >> group.widthBits) * kBlocksAcross + (place & (width - 1));
-            const Edges e{hn::Set(I(), e0[place]), hn::Set(I(), e1[place]), hn::Set(I(), e2[place])};
-            for (int v = 0; v < kVectors; ++v)
-                visit(block * kBlockPixels + std::size_t(v) * kLanes, e + within[v],
-                      kPlane ? hn::Add(hn::Set(F(), w[place]), planeWithin[v]) : hn::Zero(F()));
-        }
+        const auto visitBlocks = [&](std::uint64_t bits, auto edgesAt) HWY_ATTR {
+            for (; bits != 0; bits &= bits - 1) {
+                const auto place = std::size_t(std::countr_zero(bits));
+                const std::size_t block = corner + (place >> group.widthBits) * kBlocksAcross + (place & (width - 1));
+                for (int v = 0; v < kVectors; ++v)
+                    visit(block * kBlockPixels + std::size_t(v) * kLanes, edgesAt(place, v),
+                          kPlane ? hn::Add(hn::Set(F(), w[place]), planeWithin[v]) : hn::Zero(F()));
+            }
+        };
+        visitBlocks(inside & ~whole, [&](std::size_t place, int v) HWY_ATTR {
+            return Edges{hn::Set(I(), e0[place]), hn::Set(I(), e1[place]), hn::Set(I(), e2[place])} + within[v];
+        });
+        visitBlocks(inside & whole, [&](std::size_t place, int v) HWY_ATTR {
+            return InnerEdges{hn::Add(hn::Set(I(), e1[place]), within[v].e1),
+                              hn::Add(hn::Set(I(), e2[place]), within[v].e2)};
+        });
     }
 }
 
-// The same of all blocks in a range: where there are few, to draw nothing in some takes no longer than to find them.
+// Calls visit(at, e, w) for the vectors of all blocks in a range: where there are few, to draw nothing in some takes no
+// longer than to find them.
 template <class Visit>
-HWY_INLINE void forEachVectorOfAll(const PixelFunction& edge0, const PixelFunction& edge1, const PixelFunction& edge2,
-                                   const PlaneInTile& plane, const BlockRange& range, Visit visit) {
-    const auto of = [&](std::int32_t PixelFunction::*part, int n) HWY_ATTR {
-        const auto times = [&](const PixelFunction& edge) HWY_ATTR {
-            return hn::Set(I(), std::int32_t(std::uint32_t(edge.*part) * std::uint32_t(n)));
-        };
-        return Edges{times(edge0), times(edge1), times(edge2)};
-    };
-    const Edges right = of(&PixelFunction::column, kBlock), down = of(&PixelFunction::row, kBlock);
+HWY_INLINE void forEachVectorOfAll(const SmallTriangle& t, Tile tile, const PlaneInTile& plane, const BlockRange& range,
+                                   Visit visit) {
+    const auto of = [](std::int32_t value) HWY_ATTR { return hn::Set(I(), value); };
+    const auto less = [](Ints sum, Ints one, Ints two) HWY_ATTR { return hn::Sub(hn::Sub(sum, one), two); };
+    const auto steps = [&](Ints one, Ints two) HWY_ATTR { return Edges{less(hn::Zero(I()), one, two), one, two}; };
+    const Ints a1 = of(t.a1), b1 = of(t.b1), c1 = of(t.c1), a2 = of(t.a2), b2 = of(t.b2), c2 = of(t.c2);
+    static_assert(kBlock == 4);
+    const Edges right = steps(hn::ShiftLeft<2>(a1), hn::ShiftLeft<2>(a2));
+    const Edges down = steps(hn::ShiftLeft<2>(b1), hn::ShiftLeft<2>(b2));
     Edges first[kVectors];
     Floats planeWithin[kVectors];
-    const int left = range.minX * kBlock, top = range.minY * kBlock;
+    const Ints left = of(tile.min.x + range.minX * kBlock - t.x), top = of(tile.min.y + range.minY * kBlock - t.y);
     for (int v = 0; v < kVectors; ++v) {
         const Ints column = columnOf(v * kLanes), row = rowOf(v * kLanes);
-        const auto start = [&](const PixelFunction& edge) HWY_ATTR {
-            const Ints within =
-                hn::Add(hn::Mul(hn::Set(I(), edge.column), column), hn::Mul(hn::Set(I(), edge.row), row));
-            return hn::Add(hn::Set(I(), edge.atPixel(left, top)), within);
-        };
-        first[v] = {start(edge0), start(edge1), start(edge2)};
+        const Ints x = hn::Add(left, column), y = hn::Add(top, row);
+        const auto start = [&](Ints a, Ints b, Ints c)
+                               HWY_ATTR { return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), c); };
+        const Ints e1 = start(a1, b1, c1), e2 = start(a2, b2, c2);
+        first[v] = {less(of(t.area), e1, e2), e1, e2};
         planeWithin[v] = plane.within(column, row);
     }
     for (int y = range.minY; y < range.maxY; ++y) {
@@ -149,28 +174,26 @@ HWY_INLINE void forEachVectorOfAll(const PixelFunction& edge0, const PixelFuncti
 }
 
 // Calls visit(at, outside, w) for the vectors of the tile that a small triangle covers a part of; at: of its first pixel in
-// the blocks, outside: below 0 where a pixel is.
+// the blocks, outside: below 0 where a pixel is, or Inside where none is.
 template <class Visit>
 HWY_INLINE void forEachVector(const SmallTriangle& t, Tile tile, Visit visit) {
-    using Wraps = std::uint32_t;  // exact wherever an edge function fits: up to three pixels beyond the box
     const glm::ivec2 low(t.x, t.y), high = low + glm::ivec2(t.width, t.height), from = tile.min - low;
-    const auto edgeFrom = [&](std::int32_t c, std::int32_t a, std::int32_t b, std::int32_t bias) {
-        return PixelFunction{PixelFunction{c - bias, a, b}.atPixel(from.x, from.y), a, b};
-    };
-    const PixelFunction edge1 = edgeFrom(t.c1, t.a1, t.b1, t.bias1), edge2 = edgeFrom(t.c2, t.a2, t.b2, t.bias2);
-    const auto rest = [](std::int32_t sum, std::int32_t one, std::int32_t two) {
-        return std::int32_t(Wraps(sum) - Wraps(one) - Wraps(two));
-    };
-    const PixelFunction edge0{rest(t.biasedArea - t.bias1 - t.bias2, edge1.value, edge2.value), rest(0, t.a1, t.a2),
-                              rest(0, t.b1, t.b2)};
     const PlaneInTile plane(t.first, t.column, t.row, (low & ~(kBlock - 1)) - tile.min);
-    const auto visitEdges = [&](std::size_t at, const Edges& e, Floats w) HWY_ATTR { visit(at, outsideOf(e), w); };
+    const auto visitEdges = [&](std::size_t at, auto e, Floats w) HWY_ATTR { visit(at, outsideOf(e), w); };
     constexpr int kFew = 12;
     const BlockRange range(low, high, tile);
     if ((range.maxX - range.minX) * (range.maxY - range.minY) <= kFew)
-        forEachVectorOfAll(edge0, edge1, edge2, plane, range, visitEdges);
-    else
-        forEachVector<true>(edge0, edge1, edge2, plane, range, visitEdges);
+        return forEachVectorOfAll(t, tile, plane, range, visitEdges);
+    using Wraps = std::uint32_t;  // exact wherever an edge function fits: up to three pixels beyond the box
+    const auto edgeFrom = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+        return PixelFunction{PixelFunction{c, a, b}.atPixel(from.x, from.y), a, b};
+    };
+    const PixelFunction edge1 = edgeFrom(t.a1, t.b1, t.c1), edge2 = edgeFrom(t.a2, t.b2, t.c2);
+    const auto rest = [](std::int32_t sum, std::int32_t one, std::int32_t two) {
+        return std::int32_t(Wraps(sum) - Wraps(one) - Wraps(two));
+    };
+    const PixelFunction edge0{rest(t.area, edge1.value, edge2.value), rest(0, t.a1, t.a2), rest(0, t.b1, t.b2)};
+    forEachVector<true>(edge0, edge1, edge2, plane, range, visitEdges);
 }
 
 // And of one of up to some thousands of pixels.
@@ -182,10 +205,9 @@ HWY_INLINE void forEachVector(const MiddleEdges& middle, const RasterTriangle<fl
     const PlaneInTile plane(t.plane, tile);
     if (t.plane.holds)
         return forEachVector<true>(edge0, edge1, edge2, plane, range,
-                                   [&](std::size_t at, const Edges& e, Floats w)
-                                       HWY_ATTR { visit(at, outsideOf(e), w); });
+                                   [&](std::size_t at, auto e, Floats w) HWY_ATTR { visit(at, outsideOf(e), w); });
     const Distances distances(t.w[0], t.w[1], t.w[2]);
-    forEachVector<false>(edge0, edge1, edge2, plane, range, [&](std::size_t at, const Edges& e, Floats) HWY_ATTR {
+    forEachVector<false>(edge0, edge1, edge2, plane, range, [&](std::size_t at, auto e, Floats) HWY_ATTR {
         visit(at, outsideOf(e), distances.w(middle.linear(e.e1, 1), middle.linear(e.e2, 2)));
     });
 }

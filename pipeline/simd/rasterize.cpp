@@ -53,6 +53,9 @@ private:
 HWY_INLINE Floats nowhereOutside(Ints outside, Floats z) {
     return hn::BitCast(F(), hn::IfNegativeThenElse(outside, hn::BitCast(I(), all(kFar)), hn::BitCast(I(), z)));
 }
+HWY_INLINE Floats nowhereOutside(Inside, Floats z) { return z; }
+HWY_INLINE Mask isInside(Ints outside) { return asFloats(hn::Gt(outside, hn::Set(I(), -1))); }
+HWY_INLINE Mask isInside(Inside) { return hn::FirstN(F(), kLanes); }
 
 // The runs of a tile jump about in the small triangles: those that are drawn next are on their way before.
 class FetchedAhead {
@@ -145,9 +148,8 @@ private:
         for (std::uint32_t i = 0; i < run.count; ++i) {
             ahead.fetch();
             const SmallTriangle& t = piece.small[run.first + i];
-            const auto name = hn::Set(U(), t.id);
-            forEachVector(t, m_tile, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR {
-                drawVector(at, outside, w, name, sums);
+            forEachVector(t, m_tile, [&](std::size_t at, auto outside, Floats w) HWY_ATTR {
+                drawVector(at, isInside(outside), w, hn::Set(U(), t.id), sums);
             });
         }
         sums.addTo(m_counts);
@@ -157,17 +159,16 @@ private:
         const auto names = hn::Set(U(), name);
         forEachOfOther(
             t, m_tile, m_bits,
-            [&](std::size_t at, Ints outside, Floats w) HWY_ATTR { drawVector(at, outside, w, names, sums); },
+            [&](std::size_t at, auto outside, Floats w) HWY_ATTR { drawVector(at, isInside(outside), w, names, sums); },
             [&](glm::ivec2 pixel, const std::array<std::int64_t, 3>& e) {
                 drawPixel(placeOf(pixel - m_tile.min), interpolate(t, pixel, e, kPerspective).z, name);
             });
         sums.addTo(m_counts);
     }
     // What a triangle has in one vector.
-    HWY_INLINE void drawVector(std::size_t at, Ints outside, Floats w, hn::Vec<U> name, Sums& sums) {
+    HWY_INLINE void drawVector(std::size_t at, Mask inside, Floats w, hn::Vec<U> name, Sums& sums) {
         float* const to = &m_out.z[0].of[at];
-        if (!kPlain) outside = hn::IfThenElse(hn::RebindMask(I(), within(m_tile, at)), outside, hn::Set(I(), -1));
-        const Mask inside = asFloats(hn::Gt(outside, hn::Set(I(), -1)));
+        if (!kPlain) inside = hn::And(inside, within(m_tile, at));
         const Floats z = zOf<kPerspective>(w);
         const Floats stored = hn::Load(F(), to);
         const Mask won = hn::And(inside, hn::Lt(z, stored));
@@ -344,7 +345,7 @@ public:
 
 private:
     HWY_INLINE void drawSmall(const SmallTriangle& t) {
-        forEachVector(t, m_tile, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR { drawVector(at, outside, w); });
+        forEachVector(t, m_tile, [&](std::size_t at, auto outside, Floats w) HWY_ATTR { drawVector(at, outside, w); });
     }
     HWY_INLINE void drawTexel(std::size_t at, float z) {
         float& stored = m_blocks[0].of[at];
@@ -352,12 +353,12 @@ private:
     }
     HWY_NOINLINE void drawOther(const RasterTriangle<float>& t) {
         forEachOfOther(
-            t, m_tile, m_bits, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR { drawVector(at, outside, w); },
+            t, m_tile, m_bits, [&](std::size_t at, auto outside, Floats w) HWY_ATTR { drawVector(at, outside, w); },
             [&](glm::ivec2 texel, const std::array<std::int64_t, 3>& e) {
                 drawTexel(placeOf(texel - m_tile.min), interpolate(t, texel, e, kPerspective).z);
             });
     }
-    HWY_INLINE void drawVector(std::size_t at, Ints outside, Floats w) {
+    HWY_INLINE void drawVector(std::size_t at, auto outside, Floats w) {
         float* const to = &m_blocks[0].of[at];
         const Floats z = nowhereOutside(outside, zOf<kPerspective>(w));
         hn::Store(hn::Min(z, hn::Load(F(), to)), F(), to);
@@ -370,6 +371,7 @@ private:
 
 void drawShadowTile(const SetUpInputs& in, const TrianglePieces& all, std::size_t index, BlockBuffer2D<float>& depth) {
     const Tile tile = tileOf(all.size, index);
+    depth.fill(index, kFar);
     if (in.view.perspective)
         ShadowDrawer<true>(in, tile, depth.tile(index)).draw(all, index);
     else

@@ -17,7 +17,7 @@ struct TileCounts {
 // has room for them.
 // in: what the pieces of `seen` were set up from.
 TileCounts zBufferInVectors(const SetUpInputs& in, std::size_t tile, SeenBlocks& seen, ZBufferOutput<float>& out);
-// Onto what stands in the tile; +infinity where nothing does. in: what the pieces were set up from.
+// +infinity where nothing is. in: what the pieces were set up from.
 void shadowBufferInVectors(const SetUpInputs& in, const TrianglePieces& pieces, std::size_t tile,
                            BlockBuffer2D<float>& depth);
 

@@ -127,7 +127,7 @@ struct Fields {
     HWY_INLINE void copyTo(SmallTriangle& out, std::size_t lane) const {
         static_assert(std::endian::native == std::endian::little);
         static_assert(offsetof(SmallTriangle, b2) == 16 && offsetof(SmallTriangle, column) == 32);
-        static_assert(offsetof(SmallTriangle, facesViewer) == 52 && offsetof(SmallTriangle, leastW) == 56);
+        static_assert(offsetof(SmallTriangle, facesViewer) == 50 && offsetof(SmallTriangle, leastW) == 52);
         auto* const to = reinterpret_cast<std::int32_t*>(&out);
         for (int i = 0; i < 4; ++i) std::memcpy(to + 4 * i, quarters[i] + 4 * lane, 16);
     }
@@ -241,12 +241,12 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     const auto pair = [](Ints low, Ints high) HWY_ATTR { return hn::Or(low, hn::ShiftLeft<16>(high)); };
     const Ints box = hn::Or(width, hn::ShiftLeft<8>(height)), facing = pick(turned, one, zero);
     const Floats(&w)[3] = corners.w;
-    out.storeQuarter(0, edge1.a, edge1.b, edge1.c, edge2.a);
-    out.storeQuarter(1, edge2.b, edge2.c, hn::Sub(size, bias0), bitsIn(planes.first));
+    const Ints biased = hn::Sub(size, hn::Add(bias0, hn::Add(edge1.bias, edge2.bias)));
+    out.storeQuarter(0, edge1.a, edge1.b, hn::Sub(edge1.c, edge1.bias), edge2.a);
+    out.storeQuarter(1, edge2.b, hn::Sub(edge2.c, edge2.bias), biased, bitsIn(planes.first));
     out.storeQuarter(2, bitsIn(planes.column), bitsIn(planes.row), hn::Iota(whole, std::int32_t(firstId)),
                      pair(minX, minY));
-    out.storeQuarter(3, pair(box, hn::Or(edge1.bias, hn::ShiftLeft<8>(edge2.bias))), facing, bitsIn(w[0]),
-                     bitsIn(hn::Max(w[0], hn::Max(w[1], w[2]))));
+    out.storeQuarter(3, pair(box, facing), bitsIn(w[0]), bitsIn(hn::Max(w[0], hn::Max(w[1], w[2]))), zero);
     return found;
 }
 

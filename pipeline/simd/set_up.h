@@ -15,18 +15,18 @@ namespace pipeline {
 // record is kept until it is drawn; of a tiny one its fragments are, which take less room, and less time than its edge
 // functions once more.
 
-// Edge functions in steps² of the grid, c at the first pixel of its box, a more at the next column, b at the next row.
-// The one of corner 0 is its triangle's area, doubled, - e1 - e2. Corners as in RasterTriangle: clockwise, the farthest
-// first; w over it is a PlaneEquation. One line of the cache: what draws jumps about in them.
+// Edge functions in steps² of the grid, c at the first pixel of its box, a more at the next column, b at the next row; less
+// 1 where the edge does not own the samples on it: below 0 outside. The one of corner 0 is area - e1 - e2. Corners as in
+// RasterTriangle: clockwise, the farthest first; w over it is a PlaneEquation. One line of the cache: what draws jumps about
+// in them.
 struct alignas(64) SmallTriangle {
     std::int32_t a1, b1, c1, a2, b2, c2;
-    std::int32_t biasedArea;     // less the bias of edge 0
+    std::int32_t area;           // doubled, less what is taken off the three of them
     float first, column, row;    // PlaneEquation's, from the first pixel of the block that holds the box's first pixel
     std::uint32_t id;            // index into Topology::triangles
     std::int16_t x, y;           // the box's first pixel
     std::uint8_t width, height;  // of the box within the picture, pixels, at least 1
-    std::uint8_t bias1, bias2;   // 0 where the edge owns the samples on it, else 1: e - bias is below 0 outside
-    std::uint8_t facesViewer;    // 1 where its own corners run anticlockwise, else 0
+    std::uint16_t facesViewer;   // 1 where its own corners run anticlockwise, else 0
     float leastW, mostW;         // of its corners
 };
 static_assert(sizeof(SmallTriangle) == 64);

@@ -260,24 +260,23 @@ private:
         if (!isDimmed(k)) return false;
         const ShadowLight& light = m_casters.lights[k];
         const bool everywhere = m_inputs.parts.idleLookups || (kKeeps && has(BufferId::Shadow));
+        const auto bias = m_casters.biasOf[k];
         Group wanted;
-        long long lookups = 0, idle = 0;
+        long long lookups = 0, pixels = 0;
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
-            const Mask mask = group.mask(n);
-            store(all(1), m_row.S, i);
-            const Mask asks = everywhere ? mask : hn::AndNot(areZero(n), mask);
+            const Mask mask = group.mask(n), asks = everywhere ? mask : hn::AndNot(areZero(n), mask);
             const std::uint32_t bits = bitsOf(asks);
-            lookups += std::popcount(bits), idle += std::popcount(group.bits[n] & ~bits);
+            lookups += std::popcount(bits), pixels += std::popcount(group.bits[n]);
             if (bits != 0) wanted.add(i, bits);
+            Floats S = all(1);
+            if (bits != 0 && bias)
+                S = hn::IfThenElse(asks, light.factorByPolygon(m_lookUps[*bias], m_row.surface.bias[*bias], i), S);
+            store(S, m_row.S, i);
         }
-        if (light.looksUp()) m_counts.lookups += lookups, m_counts.idleLookups += idle;
-        if (!light.casts()) return true;
-        if (const auto bias = m_casters.biasOf[k])
-            light.factorsByPolygon(m_lookUps[*bias], m_row.surface.bias[*bias], wanted, m_row.S);
-        else
-            light.template factors<A>(m_row.surface, wanted, m_row.S);
-        if (m_keeper) markUnknown(group, wanted);
+        if (light.looksUp()) m_counts.lookups += lookups, m_counts.idleLookups += pixels - lookups;
+        if (light.casts() && !bias) light.template factors<A>(m_row.surface, wanted, m_row.S);
+        if (light.casts() && m_keeper) markUnknown(group, wanted);
         return true;
     }
 

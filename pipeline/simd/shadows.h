@@ -20,19 +20,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// Where a texel stands in the blocks of a buffer. Its column and row: whole numbers, of a texel that there is.
-HWY_INLINE Ints texelPlace(const BlockBuffer2D<float>& depth, Floats x, Floats y) {
+// Columns or rows, whole numbers up to 2^22, as the bits of a sum whose last ones they are.
+HWY_INLINE Ints wholeBits(Floats v) { return hn::BitCast(I(), hn::Add(v, all(kToWhole))); }
+HWY_INLINE Ints wholeOf(Ints bits) { return hn::Sub(bits, hn::BitCast(I(), all(kToWhole))); }
+
+// Where a texel stands in the blocks of a buffer: its column and row, wholeBits of a texel that there is.
+HWY_INLINE Ints texelPlace(const BlockBuffer2D<float>& depth, Ints column, Ints row) {
     static_assert(kTileSize == 64 && kBlock == 4);
-    const I whole;
-    const auto of = [&](Floats v) HWY_ATTR {
-        return hn::Sub(hn::BitCast(whole, hn::Add(v, all(kToWhole))), hn::BitCast(whole, all(kToWhole)));
-    };
-    const Ints column = of(x), row = of(y);
-    const Ints tile =
-        hn::Add(hn::Mul(hn::ShiftRight<6>(row), hn::Set(whole, depth.tiles.x)), hn::ShiftRight<6>(column));
-    const auto bits = [&](Ints v, int mask) HWY_ATTR { return hn::And(v, hn::Set(whole, mask)); };
-    const Ints block = hn::Add(hn::ShiftLeft<6>(bits(row, 60)), hn::ShiftLeft<2>(bits(column, 60)));
-    return hn::Add(hn::Add(hn::ShiftLeft<12>(tile), block), hn::Add(hn::ShiftLeft<2>(bits(row, 3)), bits(column, 3)));
+    const auto bits = [](std::int32_t mask) HWY_ATTR { return hn::Set(I(), mask); };
+    constexpr std::int32_t kTile = (1 << 22) - 64;  // of a tile's first column or row
+    Ints inTiles = hn::And(column, bits(3));
+    inTiles = hn::OrAnd(inTiles, hn::ShiftLeft<2>(row), bits(3 << 2));
+    inTiles = hn::OrAnd(inTiles, hn::ShiftLeft<2>(column), bits(60 << 2));
+    inTiles = hn::OrAnd(inTiles, hn::ShiftLeft<6>(row), bits(60 << 6));
+    inTiles = hn::OrAnd(inTiles, hn::ShiftLeft<6>(column), bits(kTile << 6));
+    return hn::Add(inTiles, hn::Mul(hn::And(row, bits(kTile)), bits(depth.tiles.x << 6)));
 }
 
 // Points as a face of a light sees them: across its buffer and along its view, world units; the normal n of their
@@ -43,9 +45,9 @@ struct SeenByLight {
     Floats nDotP;
 };
 
-// What the pixels of a row look up on a face of a light: the column and row of their texel, where the nearest that there
-// is stands in the blocks, how far away they are and the bias of their polygon. Of orthographic views the texel may lie
-// beyond the buffer.
+// What the pixels of a row look up on a face of a light: where the nearest that there is to their texel stands in the
+// blocks, how far away they are and the bias of their polygon. Of orthographic views the texel may lie beyond the buffer:
+// filtering asks for its column and row; without any it is nearer than everything.
 struct LookUps {
     Row x, y, z, bias;
     alignas(64) std::int32_t place[kRowPixels];
@@ -58,23 +60,36 @@ HWY_INLINE Floats nearestTexel(const LightFace& face, Floats x) {
 
 constexpr std::size_t kManyBlocks = (8 << 20) / (kBlockPixels * sizeof(float));  // 8 MB
 
-// The column and row that points of vector i of a row fall on, of a texel that there may not be. A buffer is larger than
-// the caches next to the processor, and neighbours in the picture may be far apart in it: what is looked up is on its way
-// while the rest of the row is worked out.
-HWY_INLINE void prepareTexel(const LightFace& face, Floats x, Floats y, Floats z, std::size_t i, LookUps& out) {
-    const std::int32_t* const places = out.place + i;
-    hn::Store(texelPlace(*face.depth, nearestTexel(face, x), nearestTexel(face, y)), I(), out.place + i);
+// A buffer is larger than the caches next to the processor, and neighbours in the picture may be far apart in it: what
+// vector i of a row looks up is on its way while the rest of the row is worked out.
+HWY_INLINE void preparePlaces(const LightFace& face, Ints places, std::size_t i, LookUps& out) {
+    const std::int32_t* const at = out.place + i;
+    hn::Store(places, I(), out.place + i);
     // Of a small one some do: the others' texels mostly stand beside theirs.
     const std::size_t step = face.depth->blocks.size() > kManyBlocks ? 1 : 5;
-    for (std::size_t l = 0; l < hn::Lanes(F()); l += step)
-        hwy::Prefetch(&face.depth->blocks[0].of[std::size_t(places[l])]);
-    store(x, out.x, i), store(y, out.y, i), store(z, out.z, i);
+    for (std::size_t l = 0; l < hn::Lanes(F()); l += step) hwy::Prefetch(&face.depth->blocks[0].of[std::size_t(at[l])]);
+}
+HWY_INLINE Ints nearestPlace(const LightFace& face, Floats x, Floats y) {
+    return texelPlace(*face.depth, wholeBits(nearestTexel(face, x)), wholeBits(nearestTexel(face, y)));
 }
 template <class A>
-HWY_INLINE void prepareTexelAtInfinity(const LightFace& face, Floats3 p, std::size_t i, LookUps& out) {
+HWY_INLINE void prepareTexelAtInfinity(const LightFace& face, int filter, Floats3 p, std::size_t i, LookUps& out) {
     const Floats x = hn::Floor(A::mulAdd(all(face.step.x), p.x, all(face.centre.x)));
     const Floats y = hn::Floor(A::mulAdd(all(face.step.y), p.y, all(face.centre.y)));
-    prepareTexel(face, x, y, p.z, i, out);
+    if (filter != 0) {
+        preparePlaces(face, nearestPlace(face, x, y), i, out);
+        store(x, out.x, i), store(y, out.y, i), store(p.z, out.z, i);
+        return;
+    }
+    // As numbers without a sign, what is beyond any side of the buffer is beyond the last texel; NaN, too.
+    const Ints column = wholeBits(x), row = wholeBits(y);
+    const auto unsignedOf = [](Ints bits) HWY_ATTR { return hn::BitCast(U(), wholeOf(bits)); };
+    const auto farther = hn::Max(unsignedOf(column), unsignedOf(row));
+    const auto isBeyond = hn::Gt(farther, hn::Set(U(), std::uint32_t(face.depth->size.x - 1)));
+    const Ints place = texelPlace(*face.depth, column, row);
+    preparePlaces(face, hn::IfThenZeroElse(hn::RebindMask(I(), isBeyond), place), i, out);
+    const Floats nearest = all(-std::numeric_limits<float>::infinity());
+    store(hn::IfThenElse(hn::RebindMask(F(), isBeyond), nearest, p.z), out.z, i);
 }
 
 template <class A>
@@ -84,9 +99,11 @@ HWY_INLINE void prepareLookUps(const LightFace& face, const ShadowSettings& sett
         const auto texel = [&](float centre, float step, Floats across) HWY_ATTR {
             return nearestTexel(face, hn::Floor(hn::Add(all(centre), hn::Div(hn::Mul(all(step), across), p.z))));
         };
-        prepareTexel(face, texel(face.centre.x, face.step.x, p.x), texel(face.centre.y, face.step.y, p.y), p.z, i, out);
+        const Floats x = texel(face.centre.x, face.step.x, p.x), y = texel(face.centre.y, face.step.y, p.y);
+        preparePlaces(face, nearestPlace(face, x, y), i, out);
+        store(x, out.x, i), store(y, out.y, i), store(p.z, out.z, i);
     } else {
-        prepareTexelAtInfinity<A>(face, {p.x, p.y, p.z}, i, out);
+        prepareTexelAtInfinity<A>(face, settings.filter, {p.x, p.y, p.z}, i, out);
     }
     if (settings.bias == ShadowBias::Constant) return store(all(float(settings.biasValue)), out.bias, i);
     const Floats delta = texelSlope<A>(face, settings, p.n);
@@ -100,30 +117,31 @@ HWY_INLINE void prepareLookUps(const LightFace& face, const ShadowSettings& sett
     store(biasOf(face, settings, slope), out.bias, i);
 }
 
-// How many of the texels that filtering looks at see the points of vector i of a row lit: litTexels.
-HWY_INLINE Floats litOnFace(const LightFace& face, const ShadowSettings& settings, const LookUps& lookUps, Floats bias,
-                            std::size_t i, Mask wanted) {
-    const Floats zero = all(0), one = all(1), last = all(face.last());
-    const Floats x = load(lookUps.x, i), y = load(lookUps.y, i), z = load(lookUps.z, i);
-    const auto isLit = [&](Floats u, Floats v, Ints place) HWY_ATTR {
-        Mask inside = wanted;
-        if (!face.perspective)
-            inside = hn::And(hn::And(hn::Ge(u, zero), hn::Le(u, last)),
-                             hn::And(hn::And(hn::Ge(v, zero), hn::Le(v, last)), wanted));
-        const Floats stored = hn::GatherIndex(F(), face.depth->blocks[0].of, place);
-        return hn::IfThenZeroElse(hn::And(inside, hn::Gt(z, hn::Add(stored, bias))), one);
-    };
+// 1 where the points of vector i of a row are no farther than what is stored in their texels, else 0.
+HWY_INLINE Floats litAt(const LightFace& face, const LookUps& lookUps, Ints place, Floats bias, std::size_t i) {
+    const Floats stored = hn::GatherIndex(F(), face.depth->blocks[0].of, place);
+    return hn::IfThenZeroElse(hn::Gt(load(lookUps.z, i), hn::Add(stored, bias)), all(1));
+}
+// How many of the texels that are looked at see the points of vector i of a row lit: litTexels.
+HWY_INLINE Floats litInTexel(const LightFace& face, const LookUps& lookUps, Floats bias, std::size_t i) {
+    return litAt(face, lookUps, hn::Load(I(), lookUps.place + i), bias, i);
+}
+HWY_NOINLINE Floats litInTexels(const LightFace& face, const ShadowSettings& settings, const LookUps& lookUps,
+                                Floats bias, std::size_t i) {
+    const Floats x = load(lookUps.x, i), y = load(lookUps.y, i), first = all(0), last = all(face.last());
+    Floats sum = all(0);
     const int r = settings.filter;
-    if (r == 0) return isLit(x, y, hn::Load(I(), lookUps.place + i));
-    Floats lit = zero;
     for (int dy = -r; dy <= r; ++dy) {
         for (int dx = -r; dx <= r; ++dx) {
             const Floats u = hn::Add(x, all(float(dx))), v = hn::Add(y, all(float(dy)));
-            const Ints place = texelPlace(*face.depth, nearestTexel(face, u), nearestTexel(face, v));
-            lit = hn::Add(lit, isLit(u, v, place));
+            Floats lit = litAt(face, lookUps, nearestPlace(face, u, v), bias, i);
+            const Mask inside =
+                hn::And(hn::And(hn::Ge(u, first), hn::Le(u, last)), hn::And(hn::Ge(v, first), hn::Le(v, last)));
+            if (!face.perspective) lit = hn::IfThenElse(inside, lit, all(1));
+            sum = hn::Add(sum, lit);
         }
     }
-    return lit;
+    return sum;
 }
 
 // A light as pixels see it, whose shadow they may be in.
@@ -163,23 +181,20 @@ public:
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const Mask seen = row.seenAt(i);
             if (hn::AllFalse(F(), hn::AndNot(PolygonBias::turnsAway(load(bias, i)), seen))) continue;
-            prepareTexelAtInfinity<A>(face, face.along<A>(load(row.position, i) - all(face.eye)), i, out);
+            prepareTexelAtInfinity<A>(face, m_settings.filter, face.along<A>(load(row.position, i) - all(face.eye)), i,
+                                      out);
         }
     }
-    // S of the pixels of a row that are wanted, from the bias of their polygons: shadowAt. Else 1.
-    HWY_NOINLINE void factorsByPolygon(const LookUps& lookUps, const Row& bias, const Group& wanted, Row& S) const {
-        const int most = filteredTexels(m_settings);
-        for (std::size_t n = 0; n < wanted.count; ++n) {
-            const std::size_t i = wanted.at[n];
-            const Floats of = load(bias, i);
-            const Mask mask = wanted.mask(n), isLit = hn::AndNot(PolygonBias::turnsAway(of), mask);
-            Floats share = all(1);
-            if (looksUp() && !hn::AllFalse(F(), isLit)) {
-                const Floats lit = litOnFace(m_faces[0], m_settings, lookUps, of, i, isLit);
-                share = most == 1 ? lit : hn::Div(lit, all(float(most)));
-            }
-            store(hn::IfThenElse(mask, hn::IfThenElseZero(isLit, share), all(1)), S, i);
+    // S of the pixels of vector i of a row, from the bias of their polygons: shadowAt.
+    HWY_INLINE Floats factorByPolygon(const LookUps& lookUps, const Row& bias, std::size_t i) const {
+        const Floats of = load(bias, i);
+        Floats share = all(1);
+        if (looksUp()) {
+            const int most = filteredTexels(m_settings);
+            share = most == 1 ? litInTexel(m_faces[0], lookUps, of, i)
+                              : hn::Div(litInTexels(m_faces[0], m_settings, lookUps, of, i), all(float(most)));
         }
+        return hn::IfThenZeroElse(PolygonBias::turnsAway(of), share);
     }
     // S of the pixels of a row that are wanted: shadowAt. Else 1.
     template <class A>
@@ -262,7 +277,9 @@ private:
         for (std::size_t n = 0; n < wanted.count; ++n) {
             const std::size_t i = wanted.at[n];
             const Floats bias = load(lookUps.bias, i);
-            addLit(litOnFace(face, m_settings, lookUps, bias, i, wanted.mask(n)), wanted.mask(n), i, lit);
+            const Floats of = m_settings.filter == 0 ? litInTexel(face, lookUps, bias, i)
+                                                     : litInTexels(face, m_settings, lookUps, bias, i);
+            addLit(of, wanted.mask(n), i, lit);
         }
     }
     template <class A>
