@@ -45,13 +45,12 @@ struct BlockGroup {
 
 // Calls visit(at, e, w) for the vectors of the blocks in a range of which no edge function leaves all outside. edges: those
 // of a triangle, below 0 where they leave a pixel outside; what they have more at the next pixel sums to 0. at: of the
-// vector's first pixel in the tile's blocks; e: the three functions at its pixels; w: of the plane, with kPlane. In blocks
-// that are inside as a whole e is InnerEdges.
-// In which blocks there are pixels inside, and in which no others, is found first, with a block in each number of a vector,
-// and then these are gone through in two loops: where a row of blocks ends within a triangle nobody could guess, and every
-// wrong guess takes as long as drawing two blocks. N. Greene, "Hierarchical polygon tiling with coverage masks", SIGGRAPH
-// 1996.
-template <bool kPlane, class Visit>
+// vector's first pixel in the tile's blocks; e: the three functions at its pixels; w: of the plane, with kPlane.
+// In which blocks there are pixels inside is found first, with a block in each number of a vector, and then these are gone
+// through in one loop: where a row of blocks ends within a triangle nobody could guess, and every wrong guess takes as long
+// as drawing two blocks. N. Greene, "Hierarchical polygon tiling with coverage masks", SIGGRAPH 1996.
+// kLarge: those that are inside as a whole, of which small triangles have few, have a loop of their own, with InnerEdges.
+template <bool kPlane, bool kLarge, class Visit>
 HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& edge1, const PixelFunction& edge2,
                               const PlaneInTile& plane, const BlockRange& range, Visit visit) {
     const int across = range.maxX - range.minX, down = range.maxY - range.minY;
@@ -103,7 +102,7 @@ HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& e
                     return std::uint64_t(bitsOf(asFloats(hn::Gt(outsideOf(edges), hn::Set(I(), -1))))) << place;
                 };
                 inside |= areInside(here + mosts);
-                whole |= areInside(here + leasts);
+                if constexpr (kLarge) whole |= areInside(here + leasts);
                 hn::Store(here.e0, I(), e0 + place), hn::Store(here.e1, I(), e1 + place);
                 hn::Store(here.e2, I(), e2 + place);
                 here = here + step;
@@ -129,10 +128,11 @@ HWY_INLINE void forEachVector(const PixelFunction& edge0, const PixelFunction& e
         visitBlocks(inside & ~whole, [&](std::size_t place, int v) HWY_ATTR {
             return Edges{hn::Set(I(), e0[place]), hn::Set(I(), e1[place]), hn::Set(I(), e2[place])} + within[v];
         });
-        visitBlocks(inside & whole, [&](std::size_t place, int v) HWY_ATTR {
-            return InnerEdges{hn::Add(hn::Set(I(), e1[place]), within[v].e1),
-                              hn::Add(hn::Set(I(), e2[place]), within[v].e2)};
-        });
+        if constexpr (kLarge)
+            visitBlocks(inside & whole, [&](std::size_t place, int v) HWY_ATTR {
+                return InnerEdges{hn::Add(hn::Set(I(), e1[place]), within[v].e1),
+                                  hn::Add(hn::Set(I(), e2[place]), within[v].e2)};
+            });
     }
 }
 
@@ -174,12 +174,12 @@ HWY_INLINE void forEachVectorOfAll(const SmallTriangle& t, Tile tile, const Plan
 }
 
 // Calls visit(at, outside, w) for the vectors of the tile that a small triangle covers a part of; at: of its first pixel in
-// the blocks, outside: below 0 where a pixel is, or Inside where none is.
+// the blocks, outside: below 0 where a pixel is.
 template <class Visit>
 HWY_INLINE void forEachVector(const SmallTriangle& t, Tile tile, Visit visit) {
     const glm::ivec2 low(t.x, t.y), high = low + glm::ivec2(t.width, t.height), from = tile.min - low;
     const PlaneInTile plane(t.first, t.column, t.row, (low & ~(kBlock - 1)) - tile.min);
-    const auto visitEdges = [&](std::size_t at, auto e, Floats w) HWY_ATTR { visit(at, outsideOf(e), w); };
+    const auto visitEdges = [&](std::size_t at, const Edges& e, Floats w) HWY_ATTR { visit(at, outsideOf(e), w); };
     constexpr int kFew = 12;
     const BlockRange range(low, high, tile);
     if ((range.maxX - range.minX) * (range.maxY - range.minY) <= kFew)
@@ -193,10 +193,10 @@ HWY_INLINE void forEachVector(const SmallTriangle& t, Tile tile, Visit visit) {
         return std::int32_t(Wraps(sum) - Wraps(one) - Wraps(two));
     };
     const PixelFunction edge0{rest(t.area, edge1.value, edge2.value), rest(0, t.a1, t.a2), rest(0, t.b1, t.b2)};
-    forEachVector<true>(edge0, edge1, edge2, plane, range, visitEdges);
+    forEachVector<true, false>(edge0, edge1, edge2, plane, range, visitEdges);
 }
 
-// And of one of up to some thousands of pixels.
+// And of one of up to some thousands of pixels; outside: Inside where none is.
 template <class Visit>
 HWY_INLINE void forEachVector(const MiddleEdges& middle, const RasterTriangle<float>& t, Tile tile, Visit visit) {
     const PixelFunction &edge0 = middle.edge(0), &edge1 = middle.edge(1), &edge2 = middle.edge(2);
@@ -204,10 +204,11 @@ HWY_INLINE void forEachVector(const MiddleEdges& middle, const RasterTriangle<fl
     const BlockRange range(box.min, box.max, tile);
     const PlaneInTile plane(t.plane, tile);
     if (t.plane.holds)
-        return forEachVector<true>(edge0, edge1, edge2, plane, range,
-                                   [&](std::size_t at, auto e, Floats w) HWY_ATTR { visit(at, outsideOf(e), w); });
+        return forEachVector<true, true>(edge0, edge1, edge2, plane, range,
+                                         [&](std::size_t at, auto e, Floats w)
+                                             HWY_ATTR { visit(at, outsideOf(e), w); });
     const Distances distances(t.w[0], t.w[1], t.w[2]);
-    forEachVector<false>(edge0, edge1, edge2, plane, range, [&](std::size_t at, auto e, Floats) HWY_ATTR {
+    forEachVector<false, true>(edge0, edge1, edge2, plane, range, [&](std::size_t at, auto e, Floats) HWY_ATTR {
         visit(at, outsideOf(e), distances.w(middle.linear(e.e1, 1), middle.linear(e.e2, 2)));
     });
 }

@@ -148,7 +148,7 @@ private:
         for (std::uint32_t i = 0; i < run.count; ++i) {
             ahead.fetch();
             const SmallTriangle& t = piece.small[run.first + i];
-            forEachVector(t, m_tile, [&](std::size_t at, auto outside, Floats w) HWY_ATTR {
+            forEachVector(t, m_tile, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR {
                 drawVector(at, isInside(outside), w, hn::Set(U(), t.id), sums);
             });
         }
@@ -345,7 +345,7 @@ public:
 
 private:
     HWY_INLINE void drawSmall(const SmallTriangle& t) {
-        forEachVector(t, m_tile, [&](std::size_t at, auto outside, Floats w) HWY_ATTR { drawVector(at, outside, w); });
+        forEachVector(t, m_tile, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR { drawVector(at, outside, w); });
     }
     HWY_INLINE void drawTexel(std::size_t at, float z) {
         float& stored = m_blocks[0].of[at];
