@@ -31,6 +31,7 @@ HWY_INLINE HighlightCounts raiseHighlights(const Group& group, float exponent, f
     const Floats power = all(exponent), none = all(Incidence::kNoHighlight);
     const bool mayVanish = exponent * kNoHighlight > vanishesFrom;
     HighlightCounts counts;
+    Group asking;
     for (std::size_t n = 0; n < group.count; ++n) {
         const std::size_t i = group.at[n];
         const Floats q = load(qs, i);
@@ -42,14 +43,26 @@ HWY_INLINE HighlightCounts raiseHighlights(const Group& group, float exponent, f
             counts.vanished += countOf(vanishes);
             if (!logs) asked = hn::AndNot(vanishes, asked);  // another exponent may not make them vanish
         }
-        if (hn::AllFalse(F(), asked)) {
+        if (const std::uint32_t bits = bitsOf(asked); bits != 0) {
+            asking.add(i, bits);
+        } else {
             store(all(0), powers, i);
             if (logs) store(none, *logs, i);
-            continue;
         }
-        const Floats log = logOneMinus<A>(hn::IfThenElseZero(asked, q));
-        store(hn::IfThenElseZero(asked, expOfNegative<A>(hn::Mul(power, log))), powers, i);
-        if (logs) store(hn::IfThenElse(asked, log, none), *logs, i);
+    }
+    // Two at a time: one is a long chain of operations, each of which waits for the one before.
+    for (std::size_t n = 0; n < asking.count; n += 2) {
+        const std::size_t next = std::min(n + 1, asking.count - 1), i = asking.at[n], j = asking.at[next];
+        const Mask asked = asking.mask(n), askedNext = asking.mask(next);
+        const Floats log = logOneMinus<A>(hn::IfThenElseZero(asked, load(qs, i)));
+        const Floats logNext = logOneMinus<A>(hn::IfThenElseZero(askedNext, load(qs, j)));
+        const Floats raised = expOfNegative<A>(hn::Mul(power, log));
+        const Floats raisedNext = expOfNegative<A>(hn::Mul(power, logNext));
+        store(hn::IfThenElseZero(asked, raised), powers, i);
+        store(hn::IfThenElseZero(askedNext, raisedNext), powers, j);
+        if (!logs) continue;
+        store(hn::IfThenElse(asked, log, none), *logs, i);
+        store(hn::IfThenElse(askedNext, logNext, none), *logs, j);
     }
     return counts;
 }
