@@ -21,7 +21,10 @@ template <class A>
 class TileRelighter {
 public:
     TileRelighter(const ShadingInputs& inputs, std::span<const Look> looks, const Incidence& kept)
-        : m_count(inputs.lights.size()), m_looks(looks), m_kept(kept) {
+        : m_count(inputs.lights.size()),
+          m_looks(looks),
+          m_kept(kept),
+          m_vanishesFrom(vanishesFrom<float>(inputs.illumination.detail.logContrast)) {
         for (std::size_t k = 0; k < m_count; ++k)
             if (inputs.parts.lights[k]) m_lights.push_back(k);
     }
@@ -66,9 +69,10 @@ private:
                 Floats3 diffuse = choose(lit, scaled(all(reflected.diffuse), nDotL), none), specular = none;
                 if (shines) {
                     const Floats log = hn::Load(F(), lights[k].log + first);
-                    const Mask there = hn::And(mask, hn::Le(log, all(0)));
+                    const Floats y = hn::Mul(exponent, log);
+                    const Mask there = hn::And(mask, hn::And(hn::Le(log, all(0)), hn::Ge(y, all(-m_vanishesFrom))));
                     if (!look.isFinite || !hn::AllFalse(F(), there)) {
-                        const Floats power = hn::IfThenElseZero(there, expOfNegative<A>(hn::Mul(exponent, log)));
+                        const Floats power = hn::IfThenElseZero(there, expOfNegative<A>(y));
                         specular = scaled(all(reflected.specular), power) + none;
                     }
                     m_powers += static_cast<long long>(hn::CountTrue(F(), there));
@@ -97,6 +101,7 @@ private:
     std::size_t m_count;
     std::span<const Look> m_looks;
     const Incidence& m_kept;
+    float m_vanishesFrom;               // -log of a power
     std::vector<std::size_t> m_lights;  // those that shine
     long long m_relit = 0, m_powers = 0;
 };
