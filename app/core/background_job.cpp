@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <atomic>
 
+#include "app/core/memory_notice.h"
 #include "app/core/window_look.h"
 
 namespace app {
@@ -32,7 +33,12 @@ void BackgroundJob::start(std::function<std::function<void()>(const Control&)> j
     m_worker->ask(
         [this, ticket, job = std::move(job), progress, look = WindowLook()](const std::stop_token& stop) {
             const WornLook worn(look);
-            const auto done = job({stop, progress});
+            std::function<void()> done;
+            try {
+                done = job({stop, progress});
+            } catch (const std::bad_alloc&) {
+                done = [] { emit MemoryNotice::instance().gaveUp(); };
+            }
             if (stop.stop_requested()) return;
             QMetaObject::invokeMethod(
                 this, [this, ticket, done] { take(ticket, done); }, Qt::QueuedConnection);

@@ -25,7 +25,7 @@ public:
     ~BackgroundJob() override;  // stops what runs, and waits; nothing comes after
 
     // work(control) gives a result that can be copied, and sees the window's look as it is now; done(result) follows,
-    // unless it was stopped or forgotten.
+    // unless it was stopped or forgotten, or there was not enough memory for it, which MemoryNotice says.
     template <class Work, class Done>
     void ask(Work work, Done done, Running running = Running::Stop) {
         start(

@@ -1,5 +1,6 @@
 #include "app/core/export_job.h"
 
+#include "app/core/memory_notice.h"
 #include "app/core/text.h"
 #include "pipeline/run/runner.h"
 
@@ -51,7 +52,8 @@ ExportJob::ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::Fra
             return !stop.stop_requested();
         };
         progress(0, tr("Computing the frame").toStdString());
-        const auto result = runExport(scene, before, request, recipe, more, stop, progress);
+        const auto result =
+            withinMemory([&] { return runExport(scene, before, request, recipe, more, stop, progress); });
         later([this, result] {
             if (result) {
                 emit finished(*result);

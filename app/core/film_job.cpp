@@ -1,6 +1,7 @@
 #include "app/core/film_job.h"
 
 #include "app/core/export_plan.h"
+#include "app/core/memory_notice.h"
 #include "app/core/text.h"
 #include "pipeline/run/runner.h"
 
@@ -61,7 +62,7 @@ FilmJob::FilmJob(std::shared_ptr<const pipeline::Scene> scene, FilmOrder order, 
             later([this, share = double(done) / double(all)] { emit progressed(share); });
             return !stop.stop_requested();
         };
-        const auto result = write(scene, order, stop, progress);
+        const auto result = withinMemory([&] { return write(scene, order, stop, progress); });
         later([this, result] {
             if (result) {
                 emit finished(*result);

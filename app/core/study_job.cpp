@@ -3,6 +3,7 @@
 #include <chrono>
 #include <functional>
 
+#include "app/core/memory_notice.h"
 #include "app/core/text.h"
 
 namespace app {
@@ -84,8 +85,15 @@ StudyJob::StudyJob(StudyRequest request, QObject* parent) : ThreadJob(parent) {
             later([this, share, what = toQString(what), secondsLeft] { emit progressed(share, what, secondsLeft); });
         };
         const auto report = [&](const StudyReport& study) { later([this, study] { emit reported(study); }); };
-        const bool done = Work{request, progress, report}(stop);
-        later([this, done] { emit finished(!done); });
+        try {
+            const bool done = Work{request, progress, report}(stop);
+            later([this, done] { emit finished(!done); });
+        } catch (const std::bad_alloc&) {
+            later([this] {
+                emit MemoryNotice::instance().gaveUp();
+                emit finished(true);
+            });
+        }
     });
 }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/memory_notice.h"
 #include "app/core/number_format.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/scene_opener.h"
@@ -81,6 +82,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
         tell(file.isEmpty() ? toQString(errors.front().found) : tr("%1 could not be read").arg(file));
     });
     connect(&document, &Document::outOfMemory, this, [tell] { tell(tr("not enough memory for this frame")); });
+    connect(&MemoryNotice::instance(), &MemoryNotice::gaveUp, this, [tell] { tell(tr("not enough memory")); });
     const auto tellNotWritten = [tell](const QString& file) {
         tell(tr("%1 could not be written").arg(QFileInfo(file).fileName()));
     };

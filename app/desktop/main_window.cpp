@@ -16,6 +16,7 @@
 
 #include "app/core/file_watch.h"
 #include "app/core/icons.h"
+#include "app/core/memory_notice.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/scene_opener.h"
 #include "app/core/text.h"
@@ -222,6 +223,11 @@ void MainWindow::connectDocument() {
     connect(&m_document, &Document::outOfMemory, this, [this] {
         m_errors->report(tr("There is not enough memory for this frame. What you see is the one before."),
                          {{{}, "not enough memory; a smaller picture and fewer buffers need less", {}}});
+    });
+    connect(&MemoryNotice::instance(), &MemoryNotice::gaveUp, this, [this] {
+        m_errors->report(
+            tr("There is not enough memory for all that is asked for. Something that you see is as it was."),
+            {{{}, "not enough memory; a smaller picture and fewer buffers need less", {}}});
     });
     connect(&m_document, &Document::notWritten, this, [this](const QString& file, const pipeline::Errors& errors) {
         m_errors->report(tr("%1 could not be written. Nothing has changed.").arg(QFileInfo(file).fileName()), errors);

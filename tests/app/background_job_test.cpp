@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "app/core/freed_aside.h"
+#include "app/core/memory_notice.h"
 #include "app/core/window_look.h"
 #include "app/core/work_list.h"
 
@@ -37,6 +38,23 @@ TEST(BackgroundJob, GivesItsResultInThisThread) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return result != 0; }, 10000));
     EXPECT_EQ(result, 2) << "computed on another thread, given in this one";
     EXPECT_FALSE(job.busy());
+}
+
+TEST(BackgroundJob, WithoutMemoryItEndsAndSaysSoAndTheNextOneIsDone) {
+    BackgroundJob job;
+    const QSignalSpy notices(&MemoryNotice::instance(), &MemoryNotice::gaveUp);
+    std::vector<int> given;
+    for (const int number : {1, 2}) {
+        job.ask(
+            [number](const Control&) {
+                if (number == 1) throw std::bad_alloc();
+                return number;
+            },
+            [&](int result) { given.push_back(result); });
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !job.busy(); }, 10000));
+    }
+    EXPECT_EQ(notices.size(), 1);
+    EXPECT_EQ(given, std::vector{2});
 }
 
 TEST(BackgroundJob, ANewerOneStopsWhatRunsAndReplacesWhatWaits) {
