@@ -22,8 +22,9 @@ struct LightDetail {
     bool vanishing = true;                   // the power where its result is rounded to 0, or changes nothing
     PowerForm power = PowerForm::Log1p;
     UnitForm unit = UnitForm::Scaled;  // of L and H
-    // The logarithm of how often a specular term may hold what is there without any light: where `vanishing` is off, a
-    // power that changes no bit of their sum vanishes too. Infinite where nothing is known, or the term is asked for.
+    // The logarithm of the largest ratio of a specular term with power 1 to what is there without any light. Where
+    // `vanishing` is off, a power that changes no bit of their sum vanishes too. Infinite where that ratio is not known,
+    // or the term itself is asked for.
     double logContrast = std::numeric_limits<double>::infinity();
     bool operator==(const LightDetail&) const = default;
 };

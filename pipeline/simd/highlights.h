@@ -20,11 +20,12 @@ HWY_INLINE long long countOf(Mask mask) { return static_cast<long long>(hn::Coun
 inline constexpr float kNoHighlight = 4;
 
 struct HighlightCounts {
-    long long there = 0, vanished = 0;  // of these, nothing by their exponent
+    long long there = 0, vanished = 0;  // of these, too small to count
 };
 
 // The powers of highlights, and the logarithms that they come from where `logs` is not null: Incidence::kNoHighlight
-// where there is none. Only where a vector has one that is asked for. vanishesFrom: of which exponent times q on it is not.
+// where there is none. Only where a vector has one that is asked for. vanishesFrom: the exponent times q above which a
+// power is too small to count.
 template <class A>
 HWY_INLINE HighlightCounts raiseHighlights(const Group& group, float exponent, float vanishesFrom, const Row& qs,
                                            Row& powers, Row* logs) {
