@@ -15,6 +15,25 @@ target_compile_options(project_options INTERFACE
   $<$<BOOL:${SHADESCOPE_WERROR}>:-Werror>)
 target_link_libraries(project_options INTERFACE fmt::fmt)
 
+# GCC 12 puts two numbers that go from double to float and back side by side into a vector, and forgets to round them.
+include(CheckCXXSourceRuns)
+set(CMAKE_REQUIRED_FLAGS -O2)
+check_cxx_source_runs("
+__attribute__((noinline)) void roundBoth(const double* from, double* to) {
+    const float x = float(from[0]), y = float(from[1]);
+    to[0] = x, to[1] = y;
+}
+int main() {
+    const double from[]{0.1, 0.2};
+    double to[2];
+    roundBoth(from, to);
+    return to[0] == from[0] || to[1] == from[1];
+}" SHADESCOPE_COMPILER_ROUNDS_PAIRS)
+unset(CMAKE_REQUIRED_FLAGS)
+if(NOT SHADESCOPE_COMPILER_ROUNDS_PAIRS)
+  target_compile_options(project_options INTERFACE -fno-tree-slp-vectorize)
+endif()
+
 set(SHADESCOPE_SANITIZE "" CACHE STRING "Sanitizers: address,undefined or thread")
 if(SHADESCOPE_SANITIZE)
   set(sanitize -fsanitize=${SHADESCOPE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
