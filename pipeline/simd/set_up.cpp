@@ -326,6 +326,9 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         if (bits.tiny != 0) addFragments(tiny.count);
     }
     binner.finish();
+    // Most of a fine mesh is tiny, and most of a coarse one is not: room that turned out not to be needed is given back.
+    if (out.small.size() < out.small.capacity() / 2) out.small.shrink_to_fit();
+    if (out.fragments.count < out.fragments.id.size() / 2) out.fragments.giveBackRoom();
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

@@ -44,6 +44,10 @@ struct Fragments {
         const std::size_t size = std::max(count + more, 2 * id.size());
         id.resize(size), z.resize(size), at.resize(size);
     }
+    void giveBackRoom() {
+        id.resize(count), z.resize(count), at.resize(count);
+        id.shrink_to_fit(), z.shrink_to_fit(), at.shrink_to_fit();
+    }
 };
 
 // Triangles that stand side by side, or fragments, all in one tile: a mesh's neighbours mostly are.
