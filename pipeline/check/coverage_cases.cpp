@@ -121,7 +121,7 @@ Finding runCentres(Trial& trial) {
 std::shared_ptr<const Mesh> jitteredMesh(int cells, Vec3d offset) {
     Random random(12);
     const auto grid = gridMesh(cells, {-4, -4, 0}, {68, 68, 0});
-    std::vector<Vec3d> positions = grid->positions;
+    std::vector<Vec3d> positions = grid->positions.copy();
     const double cell = 72.0 / cells;
     for (int y = 1; y < cells; ++y)
         for (int x = 1; x < cells; ++x)
@@ -222,8 +222,8 @@ Finding runTJunction(Trial& trial) {
     const double fine = edgesWithHoles(overdrawOf(trial.frame(tJunctionScene(), kCoverage)));
     // A box one side of which has a vertex on an edge that the neighbour does not have.
     const auto box = boxMesh(-1, 1);
-    std::vector<Vec3d> positions = box->positions;
-    positions.emplace_back(0, -1, -1);
+    VertexVectors positions = box->positions;
+    positions.push_back({0, -1, -1});
     Polygons polygons;
     for (std::size_t p = 0; p < 6; ++p) polygons.emplace_back(box->polygon(p).begin(), box->polygon(p).end());
     polygons[0] = {0, 2, 3, 1, 8};

@@ -115,7 +115,10 @@ Scene rim() {
     Scene scene = turning(120);
     for (Object& object : scene.objects) {
         Mesh mesh = *object.mesh;
-        for (Vec3d& n : mesh.normals) n = glm::normalize(Vec3d(n.x, 0, n.z - 0.8));
+        for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+            const Vec3d n = mesh.normals[i];
+            mesh.normals.set(i, glm::normalize(Vec3d(n.x, 0, n.z - 0.8)));
+        }
         object.mesh = makeMesh(std::move(mesh));
     }
     scene.lights[0].position = {1, 0, -0.2};

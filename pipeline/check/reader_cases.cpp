@@ -181,7 +181,7 @@ Finding runQuaternions(Trial& trial) {
     const auto turned = [&](const std::string& q) {
         const Reading r = read("a.gltf", gltfNodes(fmt::format(R"([{{"mesh": 0, "rotation": [{}]}}])", q)));
         trial.demand(r.errors.empty() && r.objects.size() == 1, fmt::format("a rotation of {} is not read", q));
-        return r.objects.empty() ? std::vector<Vec3d>(3, Vec3d(std::nan(""))) : r.objects[0].mesh->positions;
+        return r.objects.empty() ? std::vector<Vec3d>(3, Vec3d(std::nan(""))) : r.objects[0].mesh->positions.copy();
     };
     const auto largest = [](const std::vector<Vec3d>& a, const std::vector<Vec3d>& b) {
         double worst = 0;

@@ -4,7 +4,7 @@
 
 namespace pipeline::check {
 
-std::shared_ptr<const Mesh> meshOf(std::vector<Vec3d> positions, const Polygons& polygons) {
+std::shared_ptr<const Mesh> meshOf(VertexVectors positions, const Polygons& polygons) {
     Mesh mesh;
     mesh.positions = std::move(positions);
     for (const auto& polygon : polygons) mesh.addPolygon(polygon);

@@ -17,7 +17,7 @@ using Long3 = glm::vec<3, Long>;
 
 using Polygons = std::vector<std::vector<std::uint32_t>>;
 using Corners = std::array<Vec3d, 3>;
-std::shared_ptr<const Mesh> meshOf(std::vector<Vec3d> positions, const Polygons& polygons);
+std::shared_ptr<const Mesh> meshOf(VertexVectors positions, const Polygons& polygons);
 // Each with three vertices of its own.
 std::shared_ptr<const Mesh> trianglesOf(std::span<const Corners> triangles);
 // The cube low..high in all three directions, its faces outward.

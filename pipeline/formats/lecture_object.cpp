@@ -29,7 +29,7 @@ void readVertices(LongList& list, std::size_t count, Mesh& mesh) {
     TextScanner& scanner = list.scanner;
     const Setting& place = settingRow("object.#.tx");  // a vertex may be as far away as an object
     for (std::size_t i = 0; i < count && list.good(); ++i) {
-        Vec3d& position = mesh.positions.emplace_back();
+        Vec3d position(0.0);
         for (int axis = 0; axis < 3; ++axis) {
             const std::optional<double> value = parseNumber(scanner.next());
             if (value && *value >= place.min && *value <= place.max)
@@ -38,6 +38,7 @@ void readVertices(LongList& list, std::size_t count, Mesh& mesh) {
                 scanner.refuse(std::string(1, "xyz"[axis]) + " of vertex " + std::to_string(i) + ", " +
                                numberFrom(place.min, place.max));
         }
+        mesh.positions.push_back(position);
     }
 }
 

@@ -88,8 +88,8 @@ void dropUnusedVertices(Mesh& mesh) {
     std::uint32_t used = 0;
     for (std::size_t i = 0; i < number.size(); ++i) {
         if (number[i] == 0) continue;
-        mesh.positions[used] = mesh.positions[i];
-        if (!mesh.normals.empty()) mesh.normals[used] = mesh.normals[i];
+        mesh.positions.set(used, mesh.positions[i]);
+        if (!mesh.normals.empty()) mesh.normals.set(used, mesh.normals[i]);
         number[i] = used++;
     }
     mesh.positions.resize(used);

@@ -25,22 +25,36 @@ struct Corner {
     std::uint32_t position, normal;
 };
 
+// How the normals of a group's corners are numbered. Most files give none, or a normal with every position.
+enum class NormalNumbers : std::uint8_t { None, AsPositions, Own };
+
 struct Faces {
     std::vector<std::uint32_t> positions;  // per corner
-    std::vector<std::uint32_t> normals;    // per corner up to the last that has one; kNone where one has none
+    NormalNumbers numbers = NormalNumbers::None;
+    std::vector<std::uint32_t> normals;  // per corner, of numbers Own; kNone where one has none
     std::vector<std::uint32_t> firstCorner{0};
     std::vector<TextPosition> places;
 
     std::size_t count() const { return places.size(); }
     bool haveNormals() const {
-        return normals.size() == positions.size() && std::ranges::find(normals, kNone) == normals.end();
+        return numbers != NormalNumbers::None && std::ranges::find(normals, kNone) == normals.end();
+    }
+    Corner corner(std::size_t i) const {
+        if (numbers == NormalNumbers::Own) return {positions[i], normals[i]};
+        return {positions[i], numbers == NormalNumbers::AsPositions ? positions[i] : kNone};
     }
     void addCorner(const Corner& corner) {
-        if (corner.normal != kNone) {
-            normals.resize(positions.size(), kNone);
-            normals.push_back(corner.normal);
+        const NormalNumbers its = corner.normal == kNone             ? NormalNumbers::None
+                                  : corner.normal == corner.position ? NormalNumbers::AsPositions
+                                                                     : NormalNumbers::Own;
+        if (positions.empty()) numbers = its;
+        if (its != numbers && numbers != NormalNumbers::Own) {
+            normals.assign(positions.size(), kNone);
+            if (numbers == NormalNumbers::AsPositions) normals = positions;
+            numbers = NormalNumbers::Own;
         }
         positions.push_back(corner.position);
+        if (numbers == NormalNumbers::Own) normals.push_back(corner.normal);
     }
     void dropCorners(std::size_t first) {
         positions.resize(first);
@@ -59,7 +73,7 @@ struct Group {
 };
 
 struct ObjFile {
-    std::vector<Vec3d> positions, normals;  // a normal without length is (0, 0, 0)
+    VertexVectors positions, normals;  // a normal without length is (0, 0, 0)
     std::vector<NamedMaterial> materials;
     std::map<std::string, std::size_t, std::less<>> materialOf;  // by name
     std::vector<Group> groups;
@@ -94,7 +108,7 @@ public:
         while (m_scanner.nextLine()) {
             const std::string_view word = m_scanner.next();
             if (word == "v")
-                readVector("vertex", m_file.positions);
+                m_file.positions.push_back(readVector("vertex", m_file.positions.size() + 1));
             else if (word == "vn")
                 readNormal();
             else if (word == "f" || word == "fo")
@@ -110,20 +124,24 @@ public:
     }
 
 private:
-    void readVector(std::string_view what, std::vector<Vec3d>& list) {
-        Vec3d& vector = list.emplace_back(0.0);
+    // The one that gets this number; with what is right of it, where the file is refused.
+    Vec3d readVector(std::string_view what, std::size_t number) {
+        Vec3d vector(0.0);
         for (int axis = 0; axis < 3; ++axis) {
             const std::optional<double> value = parseNumber(m_scanner.next());
-            if (!value || !isCoordinate(*value))
-                return m_scanner.refuse(fmt::format("{} of {} {}, {}", "xyz"[axis], what, list.size(),
-                                                    numberFrom(-kFarthestVertex, kFarthestVertex)));
+            if (!value || !isCoordinate(*value)) {
+                m_scanner.refuse(fmt::format("{} of {} {}, {}", "xyz"[axis], what, number,
+                                             numberFrom(-kFarthestVertex, kFarthestVertex)));
+                break;
+            }
             vector[axis] = *value;
         }
+        return vector;
     }
 
     void readNormal() {
-        readVector("normal", m_file.normals);
-        m_file.normals.back() = unitVector(m_file.normals.back()).value_or(Vec3d(0.0));
+        const Vec3d normal = readVector("normal", m_file.normals.size() + 1);
+        m_file.normals.push_back(unitVector(normal).value_or(Vec3d(0.0)));
     }
 
     // v, v/vt, v//vn or v/vt/vn. Texture coordinates are not looked at.
@@ -242,7 +260,7 @@ public:
         const bool hasNormals = faces.haveNormals();
         m_corners.clear(), m_others.clear();
         for (std::size_t i = 0; i < faces.positions.size(); ++i)
-            faces.positions[i] = vertex({faces.positions[i], hasNormals ? faces.normals[i] : kNone});
+            faces.positions[i] = vertex(hasNormals ? faces.corner(i) : Corner{faces.positions[i], kNone});
         faces.normals = std::vector<std::uint32_t>();
         Mesh mesh;
         mesh.positions.reserve(m_corners.size());
@@ -302,7 +320,7 @@ std::vector<Mesh> meshesOf(ObjFile& file, std::size_t& leftOut) {
         VertexMaker maker(file);
         for (Group& group : file.groups) meshes.push_back(maker.verticesOf(group.faces));
     }
-    file.positions = std::vector<Vec3d>(), file.normals = std::vector<Vec3d>();
+    file.positions.clear(), file.normals.clear();
     giveBackFreedMemory();
     for (std::size_t i = 0; i < meshes.size(); ++i) leftOut += addPolygons(std::move(file.groups[i].faces), meshes[i]);
     return meshes;

@@ -198,7 +198,7 @@ std::size_t readElements(PlyBody& body, const PlyHeader& header, std::size_t fil
         if (isVertex) mesh.positions.reserve(element.count);
         for (std::size_t i = 0; i < element.count; ++i) {
             if (!body.goesOn() || !readRow(body, element, i, mesh.positions.size(), row)) return leftOut;
-            if (isVertex) mesh.positions.emplace_back(row.values[0], row.values[1], row.values[2]);
+            if (isVertex) mesh.positions.push_back({row.values[0], row.values[1], row.values[2]});
             if (hasNormals) {
                 const std::optional<Vec3d> normal = unitVector({row.values[3], row.values[4], row.values[5]});
                 normalsKnown = normalsKnown && normal;

@@ -35,7 +35,7 @@ public:
         // Adding 0 makes -0 the same as 0.
         const std::array<double, 3> key{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0};
         const auto [found, isNew] = m_vertexOf.try_emplace(key, static_cast<std::uint32_t>(m_mesh.positions.size()));
-        if (isNew) m_mesh.positions.emplace_back(key[0], key[1], key[2]);
+        if (isNew) m_mesh.positions.push_back({key[0], key[1], key[2]});
         return found->second;
     }
     Mesh& mesh() { return m_mesh; }

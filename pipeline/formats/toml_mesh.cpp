@@ -52,13 +52,13 @@ private:
         return m_wrong ? nullptr : array;
     }
 
-    void readVectors(const toml::array& from, std::string_view key, std::vector<Vec3d>& to) {
+    void readVectors(const toml::array& from, std::string_view key, VertexVectors& to) {
         const Setting& range = settingRow("object.#.tx");
         for (const toml::node& node : from) {
             const auto v = m_values.numbers(node, fmt::format("{}.{}", m_path, key), 3, range.min, range.max);
             if (!v) m_wrong = true;
             if (m_wrong) return;
-            to.emplace_back((*v)[0], (*v)[1], (*v)[2]);
+            to.push_back({(*v)[0], (*v)[1], (*v)[2]});
         }
     }
 

@@ -133,7 +133,7 @@ private:
     }
 
     void mesh(const Mesh& mesh) {
-        const auto vectors = [&](std::string_view key, const std::vector<Vec3d>& from) {
+        const auto vectors = [&](std::string_view key, const VertexVectors& from) {
             m_text += fmt::format("{} = [\n", key);
             for (const Vec3d& v : from) {
                 m_text += "  " + vectorText(v) + ",\n";

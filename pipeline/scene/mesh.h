@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/core/real.h"
+#include "pipeline/scene/vertex_vectors.h"
 
 namespace pipeline {
 
@@ -39,8 +40,8 @@ struct MeshFacts {
 // same pointer hold the same mesh.
 struct Mesh {
     std::string file;  // as the scene names it; empty for a built-in shape, and where it stands in the scene's own
-    std::vector<Vec3d> positions;             // object space; 24 bytes a vertex
-    std::vector<Vec3d> normals;               // per vertex, as the file or shape gives them; empty: none
+    VertexVectors positions;                  // object space; 12 or 24 bytes a vertex
+    VertexVectors normals;                    // per vertex, as the file or shape gives them; empty: none
     std::vector<TextPosition> polygonPlaces;  // where each polygon stands there, 8 bytes; may be empty
 
     // Polygon by polygon, 16 bytes each. While all polygons are triangles these are the polygons, and the lists below

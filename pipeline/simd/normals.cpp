@@ -100,19 +100,26 @@ void unitSums(const NormalsInputs& inputs, const TransformOutput<float>& in, std
     unitVertexNormals(inputs, in, object, i, end, out);
 }
 
-// What the mesh gives, in double.
-void unitGiven(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t object, std::size_t begin,
-               std::size_t end, NormalsOutput<float>& out) {
+// What the mesh gives, in double. given: it, in float or in double.
+template <class T>
+HWY_INLINE void unitGivenIn(std::span<const Vec3<T>> given, const NormalsInputs& inputs,
+                            const TransformOutput<float>& in, std::size_t object, std::size_t begin, std::size_t end,
+                            NormalsOutput<float>& out) {
     const hn::CappedTag<double, 8> d;
     const hn::Rebind<float, decltype(d)> f;
-    const std::vector<Vec3d>& given = in.topology->meshes[object]->normals;
     const glm::dmat3& matrix = in.normalMatrix[object];
     const std::size_t lanes = hn::Lanes(d), first = in.topology->firstVertex[object];
     std::size_t i = begin;
     for (; i + lanes <= end; i += lanes) {
         fetchAhead(&given[i], lanes);
         auto x = hn::Zero(d), y = x, z = x;
-        hn::LoadInterleaved3(d, &given[i].x, x, y, z);
+        if constexpr (std::is_same_v<T, float>) {
+            auto narrowX = hn::Zero(f), narrowY = narrowX, narrowZ = narrowX;
+            hn::LoadInterleaved3(f, &given[i].x, narrowX, narrowY, narrowZ);
+            x = hn::PromoteTo(d, narrowX), y = hn::PromoteTo(d, narrowY), z = hn::PromoteTo(d, narrowZ);
+        } else {
+            hn::LoadInterleaved3(d, &given[i].x, x, y, z);
+        }
         const auto row = [&](int r) HWY_ATTR {
             const auto of = [&](int column, auto v) HWY_ATTR { return hn::Mul(hn::Set(d, matrix[column][r]), v); };
             return hn::Add(hn::Add(of(0, x), of(1, y)), of(2, z));
@@ -128,6 +135,14 @@ void unitGiven(const NormalsInputs& inputs, const TransformOutput<float>& in, st
         hn::StoreInterleaved3(unit(nx), unit(ny), unit(nz), f, &out.vertex[first + i].x);
     }
     unitVertexNormals(inputs, in, object, i, end, out);
+}
+void unitGiven(const NormalsInputs& inputs, const TransformOutput<float>& in, std::size_t object, std::size_t begin,
+               std::size_t end, NormalsOutput<float>& out) {
+    const VertexVectors& given = in.topology->meshes[object]->normals;
+    if (given.doubles().empty())
+        unitGivenIn(given.floats(), inputs, in, object, begin, end, out);
+    else
+        unitGivenIn(given.doubles(), inputs, in, object, begin, end, out);
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

@@ -66,6 +66,15 @@ HWY_INLINE hn::Vec<D> quotient(hn::Vec<D> v, hn::Vec<D> z, hn::Vec<D> inverse) {
 #endif
 }
 
+// As many vectors as D has numbers.
+HWY_INLINE Floats3 inFloat(const Vec3<float>* from) { return load(from); }
+HWY_INLINE Floats3 inFloat(const Vec3d* from) {
+    const D d;
+    auto x = hn::Zero(d), y = x, z = x;
+    hn::LoadInterleaved3(d, &from->x, x, y, z);
+    return {hn::DemoteTo(F(), x), hn::DemoteTo(F(), y), hn::DemoteTo(F(), z)};
+}
+
 // A view as vertices are projected and snapped in it.
 template <bool kPerspective>
 class Snapper {
@@ -196,25 +205,25 @@ void transformVertices(const TransformInputs& inputs, std::size_t object, std::s
     const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
     const glm::mat3 linear(matrix.linear);
     const Vec3<float> translation(matrix.translation);
-    const Vec3d* const positions = inputs.topology->meshes[object]->positions.data();
+    const VertexVectors& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
     Vec3<float>* const world = out.world.data() + first;
     const D d;
-    const F f;
     const auto row = [&](int r, Floats3 p) HWY_ATTR {
         return hn::Add(dot({linear[0][r], linear[1][r], linear[2][r]}, p), all(translation[r]));
     };
-    const auto toWorld = [&](std::size_t i) HWY_ATTR {
-        fetchAhead(&positions[i], hn::Lanes(d));
-        fetchAhead(&world[i], hn::Lanes(d));
-        auto x = hn::Zero(d), y = x, z = x;
-        hn::LoadInterleaved3(d, &positions[i].x, x, y, z);
-        const Floats3 p{hn::DemoteTo(f, x), hn::DemoteTo(f, y), hn::DemoteTo(f, z)};
-        const Floats3 moved{row(0, p), row(1, p), row(2, p)};
-        store(moved, &world[i]);
-        return moved;
+    // `from`: in float or in double.
+    const auto transformFrom = [&](auto from) HWY_ATTR {
+        return snapVertices(out.view, begin, end, out.snapped.of.data() + first, [&](std::size_t i) HWY_ATTR {
+            fetchAhead(&from[i], hn::Lanes(d)), fetchAhead(&world[i], hn::Lanes(d));
+            const Floats3 p = inFloat(&from[i]);
+            const Floats3 moved{row(0, p), row(1, p), row(2, p)};
+            store(moved, &world[i]);
+            return moved;
+        });
     };
-    const std::size_t rest = snapVertices(out.view, begin, end, out.snapped.of.data() + first, toWorld);
+    const std::size_t rest =
+        positions.doubles().empty() ? transformFrom(positions.floats()) : transformFrom(positions.doubles());
     transform(inputs, object, rest, end, out);
     snapAll(out.view, out.world, first + rest, first + end, out.snapped);
 }

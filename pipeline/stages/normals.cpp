@@ -92,7 +92,7 @@ void sumAroundVertices(const NormalsInputs& inputs, const TransformOutput<Real>&
 template <class Real>
 void unitVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
                        std::size_t begin, std::size_t end, NormalsOutput<Real>& out) {
-    const std::vector<Vec3d>& given = in.topology->meshes[object]->normals;
+    const VertexVectors& given = in.topology->meshes[object]->normals;
     const bool asGiven = inputs.weight == NormalWeight::Given && !given.empty();
     for (std::size_t i = begin; i < end; ++i) {
         Vec3<Real>& normal = out.vertex[in.topology->firstVertex[object] + i];

@@ -84,7 +84,7 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
     const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
     const glm::mat<3, 3, Real> linear(matrix.linear);
     const Vec3<Real> translation(matrix.translation);
-    const std::vector<Vec3d>& positions = inputs.topology->meshes[object]->positions;
+    const VertexVectors& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
 
     for (std::size_t i = begin; i < end; ++i) out.world[first + i] = linear * Vec3<Real>(positions[i]) + translation;

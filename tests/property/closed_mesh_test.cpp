@@ -50,7 +50,7 @@ std::shared_ptr<const Mesh> closedMesh(std::mt19937& random, double bend, bool f
     const int a = 3 + int(random() % (fine ? 60 : 9)), b = 3 + int(random() % (fine ? 60 : 12));
     const auto kind = random() % 3;
     const auto whole = kind == 2 ? torus(a, b) : test::sphere(1, a, b);
-    std::vector<Vec3d> positions = whole->positions;
+    std::vector<Vec3d> positions = whole->positions.copy();
     for (Vec3d& p : positions) {
         if (kind == 1) p /= std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
         p += inBox(random, bend);
@@ -126,7 +126,7 @@ TEST_P(ClosedMesh, FromInsideCoversThePicture) {
     for (unsigned seed = GetParam(); seed < kMeshes; seed += kShards) {
         std::mt19937 random(seed);
         const auto ball = test::sphere(1, 3 + int(random() % 9), 4 + int(random() % 20));
-        std::vector<Vec3d> positions = ball->positions;
+        std::vector<Vec3d> positions = ball->positions.copy();
         const bool spiky = seed % 3 == 0;
         for (Vec3d& p : positions) p *= spiky ? std::exp2(between(random, 0, 30)) : between(random, 1, 1.6);
         Scene scene = sceneOf(inTriangles(*ball, std::move(positions)), seed, random);

@@ -97,11 +97,18 @@ void giveNormals(Scene& scene, std::mt19937& random) {
         own.normals.clear();
         const bool alongAxes = coin(random);  // of them a flattened object loses some
         for (std::size_t i = 0; i < own.positions.size(); ++i) {
-            own.normals.push_back(alongAxes ? Vec3d(0) : inBox(random, 1));
-            if (alongAxes) own.normals.back()[int(random() % 3)] = 1;
+            Vec3d normal(0);
+            if (alongAxes)
+                normal[int(random() % 3)] = 1;
+            else
+                normal = inBox(random, 1);
+            own.normals.push_back(normal);
         }
-        if (random() % 3 == 0)
-            own.normals[random() % own.normals.size()] *= std::array{0.0, 1e-200, 1e-320, 1e200}[random() % 4];
+        if (random() % 3 == 0) {
+            const double by = std::array{0.0, 1e-200, 1e-320, 1e200}[random() % 4];
+            const std::size_t at = random() % own.normals.size();
+            own.normals.set(at, by * own.normals[at]);
+        }
         object.mesh = makeMesh(std::move(own));
         Vec3d& scale = object.transform.scale;
         if (random() % 6 == 0) scale.z = std::array{0.0, 1e-12, 1e-200}[random() % 3];

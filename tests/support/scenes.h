@@ -11,12 +11,17 @@ namespace test {
 using namespace pipeline;
 
 // A mesh from its positions and its polygons, written out.
-inline std::shared_ptr<const Mesh> mesh(std::vector<Vec3d> positions,
-                                        std::vector<std::vector<std::uint32_t>> polygons) {
+inline std::shared_ptr<const Mesh> mesh(VertexVectors positions, std::vector<std::vector<std::uint32_t>> polygons) {
     Mesh m;
     m.positions = std::move(positions);
     for (const auto& polygon : polygons) m.addPolygon(polygon);
     return makeMesh(std::move(m));
+}
+
+// Each vertex p goes to to(p).
+template <class To>
+void moveVertices(Mesh& mesh, To to) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) mesh.positions.set(i, to(mesh.positions[i]));
 }
 
 // Lecture 1's example, typed in from the lecture and not read from a file.

@@ -85,7 +85,7 @@ TEST(GltfShapes, NodesMoveTurnScaleAndMirror) {
     // Their file's x, y, z; a quarter turn about the file's y takes x to -z, which is our +y.
     const auto corner = [](const std::string& node, std::uint32_t i) {
         const LoadedModel model = modelOf(fileOf("nodes", "[" + node + "]"));
-        return model.objects.at(0).mesh->positions.at(i);
+        return model.objects.at(0).mesh->positions[i];
     };
     EXPECT_EQ(corner(R"({"mesh": 0, "translation": [1, 2, 3]})", 0), Vec3d(1, -3, 2));
     EXPECT_EQ(corner(R"({"mesh": 0, "scale": [2, 3, 4], "translation": [1, 0, 0]})", 2), Vec3d(3, 0, 3));
@@ -127,7 +127,7 @@ TEST(GltfShapes, NormalsOfASlantedNodeAreInverseTransposed) {
         fmt::format(R"([{{"byteLength": 108, "uri": "{}"}}])", dataUri(test::kSquare + test::kIndices + slanted));
     parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 2}, "indices": 1}]}])";
     parts["nodes"] = R"([{"mesh": 0, "scale": [1, 1, 0.5]}])";
-    const Vec3d normal = modelOf(fileOf(parts)).objects.at(0).mesh->normals.at(0);
+    const Vec3d normal = modelOf(fileOf(parts)).objects.at(0).mesh->normals[0];
     EXPECT_NEAR(glm::length(normal - Vec3d(1, -2, 0) / std::sqrt(5.0)), 0, 1e-15);
 }
 

@@ -67,7 +67,7 @@ void readAndExit(const std::filesystem::path& path) {
     const Result<LoadedModel> model = readModel({file->text, file->path, {}, file->tail}, ".obj",
                                                 [](std::string_view) -> Result<NamedFile> { return Error{}; });
     const Mesh& mesh = *model->objects[0].mesh;
-    const double size = bytesOf(mesh.positions) + bytesOf(mesh.normals) + bytesOf(mesh.polygonPlaces) +
+    const double size = double(mesh.positions.bytes() + mesh.normals.bytes()) + bytesOf(mesh.polygonPlaces) +
                         bytesOf(mesh.triangles) + bytesOf(mesh.corners) + bytesOf(mesh.firstCorner);
     const double taken = heldBytes("VmHWM") - before;
     fmt::print(stderr, "{:.1f} MB for a mesh of {:.1f} MB, beside {:.1f} MB\n", taken / 1e6, size / 1e6, before / 1e6);

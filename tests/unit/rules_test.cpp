@@ -92,7 +92,7 @@ const std::vector<Case>& cases() {
         {Rule::PolygonNormals, roundBall,
          [](S& s) {
              Mesh one = *s.objects[0].mesh;
-             one.normals[0] = Vec3d(0);
+             one.normals.set(0, Vec3d(0));
              s.objects[0].mesh = makeMesh(one);
          }},
         {Rule::VertexNormals, boxScene, [](S& s) { s.settings.shading = Shading::Phong; }},

@@ -177,13 +177,14 @@ TEST(RunStudy, partsOfScenesWithOtherMeshesAreRefused) {
     EXPECT_TRUE(mergeStudies({part, partOf(small())}));
     Scene moved = small(), turned = small(), painted = small();
     Mesh mesh = *moved.objects[0].mesh;
-    mesh.positions[0].z += 1e-9;
+    const Vec3d first = mesh.positions[0];
+    mesh.positions.set(0, first + Vec3d(0, 0, 1e-9));
     moved.objects[0].mesh = std::make_shared<const Mesh>(mesh);
     turned.objects[0].transform.turns.push_back({10, {0, 0, 1}});
     painted.objects[0].backMaterial = Material{};
     Scene mirrored = small();
-    for (Vec3d& p : mesh.positions) p.x = -p.x;
-    mesh.positions[0].z -= 1e-9;
+    mesh.positions.set(0, first);
+    test::moveVertices(mesh, [](Vec3d p) { return Vec3d(-1, 1, 1) * p; });
     mirrored.objects[0].mesh = std::make_shared<const Mesh>(mesh);
     for (const Scene& other : {moved, turned, painted, mirrored}) {
         const auto merged = mergeStudies({part, partOf(other)});
