@@ -73,7 +73,7 @@ private:
                     const Mask there = hn::And(mask, hn::And(hn::Le(log, all(0)), hn::Ge(y, all(-m_vanishesFrom))));
                     if (!look.isFinite || !hn::AllFalse(F(), there)) {
                         const Floats power = hn::IfThenElseZero(there, expOfNegative<A>(y));
-                        specular = scaled(all(reflected.specular), power) + none;
+                        specular = scaled(all(reflected.specular), power);
                     }
                     m_powers += static_cast<long long>(hn::CountTrue(F(), there));
                 }
@@ -84,7 +84,7 @@ private:
                         if (!hn::AllFalse(F(), hn::AndNot(areZero(diffuse, specular), unknown))) return false;
                     diffuse = scaled(diffuse, S), specular = scaled(specular, S);
                 }
-                sum = sum + diffuse + specular;
+                sum = sum + diffuse + specular;  // which is never -0, whatever its terms are: the base is not
             }
             store(choose(mask, sum, isShared ? load(intensity, i) : none), intensity, i);
         }

@@ -137,9 +137,10 @@ private:
             const auto terms = [&](std::size_t n) HWY_ATTR {
                 const std::size_t i = group.at[n];
                 const Floats nDotL = load(m_row.nDotL, i), power = shines ? load(m_row.power, i) : all(0);
-                // Never -0: what is left out is +0.
+                const Floats3 specular = scaled(all(reflected.specular), power);
+                // Never -0 where it is kept: what is left out is +0. A sum that begins with +0 is never -0.
                 return Terms{where(hn::Gt(nDotL, all(0)), scaled(all(reflected.diffuse), nDotL)),
-                             scaled(all(reflected.specular), power) + all(Vec3<float>(0))};
+                             kKeeps ? specular + all(Vec3<float>(0)) : specular};
             };
             const Floats mostDiffuse = all(largest(reflected.diffuse)), mostSpecular = all(largest(reflected.specular));
             const auto areZero = [&](std::size_t n) HWY_ATTR {
