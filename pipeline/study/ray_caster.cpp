@@ -1,10 +1,8 @@
 #include "pipeline/study/ray_caster.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
+#include "pipeline/run/parallel.h"
 #include "pipeline/scene/opacity.h"
 #include "pipeline/study/ray_polygons.h"
 
@@ -62,19 +60,6 @@ private:
     bool m_byPolygons;
     int m_cells;
 };
-
-// body(i) for i in [0, count), each once; those not begun when it is stopped are dropped.
-template <class Body>
-void inParallel(int threads, std::size_t count, const std::stop_token& stop, Body body) {
-    oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
-    arena.execute([&] {
-        oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, count, 1),
-                                  [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-                                      for (std::size_t i = range.begin(); i < range.end(); ++i)
-                                          if (!stop.stop_requested()) body(i);
-                                  });
-    });
-}
 
 Picture emptyPicture(glm::ivec2 size, std::size_t lights) {
     Picture picture;
@@ -135,7 +120,7 @@ std::optional<Reference> rayCast(const Scene& scene, RaySurfaces surfaces, int t
     Reference reference;
     Picture& picture = reference.picture = emptyPicture(size, lights);
     const Caster<double> caster(scene, surfaces, kCells);
-    inParallel(threads, std::size_t(size.y), stop, [&](std::size_t y) {
+    Threads(threads, stop).forRange(std::size_t(size.y), 1, [&](std::size_t y, std::size_t) {
         Caster<double>::Pixel pixel;
         for (std::size_t x = 0; x < width; ++x) {
             caster.cast(glm::ivec2(int(x), int(y)), pixel);
@@ -153,7 +138,7 @@ std::optional<Reference> rayCast(const Scene& scene, RaySurfaces surfaces, int t
     const std::size_t count = width * std::size_t(size.y), step = std::max<std::size_t>(1, count / kChecked);
     const Caster<long double> longer(scene, surfaces, 2 * kCells);
     std::vector<double> differences((count + step - 1) / step, 0.0);
-    inParallel(threads, differences.size(), stop, [&](std::size_t i) {
+    Threads(threads, stop).forRange(differences.size(), 1, [&](std::size_t i, std::size_t) {
         Caster<long double>::Pixel pixel;
         const std::size_t at = i * step;
         longer.cast(glm::ivec2(int(at % width), int(at / width)), pixel);
@@ -210,7 +195,7 @@ bool castWholePixels(const Scene& scene, RaySurfaces surfaces, int threads, std:
     const Caster<double> caster(scene, surfaces, kCells);
     picture.antialiased = {picture.size, Vec3d(0)};
     std::vector<double> differences(picture.antialiased.pixels.size(), 0.0);
-    inParallel(threads, std::size_t(picture.size.y), stop, [&](std::size_t y) {
+    Threads(threads, stop).forRange(std::size_t(picture.size.y), 1, [&](std::size_t y, std::size_t) {
         for (int x = 0; x < picture.size.x; ++x) {
             const glm::ivec2 pixel{x, int(y)};
             const std::size_t i = picture.object.offset(pixel);

@@ -1,13 +1,11 @@
 #include "pipeline/study/shadow_verdict.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <atomic>
 #include <numeric>
 
+#include "pipeline/run/parallel.h"
 #include "pipeline/study/ray_caster.h"
 #include "pipeline/study/ray_light.h"
 
@@ -45,21 +43,16 @@ std::optional<ExactShadows> exactShadows(const Scene& scene, std::size_t light, 
     const glm::ivec2 size{scene.settings.width, scene.settings.height};
     ExactShadows exact{light, {size, -1}, {size, 0.0f}};
     std::atomic<int> done{0};
-    oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
-    arena.execute([&] {
-        oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<int>(0, size.y, 1), [&](const auto& rows) {
-            for (int y = rows.begin(); y < rows.end() && !stop.stop_requested(); ++y) {
-                for (int x = 0; x < size.x; ++x) {
-                    const SurfacePoint<double> at =
-                        firstSeen(world, world.camera.through(Vec2<double>(x + 0.5, y + 0.5)));
-                    if (at.object < 0) continue;
-                    const std::size_t i = exact.seen.offset({x, y});
-                    exact.object.pixels[i] = at.object;
-                    exact.seen.pixels[i] = float(lightSeen(world, lighting, light, at, kCells));
-                }
-                if (progress) progress(double(++done) / size.y);
-            }
-        });
+    Threads(threads, stop).forRange(std::size_t(size.y), 1, [&](std::size_t row, std::size_t) {
+        const int y = int(row);
+        for (int x = 0; x < size.x; ++x) {
+            const SurfacePoint<double> at = firstSeen(world, world.camera.through(Vec2<double>(x + 0.5, y + 0.5)));
+            if (at.object < 0) continue;
+            const std::size_t i = exact.seen.offset({x, y});
+            exact.object.pixels[i] = at.object;
+            exact.seen.pixels[i] = float(lightSeen(world, lighting, light, at, kCells));
+        }
+        if (progress) progress(double(++done) / size.y);
     });
     if (stop.stop_requested()) return std::nullopt;
     return exact;

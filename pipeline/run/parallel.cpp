@@ -1,0 +1,87 @@
+#include "pipeline/run/parallel.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "pipeline/run/hand_over.h"
+
+namespace pipeline {
+namespace {
+
+// Arenas that nobody uses, by how many threads they have. A thread that joins a new arena wakes up first, which takes as
+// long as a small frame: the next frame gets the arena that the last one has left, where the threads still look for work.
+class ArenaPool {
+public:
+    using Arena = std::unique_ptr<oneapi::tbb::task_arena>;
+    static ArenaPool& instance() {
+        static auto* const pool = new ArenaPool;  // never destroyed: threads may outlive what is static
+        return *pool;
+    }
+    Arena take(int count) {
+        const std::scoped_lock lock(m_mutex);
+        const auto found = m_free.find(count);
+        if (found == m_free.end()) return std::make_unique<oneapi::tbb::task_arena>(count);
+        Arena arena = std::move(found->second);
+        m_free.erase(found);
+        return arena;
+    }
+    void giveBack(int count, Arena arena) {
+        const std::scoped_lock lock(m_mutex);
+        m_free.emplace(count, std::move(arena));
+    }
+
+private:
+    std::mutex m_mutex;
+    std::multimap<int, Arena> m_free;
+};
+
+}  // namespace
+
+struct Threads::Team {
+    explicit Team(int threads) : count(threads) {
+        // Asked for more than the machine has, it gets them all the same: tests compare 7 threads with 1.
+        if (count > oneapi::tbb::info::default_concurrency())
+            more.emplace(oneapi::tbb::global_control::max_allowed_parallelism, std::size_t(count));
+        arena = ArenaPool::instance().take(count);
+    }
+    ~Team() { ArenaPool::instance().giveBack(count, std::move(arena)); }
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+
+    int count;
+    std::optional<oneapi::tbb::global_control> more;
+    ArenaPool::Arena arena;
+};
+
+Threads::Threads(int count, std::stop_token stop) : m_stop(std::move(stop)) {
+    constexpr int kAll = oneapi::tbb::task_arena::automatic;
+    if (count != 1) m_team = std::make_unique<Team>(count > 0 ? count : kAll);
+}
+
+Threads::~Threads() = default;
+
+void Threads::share(std::size_t pieces, const std::function<void(std::size_t, std::size_t)>& run) {
+    HandOver work, done;
+    work.give();
+    m_team->arena->execute([&] {
+        // Ranges of pieces, for TBB halves what it is given: its own pieces of a range would be no multiple of a vector.
+        using Range = oneapi::tbb::blocked_range<std::size_t>;
+        const auto runHere = [&](const Range& range) {
+            work.take();
+            run(range.begin(), range.end());
+            done.give();
+        };
+        oneapi::tbb::parallel_for(Range(0, pieces), runHere, oneapi::tbb::simple_partitioner());
+    });
+    done.take();
+}
+
+}  // namespace pipeline
