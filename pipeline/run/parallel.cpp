@@ -21,26 +21,26 @@ namespace {
 class ArenaPool {
 public:
     using Arena = std::unique_ptr<oneapi::tbb::task_arena>;
-    static ArenaPool& instance() {
-        static auto* const pool = new ArenaPool;  // never destroyed: threads may outlive what is static
-        return *pool;
-    }
-    Arena take(int count) {
-        const std::scoped_lock lock(m_mutex);
-        const auto found = m_free.find(count);
-        if (found == m_free.end()) return std::make_unique<oneapi::tbb::task_arena>(count);
+    static Arena take(int count) {
+        const std::scoped_lock lock(s_mutex);
+        const auto found = free().find(count);
+        if (found == free().end()) return std::make_unique<oneapi::tbb::task_arena>(count);
         Arena arena = std::move(found->second);
-        m_free.erase(found);
+        free().erase(found);
         return arena;
     }
-    void giveBack(int count, Arena arena) {
-        const std::scoped_lock lock(m_mutex);
-        m_free.emplace(count, std::move(arena));
+    static void giveBack(int count, Arena arena) {
+        const std::scoped_lock lock(s_mutex);
+        free().emplace(count, std::move(arena));
     }
 
 private:
-    std::mutex m_mutex;
-    std::multimap<int, Arena> m_free;
+    static std::multimap<int, Arena>& free() {  // under the lock
+        static auto* const arenas =
+            new std::multimap<int, Arena>;  // never destroyed: threads may outlive what is static
+        return *arenas;
+    }
+    static inline constinit std::mutex s_mutex;
 };
 
 }  // namespace
@@ -50,9 +50,9 @@ struct Threads::Team {
         // Asked for more than the machine has, it gets them all the same: tests compare 7 threads with 1.
         if (count > oneapi::tbb::info::default_concurrency())
             more.emplace(oneapi::tbb::global_control::max_allowed_parallelism, std::size_t(count));
-        arena = ArenaPool::instance().take(count);
+        arena = ArenaPool::take(count);
     }
-    ~Team() { ArenaPool::instance().giveBack(count, std::move(arena)); }
+    ~Team() { ArenaPool::giveBack(count, std::move(arena)); }
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
