@@ -10,7 +10,7 @@
 namespace pipeline {
 
 void showAll(Scene& scene) {
-    Vec3d low = scene.objects.front().mesh->positions.front(), high = low;
+    Vec3d low = scene.objects.front().mesh->positions[0], high = low;
     for (const Object& object : scene.objects)
         for (const Vec3d& p : object.mesh->positions) {
             low = glm::min(low, p);

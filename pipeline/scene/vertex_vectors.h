@@ -33,7 +33,6 @@ public:
         if (const auto* narrow = std::get_if<Narrow>(&m_of)) return Vec3d((*narrow)[i]);
         return (*std::get_if<Wide>(&m_of))[i];
     }
-    const Vec3d front() const { return (*this)[0]; }  // NOLINT(readability-const-return-type)
     std::vector<Vec3d> copy() const { return {begin(), end()}; }
     void set(std::size_t i, const Vec3d& v);
     void push_back(const Vec3d& v);

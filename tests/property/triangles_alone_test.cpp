@@ -23,7 +23,7 @@ std::shared_ptr<const Mesh> inTriangles(const Mesh& mesh, bool withQuad) {
     for (const Triangle& triangle : mesh.triangles) out.addPolygon(triangle.vertices);
     if (withQuad) {
         const auto first = std::uint32_t(out.positions.size());
-        for (int i = 0; i < 4; ++i) out.positions.push_back(mesh.positions.front());
+        for (int i = 0; i < 4; ++i) out.positions.push_back(mesh.positions[0]);
         out.addPolygon(std::array{first, first + 1, first + 2, first + 3});
     }
     return makeMesh(std::move(out));

@@ -57,6 +57,19 @@ TEST(ObjReader, QuadStaysAQuad) {
     EXPECT_EQ(objects[0].mesh->polygonPlaces, (std::vector<TextPosition>{{5, 1}}));
 }
 
+// While each normal has the number of its position the reader keeps no list of them. From the first other number on it
+// does, of the corners before as well; and where a corner has none, the normals of the object are not used.
+TEST(ObjReader, NormalsNumberedLikeTheirPositionsAndOtherwise) {
+    const std::string file = kSquare + "vn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf 1//1 2//2 3//3\n";
+    const Vec3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    EXPECT_EQ(objectsOf(file)[0].mesh->normals, (std::vector<Vec3d>{z, y, x}));
+    const std::vector<Object> other = objectsOf(file + "f 1//2 3//3 4//1\n");
+    EXPECT_EQ(other[0].mesh->normals, (std::vector<Vec3d>{z, y, x, y, z}));
+    EXPECT_EQ(polygon(other[0], 1), (Indices{3, 2, 4}));
+    EXPECT_TRUE(objectsOf(file + "f 1 3 4\n")[0].mesh->normals.empty());
+    EXPECT_TRUE(objectsOf(kSquare + "vn 0 0 1\nf 1 2 3\nf 1//1 3//1 4//1\n")[0].mesh->normals.empty());
+}
+
 TEST(ObjReader, ConcaveFaceIsNotCutOpen) {
     const auto objects = objectsOf("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6");
     ASSERT_EQ(objects.size(), 1u);
