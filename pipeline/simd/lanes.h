@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include <cstddef>
+#include <span>
 
 #include "pipeline/core/real.h"
 

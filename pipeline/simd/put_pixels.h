@@ -64,13 +64,12 @@ public:
         constexpr hn::Repartition<std::uint8_t, I> bytes;
         alignas(16) static constexpr std::uint8_t kKept[16]{0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15};
         const auto packed = hn::TableLookupBytes(hn::BitCast(bytes, colors), hn::LoadDup128(bytes, kKept));
-        HWY_ALIGN std::uint8_t rows[64];
-        hn::Store(packed, bytes, rows);
         constexpr int kPut = kLanes / kBlock;
         if (HWY_LIKELY(column < m_next && m_size.y >= kBlock)) {
-            std::uint8_t* const to = place(column, row);
-            for (int y = 0; y < kPut; ++y) std::memcpy(to + std::size_t(y) * m_stride, rows + 16 * y, 16);
+            putQuarters(packed, place(column, row));
         } else if (column < m_size.x) {  // beyond the tile others write
+            HWY_ALIGN std::uint8_t rows[64];
+            hn::Store(packed, bytes, rows);
             const auto width = std::size_t(std::min(kBlock, m_size.x - column)) * sizeof(Color8);
             for (int y = 0; y < std::min(kPut, m_size.y - row); ++y)
                 std::memcpy(place(column, row + y), rows + 16 * y, width);
@@ -79,6 +78,20 @@ public:
     }
 
 private:
+#if HWY_TARGET != HWY_SCALAR  // whose vectors have no halves
+    // Row after row of 16 bytes.
+    template <class V>
+    HWY_INLINE void putQuarters(V rows, std::uint8_t* to) {
+        constexpr hn::DFromV<V> d;
+        if constexpr (hn::MaxLanes(d) == 16) {
+            hn::StoreU(rows, d, to);
+        } else {
+            constexpr hn::Half<hn::DFromV<V>> half;
+            putQuarters(hn::LowerHalf(half, rows), to);
+            putQuarters(hn::UpperHalf(half, rows), to + hn::MaxLanes(d) / 32 * m_stride);
+        }
+    }
+#endif
     HWY_INLINE std::uint8_t* place(int column, int row) {
         return m_first + std::size_t(row) * m_stride + std::size_t(column) * sizeof(Color8);
     }
@@ -101,8 +114,8 @@ public:
     HWY_INLINE Ints of(Floats3 intensity) const {
         const Ints red = fixed(intensity.x), green = fixed(intensity.y), blue = fixed(intensity.z);
         if constexpr (A::kExact) {
-            const Mask unsure = hn::Or(hn::Or(isNearStep(red), isNearStep(green)), isNearStep(blue));
-            if (HWY_UNLIKELY(!m_estimates || !hn::AllFalse(F(), unsure)))
+            const Ints rest = hn::Min(hn::Min(restOf(red), restOf(green)), restOf(blue));
+            if (HWY_UNLIKELY(!m_estimates || !hn::AllFalse(I(), hn::Eq(rest, hn::Zero(I())))))
                 return hn::Or(inDouble(intensity.x), hn::Or(hn::ShiftLeft<8>(inDouble(intensity.y)),
                                                             hn::ShiftLeft<16>(inDouble(intensity.z))));
         }
@@ -118,14 +131,12 @@ private:
         constexpr float kLastPlace = 1.0F / (1 << kFraction);
         constexpr float kFixed = 3 << (23 - kFraction - 1);  // sums are below 2^(24 - kFraction)
         const Floats value = hn::Mul(intensity, all(m_factor));
-        const Floats clamped = hn::IfThenElseZero(hn::Gt(value, all(0)), hn::Min(value, all(255)));
+        const Floats clamped = hn::Min(hn::Max(value, all(0)), all(255));
         return hn::BitCast(I(), hn::Add(clamped, all(kFixed + 0.5F + 2 * kLastPlace)));
     }
-    // Within two last places. Two roundings of the share, 255 (2^-23), and one of the sum are less than one of them.
-    HWY_INLINE static Mask isNearStep(Ints value) {
-        const Ints rest = hn::And(value, hn::Set(I(), (1 << kFraction) - 4));
-        return asFloats(hn::Eq(rest, hn::Zero(I())));
-    }
+    // 0 within two last places of a step. Two roundings of the share, 255 (2^-23), and one of the sum are less than one
+    // of them.
+    HWY_INLINE static Ints restOf(Ints value) { return hn::And(value, hn::Set(I(), (1 << kFraction) - 4)); }
     HWY_NOINLINE Ints inDouble(Floats intensity) const {
 #if HWY_TARGET == HWY_SCALAR
         return hn::Set(I(), frameBufferValue(Vec3d(double(hn::GetLane(intensity))), m_iMax).x);

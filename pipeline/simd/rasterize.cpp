@@ -255,7 +255,7 @@ void writeWeights(const SetUpInputs& inputs, const SeenBlocks& seen, std::size_t
             if (next != name) name = next, triangle.become(in, name);
             const Mask mask = seesIn(names, name);
             left = hn::AndNot(mask, left);
-            const Shares b = triangle.weights(in, VectorPlace(at));
+            const Shares b = triangle.weights(in, VectorPlace(at), in.zAt(VectorPlace(at)));
             hn::BlendedStore(hn::Sub(hn::Sub(all(1), b.one), b.two), mask, F(), of[0]);
             hn::BlendedStore(b.one, mask, F(), of[1]);
             hn::BlendedStore(b.two, mask, F(), of[2]);

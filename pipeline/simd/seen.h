@@ -41,6 +41,11 @@ struct SeenIn {
     const TrianglePieces& pieces;  // whose others are seen
     Tile tile;
     const float* z;  // of the tile's blocks: z_view of what is seen
+
+    // What makes weights that are linear in the picture perspective-correct, beside the corners' 1/z: 1 where they are.
+    HWY_INLINE Floats zAt(const VectorPlace& place) const {
+        return view.perspective ? hn::Load(F(), z + place.at) : all(1);
+    }
 };
 
 // Whether none of what is seen in a vector are other triangles.
@@ -111,7 +116,7 @@ public:
         const int bits = in.vertices.bits;
         for (int corner = 0; corner < 3; ++corner) {
             const SnappedVertex& v = in.vertices.of[in.topology.triangles[name].vertices[corner]];
-            x[corner] = Wraps(v.x), y[corner] = Wraps(v.y), m_w[corner] = v.w;
+            x[corner] = Wraps(v.x), y[corner] = Wraps(v.y), m_w[corner] = in.view.perspective ? v.w : 1;
         }
         const auto area =
             std::int32_t((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]));  // below 0: anticlockwise
@@ -153,31 +158,29 @@ public:
     }
     // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not
     // seen, any numbers.
-    HWY_INLINE Shares weights(const SeenIn& in, const VectorPlace& place) const {
+    // z: in.zAt of the place.
+    HWY_INLINE Shares weights(const SeenIn& in, const VectorPlace& place, Floats z) const {
         if (HWY_UNLIKELY(m_kind > Kind::Middle)) return weightsOfLarge(in, place.at);
         const auto share = [&](std::size_t i) HWY_ATTR {
             const Ints units = m_narrow.units(i, place);
             const Floats linear = m_kind == Kind::Small
                                       ? hn::Mul(hn::ConvertTo(F(), units), all(m_narrow.inverse))
                                       : linearWeight(units, m_narrow.unit, m_narrow.below[i], m_narrow.inverse);
-            return corrected(in, place, m_w[i + 1], linear);
+            return hn::Mul(hn::Mul(linear, all(m_w[i + 1])), z);
         };
         return {share(0), share(1)};
     }
 
 private:
-    HWY_INLINE static Floats corrected(const SeenIn& in, const VectorPlace& place, float w, Floats linear) {
-        if (!in.view.perspective) return linear;
-        return hn::Mul(hn::Mul(linear, all(w)), hn::Load(F(), in.z + place.at));
-    }
     HWY_NOINLINE Shares weightsOfLarge(const SeenIn& in, std::size_t at) const {
         const VectorPlace place(at);
         if (!m_other->middle && !m_other->large->exact()) return weightsOfHuge(in, place);
+        const Floats z = in.zAt(place);
         const auto share = [&](int corner) HWY_ATTR {
             const int drawn = m_other->drawn[corner];
             const Floats linear =
                 m_other->middle ? m_other->middle->linear(drawn, place) : m_other->large->linear(drawn, place);
-            return corrected(in, place, m_w[corner], linear);
+            return hn::Mul(hn::Mul(linear, all(m_w[corner])), z);
         };
         if (m_kind != Kind::Cut) return {share(1), share(2)};
         Shares sum{all(0), all(0)};
@@ -213,7 +216,8 @@ private:
                 if (t.weights[std::size_t(corner)][own] == 1) m_other->drawn[own] = corner, ++whole;
         m_kind = whole < 3 ? Kind::Cut : middle && middle->isNarrow() ? Kind::Middle : Kind::Large;
         if (m_kind == Kind::Cut) m_other->drawn = {0, 1, 2};
-        for (int corner = 0; corner < 3; ++corner) m_w[corner] = t.w[std::size_t(m_other->drawn[corner])];
+        for (int corner = 0; corner < 3; ++corner)
+            m_w[corner] = in.view.perspective ? t.w[std::size_t(m_other->drawn[corner])] : 1;
         if (m_kind != Kind::Middle) return;
         const int one = m_other->drawn[1], two = m_other->drawn[2];
         m_narrow.edges[0] = middle->edge(one), m_narrow.edges[1] = middle->edge(two);
@@ -232,7 +236,7 @@ private:
     enum class Kind : std::uint8_t { Small, Middle, Large, Cut };
     std::uint32_t m_id;
     Kind m_kind;
-    float m_w[3];
+    float m_w[3];                    // 1/z of the corners where the picture is in perspective, else 1
     glm::ivec2 m_firstPixel;         // of its box, in the picture
     NarrowWeights m_narrow;          // of small and middle ones
     std::unique_ptr<Other> m_other;  // kept for the next one

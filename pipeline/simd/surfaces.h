@@ -130,39 +130,51 @@ private:
         }
     };
 
-    // The vectors of the row of blocks that begins with pixel `begin` of the tile.
+    // The vectors of the row of blocks that begins with pixel `begin` of the tile. What few scenes ask for is kept out of
+    // the loop of the others, whose time goes into what has to be asked and kept at hand as much as into numbers.
     template <bool kPerPixel, bool kPositions>
     void findRow(std::size_t begin, SurfaceRow& out) {
+        if (!kPerPixel || m_facing || m_tellsObjects || !m_drawnNames)
+            findVectors<kPerPixel, kPositions, true>(begin, out);
+        else
+            findVectors<kPerPixel, kPositions, false>(begin, out);
+    }
+    // kMore: whether any of the above.
+    template <bool kPerPixel, bool kPositions, bool kMore>
+    void findVectors(std::size_t begin, SurfaceRow& out) {
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const VectorPlace place(begin + i);
-            if (!m_drawnNames) m_drawn.read(m_in.zBuffer, m_tile, place.at);
+            if (kMore && !m_drawnNames) m_drawn.read(m_in.zBuffer, m_tile, place.at);
             if (m_isFine) fetchAhead(place.at);
-            const std::uint32_t* const names = m_drawnNames ? m_drawnNames + place.at : m_drawn.triangle;
+            const std::uint32_t* const names = !kMore || m_drawnNames ? m_drawnNames + place.at : m_drawn.triangle;
             const Mask seen = seenIn(names);
-            out.seen[i / hn::Lanes(F())] = bitsOf(seen);
+            std::uint32_t left = bitsOf(seen);
+            out.seen[i / hn::Lanes(F())] = left;
+            if (left == 0) continue;
             if constexpr (kPerPixel) {
-                if (m_isFine && !hn::AllFalse(F(), seen) && areSmall(names, seen)) {
+                if (m_isFine && areSmall(names, seen)) {
                     findByPixel<kPositions>(place, seen, i, out);
                     continue;
                 }
             }
+            const Floats z = !kMore || m_drawnNames ? m_seenIn->zAt(place) : all(1);
             Ints triangle = hn::Zero(I()), polygon = triangle, object = triangle;
             Floats3 normal = all(Vec3<float>(0)), position = normal, weights = normal, facing = normal;
             const auto choose1 = [](Mask mask, std::int32_t yes, Ints no) HWY_ATTR {
                 return hn::IfThenElse(hn::RebindMask(I(), mask), hn::Set(I(), yes), no);
             };
-            for (Mask left = seen; !hn::AllFalse(F(), left);) {
-                const std::uint32_t name = names[hn::FindKnownFirstTrue(F(), left)];
+            do {
+                const std::uint32_t name = names[std::countr_zero(left)];
                 const Mask mine = seesIn(names, name);
-                left = hn::AndNot(mine, left);
+                left &= ~bitsOf(mine);
                 const SeenSurface& surface = surfaceOf(name);
                 if constexpr (!kPerPixel) {
                     triangle = choose1(mine, std::int32_t(surface.id), triangle);
                     polygon = choose1(mine, surface.polygon, polygon);
-                } else if (m_tellsObjects) {
+                } else if (kMore && m_tellsObjects) {
                     object = choose1(mine, surface.object, object);
                 }
-                if (m_facing) facing = choose(mine, all(surface.facing), facing);
+                if (kMore && m_facing) facing = choose(mine, all(surface.facing), facing);
                 for (std::size_t k = 0; k < m_biases.size(); ++k)
                     hn::BlendedStore(all(biasOf(surface, k)), mine, F(), out.bias[k].of + i);
                 if constexpr (!A::kExact && kPerPixel && !kPositions) {
@@ -173,8 +185,8 @@ private:
                         continue;
                     }
                 }
-                const Shares b = m_drawnNames
-                                     ? surface.triangle.weights(*m_seenIn, place)
+                const Shares b = !kMore || m_drawnNames
+                                     ? surface.triangle.weights(*m_seenIn, place, z)
                                      : Shares{hn::Load(F(), m_drawn.weights[0]), hn::Load(F(), m_drawn.weights[1])};
                 if constexpr (kPerPixel)
                     normal = choose(mine, surface.normals.template at<A>(b.one, b.two), normal);
@@ -182,15 +194,15 @@ private:
                     weights = choose(mine, {hn::Sub(hn::Sub(all(1), b.one), b.two), b.one, b.two}, weights);
                 if constexpr (kPositions)
                     position = choose(mine, surface.positions.template at<A>(b.one, b.two), position);
-            }
+            } while (left != 0);
             if constexpr (kPerPixel) {
                 store(A::unit(normal, seen), out.N, i);
-                if (m_tellsObjects) hn::Store(object, I(), out.object + i);
+                if (kMore && m_tellsObjects) hn::Store(object, I(), out.object + i);
             } else {
                 hn::Store(triangle, I(), out.triangle + i), hn::Store(polygon, I(), out.polygon + i);
                 store(weights, out.weights, i);
             }
-            if (m_facing) store(facing, out.facing, i);
+            if (kMore && m_facing) store(facing, out.facing, i);
             if constexpr (kPositions) store(position, out.position, i);
         }
     }
@@ -281,10 +293,9 @@ private:
     // so thin that steps of a pixel are large against it, sums of them are not accurate.
     void becomePlane(SeenSurface& seen, const Triangle& triangle) const {
         constexpr float kSteepest = 64;
-        const bool perspective = m_in.transform.view.perspective;
         const auto divided = [&](std::size_t corner) {
             const Vec3<float> n = seen.triangle.atCorner(m_in.normals.vertex, triangle.vertices, corner);
-            return perspective ? seen.triangle.w(corner) * n : n;
+            return seen.triangle.w(corner) * n;
         };
         const glm::ivec2 first = seen.triangle.firstPixel(m_tile);
         const Slope one = seen.triangle.slope(1, first), two = seen.triangle.slope(2, first);
