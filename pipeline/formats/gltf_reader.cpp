@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include "pipeline/formats/gltf_formats.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/welded_vertices.h"
 
 // glTF 2.0 (Khronos Group, glTF 2.0 Specification, 2021): the triangles of a scene's nodes, their
 // normals, and the factors of their materials.
@@ -24,14 +24,6 @@ constexpr std::size_t kMaxPrimitives = 1 << 20;
 constexpr std::size_t kShares = 1000;  // of one instance, for who waits
 
 enum Mode : std::uint64_t { kTriangles = 4, kStrip = 5, kFan = 6 };
-
-struct VertexHash {
-    std::size_t operator()(const std::array<double, 6>& v) const {
-        std::size_t hash = 0;
-        for (const double x : v) hash = (hash ^ std::hash<double>{}(x)) * 0x9E3779B97F4A7C15u;
-        return hash ^ hash >> 32;
-    }
-};
 
 // Corners of the triangle `i` (section 3.7.2.1). Every other one of a strip is turned round, so that all face alike.
 std::array<std::size_t, 3> cornersOf(std::uint64_t mode, std::size_t i) {
@@ -110,21 +102,22 @@ private:
         if (corners->size() < 3 || (*mode == kTriangles && corners->size() % 3 != 0))
             return primitive.fail(fmt::format("{} has {} corners", primitive.pointer(), groupedDigits(corners->size())),
                                   *mode == kTriangles ? "a multiple of three" : "at least three");
-        const auto positions = readVectors(m_file, *position);
-        const auto normals = readNormals(attributes["NORMAL"], position->count);
-        if (!positions || !normals) return;
-        const auto vertices = placed(instance, *positions, *normals);
-        if (!vertices) return;
+        auto positions = readVectors(m_file, *position);
+        auto normals = readNormals(attributes["NORMAL"], position->count);
+        if (!positions || !normals || !place(instance, *positions, *normals)) return;
         addObject(instance, primitive, hasTwins, [&](Mesh& mesh) {
             const bool mirrored = glm::determinant(glm::dmat3(instance.toWorld)) < 0;
-            std::unordered_map<std::array<double, 6>, std::uint32_t, VertexHash> vertexOf;
+            WeldedVertices welded(mesh, !normals->empty());
+            welded.reserve(positions->size());
             for (std::size_t i = 0; i < count; ++i) {
                 if (!m_meter->goesOn(m_told + kShares * i / count, m_file.errors)) return;
                 std::array<std::size_t, 3> triangle = cornersOf(*mode, i);
                 if (mirrored) std::swap(triangle[1], triangle[2]);
                 std::array<std::uint32_t, 3> polygon{};
-                for (std::size_t k = 0; k < 3; ++k)
-                    polygon[k] = weld(mesh, *vertices, (*corners)[triangle[k]], vertexOf);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const std::uint32_t corner = (*corners)[triangle[k]];
+                    polygon[k] = welded.at((*positions)[corner], normals->empty() ? Vec3d(0.0) : (*normals)[corner]);
+                }
                 // A strip may repeat a corner to go on elsewhere.
                 if (!addPolygon(mesh, polygon) && *mode == kTriangles) ++m_leftOut;
             }
@@ -132,53 +125,32 @@ private:
         });
     }
 
-    // In the world, +z up.
-    struct Vertices {
-        std::vector<Vec3d> positions, normals;
-    };
-
-    std::optional<Vertices> placed(const GltfInstance& instance, const std::vector<Vec3d>& positions,
-                                   const std::vector<Vec3d>& normals) {
-        Vertices vertices;
-        for (const Vec3d& p : positions) {
-            vertices.positions.push_back(fromYUp(Vec3d(instance.toWorld * glm::dvec4(p, 1))) + 0.0);
-            const Vec3d& there = vertices.positions.back();
-            if (isCoordinate(there.x) && isCoordinate(there.y) && isCoordinate(there.z)) continue;
-            const auto place = [](double x) { return textBeyond(x, std::copysign(kFarthestVertex, x)); };
-            instance.node.fail(fmt::format("{} moves a vertex to ({}, {}, {})", instance.node.pointer(), place(there.x),
-                                           place(there.y), place(there.z)),
-                               numberFrom(-kFarthestVertex, kFarthestVertex));
-            return {};
+    // Puts them into the world, +z up. Without normals where one has no length.
+    bool place(const GltfInstance& instance, std::vector<Vec3d>& positions, std::vector<Vec3d>& normals) {
+        for (Vec3d& p : positions) {
+            p = fromYUp(Vec3d(instance.toWorld * glm::dvec4(p, 1))) + 0.0;
+            if (isCoordinate(p.x) && isCoordinate(p.y) && isCoordinate(p.z)) continue;
+            const auto text = [](double x) { return textBeyond(x, std::copysign(kFarthestVertex, x)); };
+            instance.node.fail(
+                fmt::format("{} moves a vertex to ({}, {}, {})", instance.node.pointer(), text(p.x), text(p.y), text(p.z)),
+                numberFrom(-kFarthestVertex, kFarthestVertex));
+            return false;
         }
         // The cofactors are the inverse transpose but for a factor, and exist for a flat node as well.
         const glm::dmat3 m(instance.toWorld);
         const double side = glm::determinant(m) < 0 ? -1 : 1;
         const glm::dmat3 cofactors(side * glm::cross(m[1], m[2]), side * glm::cross(m[2], m[0]),
                                    side * glm::cross(m[0], m[1]));
-        for (const Vec3d& n : normals) {
+        for (Vec3d& n : normals) {
             const auto unit = unitVector(fromYUp(cofactors * n));
             if (!unit) {
                 remark(m_file, "Some normals have no length; the normals of their object are not used.");
-                vertices.normals.clear();
+                normals.clear();
                 break;
             }
-            vertices.normals.push_back(*unit);
+            n = *unit;
         }
-        return vertices;
-    }
-
-    // Vertices that differ in nothing that is read are one, so that a closed surface is closed.
-    static std::uint32_t weld(Mesh& mesh, const Vertices& vertices, std::uint32_t vertex,
-                              std::unordered_map<std::array<double, 6>, std::uint32_t, VertexHash>& vertexOf) {
-        const Vec3d& p = vertices.positions[vertex];
-        const Vec3d n = vertices.normals.empty() ? Vec3d(0.0) : vertices.normals[vertex];
-        const auto [found, isNew] =
-            vertexOf.try_emplace({p.x, p.y, p.z, n.x, n.y, n.z}, static_cast<std::uint32_t>(mesh.positions.size()));
-        if (isNew) {
-            mesh.positions.push_back(p);
-            if (!vertices.normals.empty()) mesh.normals.push_back(n);
-        }
-        return found->second;
+        return true;
     }
 
     void addObject(const GltfInstance& instance, const GltfValue& primitive, bool hasTwins, auto fill) {

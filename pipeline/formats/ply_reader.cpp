@@ -196,6 +196,8 @@ std::size_t readElements(PlyBody& body, const PlyHeader& header, std::size_t fil
                         }) == 3;
         if (isVertex) normalsKnown = hasNormals;
         if (isVertex) mesh.positions.reserve(element.count);
+        if (hasNormals) mesh.normals.reserve(element.count);
+        if (isFace) mesh.reservePolygons(element.count, 3 * element.count);  // mostly they are triangles
         for (std::size_t i = 0; i < element.count; ++i) {
             if (!body.goesOn() || !readRow(body, element, i, mesh.positions.size(), row)) return leftOut;
             if (isVertex) mesh.positions.push_back({row.values[0], row.values[1], row.values[2]});

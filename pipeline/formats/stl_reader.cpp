@@ -1,14 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <unordered_map>
 
 #include <fmt/format.h>
 
+#include "pipeline/core/memory.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/bytes.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/line_scanner.h"
 #include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/welded_vertices.h"
 
 // STL in both forms (3D Systems, StereoLithography Interface Specification, 1989). The normals of
 // the facets are not read: they say nothing that the corners' order does not say. Keywords are
@@ -19,41 +20,20 @@ namespace {
 constexpr std::string_view kSpaces = " \t\v\f";
 constexpr std::size_t kHeader = 80, kFirstFacet = 84, kFacet = 50;  // bytes
 
-struct PositionHash {
-    std::size_t operator()(const std::array<double, 3>& p) const {
-        std::size_t hash = 0;
-        for (const double x : p) hash = (hash ^ std::hash<double>{}(x)) * 0x9E3779B97F4A7C15u;
-        return hash ^ hash >> 32;
-    }
-};
+// Every facet of an STL file brings its own corners.
+std::uint32_t vertexAt(const std::array<double, 3>& p, WeldedVertices& vertices) {
+    return vertices.at({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0});  // -0 becomes 0
+}
 
-// Every facet of an STL file brings its own corners. Equal ones become one vertex, so that the
-// mesh of a closed surface is closed.
-class WeldedMesh {
-public:
-    std::uint32_t vertex(const std::array<double, 3>& p) {
-        // Adding 0 makes -0 the same as 0.
-        const std::array<double, 3> key{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0};
-        const auto [found, isNew] = m_vertexOf.try_emplace(key, static_cast<std::uint32_t>(m_mesh.positions.size()));
-        if (isNew) m_mesh.positions.push_back({key[0], key[1], key[2]});
-        return found->second;
-    }
-    Mesh& mesh() { return m_mesh; }
-
-private:
-    Mesh m_mesh;
-    std::unordered_map<std::array<double, 3>, std::uint32_t, PositionHash> m_vertexOf;
-};
-
-void addObject(WeldedMesh& welded, const SourceText& source, std::string name, std::vector<Object>& objects) {
-    dropUnusedVertices(welded.mesh());
-    welded.mesh().file = meshFileOf(source);
-    if (welded.mesh().polygonCount() > 0) {
+void addObject(Mesh& mesh, const SourceText& source, std::string name, std::vector<Object>& objects) {
+    dropUnusedVertices(mesh);
+    mesh.file = meshFileOf(source);
+    if (mesh.polygonCount() > 0) {
         Object& object = objects.emplace_back();
         object.name = std::move(name);
-        object.mesh = makeMesh(std::move(welded.mesh()));
+        object.mesh = makeMesh(std::move(mesh));
     }
-    welded = {};
+    mesh = {};
 }
 
 Result<LoadedModel> readBinary(const SourceText& source) {
@@ -69,7 +49,10 @@ Result<LoadedModel> readBinary(const SourceText& source) {
                                  groupedDigits(bytes.size())),
                      {}};
     Errors errors;
-    WeldedMesh welded;
+    Mesh mesh;
+    mesh.reservePolygons(count, 3 * count);
+    std::optional<WeldedVertices> vertices(std::in_place, mesh, false);
+    vertices->reserve(count / 2 + 2);  // of a closed surface by Euler's formula; others grow
     ReadMeter meter(bytes.size(), source.name, source.progress);
     std::size_t leftOut = 0;
     for (std::size_t i = 0; i < count && errors.size() < kMaxErrors; ++i) {
@@ -92,9 +75,9 @@ Result<LoadedModel> readBinary(const SourceText& source) {
                 p[axis] = 0;
                 if (errors.size() == kMaxErrors) return errors;
             }
-            corners[k] = welded.vertex(p);
+            corners[k] = vertexAt(p, *vertices);
         }
-        if (!addPolygon(welded.mesh(), corners)) ++leftOut;
+        if (!addPolygon(mesh, corners)) ++leftOut;
     }
     meter.goesOn(bytes.size(), errors);
     if (!errors.empty()) return errors;
@@ -105,7 +88,8 @@ Result<LoadedModel> readBinary(const SourceText& source) {
             {source.name, fmt::format("The last {} after the last of {} facet{} {} not read.",
                                       rest == 1 ? "byte" : groupedDigits(rest) + " bytes", groupedDigits(count),
                                       count == 1 ? "" : "s", rest == 1 ? "is" : "are")});
-    addObject(welded, source, stemOf(source.name), model.objects);
+    vertices.reset(), giveBackFreedMemory();
+    addObject(mesh, source, stemOf(source.name), model.objects);
     return model;
 }
 
@@ -116,7 +100,7 @@ bool nextWord(LineScanner& scanner, std::string_view& word) {
     return !word.empty();
 }
 
-std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedMesh& welded) {
+std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedVertices& vertices) {
     std::array<double, 3> p{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::string_view word;
@@ -130,7 +114,7 @@ std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedMesh& welded
         }
         p[axis] = *value;
     }
-    return welded.vertex(p);
+    return vertexAt(p, vertices);
 }
 
 std::string_view wordAt(std::string_view text, std::size_t begin) {
@@ -163,7 +147,8 @@ Result<LoadedModel> readText(const SourceText& source) {
     LineScanner scanner(window, source.name, errors, source.progress);
     LoadedModel model;
     std::string name = stemOf(source.name);
-    WeldedMesh welded;
+    Mesh mesh;
+    WeldedVertices vertices(mesh, false);
     std::vector<std::uint32_t> corners;
     TextPosition place;
     bool ended = false;
@@ -175,7 +160,7 @@ Result<LoadedModel> readText(const SourceText& source) {
         const auto is = [&](std::string_view keyword) { return sameLetters(word, keyword); };
         ended = false;
         if (is("vertex")) {
-            if (const std::optional<std::uint32_t> vertex = readVertex(scanner, welded))
+            if (const std::optional<std::uint32_t> vertex = readVertex(scanner, vertices))
                 corners.push_back(*vertex);
             else
                 scanner.rest();  // one error for a line
@@ -188,13 +173,14 @@ Result<LoadedModel> readText(const SourceText& source) {
         } else if (is("endloop")) {
             if (corners.size() < 3 && errors.empty()) scanner.fail("a loop of fewer than three vertices", "three");
             if (place.line == 0) place = scanner.place();  // no facet so far: every polygon has a place, or none
-            if (!addPolygon(welded.mesh(), corners, place)) ++leftOut;
+            if (!addPolygon(mesh, corners, place)) ++leftOut;
             corners.clear();
         } else if (is("solid")) {
             name = shownName(readName(scanner, false), stemOf(source.name));
         } else if (is("endsolid")) {
             readName(scanner, true);
-            addObject(welded, source, name, model.objects);
+            vertices.clear();
+            addObject(mesh, source, name, model.objects);
             corners.clear();  // vertices of the object that is over
             ended = true;
         } else if (!is("loop") && !is("endfacet") && --ofNormal < 0) {
