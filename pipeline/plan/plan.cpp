@@ -168,7 +168,7 @@ PlanPart incidenceOf(const ShadingInputs& inputs, glm::ivec2 picture, BufferSet 
         part.why = fmt::format("Those of frame {}, where they are all that the materials need.", past.number);
     } else {
         part.action = Action::Run;
-        part.why = fmt::format("Kept for other materials, in about {:.1f} MB where all is seen.", bytes / 1e6);
+        part.why = fmt::format("Kept for other materials, in {:.1f} MB where all is seen and lit.", bytes / 1e6);
     }
     return part;
 }

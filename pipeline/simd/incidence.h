@@ -9,7 +9,8 @@ namespace pipeline {
 
 // How light falls on what is seen in a tile: all of Phong shading but what it is multiplied with. A frame that differs
 // from the one before in that alone, in materials or in the intensities or colours of light, multiplies it anew. In
-// pieces, each the pixels of a block that see one object: 8 bytes, and for each light 12 a pixel of the block.
+// pieces, each the pixels of a block that see one object: 8 bytes, and for each light 12, and 4 a pixel of the block for
+// each of its numbers that is not the same all over the piece.
 // S. Gershbein and P. Hanrahan, "A fast relighting engine for interactive cinematic lighting design", SIGGRAPH 2000.
 struct Incidence {
     struct Piece {
@@ -18,28 +19,35 @@ struct Incidence {
         std::uint8_t block;      // in its row
         SpecularForm highlight;  // whose power the highlight is
     };
+    // Of the pixels of a block; at those that are not the piece's any numbers.
+    struct Numbers {
+        alignas(64) float of[kBlockPixels];
+    };
     static constexpr float kNoHighlight = 1;    // a logarithm of a cosine is at most 0
     static constexpr float kUnknownShadow = 2;  // S is at most 1
-    // Of a light at the pixels of a piece; at the others of its block any numbers. log: of R·V or N·H, kNoHighlight where
-    // the power is 0 or not asked for. S: kUnknownShadow where N·L > 0 and yet nobody has looked it up.
+    static constexpr std::uint32_t kSame = ~0U;
+    // Of a light at the pixels of a piece: where in `numbers` they stand, or kSame.
     struct Light {
-        alignas(64) float nDotL[kBlockPixels];
-        alignas(64) float log[kBlockPixels];
-        alignas(64) float S[kBlockPixels];
+        std::uint32_t nDotL = kSame;  // N·L; else nowhere above 0
+        std::uint32_t log = kSame;    // of R·V or N·H, kNoHighlight where the power is 0 or not asked for, or else everywhere
+        // S, kUnknownShadow where N·L > 0 and yet nobody has looked it up; else 1 wherever N·L > 0.
+        std::uint32_t S = kSame;
     };
 
     std::vector<Piece> pieces;                             // row of blocks after row of blocks
     std::array<std::uint32_t, kBlocksAcross + 1> first{};  // of each row in `pieces`
-    std::vector<Light, LeavesRaw<Light>> lights;           // of a piece side by side
+    std::vector<Light> lights;                             // of a piece side by side
+    std::vector<Numbers, LeavesRaw<Numbers>> numbers;
 };
 
-// Of a picture in which every block sees one object, bytes; where they see more, up to twice as much: a tile of more
-// pieces than two a block is not kept.
+// At most, of a picture in which every block sees one object, bytes; where they see more, up to twice as much: a tile of
+// more pieces than two a block is not kept.
 constexpr double incidenceBytes(glm::ivec2 picture, std::size_t lights) {
-    return double(picture.x) * picture.y * double(lights) * sizeof(Incidence::Light) / kBlockPixels;
+    constexpr double kOfLight = sizeof(Incidence::Light) + 3 * sizeof(Incidence::Numbers);
+    return double(picture.x) * picture.y / kBlockPixels * (sizeof(Incidence::Piece) + double(lights) * kOfLight);
 }
 inline constexpr std::size_t kMostPieces = 2 * kBlocks;
-// The most that is kept: 1920 × 1080 pixels with five lights, or 3840 × 2160 with one.
+// The most that is kept: 1920 × 1080 pixels with four lights, or 3840 × 2160 with one.
 inline constexpr double kMostIncidence = 128e6;
 
 }  // namespace pipeline

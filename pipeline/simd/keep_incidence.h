@@ -6,6 +6,7 @@
 #define SHADESCOPE_KEEP_INCIDENCE_H
 #endif
 
+#include <algorithm>
 #include <memory>
 
 #include "pipeline/simd/incidence.h"
@@ -38,22 +39,38 @@ public:
             const std::size_t i = group.at[n], pixel = i % kBlockPixels;
             piece += m_kept->pieces[piece].block != i / kBlockPixels;
             Incidence::Light& to = m_kept->lights[piece * m_lights + k];
+            const Mask mask = group.mask(n);
             const Floats cosine = load(nDotL, i), none = all(Incidence::kNoHighlight);
-            hn::Store(cosine, F(), to.nDotL + pixel);
-            hn::Store(log ? load(*log, i) : none, F(), to.log + pixel);
+            const Mask lit = hn::And(mask, hn::Gt(cosine, all(0)));
+            if (hn::AllFalse(F(), lit)) continue;  // nor is there a highlight, and S is multiplied with nothing
+            put(cosine, to.nDotL, 0, pixel);
+            if (const Floats of = log ? load(*log, i) : none; !hn::AllFalse(F(), hn::And(mask, hn::Lt(of, none))))
+                put(of, to.log, Incidence::kNoHighlight, pixel);
             // Where there is nothing to multiply, whatever the material, it need not be known.
-            hn::Store(S ? hn::IfThenElse(hn::Gt(cosine, all(0)), load(*S, i), all(1)) : all(1), F(), to.S + pixel);
+            if (const Floats of = S ? hn::IfThenElse(lit, load(*S, i), all(1)) : all(1);
+                !hn::AllTrue(F(), hn::Eq(of, all(1))))
+                put(of, to.S, 1, pixel);
         }
     }
     void endRow(std::size_t y) { m_kept->first[y + 1] = std::uint32_t(m_kept->pieces.size()); }
     // Nothing where it is too many pieces to be worth their memory.
     std::shared_ptr<const Incidence> whole() {
         if (m_kept->pieces.size() > kMostPieces) return {};
-        m_kept->pieces.shrink_to_fit(), m_kept->lights.shrink_to_fit();
+        m_kept->pieces.shrink_to_fit(), m_kept->lights.shrink_to_fit(), m_kept->numbers.shrink_to_fit();
         return std::move(m_kept);
     }
 
 private:
+    // Numbers of some pixels of a block, where the others have `same`, unless they are there already.
+    HWY_INLINE void put(Floats of, std::uint32_t& place, float same, std::size_t pixel) {
+        if (place == Incidence::kSame) {
+            place = std::uint32_t(m_kept->numbers.size());
+            m_kept->numbers.emplace_back();
+            if (kVectors > 1) std::ranges::fill(m_kept->numbers.back().of, same);
+        }
+        hn::Store(of, F(), m_kept->numbers[place].of + pixel);
+    }
+
     std::size_t m_lights, m_first = 0;
     std::shared_ptr<Incidence> m_kept = std::make_shared<Incidence>();
 };

@@ -27,6 +27,7 @@ public:
           m_vanishesFrom(vanishesFrom<float>(inputs.illumination.detail.logContrast)) {
         for (std::size_t k = 0; k < m_count; ++k)
             if (inputs.parts.lights[k]) m_lights.push_back(k);
+        for (const Look& look : looks) m_bases.push_back(sumOf(look.base));
     }
     bool relight(Tile tile, ShadingOutput<float>& out, ShadingCounts& counts) {
         const ToBytes bytes(out.iMax);
@@ -47,6 +48,10 @@ public:
     }
 
 private:
+    // Of the pixels of a block from the first on.
+    HWY_INLINE Floats numbers(std::uint32_t place, std::size_t first, float same) const {
+        return place == Incidence::kSame ? all(same) : hn::Load(F(), m_kept.numbers[place].of + first);
+    }
     // isShared: another piece of the block is there already.
     HWY_INLINE bool relightPiece(std::size_t number, bool isShared, Row3& intensity) {
         const Incidence::Piece& piece = m_kept.pieces[number];
@@ -54,8 +59,8 @@ private:
         const bool shines = look.highlight != SpecularForm::None;
         if (shines && look.highlight != piece.highlight) return false;
         const Incidence::Light* const lights = &m_kept.lights[number * m_count];
-        const Floats exponent = all(look.exponent);
-        const Floats3 base = all(sumOf(look.base)), none = all(Vec3<float>(0));
+        const Floats exponent = all(look.exponent), faintest = all(-m_vanishesFrom);
+        const Floats3 base = all(m_bases[piece.object]), none = all(Vec3<float>(0));
         for (std::size_t first = 0; first < kBlockPixels; first += hn::Lanes(F())) {
             const std::size_t i = std::size_t(piece.block) * kBlockPixels + first;
             const Mask mask = maskOf(std::uint64_t(piece.pixels) >> first);
@@ -63,28 +68,35 @@ private:
             for (const std::size_t k : m_lights) {
                 const Reflected& reflected = look.lights[k];
                 // As TileShader has it: the same operations in the same order.
-                const Floats nDotL = hn::Load(F(), lights[k].nDotL + first);
+                const Incidence::Light& light = lights[k];
+                if (look.isFinite && light.nDotL == Incidence::kSame) continue;
+                const Floats nDotL = numbers(light.nDotL, first, 0);
                 const Mask lit = hn::And(mask, hn::Gt(nDotL, all(0)));
                 if (look.isFinite && hn::AllFalse(F(), lit)) continue;  // terms of 0
-                Floats3 diffuse = choose(lit, scaled(all(reflected.diffuse), nDotL), none), specular = none;
-                if (shines) {
-                    const Floats log = hn::Load(F(), lights[k].log + first);
+                Floats3 diffuse = where(lit, scaled(all(reflected.diffuse), nDotL)), specular = none;
+                const auto shine = [&] HWY_ATTR {
+                    if (look.isFinite && light.log == Incidence::kSame) return false;
+                    const Floats log = numbers(light.log, first, Incidence::kNoHighlight);
                     const Floats y = hn::Mul(exponent, log);
-                    const Mask there = hn::And(mask, hn::And(hn::Le(log, all(0)), hn::Ge(y, all(-m_vanishesFrom))));
-                    if (!look.isFinite || !hn::AllFalse(F(), there)) {
-                        const Floats power = hn::IfThenElseZero(there, expOfNegative<A>(y));
-                        specular = scaled(all(reflected.specular), power);
-                    }
+                    const Mask there = hn::And(mask, hn::And(hn::Le(log, all(0)), hn::Ge(y, faintest)));
+                    if (look.isFinite && hn::AllFalse(F(), there)) return false;
+                    const Floats power = hn::IfThenElseZero(there, expOfNegative<A>(y));
+                    specular = scaled(all(reflected.specular), power);
                     m_powers += static_cast<long long>(hn::CountTrue(F(), there));
+                    return true;
+                };
+                // A sum is never -0, whatever its terms are, for the base is not: terms of 0 need not be added.
+                if (HWY_LIKELY(light.S == Incidence::kSame)) {
+                    sum = sum + diffuse;
+                    if (shines && shine()) sum = sum + specular;
+                    continue;
                 }
-                const Floats S = hn::Load(F(), lights[k].S + first);
-                if (!hn::AllTrue(F(), hn::Eq(S, all(1)))) {  // mostly it is 1, and multiplying changes nothing
-                    const Mask unknown = hn::And(lit, hn::Gt(S, all(1)));
-                    if (HWY_UNLIKELY(!hn::AllFalse(F(), unknown)))
-                        if (!hn::AllFalse(F(), hn::AndNot(areZero(diffuse, specular), unknown))) return false;
-                    diffuse = scaled(diffuse, S), specular = scaled(specular, S);
-                }
-                sum = sum + diffuse + specular;  // which is never -0, whatever its terms are: the base is not
+                if (shines) shine();
+                const Floats S = numbers(light.S, first, 1);
+                const Mask unknown = hn::And(lit, hn::Gt(S, all(1)));
+                if (HWY_UNLIKELY(!hn::AllFalse(F(), unknown)))
+                    if (!hn::AllFalse(F(), hn::AndNot(areZero(diffuse, specular), unknown))) return false;
+                sum = sum + scaled(diffuse, S) + scaled(specular, S);
             }
             store(choose(mask, sum, isShared ? load(intensity, i) : none), intensity, i);
         }
@@ -103,6 +115,7 @@ private:
     const Incidence& m_kept;
     float m_vanishesFrom;               // -log of a power
     std::vector<std::size_t> m_lights;  // those that shine
+    std::vector<Vec3<float>> m_bases;   // per object: what is there without any
     long long m_relit = 0, m_powers = 0;
 };
 
