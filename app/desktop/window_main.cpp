@@ -1,8 +1,8 @@
 #include "app/desktop/window_main.h"
 
-#include <QApplication>
 #include <QSettings>
 
+#include "app/core/application.h"
 #include "app/core/numbers.h"
 #include "app/core/session_file.h"
 #include "app/core/text.h"
@@ -22,7 +22,7 @@ void prepareApplication() {
 
 int runWindow(int argc, char** argv, const WindowStart& start) {
     prepareApplication();
-    QApplication application(argc, argv);
+    Application application(argc, argv);
     keepPointInNumbers();
     restoreTheme();
     restoreNumbers();

@@ -57,6 +57,24 @@ TEST(BackgroundJob, WithoutMemoryItEndsAndSaysSoAndTheNextOneIsDone) {
     EXPECT_EQ(given, std::vector{2});
 }
 
+// A click whose answer needs more memory than there is: the loop goes on, with the next event as well.
+TEST(Application, WithoutMemoryAnEventIsGivenUpAndTheNextOneIsDone) {
+    const QSignalSpy notices(&MemoryNotice::instance(), &MemoryNotice::gaveUp);
+    QObject receiver;
+    std::vector<int> done;
+    for (const int number : {1, 2})
+        QMetaObject::invokeMethod(
+            &receiver,
+            [&done, number] {
+                if (number == 1) throw std::bad_alloc();
+                done.push_back(number);
+            },
+            Qt::QueuedConnection);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !done.empty(); }, 10000));
+    EXPECT_EQ(notices.size(), 1);
+    EXPECT_EQ(done, std::vector{2});
+}
+
 TEST(BackgroundJob, ANewerOneStopsWhatRunsAndReplacesWhatWaits) {
     BackgroundJob job;
     Gate gate;

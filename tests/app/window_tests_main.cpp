@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "app/core/application.h"
 #include "app/core/theme.h"
 #include "app/desktop/window_main.h"
 
@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     // The user's own settings stay as they are.
     QTemporaryDir settings;
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-    QApplication application(argc, argv);
+    app::Application application(argc, argv);
     app::Theme::current().set(app::ThemeId::Light);
     return RUN_ALL_TESTS();
 }

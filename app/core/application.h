@@ -1,0 +1,14 @@
+#pragma once
+#include <QApplication>
+
+namespace app {
+
+// The program's window loop. Where something that is done in it runs out of memory, that is given up and MemoryNotice says
+// so: what is open and not saved yet is kept.
+class Application : public QApplication {
+public:
+    using QApplication::QApplication;
+    bool notify(QObject* receiver, QEvent* event) override;
+};
+
+}  // namespace app
