@@ -1,6 +1,7 @@
 #include "app/core/background_job.h"
 
 #include <QCoreApplication>
+#include <QScopeGuard>
 #include <atomic>
 
 #include "app/core/memory_notice.h"
@@ -55,8 +56,10 @@ void BackgroundJob::start(std::function<std::function<void()>(const Control&)> j
 void BackgroundJob::take(long ticket, const std::function<void()>& done) {
     if (ticket < m_oldestValid) return;
     m_taken = ticket;
+    const auto ended = qScopeGuard([this] {  // also where the result needs more memory than there is
+        if (!busy()) emit busyChanged(false);
+    });
     done();
-    if (!busy()) emit busyChanged(false);
 }
 
 bool BackgroundJob::waitFor(std::chrono::milliseconds longest) {

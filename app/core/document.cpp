@@ -123,10 +123,12 @@ bool Document::save(const QString& file) {
 }
 
 void Document::setScene(Scene scene, KeptScene kept) {
+    auto opened =
+        std::make_shared<const Scene>(std::move(scene));  // without memory for it the one before stays as it is
     m_undo.clear();
     m_kept = std::move(kept);
     setLive(false);
-    m_scene = std::make_shared<const Scene>(std::move(scene));
+    m_scene = std::move(opened);
     // A picked pixel, polygon numbers and errors of the other scene mean nothing here.
     m_frame.reset();
     m_whole.reset();

@@ -131,9 +131,9 @@ private:
             p = fromYUp(Vec3d(instance.toWorld * glm::dvec4(p, 1))) + 0.0;
             if (isCoordinate(p.x) && isCoordinate(p.y) && isCoordinate(p.z)) continue;
             const auto text = [](double x) { return textBeyond(x, std::copysign(kFarthestVertex, x)); };
-            instance.node.fail(
-                fmt::format("{} moves a vertex to ({}, {}, {})", instance.node.pointer(), text(p.x), text(p.y), text(p.z)),
-                numberFrom(-kFarthestVertex, kFarthestVertex));
+            instance.node.fail(fmt::format("{} moves a vertex to ({}, {}, {})", instance.node.pointer(), text(p.x),
+                                           text(p.y), text(p.z)),
+                               numberFrom(-kFarthestVertex, kFarthestVertex));
             return false;
         }
         // The cofactors are the inverse transpose but for a factor, and exist for a flat node as well.

@@ -9,14 +9,13 @@
 namespace pipeline {
 
 // The vertices of a mesh while it is read, of which no two are equal: where a file gives every polygon its own corners, a
-// closed surface becomes a closed mesh. -0 is equal to 0. A set of the vertices' numbers beside the mesh, 8 bytes each: to
-// hold what makes them equal as well would take more memory than the mesh.
+// closed surface becomes a closed mesh. -0 is equal to 0. A set of the vertices' numbers beside the mesh, 10 to 20
+// bytes each: to hold what makes them equal as well would take more memory than the mesh.
 class WeldedVertices {
 public:
     // byNormal: whether normals tell vertices apart, which then have one.
-    WeldedVertices(Mesh& mesh, bool byNormal) : m_of(0, Hash{&mesh, byNormal}, Equal{&mesh, byNormal}), m_mesh(mesh) {
-        m_of.max_load_factor(0.8F);
-    }
+    WeldedVertices(Mesh& mesh, bool byNormal)
+        : m_of(setOf(Hash{&mesh, byNormal}, Equal{&mesh, byNormal})), m_mesh(mesh) {}
 
     void reserve(std::size_t vertices) {
         m_mesh.positions.reserve(vertices);
@@ -34,8 +33,8 @@ public:
         m_of.insert(next);
         return next;
     }
-    // When the mesh is another one.
-    void clear() { m_of.clear(); }
+    // When the mesh is another one. A new set: to clear a large one takes as long each time as if it were full.
+    void clear() { m_of = setOf(m_of.hash_function(), m_of.key_eq()); }
 
 private:
     struct Vertex {
@@ -69,7 +68,13 @@ private:
         bool operator()(std::uint32_t a, const Vertex& b) const { return (*this)(Reader::operator()(a), b); }
         bool operator()(const Vertex& a, std::uint32_t b) const { return (*this)(a, Reader::operator()(b)); }
     };
-    tsl::robin_set<std::uint32_t, Hash, Equal> m_of;
+    using Set = tsl::robin_set<std::uint32_t, Hash, Equal>;
+    static Set setOf(const Hash& hash, const Equal& equal) {
+        Set set(0, hash, equal);
+        set.max_load_factor(0.8F);
+        return set;
+    }
+    Set m_of;
     Mesh& m_mesh;
 };
 

@@ -29,7 +29,8 @@ struct Incidence {
     // Of a light at the pixels of a piece: where in `numbers` they stand, or kSame.
     struct Light {
         std::uint32_t nDotL = kSame;  // N·L; else nowhere above 0
-        std::uint32_t log = kSame;    // of R·V or N·H, kNoHighlight where the power is 0 or not asked for, or else everywhere
+        std::uint32_t log =
+            kSame;  // of R·V or N·H, kNoHighlight where the power is 0 or not asked for, or else everywhere
         // S, kUnknownShadow where N·L > 0 and yet nobody has looked it up; else 1 wherever N·L > 0.
         std::uint32_t S = kSame;
     };
@@ -43,8 +44,9 @@ struct Incidence {
 // At most, of a picture in which every block sees one object, bytes; where they see more, up to twice as much: a tile of
 // more pieces than two a block is not kept.
 constexpr double incidenceBytes(glm::ivec2 picture, std::size_t lights) {
+    const glm::ivec2 blocks = (picture + kBlock - 1) / kBlock;
     constexpr double kOfLight = sizeof(Incidence::Light) + 3 * sizeof(Incidence::Numbers);
-    return double(picture.x) * picture.y / kBlockPixels * (sizeof(Incidence::Piece) + double(lights) * kOfLight);
+    return double(blocks.x) * blocks.y * (sizeof(Incidence::Piece) + double(lights) * kOfLight);
 }
 inline constexpr std::size_t kMostPieces = 2 * kBlocks;
 // The most that is kept: 1920 × 1080 pixels with four lights, or 3840 × 2160 with one.

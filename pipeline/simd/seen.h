@@ -157,8 +157,7 @@ public:
                 float(edge.row) * inverse};
     }
     // Perspective-correct weights over the triangle's own corners, the bits of interpolate; where the triangle is not
-    // seen, any numbers.
-    // z: in.zAt of the place.
+    // seen, any numbers. z: in.zAt of the place.
     HWY_INLINE Shares weights(const SeenIn& in, const VectorPlace& place, Floats z) const {
         if (HWY_UNLIKELY(m_kind > Kind::Middle)) return weightsOfLarge(in, place.at);
         const auto share = [&](std::size_t i) HWY_ATTR {

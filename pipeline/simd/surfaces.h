@@ -134,10 +134,9 @@ private:
     // the loop of the others, whose time goes into what has to be asked and kept at hand as much as into numbers.
     template <bool kPerPixel, bool kPositions>
     void findRow(std::size_t begin, SurfaceRow& out) {
-        if (!kPerPixel || m_facing || m_tellsObjects || !m_drawnNames)
-            findVectors<kPerPixel, kPositions, true>(begin, out);
-        else
-            findVectors<kPerPixel, kPositions, false>(begin, out);
+        if constexpr (kPerPixel)
+            if (m_drawnNames && !m_facing && !m_tellsObjects) return findVectors<true, kPositions, false>(begin, out);
+        findVectors<kPerPixel, kPositions, true>(begin, out);
     }
     // kMore: whether any of the above.
     template <bool kPerPixel, bool kPositions, bool kMore>

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <QCloseEvent>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThreadPool>
+#include <QWidget>
 #include <atomic>
 
 #include "app/core/freed_aside.h"
@@ -73,6 +75,24 @@ TEST(Application, WithoutMemoryAnEventIsGivenUpAndTheNextOneIsDone) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !done.empty(); }, 10000));
     EXPECT_EQ(notices.size(), 1);
     EXPECT_EQ(done, std::vector{2});
+}
+
+// A window that is closed saves first. Where that runs out of memory, it stays open with what it holds.
+TEST(Application, WithoutMemoryAWindowStaysOpen) {
+    struct Window : QWidget {
+        void closeEvent(QCloseEvent*) override { throw std::bad_alloc(); }
+    } window;
+    window.show();
+    EXPECT_FALSE(window.close());
+    EXPECT_TRUE(window.isVisible());
+}
+
+TEST(BackgroundJob, WithoutMemoryForItsResultItEndsAllTheSame) {
+    BackgroundJob job;
+    const QSignalSpy changes(&job, &BackgroundJob::busyChanged);
+    job.ask([](const Control&) { return 1; }, [](int) { throw std::bad_alloc(); });
+    EXPECT_TRUE(QTest::qWaitFor([&] { return changes.size() == 2; }, 10000)) << "busy, and idle again";
+    EXPECT_FALSE(job.busy());
 }
 
 TEST(BackgroundJob, ANewerOneStopsWhatRunsAndReplacesWhatWaits) {

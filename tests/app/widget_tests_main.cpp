@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-
 #include "app/core/application.h"
 #include "app/core/theme.h"
 
