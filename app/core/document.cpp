@@ -123,8 +123,8 @@ bool Document::save(const QString& file) {
 }
 
 void Document::setScene(Scene scene, KeptScene kept) {
-    auto opened =
-        std::make_shared<const Scene>(std::move(scene));  // without memory for it the one before stays as it is
+    // First: without memory for it the scene before stays as it is.
+    auto opened = std::make_shared<const Scene>(std::move(scene));
     m_undo.clear();
     m_kept = std::move(kept);
     setLive(false);

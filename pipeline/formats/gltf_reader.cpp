@@ -128,7 +128,7 @@ private:
     // Puts them into the world, +z up. Without normals where one has no length.
     bool place(const GltfInstance& instance, std::vector<Vec3d>& positions, std::vector<Vec3d>& normals) {
         for (Vec3d& p : positions) {
-            p = fromYUp(Vec3d(instance.toWorld * glm::dvec4(p, 1))) + 0.0;
+            p = fromYUp(Vec3d(instance.toWorld * glm::dvec4(p, 1)));
             if (isCoordinate(p.x) && isCoordinate(p.y) && isCoordinate(p.z)) continue;
             const auto text = [](double x) { return textBeyond(x, std::copysign(kFarthestVertex, x)); };
             instance.node.fail(fmt::format("{} moves a vertex to ({}, {}, {})", instance.node.pointer(), text(p.x),

@@ -21,11 +21,6 @@ namespace {
 constexpr std::string_view kSpaces = " \t\v\f";
 constexpr std::size_t kHeader = 80, kFirstFacet = 84, kFacet = 50;  // bytes
 
-// Every facet of an STL file brings its own corners.
-std::uint32_t vertexAt(const std::array<double, 3>& p, WeldedVertices& vertices) {
-    return vertices.at({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0});  // -0 becomes 0
-}
-
 void addObject(Mesh& mesh, const SourceText& source, std::string name, std::vector<Object>& objects) {
     dropUnusedVertices(mesh);
     mesh.file = meshFileOf(source);
@@ -52,8 +47,8 @@ Result<LoadedModel> readBinary(const SourceText& source) {
     Errors errors;
     Mesh mesh;
     mesh.reservePolygons(count, 3 * count);
-    std::optional<WeldedVertices> vertices(std::in_place, mesh, false);
-    vertices->reserve(count / 2 + 2);  // of a closed surface by Euler's formula; others grow
+    WeldedVertices vertices(mesh, false);
+    vertices.reserve(count / 2 + 2);  // of a closed surface by Euler's formula; others grow
     ReadMeter meter(bytes.size(), source.name, source.progress);
     std::size_t leftOut = 0;
     for (std::size_t i = 0; i < count && errors.size() < kMaxErrors; ++i) {
@@ -63,10 +58,10 @@ Result<LoadedModel> readBinary(const SourceText& source) {
             return Error{{source.name, 0, 0}, fmt::format("the file ends after {} bytes", groupedDigits(bytes.size()))};
         std::array<std::uint32_t, 3> corners{};
         for (std::size_t k = 0; k < 3; ++k) {
-            std::array<double, 3> p{};
-            for (std::size_t axis = 0; axis < 3; ++axis) {
+            Vec3d p(0.0);
+            for (int axis = 0; axis < 3; ++axis) {
                 // The facet's normal comes first, 12 bytes.
-                const std::size_t at = facet + 12 + k * 12 + axis * 4;
+                const std::size_t at = facet + 12 + k * 12 + std::size_t(axis) * 4;
                 p[axis] = numberAt<float>(bytes.view(), at - bytes.begin());
                 if (isCoordinate(p[axis])) continue;
                 errors.push_back({{source.name, 0, 0},
@@ -76,7 +71,7 @@ Result<LoadedModel> readBinary(const SourceText& source) {
                 p[axis] = 0;
                 if (errors.size() == kMaxErrors) return errors;
             }
-            corners[k] = vertexAt(p, *vertices);
+            corners[k] = vertices.at(p);
         }
         if (!addPolygon(mesh, corners)) ++leftOut;
     }
@@ -89,7 +84,7 @@ Result<LoadedModel> readBinary(const SourceText& source) {
             {source.name, fmt::format("The last {} after the last of {} facet{} {} not read.",
                                       rest == 1 ? "byte" : groupedDigits(rest) + " bytes", groupedDigits(count),
                                       count == 1 ? "" : "s", rest == 1 ? "is" : "are")});
-    vertices.reset(), giveBackFreedMemory();
+    vertices.clear(), giveBackFreedMemory();
     addObject(mesh, source, stemOf(source.name), model.objects);
     return model;
 }
@@ -102,8 +97,8 @@ bool nextWord(LineScanner& scanner, std::string_view& word) {
 }
 
 std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedVertices& vertices) {
-    std::array<double, 3> p{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    Vec3d p(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
         std::string_view word;
         const bool atEnd = !nextWord(scanner, word);
         const std::optional<double> value = parseNumber(word);
@@ -115,7 +110,7 @@ std::optional<std::uint32_t> readVertex(LineScanner& scanner, WeldedVertices& ve
         }
         p[axis] = *value;
     }
-    return vertexAt(p, vertices);
+    return vertices.at(p);
 }
 
 std::string_view wordAt(std::string_view text, std::size_t begin) {

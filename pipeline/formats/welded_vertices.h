@@ -9,7 +9,7 @@
 namespace pipeline {
 
 // The vertices of a mesh while it is read, of which no two are equal: where a file gives every polygon its own corners, a
-// closed surface becomes a closed mesh. -0 is equal to 0. A set of the vertices' numbers beside the mesh, 10 to 20
+// closed surface becomes a closed mesh. -0 becomes 0. A set of the vertices' numbers beside the mesh, 10 to 20
 // bytes each: to hold what makes them equal as well would take more memory than the mesh.
 class WeldedVertices {
 public:
@@ -24,12 +24,12 @@ public:
     }
     // The number of the vertex that is there already, or is added. normal: of vertices that have one.
     std::uint32_t at(const Vec3d& position, const Vec3d& normal = Vec3d(0.0)) {
-        const Vertex vertex{position, normal};
+        const Vertex vertex{position + 0.0, normal + 0.0};
         const std::size_t hash = m_of.hash_function()(vertex);
         if (const auto found = m_of.find(vertex, hash); found != m_of.end()) return *found;
         const auto next = static_cast<std::uint32_t>(m_mesh.positions.size());
-        m_mesh.positions.push_back(position);
-        if (m_of.hash_function().byNormal) m_mesh.normals.push_back(normal);
+        m_mesh.positions.push_back(vertex.position);
+        if (m_of.hash_function().byNormal) m_mesh.normals.push_back(vertex.normal);
         m_of.insert(next);
         return next;
     }
@@ -51,7 +51,7 @@ private:
         std::size_t operator()(const Vertex& vertex) const {
             std::uint64_t hash = 0;
             const auto mix = [&](double x) {
-                hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;
+                hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15U;
             };
             for (int axis = 0; axis < 3; ++axis) mix(vertex.position[axis]);
             for (int axis = 0; byNormal && axis < 3; ++axis) mix(vertex.normal[axis]);

@@ -4,7 +4,6 @@
 #include <sanitizer/tsan_interface.h>
 
 // Asked by the sanitizer, whose name it is: nor does it see what oneTBB does among its own threads.
-// NOLINTNEXTLINE(bugprone-reserved-identifier)
 extern "C" const char* __tsan_default_suppressions() { return "called_from_lib:libtbb.so\n"; }
 #endif
 

@@ -26,13 +26,12 @@ struct Incidence {
     static constexpr float kNoHighlight = 1;    // a logarithm of a cosine is at most 0
     static constexpr float kUnknownShadow = 2;  // S is at most 1
     static constexpr std::uint32_t kSame = ~0U;
-    // Of a light at the pixels of a piece: where in `numbers` they stand, or kSame.
+    // Of a light at the pixels of a piece: where in `numbers` they stand; kSame where
+    // - N·L is nowhere above 0;
+    // - log, of R·V or N·H, is everywhere kNoHighlight, as it is where the power is 0 or not asked for;
+    // - S is 1 wherever N·L > 0. Where nobody has looked it up it is kUnknownShadow.
     struct Light {
-        std::uint32_t nDotL = kSame;  // N·L; else nowhere above 0
-        std::uint32_t log =
-            kSame;  // of R·V or N·H, kNoHighlight where the power is 0 or not asked for, or else everywhere
-        // S, kUnknownShadow where N·L > 0 and yet nobody has looked it up; else 1 wherever N·L > 0.
-        std::uint32_t S = kSame;
+        std::uint32_t nDotL = kSame, log = kSame, S = kSame;
     };
 
     std::vector<Piece> pieces;                             // row of blocks after row of blocks

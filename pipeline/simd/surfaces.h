@@ -141,11 +141,12 @@ private:
     // kMore: whether any of the above.
     template <bool kPerPixel, bool kPositions, bool kMore>
     void findVectors(std::size_t begin, SurfaceRow& out) {
+        const bool areNamed = !kMore || m_drawnNames != nullptr;
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const VectorPlace place(begin + i);
-            if (kMore && !m_drawnNames) m_drawn.read(m_in.zBuffer, m_tile, place.at);
+            if (!areNamed) m_drawn.read(m_in.zBuffer, m_tile, place.at);
             if (m_isFine) fetchAhead(place.at);
-            const std::uint32_t* const names = !kMore || m_drawnNames ? m_drawnNames + place.at : m_drawn.triangle;
+            const std::uint32_t* const names = areNamed ? m_drawnNames + place.at : m_drawn.triangle;
             const Mask seen = seenIn(names);
             std::uint32_t left = bitsOf(seen);
             out.seen[i / hn::Lanes(F())] = left;
@@ -156,7 +157,7 @@ private:
                     continue;
                 }
             }
-            const Floats z = !kMore || m_drawnNames ? m_seenIn->zAt(place) : all(1);
+            const Floats z = areNamed ? m_seenIn->zAt(place) : all(1);
             Ints triangle = hn::Zero(I()), polygon = triangle, object = triangle;
             Floats3 normal = all(Vec3<float>(0)), position = normal, weights = normal, facing = normal;
             const auto choose1 = [](Mask mask, std::int32_t yes, Ints no) HWY_ATTR {
@@ -184,7 +185,7 @@ private:
                         continue;
                     }
                 }
-                const Shares b = !kMore || m_drawnNames
+                const Shares b = areNamed
                                      ? surface.triangle.weights(*m_seenIn, place, z)
                                      : Shares{hn::Load(F(), m_drawn.weights[0]), hn::Load(F(), m_drawn.weights[1])};
                 if constexpr (kPerPixel)

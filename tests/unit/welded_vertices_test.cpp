@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <random>
@@ -48,6 +49,9 @@ TEST(WeldedVertices, AreToldApartByTheirLastBit) {
     EXPECT_EQ(vertices.at(Vec3d(1, 0, 0)), 0);
     EXPECT_EQ(vertices.at(Vec3d(next, 0, 0)), 1);
     EXPECT_EQ(vertices.at(Vec3d(1, -0.0, 0)), 0);
+    EXPECT_EQ(vertices.at(Vec3d(-0.0)), 2);
+    EXPECT_EQ(vertices.at(Vec3d(0.0)), 2);
+    EXPECT_FALSE(std::signbit(mesh.positions[2].x)) << "-0 becomes 0";
 }
 
 TEST(WeldedVertices, OfAnotherMeshBeginAnew) {
