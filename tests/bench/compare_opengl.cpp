@@ -1,6 +1,7 @@
 // Our frames against OpenGL's, drawn in turns on the same processors, and what that says of their speed.
 //   compare_opengl                    every workload, 1 processor and 2
 //   compare_opengl --only 70k --json
+//   compare_opengl --model bunny.obj --parts phong
 // OpenGL is Mesa's llvmpipe, which draws on the processor, where the environment does not choose another driver.
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -24,6 +25,9 @@ using pipeline::Json;
 
 struct Options {
     std::vector<std::string> only, parts;
+    std::string model;  // a file, instead of the workloads
+    std::vector<int> size{1920, 1080};
+    int shadowSize = 2048;
     int threads = 0;  // 0: 1 and 2
     Turns turns;
     bool json = false, stages = false;
@@ -114,7 +118,9 @@ Json measure(const Point& point, const Options& options) {
     // Vertices are transformed in the calling thread. With 0 it does everything else as well, on one processor.
     setenv("LP_NUM_THREADS", point.threads == 1 ? "0" : std::to_string(point.threads).c_str(), 1);
 
-    const auto mesh = meshOf(point.workload);
+    const auto read = meshOf(point.workload);
+    if (!read) return {{"error", format(read.errors().front())}};
+    const auto& mesh = *read;
     const double meshMegabytes = peakMegabytes();
     Ours exact(point, mesh, pipeline::Arithmetic::Exact);
     exact.draw(), exact.draw();
@@ -192,6 +198,8 @@ Json inChild(const Point& point, const Options& options) {
     return json;
 }
 
+std::string goalText(double goal) { return goal > 0 ? fmt::format("{}", goal) : "–"; }
+
 std::string ratioText(const Json& ratio) {
     return fmt::format("{:.2f} ({:.2f} to {:.2f})", ratio["median"].get<double>(), ratio["min"].get<double>(),
                        ratio["max"].get<double>());
@@ -214,7 +222,7 @@ void printRow(const Json& row, const Options& options) {
                row["triangles"].get<std::size_t>(), row["width"].get<int>(), row["height"].get<int>(),
                row["part"].get<std::string>(), row["threads"].get<int>(), number("opengl_ms"),
                row["opengl_geometry"].get<std::string>(), number("exact_ms"), ratioText(row["exact_ratio"]),
-               number("hold"), number("fast_ms"), ratioText(row["fast_ratio"]), number("target"),
+               goalText(number("hold")), number("fast_ms"), ratioText(row["fast_ratio"]), goalText(number("target")),
                100 * number("pixels_alike"), number("peak_megabytes"));
     if (options.stages)
         fmt::print("    exact: {}\n    fast:  {}\n", row["exact_stages_ms"].dump(), row["fast_stages_ms"].dump());
@@ -225,7 +233,12 @@ int run(const Options& options) {
     Json rows = Json::array();
     if (!options.json) printHead(options);
     bool failed = false;
-    for (const Workload& workload : workloads()) {
+    const std::vector<Workload> model{{.name = options.model,
+                                       .width = options.size[0],
+                                       .height = options.size[1],
+                                       .shadowSize = options.shadowSize,
+                                       .file = options.model}};
+    for (const Workload& workload : options.model.empty() ? workloads() : model) {
         if (!options.only.empty() && std::ranges::find(options.only, workload.name) == options.only.end()) continue;
         for (const Part part : kParts) {
             if (!options.parts.empty() && std::ranges::find(options.parts, key(part)) == options.parts.end()) continue;
@@ -235,6 +248,7 @@ int run(const Options& options) {
                 if (row.contains("error")) {
                     fmt::print(stderr, "{}, {}, {} threads: {}\n", workload.name, name(part, workload), threads,
                                row["error"].get<std::string>());
+                    if (!options.model.empty()) return 1;  // nothing else can be drawn of it either
                     failed = true;
                 } else if (options.json) {
                     rows.push_back(row);
@@ -269,6 +283,18 @@ int main(int argc, char** argv) {
     program.add_option("--parts", options.parts, "What is drawn of them")
         ->check(CLI::IsMember({"depth", "phong", "shadow"}))
         ->delimiter(',');
+    CLI::Option* model = program.add_option("--model", options.model, "A model instead of them: OBJ, PLY, STL or glTF")
+                             ->check(CLI::ExistingFile)
+                             ->excludes("--only");
+    program.add_option("--size", options.size, "Width and height of the model's picture")
+        ->expected(2)
+        ->check(CLI::Range(1, 16384))
+        ->needs(model)
+        ->capture_default_str();
+    program.add_option("--shadow-size", options.shadowSize, "Side of its shadow buffer")
+        ->check(CLI::Range(16, 16384))
+        ->needs(model)
+        ->capture_default_str();
     program.add_option("--threads", options.threads, "Threads and processors; 0: 1, then 2")->check(CLI::Range(0, 2));
     program.add_option("--rounds", options.turns.rounds, "Rounds")->check(CLI::Range(1, 1000))->capture_default_str();
     program.add_option("--seconds", options.turns.seconds, "Length of a turn")

@@ -73,8 +73,8 @@ void changes(benchmark::State& state, const Scene& scene, const Change& change) 
 // The state of a stage between its steps, 640 x 480, a million polygons, all processors.
 void seeks(benchmark::State& state, StageId stage, double share) {
     static const Steps steps = [] {
-        const bench::Workload& workload = bench::workloads()[3];
-        Scene scene = sceneOf(workload, bench::Part::PhongShadow, meshOf(workload), false, Arithmetic::Exact);
+        const bench::Workload& workload = bench::workload("1M");
+        Scene scene = sceneOf(workload, bench::Part::PhongShadow, *meshOf(workload), false, Arithmetic::Exact);
         scene.settings.width = 640, scene.settings.height = 480;
         const FrameRequest request{.wanted = setOf({BufferId::Color}), .threads = 0, .stop = {}};
         return Steps(runFrame(std::make_shared<const Scene>(std::move(scene)), request, nullptr));
@@ -84,7 +84,7 @@ void seeks(benchmark::State& state, StageId stage, double share) {
 }
 
 void reads(benchmark::State& state) {
-    const std::shared_ptr<const Mesh> mesh = meshOf(bench::workloads()[3]);
+    const std::shared_ptr<const Mesh> mesh = *meshOf(bench::workload("1M"));
     std::string text;
     for (const Vec3d& p : mesh->positions)
         fmt::format_to(std::back_inserter(text), "v {:.6f} {:.6f} {:.6f}\n", p.x, p.y, p.z);
@@ -112,8 +112,8 @@ void registerAll() {
             }
         }
     }
-    const bench::Workload& workload = bench::workloads()[1];
-    const auto mesh = meshOf(workload);
+    const bench::Workload& workload = bench::workload("5k");
+    const auto mesh = *meshOf(workload);
     for (const auto& [arithmetic, text] :
          {std::pair(Arithmetic::Exact, "exact"), std::pair(Arithmetic::Fast, "fast")}) {
         const Scene scene = sceneOf(workload, bench::Part::PhongShadow, mesh, false, arithmetic);

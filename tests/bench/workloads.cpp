@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/formats/model_reader.h"
+
 namespace bench {
 
 using namespace pipeline;
@@ -17,6 +19,8 @@ const std::vector<Workload>& workloads() {
     };
     return kWorkloads;
 }
+
+const Workload& workload(std::string_view name) { return *std::ranges::find(workloads(), name, &Workload::name); }
 
 std::string name(Part part, const Workload& workload) {
     switch (part) {
@@ -53,7 +57,6 @@ void addSphere(Mesh& mesh, int triangles, Vec3d centre, double radius) {
     const auto place = [&](int ring, int segment) {
         const double down = std::numbers::pi * ring / rings, around = 2 * std::numbers::pi * segment / segments;
         const Vec3d outward(std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around));
-        // In float, as OpenGL gets them: neither side draws what the other cannot see.
         mesh.positions.push_back(glm::vec3(centre + radius * outward));
         mesh.normals.push_back(glm::vec3(outward));
     };
@@ -75,9 +78,52 @@ void addSphere(Mesh& mesh, int triangles, Vec3d centre, double radius) {
     for (int segment = 0; segment < segments; ++segment) add(at(rings - 1, segment), at(rings - 1, segment + 1), last);
 }
 
+// The triangles of a mesh that has normals.
+void addMesh(Mesh& mesh, const Mesh& part) {
+    const auto first = std::uint32_t(mesh.positions.size());
+    for (const Vec3d& p : part.positions) mesh.positions.push_back(glm::vec3(p));
+    for (const Vec3d& n : part.normals) mesh.normals.push_back(glm::vec3(n));
+    for (const Triangle& triangle : part.triangles) {
+        const auto& [a, b, c] = triangle.vertices;
+        mesh.addPolygon(std::array{first + a, first + b, first + c});
+    }
+}
+
+// At each vertex the sum of the triangles' normals, weighted by area.
+VertexVectors normalsOf(const Mesh& mesh) {
+    std::vector<Vec3d> sums(mesh.positions.size(), Vec3d(0.0));
+    for (const Triangle& triangle : mesh.triangles) {
+        const auto& [a, b, c] = triangle.vertices;
+        const Vec3d p = mesh.positions[a], across = glm::cross(mesh.positions[b] - p, mesh.positions[c] - p);
+        for (const std::uint32_t vertex : triangle.vertices) sums[vertex] += across;
+    }
+    VertexVectors normals;
+    for (const Vec3d& sum : sums) {
+        const double length = glm::length(sum);
+        normals.push_back(glm::vec3(length > 0 ? sum / length : Vec3d(0, 0, 1)));
+    }
+    return normals;
+}
+
+Result<std::shared_ptr<const Mesh>> meshOf(const std::filesystem::path& file) {
+    const Result<NamedFile> opened = openFile(file);
+    if (!opened) return opened.errors();
+    const Result<LoadedModel> model =
+        readModel({opened->text, opened->path, {}, opened->tail}, file.extension().string(), filesBeside(file));
+    if (!model) return model.errors();
+    Mesh mesh;
+    for (const Object& object : model->objects) {
+        Mesh part = *object.mesh;
+        if (part.normals.empty()) part.normals = normalsOf(part);
+        addMesh(mesh, part);
+    }
+    return makeMesh(std::move(mesh));
+}
+
 }  // namespace
 
-std::shared_ptr<const Mesh> meshOf(const Workload& workload) {
+Result<std::shared_ptr<const Mesh>> meshOf(const Workload& workload) {
+    if (!workload.file.empty()) return meshOf(workload.file);
     Mesh mesh;
     const int n = workload.spheres, each = workload.triangles / (n * n * n);
     for (int i = 0; i < n * n * n; ++i) {
@@ -95,7 +141,7 @@ Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const Mesh> m
     double radius = 0;
     for (const Vec3d& p : mesh->positions) radius = std::max(radius, glm::length(p - middle));
 
-    Object object{"spheres", std::move(mesh), {}, {{0.8, 0.6, 0.4}, Vec3d(0.4), 32}};
+    Object object{workload.name, std::move(mesh), {}, {{0.8, 0.6, 0.4}, Vec3d(0.4), 32}};
     if (moved) object.transform.translation.x = radius * 0x1p-40;
     scene.objects.push_back(object);
     scene.lights.push_back({LightKind::AtInfinity, Vec3d(1), 1, Vec3d(1), part == Part::PhongShadow});
