@@ -1,7 +1,5 @@
 #include "pipeline/simd/rasterize.h"
 
-#include <hwy/cache_control.h>
-
 #include <array>
 #include <limits>
 #include <memory>
@@ -15,6 +13,7 @@
 //
 #include "pipeline/simd/edge_blocks.h"
 #include "pipeline/simd/seen.h"
+#include "pipeline/simd/triangle_runs.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
@@ -57,45 +56,6 @@ HWY_INLINE Floats nowhereOutside(Inside, Floats z) { return z; }
 HWY_INLINE Mask isInside(Ints outside) { return asFloats(hn::Gt(outside, hn::Set(I(), -1))); }
 HWY_INLINE Mask isInside(Inside) { return hn::FirstN(F(), kLanes); }
 
-// The runs of a tile jump about in the small triangles: those that are drawn next are on their way before.
-class FetchedAhead {
-public:
-    FetchedAhead(const TrianglePiece& piece, std::span<const TriangleRun> runs) : m_piece(piece), m_runs(runs) {
-        for (int i = 0; i < kAhead; ++i) fetch();
-    }
-    HWY_INLINE void fetch() {
-        while (m_run < m_runs.size() && (m_runs[m_run].first & (TriangleRun::kOther | TriangleRun::kTiny)) != 0)
-            ++m_run;
-        if (m_run == m_runs.size()) return;
-        hwy::Prefetch(&m_piece.small[m_runs[m_run].first + m_at]);
-        if (++m_at == m_runs[m_run].count) m_at = 0, ++m_run;
-    }
-
-private:
-    static constexpr int kAhead = 12;
-    const TrianglePiece& m_piece;
-    std::span<const TriangleRun> m_runs;
-    std::size_t m_run = 0;
-    std::uint32_t m_at = 0;
-};
-// Calls visit(triangle) for the small triangles of a run.
-template <class Visit>
-HWY_INLINE void forEachSmall(const TrianglePiece& piece, TriangleRun run, FetchedAhead& ahead, Visit visit) {
-    for (std::uint32_t i = 0; i < run.count; ++i) ahead.fetch(), visit(piece.small[run.first + i]);
-}
-// Calls visit(at, z, id) for those of a run of fragments.
-template <class Visit>
-HWY_INLINE void forEachFragment(const Fragments& all, TriangleRun run, Visit visit) {
-    const std::size_t first = run.first & ~TriangleRun::kTiny;
-    for (std::size_t i = first; i < first + run.count; ++i) visit(std::size_t(all.at[i]), all.z[i], all.id[i]);
-}
-// Calls visit(triangle, index) for those of a run of others.
-template <class Visit>
-HWY_INLINE void forEachOther(const TrianglePiece& piece, TriangleRun run, Visit visit) {
-    const std::uint32_t first = run.first & ~TriangleRun::kOther;
-    for (std::uint32_t i = first; i < first + run.count; ++i) visit(piece.others[i], i);
-}
-
 // Calls visit(at, outside, w) for the vectors of a tile that a triangle which is not small covers a part of, and
 // visitPixel(pixel, e) for its pixels where no vectors hold its edge functions.
 template <class Visit, class VisitPixel>
@@ -118,16 +78,20 @@ public:
         for (std::size_t number = 0; number < all.pieces.size(); ++number) {
             const TrianglePiece& piece = all.pieces[number];
             FetchedAhead ahead(piece, piece.list(index));
-            for (const TriangleRun run : piece.list(index)) {
+            for (std::span<const TriangleRun> left = piece.list(index); !left.empty();) {
+                if (const std::size_t small = smallOnes(left); small > 0) {
+                    drawSmall(piece, left.first(small), ahead), left = left.subspan(small);
+                    continue;
+                }
+                const TriangleRun run = left.front();
+                left = left.subspan(1);
                 if (run.first & TriangleRun::kTiny)
                     forEachFragment(piece.fragments, run,
                                     [&](std::size_t at, float z, std::uint32_t id) { drawPixel(at, z, id); });
-                else if (run.first & TriangleRun::kOther)
+                else
                     forEachOther(piece, run, [&](const RasterTriangle<float>& t, std::uint32_t i) {
                         drawOther(t, TrianglePieces::nameOfOther(number, i));
                     });
-                else
-                    drawSmall(piece, run, ahead);
             }
         }
         return m_counts;
@@ -142,12 +106,14 @@ private:
         ++m_counts.arrived, m_counts.won += won;
         if (!kPlain && m_out.counted) ++m_out.counted->arrived[0].of[at], m_out.counted->won[0].of[at] += won;
     }
-    // Those of a run. By itself, for its sums to stay in registers.
-    HWY_NOINLINE void drawSmall(const TrianglePiece& piece, TriangleRun run, FetchedAhead& ahead) {
+    // Those of runs of small ones. By itself, for its sums to stay in registers.
+    HWY_NOINLINE void drawSmall(const TrianglePiece& piece, std::span<const TriangleRun> runs, FetchedAhead& ahead) {
         Sums sums;
-        for (std::uint32_t i = 0; i < run.count; ++i) {
+        std::uint32_t i = 0;
+        while (!runs.empty()) {
             ahead.fetch();
-            const SmallTriangle& t = piece.small[run.first + i];
+            const SmallTriangle& t = piece.small[runs.front().first + i];
+            if (++i == runs.front().count) i = 0, runs = runs.subspan(1);
             forEachVector(t, m_tile, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR {
                 drawVector(at, isInside(outside), w, hn::Set(U(), t.id), sums);
             });

@@ -55,6 +55,7 @@ struct TriangleRun {
     static constexpr std::uint32_t kOther = 1u << 31, kTiny = 1u << 30;
     std::uint32_t first,
         count;  // first: an index into TrianglePiece::small; with kOther into `others`, kTiny `fragments`
+    bool isNotSmall() const { return (first & (kOther | kTiny)) != 0; }
 };
 
 // Those of a range of polygons. What is too large for 32 bits, has no plane or had to be clipped stands in `others`.
