@@ -18,8 +18,8 @@
 #include "pipeline/simd/plane_equations.h"
 #include "pipeline/simd/tiny_triangles.h"
 
-#ifndef SHADESCOPE_SET_UP_BINNER
-#define SHADESCOPE_SET_UP_BINNER
+#ifndef SHADESCOPE_SET_UP_ONE_BY_ONE
+#define SHADESCOPE_SET_UP_ONE_BY_ONE
 namespace pipeline {
 namespace {
 
