@@ -26,6 +26,15 @@ struct CountedTile {
     std::array<Block<std::int32_t>, kBlocks> arrived{}, won{};
 };
 
+// By vectors, for what the library does for that many equal bytes does not gain from lines that are on their way.
+template <class T>
+HWY_INLINE void fillTileOf(BlockBuffer2D<T>& buffer, std::size_t index, T value) {
+    const hn::CappedTag<T, 16> d;
+    const auto all = hn::Set(d, value);
+    T* const to = buffer.tile(index)->of;
+    for (std::size_t i = 0; i < kTilePixels; i += hn::Lanes(d)) hn::Store(all, d, to + i);
+}
+
 struct DrawnTile {
     Block<float>* z;
     Block<std::uint32_t>* name;  // null where nobody asks
@@ -71,8 +80,8 @@ HWY_INLINE void forEachOfOther(const RasterTriangle<float>& t, Tile tile, int bi
 template <bool kPerspective, bool kPlain, bool kNames>
 class TileDrawer {
 public:
-    TileDrawer(const SetUpInputs& in, Tile tile, const DrawnTile& out)
-        : m_bits(in.view.subPixelBits), m_tile(tile), m_out(out) {}
+    TileDrawer(const SetUpInputs& in, Tile tile, const DrawnTile& out, BlocksAhead next)
+        : m_bits(in.view.subPixelBits), m_tile(tile), m_out(out), m_next(next) {}
 
     HWY_NOINLINE TileCounts draw(const TrianglePieces& all, std::size_t index) {
         for (std::size_t number = 0; number < all.pieces.size(); ++number) {
@@ -112,6 +121,7 @@ private:
         std::uint32_t i = 0;
         while (!runs.empty()) {
             ahead.fetch();
+            if constexpr (kNames) m_next.fetch();  // of depths alone the processor fetches enough by itself
             const SmallTriangle& t = piece.small[runs.front().first + i];
             if (++i == runs.front().count) i = 0, runs = runs.subspan(1);
             forEachVector(t, m_tile, [&](std::size_t at, Ints outside, Floats w) HWY_ATTR {
@@ -156,6 +166,7 @@ private:
     int m_bits;
     Tile m_tile;
     DrawnTile m_out;
+    BlocksAhead m_next;
     TileCounts m_counts;
 };
 
@@ -240,17 +251,18 @@ TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, 
     const Tile tile = tileOf(all.size, index);
     if (!all.touches(index)) return {};
     const bool hasNames = !seen.name.blocks.empty();
-    seen.z.fill(index, kFar);
-    if (hasNames) seen.name.fill(index, kNoTriangle);
+    fillTileOf(seen.z, index, kFar);
+    if (hasNames) fillTileOf(seen.name, index, std::uint32_t(kNoTriangle));
     // Not an optional: GCC sets its room to 0 even when it is empty, which takes as long as all the depths.
     const auto counted = out.overdraw.empty() ? nullptr : std::make_unique<CountedTile>();
     const DrawnTile drawn{seen.z.tile(index), hasNames ? seen.name.tile(index) : nullptr, counted.get()};
+    const BlocksAhead next = BlocksAhead::from(index + 1, seen.z, hasNames ? &seen.name : nullptr);
     const glm::ivec2 size = tile.max - tile.min;
     const bool isPlain = !counted && size.x % kBlock == 0 && size.y % kBlock == 0;
     const auto draw = [&](auto perspective, auto names) {
         constexpr bool kPerspective = decltype(perspective)::value, kNames = decltype(names)::value;
-        return isPlain ? TileDrawer<kPerspective, true, kNames>(in, tile, drawn).draw(all, index)
-                       : TileDrawer<kPerspective, false, kNames>(in, tile, drawn).draw(all, index);
+        return isPlain ? TileDrawer<kPerspective, true, kNames>(in, tile, drawn, next).draw(all, index)
+                       : TileDrawer<kPerspective, false, kNames>(in, tile, drawn, next).draw(all, index);
     };
     const auto drawSeen = [&](auto perspective) {
         return hasNames ? draw(perspective, std::true_type()) : draw(perspective, std::false_type());
@@ -272,8 +284,8 @@ TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, 
 template <bool kPerspective>
 class ShadowDrawer {
 public:
-    ShadowDrawer(const SetUpInputs& in, Tile tile, Block<float>* blocks)
-        : m_bits(in.view.subPixelBits), m_tile(tile), m_blocks(blocks) {}
+    ShadowDrawer(const SetUpInputs& in, Tile tile, Block<float>* blocks, BlocksAhead next)
+        : m_bits(in.view.subPixelBits), m_tile(tile), m_blocks(blocks), m_next(next) {}
 
     HWY_NOINLINE void draw(const TrianglePieces& all, std::size_t index) {
         std::vector<const SmallTriangle*> rest;
@@ -290,6 +302,7 @@ public:
                     });
                 else
                     forEachSmall(piece, run, ahead, [&](const SmallTriangle& t) HWY_ATTR {
+                        m_next.fetch();
                         t.facesViewer ? drawSmall(t) : rest.push_back(&t);
                     });
             }
@@ -333,15 +346,17 @@ private:
     int m_bits;
     Tile m_tile;
     Block<float>* m_blocks;
+    BlocksAhead m_next;
 };
 
 void drawShadowTile(const SetUpInputs& in, const TrianglePieces& all, std::size_t index, BlockBuffer2D<float>& depth) {
     const Tile tile = tileOf(all.size, index);
-    depth.fill(index, kFar);
+    fillTileOf(depth, index, kFar);
+    const BlocksAhead next = BlocksAhead::from(index + 1, depth, nullptr);
     if (in.view.perspective)
-        ShadowDrawer<true>(in, tile, depth.tile(index)).draw(all, index);
+        ShadowDrawer<true>(in, tile, depth.tile(index), next).draw(all, index);
     else
-        ShadowDrawer<false>(in, tile, depth.tile(index)).draw(all, index);
+        ShadowDrawer<false>(in, tile, depth.tile(index), next).draw(all, index);
 }
 
 }  // namespace pipeline::HWY_NAMESPACE
