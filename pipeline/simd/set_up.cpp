@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <utility>
 
-#include "pipeline/simd/binner.h"
 #include "pipeline/simd/fetch_ahead.h"
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
@@ -18,8 +16,8 @@
 #include "pipeline/simd/plane_equations.h"
 #include "pipeline/simd/tiny_triangles.h"
 
-#ifndef SHADESCOPE_SET_UP_ONE_BY_ONE
-#define SHADESCOPE_SET_UP_ONE_BY_ONE
+#ifndef SHADESCOPE_SET_UP_BINNER
+#define SHADESCOPE_SET_UP_BINNER
 namespace pipeline {
 namespace {
 
@@ -31,6 +29,67 @@ std::int32_t largestBox(int bits) {
     const double exact = (std::sqrt(beyond * beyond + 4 * 0x1p30) - beyond) / 2;
     return std::int32_t(std::min(exact - 1, 250.0 * double(1 << bits)));
 }
+
+// Takes up triangles in order, and sorts them by tile in the end.
+class Binner {
+public:
+    Binner(const TrianglePieces& all, TrianglePiece& out)
+        : m_all(all), m_out(out), m_runs{{0, kNoRun}}, m_last(all.tileCount(), 0) {}
+
+    void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
+        const glm::uvec2 first = glm::uvec2(low) / kSide, last = glm::uvec2(high - 1) / kSide;
+        for (std::uint32_t y = first.y; y <= last.y; ++y)
+            for (std::uint32_t x = first.x; x <= last.x; ++x) addRun(y * std::uint32_t(m_all.tiles.x) + x, {index, 1});
+    }
+    void addRun(std::uint32_t tile, TriangleRun of) {
+        TriangleRun& last = m_runs[m_last[tile]].of;
+        if (last.first + last.count == of.first) {
+            last.count += of.count;
+            return;
+        }
+        m_last[tile] = std::uint32_t(m_runs.size());
+        m_runs.push_back({tile, of});
+    }
+    // [begin, end) of the fragments that stand side by side from `first` on. tile: of each of them.
+    void addFragments(std::size_t first, std::size_t begin, std::size_t end, const std::int32_t* tile,
+                      bool areInOneTile) {
+        while (begin < end) {
+            std::size_t next = areInOneTile ? end : begin + 1;
+            while (next < end && tile[next] == tile[begin]) ++next;
+            addRun(std::uint32_t(tile[begin]),
+                   {std::uint32_t(first + begin) | TriangleRun::kTiny, std::uint32_t(next - begin)});
+            begin = next;
+        }
+    }
+    void addOther(const RasterTriangle<float>& triangle) {
+        const Tile box = triangle.snapped.pixels();
+        const glm::ivec2 low = glm::max(box.min, glm::ivec2(0)), high = glm::min(box.max, m_all.size);
+        if (low.x >= high.x || low.y >= high.y) return;
+        add(std::uint32_t(m_out.others.size()) | TriangleRun::kOther, low, high);
+        m_out.others.push_back(triangle);
+    }
+    void finish() {
+        m_out.firstOfTile.assign(m_all.tileCount() + 1, 0);
+        const std::span<const Run> runs = std::span<const Run>(m_runs).subspan(1);
+        for (const Run& run : runs) ++m_out.firstOfTile[run.tile + 1];
+        for (std::size_t i = 1; i < m_out.firstOfTile.size(); ++i) m_out.firstOfTile[i] += m_out.firstOfTile[i - 1];
+        m_out.runs.resize(runs.size());
+        std::vector<std::uint32_t> next(m_out.firstOfTile.begin(), m_out.firstOfTile.end() - 1);
+        for (const Run& run : runs) m_out.runs[next[run.tile]++] = run.of;
+    }
+
+private:
+    static constexpr std::uint32_t kSide = kTileSize;
+    const TrianglePieces& m_all;
+    TrianglePiece& m_out;
+    struct Run {
+        std::uint32_t tile;
+        TriangleRun of;
+    };
+    static constexpr TriangleRun kNoRun{~std::uint32_t(0), 0};  // that nothing goes on from
+    std::vector<Run> m_runs;                                    // behind kNoRun
+    std::vector<std::uint32_t> m_last;                          // per tile: its run that grows
+};
 
 // One that is not small, or has to be clipped.
 void setUpOther(const SetUpInputs& in, std::uint32_t id, Binner& binner) {
@@ -92,9 +151,10 @@ struct SetUpBits {
 };
 
 // The triangles in `live`, set up together where their boxes are below `limit`; of tiny ones the fragments are taken up.
-// ids: their indices into Topology::triangles.
-HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangles, Ints ids, std::int32_t limit,
-                                 std::uint32_t live, int tilesAcross, Fields& out, Fragments& fragments) {
+// firstId: the index of the first in Topology::triangles.
+HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangles, std::size_t firstId,
+                                 std::int32_t limit, std::uint32_t live, int tilesAcross, Fields& out,
+                                 Fragments& fragments) {
     const I whole;
     const Ints zero = hn::Zero(whole), one = hn::Set(whole, 1);
     SnappedCorners corners(in.vertices, [&](std::size_t l, std::size_t i) { return triangles[l].vertices[i]; });
@@ -160,8 +220,8 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
         found.tiny = tiny & drawn;
         if (found.tiny != 0) {
             const Distances distances(corners.w[0], corners.w[1], corners.w[2]);
-            out.fragments.append({edge1, edge2, inverseOf(size), distances, minX, minY, covered, ids, areInSquares}, in,
-                                 tilesAcross, fragments);
+            out.fragments.append({edge1, edge2, inverseOf(size), distances, minX, minY, covered, firstId, areInSquares},
+                                 in, tilesAcross, fragments);
         }
         if (found.tiny == drawn) return found;
     }
@@ -184,7 +244,8 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     const Ints biased = hn::Sub(size, hn::Add(bias0, hn::Add(edge1.bias, edge2.bias)));
     out.storeQuarter(0, edge1.a, edge1.b, hn::Sub(edge1.c, edge1.bias), edge2.a);
     out.storeQuarter(1, edge2.b, hn::Sub(edge2.c, edge2.bias), biased, bitsIn(planes.first));
-    out.storeQuarter(2, bitsIn(planes.column), bitsIn(planes.row), ids, pair(minX, minY));
+    out.storeQuarter(2, bitsIn(planes.column), bitsIn(planes.row), hn::Iota(whole, std::int32_t(firstId)),
+                     pair(minX, minY));
     out.storeQuarter(3, pair(box, facing), bitsIn(w[0]), bitsIn(hn::Max(w[0], hn::Max(w[1], w[2]))), zero);
     return found;
 }
@@ -217,95 +278,29 @@ HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, const Triangle* triangles
     return live;
 }
 
-// Those triangles of a range that go on, as many at a time as a vector holds, in their order: of a closed object half face
-// away, and in most meshes these stand among the others.
-class LiveTriangles {
-public:
-    const Triangle* triangles = nullptr;  // of the vector that next() has found
-    HWY_ALIGN std::uint32_t ids[16]{};    // their indices into Topology::triangles
-    std::uint32_t live = 0;               // bits of those that there are
-
-    LiveTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, TrianglePiece& out)
-        : m_in(in), m_all(in.topology.triangles), m_at(begin), m_end(end), m_out(out) {}
-
-    // Whether there are more.
-    HWY_INLINE bool next() {
-        constexpr std::uint32_t kFull = (1u << kEach) - 1;
-        const bool alone = m_all.size() == m_in.topology.polygonCount();
-        forgetFound();
-        while (m_isFull || m_at < m_end) {
-            const Triangle* const from = &m_all[m_at];
-            const std::size_t among = std::min(kEach, m_end - m_at);
-            std::uint32_t goOn = kFull;
-            if (!m_isFull) {
-                fetchAhead(from, kEach);
-                goOn = liveOf(m_in, from, among, alone, m_out), m_isFull = goOn == kFull;
-            }
-            if (m_isFull && m_count > 0) return giveWaiting(m_count);  // and then those, where they stand
-            const std::size_t first = std::exchange(m_at, m_at + among);
-            if (std::exchange(m_isFull, false)) {
-                triangles = from, live = kFull;
-                hn::Store(hn::Iota(U(), std::uint32_t(first)), U(), ids);
-                return true;
-            }
-            if (goOn != 0) wait(from, first, among, goOn);
-            if (m_count >= kEach) return giveWaiting(kEach);
-        }
-        return m_count > 0 && giveWaiting(m_count);
-    }
-
-private:
-    static constexpr std::size_t kEach = hn::MaxLanes(F());
-
-    // Of each something is written, for nobody could guess which go on.
-    HWY_INLINE void wait(const Triangle* from, std::size_t first, std::size_t among, std::uint32_t goOn) {
-        std::size_t count = m_count;
-        for (std::size_t l = 0; l < among; ++l) {
-            m_waiting[count] = from[l], m_ids[count] = std::uint32_t(first + l);
-            count += goOn >> l & 1;
-        }
-        m_count = count;
-    }
-    HWY_INLINE bool giveWaiting(std::size_t count) {
-        triangles = m_waiting, live = (1u << count) - 1, m_found = count;
-        hn::Store(hn::Load(U(), m_ids), U(), ids);
-        return true;
-    }
-    HWY_INLINE void forgetFound() {
-        m_count -= m_found;
-        if (m_count > 0 && m_found > 0) {
-            std::copy_n(m_waiting + kEach, kEach, m_waiting);
-            hn::Store(hn::Load(U(), m_ids + kEach), U(), m_ids);
-        }
-        m_found = 0;
-    }
-
-    const SetUpInputs& m_in;
-    std::span<const Triangle> m_all;
-    std::size_t m_at, m_end;
-    TrianglePiece& m_out;                  // for its counts
-    bool m_isFull = false;                 // whether all of those at m_at go on, which are counted
-    std::size_t m_count = 0, m_found = 0;  // that wait; of these the first, which next() has found
-    HWY_ALIGN Triangle m_waiting[2 * kEach]{};
-    HWY_ALIGN std::uint32_t m_ids[2 * kEach]{};
-};
-
 }  // namespace
 
 void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, const TrianglePieces& all,
                     TrianglePiece& out) {
+    const std::span<const Triangle> triangles = in.topology.triangles;
+    const std::size_t lanes = hn::Lanes(F());
     Binner binner(all, out);
-    // Of a closed object, about half face away.
-    const bool areAll = in.verdicts.empty() && in.facing.cull == ShadowCull::None;
-    out.small.reserve(areAll ? end - begin : (end - begin) / 2);
+    // Of a closed object, half face away.
+    out.small.reserve(in.verdicts.empty() && in.facing.cull == ShadowCull::None ? end - begin : (end - begin) / 2);
     // As many fragments as triangles, but not more than most pieces have.
     out.fragments.makeRoomFor(std::min<std::size_t>(end - begin, 1 << 15));
     const std::int32_t limit = in.clipAll ? 0 : largestBox(in.vertices.bits) + 1;
+    const bool alone = triangles.size() == in.topology.polygonCount();
     Fields fields{};
-    for (LiveTriangles found(in, begin, end, out); found.next();) {
-        const Ints ids = hn::BitCast(I(), hn::Load(U(), found.ids));
-        const SetUpBits bits =
-            setUpVector(in, found.triangles, ids, limit, found.live, all.tiles.x, fields, out.fragments);
+    Triangle rest[16]{};
+    for (std::size_t base = begin; base < end; base += lanes) {
+        const std::size_t count = std::min(lanes, end - base);
+        const Triangle* from = &triangles[base];
+        fetchAhead(from, lanes);
+        const std::uint32_t live = liveOf(in, from, count, alone, out);
+        if (live == 0) continue;
+        if (count < lanes) std::copy_n(from, count, rest), from = rest;
+        const SetUpBits bits = setUpVector(in, from, base, limit, live, all.tiles.x, fields, out.fragments);
         out.tiny += std::size_t(std::popcount(bits.tiny));
         const TinyFragments& tiny = fields.fragments;
         // In the order of their polygons.
@@ -318,7 +313,7 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
             const auto l = std::size_t(std::countr_zero(left));
             if (bits.tiny != 0) addFragments(tiny.countBefore(l));
             if (bits.others >> l & 1) {
-                setUpOther(in, found.ids[l], binner);
+                setUpOther(in, std::uint32_t(base + l), binner);
             } else {
                 const auto index = std::uint32_t(out.small.size());
                 if (fields.inOneTile >> l & 1)

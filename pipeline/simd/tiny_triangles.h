@@ -69,7 +69,7 @@ struct TinyTriangles {
     Distances distances;
     Ints x, y;          // the boxes' first pixels
     Ints covered;       // bit kBlock y + x: whether it covers the pixel in column x and row y of its box; of others 0
-    Ints id;            // indices into Topology::triangles
+    std::size_t id;     // index of the first of them into Topology::triangles
     bool areInSquares;  // of two pixels' side: no other bits are set than 0, 1, 4 and 5
 };
 
@@ -153,7 +153,8 @@ private:
         Distances distances = t.distances;
         for (Floats* of : {&distances.w0, &distances.toW1, &distances.toW2}) *of = pickFloats(*of);
         hn::StoreU(zOf<kPerspective>(distances.w(share(t.edge1), share(t.edge2))), F(), &out.z[at]);
-        hn::StoreU(pickInts(t.id), whole, reinterpret_cast<std::int32_t*>(&out.id[at]));
+        hn::StoreU(hn::Add(lane, hn::Set(whole, std::int32_t(t.id))), whole,
+                   reinterpret_cast<std::int32_t*>(&out.id[at]));
         const Ints x = hn::Add(pickInts(t.x), column), y = hn::Add(pickInts(t.y), row),
                    inTile = hn::Set(whole, kTileSize - 1);
         const Ints place = hn::Add(placeOfColumn(hn::And(x, inTile)), placeOfRow(hn::And(y, inTile)));
