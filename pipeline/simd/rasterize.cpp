@@ -5,6 +5,7 @@
 #include <memory>
 #include <type_traits>
 
+#include "pipeline/simd/fetch_ahead.h"
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pipeline/simd/rasterize.cpp"

@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <span>
 
-#include "pipeline/buffers/block_buffer.h"
 #include "pipeline/simd/set_up.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -39,34 +38,6 @@ private:
     std::span<const TriangleRun> m_runs;
     std::size_t m_run = 0;
     std::uint32_t m_at = 0;
-};
-// While the triangles of a tile are drawn, the blocks of the next tile are on their way, where a buffer is larger than the
-// caches next to the processor.
-class BlocksAhead {
-public:
-    // names: null where nobody asks.
-    static BlocksAhead from(std::size_t tile, const BlockBuffer2D<float>& z,
-                            const BlockBuffer2D<std::uint32_t>* names) {
-        constexpr std::size_t kFew = (std::size_t{2} << 20) / sizeof(Block<float>);  // 2 MB
-        if (tile == z.tileCount() || z.blocks.size() <= kFew) return {};
-        return {z.tile(tile), z.tile(tile) + kBlocks, names ? names->tile(tile) : nullptr};
-    }
-    HWY_INLINE void fetch() {
-        static_assert(sizeof(*m_z) == 64 && sizeof(*m_names) == 64, "a line of the cache");
-        constexpr int kAtOnce = 4;
-        if (m_z == m_end) return;
-        for (int i = 0; i < kAtOnce; ++i) {
-            hwy::Prefetch(m_z++);
-            if (m_names) hwy::Prefetch(m_names++);
-        }
-    }
-
-private:
-    BlocksAhead() = default;
-    BlocksAhead(const Block<float>* z, const Block<float>* end, const Block<std::uint32_t>* names)
-        : m_z(z), m_end(end), m_names(names) {}
-    const Block<float>*m_z = nullptr, *m_end = nullptr;
-    const Block<std::uint32_t>* m_names = nullptr;
 };
 // How many of the runs are of small triangles before one is not.
 HWY_INLINE std::size_t smallOnes(std::span<const TriangleRun> runs) {

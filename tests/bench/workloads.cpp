@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "pipeline/formats/model_reader.h"
+#include "pipeline/run/frame_data.h"
+#include "pipeline/run/runner.h"
 
 namespace bench {
 
@@ -89,19 +91,16 @@ void addMesh(Mesh& mesh, const Mesh& part) {
     }
 }
 
-// At each vertex the sum of the triangles' normals, weighted by area.
-VertexVectors normalsOf(const Mesh& mesh) {
-    std::vector<Vec3d> sums(mesh.positions.size(), Vec3d(0.0));
-    for (const Triangle& triangle : mesh.triangles) {
-        const auto& [a, b, c] = triangle.vertices;
-        const Vec3d p = mesh.positions[a], across = glm::cross(mesh.positions[b] - p, mesh.positions[c] - p);
-        for (const std::uint32_t vertex : triangle.vertices) sums[vertex] += across;
-    }
+// Those that the normals stage finds, weighted by area.
+VertexVectors normalsOf(std::shared_ptr<const Mesh> mesh) {
+    Scene scene;
+    scene.objects.push_back({"model", std::move(mesh), {}, {}});
+    scene.settings.normalWeight = NormalWeight::Area;
+    const FrameRequest request{
+        .wanted = setOf({BufferId::VerticesNormal}), .until = StageId::Normals, .threads = 1, .stop = {}};
+    const FramePtr frame = runFrame(std::make_shared<const Scene>(std::move(scene)), request, nullptr);
     VertexVectors normals;
-    for (const Vec3d& sum : sums) {
-        const double length = glm::length(sum);
-        normals.push_back(glm::vec3(length > 0 ? sum / length : Vec3d(0, 0, 1)));
-    }
+    for (const Vec3<float>& n : dataOf<float>(*frame)->normals->vertex) normals.push_back(n);
     return normals;
 }
 
@@ -114,7 +113,7 @@ Result<std::shared_ptr<const Mesh>> meshOf(const std::filesystem::path& file) {
     Mesh mesh;
     for (const Object& object : model->objects) {
         Mesh part = *object.mesh;
-        if (part.normals.empty()) part.normals = normalsOf(part);
+        if (part.normals.empty()) part.normals = normalsOf(object.mesh);
         addMesh(mesh, part);
     }
     return makeMesh(std::move(mesh));
