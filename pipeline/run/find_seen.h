@@ -25,9 +25,10 @@ void markShown(const ShadingSources<Real>& in, std::size_t tile, std::vector<std
     const Tile pixels = tileOf(in.transform.view.size, tile);
     if (const SeenBlocks* seen = in.zBuffer.seen.get()) {
         const std::uint32_t* names = seen->name.tile(tile)->of;
+        const float* z = seen->z.tile(tile)->of;
         for (std::size_t at = 0; at < kTilePixels; ++at) {
             const glm::ivec2 pixel = pixels.min + pixelOf(at);
-            if (pixel.x < pixels.max.x && pixel.y < pixels.max.y)
+            if (pixel.x < pixels.max.x && pixel.y < pixels.max.y && z[at] < SeenBlocks::kNowhere)
                 mark(names[at], [&](std::uint32_t name) { return seen->pieces.triangleOf(name); });
         }
         return;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <functional>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -127,16 +126,18 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(
     seen->pieces.forgetDrawn();
     out->seen = seen;
     const std::vector<std::uint8_t>& drawn = out->tileIsDrawn;
-    out->zView =
-        LateBuffer2D<float>([seen, drawn] { return rowsOf(seen->z, drawn, std::numeric_limits<float>::infinity()); });
+    out->zView = LateBuffer2D<float>([seen, drawn] { return rowsOf(seen->z, drawn, SeenBlocks::kNowhere); });
     if (!inputs.names) {
         out->triangle = LateBuffer2D<std::uint32_t>(std::move(findTriangles));
         return out;
     }
     out->triangle = LateBuffer2D<std::uint32_t>([seen, drawn] {
         Buffer2D<std::uint32_t> rows = rowsOf(seen->name, drawn, kNoTriangle);
-        for (std::uint32_t& i : rows.pixels)
-            if (i != kNoTriangle) i = seen->pieces.triangleOf(i);
+        const Buffer2D<float> z = rowsOf(seen->z, drawn, SeenBlocks::kNowhere);
+        for (std::size_t i = 0; i < rows.pixels.size(); ++i) {
+            std::uint32_t& triangle = rows.pixels[i];
+            triangle = z.pixels[i] < SeenBlocks::kNowhere ? seen->pieces.triangleOf(triangle) : kNoTriangle;
+        }
         return rows;
     });
     return out;

@@ -19,15 +19,11 @@ class Groups {
 public:
     void find(const SurfaceRow& row, bool byObject) {
         m_count = 0, m_blocks = 0;
+        if (!byObject) return takeAll(row);
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             std::uint32_t left = row.seen[i / hn::Lanes(F())];
             if (left == 0) continue;
             m_blocks |= 1U << i / kBlockPixels;
-            if (!byObject) {
-                if (m_count == 0) of(0);
-                m_groups[0].add(i, left);
-                continue;
-            }
             const std::int32_t* const objects = row.object + i;
             const Ints object = hn::Load(I(), objects);
             while (left != 0) {
@@ -43,6 +39,18 @@ public:
     std::uint32_t blocks() const { return m_blocks; }  // as bits, those in which anything is seen
 
 private:
+    // Without a branch, for nobody can guess where a row's surfaces end.
+    void takeAll(const SurfaceRow& row) {
+        Group& all = of(0);
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+            const std::uint32_t pixels = row.seen[i / hn::Lanes(F())];
+            const bool isSeen = pixels != 0;
+            all.at[count] = i, all.bits[count] = pixels, count += isSeen;
+            m_blocks |= std::uint32_t(isSeen) << i / kBlockPixels;
+        }
+        all.count = count, m_count = count > 0;
+    }
     Group& of(std::size_t object) {
         for (std::size_t n = 0; n < m_count; ++n)
             if (m_groups[n].object == object) return m_groups[n];

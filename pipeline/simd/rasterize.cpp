@@ -1,7 +1,6 @@
 #include "pipeline/simd/rasterize.h"
 
 #include <array>
-#include <limits>
 #include <memory>
 #include <type_traits>
 
@@ -20,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kFar = SeenBlocks::kNowhere;
 
 // How many fragments there were in each pixel of a tile.
 struct CountedTile {
@@ -42,20 +41,20 @@ struct DrawnTile {
     CountedTile* counted;        // null where nobody asks
 };
 
-// How many fragments there were, lane by lane: sums of vectors stay in registers.
+// Counts lane by lane: such sums stay in registers.
+HWY_INLINE void countWhere(Mask mask, Ints& sum) {
+    sum = hn::IfThenElse(hn::RebindMask(I(), mask), hn::Add(sum, hn::Set(I(), 1)), sum);
+}
+HWY_INLINE std::int32_t total(Ints sum) { return hn::GetLane(hn::SumOfLanes(I(), sum)); }
+
+// How many fragments there were.
 class Sums {
 public:
     HWY_INLINE Sums() : m_arrived(hn::Zero(I())), m_won(hn::Zero(I())) {}
     HWY_INLINE void add(Mask inside, Mask won) { countWhere(inside, m_arrived), countWhere(won, m_won); }
-    HWY_INLINE void addTo(TileCounts& counts) const {
-        counts.arrived += hn::GetLane(hn::SumOfLanes(I(), m_arrived));
-        counts.won += hn::GetLane(hn::SumOfLanes(I(), m_won));
-    }
+    HWY_INLINE void addTo(TileCounts& counts) const { counts.arrived += total(m_arrived), counts.won += total(m_won); }
 
 private:
-    HWY_INLINE static void countWhere(Mask mask, Ints& sum) {
-        sum = hn::IfThenElse(hn::RebindMask(I(), mask), hn::Add(sum, hn::Set(I(), 1)), sum);
-    }
     Ints m_arrived, m_won;
 };
 
@@ -224,14 +223,15 @@ void writeWeights(const SetUpInputs& inputs, const SeenBlocks& seen, std::size_t
     const Tile tile = tileOf(seen.pieces.size, index);
     const SeenIn in{inputs.view, inputs.topology, inputs.vertices, seen.pieces, tile, seen.z.tile(index)->of};
     SeenTriangle triangle;
+    std::unique_ptr<SeenTriangle::Other> other;
     std::uint32_t name = kNoTriangle;
     for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F())) {
         HWY_ALIGN float of[3][16]{};
         const std::uint32_t* const names = &seen.name.tile(index)->of[at];
-        for (Mask left = seenIn(names); !hn::AllFalse(F(), left);) {
+        for (Mask left = seenIn(in.z + at); !hn::AllFalse(F(), left);) {
             const std::uint32_t next = names[hn::FindKnownFirstTrue(F(), left)];
-            if (next != name) name = next, triangle.become(in, name);
-            const Mask mask = seesIn(names, name);
+            if (next != name) name = next, triangle.become(in, name, other);
+            const Mask mask = hn::And(left, seesIn(names, name));
             left = hn::AndNot(mask, left);
             const Shares b = triangle.weights(in, VectorPlace(at), in.zAt(VectorPlace(at)));
             hn::BlendedStore(hn::Sub(hn::Sub(all(1), b.one), b.two), mask, F(), of[0]);
@@ -253,7 +253,6 @@ TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, 
     if (!all.touches(index)) return {};
     const bool hasNames = !seen.name.blocks.empty();
     fillTileOf(seen.z, index, kFar);
-    if (hasNames) fillTileOf(seen.name, index, std::uint32_t(kNoTriangle));
     // Not an optional: GCC sets its room to 0 even when it is empty, which takes as long as all the depths.
     const auto counted = out.overdraw.empty() ? nullptr : std::make_unique<CountedTile>();
     const DrawnTile drawn{seen.z.tile(index), hasNames ? seen.name.tile(index) : nullptr, counted.get()};
@@ -269,9 +268,9 @@ TileCounts drawTile(const SetUpInputs& in, std::size_t index, SeenBlocks& seen, 
         return hasNames ? draw(perspective, std::true_type()) : draw(perspective, std::false_type());
     };
     TileCounts counts = in.view.perspective ? drawSeen(std::true_type()) : drawSeen(std::false_type());
-    for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F()))
-        counts.seen +=
-            static_cast<long long>(hn::CountTrue(F(), hn::Lt(hn::Load(F(), &drawn.z[0].of[at]), hn::Set(F(), kFar))));
+    Ints shown = hn::Zero(I());
+    for (std::size_t at = 0; at < kTilePixels; at += hn::Lanes(F())) countWhere(seenIn(drawn.z[0].of + at), shown);
+    counts.seen = total(shown);
     if (counted) {
         copyRows(counted->arrived.data(), tile, out.overdraw);
         copyRows(counted->won.data(), tile, out.depthWrites);

@@ -12,18 +12,17 @@
 #include <optional>
 
 #include "pipeline/simd/blocks.h"
+#include "pipeline/simd/seen_blocks.h"
 #include "pipeline/simd/snapped_corners.h"
 #include "pipeline/stages/z_buffer.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
 
-// In which pixels of a vector something is seen.
-HWY_INLINE Mask seenIn(const std::uint32_t* names) {
-    return hn::RebindMask(F(), hn::Ne(hn::Load(U(), names), hn::Set(U(), kNoTriangle)));
-}
+// In which pixels of a vector of SeenBlocks::z something is seen.
+HWY_INLINE Mask seenIn(const float* z) { return hn::Lt(hn::Load(F(), z), all(SeenBlocks::kNowhere)); }
 
-// And in which of them this triangle is.
+// And in which of them this triangle is; in those where nothing is seen, either.
 HWY_INLINE Mask seesIn(const std::uint32_t* names, std::uint32_t name) {
     return hn::RebindMask(F(), hn::Eq(hn::Load(U(), names), hn::Set(U(), name)));
 }
@@ -108,8 +107,16 @@ struct NarrowWeights {
 // of a piece.
 class SeenTriangle {
 public:
-    HWY_NOINLINE void become(const SeenIn& in, std::uint32_t name) {
-        if (TrianglePieces::isOther(name)) return becomeOther(in, in.pieces.other(name));
+    // What is known of one that is not small.
+    struct Other {
+        const RasterTriangle<float>* triangle;
+        glm::ivec3 drawn;  // in which place each corner is drawn
+        std::optional<MiddleEdges> middle;
+        std::optional<LargeEdges> large;  // where `middle` does not fit
+    };
+    // other: where to keep that, as long as this is asked.
+    HWY_NOINLINE void become(const SeenIn& in, std::uint32_t name, std::unique_ptr<Other>& other) {
+        if (TrianglePieces::isOther(name)) return becomeOther(in, in.pieces.other(name), other);
         m_id = name, m_kind = Kind::Small;
         using Wraps = std::uint32_t;  // exact wherever an edge function fits
         Wraps x[3], y[3];
@@ -203,8 +210,9 @@ private:
         }
         return {hn::Load(F(), one), hn::Load(F(), two)};
     }
-    void becomeOther(const SeenIn& in, const RasterTriangle<float>& t) {
-        if (!m_other) m_other = std::make_unique<Other>();
+    void becomeOther(const SeenIn& in, const RasterTriangle<float>& t, std::unique_ptr<Other>& other) {
+        if (!other) other = std::make_unique<Other>();
+        m_other = other.get();
         m_id = t.id, m_other->triangle = &t, m_firstPixel = t.snapped.pixels().min;
         std::optional<MiddleEdges>& middle = m_other->middle;
         middle = MiddleEdges(t, in.tile, in.view.subPixelBits);
@@ -225,20 +233,13 @@ private:
         m_narrow.findSteps();
     }
 
-    // What is known of one that is not small.
-    struct Other {
-        const RasterTriangle<float>* triangle;
-        glm::ivec3 drawn;  // in which place each corner is drawn
-        std::optional<MiddleEdges> middle;
-        std::optional<LargeEdges> large;  // where `middle` does not fit
-    };
     enum class Kind : std::uint8_t { Small, Middle, Large, Cut };
     std::uint32_t m_id;
     Kind m_kind;
-    float m_w[3];                    // 1/z of the corners where the picture is in perspective, else 1
-    glm::ivec2 m_firstPixel;         // of its box, in the picture
-    NarrowWeights m_narrow;          // of small and middle ones
-    std::unique_ptr<Other> m_other;  // kept for the next one
+    float m_w[3];             // 1/z of the corners where the picture is in perspective, else 1
+    glm::ivec2 m_firstPixel;  // of its box, in the picture
+    NarrowWeights m_narrow;   // of small and middle ones
+    Other* m_other;           // of all but small ones
 };
 
 }  // namespace pipeline::HWY_NAMESPACE

@@ -193,6 +193,7 @@ private:
         const LightDetail& detail = m_inputs.illumination.detail;
         const bool atInfinity = m_lights[k].atInfinity;
         const Floats3 source = all(m_lights[k].source);
+        for (std::size_t n = 0; n < group.count; ++n) m_counts.evaluations += std::popcount(group.bits[n]);
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);
@@ -219,7 +220,6 @@ private:
                 if constexpr (kForm == SpecularForm::Halfway)
                     storeHighlight(halfSquare<A>(N, H), hn::And(lit, hn::Gt(nDotH, all(0))), i);
             }
-            m_counts.evaluations += countOf(mask);
         }
     }
     HWY_INLINE void storeHighlight(Floats q, Mask there, std::size_t i) {

@@ -128,6 +128,7 @@ private:
                 for (int i = 0; i < 2; ++i) weights[i][l] = inside ? z.barycentric.at(pixel)[i + 1] : 0;
             }
         }
+        Mask seen() const { return hn::RebindMask(F(), hn::Ne(hn::Load(U(), triangle), hn::Set(U(), kNoTriangle))); }
     };
 
     // The vectors of the row of blocks that begins with pixel `begin` of the tile. What few scenes ask for is kept out of
@@ -147,7 +148,7 @@ private:
             if (!areNamed) m_drawn.read(m_in.zBuffer, m_tile, place.at);
             if (m_isFine) fetchAhead(place.at);
             const std::uint32_t* const names = areNamed ? m_drawnNames + place.at : m_drawn.triangle;
-            const Mask seen = seenIn(names);
+            const Mask seen = areNamed ? seenIn(m_seenIn->z + place.at) : m_drawn.seen();
             std::uint32_t left = bitsOf(seen);
             out.seen[i / hn::Lanes(F())] = left;
             if (left == 0) continue;
@@ -250,9 +251,10 @@ private:
         constexpr std::size_t kTriangles = 48, kVertices = 16;  // pixels
         const std::size_t lanes = hn::Lanes(F());
         if (at + kTriangles + lanes > kTilePixels) return;
-        const auto triangleAt = [&](std::size_t pixel) -> const Triangle* {
+        const auto& triangles = m_in.transform.topology->triangles;
+        const auto triangleAt = [&](std::size_t pixel) -> const Triangle* {  // an other's or nobody's may be any
             const std::uint32_t name = m_drawnNames[pixel];
-            return TrianglePieces::isOther(name) ? nullptr : &m_in.transform.topology->triangles[name];
+            return name < triangles.size() ? &triangles[name] : nullptr;
         };
         for (std::size_t l = 0; l < lanes; ++l) {
             if (const Triangle* t = triangleAt(at + kTriangles + l)) hwy::Prefetch(t);
@@ -277,7 +279,7 @@ private:
     }
     HWY_NOINLINE void become(SeenSurface& seen, std::uint32_t name) {
         seen.id = name, seen.isPlane = false;
-        if (m_drawnNames) seen.triangle.become(*m_seenIn, name), seen.id = seen.triangle.id();
+        if (m_drawnNames) seen.triangle.become(*m_seenIn, name, m_others[name % kSlots]), seen.id = seen.triangle.id();
         const Triangle& triangle = m_in.transform.topology->triangles[seen.id];
         seen.polygon = std::int32_t(triangle.polygon);
         if (m_tellsObjects) seen.object = std::int32_t(m_in.transform.topology->objectOfPolygon(triangle.polygon));
@@ -361,6 +363,7 @@ private:
     std::array<std::uint32_t, kSlots> m_names;
     std::vector<float> m_bias;  // of each of them, lights side by side
     std::unique_ptr<SeenSurface[]> m_surfaces = std::make_unique_for_overwrite<SeenSurface[]>(kSlots);
+    std::array<std::unique_ptr<SeenTriangle::Other>, kSlots> m_others;  // of each of them, where there has been one
 };
 
 }  // namespace pipeline::HWY_NAMESPACE
