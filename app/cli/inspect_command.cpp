@@ -10,6 +10,7 @@
 #include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/condition.h"
+#include "pipeline/core/text.h"
 #include "pipeline/export/json.h"
 #include "pipeline/export/plot_file.h"
 #include "pipeline/export/table_json.h"
@@ -156,7 +157,9 @@ int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const Insp
         const auto verdicts = judgeShadows(*frame, *exact).value();
         light["judged"] = verdicts.judged();
         light["elsewhere"] = verdicts.elsewhere;
-        if (!options.json) fmt::print("light {}: {} pixels against exact rays\n", k, verdicts.judged());
+        if (!options.json)
+            fmt::print("light {}: {} against exact rays\n", k,
+                       pipeline::plural(std::int64_t(verdicts.judged()), "pixel"));
         for (std::size_t v = 0; v < pipeline::kShadowVerdictCount; ++v) {
             const pipeline::ShadowVerdictInfo& info = pipeline::shadowVerdictTable()[v];
             light[std::string(info.name)] = verdicts.counts[v];
@@ -165,7 +168,8 @@ int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const Insp
                        verdicts.percent(pipeline::ShadowVerdict(v)), info.meaning);
         }
         if (verdicts.elsewhere > 0 && !options.json)
-            fmt::print("  {} pixels at outlines, where the ray meets another object\n", verdicts.elsewhere);
+            fmt::print("  {} at outlines, where the ray meets another object\n",
+                       pipeline::plural(std::int64_t(verdicts.elsewhere), "pixel"));
         lights.push_back(light);
     }
     if (options.json) fmt::print("{}\n", lights.dump(2));

@@ -139,6 +139,7 @@ QString whyNothing(const Frame& frame) {
     std::size_t away = 0;
     for (std::size_t i = 0; i < verdicts->count(); ++i)
         away += verdicts->flat(i) == double(pipeline::Verdict::BackFacing);
+    if (away == 1 && verdicts->count() == 1) return "Nothing was drawn: the only polygon faces away.";
     if (away == verdicts->count()) return QString("Nothing was drawn: all %1 polygons face away.").arg(away);
     return "Nothing was drawn: no polygon covers a pixel.";
 }

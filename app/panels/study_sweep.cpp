@@ -141,7 +141,8 @@ void StudySweep::showState() {
             for (const std::string& value : axis.values) values << toQString(value);
             axes << toQString(axis.label) + ": " + values.join(", ");
         }
-        m_state->setText(axes.join('\n') + '\n' + tr("%1 points").arg(pointCount(found->axes)));
+        m_state->setText(axes.join('\n') + '\n' +
+                         toQString(pipeline::plural(std::int64_t(pointCount(found->axes)), "point")));
     } else {
         m_state->setText(toQString(format(found.errors().front())));
     }

@@ -1,4 +1,5 @@
 #include "pipeline/inspect/compare.h"
+#include "pipeline/core/text.h"
 
 #include <fmt/format.h>
 
@@ -114,7 +115,7 @@ std::vector<bool> drawnPixels(const Frame& frame, const BufferInfo& info) {
 
 std::string shapeText(const AnyBuffer& buffer) {
     if (buffer.info->domain == Domain::Vertex) return fmt::format("{} vertices", buffer.rows());
-    if (buffer.info->domain == Domain::Polygon) return fmt::format("{} polygons", buffer.rows());
+    if (buffer.info->domain == Domain::Polygon) return plural(std::int64_t(buffer.rows()), "polygon");
     std::string text = fmt::format("{} × {}", buffer.columns(), buffer.rows());
     if (buffer.channels() > 1) text += fmt::format(" of {} channels", buffer.channels());
     return text;

@@ -64,8 +64,9 @@ struct Decision {
     Need cull() const {
         const bool facing = model() == Model::OpenGl && scene.settings.twoSided;  // which side is lit
         if (scene.settings.cull != CullMode::None || facing || has(BufferId::PolygonsVerdict)) return {};
-        return unless(Rule::Culling,
-                      fmt::format("Off in this scene: cull = none. All {} polygons go on.", polygonCount(scene)));
+        const std::size_t count = polygonCount(scene);
+        const std::string all = count == 1 ? "The only polygon goes on." : fmt::format("All {} polygons go on.", count);
+        return unless(Rule::Culling, "Off in this scene: cull = none. " + all);
     }
     // Why a run that ends before shading has no use for normals: nobody shades with them, and who looks at the stage
     // itself ends the run there or asks for them.

@@ -40,7 +40,7 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
             return plural(faces, "shadow buffer") + fmt::format(" of {}²", data.keys.shadowBuffer.size);
         }
         case StageId::ZBuffer: {
-            return fmt::format("{} fragments, {} {}{}", data.zBuffer->arrived, data.zBuffer->won,
+            return fmt::format("{}, {} {}{}", plural(data.zBuffer->arrived, "fragment"), data.zBuffer->won,
                                data.keys.zBuffer.visibility == Visibility::ZBuffer ? "won" : "written",
                                data.zBuffer->note);
         }

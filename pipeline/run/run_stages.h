@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/core/text.h"
 #include "pipeline/run/find_seen.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/stage_parts.h"
@@ -179,7 +180,8 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
             for (std::size_t tile = begin; tile < end; ++tile)
                 paint<Real>(in.view, bins, order, tiles[tile], bins.tile(tile), *out);
         });
-        out->note = fmt::format("; {} triangles in order, {} split", order.pieces.size() - order.splits, order.splits);
+        out->note = fmt::format("; {} in order, {} split",
+                                plural(std::int64_t(order.pieces.size() - order.splits), "triangle"), order.splits);
         if (order.unordered > 0) out->note += fmt::format(", {} out of order", order.unordered);
         out->unordered = order.unordered, out->pieces = order.pieces.size();
         sumCounts(*out);

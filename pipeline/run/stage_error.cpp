@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "pipeline/core/numerics.h"
+#include "pipeline/core/text.h"
 #include "pipeline/run/frame_data.h"
 #include "pipeline/run/runner.h"
 
@@ -44,7 +45,8 @@ StageError transformError(const AnyBuffer& a, const AnyBuffer& b) {
 StageError cullError(const AnyBuffer& a, const AnyBuffer& b) {
     std::size_t different = 0;
     for (std::size_t i = 0; i < a.count(); ++i) different += a.flat(i) != b.flat(i);
-    return {double(different) / double(std::max<std::size_t>(1, a.count())), fmt::format("{} polygons", different)};
+    return {double(different) / double(std::max<std::size_t>(1, a.count())),
+            plural(std::int64_t(different), "polygon")};
 }
 
 StageError normalsError(const AnyBuffer& a, const AnyBuffer& b) {
