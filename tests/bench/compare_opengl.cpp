@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "pipeline/core/memory.h"
+#include "pipeline/core/text.h"
 #include "pipeline/export/json.h"
 #include "pipeline/run/runner.h"
 #include "tests/bench/gl_scene.h"
@@ -246,8 +247,8 @@ int run(const Options& options) {
                 if (options.threads != 0 && options.threads != threads) continue;
                 const Json row = inChild({workload, part, threads}, options);
                 if (row.contains("error")) {
-                    fmt::print(stderr, "{}, {}, {} threads: {}\n", workload.name, name(part, workload), threads,
-                               row["error"].get<std::string>());
+                    fmt::print(stderr, "{}, {}, {}: {}\n", workload.name, name(part, workload),
+                               pipeline::plural(threads, "thread"), row["error"].get<std::string>());
                     if (!options.model.empty()) return 1;  // nothing else can be drawn of it either
                     failed = true;
                 } else if (options.json) {
