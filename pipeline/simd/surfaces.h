@@ -17,6 +17,7 @@
 
 #include "pipeline/simd/area_vectors.h"
 #include "pipeline/simd/arithmetic.h"
+#include "pipeline/simd/drawn_row.h"
 #include "pipeline/simd/rows.h"
 #include "pipeline/simd/seen.h"
 #include "pipeline/simd/seen_blocks.h"
@@ -116,19 +117,13 @@ public:
     }
 
 private:
-    // What the stage's own text has drawn, which keeps the weights, in the pixels of a vector.
-    struct Drawn {
-        HWY_ALIGN std::uint32_t triangle[16];
-        HWY_ALIGN float weights[2][16];  // of corners 1 and 2
-        void read(const ZBufferOutput<float>& z, Tile tile, std::size_t at) {
-            for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
-                const glm::ivec2 pixel = tile.min + pixelOf(at + l);
-                const bool inside = pixel.x < tile.max.x && pixel.y < tile.max.y;
-                triangle[l] = inside ? z.triangle->at(pixel) : kNoTriangle;
-                for (int i = 0; i < 2; ++i) weights[i][l] = inside ? z.barycentric.at(pixel)[i + 1] : 0;
-            }
+    // The triangle that the first pixel of a vector sees which sees any, and the pixels, as bits, that see others.
+    struct FirstSeen {
+        std::uint32_t name, others;
+        static HWY_INLINE FirstSeen of(const std::uint32_t* names, std::uint32_t seen) {
+            const std::uint32_t name = names[std::min(std::countr_zero(seen), int(hn::Lanes(F())) - 1)];
+            return {name, seen & ~bitsOf(seesIn(names, name))};
         }
-        Mask seen() const { return hn::RebindMask(F(), hn::Ne(hn::Load(U(), triangle), hn::Set(U(), kNoTriangle))); }
     };
 
     // The vectors of the row of blocks that begins with pixel `begin` of the tile. What few scenes ask for is kept out of
@@ -143,15 +138,20 @@ private:
     template <bool kPerPixel, bool kPositions, bool kMore>
     void findVectors(std::size_t begin, SurfaceRow& out) {
         const bool areNamed = !kMore || m_drawnNames != nullptr;
+        if (!areNamed) m_drawn.read(m_in.zBuffer, m_tile, begin);
+        const std::uint32_t* const rowNames = areNamed ? m_drawnNames + begin : m_drawn.triangle;
+        // Before all else and without a branch: whatever is interpolated waits for it.
+        FirstSeen firsts[kRowVectors];
+        for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
+            const std::uint32_t seen = bitsOf(areNamed ? seenIn(m_seenIn->z + begin + i) : m_drawn.seenAt(i));
+            out.seen[i / hn::Lanes(F())] = seen, firsts[i / hn::Lanes(F())] = FirstSeen::of(rowNames + i, seen);
+        }
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const VectorPlace place(begin + i);
-            if (!areNamed) m_drawn.read(m_in.zBuffer, m_tile, place.at);
             if (m_isFine) fetchAhead(place.at);
-            const std::uint32_t* const names = areNamed ? m_drawnNames + place.at : m_drawn.triangle;
-            const Mask seen = areNamed ? seenIn(m_seenIn->z + place.at) : m_drawn.seen();
-            std::uint32_t left = bitsOf(seen);
-            out.seen[i / hn::Lanes(F())] = left;
-            if (left == 0) continue;
+            const Mask seen = out.seenAt(i);
+            if (out.seen[i / hn::Lanes(F())] == 0) continue;
+            const std::uint32_t* const names = rowNames + i;
             if constexpr (kPerPixel) {
                 if (m_isFine && areSmall(names, seen)) {
                     findByPixel<kPositions>(place, seen, i, out);
@@ -159,52 +159,67 @@ private:
                 }
             }
             const Floats z = areNamed ? m_seenIn->zAt(place) : all(1);
-            Ints triangle = hn::Zero(I()), polygon = triangle, object = triangle;
-            Floats3 normal = all(Vec3<float>(0)), position = normal, weights = normal, facing = normal;
-            const auto choose1 = [](Mask mask, std::int32_t yes, Ints no) HWY_ATTR {
-                return hn::IfThenElse(hn::RebindMask(I(), mask), hn::Set(I(), yes), no);
+            struct Interpolated {
+                Floats3 normal, weights, position;
             };
-            do {
-                const std::uint32_t name = names[std::countr_zero(left)];
-                const Mask mine = seesIn(names, name);
-                left &= ~bitsOf(mine);
-                const SeenSurface& surface = surfaceOf(name);
-                if constexpr (!kPerPixel) {
-                    triangle = choose1(mine, std::int32_t(surface.id), triangle);
-                    polygon = choose1(mine, surface.polygon, polygon);
-                } else if (kMore && m_tellsObjects) {
-                    object = choose1(mine, surface.object, object);
-                }
-                if (kMore && m_facing) facing = choose(mine, all(surface.facing), facing);
-                for (std::size_t k = 0; k < m_biases.size(); ++k)
-                    hn::BlendedStore(all(biasOf(surface, k)), mine, F(), out.bias[k].of + i);
+            const auto interpolate = [&](const SeenSurface& surface) HWY_ATTR {
+                Interpolated of;
                 if constexpr (!A::kExact && kPerPixel && !kPositions) {
                     if (surface.isPlane) {
                         const Floats x = hn::Sub(hn::ConvertTo(F(), place.column()), all(surface.firstPixel.x));
                         const Floats y = hn::Sub(hn::ConvertTo(F(), place.row()), all(surface.firstPixel.y));
-                        normal = choose(mine, surface.normals.template at<A>(x, y), normal);
-                        continue;
+                        of.normal = surface.normals.template at<A>(x, y);
+                        return of;
                     }
                 }
-                const Shares b = areNamed
-                                     ? surface.triangle.weights(*m_seenIn, place, z)
-                                     : Shares{hn::Load(F(), m_drawn.weights[0]), hn::Load(F(), m_drawn.weights[1])};
+                const Shares b = areNamed ? surface.triangle.weights(*m_seenIn, place, z)
+                                          : Shares{load(m_drawn.weights[0], i), load(m_drawn.weights[1], i)};
                 if constexpr (kPerPixel)
-                    normal = choose(mine, surface.normals.template at<A>(b.one, b.two), normal);
+                    of.normal = surface.normals.template at<A>(b.one, b.two);
                 else
-                    weights = choose(mine, {hn::Sub(hn::Sub(all(1), b.one), b.two), b.one, b.two}, weights);
-                if constexpr (kPositions)
-                    position = choose(mine, surface.positions.template at<A>(b.one, b.two), position);
-            } while (left != 0);
+                    of.weights = {hn::Sub(hn::Sub(all(1), b.one), b.two), b.one, b.two};
+                if constexpr (kPositions) of.position = surface.positions.template at<A>(b.one, b.two);
+                return of;
+            };
+            const FirstSeen first = firsts[i / hn::Lanes(F())];
+            const SeenSurface* surface = &surfaceOf(first.name);
+            Interpolated found = interpolate(*surface);
+            const auto whole = [](std::int32_t value) HWY_ATTR { return hn::Set(I(), value); };
+            Ints triangle = whole(std::int32_t(surface->id)), polygon = whole(surface->polygon);
+            Ints object = whole(surface->object);
+            Floats3 facing = all(surface->facing);
+            for (std::size_t k = 0; k < m_biases.size(); ++k) store(all(biasOf(*surface, k)), out.bias[k], i);
+            for (std::uint32_t left = first.others; left != 0;) {
+                const std::uint32_t name = names[std::countr_zero(left)];
+                const Mask mine = seesIn(names, name);
+                left &= ~bitsOf(mine);
+                surface = &surfaceOf(name);
+                const Interpolated other = interpolate(*surface);
+                const auto blended = [&](std::int32_t value, Ints before) HWY_ATTR {
+                    return hn::IfThenElse(hn::RebindMask(I(), mine), whole(value), before);
+                };
+                if constexpr (kPerPixel) {
+                    found.normal = choose(mine, other.normal, found.normal);
+                    if (kMore && m_tellsObjects) object = blended(surface->object, object);
+                } else {
+                    found.weights = choose(mine, other.weights, found.weights);
+                    triangle = blended(std::int32_t(surface->id), triangle);
+                    polygon = blended(surface->polygon, polygon);
+                }
+                if constexpr (kPositions) found.position = choose(mine, other.position, found.position);
+                if (kMore && m_facing) facing = choose(mine, all(surface->facing), facing);
+                for (std::size_t k = 0; k < m_biases.size(); ++k)
+                    hn::BlendedStore(all(biasOf(*surface, k)), mine, F(), out.bias[k].of + i);
+            }
             if constexpr (kPerPixel) {
-                store(A::unit(normal, seen), out.N, i);
+                store(A::unit(found.normal, seen), out.N, i);
                 if (kMore && m_tellsObjects) hn::Store(object, I(), out.object + i);
             } else {
                 hn::Store(triangle, I(), out.triangle + i), hn::Store(polygon, I(), out.polygon + i);
-                store(weights, out.weights, i);
+                store(found.weights, out.weights, i);
             }
             if (kMore && m_facing) store(facing, out.facing, i);
-            if constexpr (kPositions) store(position, out.position, i);
+            if constexpr (kPositions) store(found.position, out.position, i);
         }
     }
     // In the pixels of vector i of a row, each of which sees a triangle of its own: to go through triangles would compute
@@ -357,7 +372,7 @@ private:
     std::size_t m_index = 0;                      // of the tile
     const std::uint32_t* m_drawnNames = nullptr;  // in the tile; null where the stage's own text drew
     std::optional<SeenIn> m_seenIn;               // likewise
-    Drawn m_drawn;                                // where it did
+    DrawnRow m_drawn;                             // where it did
     // Triangles as they were seen last. Neighbours mostly see the same few.
     static constexpr std::size_t kSlots = 128;
     std::array<std::uint32_t, kSlots> m_names;
