@@ -10,6 +10,7 @@
 #include "app/core/spoken.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
+#include "pipeline/core/text.h"
 
 namespace app {
 
