@@ -94,7 +94,10 @@ struct Evaluation {
                 for (std::size_t i = 0; i < count; ++i) numbers[i] = double((first + i) % width);
                 break;
             case Kind::Row:
-                for (std::size_t i = 0; i < count; ++i) numbers[i] = double((first + i) / width);
+                for (std::size_t i = 0; i < count; ++i) {
+                    const std::size_t row = (first + i) / width;
+                    numbers[i] = double(row);
+                }
                 break;
             case Kind::Buffer: return read(node, first, count);
             case Kind::Negate:

@@ -69,7 +69,7 @@ Vec3<Real> normalized(Vec3<Real> v, UnitForm form) {
     if (form == UnitForm::Scaled) return normalized(v);
     if (form == UnitForm::Direct) {
         const Vec3<Real> unit = v / sqrt(glm::dot(v, v));
-        return isfinite(largestComponent(unit)) && unit == unit ? unit : Vec3<Real>(0);
+        return isfinite(unit.x) && isfinite(unit.y) && isfinite(unit.z) ? unit : Vec3<Real>(0);
     }
     const Real largest = largestComponent(v);
     if (!(largest > 0) || !isfinite(largest)) return Vec3<Real>(0);

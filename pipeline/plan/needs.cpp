@@ -56,7 +56,9 @@ struct Decision {
         return {{}, {}, fmt::format("{}, but {} is off.", reason, off)};
     }
     // A reason that holds for all objects, or for those that are drawn alone.
-    std::string ofAll(std::string all, std::string ofDrawn) const { return &drawn == &scene ? all : ofDrawn; }
+    std::string ofAll(const std::string& all, const std::string& ofDrawn) const {
+        return &drawn == &scene ? all : ofDrawn;
+    }
     bool has(BufferId id) const { return wanted[index(id)]; }
     Model model() const { return scene.settings.model; }
     bool outlines() const { return scene.settings.visibility == Visibility::None; }
@@ -160,7 +162,7 @@ struct Decision {
         if (outlines()) return {kOutlines, {}};
         if (model() == Model::OpenGl) return {kNoShadowsInOpenGl, {}};
         if (!counts) return counts;
-        if (const Need adds = adding(light); !adds && !has(BufferId::Shadow)) return adds;
+        if (Need adds = adding(light); !adds && !has(BufferId::Shadow)) return adds;
         if (drawn.objects.empty()) return {ofAll("The scene has no object.", "Every object has alpha 0."), {}};
         const auto amongDrawn = [&](const std::string& why) {
             return why.empty() ? why : ofAll(why, "Objects of alpha 0 cast none. " + why);

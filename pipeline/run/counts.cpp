@@ -37,7 +37,7 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
             std::size_t faces = 0;
             for (const auto& samples : data.shadowBuffer->lights)
                 for (const LightView<Real>& sample : samples) faces += sample.faces.size();
-            return plural(faces, "shadow buffer") + fmt::format(" of {}²", data.keys.shadowBuffer.size);
+            return plural(std::int64_t(faces), "shadow buffer") + fmt::format(" of {}²", data.keys.shadowBuffer.size);
         }
         case StageId::ZBuffer: {
             return fmt::format("{}, {} {}{}", plural(data.zBuffer->arrived, "fragment"), data.zBuffer->won,

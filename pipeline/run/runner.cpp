@@ -151,7 +151,7 @@ private:
     }
 
     template <class Real>
-    static bool runStagesIn(Frame& frame, const FrameRequest& request, StageKeys keys, const FramePtr& before) {
+    static bool runStagesIn(Frame& frame, const FrameRequest& request, StageKeys&& keys, const FramePtr& before) {
         Threads threads(request.threads, request.stop);
         auto stages = std::make_shared<FrameStages>();
         FrameData<Real>& data = stages->data.emplace<FrameData<Real>>();

@@ -320,7 +320,7 @@ HWY_INLINE Floats zOf(Floats w) {
 // Where a pixel of a tile stands in its blocks.
 HWY_INLINE std::size_t placeOf(std::uint32_t x, std::uint32_t y) {
     constexpr std::uint32_t kSide = kBlock;
-    return blockAt(int(x / kSide), int(y / kSide)) + y % kSide * kSide + x % kSide;
+    return blockAt(int(x / kSide), int(y / kSide)) + std::size_t(y % kSide) * kSide + x % kSide;
 }
 HWY_INLINE std::size_t placeOf(glm::ivec2 pixel) { return placeOf(std::uint32_t(pixel.x), std::uint32_t(pixel.y)); }
 

@@ -72,7 +72,7 @@ public:
             hn::Store(packed, bytes, rows);
             const auto width = std::size_t(std::min(kBlock, m_size.x - column)) * sizeof(Color8);
             for (int y = 0; y < std::min(kPut, m_size.y - row); ++y)
-                std::memcpy(place(column, row + y), rows + 16 * y, width);
+                std::memcpy(place(column, row + y), rows + std::ptrdiff_t(16) * y, width);
         }
 #endif
     }

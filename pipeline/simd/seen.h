@@ -234,12 +234,12 @@ private:
     }
 
     enum class Kind : std::uint8_t { Small, Middle, Large, Cut };
-    std::uint32_t m_id;
-    Kind m_kind;
-    float m_w[3];             // 1/z of the corners where the picture is in perspective, else 1
-    glm::ivec2 m_firstPixel;  // of its box, in the picture
     NarrowWeights m_narrow;   // of small and middle ones
     Other* m_other;           // of all but small ones
+    glm::ivec2 m_firstPixel;  // of its box, in the picture
+    float m_w[3];             // 1/z of the corners where the picture is in perspective, else 1
+    std::uint32_t m_id;
+    Kind m_kind;
 };
 
 }  // namespace pipeline::HWY_NAMESPACE
