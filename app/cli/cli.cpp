@@ -76,6 +76,7 @@ bool isForCli(std::string_view argument) {
 
 std::string nearestCommand(std::string_view argument) {
     std::vector<std::string> names;
+    names.reserve(std::size(kCommands));
     for (const Command& command : kCommands) names.emplace_back(command.name);
     return pipeline::nearest(argument, names);
 }

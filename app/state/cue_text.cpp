@@ -164,7 +164,7 @@ std::string head(const CueList& list) { return toToml(CueList{list.title, list.m
 }  // namespace
 
 std::string cueText(const CueList& list, std::string_view text, const CueList& before) {
-    const std::string plain = toToml(list);
+    std::string plain = toToml(list);
     const std::vector<Items> blocks = blocksOf(text);
     if (text.empty() || blocks.size() != before.cues.size() + 1) return plain;
     const auto write = [&](const auto& change) {

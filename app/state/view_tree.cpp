@@ -101,6 +101,7 @@ bool removeLeaf(ViewTree& tree, ViewLeaf leaf) {
 
 std::vector<std::string> arrangementNames() {
     std::vector<std::string> names;
+    names.reserve(std::size(kNamed));
     for (const Named& named : kNamed) names.emplace_back(named.name);
     return names;
 }

@@ -38,8 +38,9 @@ Scene ring() {
 // The layers over a pixel's centre in the order of their planes' depths there.
 double ringError(const FramePtr& frame) {
     double worst = 0;
-    for (std::size_t i = 0; i < 64 * 64; ++i) {
-        const Long x = Long(i % 64) + 0.5L, y = 63.5L - Long(i / 64);
+    for (std::size_t i = 0; i < std::size_t(64) * 64; ++i) {
+        const std::size_t row = i / 64;
+        const Long x = Long(i % 64) + 0.5L, y = 63.5L - Long(row);
         std::vector<std::pair<Long, double>> layers;  // height, intensity
         for (std::size_t k = 0; k < 3; ++k) {
             const Long3 a(kRing[k][0]), b(kRing[k][1]), c(kRing[k][2]);
@@ -195,9 +196,10 @@ Scene many() { return pixelScene(64, 64, {gridMesh(kCells, {0, 0, 0}, {64, 64, 0
 Finding runMany(Trial& trial) {
     const FramePtr frame = trial.frame(many(), setOf({BufferId::PolygonId, BufferId::Color}));
     double naive = 0, ours = 0;
-    for (std::size_t i = 0; i < 64 * 64; ++i) {
+    for (std::size_t i = 0; i < std::size_t(64) * 64; ++i) {
         const double id = numberOf(frame, {BufferId::PolygonId}, i);
-        const double x = (double(i % 64) + 0.5) / 64 * kCells, y = (63.5 - double(i / 64)) / 64 * kCells;
+        const std::size_t row = i / 64;
+        const double x = (double(i % 64) + 0.5) / 64 * kCells, y = (63.5 - double(row)) / 64 * kCells;
         // A centre nearer to a cell's side than 1/256 of a pixel may fall to either side of it.
         if (std::abs(x - std::round(x)) < 0.02 || std::abs(y - std::round(y)) < 0.02) continue;
         const double exact = std::floor(y) * kCells + std::floor(x);

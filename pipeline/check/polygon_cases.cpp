@@ -36,7 +36,7 @@ const std::vector<Vec3d> kNotched{{0, 0, 0}, {64, 0, 0}, {64, 64, 0}, {32, 16, 0
 Scene notched() { return pixelScene(80, 80, {meshOf(kNotched, {{0, 1, 2, 3, 4}})}); }
 Finding runNotched(Trial& trial) {
     // Even and odd crossings of a ray to the right.
-    std::vector<int> exact(80 * 80, 0);
+    std::vector<int> exact(std::size_t(80) * 80, 0);
     double area = 0;
     for (int y = 0; y < 80; ++y)
         for (int x = 0; x < 80; ++x) {
@@ -46,7 +46,7 @@ Finding runNotched(Trial& trial) {
                 const Vec3d a = kNotched[i], b = kNotched[(i + 1) % 5];
                 if ((a.y > py) != (b.y > py) && px < a.x + (b.x - a.x) * (py - a.y) / (b.y - a.y)) inside = !inside;
             }
-            exact[std::size_t(y * 80 + x)] = inside, area += inside;
+            exact[std::size_t(y) * 80 + std::size_t(x)] = inside, area += inside;
         }
     // The shoelace formula gives 10 units², 2560 pixels, of which the border's rounding takes a few.
     trial.demand(std::abs(area - 2560) < 64, "the reference is wrong");
@@ -83,7 +83,7 @@ Finding runManyCorners(Trial& trial) {
         positions[i] = {std::cos(angle), std::sin(angle), 0};
         polygons[0].push_back(i);
     }
-    const auto mesh = meshOf(std::move(positions), polygons);
+    const auto mesh = meshOf(positions, polygons);
     trial.demand(mesh->triangles.size() == kCorners - 2, "triangles are missing");
     double ours = 0;
     float naive = 0;

@@ -147,7 +147,7 @@ std::string bytesOf(std::size_t columns, std::size_t rows, std::size_t channels,
 std::string pngOf(const Buffer2D<Color8>& picture) {
     const auto fill = [&](std::size_t y, std::vector<png_byte>& row) {
         for (int x = 0; x < picture.size.x; ++x)
-            for (int c = 0; c < 3; ++c) row[std::size_t(3 * x + c)] = picture.at({x, int(y)})[c];
+            for (int c = 0; c < 3; ++c) row[std::size_t(x) * 3 + std::size_t(c)] = picture.at({x, int(y)})[c];
     };
     return bytesOf(std::size_t(picture.size.x), std::size_t(picture.size.y), 3, fill, nullptr);
 }

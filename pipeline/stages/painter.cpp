@@ -5,7 +5,7 @@
 namespace pipeline {
 
 bool PaintingOrder::has(const PaintPiece& piece, glm::ivec2 pixel) const {
-    const glm::dvec2 p = glm::dvec2(pixel) * double(kSubPixels) + double(kSubPixels / 2);
+    const glm::dvec2 p = glm::dvec2(pixel) * double(kSubPixels) + double(kSubPixels) / 2;
     return std::ranges::all_of(piece.cuts, [&](const PaintPiece::Cut& cut) {
         return (planes[piece.triangle].at(p) - planes[cut.by].at(p) >= 0) == cut.behind;
     });

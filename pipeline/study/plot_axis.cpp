@@ -78,6 +78,7 @@ std::vector<Tick> ticksOf(const LogAxis& axis, int most, double plainFrom) {
         if (values.size() < 3) values = roundSteps(axis.low, axis.high, std::min(most, 6));
     }
     std::vector<Tick> ticks;
+    ticks.reserve(values.size());
     for (const double value : values) ticks.push_back({value, tickText(value, plainFrom)});
     return ticks;
 }
