@@ -31,7 +31,7 @@ Finding runInOccluder(Trial& trial) {
     plane.lights[0].position = {100, 32, 0};
     const auto litPixels = [&](const Scene& scene, double lit = 0) {
         const FramePtr frame = trial.frame(scene, kShadows);
-        for (std::size_t i = 0; i < 64 * 64; ++i)
+        for (std::size_t i = 0; i < std::size_t(64) * 64; ++i)
             lit += numberOf(frame, {BufferId::ObjectId}, i) == 0 && numberOf(frame, {BufferId::Shadow, 0}, i) > 0 &&
                    vectorOf(frame, {BufferId::Diffuse, 0}, i).x > 0;
         return lit;
@@ -49,7 +49,7 @@ Scene farCaster() {
 Finding runFarCaster(Trial& trial) {
     const FramePtr frame = trial.frame(farCaster(), kShadows);
     double expected = 0, missing = 0;
-    for (std::size_t i = 0; i < 64 * 64; ++i) {
+    for (std::size_t i = 0; i < std::size_t(64) * 64; ++i) {
         const std::size_t x = i % 64, y = i / 64;
         if (x < 18 || x > 45 || y < 18 || y > 45) continue;  // more than a texel within the shadow
         ++expected, missing += numberOf(frame, {BufferId::Shadow, 0}, i) != 0;
@@ -74,7 +74,7 @@ Scene inRoom() { return room({1, 0, 0}); }
 // Per cent of the pixels that are in shadow, farther than two texels from where two walls meet.
 double darkWall(const FramePtr& frame) {
     double all = 0, dark = 0;
-    for (std::size_t i = 0; i < 64 * 64; ++i) {
+    for (std::size_t i = 0; i < std::size_t(64) * 64; ++i) {
         const Vec3d p = glm::abs(vectorOf(frame, {BufferId::Position}, i));
         const double second = p.x + p.y + p.z - std::max({p.x, p.y, p.z}) - std::min({p.x, p.y, p.z});
         if (second > 1 - 2 * 2 * 1.375 / 64) continue;
@@ -110,9 +110,10 @@ double misclassified(const FramePtr& frame) {
     // A texel, along the plane: 93 units of what the light sees over 254 texels, over the cosine of 45 degrees.
     const Long texel = 93.0L / 254 * std::sqrt(2.0L);
     double wrong = 0;
-    for (std::size_t i = 0; i < 64 * 64; ++i) {
+    for (std::size_t i = 0; i < std::size_t(64) * 64; ++i) {
         if (numberOf(frame, {BufferId::ObjectId}, i) != 0) continue;
-        const Long3 to = middle - Long3(Long(i % 64) + 0.5L, 63.5L - Long(i / 64), 0);
+        const std::size_t row = i / 64;
+        const Long3 to = middle - Long3(Long(i % 64) + 0.5L, 63.5L - Long(row), 0);
         const Long distance = glm::length(glm::cross(to, light));
         if (std::abs(distance - 8) <= texel) continue;
         wrong += (numberOf(frame, {BufferId::Shadow, 0}, i) < 1) != (distance < 8);
@@ -145,7 +146,7 @@ double penumbraError(Trial& trial, int samples) {
         // Of the light, what lies right of the line from the point over the edge: at height 48 it is at p + 3 (32 − p).
         const double p = double(x) + 0.5, line = p + 3 * (32 - p);
         const double exact = std::clamp((0 - line) / 16, 0.0, 1.0);
-        worst = std::max(worst, std::abs(numberOf(frame, {BufferId::Shadow, 0}, 2 * 64 + x) - exact));
+        worst = std::max(worst, std::abs(numberOf(frame, {BufferId::Shadow, 0}, std::size_t(2) * 64 + x) - exact));
     }
     return worst;
 }

@@ -125,7 +125,7 @@ std::vector<PlannedFile> plannedFiles(const Frame& frame, const ExportRequest& r
                 file.whyNot = isDerived(name.id) ? "It was not derived." : frame.whyAbsent(name);
             else
                 file.whyNot = exporter->refuses(*buffer->info);
-            if (file.whyNot.empty()) {
+            if (exporter && buffer && file.whyNot.empty()) {
                 file.file = fileName(name, *exporter);
                 file.bytes = exporter->estimate(*buffer);
                 file.exact = exporter->sizeIsExact;

@@ -101,6 +101,7 @@ std::vector<TableFact> viewingFacts(const Scene& scene) {
                 {"θ", "camera.theta", "degrees", camera.theta},
                 {"φ", "camera.phi", "degrees", camera.phi}};
     std::vector<TableFact> facts;
+    facts.reserve(6);
     for (int axis = 0; axis < 3; ++axis)
         facts.push_back({"", fmt::format("camera.eye_{}", "xyz"[axis]), "world units", camera.eye[axis]});
     for (int axis = 0; axis < 3; ++axis)

@@ -71,7 +71,7 @@ std::string take(std::string_view part, Place& place) {
     const std::size_t equals = std::min(part.find('='), part.size());
     const std::string_view word = part.substr(0, equals);
     const int value = equals < part.size() ? number(part.substr(equals + 1)) : -1;
-    const std::string wrong = fmt::format("found {} in a place in {}", inQuotes(part), stageInfo(place.stage).name);
+    std::string wrong = fmt::format("found {} in a place in {}", inQuotes(part), stageInfo(place.stage).name);
     if (value < 0) return wrong;
     if (word == "light" && place.stage == StageId::ShadowBuffer && place.light < 0) return place.light = value, "";
     if (word == "object" && unset) return place.what = What::Object, place.number = value, "";
@@ -119,6 +119,7 @@ Result<Place> parsePlace(std::string_view text) {
     const std::optional<StageId> stage = findStage(parts[0]);
     if (!stage) {
         std::vector<std::string> names;
+        names.reserve(kStages.size());
         for (const StageId id : kStages) names.emplace_back(stageInfo(id).name);
         return Error{{}, fmt::format("no stage {}", inQuotes(parts[0])), fmt::format("{}", fmt::join(names, ", "))};
     }
@@ -131,7 +132,7 @@ Result<Place> parsePlace(std::string_view text) {
 }
 
 Result<Place> parsePlace(std::string_view text, const Scene& scene) {
-    const Result<Place> place = parsePlace(text);
+    Result<Place> place = parsePlace(text);
     if (!place) return place;
     std::int64_t vertices = 0, polygons = 0;
     for (const Object& object : scene.objects)
