@@ -331,9 +331,9 @@ TEST_F(BufferMarksTest, NothingDrawnIsSaidOverAColouredGroundToo) {
     // A flat triangle in the plane z = 0 that is clockwise from above, where the eye is.
     scene.objects[0].mesh = test::mesh({{0, 0, 0}, {0, 100, 0}, {100, 0, 0}}, {{0, 1, 2}});
     document.setScene(scene);
-    EXPECT_TRUE(says("Nothing was drawn: all 1 polygons face away."));
+    EXPECT_TRUE(says("Nothing was drawn: the only polygon faces away."));
     view.setBuffer({BufferId::Color});
-    EXPECT_TRUE(says("Nothing was drawn: all 1 polygons face away."));
+    EXPECT_TRUE(says("Nothing was drawn: the only polygon faces away."));
     scene.objects.clear();
     document.setScene(scene);
     EXPECT_TRUE(says("Nothing was drawn: the scene has no polygons."));
