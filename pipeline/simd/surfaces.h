@@ -266,10 +266,10 @@ private:
         constexpr std::size_t kTriangles = 48, kVertices = 16;  // pixels
         const std::size_t lanes = hn::Lanes(F());
         if (at + kTriangles + lanes > kTilePixels) return;
-        const auto& triangles = m_in.transform.topology->triangles;
-        const auto triangleAt = [&](std::size_t pixel) -> const Triangle* {  // an other's or nobody's may be any
+        const auto triangleAt = [&](std::size_t pixel) -> const Triangle* {
+            if (!(m_seenIn->z[pixel] < SeenBlocks::kNowhere)) return nullptr;
             const std::uint32_t name = m_drawnNames[pixel];
-            return name < triangles.size() ? &triangles[name] : nullptr;
+            return TrianglePieces::isOther(name) ? nullptr : &m_in.transform.topology->triangles[name];
         };
         for (std::size_t l = 0; l < lanes; ++l) {
             if (const Triangle* t = triangleAt(at + kTriangles + l)) hwy::Prefetch(t);
