@@ -294,14 +294,12 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
 
 // incidence: what the frame before has kept; null in tiles that are to keep it, empty where none are.
 template <class Real>
-std::shared_ptr<const ShadingOutput<Real>> runShading(
-    const FrameData<Real>& data, BufferSet wanted,
-    Incidences incidence,  // NOLINT(performance-unnecessary-value-param): moved
-    Threads& threads) {
+std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& data, BufferSet wanted,
+                                                      const Incidences& incidence, Threads& threads) {
     const ShadingInputs& inputs = data.keys.shading;
     const ShadingSources<Real> in = data.shadingSources();
     auto out = std::make_shared<ShadingOutput<Real>>(prepareShading(inputs, in, wanted));
-    out->incidence = std::move(incidence);
+    out->incidence = incidence;
     findSeen(inputs, in, threads, *out);
     CountSum counts(out->counts);
     threads.forRange(out->polygons.intensity.size(), kPolygonGrain, [&](std::size_t begin, std::size_t end) {

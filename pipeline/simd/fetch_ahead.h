@@ -13,10 +13,12 @@ namespace pipeline {
 template <class T>
 HWY_INLINE void fetchAhead(const T* now, std::size_t count) {
     constexpr std::size_t kAhead = 2048, kLine = 64;
-    const auto first = reinterpret_cast<std::uintptr_t>(now) + kAhead;  // may lie behind the end: nothing is read
-    for (std::size_t i = 0; i < count * sizeof(T); i += kLine)
-        hwy::Prefetch(
-            reinterpret_cast<const void*>(first + i));  // NOLINT(performance-no-int-to-ptr): no place of an array
+    const auto first = reinterpret_cast<std::uintptr_t>(now) + kAhead;
+    for (std::size_t i = 0; i < count * sizeof(T); i += kLine) {
+        // Nothing is read, and it may lie behind the array's end, where no sum of pointers may point.
+        // NOLINTNEXTLINE(performance-no-int-to-ptr)
+        hwy::Prefetch(reinterpret_cast<const void*>(first + i));
+    }
 }
 
 // While the triangles of a tile are drawn, the blocks of the next tile are on their way, where a buffer is larger than the
