@@ -38,6 +38,13 @@ Vec3<Real> normalized(Vec3<Real> v) {
     return isfinite(length) ? scaled / length : Vec3<Real>(0);
 }
 
+// How far a vector's square is from 1.
+inline double offUnit(Vec3d v) { return std::abs(glm::dot(v, v) - 1); }
+// What it may be for a vector that has length 1 as far as Real can tell: rounding the components of one changes its square
+// by at most sqrt(3) half units in the last place of 1, and in double to find the square by as much again.
+template <class Real>
+inline constexpr double kOffUnit = 2 * double(std::numeric_limits<Real>::epsilon());
+
 // (a·b)^exponent for unit vectors with a·b > 0, else 0.
 // a·b is 1 - q with q = |a - b|²/2. Near the centre of a highlight q keeps its digits while the
 // dot product has rounded them away: at exponent 10^6 pow(a·b) in float errs by 0.15, this by 10^-7.

@@ -6,9 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/plan/as_given.h"
 #include "pipeline/plan/lit_scene.h"
 #include "pipeline/plan/own_normals.h"
 #include "pipeline/plan/shadow_reach.h"
+#include "pipeline/scene/topology.h"
 
 namespace pipeline {
 namespace {
@@ -17,12 +19,6 @@ constexpr const char* kNoShadowsInOpenGl = "OpenGL's model knows no shadows.";
 constexpr const char* kOutlines = "Outlines are not shaded.";
 constexpr const char* kOnlyR = "The specular terms are Phong's, of R and not of H.";
 constexpr const char* kOnlyH = "The specular terms are Blinn's, of H and not of R.";
-
-std::size_t polygonCount(const Scene& scene) {
-    std::size_t count = 0;
-    for (const Object& object : scene.objects) count += object.mesh->polygonCount();
-    return count;
-}
 
 // Whether a material's specular term reads H; or, of the other kind, R.
 bool anyLobe(const Scene& scene, bool halfway) {
@@ -63,6 +59,11 @@ struct Decision {
     Model model() const { return scene.settings.model; }
     bool outlines() const { return scene.settings.visibility == Visibility::None; }
 
+    Need modelTransform() const { return unless(Rule::ModelTransform, whyPlacesStay(scene)); }
+    Need unitNormals(const Needs& needs) const {
+        if (!needs.vertexNormals) return needs.vertexNormals;
+        return unless(Rule::ModelTransform, whyNormalsStay(scene));
+    }
     Need cull() const {
         const bool facing = model() == Model::OpenGl && scene.settings.twoSided;  // which side is lit
         if (scene.settings.cull != CullMode::None || facing || has(BufferId::PolygonsVerdict)) return {};
@@ -296,9 +297,11 @@ Needs needsOf(const Scene& scene, BufferSet wanted, StageId until) {
         needs.buffers.set().set(index(BufferId::ShadowBuffer), wanted[index(BufferId::ShadowBuffer)]);
     const std::optional<Scene> drawn = withoutTransparent(scene, needs.buffers);
     const Decision decide{scene, drawn ? *drawn : scene, needs.buffers, needs.rules, until};
+    needs.modelTransform = decide.modelTransform();
     needs.cull = decide.cull();
     needs.polygonTerms = decide.polygonTerms();
     needs.vertexNormals = decide.vertexNormals();
+    needs.unitNormals = decide.unitNormals(needs);
     needs.ownNormals = decide.ownNormals(needs.vertexNormals);
     needs.normalSums = decide.normalSums(needs);
     needs.polygonNormals = decide.polygonNormals(needs);

@@ -22,6 +22,7 @@ struct Need {
 };
 
 struct Needs {
+    Need modelTransform, unitNormals;   // copies of what the mesh has: places, and given normals at length 1
     Need cull, shadowBuffers, normals;  // whole stages
     Need polygonNormals, vertexNormals;
     Need normalSums;               // of polygon normals, around vertices

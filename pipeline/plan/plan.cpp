@@ -39,6 +39,7 @@ std::string difference(const TransformInputs& a, const TransformInputs& b) {
     if (a.transparent != b.transparent) return "Other objects are wholly transparent.";
     if (a.depthFormat != b.depthFormat) return "The depth format changed.";
     if (a.normalMatrix != b.normalMatrix) return "The form of the normal matrix changed.";
+    if (a.placesAsGiven != b.placesAsGiven) return "The rule of the model transform was switched.";
     if (a.view.subPixelBits != b.view.subPixelBits) return "The setting numerics.subpixel_bits changed.";
     if (a.view.size != b.view.size) return "The picture's size changed.";
     return a == b ? "" : "The camera changed.";
@@ -57,6 +58,7 @@ std::string difference(const NormalsInputs& a, const NormalsInputs& b) {
     if (a.vertexNormals != b.vertexNormals)
         return b.vertexNormals ? "Vertex normals are needed now." : "Vertex normals are not needed any more.";
     if (a.form != b.form || a.angle != b.angle || a.unit != b.unit) return "The form of a formula changed.";
+    if (a.asGiven != b.asGiven) return "The rule of the model transform was switched.";
     return a.weight == b.weight ? "" : "The weights of the normals changed.";  // sums that nobody reads change no bit
 }
 

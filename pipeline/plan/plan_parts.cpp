@@ -169,6 +169,9 @@ std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& ne
     Parts out{scene, needs, action};
     switch (stage) {
         case StageId::Transform:
+            out.add("model transform", needs.modelTransform, "It takes objects to world space, vertex by vertex.",
+                    "a product of a matrix and a vertex, and a copy");
+            break;
         case StageId::Cull: break;
         case StageId::Normals:
             out.add("polygon normals", needs.polygonNormals,
@@ -177,6 +180,9 @@ std::vector<PlanPart> partsOf(StageId stage, const Scene& scene, const Needs& ne
                 out.add("sums around vertices", needs.normalSums, sumsOf(needs), "a pass over the polygons");
             out.add("vertex normals", needs.vertexNormals, "Normals are interpolated, or asked for.",
                     "a pass over the vertices");
+            if (needs.vertexNormals)
+                out.add("normalisation", needs.unitNormals, "They are brought to length 1.",
+                        "a pass over the vertices");
             break;
         case StageId::ShadowBuffer: shadowParts(out); break;
         case StageId::ZBuffer: zBufferParts(out); break;

@@ -28,9 +28,13 @@ AnyBuffer own(const BufferName& name, std::vector<std::size_t> shape, std::vecto
     return view(name, std::move(shape), kept->data(), kept->size(), kept);
 }
 
+template <class Real>
+AnyBuffer view(const BufferName& name, std::span<const Vec3<Real>> v, std::shared_ptr<const void> owner) {
+    return view(name, {v.size(), 3}, v.empty() ? nullptr : &v[0].x, 3 * v.size(), std::move(owner));
+}
 template <class Real, class Allocator>
 AnyBuffer view(const BufferName& name, const std::vector<Vec3<Real>, Allocator>& v, std::shared_ptr<const void> owner) {
-    return view(name, {v.size(), 3}, v.empty() ? nullptr : &v[0].x, 3 * v.size(), std::move(owner));
+    return view(name, std::span<const Vec3<Real>>(v), std::move(owner));
 }
 template <class Real>
 AnyBuffer view(const BufferName& name, const Buffer2D<Vec3<Real>>& b, std::shared_ptr<const void> owner) {
@@ -125,7 +129,7 @@ std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& dat
     if (!data.has(info.stage)) return {};
     using enum BufferId;
     switch (name.id) {
-        case VerticesWorld: return view(name, data.transform->world, data.transform);
+        case VerticesWorld: return view(name, data.transform->world.all(), data.transform);
         case VerticesView:
         case VerticesScreen: {
             const TransformOutput<Real>& in = *data.transform;
@@ -144,7 +148,7 @@ std::optional<AnyBuffer> find(const BufferName& name, const FrameData<Real>& dat
             return view(name, data.normals->polygon, data.normals);
         case VerticesNormal:
             if (data.normals->vertex.empty()) return {};
-            return view(name, data.normals->vertex, data.normals);
+            return view(name, data.normals->vertex.all(), data.normals);
         case BufferId::ShadowBuffer: return shadowDepth(name, data);
         case Depth: return depth(name, data);
         case ZView: return view(name, *data.zBuffer->zView, data.zBuffer);

@@ -52,10 +52,11 @@ ShadingParts shadingParts(const Needs& needs) {
 
 StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<const Topology> topology) {
     const Settings& settings = scene.settings;
-    StageKeys keys{transformInputs(scene, std::move(topology)),
+    StageKeys keys{transformInputs(scene, std::move(topology), !needs.modelTransform),
                    {settings.cull},
                    {settings.normalWeight, bool(needs.polygonNormals), bool(needs.vertexNormals), needs.ownNormals,
-                    settings.forms.polygonNormal, settings.forms.cornerAngle, settings.forms.unit},
+                    settings.forms.polygonNormal, settings.forms.cornerAngle, settings.forms.unit,
+                    needs.vertexNormals && !needs.unitNormals},
                    {{}, settings.shadowSize, settings.shadowCull},
                    {settings.visibility, settings.split, without(needs, Rule::Clipping), translucentSides(scene),
                     bool(needs.seenPolygons), bool(needs.fragmentCounts), bool(needs.weights)},

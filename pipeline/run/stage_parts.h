@@ -46,6 +46,7 @@ void findPolygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>
 template <class Real>
 void findVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
                        Threads& threads, NormalsOutput<Real>& out) {
+    if (out.vertex.areGiven()) return;
     const bool sums = inputs.ownNormals.empty() || !inputs.ownNormals[object];
     if (sums) sumAroundVertices(inputs, in, object, out);
     const std::size_t count = in.topology->firstVertex[object + 1] - in.topology->firstVertex[object];

@@ -305,6 +305,15 @@ bool hasOwnNormals(const Mesh& mesh) {
            });
 }
 
+double offUnitOf(const Mesh& mesh) {
+    double most = 0;
+    for (const Vec3d& n : mesh.normals) {
+        const double off = offUnit(n);
+        most = std::isfinite(off) ? std::max(most, off) : std::numeric_limits<double>::infinity();
+    }
+    return most;
+}
+
 // What the lists have kept to grow into: up to as much again, for as long as the mesh is there.
 void giveBackReserves(Mesh& mesh) {
     mesh.positions.shrink_to_fit(), mesh.normals.shrink_to_fit(), mesh.polygonPlaces.shrink_to_fit();
@@ -346,6 +355,7 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
     std::size_t work = kEarWork + kEarWorkPerCorner * mesh.cornerCount();
     const bool splits = !mesh.hasTrianglesAlone();
     mesh.facts = {};
+    mesh.positions.dropSignsOfZero(), mesh.normals.dropSignsOfZero();
     giveBackReserves(mesh);
     if (splits) {
         mesh.triangles.clear();
@@ -369,7 +379,7 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
     if (!mesh.positions.empty()) mesh.facts.low = mesh.facts.high = mesh.positions[0];
     for (const Vec3d& p : mesh.positions)
         mesh.facts.low = glm::min(mesh.facts.low, p), mesh.facts.high = glm::max(mesh.facts.high, p);
-    mesh.facts.ownNormals = hasOwnNormals(mesh);
+    mesh.facts.ownNormals = hasOwnNormals(mesh), mesh.facts.offUnit = offUnitOf(mesh);
     mesh.facts.closed = isClosed(mesh);
     mesh.facts.convex = isConvex(mesh, polygon);
     return std::make_shared<const Mesh>(std::move(mesh));

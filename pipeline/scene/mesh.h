@@ -32,6 +32,7 @@ struct MeshFacts {
     int concave = 0;            // polygons with a corner that turns the other way
     int degenerate = 0;         // polygons without area
     bool ownNormals = false;    // every vertex has a normal, its largest component between 2^-100 and 2^100
+    double offUnit = 0;         // the most that a normal's square differs from 1 by; infinity where one is not finite
     Vec3d low{0.0}, high{0.0};  // the box around all vertices, object space; 0 without vertices
 };
 
@@ -40,8 +41,9 @@ struct MeshFacts {
 // same pointer hold the same mesh.
 struct Mesh {
     std::string file;  // as the scene names it; empty for a built-in shape, and where it stands in the scene's own
-    VertexVectors positions;                  // object space; 12 or 24 bytes a vertex
-    VertexVectors normals;                    // per vertex, as the file or shape gives them; empty: none
+    VertexVectors positions;  // object space; 12 or 24 bytes a vertex
+    // Per vertex, as the file or shape gives them; empty: none. Of neither any number is -0 once the mesh is made.
+    VertexVectors normals;
     std::vector<TextPosition> polygonPlaces;  // where each polygon stands there, 8 bytes; may be empty
 
     // Polygon by polygon, 16 bytes each. While all polygons are triangles these are the polygons, and the lists below

@@ -10,6 +10,7 @@ namespace pipeline {
 // of what is asked for: it removes work whose result nobody reads, or terms that are exactly 0.
 // Whatever is only nearly right is an approximation, and a setting of its own instead.
 enum class Rule : std::uint8_t {
+    ModelTransform,
     Culling,
     PolygonNormals,
     VertexNormals,
@@ -35,7 +36,7 @@ enum class Rule : std::uint8_t {
     TranslucentPass,
     LayerSort,
 };
-inline constexpr std::size_t kRuleCount = 24;
+inline constexpr std::size_t kRuleCount = 25;
 constexpr std::size_t index(Rule rule) { return static_cast<std::size_t>(rule); }
 
 using RuleSet = std::bitset<kRuleCount>;
@@ -48,6 +49,10 @@ struct RuleInfo {
 
 // In the order of the enumerators.
 inline constexpr std::array<RuleInfo, kRuleCount> kRules{{
+    {"rule.model_transform", "Model transform",
+     "Leaves the model transform of the only object out where its matrix is the identity: its vertices are read where "
+     "the "
+     "mesh has them, and so are normals that have length 1."},
     {"rule.culling", "Culling", "Leaves culling out where it drops nothing and nobody reads its verdicts."},
     {"rule.polygon_normals", "Polygon normals",
      "Leaves polygon normals, and their sums around vertices, out where nobody reads them."},

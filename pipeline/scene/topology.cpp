@@ -9,6 +9,12 @@ std::size_t Topology::objectOfVertex(std::size_t vertex) const {
     return std::size_t(next - firstVertex.begin()) - 1;
 }
 
+std::size_t polygonCount(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Object& object : scene.objects) count += object.mesh->polygonCount();
+    return count;
+}
+
 std::vector<std::shared_ptr<const Mesh>> meshesOf(const Scene& scene) {
     std::vector<std::shared_ptr<const Mesh>> meshes;
     for (const Object& object : scene.objects) meshes.push_back(object.mesh);

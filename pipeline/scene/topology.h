@@ -48,6 +48,7 @@ struct Topology {
     std::size_t triangleCountOf(std::size_t polygon) const { return corners(polygon).size() - 2; }
 };
 
+std::size_t polygonCount(const Scene& scene);
 std::vector<std::shared_ptr<const Mesh>> meshesOf(const Scene& scene);
 Topology makeTopology(std::vector<std::shared_ptr<const Mesh>> meshes);
 

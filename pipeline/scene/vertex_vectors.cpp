@@ -34,6 +34,14 @@ void VertexVectors::shrink_to_fit() {
     std::visit([](auto& of) { of.shrink_to_fit(); }, m_of);
 }
 
+void VertexVectors::dropSignsOfZero() {
+    std::visit(
+        [](auto& of) {
+            for (auto& v : of) v += typename std::remove_reference_t<decltype(v)>::value_type(0);
+        },
+        m_of);
+}
+
 bool VertexVectors::operator==(const VertexVectors& other) const {
     if (m_of.index() == other.m_of.index()) return m_of == other.m_of;
     return std::ranges::equal(*this, other);

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -46,6 +47,8 @@ public:
     void clear() { m_of = Narrow(); }
     // Also in float, where by now all of them are.
     void shrink_to_fit();
+    // -0 becomes 0.
+    void dropSignsOfZero();
 
     std::size_t bytes() const {  // that it has room for
         return std::visit([](const auto& of) { return of.capacity() * sizeof(of[0]); }, m_of);
@@ -59,6 +62,13 @@ public:
     std::span<const Vec3d> doubles() const {
         const auto* of = std::get_if<Wide>(&m_of);
         return of ? std::span<const Vec3d>(*of) : std::span<const Vec3d>();
+    }
+    // All of them where they are kept in Real, else none.
+    template <class Real>
+    std::span<const Vec3<Real>> in() const {
+        if constexpr (std::is_same_v<Real, float>) return floats();
+        if constexpr (std::is_same_v<Real, double>) return doubles();
+        return {};
     }
 
     class Iterator {

@@ -92,7 +92,7 @@ void unitSums(const NormalsInputs& inputs, const TransformOutput<float>& in, std
     const std::size_t lanes = hn::Lanes(F());
     std::size_t i = begin;
     for (; i + lanes <= end; i += lanes) {
-        float* const at = &out.vertex[in.topology->firstVertex[object] + i].x;
+        float* const at = &out.vertex.own()[in.topology->firstVertex[object] + i].x;
         Floats3 sum;
         hn::LoadInterleaved3(F(), at, sum.x, sum.y, sum.z);
         storeUnit(sum, at);
@@ -109,6 +109,7 @@ HWY_INLINE void unitGivenIn(std::span<const Vec3<T>> given, const NormalsInputs&
     const hn::Rebind<float, decltype(d)> f;
     const glm::dmat3& matrix = in.normalMatrix[object];
     const std::size_t lanes = hn::Lanes(d), first = in.topology->firstVertex[object];
+    const std::span<Vec3<float>> normals = out.vertex.own();
     std::size_t i = begin;
     for (; i + lanes <= end; i += lanes) {
         fetchAhead(&given[i], lanes);
@@ -130,9 +131,10 @@ HWY_INLINE void unitGivenIn(std::span<const Vec3<T>> given, const NormalsInputs&
             unitVertexNormals(inputs, in, object, i, i + lanes, out);
             continue;
         }
-        const auto length = hn::Sqrt(square);
+        const auto stays = hn::Le(hn::Abs(hn::Sub(square, hn::Set(d, 1))), hn::Set(d, kOffUnit<float>));
+        const auto length = hn::IfThenElse(stays, hn::Set(d, 1), hn::Sqrt(square));
         const auto unit = [&](auto v) HWY_ATTR { return hn::DemoteTo(f, hn::Div(v, length)); };
-        hn::StoreInterleaved3(unit(nx), unit(ny), unit(nz), f, &out.vertex[first + i].x);
+        hn::StoreInterleaved3(unit(nx), unit(ny), unit(nz), f, &normals[first + i].x);
     }
     unitVertexNormals(inputs, in, object, i, end, out);
 }

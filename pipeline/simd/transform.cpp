@@ -202,12 +202,13 @@ void snapAll(const View& view, std::span<const Vec3<float>> world, std::size_t b
 
 void transformVertices(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
                        TransformOutput<float>& out) {
+    if (out.world.areGiven()) return snapAll(out.view, out.world, begin, end, out.snapped);
     const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
     const glm::mat3 linear(matrix.linear);
     const Vec3<float> translation(matrix.translation);
     const VertexVectors& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
-    Vec3<float>* const world = out.world.data() + first;
+    Vec3<float>* const world = out.world.own().data() + first;
     const D d;
     const auto row = [&](int r, Floats3 p) HWY_ATTR {
         return hn::Add(dot({linear[0][r], linear[1][r], linear[2][r]}, p), all(translation[r]));

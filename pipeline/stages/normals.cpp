@@ -9,7 +9,11 @@ NormalsOutput<Real> prepareNormals(const NormalsInputs& inputs, const TransformO
     NormalsOutput<Real> out;
     if (inputs.polygonNormals) out.polygon.resize(in.topology->polygonCount());
     if (inputs.vertexNormals) {
-        out.vertex.resize(in.topology->vertexCount());
+        const std::shared_ptr<const Mesh>& first = in.topology->meshes[0];
+        if (inputs.asGiven)
+            out.vertex.give(first, first->normals.in<Real>());
+        else
+            out.vertex.makeOwn(in.topology->vertexCount());
         if (inputs.polygonNormals && inputs.weight == NormalWeight::Area)
             out.weighted.resize(in.topology->polygonCount());
     }
@@ -20,7 +24,7 @@ namespace {
 
 // Twice a polygon's area along its normal, by the right-hand rule.
 template <class Real>
-Vec3<Real> areaVector(PolygonNormalForm form, const RawVector<Vec3<Real>>& world, const Topology::Corners& corners) {
+Vec3<Real> areaVector(PolygonNormalForm form, std::span<const Vec3<Real>> world, const Topology::Corners& corners) {
     Vec3<Real> sum(0);
     const std::size_t n = corners.size();
     if (form == PolygonNormalForm::FromOrigin) {
@@ -36,7 +40,7 @@ Vec3<Real> areaVector(PolygonNormalForm form, const RawVector<Vec3<Real>>& world
 // Of a polygon of the scene, outward.
 template <class Real>
 Vec3<Real> areaVector(PolygonNormalForm form, const TransformOutput<Real>& in, std::size_t polygon) {
-    const Vec3<Real> sum = areaVector(form, in.world, in.topology->corners(polygon));
+    const Vec3<Real> sum = areaVector<Real>(form, in.world, in.topology->corners(polygon));
     return in.mirrored[in.topology->objectOfPolygon(polygon)] ? -sum : sum;
 }
 
@@ -77,15 +81,16 @@ void sumAroundVertices(const NormalsInputs& inputs, const TransformOutput<Real>&
     const Topology& topology = *in.topology;
     const Mesh& mesh = *topology.meshes[object];
     const RawVector<Vec3<Real>>& normals = inputs.weight == NormalWeight::Area ? out.weighted : out.polygon;
-    std::fill_n(out.vertex.begin() + topology.firstVertex[object], mesh.positions.size(), Vec3<Real>(0));
+    const std::span<Vec3<Real>> sums = out.vertex.own();
+    std::fill_n(sums.begin() + topology.firstVertex[object], mesh.positions.size(), Vec3<Real>(0));
     for (std::size_t p = 0, count = mesh.polygonCount(); p < count; ++p) {
         const Topology::Corners corners{mesh.polygon(p), topology.firstVertex[object]};
         const Vec3<Real> normal = normals[topology.firstPolygon[object] + p];
         if (inputs.weight != NormalWeight::Angle)
-            for (std::size_t i = 0; i < corners.size(); ++i) out.vertex[corners[i]] += normal;
+            for (std::size_t i = 0; i < corners.size(); ++i) sums[corners[i]] += normal;
         else
             for (std::size_t i = 0; i < corners.size(); ++i)
-                out.vertex[corners[i]] += cornerAngle(inputs.angle, in, corners, i) * normal;
+                sums[corners[i]] += cornerAngle(inputs.angle, in, corners, i) * normal;
     }
 }
 
@@ -94,10 +99,14 @@ void unitVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>&
                        std::size_t begin, std::size_t end, NormalsOutput<Real>& out) {
     const VertexVectors& given = in.topology->meshes[object]->normals;
     const bool asGiven = inputs.weight == NormalWeight::Given && !given.empty();
+    const auto unit = [&](Vec3d normal) {
+        const bool stays = inputs.unit == UnitForm::Scaled && offUnit(normal) <= kOffUnit<Real>;
+        return Vec3<Real>(stays ? normal : normalized(normal, inputs.unit));
+    };
+    const std::span<Vec3<Real>> normals = out.vertex.own().subspan(in.topology->firstVertex[object]);
     for (std::size_t i = begin; i < end; ++i) {
-        Vec3<Real>& normal = out.vertex[in.topology->firstVertex[object] + i];
-        const Vec3<Real> own =
-            asGiven ? Vec3<Real>(normalized(in.normalMatrix[object] * given[i], inputs.unit)) : Vec3<Real>(0);
+        Vec3<Real>& normal = normals[i];
+        const Vec3<Real> own = asGiven ? unit(in.normalMatrix[object] * given[i]) : Vec3<Real>(0);
         normal = own != Vec3<Real>(0) ? own : normalized(normal, inputs.unit);
     }
 }
@@ -105,7 +114,8 @@ void unitVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>&
 template <class Real>
 void replaceVanishing(const TransformOutput<Real>& in, std::size_t object, NormalsOutput<Real>& out) {
     const Topology& topology = *in.topology;
-    const auto vanishes = [&](std::size_t vertex) { return out.vertex[vertex] == Vec3<Real>(0); };
+    const std::span<Vec3<Real>> normals = out.vertex.own();
+    const auto vanishes = [&](std::size_t vertex) { return normals[vertex] == Vec3<Real>(0); };
     std::size_t vertex = topology.firstVertex[object];
     while (vertex < topology.firstVertex[object + 1] && !vanishes(vertex)) ++vertex;
     if (vertex == topology.firstVertex[object + 1]) return;
@@ -113,7 +123,7 @@ void replaceVanishing(const TransformOutput<Real>& in, std::size_t object, Norma
         const Topology::Corners corners = topology.corners(polygon);
         const Vec3<Real> normal = out.polygon[polygon];
         for (std::size_t i = 0; i < corners.size() && normal != Vec3<Real>(0); ++i)
-            if (vanishes(corners[i])) out.vertex[corners[i]] = normal, ++out.vanishing;
+            if (vanishes(corners[i])) normals[corners[i]] = normal, ++out.vanishing;
     }
 }
 

@@ -15,13 +15,14 @@ struct NormalsInputs {
     PolygonNormalForm form = PolygonNormalForm::Newell;
     CornerAngleForm angle = CornerAngleForm::Atan2;
     UnitForm unit = UnitForm::Scaled;
+    bool asGiven = false;  // vertex normals are those of the mesh of the only object, which are Real
     bool operator==(const NormalsInputs&) const = default;
 };
 
 template <class Real>
 struct NormalsOutput {
     RawVector<Vec3<Real>> polygon;  // per polygon; (0, 0, 0) for one without area; empty when not needed of all
-    RawVector<Vec3<Real>> vertex;   // per vertex; empty when not asked for
+    VertexArray<Real> vertex;       // per vertex; empty when not asked for
     // Where the mean of the normals around a vertex vanishes, the first of them stands in: how often.
     std::size_t vanishing = 0;
     RawVector<Vec3<Real>> weighted;  // scratch: per polygon, twice the area times the normal
@@ -47,8 +48,8 @@ Vec3<Real> polygonNormal(const TransformOutput<Real>& in, std::size_t polygon);
 template <class Real>
 void sumAroundVertices(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
                        NormalsOutput<Real>& out);
-// Then, of the object's vertices [begin, end), the sums normalised, or what the mesh gives where it gives one; pieces may
-// run at the same time.
+// Then, of the object's vertices [begin, end), the sums normalised, or what the mesh gives where it gives one; in the form
+// Scaled, what it gives at length 1, as far as Real can tell, stays as it is. Pieces may run at the same time.
 template <class Real>
 void unitVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
                        std::size_t begin, std::size_t end, NormalsOutput<Real>& out);

@@ -25,7 +25,7 @@ Vec3<Real> viewVector(const ShadingInputs& inputs, const View& view, Vec3<Real> 
 
 template <class Real>
 Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t polygon) {
-    const RawVector<Vec3<Real>>& world = in.transform.world;
+    const std::span<const Vec3<Real>> world = in.transform.world;
     const Topology::Corners corners = in.transform.topology->corners(polygon);
     // Relative to the first corner, so that the mean keeps its digits far from the origin.
     Vec3<Real> at = world[corners[0]];

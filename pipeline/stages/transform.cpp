@@ -42,20 +42,25 @@ Vec3d toWorld(const ObjectMatrix& matrix, Vec3d position) { return matrix.linear
 
 glm::dmat3 normalMatrix(const ObjectMatrix& matrix, NormalMatrixForm form) {
     if (form == NormalMatrixForm::InverseTranspose) return glm::transpose(glm::inverse(matrix.linear));
-    // Scaled by a power of two first: products of two entries stay in range.
+    // Scaled by a power of two first: products of two entries stay in range. To between 1 and 2, that of a rotation is the
+    // rotation.
     double largest = 0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, largestComponent(matrix.linear[c]));
     int exponent = 0;
     std::frexp(largest, &exponent);
-    const glm::dmat3 m = matrix.linear * std::ldexp(1.0, -exponent);
+    const glm::dmat3 m = matrix.linear * std::ldexp(1.0, 1 - exponent);
     const double sign = matrix.mirrors ? -1 : 1;
     return {sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])};
 }
 
-TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology) {
-    TransformInputs inputs{std::move(topology),       {},
-                           makeView(scene),           scene.settings.depthFormat,
-                           transparentObjects(scene), scene.settings.forms.normalMatrix};
+TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology, bool placesAsGiven) {
+    TransformInputs inputs{std::move(topology),
+                           {},
+                           makeView(scene),
+                           scene.settings.depthFormat,
+                           transparentObjects(scene),
+                           scene.settings.forms.normalMatrix,
+                           placesAsGiven};
     for (const Object& object : scene.objects) inputs.transforms.push_back(object.transform);
     return inputs;
 }
@@ -73,21 +78,28 @@ TransformOutput<Real> prepareTransform(const TransformInputs& inputs) {
         out.normalMatrix.push_back(normalMatrix(matrix, inputs.normalMatrix));
     }
     const std::size_t count = inputs.topology->vertexCount();
-    out.world.resize(count);
     out.done = count;
+    if (inputs.placesAsGiven) {
+        const std::shared_ptr<const Mesh>& mesh = inputs.topology->meshes[0];
+        out.world.give(mesh, mesh->positions.in<Real>());
+    } else {
+        out.world.makeOwn(count);
+    }
     return out;
 }
 
 template <class Real>
 void transform(const TransformInputs& inputs, std::size_t object, std::size_t begin, std::size_t end,
                TransformOutput<Real>& out) {
+    if (out.world.areGiven()) return;
     const ObjectMatrix matrix = makeObjectMatrix(inputs.transforms[object]);
     const glm::mat<3, 3, Real> linear(matrix.linear);
     const Vec3<Real> translation(matrix.translation);
     const VertexVectors& positions = inputs.topology->meshes[object]->positions;
     const std::size_t first = inputs.topology->firstVertex[object];
 
-    for (std::size_t i = begin; i < end; ++i) out.world[first + i] = linear * Vec3<Real>(positions[i]) + translation;
+    const std::span<Vec3<Real>> world = out.world.own().subspan(first);
+    for (std::size_t i = begin; i < end; ++i) world[i] = linear * Vec3<Real>(positions[i]) + translation;
 }
 
 template <class Real>

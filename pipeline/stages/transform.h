@@ -7,6 +7,7 @@
 #include "pipeline/scene/topology.h"
 #include "pipeline/stages/depth.h"
 #include "pipeline/stages/snapped_vertices.h"
+#include "pipeline/stages/vertex_array.h"
 #include "pipeline/stages/view.h"
 
 namespace pipeline {
@@ -35,9 +36,11 @@ struct TransformInputs {
     DepthFormat depthFormat;
     std::vector<std::uint8_t> transparent{};  // per object, 1 where it is as if not there; empty when none is
     NormalMatrixForm normalMatrix = NormalMatrixForm::Cofactors;
+    bool placesAsGiven = false;  // places of the mesh, which are Real and of the only object, are those in world space
     bool operator==(const TransformInputs&) const = default;
 };
-TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology);
+// placesAsGiven: see there.
+TransformInputs transformInputs(const Scene& scene, std::shared_ptr<const Topology> topology, bool placesAsGiven);
 
 template <class Real>
 struct TransformOutput {
@@ -47,7 +50,7 @@ struct TransformOutput {
     std::vector<std::uint8_t> mirrored;     // per object
     std::vector<std::uint8_t> transparent;  // per object, 1 where it is as if not there; empty when none is
     std::vector<glm::dmat3> normalMatrix;   // per object, in the form that the inputs ask for
-    RawVector<Vec3<Real>> world;            // per vertex
+    VertexArray<Real> world;                // per vertex
     std::size_t done = 0;                   // of the vertices, from the first; all, but while stepping inside the stage
     SnappedVertices snapped{};              // in float, for pipeline/simd; else empty
 

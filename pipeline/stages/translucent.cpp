@@ -28,14 +28,16 @@ TransformOutput<Real> withoutTransparent(const TransformOutput<Real>& in) {
     std::vector<std::shared_ptr<const Mesh>> meshes = topology.meshes;
     TransformOutput<Real> out;
     out.mirrored = in.mirrored;  // the objects stay, without their meshes
-    for (std::size_t object = 0; object < meshes.size(); ++object) {
-        const auto first = in.world.begin() + topology.firstVertex[object];
-        if (in.transparent[object])
-            meshes[object] = nothing;
-        else
-            out.world.insert(out.world.end(), first, in.world.begin() + topology.firstVertex[object + 1]);
-    }
+    for (std::size_t object = 0; object < meshes.size(); ++object)
+        if (in.transparent[object]) meshes[object] = nothing;
     out.topology = std::make_shared<const Topology>(makeTopology(std::move(meshes)));
+    out.world.makeOwn(out.topology->vertexCount());
+    for (std::size_t object = 0; object < topology.meshes.size(); ++object) {
+        const std::size_t first = out.topology->firstVertex[object];
+        const std::size_t count = out.topology->firstVertex[object + 1] - first;
+        std::ranges::copy(in.world.all().subspan(topology.firstVertex[object], count),
+                          out.world.own().begin() + std::ptrdiff_t(first));
+    }
     return out;
 }
 

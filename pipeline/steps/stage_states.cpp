@@ -11,22 +11,24 @@ namespace {
 
 // 0 where nothing is yet.
 template <class Values>
-void fillFrom(std::size_t first, Values& values) {
+void fillFrom(std::size_t first, Values&& values) {
     if (first < values.size())
-        std::fill(values.begin() + std::ptrdiff_t(first), values.end(), typename Values::value_type(0));
+        std::fill(values.begin() + std::ptrdiff_t(first), values.end(),
+                  typename std::remove_cvref_t<Values>::value_type(0));
 }
 
 }  // namespace
 
 template <class Real>
 TransformOutput<Real> transformSoFar(const FrameData<Real>& data, std::size_t vertices) {
-    const TransformInputs& inputs = data.keys.transform;
+    TransformInputs inputs = data.keys.transform;
+    inputs.placesAsGiven = false;  // some are not there yet
     const std::vector<std::uint32_t>& first = inputs.topology->firstVertex;
     auto out = prepareTransform<Real>(inputs);
     out.done = vertices;
     for (std::size_t object = 0; object < inputs.transforms.size() && first[object] < vertices; ++object)
         transform(inputs, object, 0, std::min<std::size_t>(vertices, first[object + 1]) - first[object], out);
-    fillFrom(vertices, out.world);
+    fillFrom(vertices, out.world.own());
     return out;
 }
 
@@ -42,7 +44,8 @@ CullOutput cullSoFar(const FrameData<Real>& data, std::size_t polygons, Threads&
 template <class Real>
 NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygons, std::size_t vertices,
                                  Threads& threads) {
-    const NormalsInputs& inputs = data.keys.normals;
+    NormalsInputs inputs = data.keys.normals;
+    inputs.asGiven = false;  // some are not there yet
     const TransformOutput<Real>& in = *data.transform;
     const std::vector<std::uint32_t>& first = in.topology->firstVertex;
     NormalsOutput<Real> out = prepareNormals(inputs, in);
@@ -50,7 +53,7 @@ NormalsOutput<Real> normalsSoFar(const FrameData<Real>& data, std::size_t polygo
     fillFrom(polygons, out.polygon), fillFrom(polygons, out.weighted);
     for (std::size_t object = 0; object + 1 < first.size() && first[object] < vertices; ++object)
         findVertexNormals(inputs, in, object, threads, out);
-    fillFrom(vertices, out.vertex);
+    fillFrom(vertices, out.vertex.own());
     return out;
 }
 

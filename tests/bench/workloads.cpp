@@ -141,7 +141,6 @@ Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const Mesh> m
     for (const Vec3d& p : mesh->positions) radius = std::max(radius, glm::length(p - middle));
 
     Object object{workload.name, std::move(mesh), {}, {{0.8, 0.6, 0.4}, Vec3d(0.4), 32}};
-    if (moved) object.transform.translation.x = radius * 0x1p-40;
     scene.objects.push_back(object);
     scene.lights.push_back({LightKind::AtInfinity, Vec3d(1), 1, Vec3d(1), part == Part::PhongShadow});
     scene.ambient.intensity = 0.2;
@@ -151,8 +150,8 @@ Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const Mesh> m
     Camera& camera = scene.camera;
     camera.kind = CameraKind::LookAt;
     camera.fovY = kFieldOfView;
-    camera.eye = middle + distance * glm::normalize(Vec3d(0.4, 0.3, 1));
-    camera.target = middle;
+    camera.target = middle + Vec3d(moved ? radius * 0x1p-40 : 0, 0, 0);
+    camera.eye = camera.target + distance * glm::normalize(Vec3d(0.4, 0.3, 1));
     camera.up = {0, 1, 0};
     camera.near = distance - 1.05 * radius, camera.far = distance + 1.05 * radius;
 

@@ -36,8 +36,8 @@ const std::vector<Workload>& workloads();
 const Workload& workload(std::string_view name);  // one of them
 
 // Triangles with smooth normals, one light at infinity from (1, 1, 1), the camera 20 degrees beside the axis with the
-// bounding sphere filling the picture's height. `moved` gives another scene by a distance that no picture shows: with
-// it every stage depends on something that has changed.
+// bounding sphere filling the picture's height. `moved`: the camera stands elsewhere, by a distance
+// that no picture shows.
 pipeline::Scene sceneOf(const Workload& workload, Part part, std::shared_ptr<const pipeline::Mesh> mesh, bool moved,
                         pipeline::Arithmetic arithmetic);
 // A mesh of triangles, with a normal at every vertex and in float, as OpenGL gets them: neither side draws what the other

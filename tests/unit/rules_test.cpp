@@ -81,6 +81,7 @@ struct Case {
 const std::vector<Case>& cases() {
     using S = Scene;
     static const std::vector<Case> kCases{
+        {Rule::ModelTransform, roundBall, [](S& s) { s.objects[0].transform.translation.x = 1e-300; }},
         {Rule::Culling,
          [] {
              S s = boxScene();

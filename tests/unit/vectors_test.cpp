@@ -26,9 +26,13 @@ void expectTheSameBits(const Scene& scene) {
         scene, setOf({BufferId::Color, BufferId::Overdraw, BufferId::Barycentric, BufferId::PolygonsNormal}));
     const FrameData<float>& data = *dataOf<float>(*frame);
     const TransformOutput<float>& in = *data.transform;
-    TransformOutput<float> transformed = prepareTransform<float>(data.keys.transform);
+    // Whole, also where the runner makes no copies.
+    TransformInputs transformInputs = data.keys.transform;
+    NormalsInputs normalsInputs = data.keys.normals;
+    transformInputs.placesAsGiven = normalsInputs.asGiven = false;
+    TransformOutput<float> transformed = prepareTransform<float>(transformInputs);
     for (std::size_t object = 0; object < scene.objects.size(); ++object)
-        transform(data.keys.transform, object, 0, in.topology->meshes[object]->positions.size(), transformed);
+        transform(transformInputs, object, 0, in.topology->meshes[object]->positions.size(), transformed);
     EXPECT_EQ(transformed.world, in.world);
     if (data.cull) {
         CullOutput culled = prepareCull(in.topology->polygonCount());
@@ -37,11 +41,11 @@ void expectTheSameBits(const Scene& scene) {
         EXPECT_EQ(culled.isBack, data.cull->isBack);
         EXPECT_EQ(culled.inside, data.cull->inside);
     }
-    NormalsOutput<float> normals = prepareNormals(data.keys.normals, in);
-    polygonNormals(data.keys.normals, in, 0, normals.polygon.size(), normals);
-    for (std::size_t object = 0; object < scene.objects.size() && data.keys.normals.vertexNormals; ++object) {
-        sumAroundVertices(data.keys.normals, in, object, normals);
-        unitVertexNormals(data.keys.normals, in, object, 0, scene.objects[object].mesh->positions.size(), normals);
+    NormalsOutput<float> normals = prepareNormals(normalsInputs, in);
+    polygonNormals(normalsInputs, in, 0, normals.polygon.size(), normals);
+    for (std::size_t object = 0; object < scene.objects.size() && normalsInputs.vertexNormals; ++object) {
+        sumAroundVertices(normalsInputs, in, object, normals);
+        unitVertexNormals(normalsInputs, in, object, 0, scene.objects[object].mesh->positions.size(), normals);
         replaceVanishing(in, object, normals);
     }
     EXPECT_EQ(normals.polygon, data.normals->polygon);

@@ -101,6 +101,8 @@ TEST(VertexVectors, StagesGiveTheSameBitsFromFloatAndFromDouble) {
         return out;
     };
     mesh.positions = rounded(mesh.positions), mesh.normals = rounded(mesh.normals);
+    // Those of another length than 1 are brought to it.
+    for (std::size_t i = 0; i < mesh.normals.size(); i += 3) mesh.normals.set(i, 4.0 * mesh.normals[i]);
     const std::size_t count = mesh.positions.size();
     const auto leftBy = [&](std::size_t vertices) {
         scene.objects[0].mesh = makeMesh(mesh);
@@ -112,8 +114,10 @@ TEST(VertexVectors, StagesGiveTheSameBitsFromFloatAndFromDouble) {
         unitVertexNormals(data.keys.normals, *data.transform, 0, 0, vertices, normals);
         EXPECT_EQ(data.transform->world, own.world);
         EXPECT_EQ(data.normals->vertex, normals.vertex);
-        own.world.resize(count), normals.vertex.resize(count);
-        return std::pair(own.world, normals.vertex);
+        const auto first = [&](const VertexArray<float>& of) {
+            return std::vector(of.begin(), of.begin() + std::ptrdiff_t(count));
+        };
+        return std::pair(first(own.world), first(normals.vertex));
     };
     ASSERT_FALSE(mesh.positions.floats().empty() || mesh.normals.floats().empty());
     const auto fromFloat = leftBy(count);
