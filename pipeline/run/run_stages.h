@@ -151,8 +151,8 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
     const TransformOutput<Real>& in = *transform;
     std::span<const Verdict> verdicts;
     if (cull) verdicts = cull->verdicts;
-    std::span<const std::uint8_t> inside;
-    if (cull && !inputs.clipAll) inside = cull->inside;
+    std::span<const std::uint8_t> marks;
+    if (cull && !inputs.clipAll) marks = cull->marks;
     const std::vector<std::uint8_t> drawn =
         drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, cull.get());
     if constexpr (std::is_same_v<Real, float>) {
@@ -164,12 +164,13 @@ std::shared_ptr<const ZBufferOutput<Real>> runZBuffer(const ZBufferInputs& input
                 return *runZBuffer<float>(again, transform, cull, one)->triangle;
             };
             return runZBufferInVectors(
-                inputs, in, {*in.topology, in.view, in.world, in.snapped, verdicts, inside, drawn, inputs.clipAll},
+                inputs, in,
+                {*in.topology, in.view, in.world, &in.snapped, verdicts, marks, drawn, inputs.names, inputs.clipAll},
                 findTriangles, threads);
         }
     }
     auto out = std::make_shared<ZBufferOutput<Real>>(prepareZBuffer<Real>({{0, 0}, in.view.size}, in.depthFormat));
-    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.world, verdicts, inside, drawn);
+    const TriangleBins<Real> bins = binTriangles<Real>(*in.topology, in.view, in.world, verdicts, marks, drawn);
     out->clipped = bins.clipped, out->unclipped = bins.unclipped;
     for (const auto& bin : bins.bins) out->tileIsDrawn.push_back(!bin.empty());
     if (inputs.visibility == Visibility::Painter) {

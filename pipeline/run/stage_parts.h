@@ -96,13 +96,18 @@ inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, st
                            LightView<float>& light, std::size_t number, EmptyFace& empty, Threads& threads) {
     const View& face = light.faces[number];
     SnappedVertices snapped;
-    snapped.bits = face.subPixelBits;
-    snapped.of.resize(in.world.size());
-    threads.forRange(in.world.size(), kVertexGrain,
-                     [&](std::size_t begin, std::size_t end) { snapInVectors(face, in.world, begin, end, snapped); });
-    const SetUpInputs setUp{*in.topology, face, in.world, snapped, {}, {}, drawn, false, facingFilter(cull, in)};
+    SetUpInputs setUp{*in.topology, face, in.world, nullptr, {}, {}, drawn, false, false, facingFilter(cull, in)};
     TrianglePieces pieces = prepareSetUp(setUp);
+    if (!snapsSeldom(setUp, pieces)) {
+        snapped.bits = face.subPixelBits;
+        snapped.of.resize(in.world.size());
+        threads.forRange(in.world.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
+            snapInVectors(face, in.world, begin, end, snapped);
+        });
+        setUp.vertices = &snapped;
+    }
     setUpPieces(setUp, pieces, threads);
+    snapped = {}, setUp.vertices = nullptr;
     std::shared_ptr<BlockBuffer2D<float>> blocks;
     if (!std::ranges::all_of(pieces.pieces, [](const auto& piece) { return piece.runs.empty(); })) {
         blocks = std::make_shared<BlockBuffer2D<float>>(face.size);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/core/numerics.h"
+#include "pipeline/scene/closed_mesh.h"
 
 namespace pipeline {
 namespace {
@@ -230,48 +231,6 @@ Outline triangulate(const LocalPolygon& polygon, std::vector<Vec2<double>>& flat
     return outline;
 }
 
-// The ends of a mesh's directed edges, those that leave a vertex side by side and in order.
-class Edges {
-public:
-    explicit Edges(const Mesh& mesh) : m_first(mesh.positions.size() + 1, 0), m_ends(mesh.cornerCount()) {
-        forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t) { ++m_first[from]; });
-        std::size_t sum = 0;
-        for (std::uint32_t& first : m_first) first = static_cast<std::uint32_t>(sum += first);
-        forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) { m_ends[--m_first[from]] = to; });
-        for (std::size_t i = 0; i + 1 < m_first.size(); ++i)
-            std::sort(m_ends.begin() + m_first[i], m_ends.begin() + m_first[i + 1]);
-    }
-    // No two edges from and to the same vertices, none from a vertex to itself, and each there backwards as well.
-    bool areClosed() const {
-        for (std::uint32_t from = 0; from + 1 < m_first.size(); ++from) {
-            const std::span<const std::uint32_t> ends = endsOf(from);
-            if (std::ranges::adjacent_find(ends) != ends.end()) return false;
-            for (const std::uint32_t to : ends)
-                if (to == from || !std::ranges::binary_search(endsOf(to), from)) return false;
-        }
-        return true;
-    }
-
-private:
-    std::span<const std::uint32_t> endsOf(std::uint32_t vertex) const {
-        return {m_ends.begin() + m_first[vertex], m_ends.begin() + m_first[vertex + 1]};
-    }
-    template <class Visit>
-    static void forEachEdge(const Mesh& mesh, Visit visit) {
-        for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
-            const std::span<const std::uint32_t> corners = mesh.polygon(i);
-            std::uint32_t from = corners.back();
-            for (const std::uint32_t to : corners) {
-                visit(from, to);
-                from = to;
-            }
-        }
-    }
-    std::vector<std::uint32_t> m_first, m_ends;
-};
-
-bool isClosed(const Mesh& mesh) { return mesh.polygonCount() > 0 && Edges(mesh).areClosed(); }
-
 // No vertex in front of the polygon's plane by more than rounding explains.
 bool allBehind(const Mesh& mesh, std::size_t index, const LocalPolygon& polygon) {
     const Vec3d first = mesh.positions[mesh.polygon(index)[0]];
@@ -303,6 +262,20 @@ bool hasOwnNormals(const Mesh& mesh) {
                const double largest = largestComponent(n);
                return largest > 0x1p-100 && largest < 0x1p100 && std::isfinite(glm::dot(n, n));
            });
+}
+
+std::vector<VertexRange> vertexRangesOf(std::span<const Triangle> triangles) {
+    std::vector<VertexRange> ranges;
+    for (std::size_t first = 0; first < triangles.size(); first += Mesh::kRangeTriangles) {
+        std::uint32_t least = triangles[first].vertices[0], most = least;
+        for (const Triangle& triangle :
+             triangles.subspan(first, std::min(Mesh::kRangeTriangles, triangles.size() - first))) {
+            const auto& [a, b, c] = triangle.vertices;
+            least = std::min({least, a, b, c}), most = std::max({most, a, b, c});
+        }
+        ranges.push_back({least, most + 1});
+    }
+    return ranges;
 }
 
 double offUnitOf(const Mesh& mesh) {
@@ -380,6 +353,7 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
     for (const Vec3d& p : mesh.positions)
         mesh.facts.low = glm::min(mesh.facts.low, p), mesh.facts.high = glm::max(mesh.facts.high, p);
     mesh.facts.ownNormals = hasOwnNormals(mesh), mesh.facts.offUnit = offUnitOf(mesh);
+    mesh.vertexRanges = vertexRangesOf(mesh.triangles);
     mesh.facts.closed = isClosed(mesh);
     mesh.facts.convex = isConvex(mesh, polygon);
     return std::make_shared<const Mesh>(std::move(mesh));

@@ -23,6 +23,12 @@ struct Triangle {
     bool operator==(const Triangle&) const = default;
 };
 
+// Numbers of vertices: [first, last).
+struct VertexRange {
+    std::uint32_t first = 0, last = 0;
+    bool operator==(const VertexRange&) const = default;
+};
+
 // What makeMesh found out about a mesh. The plan leaves work out on the strength of it,
 // so each fact is true only where it is certain.
 struct MeshFacts {
@@ -54,6 +60,9 @@ struct Mesh {
     std::vector<std::uint32_t> firstTriangle;  // likewise
 
     MeshFacts facts;  // found by makeMesh
+    // Likewise: which vertices the corners of every kRangeTriangles triangles lie among.
+    static constexpr std::size_t kRangeTriangles = 1024;
+    std::vector<VertexRange> vertexRanges;
 
     bool hasTrianglesAlone() const { return firstCorner.empty(); }
     std::size_t polygonCount() const { return hasTrianglesAlone() ? triangles.size() : firstCorner.size() - 1; }

@@ -15,6 +15,22 @@ std::size_t polygonCount(const Scene& scene) {
     return count;
 }
 
+VertexRange Topology::verticesOf(std::size_t begin, std::size_t end) const {
+    VertexRange all{~std::uint32_t(0), 0};
+    // The last object that begins at `begin` or before, as of those without triangles there may be many.
+    auto object = std::size_t(std::ranges::upper_bound(firstTriangle, begin) - firstTriangle.begin()) - 1;
+    for (; object < meshes.size() && firstTriangle[object] < end; ++object) {
+        const std::vector<VertexRange>& ranges = meshes[object]->vertexRanges;
+        const std::size_t from = begin - std::min<std::size_t>(begin, firstTriangle[object]);
+        const std::size_t to = std::min<std::size_t>(end, firstTriangle[object + 1]) - firstTriangle[object];
+        for (std::size_t i = from / Mesh::kRangeTriangles; i * Mesh::kRangeTriangles < to; ++i) {
+            all.first = std::min(all.first, firstVertex[object] + ranges[i].first);
+            all.last = std::max(all.last, firstVertex[object] + ranges[i].last);
+        }
+    }
+    return all.last == 0 ? VertexRange{} : all;
+}
+
 std::vector<std::shared_ptr<const Mesh>> meshesOf(const Scene& scene) {
     std::vector<std::shared_ptr<const Mesh>> meshes;
     for (const Object& object : scene.objects) meshes.push_back(object.mesh);

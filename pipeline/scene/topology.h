@@ -18,6 +18,9 @@ struct Topology {
     std::vector<std::uint32_t> polygonObject;  // per polygon; empty where there is one object
     std::vector<Triangle> ownTriangles;        // what `triangles` shows where there are several; else empty
 
+    // Among which vertices the corners of triangles [begin, end) lie, and of some triangles beside them.
+    VertexRange verticesOf(std::size_t begin, std::size_t end) const;
+
     std::size_t vertexCount() const { return firstVertex.back(); }
     std::size_t polygonCount() const { return firstPolygon.back(); }
     std::size_t objectOfVertex(std::size_t vertex) const;

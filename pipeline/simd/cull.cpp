@@ -29,8 +29,9 @@ struct SnappedAreas {
         // Products of two sides stay below 2^30.
         const Ints limit = hn::Set(I(), 1 << 15), zero = hn::Zero(I());
         Ints x[3], y[3], beside = zero;
+        const SnappedVertex* const all = from.of.data();
         for (int i = 0; i < 3; ++i) {
-            const auto corner = loadFours(I(), [&](std::size_t l) { return &from.of[triangleAt(l).vertices[i]].x; });
+            const auto corner = loadFours(I(), [&](std::size_t l) { return &all[triangleAt(l).vertices[i]].x; });
             x[i] = corner.of[0], y[i] = corner.of[1], beside = hn::Or(beside, corner.of[3]);
         }
         const auto extent = [&](const Ints(&c)[3]) HWY_ATTR {
@@ -69,13 +70,14 @@ void cullTriangles(const CullInputs& inputs, const TransformOutput<float>& in, s
                 mirrored |= std::uint32_t(in.mirrored[in.topology->objectOfPolygon(base + l)] != 0) << l;
             front = hn::IfThenElse(hn::RebindMask(whole, maskOf(mirrored)), areas.area2, front);
         }
+        static_assert(CullMark::kBack == 1);
         const Ints isBack = hn::BitCast(whole, hn::ShiftRight<31>(hn::BitCast(U(), front)));
         const Ints found =
             hn::IfThenElse(hn::Eq(front, zero), degenerate, hn::IfThenElse(hn::Lt(front, zero), backIs, kept));
         const auto put = [&](Ints values, void* to) HWY_ATTR {
             hn::StoreU(hn::DemoteTo(bytes, values), bytes, static_cast<std::uint8_t*>(to));
         };
-        put(found, &out.verdicts[base]), put(isBack, &out.isBack[base]), put(hn::Set(whole, 1), &out.inside[base]);
+        put(found, &out.verdicts[base]), put(hn::Or(isBack, hn::Set(whole, CullMark::kInside)), &out.marks[base]);
         // The stage's own text writes over what is not plain.
         for (std::uint32_t rest = bitsOf(hn::Not(asFloats(areas.isPlain))); rest != 0; rest &= rest - 1) {
             const std::size_t p = base + std::size_t(std::countr_zero(rest));
@@ -118,7 +120,7 @@ void cullSums(const CullInputs& inputs, const TransformOutput<float>& in, std::s
                 continue;
             }
             if (in.mirrored[topology.objectOfPolygon(polygon)]) front = -front;
-            out.isBack[polygon] = front < 0, out.inside[polygon] = 1;
+            out.marks[polygon] = std::uint8_t(CullMark::kInside | (front < 0 ? CullMark::kBack : 0));
             out.verdicts[polygon] = !covers                                      ? Verdict::Degenerate
                                     : front < 0 && inputs.mode == CullMode::Back ? Verdict::BackFacing
                                                                                  : Verdict::Kept;

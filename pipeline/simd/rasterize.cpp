@@ -95,8 +95,7 @@ public:
                 const TriangleRun run = left.front();
                 left = left.subspan(1);
                 if (run.first & TriangleRun::kTiny)
-                    forEachFragment(piece.fragments, run,
-                                    [&](std::size_t at, float z, std::uint32_t id) { drawPixel(at, z, id); });
+                    drawFragments(piece.fragments, run);
                 else
                     forEachOther(piece, run, [&](const RasterTriangle<float>& t, std::uint32_t i) {
                         drawOther(t, TrianglePieces::nameOfOther(number, i));
@@ -107,6 +106,12 @@ public:
     }
 
 private:
+    HWY_INLINE void drawFragments(const Fragments& fragments, TriangleRun run) {
+        if constexpr (kNames)
+            forEachFragment(fragments, run, [&](std::size_t at, float z, std::uint32_t id) { drawPixel(at, z, id); });
+        else
+            forEachFragment(fragments, run, [&](std::size_t at, float z) { drawPixel(at, z, 0); });
+    }
     HWY_INLINE void drawPixel(std::size_t at, float z, std::uint32_t name) {
         float& stored = m_out.z[0].of[at];
         const bool won = z < stored;
@@ -221,7 +226,7 @@ private:
 // The weights of what is seen in a tile, as rows.
 void writeWeights(const SetUpInputs& inputs, const SeenBlocks& seen, std::size_t index, Buffer2D<Vec3<float>>& out) {
     const Tile tile = tileOf(seen.pieces.size, index);
-    const SeenIn in{inputs.view, inputs.topology, inputs.vertices, seen.pieces, tile, seen.z.tile(index)->of};
+    const SeenIn in{inputs.view, inputs.topology, *inputs.vertices, seen.pieces, tile, seen.z.tile(index)->of};
     SeenTriangle triangle;
     std::unique_ptr<SeenTriangle::Other> other;
     std::uint32_t name = kNoTriangle;
@@ -294,8 +299,7 @@ public:
             FetchedAhead ahead(piece, piece.list(index));
             for (const TriangleRun run : piece.list(index)) {
                 if (run.first & TriangleRun::kTiny)
-                    forEachFragment(piece.fragments, run,
-                                    [&](std::size_t at, float z, std::uint32_t) { drawTexel(at, z); });
+                    forEachFragment(piece.fragments, run, [&](std::size_t at, float z) { drawTexel(at, z); });
                 else if (run.first & TriangleRun::kOther)
                     forEachOther(piece, run, [&](const RasterTriangle<float>& t, std::uint32_t) {
                         facesViewer(t) ? drawOther(t) : otherRest.push_back(&t);

@@ -122,7 +122,7 @@ public:
         Wraps x[3], y[3];
         const int bits = in.vertices.bits;
         for (int corner = 0; corner < 3; ++corner) {
-            const SnappedVertex& v = in.vertices.of[in.topology.triangles[name].vertices[corner]];
+            const SnappedVertex& v = in.vertices.at(in.topology.triangles[name].vertices[corner]);
             x[corner] = Wraps(v.x), y[corner] = Wraps(v.y), m_w[corner] = in.view.perspective ? v.w : 1;
         }
         const auto area =

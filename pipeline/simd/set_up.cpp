@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "pipeline/simd/binner.h"
 #include "pipeline/simd/fetch_ahead.h"
 #include "pipeline/simd/targets.h"
 #undef HWY_TARGET_INCLUDE
@@ -15,6 +16,7 @@
 //
 #include "pipeline/simd/plane_equations.h"
 #include "pipeline/simd/tiny_triangles.h"
+#include "pipeline/simd/transform.h"
 
 #ifndef SHADESCOPE_SET_UP_BINNER
 #define SHADESCOPE_SET_UP_BINNER
@@ -30,71 +32,17 @@ std::int32_t largestBox(int bits) {
     return std::int32_t(std::min(exact - 1, 250.0 * double(1 << bits)));
 }
 
-// Takes up triangles in order, and sorts them by tile in the end.
-class Binner {
-public:
-    Binner(const TrianglePieces& all, TrianglePiece& out)
-        : m_all(all), m_out(out), m_runs{{0, kNoRun}}, m_last(all.tileCount(), 0) {}
-
-    void add(std::uint32_t index, glm::ivec2 low, glm::ivec2 high) {  // pixels [low, high) of the picture
-        const glm::uvec2 first = glm::uvec2(low) / kSide, last = glm::uvec2(high - 1) / kSide;
-        for (std::uint32_t y = first.y; y <= last.y; ++y)
-            for (std::uint32_t x = first.x; x <= last.x; ++x) addRun(y * std::uint32_t(m_all.tiles.x) + x, {index, 1});
-    }
-    void addRun(std::uint32_t tile, TriangleRun of) {
-        TriangleRun& last = m_runs[m_last[tile]].of;
-        if (last.first + last.count == of.first) {
-            last.count += of.count;
-            return;
-        }
-        m_last[tile] = std::uint32_t(m_runs.size());
-        m_runs.push_back({tile, of});
-    }
-    // [begin, end) of the fragments that stand side by side from `first` on. tile: of each of them.
-    void addFragments(std::size_t first, std::size_t begin, std::size_t end, const std::int32_t* tile,
-                      bool areInOneTile) {
-        while (begin < end) {
-            std::size_t next = areInOneTile ? end : begin + 1;
-            while (next < end && tile[next] == tile[begin]) ++next;
-            addRun(std::uint32_t(tile[begin]),
-                   {std::uint32_t(first + begin) | TriangleRun::kTiny, std::uint32_t(next - begin)});
-            begin = next;
-        }
-    }
-    void addOther(const RasterTriangle<float>& triangle) {
-        const Tile box = triangle.snapped.pixels();
-        const glm::ivec2 low = glm::max(box.min, glm::ivec2(0)), high = glm::min(box.max, m_all.size);
-        if (low.x >= high.x || low.y >= high.y) return;
-        add(std::uint32_t(m_out.others.size()) | TriangleRun::kOther, low, high);
-        m_out.others.push_back(triangle);
-    }
-    void finish() {
-        m_out.firstOfTile.assign(m_all.tileCount() + 1, 0);
-        const std::span<const Run> runs = std::span<const Run>(m_runs).subspan(1);
-        for (const Run& run : runs) ++m_out.firstOfTile[run.tile + 1];
-        for (std::size_t i = 1; i < m_out.firstOfTile.size(); ++i) m_out.firstOfTile[i] += m_out.firstOfTile[i - 1];
-        m_out.runs.resize(runs.size());
-        std::vector<std::uint32_t> next(m_out.firstOfTile.begin(), m_out.firstOfTile.end() - 1);
-        for (const Run& run : runs) m_out.runs[next[run.tile]++] = run.of;
-    }
-
-private:
-    static constexpr std::uint32_t kSide = kTileSize;
-    const TrianglePieces& m_all;
-    TrianglePiece& m_out;
-    struct Run {
-        std::uint32_t tile;
-        TriangleRun of;
-    };
-    static constexpr TriangleRun kNoRun{~std::uint32_t(0), 0};  // that nothing goes on from
-    std::vector<Run> m_runs;                                    // behind kNoRun
-    std::vector<std::uint32_t> m_last;                          // per tile: its run that grows
-};
+// Of so many triangles of a piece the vertices are snapped at once: with these they fit into the nearer caches.
+std::size_t snappedAtOnce(std::size_t triangles) {
+    constexpr std::size_t kLeast = 1 << 14;
+    const std::size_t parts = std::max<std::size_t>(1, triangles / kLeast);
+    return std::max<std::size_t>(16, (triangles / parts + 15) / 16 * 16);
+}
 
 // One that is not small, or has to be clipped.
-void setUpOther(const SetUpInputs& in, std::uint32_t id, Binner& binner) {
+void setUpOther(const SetUpInputs& in, const SnappedVertices& vertices, std::uint32_t id, Binner& binner) {
     const auto& v = in.topology.triangles[id].vertices;
-    const auto planesOf = [&](int corner) { return in.vertices.of[v[corner]].planes; };
+    const auto planesOf = [&](int corner) { return vertices.at(v[corner]).planes; };
     const auto inView = [&](int corner) { return toView(in.view, in.world[v[corner]]); };
     const bool whole = !in.clipAll && ((planesOf(0) | planesOf(1) | planesOf(2)) & SnappedVertex::kCut) == 0;
     std::vector<RasterTriangle<float>> parts;
@@ -152,12 +100,12 @@ struct SetUpBits {
 
 // The triangles in `live`, set up together where their boxes are below `limit`; of tiny ones the fragments are taken up.
 // firstId: the index of the first in Topology::triangles.
-HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangles, std::size_t firstId,
-                                 std::int32_t limit, std::uint32_t live, int tilesAcross, Fields& out,
-                                 Fragments& fragments) {
+HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const SnappedVertices& vertices, const Triangle* triangles,
+                                 std::size_t firstId, std::int32_t limit, std::uint32_t live, int tilesAcross,
+                                 Fields& out, Fragments& fragments) {
     const I whole;
     const Ints zero = hn::Zero(whole), one = hn::Set(whole, 1);
-    SnappedCorners corners(in.vertices, [&](std::size_t l, std::size_t i) { return triangles[l].vertices[i]; });
+    SnappedCorners corners(vertices, [&](std::size_t l, std::size_t i) { return triangles[l].vertices[i]; });
     const Ints(&x)[3] = corners.x, (&y)[3] = corners.y, (&p)[3] = corners.planes;
     const Ints beside = hn::Or(hn::Or(p[0], p[1]), p[2]), outside = hn::And(hn::And(p[0], p[1]), p[2]);
     const auto has = [&](Ints bits, std::uint32_t mask)
@@ -176,7 +124,7 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const Triangle* triangle
     if (found.drawn == 0) return found;
 
     // SnappedTriangle::pixels, and what of them is within the picture.
-    const int bits = in.vertices.bits;
+    const int bits = vertices.bits;
     const Ints half = hn::Set(whole, 1 << (bits - 1));
     const auto behind = [&](Ints steps)
                             HWY_ATTR { return hn::Add(hn::ShiftRightSame(hn::Sub(steps, half), bits), one); };
@@ -273,9 +221,19 @@ HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, const Triangle* triangles
     std::uint32_t live = (1u << count) - 1, whole = 0;
     if (!in.verdicts.empty()) live &= bitsWhere(in.verdicts.data(), Verdict::Kept, Verdict::Clipped);
     if (!in.drawn.empty()) live &= ~bitsWhere(in.drawn.data(), 0, 0);
-    if (!in.inside.empty()) whole = live & ~bitsWhere(in.inside.data(), 0, 0);
+    constexpr std::uint8_t kInside = CullMark::kInside;
+    if (!in.marks.empty()) whole = live & bitsWhere(in.marks.data(), kInside, kInside | CullMark::kBack);
     out.unclipped += std::popcount(live & whole), out.clipped += std::popcount(live & ~whole);
     return live;
+}
+
+// The vertices of triangles [begin, end), and those between them.
+HWY_NOINLINE void snapFor(std::size_t begin, std::size_t end, const SetUpInputs& in, SnappedVertices& out) {
+    const VertexRange range = in.topology.verticesOf(begin, end);
+    const std::size_t count = range.last - range.first;
+    out.first = range.first;
+    if (out.of.size() < count) out.of.resize(count);
+    snapInVectors(in.view, in.world.subspan(range.first), 0, count, out);
 }
 
 }  // namespace
@@ -287,20 +245,30 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
     Binner binner(all, out);
     // Of a closed object, half face away.
     out.small.reserve(in.verdicts.empty() && in.facing.cull == ShadowCull::None ? end - begin : (end - begin) / 2);
+    out.fragments.named = in.named;
     // As many fragments as triangles, but not more than most pieces have.
     out.fragments.makeRoomFor(std::min<std::size_t>(end - begin, 1 << 15));
-    const std::int32_t limit = in.clipAll ? 0 : largestBox(in.vertices.bits) + 1;
+    const std::int32_t limit = in.clipAll ? 0 : largestBox(in.view.subPixelBits) + 1;
     const bool alone = triangles.size() == in.topology.polygonCount();
     Fields fields{};
     Triangle rest[16]{};
+    // Of [base, snapped) the vertices are there.
+    SnappedVertices own;
+    own.bits = in.view.subPixelBits;
+    const SnappedVertices& vertices = in.vertices ? *in.vertices : own;
+    std::size_t snapped = in.vertices ? end : begin;
     for (std::size_t base = begin; base < end; base += lanes) {
+        if (base == snapped) {
+            snapped = std::min(end, base + snappedAtOnce(end - begin));
+            snapFor(base, snapped, in, own);
+        }
         const std::size_t count = std::min(lanes, end - base);
         const Triangle* from = &triangles[base];
         fetchAhead(from, lanes);
         const std::uint32_t live = liveOf(in, from, count, alone, out);
         if (live == 0) continue;
         if (count < lanes) std::copy_n(from, count, rest), from = rest;
-        const SetUpBits bits = setUpVector(in, from, base, limit, live, all.tiles.x, fields, out.fragments);
+        const SetUpBits bits = setUpVector(in, vertices, from, base, limit, live, all.tiles.x, fields, out.fragments);
         out.tiny += std::size_t(std::popcount(bits.tiny));
         const TinyFragments& tiny = fields.fragments;
         // In the order of their polygons.
@@ -313,7 +281,7 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
             const auto l = std::size_t(std::countr_zero(left));
             if (bits.tiny != 0) addFragments(tiny.countBefore(l));
             if (bits.others >> l & 1) {
-                setUpOther(in, std::uint32_t(base + l), binner);
+                setUpOther(in, vertices, std::uint32_t(base + l), binner);
             } else {
                 const auto index = std::uint32_t(out.small.size());
                 if (fields.inOneTile >> l & 1)
@@ -328,7 +296,7 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
     binner.finish();
     // Most of a fine mesh is tiny, and most of a coarse one is not: room that turned out not to be needed is given back.
     if (out.small.size() < out.small.capacity() / 2) out.small.shrink_to_fit();
-    if (out.fragments.count < out.fragments.id.size() / 2) out.fragments.giveBackRoom();
+    if (out.fragments.count < out.fragments.z.size() / 2) out.fragments.giveBackRoom();
 }
 
 }  // namespace pipeline::HWY_NAMESPACE
@@ -358,6 +326,19 @@ void TrianglePieces::forgetDrawn() {
 std::size_t trianglesOfPiece(const SetUpInputs& inputs, const TrianglePieces& pieces) {
     const std::size_t each = (inputs.topology.triangles.size() + pieces.pieces.size() - 1) / pieces.pieces.size();
     return (each + 15) / 16 * 16;
+}
+
+bool snapsSeldom(const SetUpInputs& inputs, const TrianglePieces& pieces) {
+    const std::size_t count = inputs.topology.triangles.size(), each = trianglesOfPiece(inputs, pieces);
+    std::size_t vertices = 0;
+    for (std::size_t piece = 0; piece < count; piece += each)
+        for (std::size_t end, i = piece; i < std::min(count, piece + each); i = end) {
+            end = std::min({count, piece + each, i + snappedAtOnce(std::min(count - piece, each))});
+            const VertexRange range = inputs.topology.verticesOf(i, end);
+            vertices += range.last - range.first;
+        }
+    // Once more each, for the piece in which a closed row of rows ends where it began.
+    return vertices <= 2 * inputs.world.size() + inputs.world.size() / 4;
 }
 
 TrianglePieces prepareSetUp(const SetUpInputs& inputs) {

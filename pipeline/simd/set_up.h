@@ -34,18 +34,21 @@ static_assert(sizeof(SmallTriangle) == 64);
 // The pixels' centres that tiny triangles cover: those whose boxes are at most a block in size, of which most cover none.
 // Found while their corners are at hand, in the order of the polygons.
 struct Fragments {
-    RawVector<std::uint32_t> id;  // index into Topology::triangles
+    RawVector<std::uint32_t> id;  // index into Topology::triangles; empty where nobody asks
     RawVector<float> z;           // z_view
     RawVector<std::uint16_t> at;  // the pixel's place in the blocks of its tile
     std::size_t count = 0;        // of those that are written; there may be room for more
+    bool named = true;            // whether somebody asks for id
 
     void makeRoomFor(std::size_t more) {
-        if (count + more <= id.size()) return;
-        const std::size_t size = std::max(count + more, 2 * id.size());
-        id.resize(size), z.resize(size), at.resize(size);
+        if (count + more <= z.size()) return;
+        const std::size_t size = std::max(count + more, 2 * z.size());
+        if (named) id.resize(size);
+        z.resize(size), at.resize(size);
     }
     void giveBackRoom() {
-        id.resize(count), z.resize(count), at.resize(count);
+        if (named) id.resize(count);
+        z.resize(count), at.resize(count);
         id.shrink_to_fit(), z.shrink_to_fit(), at.shrink_to_fit();
     }
 };
@@ -102,15 +105,19 @@ struct TrianglePieces {
 struct SetUpInputs {
     const Topology& topology;
     const View& view;
-    std::span<const Vec3<float>> world;  // per vertex
-    const SnappedVertices& vertices;
-    std::span<const Verdict> verdicts{};     // per polygon; empty: all go on
-    std::span<const std::uint8_t> inside{};  // per polygon, for the counts alone
-    std::span<const std::uint8_t> drawn{};   // per polygon, whether this pass draws it; empty: all
-    bool clipAll = false;                    // also those that need no clipping go through the clipper
+    std::span<const Vec3<float>> world;     // per vertex
+    const SnappedVertices* vertices;        // null: snapped as triangles are set up
+    std::span<const Verdict> verdicts{};    // per polygon; empty: all go on
+    std::span<const std::uint8_t> marks{};  // per polygon, CullOutput's, for the counts alone
+    std::span<const std::uint8_t> drawn{};  // per polygon, whether this pass draws it; empty: all
+    bool named = true;                      // whether somebody asks which triangle a fragment is of
+    bool clipAll = false;                   // also those that need no clipping go through the clipper
     FacingFilter facing{};
 };
 
+// Whether vertices are hardly ever snapped more than twice where each piece's are as it is set up: where a mesh's neighbours
+// stand side by side. Their room stays in the caches, and no list of all of them is needed.
+bool snapsSeldom(const SetUpInputs& inputs, const TrianglePieces& pieces);
 TrianglePieces prepareSetUp(const SetUpInputs& inputs);
 std::size_t trianglesOfPiece(const SetUpInputs& inputs, const TrianglePieces& pieces);
 void setUpPiece(const SetUpInputs& inputs, std::size_t piece, TrianglePieces& out);

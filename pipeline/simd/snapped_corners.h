@@ -28,8 +28,9 @@ struct SnappedCorners {
     // vertexOf(l, i): corner i of the triangle in lane l.
     template <class VertexOf>
     HWY_INLINE SnappedCorners(const SnappedVertices& from, VertexOf vertexOf) {
+        const SnappedVertex* const all = from.of.data() - std::ptrdiff_t(from.first);  // where the first would stand
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto corner = loadFours(I(), [&](std::size_t l) { return &from.of[vertexOf(l, i)].x; });
+            const auto corner = loadFours(I(), [&](std::size_t l) { return &all[vertexOf(l, i)].x; });
             x[i] = corner.of[0], y[i] = corner.of[1], w[i] = hn::BitCast(F(), corner.of[2]), planes[i] = corner.of[3];
         }
     }

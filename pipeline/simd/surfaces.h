@@ -276,7 +276,7 @@ private:
             const Triangle* const t = triangleAt(at + kVertices + l);
             for (int corner = 0; t && corner < 3; corner += 2) {  // two: the third is mostly beside one of them
                 const std::uint32_t vertex = t->vertices[corner];
-                hwy::Prefetch(&m_in.transform.snapped.of[vertex]);
+                hwy::Prefetch(&m_in.transform.snapped.at(vertex));
                 if (m_perPixel) hwy::Prefetch(&m_in.normals.vertex[vertex]);
                 if (m_positioned) hwy::Prefetch(&m_in.transform.world[vertex]);
             }

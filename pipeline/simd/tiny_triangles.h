@@ -153,8 +153,9 @@ private:
         Distances distances = t.distances;
         for (Floats* of : {&distances.w0, &distances.toW1, &distances.toW2}) *of = pickFloats(*of);
         hn::StoreU(zOf<kPerspective>(distances.w(share(t.edge1), share(t.edge2))), F(), &out.z[at]);
-        hn::StoreU(hn::Add(lane, hn::Set(whole, std::int32_t(t.id))), whole,
-                   reinterpret_cast<std::int32_t*>(&out.id[at]));
+        if (out.named)
+            hn::StoreU(hn::Add(lane, hn::Set(whole, std::int32_t(t.id))), whole,
+                       reinterpret_cast<std::int32_t*>(&out.id[at]));
         const Ints x = hn::Add(pickInts(t.x), column), y = hn::Add(pickInts(t.y), row),
                    inTile = hn::Set(whole, kTileSize - 1);
         const Ints place = hn::Add(placeOfColumn(hn::And(x, inTile)), placeOfRow(hn::And(y, inTile)));

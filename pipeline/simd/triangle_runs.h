@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "pipeline/simd/set_up.h"
 
@@ -48,11 +49,16 @@ template <class Visit>
 HWY_INLINE void forEachSmall(const TrianglePiece& piece, TriangleRun run, FetchedAhead& ahead, Visit visit) {
     for (std::uint32_t i = 0; i < run.count; ++i) ahead.fetch(), visit(piece.small[run.first + i]);
 }
-// Calls visit(at, z, id) for those of a run of fragments.
+// Calls visit(at, z, id), or visit(at, z), for those of a run of fragments.
 template <class Visit>
 HWY_INLINE void forEachFragment(const Fragments& all, TriangleRun run, Visit visit) {
     const std::size_t first = run.first & ~TriangleRun::kTiny;
-    for (std::size_t i = first; i < first + run.count; ++i) visit(std::size_t(all.at[i]), all.z[i], all.id[i]);
+    for (std::size_t i = first; i < first + run.count; ++i) {
+        if constexpr (std::is_invocable_v<Visit, std::size_t, float>)
+            visit(std::size_t(all.at[i]), all.z[i]);
+        else
+            visit(std::size_t(all.at[i]), all.z[i], all.id[i]);
+    }
 }
 // Calls visit(triangle, index) for those of a run of others.
 template <class Visit>

@@ -6,7 +6,7 @@ namespace pipeline {
 
 template <class Real>
 TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
-                                std::span<const Verdict> verdicts, std::span<const std::uint8_t> inside,
+                                std::span<const Verdict> verdicts, std::span<const std::uint8_t> marks,
                                 std::span<const std::uint8_t> drawn, const FacingFilter& facing) {
     TriangleBins<Real> out;
     out.size = view.size;
@@ -28,7 +28,7 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
         if (!verdicts.empty() && !goesOn(verdicts[triangle.polygon])) continue;
         if (!drawn.empty() && !drawn[triangle.polygon]) continue;
         const auto& v = triangle.vertices;
-        const bool whole = !inside.empty() && inside[triangle.polygon] != 0;
+        const bool whole = !marks.empty() && (marks[triangle.polygon] & CullMark::kInside) != 0;
         ++(whole ? out.unclipped : out.clipped);
         parts.clear();
         const std::int64_t area2 = setUpTriangle<Real>(

@@ -36,11 +36,11 @@ struct FacingFilter {
 };
 
 // world: per vertex. verdicts: per polygon, or empty when all go on.
-// inside: per polygon, whether it is known to need no clipping; empty when all are sent through it.
+// marks: per polygon, CullOutput's: those inside need no clipping; empty when all are sent through it.
 // drawn: per polygon, whether this pass draws it; empty when it draws all.
 template <class Real>
 TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std::span<const Vec3<Real>> world,
-                                std::span<const Verdict> verdicts, std::span<const std::uint8_t> inside = {},
+                                std::span<const Verdict> verdicts, std::span<const std::uint8_t> marks = {},
                                 std::span<const std::uint8_t> drawn = {}, const FacingFilter& facing = {});
 
 }  // namespace pipeline

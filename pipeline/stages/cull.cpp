@@ -29,7 +29,7 @@ std::string_view name(Verdict verdict) {
 char letter(Verdict verdict) { return "KBDOOOOOOCT-"[std::size_t(verdict)]; }
 
 CullOutput prepareCull(std::size_t polygons) {
-    return {RawVector<Verdict>(polygons), RawVector<std::uint8_t>(polygons), RawVector<std::uint8_t>(polygons)};
+    return {RawVector<Verdict>(polygons), RawVector<std::uint8_t>(polygons)};
 }
 
 namespace {
@@ -85,16 +85,17 @@ void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t
     for (std::size_t polygon = begin; polygon < end; ++polygon) {
         const std::uint32_t object = in.topology->objectOfPolygon(polygon);
         if (!in.transparent.empty() && in.transparent[object]) {
-            out.verdicts[polygon] = Verdict::Transparent, out.isBack[polygon] = out.inside[polygon] = 0;
+            out.verdicts[polygon] = Verdict::Transparent, out.marks[polygon] = 0;
             continue;
         }
         Crossed crossed;
         Verdict verdict = outside(in, in.topology->corners(polygon), crossed);
-        out.inside[polygon] = verdict == Verdict::Kept && !crossed.any;
-        bool isBack = false;
+        std::uint8_t marks = 0;
+        if (verdict == Verdict::Kept && !crossed.any) marks |= CullMark::kInside;
         if (verdict == Verdict::Kept) {
             const ScreenArea screen = screenArea(in, polygon, !crossed.any);
-            isBack = screen.signedArea < 0;
+            const bool isBack = screen.signedArea < 0;
+            if (isBack) marks |= CullMark::kBack;
             if (!screen.covers)
                 verdict = Verdict::Degenerate;
             else if (isBack && inputs.mode == CullMode::Back)
@@ -103,7 +104,7 @@ void cull(const CullInputs& inputs, const TransformOutput<Real>& in, std::size_t
                 verdict = Verdict::Clipped;
         }
         out.verdicts[polygon] = verdict;
-        out.isBack[polygon] = isBack;
+        out.marks[polygon] = marks;
     }
 }
 
@@ -111,7 +112,7 @@ template <class Real>
 std::optional<double> signedArea(const TransformOutput<Real>& in, const CullOutput& cull, std::size_t polygon) {
     const Verdict verdict = cull.verdicts[polygon];
     if (!goesOn(verdict) && verdict != Verdict::BackFacing && verdict != Verdict::Degenerate) return {};
-    return screenArea(in, polygon, cull.inside[polygon] != 0).signedArea;
+    return screenArea(in, polygon, cull.isInside(polygon)).signedArea;
 }
 
 template <class Real>

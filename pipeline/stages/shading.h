@@ -136,7 +136,7 @@ struct ShadingSources {
 // Whether a polygon is lit from behind: two-sided lighting turns its normal round.
 template <class Real>
 bool showsBack(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t polygon) {
-    return inputs.illumination.twoSided && in.cull && in.cull->isBack[polygon] != 0;
+    return inputs.illumination.twoSided && in.cull && in.cull->isBack(polygon);
 }
 inline const Material& materialOf(const ShadingInputs& inputs, std::size_t object, bool back) {
     return back ? inputs.backMaterials[object] : inputs.materials[object];

@@ -23,7 +23,10 @@ static_assert(sizeof(SnappedVertex) == 16);
 
 struct SnappedVertices {
     int bits = 8;                                             // the grid's steps are 2^-bits pixels
-    std::vector<SnappedVertex, LeavesRaw<SnappedVertex>> of;  // one a vertex
+    std::size_t first = 0;                                    // of the vertices that are there
+    std::vector<SnappedVertex, LeavesRaw<SnappedVertex>> of;  // one each, from there on
+
+    const SnappedVertex& at(std::size_t vertex) const { return of[vertex - first]; }
 };
 
 }  // namespace pipeline

@@ -14,7 +14,7 @@ std::vector<std::uint8_t> drawnIn(Pass pass, const Topology& topology, std::span
     for (std::size_t polygon = 0; polygon < drawn.size(); ++polygon) {
         const std::uint32_t object = topology.objectOfPolygon(polygon);
         if (!transparent.empty() && transparent[object]) continue;
-        const bool back = cull && cull->isBack[polygon] != 0;
+        const bool back = cull && cull->isBack(polygon);
         const bool translucent = !sides.empty() && (back ? sides[object].back : sides[object].front);
         drawn[polygon] = translucent == (pass == Pass::Translucent);
     }

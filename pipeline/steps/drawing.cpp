@@ -95,10 +95,10 @@ Drawing<Real> takeApart(const FrameData<Real>& data) {
             [&](std::uint32_t i) { return in.topology->triangles[out.outlines.edges[i].id].polygon; }, out);
         return out;
     }
-    std::span<const std::uint8_t> inside;
-    if (data.cull && !inputs.clipAll) inside = data.cull->inside;
+    std::span<const std::uint8_t> marks;
+    if (data.cull && !inputs.clipAll) marks = data.cull->marks;
     out.bins =
-        binTriangles<Real>(*in.topology, in.view, in.world, data.verdicts(), inside,
+        binTriangles<Real>(*in.topology, in.view, in.world, data.verdicts(), marks,
                            drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, data.cull.get()));
     const auto polygonOf = [&](std::uint32_t triangle) {
         return in.topology->triangles[out.bins.triangles[triangle].id].polygon;

@@ -37,7 +37,7 @@ CullOutput cullSoFar(const FrameData<Real>& data, std::size_t polygons, Threads&
     CullOutput out = prepareCull(data.transform->topology->polygonCount());
     cullPolygons(data.keys.cull, *data.transform, polygons, threads, out);
     std::fill(out.verdicts.begin() + std::ptrdiff_t(polygons), out.verdicts.end(), Verdict::NotYet);
-    fillFrom(polygons, out.isBack), fillFrom(polygons, out.inside);
+    fillFrom(polygons, out.marks);
     return out;
 }
 

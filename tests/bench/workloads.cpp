@@ -53,8 +53,14 @@ Goal goalOf(const Workload& workload, Part part, int threads) {
 namespace {
 
 // Rings of twice as many segments as there are rings; triangles, also at the poles.
+int ringsOf(int triangles) { return std::max(2, int(std::lround(std::sqrt(triangles / 4.0)))); }
+void reserveSpheres(Mesh& mesh, int triangles, std::size_t spheres) {
+    const auto rings = std::size_t(ringsOf(triangles)), vertices = spheres * (2 + (rings - 1) * 2 * rings);
+    const std::size_t polygons = spheres * (rings - 1) * 4 * rings;
+    mesh.positions.reserve(vertices), mesh.normals.reserve(vertices), mesh.reservePolygons(polygons, 3 * polygons);
+}
 void addSphere(Mesh& mesh, int triangles, Vec3d centre, double radius) {
-    const int rings = std::max(2, int(std::lround(std::sqrt(triangles / 4.0)))), segments = 2 * rings;
+    const int rings = ringsOf(triangles), segments = 2 * rings;
     const auto first = std::uint32_t(mesh.positions.size());
     const auto place = [&](int ring, int segment) {
         const double down = std::numbers::pi * ring / rings, around = 2 * std::numbers::pi * segment / segments;
@@ -125,6 +131,7 @@ Result<std::shared_ptr<const Mesh>> meshOf(const Workload& workload) {
     if (!workload.file.empty()) return meshOf(workload.file);
     Mesh mesh;
     const int n = workload.spheres, each = workload.triangles / (n * n * n);
+    reserveSpheres(mesh, each, std::size_t(n) * std::size_t(n) * std::size_t(n));
     for (int i = 0; i < n * n * n; ++i) {
         const Vec3d at = Vec3d(i % n, i / n % n, i / n / n) - (n - 1) / 2.0;
         addSphere(mesh, each, at, n > 1 ? 0.45 : 1);

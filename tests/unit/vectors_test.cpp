@@ -38,8 +38,7 @@ void expectTheSameBits(const Scene& scene) {
         CullOutput culled = prepareCull(in.topology->polygonCount());
         cull(data.keys.cull, in, 0, in.topology->polygonCount(), culled);
         EXPECT_EQ(culled.verdicts, data.cull->verdicts);
-        EXPECT_EQ(culled.isBack, data.cull->isBack);
-        EXPECT_EQ(culled.inside, data.cull->inside);
+        EXPECT_EQ(culled.marks, data.cull->marks);
     }
     NormalsOutput<float> normals = prepareNormals(normalsInputs, in);
     polygonNormals(normalsInputs, in, 0, normals.polygon.size(), normals);

@@ -1,0 +1,78 @@
+#include "pipeline/scene/closed_mesh.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pipeline {
+namespace {
+
+template <class Visit>
+void forEachEdge(const Mesh& mesh, Visit visit) {
+    for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
+        const std::span<const std::uint32_t> corners = mesh.polygon(i);
+        std::uint32_t from = corners.back();
+        for (const std::uint32_t to : corners) {
+            visit(from, to);
+            from = to;
+        }
+    }
+}
+
+// The other ends of the edges that leave, or that reach, the vertices in a range: those of a vertex side by side.
+class EdgeEnds {
+public:
+    explicit EdgeEnds(std::size_t vertices) : m_first(vertices + 1) {}
+    // forEach(visit): calls visit(vertex of the range, other end) for all of them.
+    template <class ForEach>
+    void find(ForEach forEach) {
+        std::ranges::fill(m_first, 0);
+        forEach([&](std::uint32_t vertex, std::uint32_t) { ++m_first[vertex]; });
+        std::uint32_t sum = 0;
+        for (std::uint32_t& first : m_first) first = sum += first;
+        m_ends.resize(sum);
+        forEach([&](std::uint32_t vertex, std::uint32_t end) { m_ends[--m_first[vertex]] = end; });
+    }
+    // In order.
+    std::span<const std::uint32_t> of(std::size_t vertex) {
+        const std::span<std::uint32_t> ends(m_ends.begin() + m_first[vertex], m_ends.begin() + m_first[vertex + 1]);
+        std::ranges::sort(ends);
+        return ends;
+    }
+
+private:
+    std::vector<std::uint32_t> m_first, m_ends;
+};
+
+}  // namespace
+
+bool isClosed(const Mesh& mesh) {
+    if (mesh.polygonCount() == 0) return false;
+    constexpr std::size_t kAtOnce = 1 << 20;
+    const std::size_t vertices = mesh.positions.size();
+    EdgeEnds leaving(std::min(kAtOnce, vertices)), arriving(std::min(kAtOnce, vertices));
+    for (std::size_t first = 0; first < vertices; first += kAtOnce) {
+        const std::size_t count = std::min(kAtOnce, vertices - first);
+        const auto inRange = [&](std::uint32_t vertex) { return vertex - first < count; };  // below it wraps round
+        leaving.find([&](auto visit) {
+            forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) {
+                if (inRange(from)) visit(std::uint32_t(from - first), to);
+            });
+        });
+        arriving.find([&](auto visit) {
+            forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) {
+                if (inRange(to)) visit(std::uint32_t(to - first), from);
+            });
+        });
+        for (std::size_t vertex = 0; vertex < count; ++vertex) {
+            const std::span<const std::uint32_t> to = leaving.of(vertex), from = arriving.of(vertex);
+            if (!std::ranges::equal(to, from)) return false;
+            if (std::ranges::adjacent_find(to) != to.end()) return false;
+            if (std::ranges::binary_search(to, std::uint32_t(first + vertex))) return false;  // an edge to itself
+        }
+    }
+    return true;
+}
+
+}  // namespace pipeline
