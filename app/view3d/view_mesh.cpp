@@ -79,8 +79,10 @@ void addPolygons(const Frame& frame, const ViewMesh* before, const std::stop_tok
     }
     if (stop.stop_requested()) return;
     mesh.faces.reserve(topology.triangles.size());
-    for (const pipeline::Triangle& t : topology.triangles)
-        mesh.faces.push_back({{t.vertices[0], t.vertices[1], t.vertices[2]}, {}, std::int32_t(t.polygon)});
+    for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+        const auto& v = topology.triangles[t].vertices;
+        mesh.faces.push_back({{v[0], v[1], v[2]}, {}, std::int32_t(topology.polygonOf(t))});
+    }
     const bool isSame = before && before->topology == mesh.topology && before->positions == mesh.positions;
     if (isSame && before->tree) {
         mesh.tree = before->tree, mesh.coarse = before->coarse;

@@ -21,14 +21,14 @@ std::optional<EdgeView> viewAt(const FrameData<Real>& data, glm::ivec2 pixel) {
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= in.view.size.x || pixel.y >= in.view.size.y) return {};
     const std::uint32_t id = data.zBuffer->triangle->at(pixel);
     if (id == kNoTriangle) return {};
-    const Triangle& triangle = in.topology->triangles[id];
-    const auto& v = triangle.vertices;
+    const auto& v = in.topology->triangles[id].vertices;
     std::optional<EdgeView> found;
-    setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, id,
-                        [&](const RasterTriangle<Real>& piece) {
-                            const EdgeView view{triangle.polygon, piece.snapped.corners, piece.snapped.area2()};
-                            if (!found || edgesAt(view, pixel).covered()) found = view;
-                        });
+    setUpTriangle<Real>(
+        in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, id,
+        [&](const RasterTriangle<Real>& piece) {
+            const EdgeView view{in.topology->polygonOf(id), piece.snapped.corners, piece.snapped.area2()};
+            if (!found || edgesAt(view, pixel).covered()) found = view;
+        });
     return found;
 }
 

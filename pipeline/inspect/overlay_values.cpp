@@ -15,13 +15,13 @@ std::vector<double> areasOf(const FrameData<Real>& data) {
     const TransformOutput<Real>& in = *data.transform;
     std::vector<double> areas;
     for (std::size_t t = 0; t < in.topology->triangles.size(); ++t) {
-        const Triangle& triangle = in.topology->triangles[t];
-        if (areas.size() <= triangle.polygon) areas.resize(triangle.polygon + 1);
-        const auto& v = triangle.vertices;
+        const std::size_t polygon = in.topology->polygonOf(t);
+        if (areas.size() <= polygon) areas.resize(polygon + 1);
+        const auto& v = in.topology->triangles[t].vertices;
         setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, std::uint32_t(t),
                             [&](const RasterTriangle<Real>& piece) {
                                 constexpr double kUnits = 2.0 * double(kSubPixels) * double(kSubPixels);
-                                areas[triangle.polygon] += double(piece.snapped.area2()) / kUnits;
+                                areas[polygon] += double(piece.snapped.area2()) / kUnits;
                             });
     }
     return areas;

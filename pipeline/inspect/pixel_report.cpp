@@ -143,17 +143,17 @@ void reportWeights(const VertexWeights<Real>& weights, Interpolation asked, Pixe
 template <class Real>
 void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Real> b, PixelReport& report) {
     const TransformOutput<Real>& in = *data.transform;
-    const Triangle& triangle = in.topology->triangles[triangleId];
     const ShadingInputs inputs = withAllVectors(data.keys.shading);
     const ShadingSources<Real> sources = data.shadingSources();
-    const bool back = showsBack(inputs, sources, triangle.polygon);
-    const Material& material = materialOf(inputs, in.topology->objectOfPolygon(triangle.polygon), back);
+    const std::uint32_t shown = in.topology->polygonOf(triangleId);
+    const bool back = showsBack(inputs, sources, shown);
+    const Material& material = materialOf(inputs, in.topology->objectOfPolygon(shown), back);
     RowCrossings row;
     const VertexWeights<Real> weights = vertexWeights(inputs.interpolation, in, triangleId, b, report.pixel, row);
     if (inputs.shading != Shading::Flat) reportWeights(weights, inputs.interpolation, report);
     switch (inputs.shading) {
         case Shading::Flat: {
-            const Surface<Real> at = polygonSurface(inputs, sources, triangle.polygon);
+            const Surface<Real> at = polygonSurface(inputs, sources, shown);
             const char* where =
                 inputs.illumination.model == Model::OpenGl ? "at the first vertex " : "at the mean of the vertices ";
             report.evaluations.push_back(
@@ -227,7 +227,7 @@ void reportFragments(const FrameData<Real>& data, const std::stop_token& stop, P
     const bool reversed = isReversed(data.transform->depthFormat);
     for (std::size_t i = 0; i < record.size(); ++i) {
         const FragmentRecord& f = record[i];
-        const int polygon = int(data.transform->topology->triangles[f.triangle].polygon);
+        const int polygon = int(data.transform->topology->polygonOf(f.triangle));
         if (i >= arrived) {
             report.fragments.push_back({polygon, f.depth, f.stored, FragmentVerdict::NotYet, {}});
             continue;
@@ -282,7 +282,7 @@ void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size
     if (triangle != kNoTriangle)
         opaque = intensityOf(triangle, barycentricAt(*data.transform, *data.zBuffer, report.pixel));
     for (const Layer<Real>& layer : replayLayers(data, report.pixel)) {
-        const std::uint32_t polygon = topology.triangles[layer.triangle].polygon;
+        const std::uint32_t polygon = topology.polygonOf(layer.triangle);
         const Real a =
             Real(opacity(materialOf(inputs, topology.objectOfPolygon(polygon), showsBack(inputs, sources, polygon))));
         const Vec3<Real> intensity = intensityOf(layer.triangle, layer.barycentric);
@@ -313,7 +313,7 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, PixelReport&
     const Topology& topology = *data.transform->topology;
     const Vec3<Real> b = barycentricAt(*data.transform, *data.zBuffer, report.pixel);
     report.covered = true;
-    report.polygon = int(topology.triangles[triangle].polygon);
+    report.polygon = int(topology.polygonOf(triangle));
     report.object = int(topology.objectOfPolygon(std::size_t(report.polygon)));
     for (std::size_t i = 0; i < 3; ++i) report.vertices[i] = int(topology.triangles[triangle].vertices[i]);
     report.barycentric = Vec3d(b);

@@ -36,9 +36,8 @@ TriangleBins<Real> piecesAt(const FrameData<Real>& data, Tile tile, const std::s
     const TransformOutput<Real>& in = *data.transform;
     TriangleBins<Real> pieces;
     for (std::size_t t = 0; t < in.topology->triangles.size() && !stop.stop_requested(); ++t) {
-        const Triangle& triangle = in.topology->triangles[t];
-        const auto& v = triangle.vertices;
-        if (!mayCover(in, v, tile) || !keep(triangle.polygon)) continue;
+        const auto& v = in.topology->triangles[t].vertices;
+        if (!mayCover(in, v, tile) || !keep(in.topology->polygonOf(t))) continue;
         setUpTriangle<Real>(in.view, {in.viewSpace(v[0]), in.viewSpace(v[1]), in.viewSpace(v[2])}, std::uint32_t(t),
                             [&](const RasterTriangle<Real>& piece) {
                                 bool covers = false;
@@ -124,9 +123,7 @@ std::vector<std::uint32_t> culledAt(const FrameData<Real>& data, glm::ivec2 pixe
     if (verdicts.empty()) return {};
     const Tile tile{pixel, pixel + 1};
     std::vector<std::uint32_t> polygons;
-    const auto add = [&](std::uint32_t triangle) {
-        polygons.push_back(data.transform->topology->triangles[triangle].polygon);
-    };
+    const auto add = [&](std::uint32_t triangle) { polygons.push_back(data.transform->topology->polygonOf(triangle)); };
     if (data.keys.zBuffer.visibility == Visibility::None) {
         const auto dropped = [&](std::uint32_t polygon) { return !data.hasOutline(polygon); };
         for (const FragmentRecord& fragment : replayOutlines(data, tile, dropped)) add(fragment.triangle);

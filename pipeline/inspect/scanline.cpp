@@ -36,7 +36,7 @@ void addRuns(const FrameData<Real>& data, const std::stop_token& stop, ScanlineS
     std::vector<int> order;  // of drawing
     for (std::size_t i = 0; i < record.size(); ++i) {
         if (!came[i]) continue;
-        const int polygon = int(data.transform->topology->triangles[record[i].triangle].polygon);
+        const int polygon = int(data.transform->topology->polygonOf(record[i].triangle));
         auto& of = samples[polygon];
         if (of.empty()) order.push_back(polygon);
         of.push_back({record[i].pixel.x, record[i].depth, last[std::size_t(record[i].pixel.x)] == i});

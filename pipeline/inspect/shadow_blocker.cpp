@@ -41,18 +41,19 @@ std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t 
     const ShadowCull cull = data.keys.shadowBuffer.cull;
     std::optional<std::uint32_t> last;
     double farthest = 0;
-    for (const Triangle& triangle : in.topology->triangles) {
+    for (std::size_t i = 0; i < in.topology->triangles.size(); ++i) {
         if (stop.stop_requested()) break;
-        if (triangle.polygon == polygon) continue;
-        if (!in.transparent.empty() && in.transparent[in.topology->objectOfPolygon(triangle.polygon)]) continue;
-        const auto& v = triangle.vertices;
+        const std::uint32_t here = in.topology->polygonOf(i);
+        if (here == polygon) continue;
+        if (!in.transparent.empty() && in.transparent[in.topology->objectOfPolygon(here)]) continue;
+        const auto& v = in.topology->triangles[i].vertices;
         const auto t = meets(position, way, Vec3d(in.world[v[0]]), Vec3d(in.world[v[1]]), Vec3d(in.world[v[2]]));
         if (!t || *t <= farthest || !(atInfinity || *t < 1)) continue;
         if (cull != ShadowCull::None &&
-            facesLight(data, light, position + *t * way, triangle.polygon, false) != (cull == ShadowCull::Back))
+            facesLight(data, light, position + *t * way, here, false) != (cull == ShadowCull::Back))
             continue;
         farthest = *t;
-        last = triangle.polygon;
+        last = here;
     }
     return last;
 }

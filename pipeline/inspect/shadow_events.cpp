@@ -103,7 +103,7 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
     // Without a shadow nobody has asked which way polygons face.
     if (std::ranges::none_of(inputs.lights, &Light::castsShadow)) return events;
     const ShadingSources<Real> sources = data.shadingSources();
-    const std::uint32_t polygon = data.transform->topology->triangles[triangle].polygon;
+    const std::uint32_t polygon = data.transform->topology->polygonOf(triangle);
     const Vec3<Real> position = worldAt(data, triangle, pixel);
     const Vec3<Real> normal = litNormal(data, polygon);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {

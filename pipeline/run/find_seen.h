@@ -19,7 +19,7 @@ void markShown(const ShadingSources<Real>& in, std::size_t tile, std::vector<std
     const auto mark = [&](std::uint32_t name, const auto& triangleOf) {
         if (name == last || name == kNoTriangle) return;
         last = name;
-        const std::uint32_t polygon = in.transform.topology->triangles[triangleOf(name)].polygon;
+        const std::uint32_t polygon = in.transform.topology->polygonOf(triangleOf(name));
         std::atomic_ref(isSeen[polygon]).store(1, std::memory_order_relaxed);  // other tiles may show it as well
     };
     const Tile pixels = tileOf(in.transform.view.size, tile);

@@ -62,7 +62,7 @@ AnyBuffer ids(const BufferName& name, const FrameData<Real>& data) {
     std::vector<std::int32_t> values(seen.pixels.size(), kNothing);
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (seen.pixels[i] == kNoTriangle) continue;
-        const std::uint32_t polygon = topology.triangles[seen.pixels[i]].polygon;
+        const std::uint32_t polygon = topology.polygonOf(seen.pixels[i]);
         values[i] = std::int32_t(name.id == BufferId::PolygonId ? polygon : topology.objectOfPolygon(polygon));
     }
     return own(name, {std::size_t(seen.size.y), std::size_t(seen.size.x)}, std::move(values));

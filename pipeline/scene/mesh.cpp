@@ -303,7 +303,7 @@ void Mesh::reservePolygons(std::size_t polygons, std::size_t cornersOfAll) {
 void Mesh::addPolygon(std::span<const std::uint32_t> polygon) {
     if (hasTrianglesAlone()) {
         if (polygon.size() == 3) {
-            triangles.push_back({{polygon[0], polygon[1], polygon[2]}, static_cast<std::uint32_t>(triangles.size())});
+            triangles.push_back({{polygon[0], polygon[1], polygon[2]}});
             return;
         }
         const std::vector<Triangle> before = std::move(triangles);
@@ -335,6 +335,8 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
         mesh.triangles.reserve(mesh.cornerCount() - 2 * mesh.polygonCount());  // a polygon of n corners has n - 2
         mesh.firstTriangle.reserve(mesh.polygonCount() + 1);
         mesh.firstTriangle.assign(1, 0);
+        mesh.polygons.clear();
+        mesh.polygons.reserve(mesh.triangles.capacity());
     }
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
         gather(mesh, i, polygon);
@@ -345,8 +347,8 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
         if (!splits) continue;
         const std::span<const std::uint32_t> corners = mesh.polygon(i);
         for (const glm::uvec3& piece : pieces)
-            mesh.triangles.push_back(
-                {{corners[piece.x], corners[piece.y], corners[piece.z]}, static_cast<std::uint32_t>(i)});
+            mesh.triangles.push_back({{corners[piece.x], corners[piece.y], corners[piece.z]}});
+        mesh.polygons.resize(mesh.triangles.size(), static_cast<std::uint32_t>(i));
         mesh.firstTriangle.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
     }
     if (!mesh.positions.empty()) mesh.facts.low = mesh.facts.high = mesh.positions[0];

@@ -19,7 +19,6 @@ struct TextPosition {  // from 1; 0 where nothing is known
 // A piece of a polygon: three vertices of it, in the polygon's order.
 struct Triangle {
     std::uint32_t vertices[3];
-    std::uint32_t polygon;  // within the mesh
     bool operator==(const Triangle&) const = default;
 };
 
@@ -52,12 +51,13 @@ struct Mesh {
     VertexVectors normals;
     std::vector<TextPosition> polygonPlaces;  // where each polygon stands there, 8 bytes; may be empty
 
-    // Polygon by polygon, 16 bytes each. While all polygons are triangles these are the polygons, and the lists below
+    // Polygon by polygon, 12 bytes each. While all polygons are triangles these are the polygons, and the lists below
     // are empty; of others makeMesh finds them.
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> corners;        // vertex of each polygon corner, polygons end to end
     std::vector<std::uint32_t> firstCorner;    // per polygon, and one past the last
     std::vector<std::uint32_t> firstTriangle;  // likewise
+    std::vector<std::uint32_t> polygons;       // per triangle, the one it is of
 
     MeshFacts facts;  // found by makeMesh
     // Likewise: which vertices the corners of every kRangeTriangles triangles lie among.
@@ -70,6 +70,9 @@ struct Mesh {
     std::span<const std::uint32_t> polygon(std::size_t i) const {
         if (hasTrianglesAlone()) return triangles[i].vertices;
         return std::span(corners).subspan(firstCorner[i], firstCorner[i + 1] - firstCorner[i]);
+    }
+    std::uint32_t polygonOf(std::size_t triangle) const {
+        return polygons.empty() ? static_cast<std::uint32_t>(triangle) : polygons[triangle];
     }
     // The triangles of a polygon stand together; polygonCount() gives one past the last of all.
     std::size_t firstTriangleOf(std::size_t i) const { return hasTrianglesAlone() ? i : firstTriangle[i]; }

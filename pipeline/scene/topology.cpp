@@ -47,12 +47,19 @@ void countOverAll(Topology& topology) {
         const Mesh& mesh = *topology.meshes[object];
         for (Triangle triangle : mesh.triangles) {
             for (std::uint32_t& vertex : triangle.vertices) vertex += topology.firstVertex[object];
-            triangle.polygon += topology.firstPolygon[object];
             topology.ownTriangles.push_back(triangle);
         }
         topology.polygonObject.insert(topology.polygonObject.end(), mesh.polygonCount(), std::uint32_t(object));
     }
     topology.triangles = topology.ownTriangles;
+    if (topology.firstTriangle.back() == topology.firstPolygon.back()) return;
+    topology.ownPolygons.reserve(topology.firstTriangle.back());
+    for (std::size_t object = 0; object < topology.meshes.size(); ++object) {
+        const Mesh& mesh = *topology.meshes[object];
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            topology.ownPolygons.push_back(mesh.polygonOf(t) + topology.firstPolygon[object]);
+    }
+    topology.polygons = topology.ownPolygons;
 }
 
 }  // namespace
@@ -73,7 +80,7 @@ Topology makeTopology(std::vector<std::shared_ptr<const Mesh>> meshes) {
     topology.firstPolygon.push_back(polygons);
     topology.firstTriangle.push_back(triangles);
     if (topology.meshes.size() == 1)
-        topology.triangles = topology.meshes[0]->triangles;
+        topology.triangles = topology.meshes[0]->triangles, topology.polygons = topology.meshes[0]->polygons;
     else
         countOverAll(topology);
     return topology;

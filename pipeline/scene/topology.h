@@ -9,14 +9,16 @@
 namespace pipeline {
 
 // The scene's meshes end to end: vertices, polygons and triangles counted over all objects in
-// scene order, as every buffer counts them. Of one object it holds nothing that the mesh holds; of several 16 bytes a
-// triangle and 4 a polygon.
+// scene order, as every buffer counts them. Of one object it holds nothing that the mesh holds; of several 12 bytes a
+// triangle, or 16 where not all polygons are triangles, and 4 a polygon.
 struct Topology {
     std::vector<std::shared_ptr<const Mesh>> meshes;                      // one per object
     std::vector<std::uint32_t> firstVertex, firstPolygon, firstTriangle;  // per object, and one past the last
-    std::span<const Triangle> triangles;       // vertices and polygon counted over all objects
+    std::span<const Triangle> triangles;                                  // vertices counted over all objects
+    std::span<const std::uint32_t> polygons;   // per triangle; empty where every polygon is one, that of its number
     std::vector<std::uint32_t> polygonObject;  // per polygon; empty where there is one object
     std::vector<Triangle> ownTriangles;        // what `triangles` shows where there are several; else empty
+    std::vector<std::uint32_t> ownPolygons;    // and what `polygons` shows
 
     // Among which vertices the corners of triangles [begin, end) lie, and of some triangles beside them.
     VertexRange verticesOf(std::size_t begin, std::size_t end) const;
@@ -24,12 +26,15 @@ struct Topology {
     std::size_t vertexCount() const { return firstVertex.back(); }
     std::size_t polygonCount() const { return firstPolygon.back(); }
     std::size_t objectOfVertex(std::size_t vertex) const;
+    std::uint32_t polygonOf(std::size_t triangle) const {
+        return polygons.empty() ? std::uint32_t(triangle) : polygons[triangle];
+    }
     std::uint32_t objectOfPolygon(std::size_t polygon) const {
         return polygonObject.empty() ? 0 : polygonObject[polygon];
     }
 
     Topology() = default;
-    Topology(Topology&&) = default;  // moved, ownTriangles stay where they are; copied they would not
+    Topology(Topology&&) = default;  // moved, its own lists stay where they are; copied they would not
     Topology& operator=(Topology&&) = default;
 
     // A polygon's corners as indices within its object; add offset for the scene's.

@@ -36,8 +36,8 @@ struct Elements {
         weights = load(row.weights, i);
         of[0] = of[1] = of[2] = hn::Load(I(), row.polygon + i);
         if (flat) return;
-        const Ints first = hn::ShiftLeft<2>(hn::Load(I(), row.triangle + i));
-        static_assert(sizeof(Triangle) == 16);
+        const Ints triangle = hn::Load(I(), row.triangle + i), first = hn::Add(triangle, hn::Add(triangle, triangle));
+        static_assert(sizeof(Triangle) == 12);
         const auto* words = reinterpret_cast<const std::int32_t*>(in.transform.topology->triangles.data());
         for (int corner = 0; corner < 3; ++corner)
             of[corner] = hn::GatherIndex(I(), words, hn::Add(first, hn::Set(I(), corner)));

@@ -64,9 +64,15 @@ struct SeenInPixels {
         HWY_ALIGN std::uint32_t id[16];
         const auto some = hn::Set(U(), names[hn::FindKnownFirstTrue(F(), seen)]);
         hn::Store(hn::IfThenElse(hn::RebindMask(U(), seen), hn::Load(U(), names), some), U(), id);
-        const auto triangles = loadFours(U(), [&](std::size_t l) { return in.topology.triangles[id[l]].vertices; });
+        // The fourth number is the next triangle's; behind the last one there is none.
+        const std::span<const Triangle> all = in.topology.triangles;
+        const auto& last = all.back().vertices;
+        const std::uint32_t end[4]{last[0], last[1], last[2], 0};
+        const auto triangles = loadFours(U(), [&](std::size_t l) {
+            return id[l] + 1 == all.size() ? end : static_cast<const std::uint32_t*>(all[id[l]].vertices);
+        });
         for (int corner = 0; corner < 3; ++corner) hn::Store(triangles.of[corner], U(), vertices[corner]);
-        hn::Store(triangles.of[3], U(), polygon);
+        for (std::size_t l = 0; l < hn::Lanes(U()); ++l) polygon[l] = in.topology.polygonOf(id[l]);
         const SnappedCorners corners(in.vertices, [&](std::size_t l, std::size_t i) { return vertices[i][l]; });
         const int bits = in.vertices.bits;
         const auto centre = [&](Ints inTile, int first)

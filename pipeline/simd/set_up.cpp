@@ -49,7 +49,7 @@ void setUpOther(const SetUpInputs& in, const SnappedVertices& vertices, std::uin
     const std::int64_t area2 = setUpTriangle<float>(
         in.view, {inView(0), inView(1), inView(2)}, id,
         [&](const RasterTriangle<float>& part) { parts.push_back(part); }, whole);
-    if (!in.facing.keeps(area2, in.topology.objectOfPolygon(in.topology.triangles[id].polygon))) return;
+    if (!in.facing.keeps(area2, in.topology.objectOfPolygon(in.topology.polygonOf(id)))) return;
     for (const RasterTriangle<float>& part : parts) binner.addOther(part);
 }
 
@@ -81,13 +81,14 @@ struct Fields {
     }
 };
 
-// Bit i: whether triangle i's object is turned inside out.
-HWY_INLINE std::uint32_t mirroredOf(const SetUpInputs& in, const Triangle* triangles, std::uint32_t live) {
+// Bit i: whether the object of triangle first + i is turned inside out.
+HWY_INLINE std::uint32_t mirroredOf(const SetUpInputs& in, std::size_t first, std::uint32_t live) {
     if (in.facing.mirrored.empty()) return 0;
     std::uint32_t mirrored = 0;
     for (std::uint32_t left = live; left != 0; left &= left - 1) {
-        const int l = std::countr_zero(left);
-        mirrored |= std::uint32_t(in.facing.isMirrored(in.topology.objectOfPolygon(triangles[l].polygon))) << l;
+        const auto l = std::size_t(std::countr_zero(left));
+        const std::uint32_t object = in.topology.objectOfPolygon(in.topology.polygonOf(first + l));
+        mirrored |= std::uint32_t(in.facing.isMirrored(object)) << l;
     }
     return mirrored;
 }
@@ -139,7 +140,7 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const SnappedVertices& v
     std::uint32_t& drawn = found.drawn;
     drawn &= bitsOf(asFloats(seen));
     if (in.facing.cull != ShadowCull::None) {  // FacingFilter::keeps
-        const std::uint32_t faces = bitsOf(turned) ^ mirroredOf(in, triangles, drawn);
+        const std::uint32_t faces = bitsOf(turned) ^ mirroredOf(in, firstId, drawn);
         drawn &= in.facing.cull == ShadowCull::Back ? faces : ~faces;
     }
     if (drawn == 0) return found;
@@ -198,22 +199,21 @@ HWY_INLINE SetUpBits setUpVector(const SetUpInputs& in, const SnappedVertices& v
     return found;
 }
 
-// Bit i: whether triangle i goes on, which is counted. alone: each polygon is one triangle, of its number.
-HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, const Triangle* triangles, std::size_t count, bool alone,
-                                TrianglePiece& out) {
+// Bit i: whether triangle first + i goes on, which is counted.
+HWY_INLINE std::uint32_t liveOf(const SetUpInputs& in, std::size_t first, std::size_t count, TrianglePiece& out) {
     const hn::Rebind<std::uint8_t, I> bytes;
     // Bit i: whether there is one of two numbers at the polygon of triangle i.
     const auto bitsWhere = [&](const auto* of, auto one, auto two) HWY_ATTR {
         std::uint32_t bits = 0;
-        if (alone && count == hn::Lanes(bytes)) {
-            const auto found = hn::LoadU(bytes, reinterpret_cast<const std::uint8_t*>(of + triangles->polygon));
+        if (in.topology.polygons.empty() && count == hn::Lanes(bytes)) {
+            const auto found = hn::LoadU(bytes, reinterpret_cast<const std::uint8_t*>(of + first));
             const auto is = [&](auto number) HWY_ATTR { return hn::Eq(found, hn::Set(bytes, std::uint8_t(number))); };
             std::uint8_t room[8]{};
             hn::StoreMaskBits(bytes, hn::Or(is(one), is(two)), room);
             return std::uint32_t(room[0] | room[1] << 8);
         }
         for (std::size_t l = 0; l < count; ++l) {
-            const auto found = of[triangles[l].polygon];
+            const auto found = of[in.topology.polygonOf(first + l)];
             bits |= std::uint32_t(found == one || found == two) << l;
         }
         return bits;
@@ -249,7 +249,6 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
     // As many fragments as triangles, but not more than most pieces have.
     out.fragments.makeRoomFor(std::min<std::size_t>(end - begin, 1 << 15));
     const std::int32_t limit = in.clipAll ? 0 : largestBox(in.view.subPixelBits) + 1;
-    const bool alone = triangles.size() == in.topology.polygonCount();
     Fields fields{};
     Triangle rest[16]{};
     // Of [base, snapped) the vertices are there.
@@ -265,7 +264,7 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         const std::size_t count = std::min(lanes, end - base);
         const Triangle* from = &triangles[base];
         fetchAhead(from, lanes);
-        const std::uint32_t live = liveOf(in, from, count, alone, out);
+        const std::uint32_t live = liveOf(in, base, count, out);
         if (live == 0) continue;
         if (count < lanes) std::copy_n(from, count, rest), from = rest;
         const SetUpBits bits = setUpVector(in, vertices, from, base, limit, live, all.tiles.x, fields, out.fragments);

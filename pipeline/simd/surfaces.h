@@ -296,10 +296,11 @@ private:
         seen.id = name, seen.isPlane = false;
         if (m_drawnNames) seen.triangle.become(*m_seenIn, name, m_others[name % kSlots]), seen.id = seen.triangle.id();
         const Triangle& triangle = m_in.transform.topology->triangles[seen.id];
-        seen.polygon = std::int32_t(triangle.polygon);
-        if (m_tellsObjects) seen.object = std::int32_t(m_in.transform.topology->objectOfPolygon(triangle.polygon));
+        const std::uint32_t polygon = m_in.transform.topology->polygonOf(seen.id);
+        seen.polygon = std::int32_t(polygon);
+        if (m_tellsObjects) seen.object = std::int32_t(m_in.transform.topology->objectOfPolygon(polygon));
         if (m_positioned) seen.positions.become(m_in.transform.world, triangle.vertices);
-        if (m_facing || !m_biases.empty()) seen.facing = m_in.polygonNormal(triangle.polygon);
+        if (m_facing || !m_biases.empty()) seen.facing = m_in.polygonNormal(polygon);
         for (std::size_t k = 0; k < m_biases.size(); ++k)
             biasOf(seen, k) = hn::GetLane(m_biases[k].template of<A>(all(seen.facing)));
         if (!m_perPixel) return;
@@ -335,7 +336,8 @@ private:
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const Mask seen = out.seenAt(i);
             if (hn::AllFalse(F(), seen)) continue;
-            const Ints first = hn::ShiftLeft<2>(hn::Load(I(), out.triangle + i));
+            const Ints id = hn::Load(I(), out.triangle + i), first = hn::Add(id, hn::Add(id, id));
+            static_assert(sizeof(Triangle) == 12);
             const Floats3 b = load(out.weights, i);
             Mask isInFront = seen;
             const auto scaledByZ = [&](Floats weight, int corner) HWY_ATTR {

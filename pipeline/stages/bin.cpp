@@ -24,17 +24,17 @@ TriangleBins<Real> binTriangles(const Topology& topology, const View& view, std:
     };
     std::vector<RasterTriangle<Real>> parts;  // of one that is clipped
     for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
-        const Triangle& triangle = topology.triangles[t];
-        if (!verdicts.empty() && !goesOn(verdicts[triangle.polygon])) continue;
-        if (!drawn.empty() && !drawn[triangle.polygon]) continue;
-        const auto& v = triangle.vertices;
-        const bool whole = !marks.empty() && (marks[triangle.polygon] & CullMark::kInside) != 0;
+        const std::uint32_t polygon = topology.polygonOf(t);
+        if (!verdicts.empty() && !goesOn(verdicts[polygon])) continue;
+        if (!drawn.empty() && !drawn[polygon]) continue;
+        const auto& v = topology.triangles[t].vertices;
+        const bool whole = !marks.empty() && (marks[polygon] & CullMark::kInside) != 0;
         ++(whole ? out.unclipped : out.clipped);
         parts.clear();
         const std::int64_t area2 = setUpTriangle<Real>(
             view, {toView(view, world[v[0]]), toView(view, world[v[1]]), toView(view, world[v[2]])}, std::uint32_t(t),
             [&](const RasterTriangle<Real>& part) { parts.push_back(part); }, whole);
-        if (facing.keeps(area2, topology.objectOfPolygon(triangle.polygon))) std::ranges::for_each(parts, addToBins);
+        if (facing.keeps(area2, topology.objectOfPolygon(polygon))) std::ranges::for_each(parts, addToBins);
     }
     return out;
 }

@@ -17,7 +17,7 @@ PaintingOrder paintingOrder(const Topology& topology, const View& view, std::spa
     std::vector<PaintTriangle> triangles;
     triangles.reserve(bins.triangles.size());
     for (const RasterTriangle<Real>& t : bins.triangles) {
-        PaintTriangle paint{t.snapped, {}, 0, topology.triangles[t.id].polygon};
+        PaintTriangle paint{t.snapped, {}, 0, topology.polygonOf(t.id)};
         for (std::size_t i = 0; i < 3; ++i) paint.depth[i] = double(view.perspective ? -t.exactW[i] : t.exactW[i]);
         const Topology::Corners corners = topology.corners(paint.polygon);
         for (std::size_t i = 0; i < corners.size(); ++i) paint.mean += double(toView(view, world[corners[i]]).z);

@@ -9,7 +9,7 @@ namespace {
 // A pixel on its way to a colour.
 template <class Real>
 struct Pixel {
-    const Triangle& triangle;
+    std::uint32_t polygon;
     VertexWeights<Real> weights;  // of what is interpolated
     const Material& material;
     bool back;  // the polygon shows its back, and is lit from there
@@ -27,8 +27,8 @@ void lightAtPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, c
     switch (inputs.shading) {
         case Shading::Phong: s = sample(pixel.surface); return;
         case Shading::Flat: {
-            if (vectors) s = sample(polygonSurface(inputs, in, pixel.triangle.polygon));
-            const LightTerms<Real>& terms = out.polygons.terms[pixel.triangle.polygon * lights + k];
+            if (vectors) s = sample(polygonSurface(inputs, in, pixel.polygon));
+            const LightTerms<Real>& terms = out.polygons.terms[pixel.polygon * lights + k];
             s.diffuse = terms.diffuse, s.specular = terms.specular;
             return;
         }
@@ -56,7 +56,7 @@ template <class Real>
 BaseTerms<Real> baseAtPixel(const ShadingInputs& inputs, const ShadingOutput<Real>& out, const Pixel<Real>& pixel) {
     switch (inputs.shading) {
         case Shading::Phong: return baseTerms<Real>(inputs, pixel.material);
-        case Shading::Flat: return out.polygons.base[pixel.triangle.polygon];
+        case Shading::Flat: return out.polygons.base[pixel.polygon];
         case Shading::Gouraud: {
             const std::vector<BaseTerms<Real>>& base = vertexElements(out, pixel.back).base;
             return {interpolated(pixel.weights, [&](std::uint32_t vertex) { return base[vertex].emission; }),
@@ -105,7 +105,7 @@ Surface<Real> shownSurface(const ShadingInputs& inputs, const ShadingSources<Rea
     const Vec3<Real> position =
         inputs.parts.position ? interpolated(in.transform.world, corners.vertices, barycentric) : Vec3<Real>(0);
     if (!wanted) return {position, Vec3<Real>(0), Vec3<Real>(0)};
-    const Surface<Real> polygon = polygonSurface(inputs, in, corners.polygon);
+    const Surface<Real> polygon = polygonSurface(inputs, in, in.transform.topology->polygonOf(triangle));
     return {position, polygon.N, polygon.V};
 }
 
@@ -113,13 +113,13 @@ template <class Real>
 Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, const ShadingOutput<Real>& out,
                  std::uint32_t id, Vec3<Real> barycentric, glm::ivec2 at, Wanted wanted, ShadingScratch<Real>& scratch,
                  const Writer<Real>& write, ShadingCounts& counts) {
-    const Triangle& triangle = in.transform.topology->triangles[id];
-    const bool back = showsBack(inputs, in, triangle.polygon);
-    const Material& material = materialOf(inputs, in.transform.topology->objectOfPolygon(triangle.polygon), back);
+    const std::uint32_t shown = in.transform.topology->polygonOf(id);
+    const bool back = showsBack(inputs, in, shown);
+    const Material& material = materialOf(inputs, in.transform.topology->objectOfPolygon(shown), back);
     const VertexWeights<Real> weights =
         vertexWeights(inputs.interpolation, in.transform, id, barycentric, at, scratch.row);
     counts.affineInstead += weights.used != inputs.interpolation;
-    const Pixel<Real> pixel{triangle, weights, material, back,
+    const Pixel<Real> pixel{shown, weights, material, back,
                             shownSurface(inputs, in, id, at, barycentric, weights, wanted.surfaces)};
     write.put(BufferId::Position, pixel.surface.position);
     write.put(BufferId::Normal, pixel.surface.N);
@@ -142,7 +142,7 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
         const LightSample<Real>& s = scratch.samples[k];
         const bool idle = s.diffuse == Vec3<Real>(0) && s.specular == Vec3<Real>(0);
         const bool lookUp = inputs.parts.idleLookups || wanted.everyShadow || !idle;
-        const Real shadow = lookUp ? shadowAt(inputs, in, k, triangle.polygon, pixel.surface.position) : Real(1);
+        const Real shadow = lookUp ? shadowAt(inputs, in, k, shown, pixel.surface.position) : Real(1);
         if (in.shadow && !in.shadow->lights[k].empty()) ++(lookUp ? counts.lookups : counts.idleLookups);
         const Vec3<Real> diffuse = shadow * s.diffuse, specular = shadow * s.specular;
         intensity += diffuse;

@@ -49,7 +49,7 @@ template <class Real>
 Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::uint32_t triangle,
                            glm::ivec2 pixel, Vec3<Real> barycentric, const VertexWeights<Real>& weights) {
     const auto& v = in.transform.topology->triangles[triangle].vertices;
-    const std::uint32_t polygon = in.transform.topology->triangles[triangle].polygon;
+    const std::uint32_t polygon = in.transform.topology->polygonOf(triangle);
     const Vec3<Real> position =
         inputs.parts.position ? interpolated(in.transform.world, v, barycentric) : Vec3<Real>(0);
     const Vec3<Real> normal =

@@ -112,7 +112,7 @@ Composed<Real> compose(const ShadingInputs& inputs, const ShadingSources<Real>& 
     Composed<Real> c{tile.min, {size, Vec3<Real>(0)}, {size, Real(1)}, {size, 0}};
     ShadingScratch<Real> scratch(inputs);
     for (const Layer<Real>& layer : layers) {
-        const std::uint32_t polygon = topology.triangles[layer.triangle].polygon;
+        const std::uint32_t polygon = topology.polygonOf(layer.triangle);
         const Real a =
             Real(opacity(materialOf(inputs, topology.objectOfPolygon(polygon), showsBack(inputs, in, polygon))));
         const Vec3<Real> intensity =

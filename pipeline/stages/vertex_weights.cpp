@@ -118,7 +118,7 @@ VertexWeights<Real> vertexWeights(Interpolation mode, const TransformOutput<Real
     if (mode == Interpolation::Perspective)
         return ofTriangle(in.topology->triangles[triangle], b, Interpolation::Perspective);
     if (mode == Interpolation::Scanline) {
-        const std::uint32_t polygon = in.topology->triangles[triangle].polygon;
+        const std::uint32_t polygon = in.topology->polygonOf(triangle);
         if (row.polygon != polygon || row.row != pixel.y) cross(in, polygon, pixel.y, row);
         VertexWeights<Real> weights;
         if (scanline(row, pixel.x + 0.5, std::exp2(-in.view.subPixelBits), weights)) return weights;

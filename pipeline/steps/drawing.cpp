@@ -92,7 +92,7 @@ Drawing<Real> takeApart(const FrameData<Real>& data) {
                                          [&](std::uint32_t polygon) { return data.hasOutline(polygon); });
         groupByPolygon(
             out.outlines.edges.size(),
-            [&](std::uint32_t i) { return in.topology->triangles[out.outlines.edges[i].id].polygon; }, out);
+            [&](std::uint32_t i) { return in.topology->polygonOf(out.outlines.edges[i].id); }, out);
         return out;
     }
     std::span<const std::uint8_t> marks;
@@ -101,7 +101,7 @@ Drawing<Real> takeApart(const FrameData<Real>& data) {
         binTriangles<Real>(*in.topology, in.view, in.world, data.verdicts(), marks,
                            drawnIn(Pass::Opaque, *in.topology, in.transparent, inputs.translucent, data.cull.get()));
     const auto polygonOf = [&](std::uint32_t triangle) {
-        return in.topology->triangles[out.bins.triangles[triangle].id].polygon;
+        return in.topology->polygonOf(out.bins.triangles[triangle].id);
     };
     if (inputs.visibility == Visibility::Painter) {
         out.order = paintingOrder<Real>(*in.topology, in.view, in.world, out.bins, inputs.split);

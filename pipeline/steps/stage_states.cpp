@@ -115,7 +115,7 @@ std::vector<std::uint8_t> shadedPixels(const FrameData<Real>& data, const Shadin
     std::vector<std::uint8_t> done(seen.pixels.size(), 0);
     for (std::size_t i = 0; i < done.size(); ++i) {
         if (seen.pixels[i] == kNoTriangle) continue;
-        const std::uint32_t polygon = topology.triangles[seen.pixels[i]].polygon;
+        const std::uint32_t polygon = topology.polygonOf(seen.pixels[i]);
         const int x = int(i % std::size_t(seen.size.x)), y = int(i / std::size_t(seen.size.x));
         const Reach& reach = progress.reach;
         done[i] = polygon < progress.polygon ||

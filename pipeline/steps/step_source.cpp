@@ -23,7 +23,7 @@ Seen countSeen(const FrameData<Real>& data) {
               std::vector<int>(count, -1)};
     for (std::size_t i = 0; i < triangles.pixels.size(); ++i) {
         if (triangles.pixels[i] == kNoTriangle) continue;
-        const std::uint32_t polygon = topology.triangles[triangles.pixels[i]].polygon;
+        const std::uint32_t polygon = topology.polygonOf(triangles.pixels[i]);
         const int y = int(i / std::size_t(triangles.size.x));
         ++seen.pixels[polygon];
         seen.rows[polygon] += seen.last[polygon] != y;
@@ -60,8 +60,7 @@ public:
         for (int y = m_seen.first[polygon]; y <= m_seen.last[polygon]; ++y)
             for (int x = 0; x < seen.size.x; ++x) {
                 const std::uint32_t triangle = seen.at({x, y});
-                if (triangle == kNoTriangle || m_data.transform->topology->triangles[triangle].polygon != polygon)
-                    continue;
+                if (triangle == kNoTriangle || m_data.transform->topology->polygonOf(triangle) != polygon) continue;
                 if (!spans.empty() && spans.back().y == y && spans.back().last + 1 == x)
                     ++spans.back().last;
                 else

@@ -93,7 +93,7 @@ template <class Real>
 void addTriangles(const Mesh& mesh, std::uint32_t object, const RayObject<Real>& placed,
                   std::vector<RayTriangle<Real>>& triangles) {
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        RayTriangle<Real> t{{}, object, mesh.triangles[i].polygon, i};
+        RayTriangle<Real> t{{}, object, mesh.polygonOf(i), i};
         for (std::size_t c = 0; c < 3; ++c) t.corners[c] = placed.positions[mesh.triangles[i].vertices[c]];
         triangles.push_back(t);
     }

@@ -22,8 +22,8 @@ struct Grid {
         for (std::uint32_t y = 0; y < kSide; ++y)
             for (std::uint32_t x = 0; x < kSide; ++x) {
                 const std::uint32_t a = y * (kSide + 1) + x, b = a + kSide + 1;
-                triangles.push_back({{a, a + 1, b + 1}, 0});
-                triangles.push_back({{a, b + 1, b}, 0});
+                triangles.push_back({{a, a + 1, b + 1}});
+                triangles.push_back({{a, b + 1, b}});
             }
     }
     static double area(Vec3d a, Vec3d b, Vec3d c) { return glm::length(glm::cross(b - a, c - a)) / 2; }

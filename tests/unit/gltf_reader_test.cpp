@@ -37,7 +37,7 @@ TEST(GltfReader, SquareStandsUpright) {
     EXPECT_EQ(model.objects[0].name, "square");
     EXPECT_EQ(mesh.file, "m.gltf");
     EXPECT_EQ(mesh.positions, (std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}));
-    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{{0, 1, 2}, 0}, {{0, 2, 3}, 1}}));
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{{0, 1, 2}}, {{0, 2, 3}}}));
     EXPECT_TRUE(mesh.normals.empty());
     EXPECT_TRUE(model.remarks.empty());
     for (const Vec3d& p : mesh.positions) EXPECT_FALSE(std::signbit(p.y));  // no -0 in a table
