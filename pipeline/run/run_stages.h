@@ -111,7 +111,7 @@ inline std::shared_ptr<const ZBufferOutput<float>> runZBufferInVectors(
     if (inputs.counts) out->overdraw = out->depthWrites = {in.view.size, 0};
     auto seen = std::make_shared<SeenBlocks>();
     seen->pieces = prepareSetUp(setUp);
-    setUpPieces(setUp, seen->pieces, threads);
+    setUpPieces(setUp, 0, seen->pieces.pieces.size(), seen->pieces, threads);
     seen->z = BlockBuffer2D<float>(in.view.size);
     if (inputs.names) seen->name = BlockBuffer2D<std::uint32_t>(in.view.size);
     const TrianglePieces& pieces = seen->pieces;

@@ -59,10 +59,11 @@ void findVertexNormals(const NormalsInputs& inputs, const TransformOutput<Real>&
     if (sums) replaceVanishing(in, object, out);
 }
 
-// Pieces [first, last) of the triangles are set up.
-inline void setUpPieces(const SetUpInputs& inputs, TrianglePieces& out, Threads& threads) {
-    threads.forRange(out.pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t piece = begin; piece < end; ++piece) setUpPiece(inputs, piece, out);
+// Sets up pieces [first, last) of the triangles.
+inline void setUpPieces(const SetUpInputs& inputs, std::size_t first, std::size_t last, TrianglePieces& out,
+                        Threads& threads) {
+    threads.forRange(last - first, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t piece = first + begin; piece < first + end; ++piece) setUpPiece(inputs, piece, out);
     });
 }
 
@@ -106,14 +107,24 @@ inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, st
         });
         setUp.vertices = &snapped;
     }
-    setUpPieces(setUp, pieces, threads);
-    snapped = {}, setUp.vertices = nullptr;
+    // So many at once that the lists of a fine mesh do not stand in memory side by side; the nearest remains, whatever the
+    // order.
+    constexpr std::size_t kMostAtOnce = std::size_t(1) << 20;  // triangles
+    const std::size_t each = std::max<std::size_t>(1, kMostAtOnce / (1 + trianglesOfPiece(setUp, pieces)));
     std::shared_ptr<BlockBuffer2D<float>> blocks;
-    if (!std::ranges::all_of(pieces.pieces, [](const auto& piece) { return piece.runs.empty(); })) {
-        blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
+    for (std::size_t first = 0; first < pieces.pieces.size(); first += each) {
+        const std::size_t last = std::min(pieces.pieces.size(), first + each);
+        setUpPieces(setUp, first, last, pieces, threads);
+        if (last == pieces.pieces.size()) snapped = {}, setUp.vertices = nullptr;
+        const std::span<TrianglePiece> some = std::span(pieces.pieces).subspan(first, last - first);
+        if (std::ranges::all_of(some, [](const auto& piece) { return piece.runs.empty(); })) continue;
+        const bool isFirst = !blocks;
+        if (isFirst) blocks = std::make_shared<BlockBuffer2D<float>>(face.size);
         threads.forRange(pieces.tileCount(), kTileGrain, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t tile = begin; tile < end; ++tile) shadowBufferInVectors(setUp, pieces, tile, *blocks);
+            for (std::size_t tile = begin; tile < end; ++tile)
+                shadowBufferInVectors(setUp, pieces, tile, isFirst, *blocks);
         });
+        for (TrianglePiece& piece : some) piece = {};  // with its room
     }
     light.blocks[number] = blocks ? blocks : empty.ofSize(face.size);
     light.depth[number] = rowsLater(light.blocks[number]);

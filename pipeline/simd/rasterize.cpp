@@ -353,9 +353,13 @@ private:
     BlocksAhead m_next;
 };
 
-void drawShadowTile(const SetUpInputs& in, const TrianglePieces& all, std::size_t index, BlockBuffer2D<float>& depth) {
+void drawShadowTile(const SetUpInputs& in, const TrianglePieces& all, std::size_t index, bool isFirst,
+                    BlockBuffer2D<float>& depth) {
     const Tile tile = tileOf(all.size, index);
-    fillTileOf(depth, index, kFar);
+    if (isFirst)
+        fillTileOf(depth, index, kFar);
+    else if (!all.touches(index))
+        return;
     const BlocksAhead next = BlocksAhead::from(index + 1, depth, nullptr);
     if (in.view.perspective)
         ShadowDrawer<true>(in, tile, depth.tile(index), next).draw(all, index);
@@ -376,9 +380,9 @@ TileCounts zBufferInVectors(const SetUpInputs& in, std::size_t tile, SeenBlocks&
     return HWY_DYNAMIC_DISPATCH(drawTile)(in, tile, seen, out);
 }
 
-void shadowBufferInVectors(const SetUpInputs& in, const TrianglePieces& pieces, std::size_t tile,
+void shadowBufferInVectors(const SetUpInputs& in, const TrianglePieces& pieces, std::size_t tile, bool isFirst,
                            BlockBuffer2D<float>& depth) {
-    HWY_DYNAMIC_DISPATCH(drawShadowTile)(in, pieces, tile, depth);
+    HWY_DYNAMIC_DISPATCH(drawShadowTile)(in, pieces, tile, isFirst, depth);
 }
 
 }  // namespace pipeline

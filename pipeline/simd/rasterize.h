@@ -17,8 +17,8 @@ struct TileCounts {
 // has room for them.
 // in: what the pieces of `seen` were set up from.
 TileCounts zBufferInVectors(const SetUpInputs& in, std::size_t tile, SeenBlocks& seen, ZBufferOutput<float>& out);
-// +infinity where nothing is. in: what the pieces were set up from.
-void shadowBufferInVectors(const SetUpInputs& in, const TrianglePieces& pieces, std::size_t tile,
+// +infinity where nothing is. in: what the pieces were set up from. isFirst: else to what is there already.
+void shadowBufferInVectors(const SetUpInputs& in, const TrianglePieces& pieces, std::size_t tile, bool isFirst,
                            BlockBuffer2D<float>& depth);
 
 }  // namespace pipeline
