@@ -24,16 +24,15 @@ void forEachEdge(const Mesh& mesh, Visit visit) {
 class EdgeEnds {
 public:
     explicit EdgeEnds(std::size_t vertices) : m_first(vertices + 1) {}
-    // forEach(visit): calls visit(vertex of the range, other end) for all of them.
-    template <class ForEach>
-    void find(ForEach forEach) {
-        std::ranges::fill(m_first, 0);
-        forEach([&](std::uint32_t vertex, std::uint32_t) { ++m_first[vertex]; });
+    // For another range: first all edges are counted, then all are put in. vertex: within the range.
+    void begin() { std::ranges::fill(m_first, 0); }
+    void count(std::size_t vertex) { ++m_first[vertex]; }
+    void endCount() {
         std::uint32_t sum = 0;
         for (std::uint32_t& first : m_first) first = sum += first;
         m_ends.resize(sum);
-        forEach([&](std::uint32_t vertex, std::uint32_t end) { m_ends[--m_first[vertex]] = end; });
     }
+    void put(std::size_t vertex, std::uint32_t end) { m_ends[--m_first[vertex]] = end; }
     // In order.
     std::span<const std::uint32_t> of(std::size_t vertex) {
         const std::span<std::uint32_t> ends(m_ends.begin() + m_first[vertex], m_ends.begin() + m_first[vertex + 1]);
@@ -49,21 +48,21 @@ private:
 
 bool isClosed(const Mesh& mesh) {
     if (mesh.polygonCount() == 0) return false;
-    constexpr std::size_t kAtOnce = 1 << 20;
     const std::size_t vertices = mesh.positions.size();
-    EdgeEnds leaving(std::min(kAtOnce, vertices)), arriving(std::min(kAtOnce, vertices));
-    for (std::size_t first = 0; first < vertices; first += kAtOnce) {
-        const std::size_t count = std::min(kAtOnce, vertices - first);
+    const std::size_t most = std::clamp<std::size_t>(vertices / 2, 1 << 18, 1 << 20);
+    EdgeEnds leaving(std::min(most, vertices)), arriving(std::min(most, vertices));
+    for (std::size_t first = 0; first < vertices; first += most) {
+        const std::size_t count = std::min(most, vertices - first);
         const auto inRange = [&](std::uint32_t vertex) { return vertex - first < count; };  // below it wraps round
-        leaving.find([&](auto visit) {
-            forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) {
-                if (inRange(from)) visit(std::uint32_t(from - first), to);
-            });
+        leaving.begin(), arriving.begin();
+        forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) {
+            if (inRange(from)) leaving.count(from - first);
+            if (inRange(to)) arriving.count(to - first);
         });
-        arriving.find([&](auto visit) {
-            forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) {
-                if (inRange(to)) visit(std::uint32_t(to - first), from);
-            });
+        leaving.endCount(), arriving.endCount();
+        forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) {
+            if (inRange(from)) leaving.put(from - first, to);
+            if (inRange(to)) arriving.put(to - first, from);
         });
         for (std::size_t vertex = 0; vertex < count; ++vertex) {
             const std::span<const std::uint32_t> to = leaving.of(vertex), from = arriving.of(vertex);

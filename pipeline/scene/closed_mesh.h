@@ -4,7 +4,7 @@
 namespace pipeline {
 
 // Whether there are polygons, and from every vertex to every other at most one edge, and then one back: MeshFacts::closed.
-// With memory for about six million edges at a time, whatever the mesh.
+// Of large meshes a part of the vertices at a time: with memory for some ten million edges' ends, whatever the mesh.
 bool isClosed(const Mesh& mesh);
 
 }  // namespace pipeline

@@ -295,9 +295,9 @@ void giveBackReserves(Mesh& mesh) {
 
 }  // namespace
 
-void Mesh::reservePolygons(std::size_t polygons, std::size_t cornersOfAll) {
-    if (cornersOfAll == 3 * polygons) return triangles.reserve(polygons);
-    corners.reserve(cornersOfAll), firstCorner.reserve(polygons + 1);
+void Mesh::reservePolygons(std::size_t count, std::size_t cornersOfAll) {
+    if (cornersOfAll == 3 * count) return triangles.reserve(count);
+    corners.reserve(cornersOfAll), firstCorner.reserve(count + 1);
 }
 
 void Mesh::addPolygon(std::span<const std::uint32_t> polygon) {

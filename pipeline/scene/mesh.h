@@ -77,7 +77,7 @@ struct Mesh {
     // The triangles of a polygon stand together; polygonCount() gives one past the last of all.
     std::size_t firstTriangleOf(std::size_t i) const { return hasTrianglesAlone() ? i : firstTriangle[i]; }
 
-    void reservePolygons(std::size_t polygons, std::size_t cornersOfAll);
+    void reservePolygons(std::size_t count, std::size_t cornersOfAll);
     // At least three corners, each the index of a vertex that is there or is still to come.
     void addPolygon(std::span<const std::uint32_t> polygon);
     void renumberVertices(std::span<const std::uint32_t> number);  // number[i]: what vertex i becomes
