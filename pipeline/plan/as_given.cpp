@@ -6,9 +6,12 @@
 namespace pipeline {
 namespace {
 
-bool isIdentity(const ObjectTransform& transform) {
-    const ObjectMatrix matrix = makeObjectMatrix(transform);
-    return matrix.linear == glm::dmat3(1.0) && matrix.translation == Vec3d(0);
+// The mesh of the only object, if its matrix is the identity; else null.
+const Mesh* onlyUnmovedMesh(const Scene& scene) {
+    if (scene.objects.size() != 1) return nullptr;
+    const ObjectMatrix matrix = makeObjectMatrix(scene.objects[0].transform);
+    const bool isIdentity = matrix.linear == glm::dmat3(1.0) && matrix.translation == Vec3d(0);
+    return isIdentity ? scene.objects[0].mesh.get() : nullptr;
 }
 
 bool areIn(Precision precision, const VertexVectors& vectors) {
@@ -24,21 +27,19 @@ bool areIn(Precision precision, const VertexVectors& vectors) {
 }  // namespace
 
 std::string whyPlacesStay(const Scene& scene) {
-    if (scene.objects.size() != 1) return {};
-    const Object& object = scene.objects[0];
-    if (!areIn(scene.settings.precision, object.mesh->positions) || !isIdentity(object.transform)) return {};
+    const Mesh* const mesh = onlyUnmovedMesh(scene);
+    if (!mesh || !areIn(scene.settings.precision, mesh->positions)) return {};
     return "Its matrix is the identity: the mesh's own vertices are in world space.";
 }
 
 std::string whyNormalsStay(const Scene& scene) {
     const Settings& settings = scene.settings;
-    if (scene.objects.size() != 1 || settings.normalWeight != NormalWeight::Given) return {};
+    if (settings.normalWeight != NormalWeight::Given) return {};
     if (settings.forms.unit != UnitForm::Scaled) return {};  // the others are shown at work
-    const Object& object = scene.objects[0];
-    const MeshFacts& facts = object.mesh->facts;
+    const Mesh* const mesh = onlyUnmovedMesh(scene);
+    if (!mesh || !areIn(settings.precision, mesh->normals)) return {};
     const double most = settings.precision == Precision::Float ? kOffUnit<float> : kOffUnit<double>;
-    if (!areIn(settings.precision, object.mesh->normals) || !isIdentity(object.transform)) return {};
-    if (!facts.ownNormals || !(facts.offUnit <= most)) return {};
+    if (!mesh->facts.ownNormals || !(mesh->facts.offUnit <= most)) return {};
     return "The matrix is the identity, and every normal of the mesh has length 1.";
 }
 

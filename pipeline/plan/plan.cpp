@@ -58,8 +58,9 @@ std::string difference(const NormalsInputs& a, const NormalsInputs& b) {
     if (a.vertexNormals != b.vertexNormals)
         return b.vertexNormals ? "Vertex normals are needed now." : "Vertex normals are not needed any more.";
     if (a.form != b.form || a.angle != b.angle || a.unit != b.unit) return "The form of a formula changed.";
-    if (a.asGiven != b.asGiven) return "The rule of the model transform was switched.";
-    return a.weight == b.weight ? "" : "The weights of the normals changed.";  // sums that nobody reads change no bit
+    if (a.weight != b.weight) return "The weights of the normals changed.";
+    if (a.asGiven == b.asGiven) return "";  // sums that nobody reads change no bit
+    return b.asGiven ? "The mesh's own normals serve now." : "The mesh's own normals do not serve any more.";
 }
 
 std::string difference(const ShadowBufferInputs& a, const ShadowBufferInputs& b) {

@@ -25,7 +25,6 @@ struct Triangle {
 // Numbers of vertices: [first, last).
 struct VertexRange {
     std::uint32_t first = 0, last = 0;
-    bool operator==(const VertexRange&) const = default;
 };
 
 // What makeMesh found out about a mesh. The plan leaves work out on the strength of it,

@@ -18,8 +18,8 @@
 #include "pipeline/simd/tiny_triangles.h"
 #include "pipeline/simd/transform.h"
 
-#ifndef SHADESCOPE_SET_UP_BINNER
-#define SHADESCOPE_SET_UP_BINNER
+#ifndef SHADESCOPE_SET_UP_OTHER
+#define SHADESCOPE_SET_UP_OTHER
 namespace pipeline {
 namespace {
 
