@@ -20,6 +20,8 @@ void keepFreedMemory() {
     // Small pieces are joined as they are freed. A million of them, joined in one go by whoever asks for a large piece
     // next, hold up every thread that shares their arena for some tenths of a second.
     mallopt(M_MXFAST, 0);
+    // One heap for all threads: what one gives back the next may take. They ask for few pieces, most of them large.
+    mallopt(M_ARENA_MAX, 1);
 #endif
 }
 

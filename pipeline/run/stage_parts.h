@@ -109,7 +109,7 @@ inline void drawShadowFace(const TransformOutput<float>& in, ShadowCull cull, st
     }
     // So many at once that the lists of a fine mesh do not stand in memory side by side; the nearest remains, whatever the
     // order.
-    constexpr std::size_t kMostAtOnce = std::size_t(1) << 20;  // triangles
+    constexpr std::size_t kMostAtOnce = 1 << 19;  // triangles
     const std::size_t each = std::max<std::size_t>(1, kMostAtOnce / (1 + trianglesOfPiece(setUp, pieces)));
     std::shared_ptr<BlockBuffer2D<float>> blocks;
     for (std::size_t first = 0; first < pieces.pieces.size(); first += each) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <iterator>
 
 #include "pipeline/simd/binner.h"
 #include "pipeline/simd/fetch_ahead.h"
@@ -266,7 +267,11 @@ void setUpTriangles(const SetUpInputs& in, std::size_t begin, std::size_t end, c
         fetchAhead(from, lanes);
         const std::uint32_t live = liveOf(in, base, count, out);
         if (live == 0) continue;
-        if (count < lanes) std::copy_n(from, count, rest), from = rest;
+        if (count < lanes) {
+            // What is read in the other lanes counts for nothing, but has to be there.
+            std::fill(std::copy_n(from, count, rest), std::end(rest), *from);
+            from = rest;
+        }
         const SetUpBits bits = setUpVector(in, vertices, from, base, limit, live, all.tiles.x, fields, out.fragments);
         out.tiny += std::size_t(std::popcount(bits.tiny));
         const TinyFragments& tiny = fields.fragments;
@@ -341,12 +346,16 @@ bool snapsSeldom(const SetUpInputs& inputs, const TrianglePieces& pieces) {
 }
 
 TrianglePieces prepareSetUp(const SetUpInputs& inputs) {
-    // Enough for the threads of a large machine to share, few enough for their lists of tiles not to count.
-    constexpr std::size_t kMost = TrianglePieces::kMostPieces, kSmallest = 4096;
+    // Enough for the threads of a large machine to share, few enough for their lists of tiles not to count. Where no name
+    // has to tell them apart there may be more, for those that are set up at once to be many.
+    constexpr std::size_t kEach = 4096, kMost = TrianglePieces::kMostPieces, kLargest = 1 << 17;
+    const std::size_t count = inputs.topology.triangles.size();
+    const auto piecesOf = [&](std::size_t each) { return (count + each - 1) / each; };
+    const std::size_t pieces = std::clamp<std::size_t>(piecesOf(kEach), 1, kMost);
     TrianglePieces out;
     out.size = inputs.view.size;
     out.tiles = (out.size + kTileSize - 1) / kTileSize;
-    out.pieces.resize(std::clamp<std::size_t>(inputs.topology.triangles.size() / kSmallest, 1, kMost));
+    out.pieces.resize(inputs.named ? pieces : std::max(pieces, piecesOf(kLargest)));
     return out;
 }
 

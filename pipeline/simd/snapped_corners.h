@@ -6,6 +6,8 @@
 #define SHADESCOPE_SNAPPED_CORNERS_H
 #endif
 
+#include <cassert>
+
 #include "pipeline/simd/lanes.h"
 #include "pipeline/stages/snapped_vertices.h"
 
@@ -28,9 +30,12 @@ struct SnappedCorners {
     // vertexOf(l, i): corner i of the triangle in lane l.
     template <class VertexOf>
     HWY_INLINE SnappedCorners(const SnappedVertices& from, VertexOf vertexOf) {
-        const SnappedVertex* const all = from.of.data() - std::ptrdiff_t(from.first);  // where the first would stand
+        const auto at = [&](std::size_t vertex) {
+            assert(vertex - from.first < from.of.size());
+            return &from.of.data()[vertex - from.first].x;
+        };
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto corner = loadFours(I(), [&](std::size_t l) { return &all[vertexOf(l, i)].x; });
+            const auto corner = loadFours(I(), [&](std::size_t l) { return at(vertexOf(l, i)); });
             x[i] = corner.of[0], y[i] = corner.of[1], w[i] = hn::BitCast(F(), corner.of[2]), planes[i] = corner.of[3];
         }
     }

@@ -9,11 +9,12 @@ NormalsOutput<Real> prepareNormals(const NormalsInputs& inputs, const TransformO
     NormalsOutput<Real> out;
     if (inputs.polygonNormals) out.polygon.resize(in.topology->polygonCount());
     if (inputs.vertexNormals) {
-        const std::shared_ptr<const Mesh>& first = in.topology->meshes[0];
-        if (inputs.asGiven)
-            out.vertex.give(first, first->normals.in<Real>());
-        else
+        if (inputs.asGiven) {
+            const std::shared_ptr<const Mesh>& mesh = in.topology->meshes[0];
+            out.vertex.give(mesh, mesh->normals.in<Real>());
+        } else {
             out.vertex.makeOwn(in.topology->vertexCount());
+        }
         if (inputs.polygonNormals && inputs.weight == NormalWeight::Area)
             out.weighted.resize(in.topology->polygonCount());
     }
