@@ -39,7 +39,8 @@ void preferLargePages([[maybe_unused]] void* piece, [[maybe_unused]] std::size_t
     constexpr std::uintptr_t kPage = std::uintptr_t(2) << 20;
     const auto from = reinterpret_cast<std::uintptr_t>(piece);
     const std::uintptr_t first = (from + kPage - 1) / kPage * kPage, end = (from + bytes) / kPage * kPage;
-    // Where it is refused, the pages are small ones.
+    // Where it is refused, the pages are small ones. They are whole pages of the piece, found by their numbers.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
     if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
 #endif
 }

@@ -188,6 +188,7 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
     }
 
     Json all = manifest(frame, askedFor(frame, request), written, *whole, *views, request.at);
+    staging.waitForOthers();  // what the export before has left has to be known when this one takes its place
     const Json earlier = earlierManifest(request.folder);
     const std::vector<std::string> old = remaining(earlier, request.folder, summary.files);
     if (areOfOneFrame(earlier, all))

@@ -1,5 +1,7 @@
 #include "pipeline/export/staging.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -72,15 +74,27 @@ bool Staging::makeFolder(std::error_code& error) {
 Staging::Staging(Staging&& other) noexcept
     : m_target(std::move(other.m_target)),
       m_folder(std::exchange(other.m_folder, {})),
-      m_made(std::exchange(other.m_made, {})) {}
+      m_made(std::exchange(other.m_made, {})),
+      m_lock(std::exchange(other.m_lock, -1)) {}
 
 Staging::~Staging() {
     std::error_code ignored;
     if (!m_folder.empty()) fs::remove_all(m_folder, ignored);
     for (auto p = m_made.rbegin(); p != m_made.rend(); ++p) fs::remove(*p, ignored);  // only while empty
+    if (m_lock >= 0) ::close(m_lock);
+}
+
+void Staging::waitForOthers() {
+    if (m_lock >= 0) return;
+    // Of the folder that the target stands in, or will: the target itself may not be there yet. Where it cannot be locked
+    // files are published all the same.
+    m_lock = ::open(m_target.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    while (m_lock >= 0 && ::flock(m_lock, LOCK_EX) != 0 && errno == EINTR) {
+    }
 }
 
 Result<std::monostate> Staging::publish(const std::vector<std::string>& gone) {
+    waitForOthers();
     std::error_code error;
     bool isThere = fs::exists(m_target, error);
     if (!isThere) {
@@ -119,6 +133,7 @@ Result<std::monostate> Staging::publish(const std::vector<std::string>& gone) {
     }
     m_folder.clear();
     m_made.clear();
+    if (m_lock >= 0) ::close(std::exchange(m_lock, -1));
     return std::monostate{};
 }
 

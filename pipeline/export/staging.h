@@ -21,6 +21,9 @@ public:
     ~Staging();
 
     const std::filesystem::path& folder() const { return m_folder; }  // to write into
+    // Waits until nobody else publishes into the target, in this process or another one, and from then on nobody does
+    // until this has published or is destroyed: for who has to look at what is there first.
+    void waitForOthers();
     // gone: names of files in the target that go when the new ones come.
     Result<std::monostate> publish(const std::vector<std::string>& gone = {});
 
@@ -31,6 +34,7 @@ private:
 
     std::filesystem::path m_target, m_folder;   // m_folder is empty once published or moved from
     std::vector<std::filesystem::path> m_made;  // parents that were missing, outermost first
+    int m_lock = -1;                            // a descriptor; below 0: not locked
 };
 
 // Files that are whole in memory, (name, bytes) each, into a folder: all of them, or none. Gives their names.

@@ -78,7 +78,7 @@ struct Fields {
         static_assert(offsetof(SmallTriangle, b2) == 16 && offsetof(SmallTriangle, column) == 32);
         static_assert(offsetof(SmallTriangle, facesViewer) == 50 && offsetof(SmallTriangle, leastW) == 52);
         auto* const to = reinterpret_cast<std::int32_t*>(&out);
-        for (int i = 0; i < 4; ++i) std::memcpy(to + 4 * i, quarters[i] + 4 * lane, 16);
+        for (std::size_t i = 0; i < 4; ++i) std::memcpy(to + 4 * i, quarters[i] + 4 * lane, 16);
     }
 };
 

@@ -149,7 +149,7 @@ TEST(SceneOutline, CountsStandInGroups) {
         if (i > 0) polygons.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
     }
     pipeline::Scene scene = test::pyramid();
-    scene.objects[0].mesh = test::mesh(std::move(positions), std::move(polygons));
+    scene.objects[0].mesh = test::mesh(std::move(positions), polygons);
     EXPECT_EQ(utf8(app::outline(scene)[1].detail), "2\u2009002 vertices, 1\u2009000 polygons");
 }
 

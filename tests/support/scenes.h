@@ -11,7 +11,8 @@ namespace test {
 using namespace pipeline;
 
 // A mesh from its positions and its polygons, written out.
-inline std::shared_ptr<const Mesh> mesh(VertexVectors positions, std::vector<std::vector<std::uint32_t>> polygons) {
+inline std::shared_ptr<const Mesh> mesh(VertexVectors positions,
+                                        const std::vector<std::vector<std::uint32_t>>& polygons) {
     Mesh m;
     m.positions = std::move(positions);
     for (const auto& polygon : polygons) m.addPolygon(polygon);
@@ -108,7 +109,7 @@ inline std::shared_ptr<const Mesh> sphere(double radius, int rings, int segments
             polygons.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
         polygons.push_back({at(rings - 1, j), last, at(rings - 1, j + 1)});
     }
-    return mesh(std::move(positions), std::move(polygons));
+    return mesh(std::move(positions), polygons);
 }
 
 // Three spheres of different materials in and out of each other's shadow, Phong shaded, in a picture whose width no

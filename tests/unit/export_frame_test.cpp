@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "pipeline/export/json.h"
 #include "pipeline/formats/scene_reader.h"
@@ -58,6 +59,27 @@ TEST(ExportFrame, AddsToAnExportOfTheSameFrame) {
     exported(BufferId::Depth, {"npy"});
     EXPECT_EQ(filesOf(manifestIn(out), "color"), std::vector<std::string>{});
     EXPECT_EQ(filesOf(manifestIn(out), "depth"), (std::vector<std::string>{"depth.npy", "depth.csv"}));
+}
+
+// Two at once, of different frames and files: the later one takes the place of the earlier one, whichever it is.
+TEST(ExportFrame, OfTwoAtOnceOneIsLeftWhole) {
+    const FramePtr frame = usefulFrame();
+    Scene scene = frame->scene();
+    scene.settings.width /= 2;
+    const FramePtr other = test::frameOf(scene, setOf({BufferId::Color}));
+    for (int round = 0; round < 50; ++round) {
+        const test::TemporaryFolder folder;
+        const auto exported = [&](const FramePtr& of, BufferId id, const char* format) {
+            EXPECT_TRUE(exportFrame(*of, {folder / "out", {{id}}, {format}, {}}));
+        };
+        {
+            const std::jthread one([&] { exported(frame, BufferId::Depth, "npy"); });
+            const std::jthread two([&] { exported(other, BufferId::Color, "csv"); });
+        }
+        const bool isOne = manifestIn(folder / "out")["buffers"][0]["name"] == "depth";
+        const std::vector<std::string> names{"out", isOne ? "out/depth.npy" : "out/color.csv", "out/manifest.json"};
+        ASSERT_EQ(folder.names(), names) << round;
+    }
 }
 
 // A manifest may name anything; removed is what an export can have written.
