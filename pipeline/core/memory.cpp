@@ -1,7 +1,7 @@
 #include "pipeline/core/memory.h"
 
-#include <cstdint>
 #include <cstdlib>  // says whether the library is glibc
+#include <memory>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -36,12 +36,9 @@ void preferLargePages([[maybe_unused]] void* piece, [[maybe_unused]] std::size_t
     // More than a buffer of 1920 × 1080 pixels, not all of whose tiles are written.
     constexpr std::size_t kLeast = 9'000'000;
     if (bytes < kLeast) return;
-    constexpr std::uintptr_t kPage = std::uintptr_t(2) << 20;
-    const auto from = reinterpret_cast<std::uintptr_t>(piece);
-    const std::uintptr_t first = (from + kPage - 1) / kPage * kPage, end = (from + bytes) / kPage * kPage;
-    // Where it is refused, the pages are small ones. They are whole pages of the piece, found by their numbers.
-    // NOLINTNEXTLINE(performance-no-int-to-ptr)
-    if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+    constexpr std::size_t kPage = std::size_t(2) << 20;
+    // Where it is refused, the pages are small ones.
+    if (std::align(kPage, kPage, piece, bytes)) madvise(piece, bytes / kPage * kPage, MADV_HUGEPAGE);
 #endif
 }
 
