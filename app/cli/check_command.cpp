@@ -33,7 +33,7 @@ std::string padded(std::string_view text, std::size_t width) {
     return std::string(text) + std::string(width - std::min(width, columns(text)), ' ');
 }
 
-void printTable(const std::vector<std::vector<std::string>>& rows) {
+void printRows(const std::vector<std::vector<std::string>>& rows) {
     std::vector<std::size_t> widths(rows[0].size(), 0);
     for (const auto& row : rows)
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], columns(row[i]));
@@ -77,7 +77,7 @@ void printList(const pipeline::check::Filter& filter) {
     for (const Case& c : pipeline::check::caseTable())
         if (filter.admits(c))
             rows.push_back({std::string(c.id), std::string(name(c.group)), std::string(c.title), std::string(c.input)});
-    printTable(rows);
+    printRows(rows);
 }
 
 void print(const pipeline::Json& json) {
@@ -90,7 +90,7 @@ void printResults(std::vector<CaseResult> results, double seconds) {
     for (const CaseResult& r : results)
         rows.push_back({std::string(r.what->id), std::string(r.what->title), r.naiveText(), r.oursText(), r.boundText(),
                         std::string(name(r.what->outcome)), r.holds ? "holds" : "breaks: " + r.reason});
-    printTable(rows);
+    printRows(rows);
     fmt::print("\n{} of {} hold, in {:.2f} s\n", std::ranges::count(results, true, &CaseResult::holds), results.size(),
                seconds);
 }

@@ -59,7 +59,7 @@ bool knowsFormat(const InspectOptions& options, std::span<const std::string_view
     return false;
 }
 
-int printTable(std::shared_ptr<const pipeline::Scene> scene, const InspectOptions& options) {
+int inspectTable(std::shared_ptr<const pipeline::Scene> scene, const InspectOptions& options) {
     if (!knowsFormat(options, pipeline::kTableFormats, "text, csv, markdown, latex or numpy for a table"))
         return kWrongUsage;
     const auto id = pipeline::findTable(options.table).value();  // CLI11 has checked both words
@@ -186,7 +186,7 @@ int runInspect(InspectOptions options) {
     if (options.row) wanted = pipeline::sectionBuffers();
     if (options.shadowVerdicts) wanted = pipeline::setOf({pipeline::BufferId::Shadow});
     if (!fits(*scene, requestFor(options, wanted), options.scene, status)) return status;
-    if (!options.table.empty()) return printTable(scene, options);
+    if (!options.table.empty()) return inspectTable(scene, options);
     if (options.hasWhere) return printWhere(scene, options);
     if (options.shadowVerdicts) return printShadows(scene, options);
     if (options.row) return printRow(scene, options);

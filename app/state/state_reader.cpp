@@ -21,7 +21,6 @@ namespace {
 
 constexpr double kMost = 1e300;  // of any number: all but what is none
 constexpr std::size_t kMaxViews = 16, kMaxList = 10000;
-constexpr std::array<string_view, 3> kChannels{"red", "green", "blue"};
 
 const KnownKeys kKeys{"scene", "set",      "scene_text",  "stage",     "place",     "step",
                       "pixel", "equation", "arrangement", "view",      "bookmarks", "view3d",
@@ -63,7 +62,7 @@ public:
         if (const auto* node = table.get("step"))
             if (const auto i = m_values.choice(*node, m_path + "step", steps)) state.step = pipeline::StepLevel(*i);
         if (const auto* node = table.get("equation"))
-            if (const auto i = m_values.choice(*node, m_path + "equation", kChannels)) state.channel = int(*i);
+            if (const auto i = m_values.choice(*node, m_path + "equation", kEquationChannels)) state.channel = int(*i);
         if (const auto* node = table.get("place")) state.place = place(*node, m_path + "place");
         if (const auto* node = table.get("pixel"))
             if (const auto xy = m_values.wholeNumbers(*node, m_path + "pixel", 2, 0, 1 << 20))

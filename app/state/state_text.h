@@ -15,6 +15,9 @@ inline constexpr std::array<std::string_view, 4> kSelectedKinds{"object", "polyg
 // How a view is compared, in files; in the order of the buttons.
 inline constexpr std::array<std::string_view, 5> kCompareModes{"a", "b", "blink", "wipe", "difference"};
 
+// The channel of the equation, in files.
+inline constexpr std::array<std::string_view, 3> kEquationChannels{"red", "green", "blue"};
+
 // The keys of a state, then its tables; `prefix` stands before the tables' names: "cue.".
 std::string stateText(const WindowState& state, const std::string& prefix);
 

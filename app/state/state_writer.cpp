@@ -11,8 +11,6 @@ using pipeline::tomlString;
 
 namespace {
 
-constexpr std::array<const char*, 3> kChannels{"red", "green", "blue"};
-
 std::string list(std::span<const double> numbers) {
     std::vector<std::string> texts;
     for (const double number : numbers) texts.push_back(tomlNumber(number));
@@ -90,7 +88,7 @@ std::string stateText(const WindowState& state, const std::string& prefix) {
     }
     if (const auto& thing = state.selected)
         out.line("selected", tomlString(fmt::format("{} {}", kSelectedKinds[std::size_t(thing->kind)], thing->index)));
-    out.line("equation", tomlString(kChannels[std::size_t(state.channel)]));
+    out.line("equation", tomlString(kEquationChannels[std::size_t(state.channel)]));
     if (!state.condition.empty()) out.line("condition", tomlString(state.condition));
     if (!state.mix.empty()) out.line("mix", tomlString(state.mix));
     out.line("arrangement", tomlString(state.arrangement));

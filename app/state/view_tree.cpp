@@ -44,10 +44,10 @@ ViewTree* find(ViewTree& tree, ViewLeaf leaf) {
 
 // The fewest digits for the same proportions; rounded only where they would not stay small numbers.
 void simplify(std::vector<ViewTree>& parts, const std::vector<std::int64_t>& weights) {
-    constexpr std::int64_t kMost = 100000;
+    constexpr std::int64_t kMostWeight = 100000;
     std::int64_t common = 0, largest = 1;
     for (const std::int64_t w : weights) common = std::gcd(common, w), largest = std::max(largest, w);
-    const std::int64_t divisor = std::max<std::int64_t>(common, (largest + kMost - 1) / kMost);
+    const std::int64_t divisor = std::max<std::int64_t>(common, (largest + kMostWeight - 1) / kMostWeight);
     for (std::size_t i = 0; i < parts.size(); ++i)
         parts[i].weight = int(std::max<std::int64_t>(1, weights[i] / std::max<std::int64_t>(1, divisor)));
 }

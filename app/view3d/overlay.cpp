@@ -14,7 +14,7 @@ namespace app {
 
 namespace {
 
-constexpr double kHalo = 5;  // pixels of the design
+constexpr double kTextHalo = 5;  // pixels of the design
 
 // Text with a halo in the view's colour, so that it reads on any picture; its middle is the origin.
 void paintHaloedText(QPainter& painter, const QString& text, const QFont& font, const QColor& ink, double halo) {
@@ -128,7 +128,7 @@ void paintOverlay(QPainter& painter, const Drawing& drawing, const ViewFrame& vi
         const bool quiet = kind == Label::Kind::Caption;
         paintText(painter, placed.at, toQString(placed.label.text), fontOf(kind),
                   mixed(quiet ? colors.text2 : colorOf(placed.label.ink, colors), colors.view, placed.label.strength),
-                  kHalo * view.scale);
+                  kTextHalo * view.scale);
     };
     // Letters over captions.
     for (const bool captions : {true, false})

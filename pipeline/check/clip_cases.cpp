@@ -73,7 +73,7 @@ Finding runEyePlane(Trial& trial) {
 
 const Corners kBehind{Vec3d(-2, -1, 4), Vec3d(3, -1, 2), Vec3d(0, 2, 5)};
 Scene behind() { return eyeScene({triangleOf(kBehind[0], kBehind[1], kBehind[2])}); }
-Finding runBehind(Trial& trial) {
+Finding runBehindTheEye(Trial& trial) {
     const auto naive = unclipped(kBehind);
     return {double(std::ranges::count_if(naive, [](int n) { return n > 0; })),
             double(drawnPixels(trial.frame(behind())))};
@@ -266,7 +266,7 @@ std::span<const Case> clipCases() {
          .reference = "nothing is in front",
          .bound = 0,
          .outcome = Outcome::Empty,
-         .run = runBehind,
+         .run = runBehindTheEye,
          .scene = behind},
         {.id = "C4",
          .group = Group::Raster,

@@ -18,8 +18,6 @@
 namespace pipeline::check {
 namespace {
 
-constexpr std::array kModels{Model::Phong, Model::BlinnPhong, Model::OpenGl};
-
 bool saysSomethingAbout(const Scene& scene, std::string_view about) {
     return std::ranges::any_of(sceneRemarks(scene), [&](const Remark& r) { return r.about == about; });
 }

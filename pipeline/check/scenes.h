@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <random>
@@ -14,6 +15,8 @@ namespace pipeline::check {
 // References are computed in it: 64 bits of significand where double has 53, or more.
 using Long = long double;
 using Long3 = glm::vec<3, Long>;
+
+inline constexpr std::array kModels{Model::Phong, Model::BlinnPhong, Model::OpenGl};
 
 using Polygons = std::vector<std::vector<std::uint32_t>>;
 using Corners = std::array<Vec3d, 3>;

@@ -45,8 +45,8 @@ void addEquations(std::string& out, const Frame& frame, const PixelReport& r) {
         channels, {}, [&](const std::vector<EquationLine>& lines) { return std::ranges::count_if(lines, isShared); });
     for (auto lines = channels.begin(); lines != channels.end(); ++lines) {
         if (lines->empty()) continue;
-        constexpr std::array kNames{"red", "green", "blue"};
-        out += fmt::format("\n{}\n", kNames[std::size_t(lines - channels.begin())]);
+        constexpr std::array kChannels{"red", "green", "blue"};
+        out += fmt::format("\n{}\n", kChannels[std::size_t(lines - channels.begin())]);
         for (const EquationLine& line : *lines) {
             if (lines != most && isShared(line)) continue;
             const bool continues = line.role == "numbers" || line.role == "result";

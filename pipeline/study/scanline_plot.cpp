@@ -18,7 +18,7 @@ constexpr PlotInk kGrid{PlotRole::Grid, 0}, kWords{PlotRole::Secondary, 0}, kTex
 constexpr std::array<const char*, 3> kShadings{"flat", "Gouraud", "Phong"}, kChannels{"red", "green", "blue"};
 constexpr double kLow = 16, kWide = 36;  // sizes of a label's text
 constexpr double kBold = 1.1;            // how much wider bold letters are
-constexpr std::array kDashes{PlotDash::LongDash, PlotDash::Dashed, PlotDash::Solid};
+constexpr std::array kShadingDashes{PlotDash::LongDash, PlotDash::Dashed, PlotDash::Solid};
 
 // A linear axis from top to bottom.
 struct Rows {
@@ -191,7 +191,7 @@ void drawLegend(Layout& l, const Legend& legend, std::optional<int> column) {
         l.text({x, y}, Anchor::Start, legend.words[i], ink, true);  // beside its sample, whatever the font
         x -= 0.4 * l.u;
         const double begin = x - legend.sample * l.u;
-        l.line({{begin, y - 0.3 * l.u}, {x, y - 0.3 * l.u}}, ink, widthOfShading(i), kDashes[i]);
+        l.line({{begin, y - 0.3 * l.u}, {x, y - 0.3 * l.u}}, ink, widthOfShading(i), kShadingDashes[i]);
         x = begin - legend.gap * l.u;
     }
     if (!l.x.isBeside || !column) return;
@@ -280,7 +280,7 @@ void drawIntensities(Layout& l) {
         const auto& values = l.section().intensity[i];
         std::vector<Vec2<double>> run;
         const auto close = [&] {
-            if (run.size() > 1) l.line(run, inkOfShading(i), widthOfShading(i), kDashes[i]);
+            if (run.size() > 1) l.line(run, inkOfShading(i), widthOfShading(i), kShadingDashes[i]);
             run.clear();
         };
         for (int p = 0; p < int(values.size()); ++p) {

@@ -34,17 +34,28 @@ precompiled(precompiled_cli
   HEADERS [["pipeline/run/frame.h"]] <filesystem> <CLI/CLI.hpp>
   OPTIONS app_options CLI11::CLI11
   USED_BY app_cli)
-# A file that includes CLI11 compiles for 3.5 s before its own first line, and readers and writers include nlohmann's JSON
-# and toml++: ten of them together pay that once. The command line took 134 s of a processor and takes 42 s.
-set_target_properties(app_cli pipeline_io PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+
+# Beyond that most files compile for longer before their own first line than behind it: CLI11 alone takes 3.5 s,
+# nlohmann's JSON, toml++, Qt and VTK no less. So many files together pay that once; what is a file's own has to have a
+# name of its own among them.
+function(compiled_together files)
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})
+endfunction()
+compiled_together(8 pipeline pipeline_check app_state)
+compiled_together(10 pipeline_io app_cli)
+# But not what a frame's time goes into: how much of a function is put into another depends on what stands beside it.
+# Nor tables, whose columns have names of a letter, and rays.
+get_target_property(alone pipeline SOURCES)
+list(FILTER alone INCLUDE REGEX "^(buffers|core|illumination|run|scene|simd|stages)/|/ray_")
+list(TRANSFORM alone PREPEND ${PROJECT_SOURCE_DIR}/pipeline/)
+set_source_files_properties(${alone} TARGET_DIRECTORY pipeline PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 if(SHADESCOPE_WINDOW)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets)
   precompiled(precompiled_window
     HEADERS <condition_variable> <filesystem> <set> <thread> ${qt_headers} [["pipeline/run/frame.h"]]
     OPTIONS app_options Qt6::Widgets
     USED_BY app_core app_view3d app_panels app_desktop)
-  # Nor is a file of the window small: Qt's and VTK's headers behind those above. Eight of them together.
-  set_target_properties(app_core app_view3d app_panels app_desktop PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  compiled_together(16 app_core app_view3d app_panels app_desktop)
 endif()
 
 if(SHADESCOPE_TESTS)
@@ -55,6 +66,9 @@ if(SHADESCOPE_TESTS)
     OPTIONS test_options GTest::gtest
     USED_BY unit_tests property_tests reference_tests lessons_tests cli_tests
       architecture_tests worker_tests)
+  compiled_together(8 unit_tests property_tests lessons_tests cli_tests architecture_tests)
+  # Of tests whose fixture has no name outside of its file.
+  target_compile_options(test_options INTERFACE -Wno-subobject-linkage)
   if(TARGET twin_tests)
     target_precompile_headers(twin_tests REUSE_FROM precompiled_tests)
   endif()
@@ -64,5 +78,6 @@ if(SHADESCOPE_TESTS)
       HEADERS <condition_variable> <filesystem> <set> <thread> ${qt_headers} <gtest/gtest.h> [["app/core/document.h"]]
       OPTIONS test_options Qt6::Widgets GTest::gtest
       USED_BY widget_tests view3d_tests lesson_panel_tests window_tests)
+    compiled_together(8 widget_tests view3d_tests window_tests)
   endif()
 endif()

@@ -10,6 +10,7 @@
 #include "app/view3d/overlay.h"
 #include "app/view3d/view_corner.h"
 #include "tests/app/shown_view3d.h"
+#include "tests/app/view3d_fixture.h"
 
 // The real panel, shown, clicked and looked at. Needs a display with OpenGL; without one a single
 // test checks what the panel says instead.
@@ -21,8 +22,7 @@ using app::Theme;
 using app::ThemeId;
 using app::Vec3d;
 using app::View3dPanel;
-
-constexpr glm::ivec2 kRightFace{268, 281};
+using view3d::kRightFace;
 
 class View3dWindow : public ShownView3d {
 protected:

@@ -5,6 +5,7 @@
 
 #include "app/core/theme.h"
 #include "app/view3d/offscreen.h"
+#include "tests/app/view3d_fixture.h"
 #include "tests/support/files.h"
 #include "tests/support/scenes.h"
 
@@ -16,9 +17,9 @@ using app::ThemeId;
 using app::Vec3d;
 using app::ViewContent;
 using app::ViewPreset;
+using view3d::kRightFace;
 
 constexpr glm::ivec2 kSize{800, 600};
-constexpr glm::ivec2 kRightFace{268, 281};
 
 ViewContent pyramidContent(std::optional<glm::ivec2> pixel = kRightFace) {
     const pipeline::Scene scene = test::pyramid();

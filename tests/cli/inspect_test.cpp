@@ -8,10 +8,9 @@
 namespace {
 
 using Json = nlohmann::json;
+using test::has;
 using test::run;
 using test::scene;
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
 TEST(Inspect, PrintsTheEquationWithItsNumbers) {
     const auto done = run({"inspect", scene("pyramid.scene"), "--pixel", "268,281"});

@@ -26,6 +26,8 @@ Finished runWithin(std::size_t bytes, const std::vector<std::string>& arguments)
 // The same, with Ctrl+C, or another signal, after some time.
 Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds, int signal = SIGINT);
 
+inline bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
 // A file of resources/scenes.
 std::string scene(const std::string& name);
 

@@ -11,10 +11,10 @@
 namespace pipeline {
 namespace {
 
-constexpr unsigned kMeshes = 1000, kShards = 10;
-
-class ClosedMesh : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(Shards, ClosedMesh, testing::Range(0u, kShards));
+struct ClosedMesh : testing::TestWithParam<unsigned> {
+    static constexpr unsigned kMeshes = 1000, kShards = 10;
+};
+INSTANTIATE_TEST_SUITE_P(Shards, ClosedMesh, testing::Range(0u, ClosedMesh::kShards));
 
 double between(std::mt19937& random, double low, double high) {
     return low + (high - low) * double(random()) / double(std::mt19937::max());

@@ -11,10 +11,10 @@
 namespace pipeline {
 namespace {
 
-constexpr unsigned kScenes = 1000, kShards = 10;
-
-class MetamorphicOrder : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(Shards, MetamorphicOrder, testing::Range(0u, kShards));
+struct MetamorphicOrder : testing::TestWithParam<unsigned> {
+    static constexpr unsigned kScenes = 1000, kShards = 10;
+};
+INSTANTIATE_TEST_SUITE_P(Shards, MetamorphicOrder, testing::Range(0u, MetamorphicOrder::kShards));
 
 std::shared_ptr<const Mesh> shuffled(const Mesh& mesh, std::mt19937& random) {
     std::vector<std::size_t> order(mesh.polygonCount());

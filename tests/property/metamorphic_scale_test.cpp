@@ -12,10 +12,10 @@
 namespace pipeline {
 namespace {
 
-constexpr unsigned kScenes = 1000, kShards = 10;
-
-class MetamorphicScale : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(Shards, MetamorphicScale, testing::Range(0u, kShards));
+struct MetamorphicScale : testing::TestWithParam<unsigned> {
+    static constexpr unsigned kScenes = 1000, kShards = 10;
+};
+INSTANTIATE_TEST_SUITE_P(Shards, MetamorphicScale, testing::Range(0u, MetamorphicScale::kShards));
 
 Scene scaledBy(Scene scene, double factor) {
     for (Object& object : scene.objects) object.transform.scale *= factor, object.transform.translation *= factor;

@@ -9,10 +9,10 @@
 namespace pipeline {
 namespace {
 
-constexpr unsigned kScenes = 1000, kShards = 10;
-
-class MetamorphicTurn : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(Shards, MetamorphicTurn, testing::Range(0u, kShards));
+struct MetamorphicTurn : testing::TestWithParam<unsigned> {
+    static constexpr unsigned kScenes = 1000, kShards = 10;
+};
+INSTANTIATE_TEST_SUITE_P(Shards, MetamorphicTurn, testing::Range(0u, MetamorphicTurn::kShards));
 
 Vec3d turned(Vec3d v) { return {-v.y, v.x, v.z}; }
 

@@ -6,10 +6,10 @@
 namespace pipeline {
 namespace {
 
-constexpr unsigned kScenes = 1000, kShards = 20;
-
-class LeavingOut : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(Shards, LeavingOut, testing::Range(0u, kShards));
+struct LeavingOut : testing::TestWithParam<unsigned> {
+    static constexpr unsigned kScenes = 1000, kShards = 20;
+};
+INSTANTIATE_TEST_SUITE_P(Shards, LeavingOut, testing::Range(0u, LeavingOut::kShards));
 
 BufferSet someBuffers(unsigned seed) {
     std::mt19937 random(seed);

@@ -10,10 +10,10 @@
 namespace pipeline {
 namespace {
 
-constexpr unsigned kScenes = 200, kShards = 10;
-
-class TrianglesAlone : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(Shards, TrianglesAlone, testing::Range(0u, kShards));
+struct TrianglesAlone : testing::TestWithParam<unsigned> {
+    static constexpr unsigned kScenes = 200, kShards = 10;
+};
+INSTANTIATE_TEST_SUITE_P(Shards, TrianglesAlone, testing::Range(0u, TrianglesAlone::kShards));
 
 // A mesh whose polygons are the triangles of another one; a quadrilateral with four corners in one place, which has no
 // area and is never drawn, after them.

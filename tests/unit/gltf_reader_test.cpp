@@ -23,7 +23,7 @@ LoadedModel modelOf(const std::string& text, const FileLoader& load = filesOf({}
     return model ? *model : LoadedModel{};
 }
 
-std::string errorsOf(const std::string& text, const FileLoader& load = filesOf({})) {
+std::string gltfErrors(const std::string& text, const FileLoader& load = filesOf({})) {
     const Result<LoadedModel> model = readModel({text, "m.gltf"}, ".gltf", load);
     return model ? "" : format(model.errors());
 }
@@ -76,32 +76,34 @@ TEST(GltfReader, BinaryFilesThatEndTooEarly) {
     Parts parts = squareParts();
     parts["buffers"] = R"([{"byteLength": 108}])";
     const std::string glb = glbOf({{kJson, fileOf(parts)}, {kBin, bytes}});
-    for (std::size_t size = 4; size < glb.size(); ++size) EXPECT_NE(errorsOf(glb.substr(0, size)), "") << size;
-    EXPECT_EQ(errorsOf("glTF"), "m.gltf: the file ends after 4 bytes\n");
-    EXPECT_EQ(errorsOf("glTF" + bytesOf<std::uint32_t>({2, 4000000000u})),
+    for (std::size_t size = 4; size < glb.size(); ++size) EXPECT_NE(gltfErrors(glb.substr(0, size)), "") << size;
+    EXPECT_EQ(gltfErrors("glTF"), "m.gltf: the file ends after 4 bytes\n");
+    EXPECT_EQ(gltfErrors("glTF" + bytesOf<std::uint32_t>({2, 4000000000u})),
               "m.gltf: 4 000 000 000 bytes announced, the file ends after 12\n");
-    EXPECT_EQ(errorsOf("glTF" + bytesOf<std::uint32_t>({1, 12})),
+    EXPECT_EQ(gltfErrors("glTF" + bytesOf<std::uint32_t>({1, 12})),
               "m.gltf: the file is of version 1 of binary glTF, expected version 2\n");
-    EXPECT_EQ(errorsOf("glTF" + bytesOf<std::uint32_t>({2, 20, 4000000000u}) + kJson),
+    EXPECT_EQ(gltfErrors("glTF" + bytesOf<std::uint32_t>({2, 20, 4000000000u}) + kJson),
               "m.gltf: a chunk of 4 000 000 000 bytes announced at byte 12, the file ends after 20\n");
-    EXPECT_EQ(errorsOf(glbOf({{kBin, bytes}})), "m.gltf: the file's first chunk is not JSON, expected a JSON chunk\n");
-    EXPECT_EQ(errorsOf(glbOf({{kJson, "{\"a\": x}"}})), "m.gltf: this is not JSON at byte 26, expected a glTF file\n");
+    EXPECT_EQ(gltfErrors(glbOf({{kBin, bytes}})),
+              "m.gltf: the file's first chunk is not JSON, expected a JSON chunk\n");
+    EXPECT_EQ(gltfErrors(glbOf({{kJson, "{\"a\": x}"}})),
+              "m.gltf: this is not JSON at byte 26, expected a glTF file\n");
 }
 
 TEST(GltfReader, PlacesInJson) {
-    EXPECT_EQ(errorsOf("{\n  \"ä\": x\n}"), "m.gltf:2:8: this is not JSON, expected a glTF file\n");
-    EXPECT_EQ(errorsOf("{\"asset\": 1e999}"), "m.gltf:1:15: this is not JSON, expected a glTF file\n");
-    EXPECT_EQ(errorsOf("{\"asset\": NaN}"), "m.gltf:1:11: this is not JSON, expected a glTF file\n");
-    EXPECT_EQ(errorsOf(""), "m.gltf:1:1: the JSON ends too early, expected a glTF file\n");
-    EXPECT_EQ(errorsOf("[1]"), "m.gltf:1:1: the JSON is an array of 1, expected an object\n");
+    EXPECT_EQ(gltfErrors("{\n  \"ä\": x\n}"), "m.gltf:2:8: this is not JSON, expected a glTF file\n");
+    EXPECT_EQ(gltfErrors("{\"asset\": 1e999}"), "m.gltf:1:15: this is not JSON, expected a glTF file\n");
+    EXPECT_EQ(gltfErrors("{\"asset\": NaN}"), "m.gltf:1:11: this is not JSON, expected a glTF file\n");
+    EXPECT_EQ(gltfErrors(""), "m.gltf:1:1: the JSON ends too early, expected a glTF file\n");
+    EXPECT_EQ(gltfErrors("[1]"), "m.gltf:1:1: the JSON is an array of 1, expected an object\n");
     // As deep as a parser that calls itself could not go; and within a string, where brackets count nothing.
     const std::string deep(100'000, '[');
-    EXPECT_EQ(errorsOf(deep), "m.gltf:1:65: JSON nests more than 64 deep\n");
-    EXPECT_EQ(errorsOf(fileOf("copyright", "\"\\\"" + deep + "\"")), "");
+    EXPECT_EQ(gltfErrors(deep), "m.gltf:1:65: JSON nests more than 64 deep\n");
+    EXPECT_EQ(gltfErrors(fileOf("copyright", "\"\\\"" + deep + "\"")), "");
     std::string many = "{\"a\": [0";
     for (int i = 0; i < 5'000'000; ++i) many += ",0";
     // { and [ count as values, and the text as one: comma 4 194 302, in column 9 + 2 · 4 194 301, is one too many.
-    EXPECT_EQ(errorsOf(many + "]}"), "m.gltf:1:8388611: JSON has more than 4 194 304 values\n");
+    EXPECT_EQ(gltfErrors(many + "]}"), "m.gltf:1:8388611: JSON has more than 4 194 304 values\n");
 }
 
 // 1024 nodes that name a mesh of 1025 primitives, of which none leaves anything: 2^20 + 2^10 in a file of 30 KB.
@@ -114,7 +116,7 @@ TEST(GltfReader, NodesThatRepeatAMeshWithoutEndAreRefused) {
     for (int i = 0; i < 1025; ++i) primitives += std::string(i ? "," : "") + R"({"mode":0})";
     const std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" + roots +
                              R"(]}],"nodes":[)" + nodes + R"(],"meshes":[{"primitives":[)" + primitives + "]}]}";
-    EXPECT_EQ(errorsOf(text), "m.gltf: the nodes have more than 1 048 576 primitives\n");
+    EXPECT_EQ(gltfErrors(text), "m.gltf: the nodes have more than 1 048 576 primitives\n");
 }
 
 TEST(GltfReader, WhatIsRefused) {
@@ -209,12 +211,12 @@ TEST(GltfReader, WhatIsRefused) {
         {buffer(R"({"byteLength": 108, "uri": "data:;base64,AAAA"})"),
          "/buffers/0/byteLength is 108, its data end after 3 bytes"},
     };
-    for (const Case& wrong : cases) EXPECT_EQ(errorsOf(wrong.text), "m.gltf: " + wrong.error + "\n");
+    for (const Case& wrong : cases) EXPECT_EQ(gltfErrors(wrong.text), "m.gltf: " + wrong.error + "\n");
     for (const char* uri : {"http://a/b.bin", "file:///etc/passwd", "/etc/passwd", "../b.bin", "a/../../b.bin", "..",
                             "C:\\b.bin", "%2e%2e/b.bin", "a%", ""})
         EXPECT_EQ(
-            errorsOf(buffer(fmt::format(R"({{"byteLength": 108, "uri": "{}"}})",
-                                        uri == std::string("C:\\b.bin") ? "C:\\\\b.bin" : uri))),
+            gltfErrors(buffer(fmt::format(R"({{"byteLength": 108, "uri": "{}"}})",
+                                          uri == std::string("C:\\b.bin") ? "C:\\\\b.bin" : uri))),
             fmt::format("m.gltf: /buffers/0/uri is \"{}\", expected a file in the model's folder, or a data: URI\n",
                         uri == std::string("C:\\b.bin") ? "C:\\\\b.bin" : uri));
 }
@@ -223,8 +225,9 @@ TEST(GltfReader, NumbersThatAreNone) {
     for (const float value : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -2e9f}) {
         std::string bytes = kSquare + kIndices + kNormals;
         std::memcpy(bytes.data() + 20, &value, 4);  // the z of vertex 1
-        EXPECT_TRUE(errorsOf(fileOf("buffers", fmt::format(R"([{{"byteLength": 108, "uri": "{}"}}])", dataUri(bytes))))
-                        .starts_with("m.gltf: z of element 1 of /accessors/0 is "));
+        EXPECT_TRUE(
+            gltfErrors(fileOf("buffers", fmt::format(R"([{{"byteLength": 108, "uri": "{}"}}])", dataUri(bytes))))
+                .starts_with("m.gltf: z of element 1 of /accessors/0 is "));
     }
 }
 

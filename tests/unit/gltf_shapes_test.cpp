@@ -16,18 +16,18 @@ namespace {
 
 using test::bytesOf, test::dataUri, test::fileOf, test::filesOf, test::Parts, test::squareParts;
 
-LoadedModel modelOf(const std::string& text, std::string_view extension = ".gltf") {
+LoadedModel shapesOf(const std::string& text, std::string_view extension = ".gltf") {
     const Result<LoadedModel> model = readModel({text, "m"}, extension, filesOf({}));
     EXPECT_TRUE(model) << (model ? "" : format(model.errors()));
     return model ? *model : LoadedModel{};
 }
 
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 // Polygons as their corners' places, each from its smallest corner on, so that the order does not count.
-std::multiset<std::vector<Place>> polygonsOf(const Object& object) {
-    std::multiset<std::vector<Place>> polygons;
+std::multiset<std::vector<Position>> polygonsOf(const Object& object) {
+    std::multiset<std::vector<Position>> polygons;
     for (std::size_t i = 0; i < object.mesh->polygonCount(); ++i) {
-        std::vector<Place> places;
+        std::vector<Position> places;
         for (const std::uint32_t corner : object.mesh->polygon(i)) {
             const Vec3d& p = object.mesh->positions[corner];
             places.push_back({p.x, p.y, p.z});
@@ -63,13 +63,14 @@ std::string indicesOf(std::initializer_list<std::uint8_t> indices) { return byte
 
 TEST(GltfShapes, StripAndFanFaceAsTheirFirstTriangle) {
     // Counter-clockwise as seen: (0,0) (1,0) (0,1), then (1,0) (1,1) (0,1), then (0,1) (1,1) (0,2).
-    const std::multiset<std::vector<Place>> strip{
+    const std::multiset<std::vector<Position>> strip{
         {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}, {1, 0, 1}}, {{0, 0, 1}, {1, 0, 1}, {0, 0, 2}}};
-    EXPECT_EQ(polygonsOf(modelOf(drawn(5, kZigzag, indicesOf({0, 1, 2, 3, 4}))).objects.at(0)), strip);
-    const std::multiset<std::vector<Place>> fan{{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, {{0, 0, 0}, {1, 0, 1}, {0, 0, 2}}};
-    EXPECT_EQ(polygonsOf(modelOf(drawn(6, kZigzag, indicesOf({0, 1, 3, 4}))).objects.at(0)), fan);
+    EXPECT_EQ(polygonsOf(shapesOf(drawn(5, kZigzag, indicesOf({0, 1, 2, 3, 4}))).objects.at(0)), strip);
+    const std::multiset<std::vector<Position>> fan{{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}},
+                                                   {{0, 0, 0}, {1, 0, 1}, {0, 0, 2}}};
+    EXPECT_EQ(polygonsOf(shapesOf(drawn(6, kZigzag, indicesOf({0, 1, 3, 4}))).objects.at(0)), fan);
     // A strip goes round a corner by triangles without area, which are left out.
-    EXPECT_EQ(modelOf(drawn(5, kZigzag, indicesOf({0, 1, 2, 2, 1, 3}))).objects.at(0).mesh->polygonCount(), 2u);
+    EXPECT_EQ(shapesOf(drawn(5, kZigzag, indicesOf({0, 1, 2, 2, 1, 3}))).objects.at(0).mesh->polygonCount(), 2u);
 }
 
 TEST(GltfShapes, PointsAndLinesAreLeftOut) {
@@ -84,7 +85,7 @@ TEST(GltfShapes, PointsAndLinesAreLeftOut) {
 TEST(GltfShapes, NodesMoveTurnScaleAndMirror) {
     // Their file's x, y, z; a quarter turn about the file's y takes x to -z, which is our +y.
     const auto corner = [](const std::string& node, std::uint32_t i) {
-        const LoadedModel model = modelOf(fileOf("nodes", "[" + node + "]"));
+        const LoadedModel model = shapesOf(fileOf("nodes", "[" + node + "]"));
         return model.objects.at(0).mesh->positions[i];
     };
     EXPECT_EQ(corner(R"({"mesh": 0, "translation": [1, 2, 3]})", 0), Vec3d(1, -3, 2));
@@ -97,20 +98,20 @@ TEST(GltfShapes, NodesMoveTurnScaleAndMirror) {
     EXPECT_NEAR(glm::length(unscaled - Vec3d(0, 1, 0)), 0, 1e-15);
     // The parent's transform comes last: scaled, then moved.
     EXPECT_EQ(
-        polygonsOf(modelOf(fileOf("nodes", R"([{"children": [1], "translation": [1, 0, 0]},
+        polygonsOf(shapesOf(fileOf("nodes", R"([{"children": [1], "translation": [1, 0, 0]},
                                                      {"mesh": 0, "scale": [2, 2, 2]}])"))
                        .objects.at(0)),
-        (std::multiset<std::vector<Place>>{{{1, 0, 0}, {3, 0, 0}, {3, 0, 2}}, {{1, 0, 0}, {3, 0, 2}, {1, 0, 2}}}));
+        (std::multiset<std::vector<Position>>{{{1, 0, 0}, {3, 0, 0}, {3, 0, 2}}, {{1, 0, 0}, {3, 0, 2}, {1, 0, 2}}}));
 }
 
 TEST(GltfShapes, MirroredNodeKeepsItsOutside) {
     Parts parts = squareParts();
     parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 2}, "indices": 1}]}])";
     parts["nodes"] = R"([{"mesh": 0, "scale": [-1, 1, 1]}])";
-    const LoadedModel model = modelOf(fileOf(parts));
+    const LoadedModel model = shapesOf(fileOf(parts));
     const Mesh& mesh = *model.objects.at(0).mesh;
-    EXPECT_EQ(polygonsOf(model.objects[0]), (std::multiset<std::vector<Place>>{{{-1, 0, 0}, {0, 0, 0}, {-1, 0, 1}},
-                                                                               {{-1, 0, 1}, {0, 0, 0}, {0, 0, 1}}}));
+    EXPECT_EQ(polygonsOf(model.objects[0]), (std::multiset<std::vector<Position>>{{{-1, 0, 0}, {0, 0, 0}, {-1, 0, 1}},
+                                                                                  {{-1, 0, 1}, {0, 0, 0}, {0, 0, 1}}}));
     // The square still faces -y, as its normals say.
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
         const auto at = [&](std::size_t k) { return mesh.positions[mesh.polygon(i)[k]]; };
@@ -127,7 +128,7 @@ TEST(GltfShapes, NormalsOfASlantedNodeAreInverseTransposed) {
         fmt::format(R"([{{"byteLength": 108, "uri": "{}"}}])", dataUri(test::kSquare + test::kIndices + slanted));
     parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 2}, "indices": 1}]}])";
     parts["nodes"] = R"([{"mesh": 0, "scale": [1, 1, 0.5]}])";
-    const Vec3d normal = modelOf(fileOf(parts)).objects.at(0).mesh->normals[0];
+    const Vec3d normal = shapesOf(fileOf(parts)).objects.at(0).mesh->normals[0];
     EXPECT_NEAR(glm::length(normal - Vec3d(1, -2, 0) / std::sqrt(5.0)), 0, 1e-15);
 }
 
@@ -138,7 +139,7 @@ TEST(GltfShapes, DeepTreesAndTooDeepOnes) {
             nodes += fmt::format(R"({{"children": [{}], "translation": [1, 0, 0]}}, )", i + 1);
         return fileOf("nodes", "[" + nodes + R"({"mesh": 0}])");
     };
-    EXPECT_EQ(modelOf(chain(1000)).objects.at(0).mesh->positions[0], Vec3d(999, 0, 0));
+    EXPECT_EQ(shapesOf(chain(1000)).objects.at(0).mesh->positions[0], Vec3d(999, 0, 0));
     const Result<LoadedModel> tooDeep = readModel({chain(1100), "m"}, ".gltf", filesOf({}));
     ASSERT_FALSE(tooDeep);
     EXPECT_EQ(format(tooDeep.errors()), "m: /nodes/1024 stands below 1024 others, expected at most 1024 levels\n");
@@ -173,7 +174,7 @@ TEST(GltfShapes, BoxIsThatOfAnObjFile) {
             for (const int corner : {side[0], side[std::size_t(k)], side[std::size_t(k) + 1]})
                 indices += static_cast<char>(corner);
         }
-    const LoadedModel fromObj = modelOf(obj, ".obj"), fromGltf = modelOf(drawn(4, positions, indices));
+    const LoadedModel fromObj = shapesOf(obj, ".obj"), fromGltf = shapesOf(drawn(4, positions, indices));
     EXPECT_EQ(polygonsOf(fromObj.objects.at(0)), polygonsOf(fromGltf.objects.at(0)));
     EXPECT_TRUE(fromGltf.objects[0].mesh->facts.closed);
     EXPECT_TRUE(fromGltf.objects[0].mesh->facts.convex);
@@ -182,7 +183,7 @@ TEST(GltfShapes, BoxIsThatOfAnObjFile) {
 TEST(GltfShapes, VerticesThatDifferInNothingThatIsReadAreOne) {
     // Two triangles with six vertices of their own: a square with four.
     const std::string six = bytesOf<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0});
-    EXPECT_EQ(modelOf(drawn(4, six, indicesOf({0, 1, 2, 3, 4, 5}))).objects.at(0).mesh->positions.size(), 4u);
+    EXPECT_EQ(shapesOf(drawn(4, six, indicesOf({0, 1, 2, 3, 4, 5}))).objects.at(0).mesh->positions.size(), 4u);
 }
 
 TEST(GltfShapes, QuantizedPositions) {
@@ -194,7 +195,7 @@ TEST(GltfShapes, QuantizedPositions) {
     parts["bufferViews"] = R"([{"buffer": 0, "byteLength": 12, "byteStride": 4}])";
     const std::string bytes = bytesOf<std::int8_t>({0, 0, 0, 99, 127, 0, 0, 99, -128, 127, 0, 99});
     parts["buffers"] = fmt::format(R"([{{"byteLength": 12, "uri": "{}"}}])", dataUri(bytes));
-    EXPECT_EQ(modelOf(fileOf(parts)).objects.at(0).mesh->positions,
+    EXPECT_EQ(shapesOf(fileOf(parts)).objects.at(0).mesh->positions,
               (std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {-1, 0, 1}}));
     // Without the extension positions are floats.
     parts["extensionsUsed"] = parts["extensionsRequired"] = "";
@@ -209,7 +210,7 @@ TEST(GltfShapes, MaterialsByTheManualsFormulas) {
     parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}])";
     parts["materials"] = R"([{"name": "red", "emissiveFactor": [0, 0, 0.5], "pbrMetallicRoughness":
         {"baseColorFactor": [1, 0.5, 0, 1], "metallicFactor": 0.5, "roughnessFactor": 0.5}}])";
-    const Material material = modelOf(fileOf(parts)).objects.at(0).material;
+    const Material material = shapesOf(fileOf(parts)).objects.at(0).material;
     EXPECT_EQ(material.diffuse, Vec3d(0.5, 0.25, 0));
     EXPECT_EQ(material.specular, Vec3d(0.52, 0.27, 0.02));  // 0.04 / 2 + baseColor / 2
     EXPECT_EQ(material.ambient, Vec3d(1, 0.5, 0));
@@ -217,7 +218,7 @@ TEST(GltfShapes, MaterialsByTheManualsFormulas) {
     EXPECT_EQ(material.exponent, 30);  // α = 1/4: 2 · 16 - 2
     for (const auto& [roughness, exponent] : {std::pair{"0", 10000.0}, {"0.01", 10000.0}, {"1", 1.0}}) {
         parts["materials"] = fmt::format(R"([{{"pbrMetallicRoughness": {{"roughnessFactor": {}}}}}])", roughness);
-        EXPECT_EQ(modelOf(fileOf(parts)).objects.at(0).material.exponent, exponent);
+        EXPECT_EQ(shapesOf(fileOf(parts)).objects.at(0).material.exponent, exponent);
     }
 }
 
@@ -232,7 +233,7 @@ TEST(GltfShapes, AlphaByItsMode) {
                                       {R"(, "alphaMode": "MASK", "alphaCutoff": 0.25)", 1.0}}) {
         parts["materials"] =
             fmt::format(R"([{{"pbrMetallicRoughness": {{"baseColorFactor": [1, 1, 1, 0.25]}}{}}}])", mode);
-        EXPECT_EQ(modelOf(fileOf(parts)).objects.at(0).material.alpha, alpha) << mode;
+        EXPECT_EQ(shapesOf(fileOf(parts)).objects.at(0).material.alpha, alpha) << mode;
     }
     parts["materials"] = R"([{"alphaMode": "GLASS"}])";
     EXPECT_FALSE(readModel({fileOf(parts), "m"}, ".gltf", filesOf({})));
@@ -247,7 +248,7 @@ TEST(GltfShapes, RemarksAboutWhatIsNotRead) {
     parts["extensionsUsed"] = R"(["KHR_lights_punctual"])";
     parts["animations"] = "[]";
     parts["cameras"] = "[]";
-    const LoadedModel model = modelOf(fileOf(parts));
+    const LoadedModel model = shapesOf(fileOf(parts));
     std::set<std::string> starts;
     for (const Remark& remark : model.remarks) {
         EXPECT_EQ(remark.about, "m");

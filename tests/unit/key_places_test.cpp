@@ -10,12 +10,12 @@
 namespace pipeline {
 namespace {
 
-Result<NamedFile> someFile(std::string_view name) {
+Result<NamedFile> anyFile(std::string_view name) {
     return NamedFile{"3 1\n0 0 0 9e8 0 0 0 9e8 0\n3 0 1 2\n0.2 0.5 0.9 0.4 200\n", std::string(name)};
 }
 
 std::string refusalOf(const std::string& text) {
-    const auto scene = readTomlScene({text, "s.toml"}, someFile);
+    const auto scene = readTomlScene({text, "s.toml"}, anyFile);
     return scene ? "read" : format(scene.errors());
 }
 
@@ -80,7 +80,7 @@ TEST(KeyPlaces, ALargePictureIsRead) { EXPECT_EQ(refusalOf("width = 16384\nheigh
 TEST(KeyPlaces, OfALectureSceneAreItsNumbersAndItsObjects) {
     const auto refusal = [](const std::string& light, const std::string& scale) {
         const std::string text = "200, 1000, 45, 60\n1\nt.des\n" + scale + "\n0, 0, 0\n0, 0, 0\n1\n" + light + "\n50\n";
-        const auto scene = readLectureScene({text, "s.scene"}, someFile);
+        const auto scene = readLectureScene({text, "s.scene"}, anyFile);
         return scene ? "read" : format(scene.errors());
     };
     EXPECT_EQ(refusal("1, 1, 1, 100", "1e-9, 1e-9, 1e-9"), "read");

@@ -49,14 +49,14 @@ protected:
 };
 
 TEST_F(LargeModel, IsTheSameReadInPieces) {
-    constexpr int kTriangles = 40'000;
+    constexpr int kMany = 40'000;
     for (const std::string end : {"\n", "\r\n", "\r"}) {
-        expectTheSameFromAFile(test::objText(kTriangles, end), "m.obj");
-        expectTheSameFromAFile(test::plyText(kTriangles, end), "m.ply");
-        expectTheSameFromAFile(test::stlText(kTriangles, end), "m.stl");
+        expectTheSameFromAFile(test::objText(kMany, end), "m.obj");
+        expectTheSameFromAFile(test::plyText(kMany, end), "m.ply");
+        expectTheSameFromAFile(test::stlText(kMany, end), "m.stl");
     }
-    expectTheSameFromAFile(test::plyBytes(kTriangles), "m.ply");
-    expectTheSameFromAFile(test::stlBytes(kTriangles), "m.stl");
+    expectTheSameFromAFile(test::plyBytes(kMany), "m.ply");
+    expectTheSameFromAFile(test::stlBytes(kMany), "m.stl");
 }
 
 // Every place of a line's end at the end of a piece: 64 KiB and what follows are multiples of 4, so that of lines of 4

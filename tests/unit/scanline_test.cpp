@@ -15,11 +15,7 @@
 namespace pipeline {
 namespace {
 
-FramePtr frameFor(const Scene& scene) {
-    FrameRequest request;
-    request.wanted = setOf({BufferId::Intensity});
-    return runFrame(std::make_shared<const Scene>(scene), request, nullptr);
-}
+FramePtr frameWithIntensity(const Scene& scene) { return test::frameOf(scene, setOf({BufferId::Intensity})); }
 
 // A row in which several polygons lie behind one another; 0 where there is none.
 int crowdedRow(const Frame& frame) {
@@ -86,11 +82,11 @@ TEST(ScanlineSection, OfThePyramid) {
 // Against frames that were asked for each shading method on their own.
 TEST(ScanlineSection, IntensitiesAreThoseOfEachShadingMethod) {
     Scene scene = test::pyramid();
-    const auto section = shadedSection(frameFor(scene), 281, 1);
+    const auto section = shadedSection(frameWithIntensity(scene), 281, 1);
     ASSERT_TRUE(section);
     for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
         scene.settings.shading = shading;
-        const FramePtr frame = frameFor(scene);
+        const FramePtr frame = frameWithIntensity(scene);
         const AnyBuffer intensity = *frame->buffer({BufferId::Intensity});
         for (int x = 0; x < scene.settings.width; ++x) {
             const Vec3d value = section->intensity[std::size_t(shading)][std::size_t(x)];
@@ -109,7 +105,8 @@ TEST(ScanlineSection, TranslucentLayersBeforeNothingHaveAnIntensity) {
     FrameRequest request;
     request.wanted = sectionBuffers();
     const FramePtr frame = runFrame(std::make_shared<const Scene>(scene), request, nullptr);
-    const auto section = shadedSection(frame, 281, 1), opaque = shadedSection(frameFor(test::pyramid()), 281, 1);
+    const auto section = shadedSection(frame, 281, 1),
+               opaque = shadedSection(frameWithIntensity(test::pyramid()), 281, 1);
     ASSERT_TRUE(section && opaque);
     EXPECT_TRUE(section->runs.empty());
     EXPECT_FALSE(section->empty());
@@ -124,7 +121,7 @@ TEST(ScanlineSection, TranslucentLayersBeforeNothingHaveAnIntensity) {
 }
 
 TEST(ScanlineSection, IsWrittenAsATable) {
-    const auto section = shadedSection(frameFor(test::pyramid()), 281, 1);
+    const auto section = shadedSection(frameWithIntensity(test::pyramid()), 281, 1);
     const std::string csv = sectionCsv(*section);
     EXPECT_TRUE(csv.starts_with("x,seen,z_view.1,z_view.2,flat.r,flat.g,flat.b,gouraud.r,")) << csv.substr(0, 100);
     EXPECT_EQ(std::ranges::count(csv, '\n'), 641) << "a heading and a line per pixel";
@@ -139,7 +136,7 @@ TEST(ScanlineSection, OfAPainterSaysZView) {
     scene.settings.visibility = Visibility::Painter;
     for (const DepthFormat format : {DepthFormat::Fixed16, DepthFormat::Reversed}) {
         scene.settings.depthFormat = format;
-        const FramePtr frame = frameFor(scene);
+        const FramePtr frame = frameWithIntensity(scene);
         const ScanlineSection section = scanlineSection(*frame, 281);
         EXPECT_TRUE(sectionCsv(section).starts_with("x,seen,z_view.")) << sectionCsv(section).substr(0, 40);
         EXPECT_FALSE(section.nearIsLarger);
@@ -167,7 +164,7 @@ protected:
     const std::optional<ScanlineSection> section = [] {
         Scene scene = test::randomScene(7);
         scene.settings.visibility = Visibility::ZBuffer;
-        const FramePtr frame = frameFor(scene);
+        const FramePtr frame = frameWithIntensity(scene);
         return shadedSection(frame, crowdedRow(*frame), 1);
     }();
 };

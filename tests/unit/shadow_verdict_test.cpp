@@ -14,16 +14,14 @@ namespace {
 
 using test::boxOverGround;
 
-FramePtr frameFor(const Scene& scene) {
-    FrameRequest request;
-    request.wanted = setOf({BufferId::Shadow, BufferId::Position});
-    return runFrame(std::make_shared<const Scene>(scene), request, nullptr);
+FramePtr frameWithShadow(const Scene& scene) {
+    return test::frameOf(scene, setOf({BufferId::Shadow, BufferId::Position}));
 }
 
 std::size_t count(const ShadowVerdicts& found, ShadowVerdict verdict) { return found.counts[std::size_t(verdict)]; }
 
 ShadowVerdicts judge(const Scene& scene) {
-    return judgeShadows(*frameFor(scene), exactShadows(scene, 0, 1).value()).value();
+    return judgeShadows(*frameWithShadow(scene), exactShadows(scene, 0, 1).value()).value();
 }
 
 }  // namespace
@@ -33,7 +31,7 @@ ShadowVerdicts judge(const Scene& scene) {
 TEST(ShadowVerdict, RaysSayWhatTheGeometrySays) {
     const Scene scene = boxOverGround();
     const ExactShadows exact = exactShadows(scene, 0, 1).value();
-    const FramePtr frame = frameFor(scene);
+    const FramePtr frame = frameWithShadow(scene);
     const AnyBuffer position = *frame->buffer({BufferId::Position});
     std::size_t shadowed = 0;
     for (int y = 0; y < scene.settings.height; ++y)
@@ -54,7 +52,7 @@ TEST(ShadowVerdict, AFineBufferWithItsOwnBiasIsRightAlmostEverywhere) {
     EXPECT_GT(count(found, ShadowVerdict::Lit), 1000u);
     EXPECT_GT(count(found, ShadowVerdict::Shadowed), 50u);
     EXPECT_LT(found.percent(ShadowVerdict::Acne) + found.percent(ShadowVerdict::Leak), 1.0);
-    const AnyBuffer objects = *frameFor(boxOverGround())->buffer({BufferId::ObjectId});
+    const AnyBuffer objects = *frameWithShadow(boxOverGround())->buffer({BufferId::ObjectId});
     std::size_t drawn = 0;
     for (std::size_t i = 0; i < objects.count(); ++i) drawn += objects.flat(i) >= 0;
     EXPECT_EQ(found.judged() + found.elsewhere, drawn) << "every drawn pixel, or its ray meets another object";

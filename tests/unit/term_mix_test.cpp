@@ -9,11 +9,7 @@
 namespace pipeline {
 namespace {
 
-FramePtr frameFor(const Scene& scene) {
-    FrameRequest request;
-    request.wanted = mixBuffers();
-    return runFrame(std::make_shared<const Scene>(scene), request, nullptr);
-}
+FramePtr frameToMix(const Scene& scene) { return test::frameOf(scene, mixBuffers()); }
 
 std::vector<std::uint8_t> bytes(const AnyBuffer& buffer) {
     const auto data = std::get<std::span<const std::uint8_t>>(buffer.data);
@@ -41,7 +37,7 @@ TEST(TermMix, EveryTermAsItIsGivesTheFrameBuffer) {
         Scene scene = test::randomScene(std::uint32_t(seed));
         scene.settings.model = Model(seed % 3);
         scene.settings.shading = Shading(seed / 3 % 3);
-        const FramePtr frame = frameFor(scene);
+        const FramePtr frame = frameToMix(scene);
         if (!whyNoMix(scene).empty() || scene.settings.antialiasing != 1) continue;
         EXPECT_EQ(bytes(mixed(*frame, plainMix(scene.lights.size())).color), bytes(*frame->buffer({BufferId::Color})))
             << seed;
@@ -50,7 +46,7 @@ TEST(TermMix, EveryTermAsItIsGivesTheFrameBuffer) {
 
 // Pixel (268, 281) in blue: 45 + 69.714 + 0.025 of I_max = 175; round(255·x/175) of 45, 69.714, 2·69.714 + 45.025.
 TEST(TermMix, GainsMultiplyTheTerms) {
-    const FramePtr frame = frameFor(test::pyramid());
+    const FramePtr frame = frameToMix(test::pyramid());
     const auto blue = [&](const TermMix& mix) { return int(mixed(*frame, mix).color.value(268, 281, 2)); };
     EXPECT_EQ(blue(plainMix(1)), 167);
     EXPECT_EQ(blue(alone(*frame, "ambient")), 66);
@@ -83,7 +79,7 @@ TEST(TermMix, IsWrittenAsItIsRead) {
     ASSERT_FALSE(twice);
     EXPECT_EQ(twice.errors().front().found, "the gain of ambient is given twice");
     EXPECT_TRUE((*parseMix("ambient=solo", 1))[1].solo);
-    EXPECT_EQ(mixed(*frameFor(test::pyramid()), *parseMix("ambient=solo", 1)).color.name, BufferName{BufferId::Mix});
+    EXPECT_EQ(mixed(*frameToMix(test::pyramid()), *parseMix("ambient=solo", 1)).color.name, BufferName{BufferId::Mix});
 }
 
 TEST(TermMix, NamesWhatIsWrong) {

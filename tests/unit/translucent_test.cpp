@@ -49,7 +49,7 @@ double value(const Frame& frame, BufferId id, glm::ivec2 pixel) {
 std::string difference(const Scene& a, const Scene& b, BufferSet compared) {
     return test::firstDifference(*test::frameOf(a), *test::frameOf(b), compared);
 }
-const BufferSet kPicture = setOf({BufferId::Color, BufferId::Intensity});
+const BufferSet kColors = setOf({BufferId::Color, BufferId::Intensity});
 
 // 0.25·40 + 0.75·80 = 70, then 0.5·20 + 0.5·70 = 45: of the wall 0.375 is left, 30, and the panes add 0.5·10 + 10.
 TEST(Translucent, TwoPanesOverAWall) {
@@ -97,7 +97,7 @@ TEST(Translucent, WhatIsOpaqueHidesTheLayersBehindIt) {
                       other.settings.visibility = Visibility::ZBuffer;
                       return other;
                   }(),
-                  kPicture),
+                  kColors),
               "");
 }
 
@@ -110,7 +110,7 @@ TEST(Translucent, AlphaOfOneOrMoreIsOpaque) {
         forced.settings.leaveOut = false;
         const FramePtr frame = test::frameOf(scene);
         EXPECT_EQ(test::firstDifference(*frame, *test::frameOf(more)), "") << seed;
-        EXPECT_EQ(test::firstDifference(*frame, *test::frameOf(forced), kPicture), "") << seed;
+        EXPECT_EQ(test::firstDifference(*frame, *test::frameOf(forced), kColors), "") << seed;
     }
 }
 
@@ -129,7 +129,7 @@ TEST(Translucent, AlphaOfZeroOrLessIsAsIfTheObjectWereNotThere) {
             EXPECT_EQ(difference(with, without, compared), "") << seed;
         }
         with.settings.leaveOut = false;
-        EXPECT_EQ(difference(with, without, kPicture), "") << seed;
+        EXPECT_EQ(difference(with, without, kColors), "") << seed;
         with.objects.back().material.alpha = 0.5;
         seen += !difference(with, without, compared).empty();
     }
@@ -157,7 +157,7 @@ TEST(Translucent, ExactOrderDoesNotDependOnTheOrderOfObjects) {
     EXPECT_GT(statistics(*first->buffer({BufferId::Layers})).max, 3);
     for (int run = 0; run < 10; ++run) {
         std::shuffle(scene.objects.begin(), scene.objects.end(), random);
-        EXPECT_EQ(test::firstDifference(*first, *test::frameOf(scene), kPicture), "") << run;
+        EXPECT_EQ(test::firstDifference(*first, *test::frameOf(scene), kColors), "") << run;
     }
 }
 
