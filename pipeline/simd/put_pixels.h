@@ -66,8 +66,18 @@ public:
         const auto packed = hn::TableLookupBytes(hn::BitCast(bytes, colors), hn::LoadDup128(bytes, kKept));
         constexpr int kPut = kLanes / kBlock;
         if (HWY_LIKELY(column < m_next && m_size.y >= kBlock)) {
-            putQuarters(packed, place(column, row));
-        } else if (column < m_size.x) {  // beyond the tile others write
+            putRows(packed, place(column, row), [](auto bytes, std::uint8_t* to) HWY_ATTR {
+                hn::StoreU(bytes, hn::DFromV<decltype(bytes)>(), to);
+            });
+        } else if (column + kBlock <= m_size.x && m_size.y >= kBlock) {  // beyond the tile others write
+            putRows(packed, place(column, row), [](auto bytes, std::uint8_t* to) HWY_ATTR {
+                const hn::Repartition<std::uint64_t, hn::DFromV<decltype(bytes)>> eights;
+                const hn::Repartition<std::uint32_t, hn::DFromV<decltype(bytes)>> fours;
+                const std::uint64_t first = hn::GetLane(hn::BitCast(eights, bytes));
+                const std::uint32_t last = hn::ExtractLane(hn::BitCast(fours, bytes), 2);
+                std::memcpy(to, &first, sizeof first), std::memcpy(to + sizeof first, &last, sizeof last);
+            });
+        } else if (column < m_size.x) {
             HWY_ALIGN std::uint8_t rows[64];
             hn::Store(packed, bytes, rows);
             const auto width = std::size_t(std::min(kBlock, m_size.x - column)) * sizeof(Color8);
@@ -79,16 +89,16 @@ public:
 
 private:
 #if HWY_TARGET != HWY_SCALAR  // whose vectors have no halves
-    // Row after row of 16 bytes.
-    template <class V>
-    HWY_INLINE void putQuarters(V rows, std::uint8_t* to) {
+    // Calls put(row, to) for row after row of 16 bytes.
+    template <class V, class Put>
+    HWY_INLINE void putRows(V rows, std::uint8_t* to, Put put) {
         constexpr hn::DFromV<V> d;
         if constexpr (hn::MaxLanes(d) == 16) {
-            hn::StoreU(rows, d, to);
+            put(rows, to);
         } else {
             constexpr hn::Half<hn::DFromV<V>> half;
-            putQuarters(hn::LowerHalf(half, rows), to);
-            putQuarters(hn::UpperHalf(half, rows), to + hn::MaxLanes(d) / 32 * m_stride);
+            putRows(hn::LowerHalf(half, rows), to, put);
+            putRows(hn::UpperHalf(half, rows), to + hn::MaxLanes(d) / 32 * m_stride, put);
         }
     }
 #endif
@@ -125,17 +135,17 @@ public:
     }
 
 private:
-    static constexpr int kFraction = 14;  // bits
+    static constexpr int kFraction = 15;  // bits
     // 255 times the share, half a step and two last places: 8 bits in front of kFraction, and others above.
     HWY_INLINE Ints fixed(Floats intensity) const {
         constexpr float kLastPlace = 1.0F / (1 << kFraction);
-        constexpr float kFixed = 3 << (23 - kFraction - 1);  // sums are below 2^(24 - kFraction)
+        constexpr float kFixed = 1 << (23 - kFraction);  // sums are below 2^(24 - kFraction)
         const Floats value = hn::Mul(intensity, all(m_factor));
         const Floats clamped = hn::Min(hn::Max(value, all(0)), all(255));
         return hn::BitCast(I(), hn::Add(clamped, all(kFixed + 0.5F + 2 * kLastPlace)));
     }
-    // 0 within two last places of a step. Two roundings of the share, 255 (2^-23), and one of the sum are less than one
-    // of them.
+    // 0 within two last places of a step. Two roundings of the share, 255 × 2^-23, are less than one of them, and that of
+    // the sum is half of one.
     HWY_INLINE static Ints restOf(Ints value) { return hn::And(value, hn::Set(I(), (1 << kFraction) - 4)); }
     HWY_NOINLINE Ints inDouble(Floats intensity) const {
 #if HWY_TARGET == HWY_SCALAR

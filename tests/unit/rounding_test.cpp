@@ -5,6 +5,8 @@
 #include <random>
 
 #include "pipeline/core/numerics.h"
+#include "pipeline/stages/shading.h"
+#include "tests/support/scenes.h"
 
 namespace pipeline {
 namespace {
@@ -42,6 +44,37 @@ TEST(Rounding, AQuotientFromAnInverseHasTheBitsOfADivision) {
     }
     EXPECT_EQ(fromInverse(0, 3), 0);
     EXPECT_FALSE(std::signbit(fromInverse(0, 3)));
+}
+
+// What the frame buffer rounds, beside every step of it: estimated in float, unless that is too near to tell. In ambient
+// light alone an intensity is k I_a; red is whole, so that the largest is I_a.
+TEST(Rounding, ColorsBesideTheirStepsAreThoseOfTheirFormula) {
+    constexpr double kAmbient = 175;
+    Scene scene = test::pyramid();
+    scene.settings.width = 8, scene.settings.height = 4;
+    scene.camera.screenDistance = 2;
+    scene.lights.clear();
+    scene.ambient.intensity = kAmbient;
+    int below = 0, above = 0;
+    for (int step = 0; step < 255; ++step) {
+        const double half = (step + 0.5) / 255;
+        for (int places = -6; places <= 6; ++places) {
+            scene.objects[0].material.diffuse = {1, half * (1 + places * 0x1p-24), half * (1 + places * 0x1p-22)};
+            const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color, BufferId::Intensity}), 1);
+            const auto color = frame->buffer({BufferId::Color}), intensity = frame->buffer({BufferId::Intensity});
+            for (std::size_t i = 0; i < 3 * 8 * 4; i += 3) {
+                const Vec3d of(intensity->flat(i), intensity->flat(i + 1), intensity->flat(i + 2));
+                const Color8 expected = frameBufferValue(of, kAmbient);
+                const Vec3d found(color->flat(i), color->flat(i + 1), color->flat(i + 2));
+                ASSERT_EQ(found, Vec3d(expected)) << step << ' ' << of.y << ' ' << of.z;
+                if (of.x == 0) continue;
+                below += expected.y == step, above += expected.y == step + 1;
+            }
+        }
+    }
+    // Pixels on either side of their steps.
+    EXPECT_GT(below, 1000);
+    EXPECT_GT(above, 1000);
 }
 
 }  // namespace
