@@ -26,6 +26,11 @@ using view3d::kRightFace;
 
 class View3dWindow : public ShownView3d {
 protected:
+    // The display tells of a pointer without a button when it likes; once it is pressed that would end the drag.
+    void hover(QPoint at, const char* handle) {
+        QTest::mouseMove(&view, at);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view.numbers().startsWith(handle); }, 5000)) << handle;
+    }
     void TearDown() override { Theme::current().set(ThemeId::Light); }
 
     QImage picture() {
@@ -212,7 +217,7 @@ TEST_F(View3dWindow, ADraggedLightIsOneStepOfUndo) {
     ASSERT_EQ(lightHandle(view).name, "light 0");
     const QPoint at = view.mapFrom(&panel, this->at(lightHandle(view).at));
     const app::OrbitCamera camera = view.camera();
-    QTest::mouseMove(&view, at);
+    hover(at, "light 0: x ");
     QTest::mousePress(&view, Qt::LeftButton, {}, at);
     QSignalSpy ready(&document, &Document::frameReady);
     QTest::mouseMove(&view, at + QPoint(20, 5));
@@ -256,7 +261,7 @@ TEST_F(View3dWindow, AnObjectIsTurnedByItsRing) {
     camera.target = view.handles().back().at;
     view.setCamera(camera);
     const QPoint middle = view.mapFrom(&panel, at(view.handles().back().at));
-    QTest::mouseMove(&view, middle);
+    hover(middle, "pyramid");
     EXPECT_EQ(view.numbers(), "pyramid: rotation x 0.0°  y 0.0°  z 0.0°\nM: scale it");
     QTest::mousePress(&view, Qt::LeftButton, {}, middle + QPoint(46, 0));
     ASSERT_TRUE(view.isDragging());
