@@ -7,8 +7,7 @@ namespace pipeline {
 
 // For a program to call once, before it computes. Buffers of some megabytes come and go with every frame. The C library
 // takes each of them from the system and gives it back, and the system clears it page by page every time: two thirds of
-// a small frame's time went there. Now they stay with the process,
-// in one heap for all of its threads.
+// a small frame's time went there. Now they stay with the process, in one heap for all of its threads.
 void keepFreedMemory();
 
 // Gives the system back what is free now: for once, when much of it was needed for a moment.

@@ -16,6 +16,7 @@ using app::VectorCode;
 using app::ViewContent;
 
 inline constexpr glm::ivec2 kRightFace{268, 281};  // a pixel of polygon 2, "Right"
+inline constexpr glm::dvec2 kView{640, 480};       // size of the view, pixels
 
 inline ViewContent contentOf(const pipeline::Scene& scene, std::optional<glm::ivec2> pixel = {}) {
     return app::contentOf(*test::frameOf(scene, app::contentBuffers(scene, true)), pixel);

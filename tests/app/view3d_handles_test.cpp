@@ -18,11 +18,9 @@ using Kind = app::Handle::Kind;
 
 namespace {
 
-const glm::dvec2 kWindow{640, 480};
-
 app::HandleView lookAt(const ViewContent& content, bool orthographic,
                        app::ViewPreset preset = app::ViewPreset::Everything) {
-    return app::handleView({app::presetCamera(preset, content, {}, kWindow, orthographic), kWindow}, content.map);
+    return app::handleView({app::presetCamera(preset, content, {}, kView, orthographic), kView}, content.map);
 }
 
 std::vector<Handle> handlesIn(const pipeline::Scene& scene, const ViewContent& shown, std::optional<std::size_t> object,
@@ -249,7 +247,7 @@ TEST(View3dHandles, ShiftIsFineAndControlIsCoarse) {
     const Handle handle = handleOf(handlesIn(scene, world, 0), Kind::Light);
     const Vec3d usual = dragged(handle, 0, view, {100, 0}), fine = dragged(handle, 0, view, {100, 0}, DragStep::Fine),
                 coarse = dragged(handle, 0, view, {100, 0}, DragStep::Coarse);
-    const double unit = view.view.camera.unitsPerPixel(kWindow.y);  // from 0.1 to 1: steps of 0.1, 0.01 and 1
+    const double unit = view.view.camera.unitsPerPixel(kView.y);  // from 0.1 to 1: steps of 0.1, 0.01 and 1
     ASSERT_GT(unit, 0.1);
     ASSERT_LT(unit, 1);
     EXPECT_NEAR(usual.x - handle.at.x, 100 * unit, 0.05 + 1e-9);
@@ -284,16 +282,16 @@ TEST(View3dHandles, StandWhereTheirSpaceShowsThem) {
     const ViewContent world = contentOf(scene);
     const SpaceMap map = *app::mapOf(world, {app::ViewSpace::Eye});
     const ViewContent eye = app::inSpace(world, map);
-    const app::ViewFrame frame{app::presetCamera(app::ViewPreset::Iso, eye, {}, kWindow, false), kWindow};
+    const app::ViewFrame frame{app::presetCamera(app::ViewPreset::Iso, eye, {}, kView, false), kView};
     const app::HandleView view = app::handleView(frame, map);
     const auto handles = handlesIn(scene, eye, 0);
     ASSERT_EQ(handles.size(), 2u) << "the light and the object; the camera is what the space is built on";
     for (const Handle& handle : handles) {
-        const glm::dvec2 drawn = app::project(frame.camera, kWindow, map.toSpace(handle.at)).at;
+        const glm::dvec2 drawn = app::project(frame.camera, kView, map.toSpace(handle.at)).at;
         EXPECT_LT(glm::length(app::placeOf(view, handle.at).at - drawn), 1e-6) << handle.name;
         const glm::dvec2 moved{25, 14};
         const Vec3d to = dragged(handle, {}, view, moved);
-        EXPECT_LT(glm::length(app::project(frame.camera, kWindow, map.toSpace(to)).at - drawn - moved), 1.01);
+        EXPECT_LT(glm::length(app::project(frame.camera, kView, map.toSpace(to)).at - drawn - moved), 1.01);
     }
     // The disc of a light at infinity stands elsewhere there, and its ring on it.
     const ViewContent far = contentOf(test::pyramid()), farEye = app::inSpace(far, map);

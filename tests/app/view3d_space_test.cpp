@@ -31,8 +31,6 @@ pipeline::Scene overFloor() {
     return scene;
 }
 
-const glm::dvec2 kView{640, 480};
-
 // Looks from (10, 0, 0) along −x: 200 by 100 pixels, 100 pixels a unit at z_view = 1, near 2, far 18.
 pipeline::View alongMinusX() {
     pipeline::View view;
