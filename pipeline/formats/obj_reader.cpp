@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <unordered_map>
@@ -28,12 +29,13 @@ struct Corner {
 // How the normals of a group's corners are numbered. Most files give none, or a normal with every position.
 enum class NormalNumbers : std::uint8_t { None, AsPositions, Own };
 
+// Nobody knows how many there will be, and a vector that grows by copying holds up to three times what is in it.
 struct Faces {
-    std::vector<std::uint32_t> positions;  // per corner
+    std::deque<std::uint32_t> positions;  // per corner
     NormalNumbers numbers = NormalNumbers::None;
-    std::vector<std::uint32_t> normals;  // per corner, of numbers Own; kNone where one has none
-    std::vector<std::uint32_t> firstCorner{0};
-    std::vector<TextPosition> places;
+    std::deque<std::uint32_t> normals;  // per corner, of numbers Own; kNone where one has none
+    std::deque<std::uint32_t> firstCorner{0};
+    std::deque<TextPosition> places;
 
     std::size_t count() const { return places.size(); }
     bool haveNormals() const {
@@ -59,9 +61,6 @@ struct Faces {
     void dropCorners(std::size_t first) {
         positions.resize(first);
         normals.resize(std::min(first, normals.size()));
-    }
-    void shrink() {
-        positions.shrink_to_fit(), normals.shrink_to_fit(), firstCorner.shrink_to_fit(), places.shrink_to_fit();
     }
 };
 
@@ -259,9 +258,11 @@ public:
     Mesh verticesOf(Faces& faces) {
         const bool hasNormals = faces.haveNormals();
         m_corners.clear(), m_others.clear();
-        for (std::size_t i = 0; i < faces.positions.size(); ++i)
-            faces.positions[i] = vertex(hasNormals ? faces.corner(i) : Corner{faces.positions[i], kNone});
-        faces.normals = std::vector<std::uint32_t>();
+        m_corners.reserve(std::min(m_first.size(), faces.positions.size()));
+        std::size_t i = 0;
+        for (std::uint32_t& position : faces.positions)
+            position = vertex(hasNormals ? faces.corner(i++) : Corner{position, kNone});
+        faces.normals.clear();
         Mesh mesh;
         mesh.positions.reserve(m_corners.size());
         if (hasNormals) mesh.normals.reserve(m_corners.size());
@@ -297,23 +298,23 @@ private:
 // faces: the vertex of each corner stands where its position stood. The number of polygons that were left out.
 std::size_t addPolygons(Faces faces, Mesh& mesh) {
     mesh.reservePolygons(faces.count(), faces.positions.size());
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < faces.count(); ++i) {
-        const std::span<const std::uint32_t> corners(faces.positions);
-        const std::uint32_t first = faces.firstCorner[i], count = faces.firstCorner[i + 1] - first;
-        if (addPolygon(mesh, corners.subspan(first, count))) faces.places[kept++] = faces.places[i];
+    mesh.polygonPlaces.reserve(faces.count());
+    std::vector<std::uint32_t> corners;
+    auto from = faces.positions.cbegin();
+    auto first = faces.firstCorner.cbegin();
+    for (const TextPosition& place : faces.places) {
+        const auto to = from + (first[1] - first[0]);
+        corners.assign(from, to);
+        if (addPolygon(mesh, corners)) mesh.polygonPlaces.push_back(place);
+        from = to, ++first;
     }
-    const std::size_t leftOut = faces.places.size() - kept;
-    faces.places.resize(kept);
-    mesh.polygonPlaces = std::move(faces.places);
-    return leftOut;
+    return faces.count() - mesh.polygonPlaces.size();
 }
 
 // Of each group. What the file gives and what becomes of it are twice the meshes at most: the polygons are made when its
 // positions and normals are gone.
 std::vector<Mesh> meshesOf(ObjFile& file, std::size_t& leftOut) {
     file.positions.shrink_to_fit(), file.normals.shrink_to_fit();
-    for (Group& group : file.groups) group.faces.shrink();
     giveBackFreedMemory();
     std::vector<Mesh> meshes;
     {
@@ -323,6 +324,7 @@ std::vector<Mesh> meshesOf(ObjFile& file, std::size_t& leftOut) {
     file.positions.clear(), file.normals.clear();
     giveBackFreedMemory();
     for (std::size_t i = 0; i < meshes.size(); ++i) leftOut += addPolygons(std::move(file.groups[i].faces), meshes[i]);
+    giveBackFreedMemory();
     return meshes;
 }
 
