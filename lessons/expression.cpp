@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "pipeline/core/angles.h"
 #include "pipeline/core/text.h"
 #include "pipeline/inspect/pixel_report.h"
