@@ -66,9 +66,8 @@ bool isEvaluated(const Frame& frame, BufferId id, std::size_t row) {
     if (id != BufferId::PolygonsIntensity && id != BufferId::VerticesIntensity) return true;
     return readStages(frame, [&](const auto& data) {
         if (!data.shading) return true;
-        const auto& isSeen =
-            id == BufferId::PolygonsIntensity ? data.shading->polygonIsSeen : data.shading->vertexIsSeen;
-        return isSeen.empty() || isSeen[row] != 0;
+        const auto& elements = id == BufferId::PolygonsIntensity ? data.shading->polygons : data.shading->vertices;
+        return elements.isEvaluated(row);
     });
 }
 

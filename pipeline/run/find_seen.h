@@ -56,23 +56,34 @@ std::vector<std::uint8_t> seenPolygons(const ShadingInputs& inputs, const Shadin
     return isSeen;
 }
 
-// Leaves in `out` which polygons and vertices are evaluated: nothing where all are.
+// One after the other; place 0 is of those that are not seen.
+inline std::vector<std::uint32_t> placesOf(const std::vector<std::uint8_t>& isSeen) {
+    std::vector<std::uint32_t> places(isSeen.size());
+    std::uint32_t last = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = isSeen[i] ? ++last : 0;
+    return places;
+}
+
+// Which polygons and vertices are evaluated: nothing where all are.
 template <class Real>
-void findSeen(const ShadingInputs& inputs, const ShadingSources<Real>& in, Threads& threads, ShadingOutput<Real>& out) {
+ElementPlaces findSeen(const ShadingInputs& inputs, const ShadingSources<Real>& in, Threads& threads) {
     const bool polygons = inputs.parts.polygonTerms && !inputs.parts.hiddenPolygons;
     const bool vertices = inputs.parts.vertexTerms && !inputs.parts.hiddenVertices;
-    if (!polygons && !vertices) return;
-    std::vector<std::uint8_t> isSeen = seenPolygons(inputs, in, threads);
+    if (!polygons && !vertices) return {};
+    const std::vector<std::uint8_t> isSeen = seenPolygons(inputs, in, threads);
+    ElementPlaces places;
+    if (polygons) places.polygons = placesOf(isSeen);
     if (vertices) {
         const Topology& topology = *in.transform.topology;
-        out.vertexIsSeen.assign(topology.vertexCount(), 0);
+        std::vector<std::uint8_t> vertexIsSeen(topology.vertexCount(), 0);
         for (std::size_t polygon = 0; polygon < isSeen.size(); ++polygon) {
             if (!isSeen[polygon]) continue;
             const Topology::Corners corners = topology.corners(polygon);
-            for (std::size_t i = 0; i < corners.size(); ++i) out.vertexIsSeen[corners[i]] = 1;
+            for (std::size_t i = 0; i < corners.size(); ++i) vertexIsSeen[corners[i]] = 1;
         }
+        places.vertices = placesOf(vertexIsSeen);
     }
-    if (polygons) out.polygonIsSeen = std::move(isSeen);
+    return places;
 }
 
 }  // namespace pipeline

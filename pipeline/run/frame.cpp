@@ -114,7 +114,12 @@ std::optional<AnyBuffer> shaded(const BufferName& name, const FrameData<Real>& d
     if (name.id == BufferId::PolygonsIntensity || name.id == BufferId::VerticesIntensity) {
         const auto& elements = name.id == BufferId::PolygonsIntensity ? out.polygons : out.vertices;
         if (elements.intensity.empty()) return {};
-        return view(name, elements.intensity, data.shading);
+        if (elements.places.empty()) return view(name, elements.intensity, data.shading);
+        // Black where nothing was evaluated.
+        const auto all = std::make_shared<std::vector<Vec3<Real>>>();
+        all->reserve(elements.count());
+        for (const std::uint32_t place : elements.places) all->push_back(elements.intensity[place]);
+        return view(name, *all, all);
     }
     const auto& vectors = out.vectors[index(name.id)];
     if (k < vectors.size()) return view(name, vectors[k], data.shading);

@@ -281,8 +281,15 @@ void antialias(const FrameData<Real>& data, ShadingOutput<Real>& out, CountSum& 
         if (data.cull) sample.cull = runCull(data.keys.cull, *moved, threads);
         sample.zBuffer = runVisibility(sample, threads);
         ShadingOutput<Real> shaded = prepareShading(inputs, sample.shadingSources(), setOf({BufferId::Intensity}));
-        shaded.polygons = out.polygons, shaded.vertices = out.vertices, shaded.verticesBack = out.verticesBack;
+        // Lent, since they may be as many as the mesh has.
+        const auto lend = [&] {
+            std::swap(out.polygons, shaded.polygons);
+            std::swap(out.vertices, shaded.vertices);
+            std::swap(out.verticesBack, shaded.verticesBack);
+        };
+        lend();
         shadePicture(inputs, sample.shadingSources(), shaded, counts, threads);
+        lend();
         const auto& intensity = shaded.vectors[index(BufferId::Intensity)][0].pixels;
         if (i == 0) mean.pixels = first = intensity;
         // Differences from the first: where all samples are alike, their mean is what each of them is.
@@ -301,12 +308,12 @@ std::shared_ptr<const ShadingOutput<Real>> runShading(const FrameData<Real>& dat
     const ShadingSources<Real> in = data.shadingSources();
     auto out = std::make_shared<ShadingOutput<Real>>(prepareShading(inputs, in, wanted));
     out->incidence = incidence;
-    findSeen(inputs, in, threads, *out);
+    prepareElements(inputs, in, findSeen(inputs, in, threads), *out);
     CountSum counts(out->counts);
-    threads.forRange(out->polygons.intensity.size(), kPolygonGrain, [&](std::size_t begin, std::size_t end) {
+    threads.forRange(out->polygons.count(), kPolygonGrain, [&](std::size_t begin, std::size_t end) {
         counts.add(shadePolygons(inputs, in, begin, end, *out));
     });
-    threads.forRange(out->vertices.intensity.size(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
+    threads.forRange(out->vertices.count(), kVertexGrain, [&](std::size_t begin, std::size_t end) {
         counts.add(shadeVertices(inputs, in, begin, end, *out));
     });
     shadePicture(inputs, in, *out, counts, threads);

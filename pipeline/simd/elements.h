@@ -24,23 +24,37 @@ HWY_INLINE Floats3 gatherOf(const std::vector<Pair>& values, Ints index, int whi
             hn::GatherIndex(F(), base, hn::Add(at, hn::Add(one, one)))};
 }
 
-// The polygons or vertices of a vector's pixels.
+// Of each pixel of a row of blocks, where its polygon, or the corners of its triangle, stand in ShadingOutput::Elements.
+struct ElementRow {
+    alignas(64) std::int32_t places[3][kRowPixels];  // of flat shading the first alone
+};
+
+// places: Elements::places. i: the first pixel of a vector.
+HWY_INLINE void findElements(const ShadingInputs& inputs, const ShadingSources<float>& in,
+                             const std::vector<std::uint32_t>& places, const SurfaceRow& row, std::size_t i,
+                             ElementRow& to) {
+    const auto put = [&](Ints number, int corner) HWY_ATTR {
+        const auto* of = reinterpret_cast<const std::int32_t*>(places.data());
+        hn::Store(places.empty() ? number : hn::GatherIndex(I(), of, number), I(), to.places[corner] + i);
+    };
+    if (inputs.shading == Shading::Flat) return put(hn::Load(I(), row.polygon + i), 0);
+    const Ints triangle = hn::Load(I(), row.triangle + i), first = hn::Add(triangle, hn::Add(triangle, triangle));
+    static_assert(sizeof(Triangle) == 12);
+    const auto* words = reinterpret_cast<const std::int32_t*>(in.transform.topology->triangles.data());
+    for (int corner = 0; corner < 3; ++corner)
+        put(hn::GatherIndex(I(), words, hn::Add(first, hn::Set(I(), corner))), corner);
+}
+
+// The terms of a vector's pixels.
 template <class A>
 struct Elements {
     bool flat;
     Floats3 weights;
     Ints of[3];
-    HWY_INLINE Elements(const ShadingInputs& inputs, const ShadingSources<float>& in, const SurfaceRow& row,
-                        std::size_t i)
-        : flat(inputs.shading == Shading::Flat) {
-        weights = load(row.weights, i);
-        of[0] = of[1] = of[2] = hn::Load(I(), row.polygon + i);
-        if (flat) return;
-        const Ints triangle = hn::Load(I(), row.triangle + i), first = hn::Add(triangle, hn::Add(triangle, triangle));
-        static_assert(sizeof(Triangle) == 12);
-        const auto* words = reinterpret_cast<const std::int32_t*>(in.transform.topology->triangles.data());
-        for (int corner = 0; corner < 3; ++corner)
-            of[corner] = hn::GatherIndex(I(), words, hn::Add(first, hn::Set(I(), corner)));
+    HWY_INLINE Elements(bool isFlat, const ElementRow& row, const Row3& weightsOf, std::size_t i)
+        : flat(isFlat), weights(load(weightsOf, i)) {
+        of[0] = hn::Load(I(), row.places[0] + i);
+        for (int corner = 1; corner < 3; ++corner) of[corner] = flat ? of[0] : hn::Load(I(), row.places[corner] + i);
     }
     // By differences, so that equal values stay what they are.
     template <class Pair>

@@ -43,6 +43,7 @@ struct ShadedRow {
     SurfaceRow surface;
     Row3 V;                    // where more than one asks for it
     Row nDotL, q, log, power;  // of a light; q: 1 - R·V or 1 - N·H; log: of what q leaves of 1, where that is kept
+    ElementRow elements;       // of flat and Gouraud shading
     Row3 diffuse, specular;    // of a light, where they were gathered
     Row S;
     Row3 intensity;  // the sum
@@ -295,12 +296,15 @@ private:
     // Flat or Gouraud shading: what polygons or vertices have, and the shadows of the pixels.
     template <bool kKeeps>
     void shadeGathered(const Group& group) {
-        const auto& elements = m_inputs.shading == Shading::Flat ? m_out.polygons : m_out.vertices;
-        const auto elementsAt = [&](std::size_t n)
-                                    HWY_ATTR { return Elements<A>(m_inputs, m_in, m_row.surface, group.at[n]); };
+        const bool isFlat = m_inputs.shading == Shading::Flat;
+        const auto& elements = isFlat ? m_out.polygons : m_out.vertices;
+        const auto elementsAt = [&](std::size_t n) HWY_ATTR {
+            return Elements<A>(isFlat, m_row.elements, m_row.surface.weights, group.at[n]);
+        };
         for (std::size_t n = 0; n < group.count; ++n) {
             const std::size_t i = group.at[n];
             const Mask mask = group.mask(n);
+            findElements(m_inputs, m_in, elements.places, m_row.surface, i, m_row.elements);
             const Elements<A> at = elementsAt(n);
             const Floats3 emission = at.difference(elements.base, 0), ambient = at.difference(elements.base, 1);
             putIntensity(all(Vec3<float>(0)) + emission + ambient, mask, i);

@@ -18,25 +18,25 @@ ShadingCounts& ShadingCounts::operator+=(const ShadingCounts& more) {
 
 namespace {
 
-// Scales an element's terms down to a colour in [0, 1].
+// Scales the terms at a place down to a colour in [0, 1].
 template <class Real>
-void clampElement(std::size_t i, std::size_t lights, typename ShadingOutput<Real>::Elements& out) {
+void clampElement(std::size_t place, std::size_t lights, typename ShadingOutput<Real>::Elements& out) {
     for (int c = 0; c < 3; ++c) {
-        Real& total = out.intensity[i][c];
+        Real& total = out.intensity[place][c];
         if (total >= 0 && total <= 1) continue;
         const Real share = total > 1 ? 1 / total : Real(0);
-        out.base[i].emission[c] *= share;
-        out.base[i].ambient[c] *= share;
+        out.base[place].emission[c] *= share;
+        out.base[place].ambient[c] *= share;
         for (std::size_t k = 0; k < lights; ++k) {
-            out.terms[i * lights + k].diffuse[c] *= share;
-            out.terms[i * lights + k].specular[c] *= share;
+            out.terms[place * lights + k].diffuse[c] *= share;
+            out.terms[place * lights + k].specular[c] *= share;
         }
         total = total > 1 ? Real(1) : Real(0);
     }
 }
 
 template <class Real>
-void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Material& material, std::size_t i,
+void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Material& material, std::size_t place,
                   typename ShadingOutput<Real>::Elements& out, ShadingCounts& counts) {
     const Model model = inputs.illumination.model;
     const std::size_t lights = inputs.lights.size();
@@ -46,17 +46,17 @@ void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Ma
         const LightSample<Real> sample =
             sampleLight(inputs.illumination, inputs.lights[k], material, at, inputs.parts.attenuation[k]);
         count(sample, counts);
-        out.terms[i * lights + k] = {sample.diffuse, sample.specular};
+        out.terms[place * lights + k] = {sample.diffuse, sample.specular};
         base.ambient += sample.ambient;
     }
-    out.base[i] = base;
+    out.base[place] = base;
     Vec3<Real> intensity = sumOf(base);
     for (std::size_t k = 0; k < lights; ++k) {
-        intensity += out.terms[i * lights + k].diffuse;
-        intensity += out.terms[i * lights + k].specular;
+        intensity += out.terms[place * lights + k].diffuse;
+        intensity += out.terms[place * lights + k].specular;
     }
-    out.intensity[i] = intensity;
-    if (model == Model::OpenGl) clampElement<Real>(i, lights, out);
+    out.intensity[place] = intensity;
+    if (model == Model::OpenGl) clampElement<Real>(place, lights, out);
 }
 
 }  // namespace
@@ -66,14 +66,14 @@ ShadingCounts shadePolygons(const ShadingInputs& inputs, const ShadingSources<Re
                             std::size_t end, ShadingOutput<Real>& out) {
     ShadingCounts counts;
     for (std::size_t i = begin; i < end; ++i) {
-        if (!out.polygonIsSeen.empty() && !out.polygonIsSeen[i]) {
+        if (!out.polygons.isEvaluated(i)) {
             ++counts.hiddenPolygons;
             continue;
         }
         ++counts.polygons;
         const Material& material =
             materialOf(inputs, in.transform.topology->objectOfPolygon(i), showsBack(inputs, in, i));
-        shadeElement(inputs, polygonSurface(inputs, in, i), material, i, out.polygons, counts);
+        shadeElement(inputs, polygonSurface(inputs, in, i), material, out.polygons.placeOf(i), out.polygons, counts);
     }
     return counts;
 }
@@ -83,15 +83,16 @@ ShadingCounts shadeVertices(const ShadingInputs& inputs, const ShadingSources<Re
                             std::size_t end, ShadingOutput<Real>& out) {
     ShadingCounts counts;
     for (std::size_t i = begin; i < end; ++i) {
-        if (!out.vertexIsSeen.empty() && !out.vertexIsSeen[i]) {
+        if (!out.vertices.isEvaluated(i)) {
             ++counts.hiddenVertices;
             continue;
         }
         ++counts.vertices;
-        const std::size_t object = in.transform.topology->objectOfVertex(i);
-        shadeElement(inputs, vertexSurface(inputs, in, i, false), inputs.materials[object], i, out.vertices, counts);
+        const std::size_t object = in.transform.topology->objectOfVertex(i), place = out.vertices.placeOf(i);
+        shadeElement(inputs, vertexSurface(inputs, in, i, false), inputs.materials[object], place, out.vertices,
+                     counts);
         if (!inputs.illumination.twoSided) continue;
-        shadeElement(inputs, vertexSurface(inputs, in, i, true), inputs.backMaterials[object], i, out.verticesBack,
+        shadeElement(inputs, vertexSurface(inputs, in, i, true), inputs.backMaterials[object], place, out.verticesBack,
                      counts);
     }
     return counts;

@@ -1,7 +1,9 @@
 #include "pipeline/stages/shading.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "pipeline/scene/area_light.h"
 #include "pipeline/stages/shading_terms.h"
@@ -97,16 +99,6 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
     ShadingOutput<Real> out;
     out.iMax = maximumIntensity(inputs.illumination.model, inputs.materials, inputs.lights, inputs.ambient,
                                 in.transform.transparent);
-    const auto makeRoom = [&](auto& elements, std::size_t count) {
-        elements.base.resize(count);
-        elements.terms.resize(count * inputs.lights.size());
-        elements.intensity.resize(count);
-    };
-    if (inputs.parts.polygonTerms) makeRoom(out.polygons, in.transform.topology->polygonCount());
-    if (inputs.parts.vertexTerms) makeRoom(out.vertices, in.transform.topology->vertexCount());
-    if (inputs.parts.vertexTerms && inputs.illumination.twoSided)
-        makeRoom(out.verticesBack, in.transform.topology->vertexCount());
-
     const glm::ivec2 size = in.transform.view.size;
     if (inputs.outlines) wanted.reset();  // nothing else is known of a line
     if (!inputs.parts.vectors) wanted.set(index(BufferId::Intensity));
@@ -128,6 +120,23 @@ ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSou
     out.color = inputs.parts.vectors ? Buffer2D<Color8>(size) : Buffer2D<Color8>(size, Color8(0));
     if (wanted[index(BufferId::Layers)]) out.layers = {size, 0};
     return out;
+}
+
+template <class Real>
+void prepareElements(const ShadingInputs& inputs, const ShadingSources<Real>& in, ElementPlaces places,
+                     ShadingOutput<Real>& out) {
+    const auto makeRoom = [&](auto& elements, std::vector<std::uint32_t> of, std::size_t count) {
+        const std::size_t room = of.empty() ? count : std::size_t(std::ranges::max(of)) + 1;
+        elements.places = std::move(of);
+        elements.base.assign(room, {});
+        elements.terms.assign(room * inputs.lights.size(), {});
+        elements.intensity.assign(room, Vec3<Real>(0));
+    };
+    const Topology& topology = *in.transform.topology;
+    if (inputs.parts.polygonTerms) makeRoom(out.polygons, std::move(places.polygons), topology.polygonCount());
+    if (!inputs.parts.vertexTerms) return;
+    if (inputs.illumination.twoSided) makeRoom(out.verticesBack, places.vertices, topology.vertexCount());
+    makeRoom(out.vertices, std::move(places.vertices), topology.vertexCount());
 }
 
 template <class Real>
@@ -182,6 +191,8 @@ Color8 frameBufferValue(Vec3d intensity, double iMax) {
                                         Vec3<Real>, const VertexWeights<Real>&);                                      \
     template ShadingCounts shadeOutlines(const ShadingSources<Real>&, Tile, ShadingOutput<Real>&);                    \
     template ShadingOutput<Real> prepareShading(const ShadingInputs&, const ShadingSources<Real>&, BufferSet);        \
+    template void prepareElements(const ShadingInputs&, const ShadingSources<Real>&, ElementPlaces,                   \
+                                  ShadingOutput<Real>&);                                                              \
     template Real shadowAt(const ShadingInputs&, const ShadingSources<Real>&, std::size_t, std::uint32_t, Vec3<Real>);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

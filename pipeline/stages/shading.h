@@ -94,9 +94,16 @@ struct ShadingOutput {
     // Per polygon and per vertex; empty when not asked for. OpenGL clamps these intensities to
     // [0, 1]; the terms of one that is clamped are scaled alike, so that they still sum to it.
     struct Elements {
+        // Per polygon or vertex, where it stands in the lists below: at 0, which stays black, what is not evaluated. Empty
+        // where all are, each at its own number.
+        std::vector<std::uint32_t> places;
         std::vector<BaseTerms<Real>> base;
-        std::vector<LightTerms<Real>> terms;  // lights side by side: [i * lights + k]
+        std::vector<LightTerms<Real>> terms;  // lights side by side: [place * lights + k]
         std::vector<Vec3<Real>> intensity;    // unshadowed (S = 1), before scaling by iMax
+
+        std::size_t count() const { return places.empty() ? intensity.size() : places.size(); }
+        std::size_t placeOf(std::size_t i) const { return places.empty() ? i : places[i]; }
+        bool isEvaluated(std::size_t i) const { return places.empty() || places[i] != 0; }
     };
     Elements polygons, vertices;
     Elements verticesBack;  // as seen from behind; empty without two-sided lighting
@@ -110,8 +117,6 @@ struct ShadingOutput {
     // What a frame that differs in materials alone is made from; null where nothing was drawn, and empty where
     // the plan has nothing kept.
     Incidences incidence;
-    // Which polygons and vertices are evaluated, a byte each; empty where all are.
-    std::vector<std::uint8_t> polygonIsSeen, vertexIsSeen;
     // Which pixels that see a surface have been shaded, a byte each; empty where all are, as but inside the stage.
     std::vector<std::uint8_t> pixelIsShaded;
     ShadingCounts counts;  // the sum over all calls below
@@ -146,6 +151,15 @@ inline const Material& materialOf(const ShadingInputs& inputs, std::size_t objec
 // two the vectors write every pixel, and they are left raw for them.
 template <class Real>
 ShadingOutput<Real> prepareShading(const ShadingInputs& inputs, const ShadingSources<Real>& in, BufferSet wanted);
+
+// Elements::places of polygons and vertices.
+struct ElementPlaces {
+    std::vector<std::uint32_t> polygons, vertices;
+};
+// Makes room for the terms of what is evaluated; all of them are 0.
+template <class Real>
+void prepareElements(const ShadingInputs& inputs, const ShadingSources<Real>& in, ElementPlaces places,
+                     ShadingOutput<Real>& out);
 
 // Polygons [begin, end); vertices [begin, end); the pixels of one tile. Pieces may run at the same
 // time; each returns what it did, for `counts`.

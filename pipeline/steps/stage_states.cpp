@@ -153,9 +153,9 @@ ShadingOutput<Real> shadedSoFar(const FrameData<Real>& data, const ShadingOutput
     const ShadingSources<Real> in = data.shadingSources();
     if (progress.samples) return *data.shading;
     ShadingOutput<Real> out = prepareShading(inputs, in, made);
-    out.polygonIsSeen = data.shading->polygonIsSeen, out.vertexIsSeen = data.shading->vertexIsSeen;
-    shadePolygons(inputs, in, 0, std::min(progress.polygonTerms, out.polygons.intensity.size()), out);
-    shadeVertices(inputs, in, 0, std::min(progress.vertexTerms, out.vertices.intensity.size()), out);
+    prepareElements(inputs, in, {data.shading->polygons.places, data.shading->vertices.places}, out);
+    shadePolygons(inputs, in, 0, std::min(progress.polygonTerms, out.polygons.count()), out);
+    shadeVertices(inputs, in, 0, std::min(progress.vertexTerms, out.vertices.count()), out);
     out.pixelIsShaded = shadedPixels(data, progress);
     const std::vector<std::uint8_t>& done = out.pixelIsShaded;
     // What one pixel comes to depends on no other.

@@ -131,15 +131,15 @@ private:
     void addShading() {
         const ShadingInputs& inputs = m_data.keys.shading;
         const ShadingOutput<Real>& shading = *m_data.shading;
-        const auto addTerms = [&](ElementKind kind, std::size_t count, const std::vector<std::uint8_t>& isSeen) {
+        const auto addTerms = [&](ElementKind kind, const typename ShadingOutput<Real>::Elements& elements) {
             StepPhase terms{.kind = kind};
-            for (std::uint32_t i = 0; i < count; ++i)
-                if (isSeen.empty() || isSeen[i]) terms.numbers.push_back(i);
+            for (std::uint32_t i = 0; i < elements.count(); ++i)
+                if (elements.isEvaluated(i)) terms.numbers.push_back(i);
             terms.count = terms.numbers.size();
             add(StageId::Shading, std::move(terms));
         };
-        addTerms(ElementKind::PolygonTerms, shading.polygons.intensity.size(), shading.polygonIsSeen);
-        addTerms(ElementKind::VertexTerms, shading.vertices.intensity.size(), shading.vertexIsSeen);
+        addTerms(ElementKind::PolygonTerms, shading.polygons);
+        addTerms(ElementKind::VertexTerms, shading.vertices);
 
         m_seen = countSeen(m_data);
         StepPhase pixels{.kind = ElementKind::Polygon};

@@ -65,6 +65,32 @@ TEST(HiddenElements, OfAFineMeshWhatNoPixelShowsIsNotEvaluated) {
             }
 }
 
+// Terms take room for what is evaluated alone; whoever looks at the buffer all the same sees the others black.
+TEST(HiddenElements, TermsTakeRoomForWhatIsEvaluatedAlone) {
+    for (const Shading shading : {Shading::Flat, Shading::Gouraud})
+        for (const Precision precision : {Precision::Float, Precision::Double}) {
+            Scene scene = fineSphere(shading, precision);
+            const FramePtr frame = test::frameOf(scene, kPicture);
+            scene.settings.leaveOut = false;
+            const bool flat = shading == Shading::Flat;
+            const BufferName name{flat ? BufferId::PolygonsIntensity : BufferId::VerticesIntensity};
+            const AnyBuffer few = *frame->buffer(name), all = *test::frameOf(scene)->buffer(name);
+            ASSERT_EQ(few.shape, all.shape);
+            const Shown shown(*frame);
+            for (std::size_t i = 0; i < all.count(); ++i) {
+                const std::uint32_t element = std::uint32_t(i / 3);
+                const bool isSeen = flat ? shown.polygons.contains(int(element)) : shown.vertices.contains(element);
+                ASSERT_EQ(few.flat(i), isSeen ? all.flat(i) : 0) << element;
+            }
+            readStages(*frame, [&](const auto& data) {
+                const auto& elements = flat ? data.shading->polygons : data.shading->vertices;
+                const std::size_t seen = flat ? shown.polygons.size() : shown.vertices.size();
+                EXPECT_EQ(elements.intensity.size(), seen + 1);
+                EXPECT_EQ(elements.terms.size(), (seen + 1) * scene.lights.size());
+            });
+        }
+}
+
 // To find what 3000 pixels show would cost more than to evaluate a few polygons.
 TEST(HiddenElements, OfACoarseMeshEveryPolygonThatGoesOnIsEvaluated) {
     Scene scene = fineSphere(Shading::Flat);

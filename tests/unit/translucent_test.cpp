@@ -289,8 +289,9 @@ TEST(Translucent, TheLimitOfMemoryDoesNotChangeABit) {
         const LayerBins<double> bins = binLayers(inputs, in);
         const auto drawn = [&](std::size_t limit) {
             auto out = prepareShading(inputs, in, test::everyBuffer());
-            shadePolygons(inputs, in, 0, out.polygons.intensity.size(), out);
-            shadeVertices(inputs, in, 0, out.vertices.intensity.size(), out);
+            prepareElements(inputs, in, {}, out);
+            shadePolygons(inputs, in, 0, out.polygons.count(), out);
+            shadeVertices(inputs, in, 0, out.vertices.count(), out);
             for (std::size_t tile = 0; tile < bins.order.size(); ++tile)
                 out.counts += drawLayers(inputs, in, bins, tile, out, limit);
             return out;
