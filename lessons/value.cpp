@@ -9,8 +9,8 @@
 namespace lessons {
 namespace {
 
-constexpr std::string_view kMinus = "\u2212", kGroup = "\u2009";
-constexpr double kExactWhole = 9007199254740992.0;  // 2^53: up to here a double counts in ones
+constexpr std::string_view kMinus = "\u2212", kGroup = "\u202f";  // narrow, and no line ends there
+constexpr double kExactWhole = 9007199254740992.0;                // 2^53: up to here a double counts in ones
 
 // Without digits up to four decimals, as many as tell something.
 std::string numberText(double number, std::optional<int> digits) {

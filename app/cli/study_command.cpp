@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "app/cli/commands.h"
+#include "app/cli/error_argument.h"
 #include "app/cli/frame_argument.h"
 #include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
@@ -13,7 +14,6 @@
 #include "pipeline/core/text.h"
 #include "pipeline/export/study_pictures.h"
 #include "pipeline/formats/text_scanner.h"
-#include "pipeline/study/errors.h"
 
 namespace app {
 
@@ -40,41 +40,6 @@ std::optional<glm::ivec2> parseShard(const std::string& text) {
     return pair;
 }
 
-// "normal:mean angle:model"; the kind may be missing: model.
-std::optional<pipeline::ErrorChoice> parseChoice(const std::string& text) {
-    const auto first = text.find(':'), last = text.rfind(':');
-    if (first == text.npos) return std::nullopt;
-    pipeline::ErrorChoice choice{text.substr(0, first), {}, pipeline::ErrorKind::Model};
-    choice.measure = text.substr(first + 1, last == first ? text.npos : last - first - 1);
-    if (last == first) return choice;
-    for (std::size_t kind = 0; kind < pipeline::kErrorKinds; ++kind) {
-        choice.kind = static_cast<pipeline::ErrorKind>(kind);
-        if (name(choice.kind) == std::string_view(text).substr(last + 1)) return choice;
-    }
-    return std::nullopt;
-}
-
-std::string textOf(const pipeline::ErrorChoice& choice) {
-    return fmt::format("{}:{}:{}", choice.buffer, choice.measure, name(choice.kind));
-}
-
-std::string listed(const std::vector<pipeline::ErrorChoice>& choices) {
-    std::string text;
-    for (const pipeline::ErrorChoice& one : choices) text += "\n  " + textOf(one);
-    return text;
-}
-
-// Why no study of the scene can have the error; empty where one may.
-std::string whyNoError(const pipeline::Scene& scene, const pipeline::ErrorChoice& choice) {
-    const auto buffer = bufferNamed(scene, choice.buffer);
-    if (!buffer) return buffer.errors().front().found;
-    const std::vector<pipeline::ErrorChoice> known = knownErrors(*buffer);
-    if (std::ranges::find(known, choice) != known.end()) return {};
-    if (known.empty()) return fmt::format("no error of {} is measured", choice.buffer);
-    return fmt::format("no {} error {} of {} is measured; there are{}", name(choice.kind),
-                       pipeline::inQuotes(choice.measure), choice.buffer, listed(known));
-}
-
 // What the same study takes as arguments, for a process that takes its times.
 std::vector<std::string> argumentsOf(const StudyOptions& options) {
     std::vector<std::string> arguments{"study", options.scene.scene};
@@ -96,21 +61,6 @@ std::vector<std::string> argumentsOf(const StudyOptions& options) {
 int wrongUsage(const std::string& message) {
     tell("shadescope study: {}\n", message);
     return kWrongUsage;
-}
-
-// The error that was asked for, or the first of those there are where nothing was.
-std::string chooseError(const StudyOptions& options, pipeline::StudyReport& report) {
-    const std::vector<pipeline::ErrorChoice> there = choicesOf(report);
-    if (there.empty() || std::ranges::find(there, report.choice) != there.end()) return {};
-    if (options.error.empty()) {
-        const auto same = std::ranges::find_if(there, [&](const pipeline::ErrorChoice& one) {
-            return one.buffer == report.choice.buffer && one.measure == report.choice.measure;
-        });
-        report.choice = same == there.end() ? there.front() : *same;
-        return {};
-    }
-    return fmt::format("--error {}: no point has this error; there are{}", pipeline::inQuotes(options.error),
-                       listed(there));
 }
 
 int runStudyCommand(const StudyOptions& options) {
@@ -161,7 +111,6 @@ int runStudyCommand(const StudyOptions& options) {
     job.arguments = argumentsOf(options);
     auto report = runStudy(job, interrupt, status);
     if (!report) return status;
-    if (const std::string wrong = chooseError(options, *report); !wrong.empty()) return wrongUsage(wrong);
     if (job.request.shards > 1) {
         const auto file = studyFile(job.folder, job.request);
         if (const auto written = writeJson(*report, file); !written) {

@@ -1,12 +1,14 @@
 #include "app/cli/study_job.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 
 #include "app/cli/child_process.h"
 #include "app/cli/cli.h"
+#include "app/cli/error_argument.h"
 #include "app/cli/message.h"
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
@@ -75,6 +77,7 @@ struct Run {
         if (!*before) return true;
         report = **before;
         report.processes = job.processes;
+        if (job.request.choice) report.choice = *job.request.choice;
         tell("Goes on: {} of {} points have their errors, {} of {} processes their times.\n",
              std::ranges::count_if(report.points, isFound), report.points.size(), report.load.size(), job.processes);
         return true;
@@ -97,8 +100,8 @@ struct Run {
     }
 
     bool measure() {
-        // In the folder, where there is room for it; gone when it has been read.
-        const fs::path times = job.folder / fmt::format("times-{}.json", job.request.shard);
+        // In the folder, where there is room for it, hidden and of this process alone; gone when it has been read.
+        const fs::path times = job.folder / fmt::format(".times-{}.json", ::getpid());
         for (int process = static_cast<int>(report.load.size()); process < job.processes; ++process) {
             std::vector<std::string> arguments = job.arguments;
             arguments.insert(arguments.end(), {"--times-into", times.string(), "--times-of",
@@ -147,7 +150,14 @@ int studyCancelled(const StudyOrder& job) {
 
 std::optional<StudyReport> runStudy(const StudyOrder& job, const Interrupt& interrupt, int& status) {
     Run run{job, interrupt, status, {}};
-    if (!run.begin() || !run.findErrors() || !run.measure()) return std::nullopt;
+    if (!run.begin() || !run.findErrors()) return std::nullopt;
+    // Before the times are taken, which would be taken for nothing.
+    if (const std::string wrong = chooseError(job.request, run.report); !wrong.empty()) {
+        tell("shadescope study: {}\n", wrong);
+        status = kWrongUsage;
+        return std::nullopt;
+    }
+    if (!run.measure()) return std::nullopt;
     return std::move(run.report);
 }
 

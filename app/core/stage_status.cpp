@@ -169,7 +169,7 @@ QString frameSentence(const pipeline::Frame& frame) {
     }
     const int reused = countOf(frame, Action::Reuse);
     if (ran.isEmpty()) return QStringLiteral("Nothing that a stage reads has changed; all were reused.");
-    if (frame.number() == 1) {
+    if (why == toQString(pipeline::kNotRunYet)) {  // of a scene that has just been opened
         const int out = countOf(frame, Action::LeaveOut);
         return QStringLiteral("%1 stages ran in %2%3.")
             .arg(ran.size())

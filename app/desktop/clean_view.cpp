@@ -29,7 +29,7 @@ namespace app {
 namespace {
 
 constexpr int kKeyMs = 1200, kCursorMs = 2000;
-constexpr int kFailedMs = 4000, kHintMs = 6000;
+constexpr int kFailedMs = 4000, kHintMs = 6000, kKeysMs = 20000;
 constexpr int kMomentMs = 1000;
 
 }  // namespace
@@ -50,13 +50,15 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     column->addWidget(makeEquation());
     m_caption = new CaptionLine(this);
     column->addWidget(m_caption);
-    m_hint = new QLabel(cues.size() > 0 ? tr("PgDown next cue · F10 step · B black · Esc leaves")
-                                        : tr("F10 step · Ctrl+→ next stage · B black · Esc leaves"),
+    m_hint = new QLabel(cues.size() > 0 ? tr("PgDown next cue · F10 step · B black · H keys · Esc leaves")
+                                        : tr("F10 step · Ctrl+→ next stage · B black · H keys · Esc leaves"),
                         this);
     m_hint->setObjectName("cleanHint");
     m_hint->setProperty("kind", "overlay");
     m_hint->setProperty("tone", 2);
-    QTimer::singleShot(kHintMs, m_hint, &QWidget::hide);
+    m_hintTime.setSingleShot(true);
+    connect(&m_hintTime, &QTimer::timeout, m_hint, &QWidget::hide);
+    m_hintTime.start(kHintMs);
     makeWork();
     m_pen = new PenLayer(this);
     m_keyTime.setSingleShot(true);
@@ -159,7 +161,25 @@ void CleanView::placeWork() {
     const int margin = Theme::current().px(19);
     m_work->move(width() - m_work->width() - margin, m_caption->y() - m_work->height() - margin / 2);
     m_hint->adjustSize();
-    m_hint->move(width() - m_hint->width() - margin, m_caption->geometry().center().y() - m_hint->height() / 2);
+    const int beside = m_caption->geometry().center().y() - m_hint->height() / 2;
+    m_hint->move(width() - m_hint->width() - margin, std::min(beside, height() - m_hint->height() - margin / 2));
+}
+
+void CleanView::showKeys() {
+    m_hint->setText(
+        tr("PgDown, PgUp   next cue, the one before\n"
+           "F10, Shift+F10   step, step back\n"
+           "Ctrl+→, Ctrl+←   next stage, the one before\n"
+           "B, W   black, white\n"
+           "P, O   pen, spotlight\n"
+           "1, 2   one view, all views\n"
+           "F4   swap the screens\n"
+           "Esc   leaves"));
+    m_hint->show();
+    m_hint->raise();
+    m_caption->setKey({});
+    placeWork();
+    m_hintTime.start(kKeysMs);
 }
 
 // Whether there was work on show to stop.
@@ -233,6 +253,7 @@ bool CleanView::takeKey(int key) {
         case Qt::Key_1: m_views->setAlone(true); break;
         case Qt::Key_2: m_views->setAlone(false); break;
         case Qt::Key_F4: emit swapAsked(); break;
+        case Qt::Key_H: showKeys(); break;
         case Qt::Key_Escape:
             if (stopWork()) break;
             if (m_pen->cover() != Cover::None || m_pen->hasPen() || m_pen->hasSpotlight() || m_pen->hasLines()) {
@@ -290,8 +311,8 @@ bool CleanView::eventFilter(QObject* watched, QEvent* event) {
     if (isTextField(QApplication::focusWidget()) && key.key() != Qt::Key_F4)
         return QWidget::eventFilter(watched, event);
     const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    constexpr std::array kOwn{Qt::Key_B, Qt::Key_Period, Qt::Key_W,  Qt::Key_P,     Qt::Key_O,
-                              Qt::Key_1, Qt::Key_2,      Qt::Key_F4, Qt::Key_Escape};
+    constexpr std::array kOwn{Qt::Key_B, Qt::Key_Period, Qt::Key_W,  Qt::Key_P,      Qt::Key_O,
+                              Qt::Key_1, Qt::Key_2,      Qt::Key_F4, Qt::Key_Escape, Qt::Key_H};
     const bool own = plain && std::ranges::find(kOwn, key.key()) != kOwn.end();
     if (event->type() == QEvent::ShortcutOverride) {
         showKey(key);

@@ -55,6 +55,7 @@ private:
     void wakeCursor();
     void applyTheme();
     void placeWork();
+    void showKeys();
     bool stopWork();
 
     Document& m_document;
@@ -64,11 +65,11 @@ private:
     MathView* m_math;
     QLabel *m_swatch, *m_value;
     CaptionLine* m_caption;
-    QLabel* m_hint;  // how to go on and how to leave, until the first key or for some seconds
+    QLabel* m_hint;  // how to go on and how to leave, or all keys: until the next key or for some seconds
     const SceneOpener& m_opener;
     QFrame* m_work;  // over the views, while the next scene is being read, and what takes long
     PenLayer* m_pen;
-    QTimer m_keyTime, m_cursorTime;
+    QTimer m_keyTime, m_hintTime, m_cursorTime;
     QTimer m_workTime;  // runs for a moment after work was on show
     bool m_works = false;
     bool m_cursorHidden = false;

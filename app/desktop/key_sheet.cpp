@@ -59,6 +59,7 @@ constexpr ViewKey kViewKeys[]{
     {"In the clean view", "Pen, spotlight", "P, O"},
     {"In the clean view", "One view, all views", "1, 2"},
     {"In the clean view", "Swap the screens, leave", "F4, Esc"},
+    {"In the clean view", "All these keys", "H"},
 };
 
 QLabel* makeLabel(const QString& text, const char* kind, QWidget* parent) {

@@ -268,6 +268,7 @@ void MainWindow::showLesson() {
     showScene();  // one that was closed, and is the lesson's, is not opened anew
     for (PanelDock* dock : m_docks)
         if (dock->objectName() == "lesson") dock->show(), dock->raise();
+    QTimer::singleShot(0, this, &MainWindow::makeRoomToRead);  // once what was hidden has its place
 }
 
 void MainWindow::showTitle() {

@@ -91,6 +91,7 @@ private:
     void connectDocument();
     void showTitle();
     void showLesson();
+    void makeRoomToRead();
     void showSetting(const QString& key);
     void takeFileChange();
     void takeLeftKey(const QKeyEvent& key);

@@ -83,6 +83,7 @@ void MainWindow::connectCues() {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         restoreState(m_beforeTalk, kLayoutVersion);
         fitLetters();
+        m_views->goTo(m_views->active());  // the keys go on where they were during the talk
     });
     const auto on = [&](A id, auto run) { connect((*m_actions)[id], &QAction::triggered, this, run); };
     on(A::KeepCue, [this] { keepCue(); });

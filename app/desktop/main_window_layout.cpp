@@ -122,6 +122,22 @@ void MainWindow::fitWidth(bool always) {
     enableActions();
 }
 
+// A lesson that is begun has half of its column's height at least; the panels beside it give it in proportion.
+void MainWindow::makeRoomToRead() {
+    QList<QDockWidget*> column;
+    QList<int> heights;
+    int lesson = 0, all = 0;
+    for (PanelDock* dock : m_leftDocks) {
+        if (!dock->isVisible() || dock->isFloating() || dock->visibleRegion().isEmpty()) continue;
+        column += dock, heights += dock->height(), all += dock->height();
+        if (dock->objectName() == "lesson") lesson = dock->height();
+    }
+    if (lesson == 0 || 2 * lesson >= all) return;
+    for (qsizetype i = 0; i < column.size(); ++i)
+        heights[i] = column[i]->objectName() == "lesson" ? all / 2 : heights[i] * (all / 2) / (all - lesson);
+    resizeDocks(column, heights, Qt::Vertical);
+}
+
 // The cues have the lesson's place: who gives a talk takes no lesson.
 void MainWindow::tabCues() {
     PanelDock *lesson = nullptr, *cues = nullptr;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <QLabel>
 
 #include "app/core/text.h"
@@ -43,6 +45,7 @@ bool CheckPanel::openAsScene() {
     if (const auto errors = checkSceneAndMemory(*scene); !errors.empty())
         return tell(toQString(format(errors.front())));
     if (!m_mayLeave()) return false;
+    if (scene->name.empty()) scene->name = fmt::format("{} {}", which.id, which.title);
     m_document.setScene(*std::move(scene));
     m_open = m_selected;
     tell(which.knob.setting.empty()

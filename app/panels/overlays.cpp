@@ -177,9 +177,8 @@ void addOverlays(const Frame& frame, OverlaySet overlays, ShownBuffer& shown, co
     const auto isOn = [&](OverlayId id) { return overlays[index(id)] && !stop.stop_requested(); };
     const bool mayBeStrange = shown.numbers.nan + shown.numbers.infinite + shown.numbers.negative > 0;
     if (isOn(OverlayId::Strange) && mayBeStrange && !standsOnShapes(info)) {
-        const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
-        legend << strange(shown.buffer, drawnElements(shown.buffer, polygons, shown.look.channel), shown.look.channel,
-                          frame.scene().camera.projection, content);
+        const auto drawn = drawnElements(shown.buffer, polygonsUnder(frame, info), shown.look.channel);
+        legend << strange(shown.buffer, drawn, shown.look.channel, frame.scene().camera.projection, content);
     }
     if (whyNoOverlays(info).isEmpty()) {
         if (isOn(OverlayId::Fragments)) legend << fragments(frame, content.size, content.overlays);

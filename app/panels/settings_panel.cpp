@@ -55,8 +55,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     for (const SettingGroup group : kGroups) m_tabs->addTab(toQString(name(group)));
     m_tabs->setDrawBase(false);
     m_tabs->setExpanding(false);
-    m_tabs->setElideMode(Qt::ElideRight);
-    m_tabs->setUsesScrollButtons(false);
+    m_tabs->setElideMode(Qt::ElideNone);  // large letters make it scroll
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);

@@ -39,7 +39,7 @@ ShownOther showOther(const ShowRequest& request, const ShownBuffer& a, const std
     const bool isComparable = other.whyNotComparable.empty();
     const ShownChannel channel = a.look.channel, channelB = isComparable ? channel : ShownChannel::All;
     const auto drawnOf = [](const pipeline::Frame& frame, const AnyBuffer& buffer, ShownChannel shown) {
-        return drawnElements(buffer, frame.buffer({pipeline::BufferId::PolygonId}), shown);
+        return drawnElements(buffer, polygonsUnder(frame, *buffer.info), shown);
     };
     other.drawnA = drawnOf(*request.frame, a.buffer, channel);
     other.drawnB = drawnOf(*b.frame, other.buffer, channelB);
@@ -64,9 +64,9 @@ bool operator==(const ShowRequest& a, const ShowRequest& b) {
 
 ShownBuffer show(const ShowRequest& request, const std::stop_token& stop) {
     const pipeline::Frame& frame = *request.frame;
-    const auto drawn =
-        request.drawn ? *request.drawn
-                      : drawnElements(request.buffer, frame.buffer({pipeline::BufferId::PolygonId}), request.channel);
+    const auto drawn = request.drawn
+                           ? *request.drawn
+                           : drawnElements(request.buffer, polygonsUnder(frame, *request.buffer.info), request.channel);
     ShownBuffer shown = showBuffer(frame, request.buffer, drawn, request.channel, request.range, stop);
     if (stop.stop_requested()) return shown;
     if (request.mix) {

@@ -63,7 +63,7 @@ std::optional<ShownBuffer> shownIn(const Maker& make, const pipeline::BufferName
     if (!pipeline::isDerived(name.id) && !isMixed) return showBuffer(make.frame, name, view.channel, range);
     const auto derived = make(isMixed ? pipeline::BufferName{pipeline::BufferId::Mix} : name);
     if (!derived) return {};
-    const auto polygons = make.frame.buffer({pipeline::BufferId::PolygonId});
+    const auto polygons = polygonsUnder(make.frame, *derived->buffer.info);
     ShownBuffer shown = showBuffer(make.frame, derived->buffer, drawnElements(derived->buffer, polygons, view.channel),
                                    view.channel, range, make.stop);
     if (derived->verdicts) shown.content.overlays.push_back(verdictPicture(*derived->verdicts, 0));

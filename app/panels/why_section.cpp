@@ -63,6 +63,10 @@ WhySection::WhySection(Document& document, QWidget* parent)
             row.label->setFont(theme.text(12));
             row.value->setFont(theme.text(12));
             row.go->setIconSize(QSize(1, 1) * theme.px(12));
+            // A link has the colour of the theme that its text was set in; the same text would not be set again.
+            const QString text = row.value->text();
+            row.value->clear();
+            row.value->setText(text);
         }
     });
 }

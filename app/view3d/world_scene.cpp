@@ -188,6 +188,8 @@ void WorldScene::setColors(const ThemeColors& colors) {
     setColor(*m_pickedInner.actor, Qt::white);
     setColor(*m_normals.actor, colors.N);
     setColor(*m_normalHalos.actor, colors.view);
+    // Glyphs keep the colour that their actor had when they were made.
+    for (Glyphs* glyphs : {&m_normals, &m_normalHalos}) glyphs->mapper->Modified();
     setColor(*m_halos.actor, colors.view);
     colorMesh();
     colorLines();

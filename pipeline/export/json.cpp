@@ -177,7 +177,7 @@ Json toJson(const Frame& frame, const PixelReport& report) {
                      {"diffuse", vectorsToJson(report.diffuse)},
                      {"specular", vectorsToJson(report.specular)},
                      {"emission", toJson(report.emission)},
-                     {"intensity", toJson(report.intensity)},
+                     {"opaque", toJson(report.intensity)},
                      {"i_max", report.iMax},
                      {"evaluations", evaluations},
                      {"equation",
@@ -195,7 +195,7 @@ Json toJson(const Frame& frame, const PixelReport& report) {
     json["layers"] = layers;
     json["transmittance"] = report.transmittance;
     json["translucent"] = toJson(report.translucent);
-    json["composed"] = toJson(report.composed);
+    json["intensity"] = toJson(report.composed);
     if (report.antialiased) json["antialiased"] = toJson(*report.antialiased);
     json["fragments"] = fragments;
     json["culled"] = culled;

@@ -215,7 +215,7 @@ Plan decide(const Scene& scene, const FrameRequest& request, const Needs& needs,
             out.why = !difference.empty() ? difference
                       : because != stage  ? fmt::format("{} ran again.", stageInfo(because).label)
                       : past.keys         ? "It was left out before."
-                                          : "It has not run yet.";
+                                          : std::string(kNotRunYet);
         } else {
             out.action = Action::Reuse;
             out.why = reused;

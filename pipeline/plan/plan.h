@@ -10,6 +10,9 @@
 
 namespace pipeline {
 
+// Why a stage runs that never has.
+inline constexpr std::string_view kNotRunYet = "It has not run yet.";
+
 enum class Action : std::uint8_t { Run, Reuse, LeaveOut };
 std::string_view name(Action action);  // "runs", "reused", "left out"
 

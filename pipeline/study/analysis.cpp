@@ -79,10 +79,11 @@ PointAnalysis place(const StudyPoint& point, const ErrorChoice& choice) {
 
 bool dominates(const PointAnalysis& a, const PointAnalysis& b) {
     const double aLeftOut = a.leftOut.value_or(0), bLeftOut = b.leftOut.value_or(0);
-    const bool asGood = *a.error <= *b.error && aLeftOut <= bLeftOut;
-    if (std::abs(*a.time - *b.time) <= kSameTime * std::min(*a.time, *b.time))
-        return asGood && (*a.error < *b.error || aLeftOut < bLeftOut);
-    return *a.time < *b.time && a.interval.second < b.interval.first && asGood;
+    if (*a.error > *b.error || aLeftOut > bLeftOut) return false;
+    const bool sameTime = std::abs(*a.time - *b.time) <= kSameTime * std::min(*a.time, *b.time);
+    if (*a.error < *b.error || aLeftOut < bLeftOut) return sameTime || *a.time < *b.time;
+    // Nothing but the time speaks for it: the two must be told apart by more than chance.
+    return !sameTime && a.interval.second < b.interval.first;
 }
 
 // Dominance has no cycles: along one neither the error nor what it leaves out ever falls, so both would be the same all

@@ -132,7 +132,7 @@ bool ErrorFinder::antialiases() const {
 
 bool ErrorFinder::variesSamplesAlone() const {
     return std::ranges::all_of(m_request.sweep.axes, [](const SweepAxis& axis) {
-        return axis.key == "antialiasing" || axis.key.starts_with("shadow.") || axis.key.ends_with(".samples");
+        return axis.key.starts_with("antialiasing") || axis.key.starts_with("shadow.") || axis.key.ends_with("samples");
     });
 }
 

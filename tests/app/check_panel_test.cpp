@@ -169,6 +169,7 @@ TEST_F(CheckPanelTest, EveryCaseWithASceneOpensAtBothEndsOfItsKnob) {
         if (caseTable()[i].knob.setting.empty()) continue;
         part<app::CheckKnob>().setValue(caseTable()[i].knob.low);
         EXPECT_TRUE(panel.openAsScene()) << caseTable()[i].id;
+        EXPECT_FALSE(document.scene().name.empty()) << caseTable()[i].id;
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <QTest>
 #include <algorithm>
+#include <numeric>
 
 #include "app/core/large_frame.h"
 #include "app/panels/buffer_canvas.h"
@@ -62,6 +63,29 @@ TEST(ShowJob, TheVeilIsOfTheThemesGround) {
     app::Theme::current().set(app::ThemeId::Dark);
     EXPECT_LT(veil().lightness(), 50);
     app::Theme::current().set(app::ThemeId::Light);
+}
+
+// S of a pixel that is not shaded yet is not known: that its buffer holds 1 there must not look like light.
+TEST(ShowJob, InsideShadingAPixelThatIsNotShadedYetIsNotDrawn) {
+    Document document;
+    QObject owner;
+    document.want(&owner, pipeline::setOf({BufferId::Shadow, BufferId::NDotL}));
+    document.setScene(test::pyramid());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && document.stepper().steps(); }, 30000));
+    // How many values its histogram counts.
+    const auto drawn = [&](BufferId id) {
+        const auto shown = app::showBuffer(*document.frame(), {id, 0}, app::ShownChannel::All, {});
+        return std::accumulate(shown->scale.histogram.begin(), shown->scale.histogram.end(), 0);
+    };
+    const auto whole = drawn(BufferId::Shadow);
+    EXPECT_GT(whole, 0);
+    document.stepper().goTo(*pipeline::parsePlace("shading/polygon=1"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && document.stepper().isSettled(); }, 30000));
+    EXPECT_LT(drawn(BufferId::Shadow), whole);
+    EXPECT_EQ(drawn(BufferId::Shadow), drawn(BufferId::NDotL));
+    document.stepper().goTo(*pipeline::parsePlace("shading/start"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && document.stepper().isSettled(); }, 30000));
+    EXPECT_EQ(drawn(BufferId::Shadow), 0);
 }
 
 // Until the new answer is there it is the whole old one: never a histogram of one frame beside the picture of another.

@@ -222,7 +222,11 @@ TEST_F(WindowCues, PresentingShowsViewsEquationAndCaptionAndLeavesNoTrace) {
     EXPECT_EQ(view.shownKey(), "gone.toml could not be read") << "the window's list of errors is behind";
     EXPECT_FALSE(document().save(folder.filePath("missing/mine.toml")));
     EXPECT_EQ(view.shownKey(), "mine.toml could not be written");
+    QTest::keyClick(&view, Qt::Key_H);
+    EXPECT_TRUE(hint->isVisible() && hint->text().contains("spotlight"));
+    EXPECT_TRUE(view.rect().contains(hint->geometry()));
     QTest::keyClick(&view, Qt::Key_B);
+    EXPECT_FALSE(hint->isVisible());
     EXPECT_EQ(view.grab().toImage().pixelColor(view.width() / 2, view.height() / 2), QColor(Qt::black));
     QTest::keyClick(&view, Qt::Key_W);
     EXPECT_EQ(view.grab().toImage().pixelColor(view.width() / 2, view.height() / 2), QColor(Qt::white));

@@ -143,6 +143,35 @@ TEST(StudyCommand, goesOnWhereItWasInterrupted) {
     EXPECT_EQ(again.status, 0) << again.err;
 }
 
+// An error that the points turn out not to have is refused before any time is taken; what was found until then serves the
+// next command, which is about the error that it names itself.
+TEST(StudyCommand, goesOnWithTheErrorOfTheNewCommand) {
+    const test::TemporaryFolder folder;
+    const auto command = [&](const char* error) {
+        return test::run({"study", "flat_gouraud_phong", "--sweep", "shading=flat,phong", "--set", "precision=double",
+                          "--set", "depth_format=linear", "--size", "48x36", "--repeat", "2", "--processes", "1", "-o",
+                          folder.path().string(), "--error", error});
+    };
+    const auto refused = command("depth:RMSE:storage");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("no point has this error; there are"), std::string::npos) << refused.err;
+    ASSERT_TRUE(fs::exists(folder.path() / "study.part.json"));
+    EXPECT_TRUE(read(folder.path() / "study.part.json")["load"].empty());
+    const auto done = command("normal:mean angle:model");
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_NE(done.err.find("Goes on"), std::string::npos);
+    EXPECT_NE(done.out.find("mean angle of normal"), std::string::npos) << done.out;
+}
+
+TEST(StudyCommand, leavesOtherFilesOfTheFolderAlone) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "times-0.json", "mine");
+    EXPECT_EQ(test::run(studyOf(folder.path(), {})).status, 0);
+    EXPECT_EQ(test::readText(folder / "times-0.json"), "mine");
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+        EXPECT_FALSE(entry.path().filename().string().starts_with('.')) << entry.path();
+}
+
 TEST(StudyCommand, saysWhyAFileCannotBeRead) {
     const test::TemporaryFolder folder;
     const auto merge = [&](const fs::path& file) {

@@ -136,9 +136,9 @@ TEST_F(PyramidLesson, NumbersInTheTextAreThoseOfTheLecture) {
         // Shoelace formula on screen corners rounded to 1/256; without rounding Base has −1991.6.
         {3, "*Left*: \u2212696.9, back-facing"},
         {3, "*Front*: 895.3, kept"},
-        {3, "*Right*: 1\u2009756.7, kept"},
+        {3, "*Right*: 1\u202f756.7, kept"},
         {3, "*Back*: 36.4, kept"},
-        {3, "*Base*: \u22121\u2009991.5, back-facing"},
+        {3, "*Base*: \u22121\u202f991.5, back-facing"},
         {4, "= (0, 0.894, 0.447)"},
         {5, "is \u22120.0429."},  // (−22500 + 20250)/(30270.65·√3)
         {6, "What stays is polygon 1, at z_v = 671.93"},

@@ -20,8 +20,8 @@ TEST(ValueText, HasUpToFourDecimalsUnlessTheCountIsGiven) {
 }
 
 TEST(ValueText, GroupsOfThreeStandApartBeforeThePointOnly) {
-    EXPECT_EQ(toText({{-1991.6384}, {}}, 4), "\u22121\u2009991.6384");
-    EXPECT_EQ(toText({{1234567.0}, {}}), "1\u2009234\u2009567");
+    EXPECT_EQ(toText({{-1991.6384}, {}}, 4), "\u22121\u202f991.6384");
+    EXPECT_EQ(toText({{1234567.0}, {}}), "1\u202f234\u202f567");
     EXPECT_EQ(toText({{999.0}, {}}), "999");
 }
 

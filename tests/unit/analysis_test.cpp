@@ -82,14 +82,19 @@ TEST(Analysis, FindsTheFrontOfTheSphere) {
     EXPECT_FALSE(analysis.points[7].placed());
 }
 
-TEST(Analysis, TimesThatCannotBeToldApartDominateNothing) {
-    // 1.0 and 1.2 ms, both ±0.5 ms: the intervals overlap. As wrong as each other, or the slower one worse.
-    const StudyAnalysis noisy = analysisOf({studyPoint(0, {"a"}, 1, 0.1, 0.5), studyPoint(1, {"b"}, 1.2, 0.2, 0.5)});
+TEST(Analysis, OfEqualErrorsTheTimesMustBeToldApart) {
+    // 1.0 and 1.2 ms, both ±0.5 ms: the intervals overlap.
+    const StudyAnalysis noisy = analysisOf({studyPoint(0, {"a"}, 1, 0.1, 0.5), studyPoint(1, {"b"}, 1.2, 0.1, 0.5)});
     EXPECT_EQ(noisy.front, (Indices{0, 1}));
     // The same medians with ±1 %.
     const StudyAnalysis calm = analysisOf({studyPoint(0, {"a"}, 1, 0.1), studyPoint(1, {"b"}, 1.2, 0.1)});
     EXPECT_EQ(calm.front, Indices{0});
     EXPECT_EQ(calm.points[1].dominatedBy, 0u);
+    // What is slower and worse is nobody's choice, told apart or not; what is slower and better may be.
+    const StudyAnalysis worse = analysisOf({studyPoint(0, {"a"}, 1, 0.1, 0.5), studyPoint(1, {"b"}, 1.2, 0.2, 0.5)});
+    EXPECT_EQ(worse.front, Indices{0});
+    const StudyAnalysis better = analysisOf({studyPoint(0, {"a"}, 1, 0.2, 0.5), studyPoint(1, {"b"}, 1.2, 0.1, 0.5)});
+    EXPECT_EQ(better.front, (Indices{0, 1}));
 }
 
 // As exact where both are compared, but 300 pixels show another object: the slower one, with 2 such pixels, stays on the

@@ -120,6 +120,7 @@ TEST(RunStudy, samplesAloneAreComparedWithTheScenesOwnPolygons) {
     };
     EXPECT_EQ(nameOf({"shadow.size=32,64"}), "the scene's polygons by rays, double");
     EXPECT_EQ(nameOf({"antialiasing=1,2"}), "the scene's polygons by rays, double");
+    EXPECT_EQ(nameOf({"antialiasing"}), "the scene's polygons by rays, double") << "as the ready-made sweep does";
     EXPECT_EQ(nameOf({"shadow.size=32,64", "shading=flat,phong"}), "true surfaces by rays, double");
 }
 
