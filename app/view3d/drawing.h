@@ -41,7 +41,8 @@ struct Label {
     enum class Kind : unsigned char {
         Letter,   // of a vector, beside its tip, away from `foot`
         Axis,     // x, y, z
-        Note,     // an angle, in the middle of what it measures
+        Note,     // words on a point
+        Angle,    // beside the middle of its arc
         Plane,    // words beside a corner, away from `foot`
         Caption,  // of a mark; at the border with its distance where the mark lies outside the view
     };

@@ -175,6 +175,16 @@ std::vector<Place> planePlaces(const PlacedLabel& plane, double scale) {
     return places;
 }
 
+// At the middle of its arc, or a little off.
+std::vector<Place> anglePlaces(const PlacedLabel& angle, double scale) {
+    const glm::dvec2 step{angle.size.width() / 2 + 6 * scale, 0.8 * angle.size.height()};
+    std::vector<Place> places;
+    for (const double y : {0.0, -0.5, 0.5, -1.0, 1.0, -2.0, 2.0})
+        for (const double x : {0.0, -0.25, 0.25, -0.5, 0.5, -1.0, 1.0})
+            places.push_back({angle.mark + step * glm::dvec2(x, y), 15 * (x * x + y * y)});
+    return places;
+}
+
 // One label after the other takes the place that costs least.
 class Chooser {
 public:
@@ -264,6 +274,8 @@ void placeWords(std::vector<PlacedLabel>& labels, const std::vector<glm::dvec2>&
         if (placed.label.kind == Kind::Caption) chooser.take(placed.mark, kMark);
         if (placed.label.kind == Kind::Letter || placed.label.kind == Kind::Note) chooser.take(boxOf(placed));
     }
+    for (PlacedLabel& angle : labels)
+        if (angle.label.kind == Kind::Angle) chooser.place(angle, anglePlaces(angle, view.scale));
     // An axis that ends outside has its name there.
     for (PlacedLabel& axis : labels)
         if (axis.label.kind == Kind::Axis && isInside(axis.mark, view.size))
@@ -294,6 +306,7 @@ QFont fontOf(Label::Kind kind) {
             return font;
         }
         case Label::Kind::Note:
+        case Label::Kind::Angle:
         case Label::Kind::Plane: return theme.mono(12);
         case Label::Kind::Caption: break;
     }
@@ -330,8 +343,8 @@ std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& vi
         if (!p.inFront) continue;
         const glm::dvec2 foot = project(view.camera, view.size, label.foot).at;
         placed.mark = p.at;
-        placed.at =
-            label.kind == Label::Kind::Note ? p.at : p.at + kBeyondTip * view.scale * unit(p.at - foot, {0, -1});
+        const bool isThere = label.kind == Label::Kind::Note || label.kind == Label::Kind::Angle;
+        placed.at = isThere ? p.at : p.at + kBeyondTip * view.scale * unit(p.at - foot, {0, -1});
         if (label.kind == Label::Kind::Plane) placed.at.x += (p.at.x < foot.x ? -0.5 : 0.5) * placed.size.width();
         if (label.kind == Label::Kind::Letter) tips.push_back(p.at);
         result.push_back(placed);

@@ -1,5 +1,7 @@
 #include "app/view3d/point_drawing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,8 +58,8 @@ public:
         vectors();
         const VectorArrow *N = shown(VectorCode::N), *L = shown(VectorCode::L), *V = shown(VectorCode::V),
                           *R = shown(VectorCode::R), *H = shown(VectorCode::H);
-        if (N && L) angle(N->direction, L->direction, 0.52);
-        if (R && V) angle(R->direction, V->direction, 0.82);
+        if (N && L) angle(N->direction, L->direction, "NL", 0.52);
+        if (R && V) angle(R->direction, V->direction, "RV", 0.82);
         if (R && L) {
             dotted(L->direction, R->direction, Ink::R);
         } else if (H && L && V) {
@@ -128,19 +130,20 @@ private:
             if (at(i).z >= 0 && at(i + 1).z >= 0) line(at(i), at(i + 1), Ink::Outline);
     }
 
-    void angle(Vec3d from, Vec3d to, double radius) {
+    void angle(Vec3d from, Vec3d to, const char* between, double radius) {
         const double whole = pipeline::angleBetween(from, to);
         const Vec3d aside = pipeline::normalized(to - glm::dot(from, to) * from);
         if (aside == Vec3d(0.0)) return;
         const auto at = [&](double a) { return radius * (std::cos(a) * from + std::sin(a) * aside); };
         constexpr int kPieces = 32;
         for (int i = 0; i < kPieces; ++i) line(at(whole * i / kPieces), at(whole * (i + 1) / kPieces), Ink::Text);
-        m_drawing.labels.push_back({.kind = Label::Kind::Note,
-                                    .at = (1 + 0.09 / radius) * at(whole / 2),
-                                    .foot = Vec3d(0.0),
-                                    .text = app::angle(glm::degrees(whole)).toStdString(),
-                                    .distance = {},
-                                    .ink = Ink::Text});
+        m_drawing.labels.push_back(
+            {.kind = Label::Kind::Angle,
+             .at = (1 + 0.09 / radius) * at(whole / 2),
+             .foot = Vec3d(0.0),
+             .text = fmt::format("{} {}", between, app::angle(glm::degrees(whole)).toStdString()),
+             .distance = {},
+             .ink = Ink::Text});
     }
 
     void note(Vec3d at, std::string text, Ink ink, Vec3d foot) {

@@ -278,10 +278,10 @@ TEST(View3dPoint, TheHemisphereHasNUpAndTheEquationsAngles) {
 
     const glm::dvec2 size{500, 400};
     const app::ViewFrame view{app::pointCamera(app::ViewPreset::Iso, *point, {}, size, false), size};
-    std::vector<std::string> notes;
+    std::vector<std::string> angles;
     for (const app::Label& label : app::drawPoint(*point, {}, view).labels)
-        if (label.kind == app::Label::Kind::Note) notes.push_back(label.text);
-    EXPECT_EQ(notes, (std::vector<std::string>{"39.2°", "66.6°"}));
+        if (label.kind == app::Label::Kind::Angle) angles.push_back(label.text);
+    EXPECT_EQ(angles, (std::vector<std::string>{"NL 39.2°", "RV 66.6°"}));
 }
 
 TEST(View3dPoint, NoPixelHasNoHemisphere) {
