@@ -5,14 +5,18 @@
 #include <cmath>
 
 #include "app/core/numbers.h"
+#include "pipeline/run/frame_data.h"
 
 namespace app {
 
 using pipeline::AnyBuffer;
+using pipeline::BufferId;
 using pipeline::BufferInfo;
 using pipeline::BufferStatistics;
 using pipeline::Color8;
+using pipeline::Domain;
 using pipeline::Element;
+using pipeline::Frame;
 using pipeline::Palette;
 using pipeline::PaletteRange;
 
@@ -150,11 +154,27 @@ bool isColorPicture(const BufferInfo& info, ShownChannel channel) {
     return info.palette == Palette::Color && info.stage == pipeline::StageId::Shading && channel == ShownChannel::All;
 }
 
+std::optional<AnyBuffer> polygonsUnder(const Frame& frame, const BufferInfo& info) {
+    if (info.domain != Domain::Pixel) return {};
+    std::optional<AnyBuffer> polygons = frame.buffer({BufferId::PolygonId});
+    if (!polygons || info.stage != pipeline::StageId::Shading) return polygons;
+    pipeline::readStages(frame, [&](const auto& data) {
+        if (!data.shading || data.shading->pixelIsShaded.empty()) return;
+        const auto& all = std::get<std::span<const std::int32_t>>(polygons->data);
+        const auto shaded = std::make_shared<std::vector<std::int32_t>>(all.begin(), all.end());
+        for (std::size_t i = 0; i < shaded->size(); ++i)
+            if (!data.shading->pixelIsShaded[i]) (*shaded)[i] = pipeline::kNothing;
+        polygons->data = std::span<const std::int32_t>(*shaded);
+        polygons->owner = shaded;
+    });
+    return polygons;
+}
+
 std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<AnyBuffer>& polygonId,
                                 ShownChannel channel) {
     const BufferInfo& info = *buffer.info;
     if (isColorPicture(info, channel)) return {};
-    if (info.domain == pipeline::Domain::Pixel && polygonId) {
+    if (info.domain == Domain::Pixel && polygonId) {
         // At outlines there may be no verdict.
         const AnyBuffer& numbers = info.palette == Palette::ShadowVerdict ? buffer : *polygonId;
         std::vector<bool> drawn(numbers.count());

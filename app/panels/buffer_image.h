@@ -6,6 +6,7 @@
 
 #include "app/state/shown_channel.h"
 #include "pipeline/buffers/palette.h"
+#include "pipeline/run/frame.h"
 
 namespace app {
 
@@ -32,10 +33,14 @@ pipeline::BufferStatistics channelStatistics(const pipeline::AnyBuffer& buffer, 
 pipeline::PaletteRange fittingRange(const pipeline::AnyBuffer& buffer, ShownChannel channel,
                                     const pipeline::BufferStatistics& found, pipeline::DepthFormat format);
 
+// The polygon at each pixel of a buffer of a frame, for drawnElements; none where the frame, inside a step, has not shaded
+// the pixel and the buffer is shading's. Nothing of a buffer that has no pixels.
+std::optional<pipeline::AnyBuffer> polygonsUnder(const pipeline::Frame& frame, const pipeline::BufferInfo& info);
+
 // A picture in colours has its black background; any other one is nothing where nothing was drawn.
 bool isColorPicture(const pipeline::BufferInfo& info, ShownChannel channel);
 // Which elements of a picture hold something. Empty: all of them.
-// polygonId: of the same frame, where there is one and the buffer stands on pixels.
+// polygonId: polygonsUnder of the same frame.
 std::vector<bool> drawnElements(const pipeline::AnyBuffer& buffer, const std::optional<pipeline::AnyBuffer>& polygonId,
                                 ShownChannel channel);
 

@@ -10,7 +10,6 @@
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_legend.h"
-#include "pipeline/run/frame_data.h"
 #include "pipeline/stages/cull.h"
 
 namespace app {
@@ -181,22 +180,6 @@ QString captionOf(const BufferInfo& info, ShownChannel channel) {
     QString meaning = toQString(info.meaning);
     if (meaning.endsWith('.')) meaning.chop(1);
     return alone.isEmpty() ? meaning : alone + ", " + meaning;
-}
-
-std::optional<AnyBuffer> polygonsUnder(const Frame& frame, const BufferInfo& info) {
-    if (info.domain != Domain::Pixel) return {};
-    std::optional<AnyBuffer> polygons = frame.buffer({BufferId::PolygonId});
-    if (!polygons || info.stage != pipeline::StageId::Shading) return polygons;
-    pipeline::readStages(frame, [&](const auto& data) {
-        if (!data.shading || data.shading->pixelIsShaded.empty()) return;
-        const auto& all = std::get<std::span<const std::int32_t>>(polygons->data);
-        const auto shaded = std::make_shared<std::vector<std::int32_t>>(all.begin(), all.end());
-        for (std::size_t i = 0; i < shaded->size(); ++i)
-            if (!data.shading->pixelIsShaded[i]) (*shaded)[i] = pipeline::kNothing;
-        polygons->data = std::span<const std::int32_t>(*shaded);
-        polygons->owner = shaded;
-    });
-    return polygons;
 }
 
 std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name, ShownChannel channel,

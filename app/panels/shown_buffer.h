@@ -38,10 +38,6 @@ QString captionOf(const pipeline::BufferInfo& info, ShownChannel channel);
 // The channels' own names: r g b, x y z, or the three weights.
 QStringList channelNames(const pipeline::BufferInfo& info);
 
-// The polygon at each pixel of a buffer of a frame, for drawnElements; none where the frame, inside a step, has not shaded
-// the pixel and the buffer is shading's. Nothing of a buffer that has no pixels.
-std::optional<pipeline::AnyBuffer> polygonsUnder(const pipeline::Frame& frame, const pipeline::BufferInfo& info);
-
 // range: the user's; nothing for one that shows all. Gives
 // nothing where the frame has no such buffer.
 std::optional<ShownBuffer> showBuffer(const pipeline::Frame& frame, const pipeline::BufferName& name,

@@ -28,7 +28,7 @@ void lightAtPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, c
         case Shading::Phong: s = sample(pixel.surface); return;
         case Shading::Flat: {
             if (vectors) s = sample(polygonSurface(inputs, in, pixel.polygon));
-            const LightTerms<Real>& terms = out.polygons.terms[out.polygons.placeOf(pixel.polygon) * lights + k];
+            const LightTerms<Real>& terms = out.polygons.termsOf(pixel.polygon, lights, k);
             s.diffuse = terms.diffuse, s.specular = terms.specular;
             return;
         }
@@ -38,8 +38,7 @@ void lightAtPixel(const ShadingInputs& inputs, const ShadingSources<Real>& in, c
             for (std::size_t i = 0; i < pixel.weights.count; ++i) {
                 const Real weight = pixel.weights.weights[i];
                 const std::uint32_t vertex = pixel.weights.vertices[i];
-                const auto& elements = vertexElements(out, pixel.back);
-                const LightTerms<Real>& terms = elements.terms[elements.placeOf(vertex) * lights + k];
+                const LightTerms<Real>& terms = vertexElements(out, pixel.back).termsOf(vertex, lights, k);
                 s.diffuse += weight * terms.diffuse;
                 s.specular += weight * terms.specular;
                 if (!vectors) continue;
@@ -57,14 +56,11 @@ template <class Real>
 BaseTerms<Real> baseAtPixel(const ShadingInputs& inputs, const ShadingOutput<Real>& out, const Pixel<Real>& pixel) {
     switch (inputs.shading) {
         case Shading::Phong: return baseTerms<Real>(inputs, pixel.material);
-        case Shading::Flat: return out.polygons.base[out.polygons.placeOf(pixel.polygon)];
+        case Shading::Flat: return out.polygons.baseOf(pixel.polygon);
         case Shading::Gouraud: {
             const auto& elements = vertexElements(out, pixel.back);
-            const auto baseOf = [&](std::uint32_t vertex) -> const BaseTerms<Real>& {
-                return elements.base[elements.placeOf(vertex)];
-            };
-            return {interpolated(pixel.weights, [&](std::uint32_t vertex) { return baseOf(vertex).emission; }),
-                    interpolated(pixel.weights, [&](std::uint32_t vertex) { return baseOf(vertex).ambient; })};
+            return {interpolated(pixel.weights, [&](std::uint32_t vertex) { return elements.baseOf(vertex).emission; }),
+                    interpolated(pixel.weights, [&](std::uint32_t vertex) { return elements.baseOf(vertex).ambient; })};
         }
     }
     return {};

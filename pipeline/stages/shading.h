@@ -103,6 +103,10 @@ struct ShadingOutput {
 
         std::size_t count() const { return places.empty() ? intensity.size() : places.size(); }
         std::size_t placeOf(std::size_t i) const { return places.empty() ? i : places[i]; }
+        const BaseTerms<Real>& baseOf(std::size_t i) const { return base[placeOf(i)]; }
+        const LightTerms<Real>& termsOf(std::size_t i, std::size_t lights, std::size_t k) const {
+            return terms[placeOf(i) * lights + k];
+        }
         bool isEvaluated(std::size_t i) const { return places.empty() || places[i] != 0; }
     };
     Elements polygons, vertices;

@@ -5,12 +5,15 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
+#include <utility>
 
 #include "app/core/theme.h"
 #include "app/view3d/normal_arrows.h"
 #include "app/view3d/space_content.h"
 #include "app/view3d/view_settings.h"
+#include "tests/app/shown_view3d.h"
 #include "tests/app/view3d_fixture.h"
 
 namespace {
@@ -139,6 +142,34 @@ TEST(View3dNormals, SettingsFollowTheLettersSize) {
     };
     EXPECT_EQ(look(old), look(made));
     app::Theme::current().setScale(1);
+}
+
+using View3dNormalsShown = ShownView3d;
+
+// Arrows are made once for all frames, and keep no colour of the theme that they were made in.
+TEST_F(View3dNormalsShown, TheyTakeTheColourOfAnotherTheme) {
+    openPyramid();
+    const QColor before = app::Theme::current().colors().N;
+    // Once the picture rests: two in turn are alike.
+    const auto count = [&](QColor color) {
+        QImage image;
+        EXPECT_TRUE(QTest::qWaitFor(
+            [&] { return waitUntilDrawn() && std::exchange(image, panel.grab().toImage()) == image; }, 20000));
+        int found = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) {
+                const QRgb at = image.pixel(x, y);
+                found += std::abs(qRed(at) - color.red()) <= 3 && std::abs(qGreen(at) - color.green()) <= 3 &&
+                         std::abs(qBlue(at) - color.blue()) <= 3;
+            }
+        return found;
+    };
+    const int arrows = count(before);
+    ASSERT_GT(arrows, 50);
+    app::Theme::current().set(app::ThemeId::Dark);
+    EXPECT_GT(count(app::Theme::current().colors().N), arrows / 2);
+    EXPECT_LT(count(before), arrows / 10);
+    app::Theme::current().set(app::ThemeId::Light);
 }
 
 }  // namespace

@@ -65,24 +65,6 @@ protected:
 
 }  // namespace
 
-// Arrows are made once for all frames, and keep no colour of the theme that they were made in.
-TEST_F(View3dWindow, NormalsTakeTheColourOfAnotherTheme) {
-    openPyramid();
-    const QColor before = Theme::current().colors().N;
-    const auto count = [](const QImage& image, QColor color) {
-        int found = 0;
-        for (int y = 0; y < image.height(); ++y)
-            for (int x = 0; x < image.width(); ++x) found += isNear(image.pixel(x, y), color);
-        return found;
-    };
-    const int arrows = count(settledPicture(), before);
-    ASSERT_GT(arrows, 50);
-    Theme::current().set(ThemeId::Dark);
-    const QImage dark = settledPicture();
-    EXPECT_GT(count(dark, Theme::current().colors().N), arrows / 2);
-    EXPECT_LT(count(dark, before), arrows / 10);
-}
-
 TEST_F(View3dWindow, SaysWhatToDoWithoutAScene) {
     bool found = false;
     for (const QLabel* label : view.findChildren<QLabel*>())

@@ -56,7 +56,8 @@ TEST(LayerReport, TellsEachLayerFromTheFarthest) {
     const Json json = toJson(*frame, r);
     EXPECT_EQ(json["layers"].size(), 2u);
     EXPECT_EQ(json["layers"][0]["alpha"], 0.25);
-    EXPECT_NEAR(json["composed"][0].get<double>(), 45, 1e-12);
+    EXPECT_NEAR(json["intensity"][0].get<double>(), 45, 1e-12) << "as its buffer";
+    EXPECT_NEAR(json["opaque"][0].get<double>(), 80, 1e-12);
 }
 
 TEST(LayerReport, OverTheBackground) {
