@@ -142,12 +142,14 @@ QString formatOf(const pipeline::Scene& scene) {
 }  // namespace
 
 FrameStatus frameStatus(const pipeline::Steps& steps, pipeline::Moment at, pipeline::StepLevel level) {
-    const QString words = toQString(steps.words(at, level));
+    const QString label = toQString(stageInfo(at.stage).label);
+    QString words = toQString(steps.words(at, level));
+    if (words.startsWith(label + ", ")) words = words.mid(label.size() + 2);  // which stands above
     const auto comma = words.indexOf(QStringLiteral(", row"));
     const QString made =
         QStringLiteral("%1 of %2 steps").arg(count(steps.made(at, level)), count(steps.count(at.stage, level)));
-    return {QStringLiteral("Inside %1").arg(toQString(stageInfo(at.stage).label)),
-            comma < 0 ? words : words.left(comma), made, formatOf(steps.frame()->scene())};
+    return {QStringLiteral("Inside %1").arg(label), comma < 0 ? words : words.left(comma), made,
+            formatOf(steps.frame()->scene())};
 }
 
 FrameStatus frameStatus(const pipeline::Frame& frame) {
