@@ -66,6 +66,7 @@ public:
 signals:
     void changed();  // the view is to be shown anew
     void busyChanged(bool busy);
+    void chosen();  // in the menu: the view that shows it takes the keys
     void stagesChosen();
 
 private:

@@ -57,8 +57,10 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
     };
     for (const OtherChoice& choice :
          otherChoices(*m_document.frame(), shown, bool(m_document.sceneBefore()), m_document.derived().recipe())) {
-        QAction* action =
-            menuOf(choice.group)->addAction(choice.text, this, [this, source = choice.source] { compareWith(source); });
+        QAction* action = menuOf(choice.group)->addAction(choice.text, this, [this, source = choice.source] {
+            compareWith(source);
+            emit chosen();
+        });
         action->setCheckable(true);
         action->setChecked(m_source == choice.source);
         action->setEnabled(choice.whyNot.isEmpty());

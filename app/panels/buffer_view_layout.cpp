@@ -118,6 +118,7 @@ void BufferView::observeWork() {
     connect(&m_document, &Document::busyChanged, this, tell);
     connect(&work, &WorkList::changed, this, tell);
     connect(&m_showing, &ShowJob::busyChanged, this, tell);
+    connect(m_compare, &BufferCompare::chosen, this, &BufferView::takeKeys);
     connect(m_compare, &BufferCompare::busyChanged, this, tell);
     connect(&m_marking, &BackgroundJob::busyChanged, this, tell);
     connect(m_canvas, &BufferCanvas::paintingChanged, this, tell);

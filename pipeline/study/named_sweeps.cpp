@@ -99,7 +99,11 @@ Texts normalsSweep(const Scene& scene) {
 }
 
 const std::array kSweeps = std::to_array<NamedSweep>({
-    {"shading", "Flat, Gouraud and Phong shading over finer and finer polygons.", {}, shadingSweep, {}},
+    {"shading",
+     "Flat, Gouraud and Phong shading, over finer and finer polygons of round shapes.",
+     {},
+     shadingSweep,
+     {}},
     {"depth",
      "Depth formats while the near plane comes closer to the eye.",
      {"depth", "RMSE", ErrorKind::Storage},

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -163,6 +164,24 @@ TEST_F(BufferCompareTest, TheWipeFollowsItsHandle) {
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, QPoint(80, 100));
     EXPECT_EQ(canvas().wipe().border(canvas().width()), 80);
     EXPECT_FALSE(document.pixel());  // dragging the handle picks nothing
+}
+
+// Whoever chooses B in a menu goes on with T, W and D, wherever the keys were before.
+TEST_F(BufferCompareTest, TheViewTakesTheKeysWhenBIsChosen) {
+    QMenu menu;
+    compare.fillMenu(menu, view.buffer());
+    const auto inMenus = menu.findChildren<QAction*>() + menu.actions();
+    const auto action = std::ranges::find_if(inMenus, [](const QAction* one) {
+        return !one->menu() && !one->isSeparator() && one->isEnabled() && one->isCheckable();
+    });
+    ASSERT_NE(action, inMenus.end());
+    view.activateWindow();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::activeWindow() == &view; }, 5000));
+    view.setFocusPolicy(Qt::StrongFocus);
+    view.setFocus();
+    ASSERT_FALSE(canvas().hasFocus());
+    (*action)->trigger();
+    EXPECT_TRUE(canvas().hasFocus());
 }
 
 TEST_F(BufferCompareTest, BBeforeTheLastChangeIsTheFrameOfTheSceneBefore) {
