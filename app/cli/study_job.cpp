@@ -100,8 +100,9 @@ struct Run {
     }
 
     bool measure() {
-        // In the folder, where there is room for it, hidden and of this process alone; gone when it has been read.
-        const fs::path times = job.folder / fmt::format(".times-{}.json", ::getpid());
+        // In the folder, where there is room for it, hidden; gone when it has been read. Of this process alone: parts of a
+        // study share a folder, also from several machines, where processes may have the same number.
+        const fs::path times = job.folder / fmt::format(".times-{}-{}.json", job.request.shard, ::getpid());
         for (int process = static_cast<int>(report.load.size()); process < job.processes; ++process) {
             std::vector<std::string> arguments = job.arguments;
             arguments.insert(arguments.end(), {"--times-into", times.string(), "--times-of",

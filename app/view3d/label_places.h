@@ -19,9 +19,10 @@ struct PlacedLabel {
 };
 
 // Letters stand beyond the tips, at least 21 pixels from each other and 17 from every tip where
-// there is room. Captions, the names of axes and of planes and angles stand around what they belong to, where they cover no letter,
-// no mark and none of each other and least of what is drawn; captions of marks outside the view at its border. A vector
-// that leads out of the view has its letter where it leaves it. All of them inside the view, and beside what is `taken`.
+// there is room. Captions and the names of axes, planes and angles stand around what they belong to, where they cover no
+// letter, no mark and none of each other and least of what is drawn; captions of marks outside the view at its border. A
+// vector that leads out of the view has its letter where it leaves it. All of them inside the view, and beside what is
+// `taken`.
 // `before`: where they stood a moment ago, in a view that moves; a place that is nearly as good as another one is kept.
 std::vector<PlacedLabel> placeLabels(const Drawing& drawing, const ViewFrame& view,
                                      const std::vector<QRectF>& taken = {},
