@@ -240,6 +240,7 @@ int runBench(BenchOptions options, const CLI::App& command) {
         return kInterrupted;
     }
     (options.json ? printJson : printTable)(*times, options);
+    tellRemarks(*times->last);
     return kDone;
 }
 

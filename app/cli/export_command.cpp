@@ -80,12 +80,6 @@ void tellLeftOut(const pipeline::Frame& frame, const pipeline::ExportRequest& re
     }
 }
 
-// What the stages did not do as they were asked; the manifest has it among its remarks.
-void tellRemarks(const pipeline::Frame& frame) {
-    for (const pipeline::StageId stage : pipeline::kStages)
-        if (const auto& remark = frame.run(stage).remark) tell("{}: {}\n", remark->about, remark->text);
-}
-
 // Whether an export would write its manifest alone, and with that remove the export before.
 bool isWithoutFiles(const pipeline::Frame& frame, const pipeline::ExportRequest& request) {
     const auto isWhole = [](const std::string& format) { return pipeline::findFrameExporter(format) != nullptr; };

@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/cli/message.h"
 #include "pipeline/core/text.h"
 #include "pipeline/plan/needs.h"
+#include "pipeline/run/frame_remarks.h"
 
 namespace app {
 
@@ -24,6 +26,14 @@ pipeline::Result<StageId> stageNamed(const std::string& text) {
 }
 
 }  // namespace
+
+void tellRemarks(const pipeline::Frame& frame) {
+    const auto tellOne = [](const std::optional<pipeline::Remark>& remark) {
+        if (remark) tell("{}{}{}\n", remark->about, remark->about.empty() ? "" : ": ", remark->text);
+    };
+    for (const StageId stage : pipeline::kStages) tellOne(frame.run(stage).remark);
+    tellOne(whyNothingIsSeen(frame));
+}
 
 pipeline::Result<BufferName> bufferNamed(const pipeline::Scene& scene, const std::string& text, bool makesDerived) {
     const auto name = pipeline::findBuffer(text);

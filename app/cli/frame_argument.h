@@ -44,6 +44,10 @@ pipeline::StageId lastStageOf(const pipeline::BufferSet& buffers);
 std::optional<pipeline::Error> comesTooLate(const pipeline::BufferName& name, pipeline::StageId from,
                                             pipeline::StageId until);
 
+// Tells what the stages did not do as they were asked, and why nothing is seen. A manifest and a plan have it among their
+// remarks.
+void tellRemarks(const pipeline::Frame& frame);
+
 // Errors name the buffer or stage that does not exist, and the nearest that does.
 pipeline::Result<WantedFrame> wantedFrame(const pipeline::Scene& scene, const FrameArgument& argument);
 

@@ -44,7 +44,9 @@ pipeline::FrameRequest requestFor(const InspectOptions& options, pipeline::Buffe
 
 pipeline::FramePtr frameOf(std::shared_ptr<const pipeline::Scene> scene, const InspectOptions& options,
                            pipeline::BufferSet wanted = {}) {
-    return runFrame(std::move(scene), requestFor(options, wanted), nullptr);
+    pipeline::FramePtr frame = runFrame(std::move(scene), requestFor(options, wanted), nullptr);
+    if (frame) tellRemarks(*frame);
+    return frame;
 }
 
 int cancelled() {

@@ -8,7 +8,9 @@
 #include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
 #include "pipeline/export/json.h"
+#include "pipeline/plan/memory_limit.h"
 #include "pipeline/plan/needs.h"
+#include "pipeline/run/frame_remarks.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/scene/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
@@ -55,9 +57,9 @@ std::vector<std::pair<std::string, std::string>> buffersLeftOut(const pipeline::
     return left;
 }
 
-// frame: nothing where none was run.
+// frame: nothing where none was run; counts: whether what it did is printed.
 void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted,
-               const pipeline::Frame* frame) {
+               const pipeline::Frame* frame, bool counts) {
     const pipeline::Settings& settings = scene.settings;
     const auto choice = [&](const char* key) {
         const auto ref = findSetting(scene, key).value();
@@ -74,27 +76,39 @@ void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const W
     const auto left = buffersLeftOut(scene, wanted);
     if (!left.empty()) fmt::print("\nBuffers left out unless asked for by name\n");
     for (const auto& [buffer, why] : left) fmt::print("    {:<20} {}\n", buffer, why);
-    const auto remarks = sceneRemarks(scene);
+    const auto remarks = frame ? frameRemarks(*frame) : sceneRemarks(scene);
     if (!remarks.empty()) fmt::print("\nRemarks\n");
     for (const pipeline::Remark& remark : remarks) fmt::print("    {:<20} {}\n", remark.about, remark.text);
-    if (frame) printCounts(*frame);
+    if (frame && counts) printCounts(*frame);
 }
 
 void printPlanAsJson(const pipeline::Scene& scene, const pipeline::Plan& plan, const WantedFrame& wanted,
-                     const pipeline::Frame* frame) {
+                     const pipeline::Frame* frame, bool counts) {
     pipeline::Json left = pipeline::Json::array();
     for (const auto& [buffer, why] : buffersLeftOut(scene, wanted)) left.push_back({{"name", buffer}, {"why", why}});
     pipeline::Json json{{"scene", sceneToJson(scene)},
                         {"settings", settingsToJson(scene)},
-                        {"remarks", remarksToJson(scene)},
+                        {"remarks", frame ? remarksToJson(*frame) : remarksToJson(scene)},
                         {"plan", toJson(plan)},
                         {"absent", left}};
-    if (frame)
+    if (frame && counts)
         for (const pipeline::StageId stage : pipeline::kStages) {
             json["plan"][index(stage)]["counts"] = frame->run(stage).counts;
             json["plan"][index(stage)]["tallies"] = toJson(frame->run(stage).tallies);
         }
     fmt::print("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+}
+
+int cancelled() {
+    tell("Cancelled.\n");
+    return kInterrupted;
+}
+
+// The frame up to its polygons' verdicts, which say why nothing would be seen; null where it does not fit into memory.
+pipeline::FramePtr culledFrame(const std::shared_ptr<const pipeline::Scene>& scene, pipeline::FrameRequest request) {
+    request.wanted = pipeline::setOf({pipeline::BufferId::PolygonsVerdict});
+    request.until = pipeline::StageId::Cull;
+    return checkMemory(*scene, request.wanted, request.until).empty() ? runFrame(scene, request, nullptr) : nullptr;
 }
 
 int runPlan(const PlanOptions& options) {
@@ -106,21 +120,20 @@ int runPlan(const PlanOptions& options) {
         printErrors(wanted.errors());
         return kWrongUsage;
     }
-    if (!options.counts) {
-        (options.json ? printPlanAsJson : printPlan)(*scene, makePlan(*scene, wanted->request, nullptr), *wanted,
-                                                     nullptr);
-        return kDone;
-    }
     const Interrupt interrupt;
     pipeline::FrameRequest request = wanted->request;
     request.stop = interrupt.token();
+    const auto print = options.json ? printPlanAsJson : printPlan;
+    if (!options.counts) {
+        const pipeline::FramePtr culled = culledFrame(scene, request);
+        if (request.stop.stop_requested()) return cancelled();
+        print(*scene, makePlan(*scene, wanted->request, nullptr), *wanted, culled.get(), false);
+        return kDone;
+    }
     if (!fits(*scene, request, options.scene, status)) return status;
     const pipeline::FramePtr frame = runFrame(scene, request, nullptr);
-    if (!frame) {
-        tell("Cancelled.\n");
-        return kInterrupted;
-    }
-    (options.json ? printPlanAsJson : printPlan)(*scene, frame->plan(), *wanted, frame.get());
+    if (!frame) return cancelled();
+    print(*scene, frame->plan(), *wanted, frame.get(), true);
     return kDone;
 }
 

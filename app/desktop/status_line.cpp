@@ -10,7 +10,7 @@
 #include "app/desktop/work_bar.h"
 #include "app/panels/elided_label.h"
 #include "app/panels/follow_theme.h"
-#include "pipeline/scene/scene_remarks.h"
+#include "pipeline/run/frame_remarks.h"
 
 namespace app {
 
@@ -129,7 +129,7 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 
 void StatusLine::showRemarks() {
     const pipeline::FramePtr frame = m_document.frame();
-    const auto remarks = frame ? pipeline::sceneRemarks(frame->scene()) : std::vector<pipeline::Remark>();
+    const auto remarks = frame ? pipeline::frameRemarks(*frame) : std::vector<pipeline::Remark>();
     QStringList lines;
     for (const pipeline::Remark& remark : remarks)
         lines << toQString(remark.about.empty() ? remark.text : remark.about + ": " + remark.text);

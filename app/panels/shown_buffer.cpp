@@ -10,7 +10,7 @@
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_legend.h"
-#include "pipeline/stages/cull.h"
+#include "pipeline/run/frame_remarks.h"
 
 namespace app {
 
@@ -133,15 +133,10 @@ bool isGroundAlone(const Frame& frame, const AnyBuffer& buffer, const std::optio
 }
 
 QString whyNothing(const Frame& frame) {
-    const auto verdicts = frame.buffer({BufferId::PolygonsVerdict});
-    if (!verdicts) return "Nothing was drawn.";
-    if (verdicts->count() == 0) return "Nothing was drawn: the scene has no polygons.";
-    std::size_t away = 0;
-    for (std::size_t i = 0; i < verdicts->count(); ++i)
-        away += verdicts->flat(i) == double(pipeline::Verdict::BackFacing);
-    if (away == 1 && verdicts->count() == 1) return "Nothing was drawn: the only polygon faces away.";
-    if (away == verdicts->count()) return QString("Nothing was drawn: all %1 polygons face away.").arg(away);
-    return "Nothing was drawn: no polygon covers a pixel.";
+    const auto why = pipeline::whyNothingIsSeen(frame);
+    if (!why) return "Nothing was drawn.";
+    const QString text = toQString(why->text);
+    return "Nothing was drawn: " + text.left(1).toLower() + text.mid(1);
 }
 
 PaletteBar::Scale scaleOf(const AnyBuffer& buffer, const BufferLook& shown, PaletteRange whole,

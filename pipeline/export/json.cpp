@@ -4,6 +4,7 @@
 #include <map>
 
 #include "pipeline/export/file_hash.h"
+#include "pipeline/run/frame_remarks.h"
 #include "pipeline/scene/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -232,9 +233,8 @@ Json remarksToJson(const Scene& scene) {
 }
 
 Json remarksToJson(const Frame& frame) {
-    Json remarks = remarksToJson(frame.scene());
-    for (const StageId stage : kStages)
-        if (const auto& remark = frame.run(stage).remark) remarks.push_back(remarkToJson(*remark));
+    Json remarks = Json::array();
+    for (const Remark& remark : frameRemarks(frame)) remarks.push_back(remarkToJson(remark));
     return remarks;
 }
 

@@ -10,6 +10,7 @@
 #include "pipeline/core/numerics.h"
 #include "pipeline/core/text.h"
 #include "pipeline/illumination/illumination.h"
+#include "pipeline/plan/black.h"
 
 namespace pipeline {
 namespace {
@@ -24,9 +25,8 @@ public:
         for (std::size_t i = 0; i < m_scene.objects.size(); ++i) ofObject(i);
         if (m_scene.objects.empty())
             add("object", "The scene has no object: every pixel is background.");
-        else if (maximumIntensity(m_scene) <= 0)
-            add("ambient.intensity",
-                "I_max is 0, for no light and no material gives any intensity: the picture is black.");
+        else if (maximumIntensity(m_scene) <= 0 || isBlack(m_scene))
+            ofBlack();
         if (m_list.size() > kMaxRemarks) {
             const std::size_t more = m_list.size() - (kMaxRemarks - 1);
             m_list.resize(kMaxRemarks - 1);
@@ -37,6 +37,13 @@ public:
 
 private:
     void add(std::string about, std::string text) { m_list.push_back({std::move(about), std::move(text)}); }
+
+    void ofBlack() {
+        const Remark why = whyBlack(m_scene);
+        const bool isScaled = maximumIntensity(m_scene) > 0;
+        add(why.about, fmt::format("{}o light and no material gives any intensity: the picture is black. {}",
+                                   isScaled ? "N" : "I_max is 0, for n", why.text));
+    }
 
     void ofCamera() {
         const Camera& camera = m_scene.camera;

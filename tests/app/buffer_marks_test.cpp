@@ -331,9 +331,14 @@ TEST_F(BufferMarksTest, NothingDrawnIsSaidOverAColouredGroundToo) {
     // A flat triangle in the plane z = 0 that is clockwise from above, where the eye is.
     scene.objects[0].mesh = test::mesh({{0, 0, 0}, {0, 100, 0}, {100, 0, 0}}, {{0, 1, 2}});
     document.setScene(scene);
-    EXPECT_TRUE(says("Nothing was drawn: the only polygon faces away."));
+    // The eye stands at θ = 45°, φ = 60°: opposite to it, at θ = -135°, φ = 120°, the front is seen.
+    const char* away =
+        "Nothing was drawn: the only polygon faces away from the eye, and back faces are left out. Set cull=none, or "
+        "look "
+        "from the other side: camera.theta=-135 camera.phi=120.";
+    EXPECT_TRUE(says(away));
     view.setBuffer({BufferId::Color});
-    EXPECT_TRUE(says("Nothing was drawn: the only polygon faces away."));
+    EXPECT_TRUE(says(away));
     scene.objects.clear();
     document.setScene(scene);
     EXPECT_TRUE(says("Nothing was drawn: the scene has no polygons."));
