@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "pipeline/formats/text_scanner.h"
 
 namespace pipeline {
@@ -40,6 +42,10 @@ constexpr RoleName kRoles[] = {
     {"vertex", "nz", false, PlyRole::NormalZ},
     {"face", "vertex_indices", true, PlyRole::Corners},
     {"face", "vertex_index", true, PlyRole::Corners},
+    {"tristrips", "vertex_indices", true, PlyRole::Corners},
+    {"tristrips", "vertex_index", true, PlyRole::Corners},
+    {"tristrip", "vertex_indices", true, PlyRole::Corners},
+    {"tristrip", "vertex_index", true, PlyRole::Corners},
 };
 
 constexpr std::size_t kMostProperties = 1000;
@@ -70,7 +76,8 @@ void readProperty(LineScanner& scanner, PlyElement& element) {
     if (role != std::end(kRoles)) property.role = role->role;
     if (property.role == PlyRole::Corners && property.type >= PlyType::Float)
         scanner.fail("found corners that are no whole numbers", "a type as int");
-    element.properties.push_back(property);
+    property.name = name;
+    element.properties.push_back(std::move(property));
     if (element.properties.size() == kMostProperties + 1) scanner.fail("found more than 1 000 properties");
 }
 
@@ -81,16 +88,17 @@ bool has(const PlyElement& element, PlyRole role) {
 void checkElements(LineScanner& scanner, const PlyHeader& header) {
     const auto& elements = header.elements;
     const auto vertex = std::ranges::find(elements, "vertex", &PlyElement::name);
-    const auto face = std::ranges::find(elements, "face", &PlyElement::name);
+    const auto face = std::ranges::find_if(
+        elements, [](const PlyElement& element) { return hasPolygons(element) && has(element, PlyRole::Corners); });
     if (vertex == elements.end() || !has(*vertex, PlyRole::X) || !has(*vertex, PlyRole::Y) || !has(*vertex, PlyRole::Z))
         scanner.fail("found no element vertex with x, y, z");
-    else if (face == elements.end() || !has(*face, PlyRole::Corners))
-        scanner.fail("found no element face with a list vertex_indices", "a model with polygons");
+    else if (face == elements.end())
+        scanner.fail("found no element face or tristrips with a list vertex_indices", "a model with polygons");
     else if (face < vertex)
-        scanner.fail("found the element face before vertex", "vertex first");
+        scanner.fail(fmt::format("found the element {} before vertex", face->name), "vertex first");
     for (const PlyElement& element : elements) {
         if (element.properties.empty() && element.count > 0) scanner.fail("found an element without properties");
-        if ((element.name == "vertex" || element.name == "face") &&
+        if ((element.name == "vertex" || hasPolygons(element)) &&
             std::ranges::count(elements, element.name, &PlyElement::name) > 1)
             return scanner.fail("found an element twice: " + quotedInput(element.name));
     }

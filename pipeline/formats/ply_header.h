@@ -15,6 +15,7 @@ std::size_t byteCount(PlyType type);
 enum class PlyRole : std::uint8_t { X, Y, Z, NormalX, NormalY, NormalZ, Corners, Other };
 
 struct PlyProperty {
+    std::string name{};
     PlyType type = PlyType::Float;
     bool isList = false;
     PlyType countType = PlyType::Uint8;  // of a list's length
@@ -32,8 +33,13 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
 };
 
+// What polygons are made of: "face", each row one, or "tristrips" (also "tristrip"), each row strips of triangles of
+// which -1 begins the next one.
+inline bool isStrips(const PlyElement& element) { return element.name == "tristrips" || element.name == "tristrip"; }
+inline bool hasPolygons(const PlyElement& element) { return element.name == "face" || isStrips(element); }
+
 // From "ply" to "end_header"; whatever is wrong is reported. There is an element vertex with
-// x, y, z, and after it an element face with a list of corners.
+// x, y, z, and after it one with polygons that has a list of corners.
 PlyHeader readPlyHeader(LineScanner& scanner);
 
 }  // namespace pipeline

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -10,7 +11,7 @@
 #include "pipeline/formats/ply_header.h"
 
 // PLY (G. Turk, The PLY Polygon File Format, 1994): vertices with or without normals, and faces.
-// Colours, other properties and other elements are skipped.
+// Colours, other properties and other elements are left out, with a remark.
 namespace pipeline {
 namespace {
 
@@ -39,8 +40,9 @@ public:
     }
 
     // Nothing where the file ends or a word is no number; that is reported.
-    std::optional<double> next(PlyType type, std::string_view what) {
-        if (isText()) return nextWord(what);
+    // mayBeNone: a text may have NaN or infinity there, however it is spelt, which is NaN then.
+    std::optional<double> next(PlyType type, std::string_view what, bool mayBeNone = false) {
+        if (isText()) return nextWord(what, mayBeNone);
         if (!m_bytes.has(m_at, byteCount(type))) {
             fail(fmt::format("the file ends after {} bytes", groupedDigits(m_bytes.size())), std::string(what));
             return {};
@@ -75,11 +77,18 @@ public:
     TextPosition place() const { return isText() ? TextPosition{m_scanner.line(), 1} : TextPosition{}; }
 
 private:
-    std::optional<double> nextWord(std::string_view what) {
+    // "nan", "-nan(ind)", "inf", "1.#QNAN".
+    static bool isNoNumber(std::string_view word) {
+        return word.find_first_of("nN#") != word.npos &&
+               word.find_first_not_of("+-.#()0123456789abdfinqstyABDFINQSTY") == word.npos;
+    }
+
+    std::optional<double> nextWord(std::string_view what, bool mayBeNone) {
         std::string_view word = m_scanner.next();
         while (word.empty() && m_scanner.nextLine()) word = m_scanner.next();
         m_at = m_scanner.at();
         const std::optional<double> value = parseNumber(word);
+        if (!value && mayBeNone && isNoNumber(word)) return std::numeric_limits<double>::quiet_NaN();
         if (!value) {
             if (word.empty())
                 m_scanner.fail("found the end of the file", std::string(what));
@@ -116,14 +125,17 @@ private:
     double m_value = 0;
 };
 
-struct Row {
+struct PlyRow {
     double values[6] = {};  // x, y, z and the normal
     std::vector<std::uint32_t> corners;
 };
 
 bool isWhole(double value, double end) { return value >= 0 && value < end && value == std::floor(value); }
 
-bool readList(PlyBody& body, const PlyProperty& property, std::size_t vertexCount, Row& row) {
+// Between two strips.
+constexpr std::uint32_t kNextStrip = UINT32_MAX;
+
+bool readList(PlyBody& body, const PlyProperty& property, std::size_t vertexCount, bool isStrips, PlyRow& row) {
     const std::optional<double> count = body.next(property.countType, "the length of a list");
     if (!count) return false;
     const bool whole = isWhole(*count, 4294967296.0);
@@ -138,6 +150,10 @@ bool readList(PlyBody& body, const PlyProperty& property, std::size_t vertexCoun
         const std::optional<double> value = body.next(property.type, "a number");
         if (!value) return false;
         if (!isCorners) continue;
+        if (isStrips && *value == -1) {
+            row.corners.push_back(kNextStrip);
+            continue;
+        }
         if (!isWhole(*value, double(vertexCount))) {
             body.refuse(vertexCount == 0 ? "no corner: there are no vertices"
                                          : fmt::format("a vertex index from 0 to {}", vertexCount - 1));
@@ -149,17 +165,17 @@ bool readList(PlyBody& body, const PlyProperty& property, std::size_t vertexCoun
 }
 
 // False when the rest of the file cannot be made sense of.
-bool readRow(PlyBody& body, const PlyElement& element, std::size_t index, std::size_t vertexCount, Row& row) {
+bool readRow(PlyBody& body, const PlyElement& element, std::size_t index, std::size_t vertexCount, PlyRow& row) {
     for (const PlyProperty& property : element.properties) {
         if (property.isList) {
-            if (!readList(body, property, vertexCount, row)) return false;
+            if (!readList(body, property, vertexCount, isStrips(element), row)) return false;
             continue;
         }
-        const std::optional<double> value = body.next(property.type, "a number");
+        const std::optional<double> value = body.next(property.type, "a number", property.role > PlyRole::Z);
         if (!value) return false;
         if (property.role == PlyRole::Other) continue;
         row.values[static_cast<std::size_t>(property.role)] = *value;
-        if (!isCoordinate(*value)) {
+        if (property.role <= PlyRole::Z && !isCoordinate(*value)) {
             body.refuse(
                 fmt::format("a coordinate of vertex {}, {}", index, numberFrom(-kFarthestVertex, kFarthestVertex)));
             return false;
@@ -182,36 +198,110 @@ bool checkRoom(PlyBody& body, const PlyElement& element, std::size_t fileSize) {
     return fits && element.count <= kMaxVertices;
 }
 
-// The number of polygons that were left out.
-std::size_t readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, Mesh& mesh) {
-    std::size_t leftOut = 0;
-    bool normalsKnown = true;
-    Row row;
+// The triangles of strips, every other one turned round so that all face alike. One that repeats a corner has no area:
+// strips go on elsewhere by such triangles, which are no loss.
+void addStrips(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition place) {
+    std::size_t first = 0;  // of this strip
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        if (corners[k] == kNextStrip) first = k + 1;
+        if (k < first + 2) continue;
+        const bool turned = (k - first) % 2 == 1;
+        const std::uint32_t triangle[3]{corners[k - 2], corners[turned ? k : k - 1], corners[turned ? k - 1 : k]};
+        addPolygon(mesh, triangle, place);
+    }
+}
+
+// What there is of the rows beside polygons and normals that are used.
+struct Counts {
+    std::size_t leftOut = 0;         // polygons
+    std::size_t unknownNormals = 0;  // of vertices
+};
+
+Counts readElements(PlyBody& body, const PlyHeader& header, std::size_t fileSize, Mesh& mesh) {
+    Counts counts;
+    bool hasAllNormals = true;
+    PlyRow row;
     for (const PlyElement& element : header.elements) {
-        if (!checkRoom(body, element, fileSize)) return leftOut;
-        const bool isVertex = element.name == "vertex", isFace = element.name == "face";
+        if (!checkRoom(body, element, fileSize)) return counts;
+        const bool hasCorners =
+            std::ranges::find(element.properties, PlyRole::Corners, &PlyProperty::role) != element.properties.end();
+        const bool isVertex = element.name == "vertex", isFace = element.name == "face" && hasCorners;
+        const bool strips = isStrips(element) && hasCorners;
         const bool hasNormals =
             isVertex && std::ranges::count_if(element.properties, [](const PlyProperty& property) {
                             return property.role >= PlyRole::NormalX && property.role <= PlyRole::NormalZ;
                         }) == 3;
-        if (isVertex) normalsKnown = hasNormals;
+        if (isVertex) hasAllNormals = hasNormals;
         if (isVertex) mesh.positions.reserve(element.count);
         if (hasNormals) mesh.normals.reserve(element.count);
         if (isFace) mesh.reservePolygons(element.count, 3 * element.count);  // mostly they are triangles
         for (std::size_t i = 0; i < element.count; ++i) {
-            if (!body.goesOn() || !readRow(body, element, i, mesh.positions.size(), row)) return leftOut;
+            if (!body.goesOn() || !readRow(body, element, i, mesh.positions.size(), row)) return counts;
             if (isVertex) mesh.positions.push_back({row.values[0], row.values[1], row.values[2]});
             if (hasNormals) {
                 const std::optional<Vec3d> normal = unitVector({row.values[3], row.values[4], row.values[5]});
-                normalsKnown = normalsKnown && normal;
+                if (!normal) ++counts.unknownNormals;
                 mesh.normals.push_back(normal.value_or(Vec3d(0.0)));
             }
-            if (isFace && !addPolygon(mesh, row.corners, body.place())) ++leftOut;
+            if (strips) addStrips(mesh, row.corners, body.place());
+            if (isFace && !addPolygon(mesh, row.corners, body.place())) ++counts.leftOut;
         }
     }
     body.goesOn();
-    if (!normalsKnown) mesh.normals.clear();
-    return leftOut;
+    if (!hasAllNormals || counts.unknownNormals > 0) mesh.normals.clear();
+    return counts;
+}
+
+// Colours first; the other properties by their names.
+void remarkOnProperties(const PlyElement& element, const std::string& file, std::vector<Remark>& remarks) {
+    constexpr std::string_view kColors[]{"red",
+                                         "green",
+                                         "blue",
+                                         "alpha",
+                                         "diffuse_red",
+                                         "diffuse_green",
+                                         "diffuse_blue",
+                                         "diffuse_alpha",
+                                         "ambient_red",
+                                         "ambient_green",
+                                         "ambient_blue",
+                                         "specular_red",
+                                         "specular_green",
+                                         "specular_blue",
+                                         "r",
+                                         "g",
+                                         "b",
+                                         "a"};
+    bool hasColor = false;
+    std::vector<std::string> names;
+    for (const PlyProperty& property : element.properties) {
+        if (property.role != PlyRole::Other) continue;
+        if (std::ranges::find(kColors, property.name) != std::end(kColors))
+            hasColor = true;
+        else if (names.size() < 5)
+            names.push_back(inQuotes(property.name));
+        else if (names.size() == 5)
+            names.emplace_back("others");
+    }
+    const std::string of =
+        fmt::format("{} of the element {}", groupedDigits(element.count) + (element.count == 1 ? " row" : " rows"),
+                    inQuotes(element.name));
+    if (hasColor) remarks.push_back({file, fmt::format("The colours of {} are not read.", of)});
+    if (!names.empty())
+        remarks.push_back(
+            {file, fmt::format("{} of {} {} not read.", fmt::join(names, ", "), of, names.size() == 1 ? "is" : "are")});
+}
+
+void remarkOnElements(const PlyHeader& header, const std::string& file, std::vector<Remark>& remarks) {
+    for (const PlyElement& element : header.elements) {
+        if (element.count == 0) continue;
+        if (element.name == "vertex" || hasPolygons(element))
+            remarkOnProperties(element, file, remarks);
+        else
+            remarks.push_back(
+                {file, fmt::format("The element {} ({}) is not read.", inQuotes(element.name),
+                                   groupedDigits(element.count) + (element.count == 1 ? " row" : " rows"))});
+    }
 }
 
 }  // namespace
@@ -224,10 +314,17 @@ Result<LoadedModel> readPly(const SourceText& source, const FileLoader&) {
     if (!errors.empty()) return errors;
     Mesh mesh;
     PlyBody body(source, bytes, header.form, scanner, errors);
-    const std::size_t leftOut = readElements(body, header, bytes.size(), mesh);
+    const Counts counts = readElements(body, header, bytes.size(), mesh);
     if (!errors.empty()) return errors;
     LoadedModel model;
-    remarkOnLeftOut(leftOut, source.name, model.remarks);
+    remarkOnElements(header, source.name, model.remarks);
+    if (counts.unknownNormals > 0)
+        model.remarks.push_back(
+            {source.name,
+             fmt::format("{} no direction; the normals of the file are not used.",
+                         counts.unknownNormals == 1 ? "1 normal has"
+                                                    : groupedDigits(counts.unknownNormals) + " normals have")});
+    remarkOnLeftOut(counts.leftOut, source.name, model.remarks);
     if (std::string rest = body.rest(); !rest.empty()) model.remarks.push_back({source.name, std::move(rest)});
     if (!errors.empty()) return errors;
     if (mesh.polygonCount() == 0) return model;

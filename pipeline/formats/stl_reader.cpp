@@ -38,8 +38,11 @@ Result<LoadedModel> readBinary(const SourceText& source) {
         return Error{{source.name, 0, 0},
                      fmt::format("the file ends after {} bytes", bytes.size()),
                      "an STL file: \"solid\", or 84 bytes before the first facet"};
-    const std::size_t count = numberAt<std::uint32_t>(source.text, kHeader);
-    if (count > (bytes.size() - kFirstFacet) / kFacet)
+    const std::size_t announced = numberAt<std::uint32_t>(source.text, kHeader);
+    const std::size_t fitting = (bytes.size() - kFirstFacet) / kFacet;
+    // Some programs never fill the count in.
+    const std::size_t count = announced == 0 ? fitting : announced;
+    if (count > fitting)
         return Error{{source.name, 0, 0},
                      fmt::format("{} facets announced, the file ends after {} bytes", groupedDigits(count),
                                  groupedDigits(bytes.size())),
@@ -50,7 +53,7 @@ Result<LoadedModel> readBinary(const SourceText& source) {
     WeldedVertices vertices(mesh, false);
     vertices.reserve(count / 2 + 2);  // of a closed surface by Euler's formula; others grow
     ReadMeter meter(bytes.size(), source.name, source.progress);
-    std::size_t leftOut = 0;
+    std::size_t leftOut = 0, attributes = 0;
     for (std::size_t i = 0; i < count && errors.size() < kMaxErrors; ++i) {
         const std::size_t facet = kFirstFacet + i * kFacet;
         if (!meter.goesOn(i * kFacet, errors)) break;
@@ -74,10 +77,20 @@ Result<LoadedModel> readBinary(const SourceText& source) {
             corners[k] = vertices.at(p);
         }
         if (!addPolygon(mesh, corners)) ++leftOut;
+        if (numberAt<std::uint16_t>(bytes.view(), facet + kFacet - 2 - bytes.begin()) != 0) ++attributes;
     }
     meter.goesOn(bytes.size(), errors);
     if (!errors.empty()) return errors;
     LoadedModel model;
+    if (announced == 0 && count > 0)
+        model.remarks.push_back(
+            {source.name, fmt::format("The file announces 0 facets; as many are read as its size has room for: {}.",
+                                      groupedDigits(count))});
+    if (attributes > 0)
+        model.remarks.push_back(
+            {source.name,
+             fmt::format("The attributes of {} facet{}, in which some programs write a colour, are not read.",
+                         groupedDigits(attributes), attributes == 1 ? "" : "s")});
     remarkOnLeftOut(leftOut, source.name, model.remarks);
     if (const std::size_t rest = bytes.size() - kFirstFacet - count * kFacet; rest > 0)
         model.remarks.push_back(
@@ -137,6 +150,17 @@ std::string_view readName(LineScanner& scanner, bool ofEnd) {
     return rest;
 }
 
+// What a word begins: "end loop", in two words as some programs write it, is endloop.
+std::string_view keywordAt(LineScanner& scanner, std::string_view word) {
+    if (!sameLetters(word, "end")) return word;
+    for (const std::string_view whole : {"endsolid", "endfacet", "endloop"})
+        if (sameLetters(scanner.peek(), whole.substr(3))) {
+            scanner.next();
+            return whole;
+        }
+    return word;
+}
+
 Result<LoadedModel> readText(const SourceText& source) {
     Errors errors;
     ByteWindow window(source);
@@ -149,43 +173,68 @@ Result<LoadedModel> readText(const SourceText& source) {
     TextPosition place;
     bool ended = false;
     int ofNormal = 0;  // words that may still come, "normal" and its numbers: none of them is read
-    std::size_t leftOut = 0;
+    std::size_t leftOut = 0, facets = 0, loops = 0, open = 0;
+    int firstOpen = 0;  // line
+    // Adds the polygon of the vertices since the last one. A loop without its end has them all the same.
+    const auto finishLoop = [&](bool isEnded) {
+        if (!isEnded && corners.empty()) return;
+        if (corners.size() < 3 && errors.empty()) scanner.fail("a loop of fewer than three vertices", "three");
+        if (place.line == 0) place = scanner.place();  // no facet so far: every polygon has a place, or none
+        if (!isEnded && open++ == 0) firstOpen = place.line;
+        ++loops;
+        if (!addPolygon(mesh, corners, place)) ++leftOut;
+        corners.clear();
+    };
     for (std::string_view word; nextWord(scanner, word);) {
         if (word[0] < 'A' && --ofNormal >= 0)
             continue;  // a number: compared with every keyword it took as long as read
-        const auto is = [&](std::string_view keyword) { return sameLetters(word, keyword); };
+        const std::string_view keyword = keywordAt(scanner, word);
+        const auto is = [&](std::string_view other) { return sameLetters(keyword, other); };
         ended = false;
         if (is("vertex")) {
             if (const std::optional<std::uint32_t> vertex = readVertex(scanner, vertices))
                 corners.push_back(*vertex);
             else
                 scanner.rest();  // one error for a line
+        } else if (is("endloop")) {
+            finishLoop(true);
         } else if (is("facet")) {
+            finishLoop(false);
+            ++facets;
             place = scanner.place();
             ofNormal = 4;
         } else if (is("outer")) {
-            corners.clear();
+            finishLoop(false);
             ofNormal = 0;
-        } else if (is("endloop")) {
-            if (corners.size() < 3 && errors.empty()) scanner.fail("a loop of fewer than three vertices", "three");
-            if (place.line == 0) place = scanner.place();  // no facet so far: every polygon has a place, or none
-            if (!addPolygon(mesh, corners, place)) ++leftOut;
-            corners.clear();
+        } else if (is("endfacet")) {
+            finishLoop(false);
         } else if (is("solid")) {
+            finishLoop(false);
             name = shownName(readName(scanner, false), stemOf(source.name));
         } else if (is("endsolid")) {
+            finishLoop(false);
             readName(scanner, true);
             vertices.clear();
             addObject(mesh, source, name, model.objects);
-            corners.clear();  // vertices of the object that is over
             ended = true;
-        } else if (!is("loop") && !is("endfacet") && --ofNormal < 0) {
+        } else if (!is("loop") && --ofNormal < 0) {
             scanner.refuse("solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
             scanner.rest();
         }
     }
     if (!ended && errors.empty()) scanner.fail("found the end of the file", "endsolid");
     if (!errors.empty()) return errors;
+    if (open > 0)
+        model.remarks.push_back(
+            {source.name, fmt::format("{} without endloop, the first at line {}; {} read all the same.",
+                                      open == 1 ? "1 facet is" : groupedDigits(open) + " facets are", firstOpen,
+                                      open == 1 ? "it is" : "they are")});
+    if (facets > loops)
+        model.remarks.push_back(
+            {source.name,
+             fmt::format("{} without vertices; nothing of {} is drawn.",
+                         facets - loops == 1 ? "1 facet is" : groupedDigits(facets - loops) + " facets are",
+                         facets - loops == 1 ? "it" : "them")});
     remarkOnLeftOut(leftOut, source.name, model.remarks);
     return model;
 }
