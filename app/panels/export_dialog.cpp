@@ -19,6 +19,7 @@
 #include "app/panels/follow_theme.h"
 #include "app/panels/on_screen.h"
 #include "pipeline/plan/needs.h"
+#include "pipeline/scene/framing.h"
 
 namespace app {
 namespace {
@@ -166,8 +167,7 @@ pipeline::ExportRequest ExportDialog::request() const {
 
 std::shared_ptr<const pipeline::Scene> ExportDialog::sceneToExport() const {
     auto scene = std::make_shared<pipeline::Scene>(m_document.scene());
-    scene->settings.width = m_width->text().toInt();
-    scene->settings.height = m_height->text().toInt();
+    setSize(*scene, {m_width->text().toInt(), m_height->text().toInt()});
     return scene;
 }
 

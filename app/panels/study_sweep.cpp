@@ -87,7 +87,7 @@ void StudySweep::fill() {
         m_named->setCurrentIndex(std::max(first, 0));
         QStringList keys;
         for (const pipeline::Setting& setting : pipeline::settingsTable())
-            if (setting.count(m_document.scene()) > 0) keys << toQString(setting.key);
+            if (sweptSettings(m_document.scene(), setting.key)) keys << toQString(setting.key);
         for (AxisFields& axis : m_axes) {
             const QString before = axis.key->currentData().toString();
             axis.key->clear();

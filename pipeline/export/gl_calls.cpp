@@ -136,6 +136,7 @@ void addTransform(const ObjectTransform& t, Calls& calls) {
         if (t.rotation.x != 0) calls.add("glRotated", {}, {t.rotation.x, 1, 0, 0});
     }
     if (t.scale != Vec3d(1)) calls.vector("glScaled", t.scale);
+    if (t.up == UpAxis::Y) calls.add("glRotated", {}, {90, 1, 0, 0});
 }
 
 // Whether the pieces of a polygon are the fan from its first corner, as GL_POLYGON draws it.

@@ -137,49 +137,57 @@ std::optional<std::string_view> GltfBuffers::load(const GltfValue& buffer) {
     return bytes.substr(0, *length);
 }
 
+bool GltfBuffers::hasRoomFor(const GltfValue& accessor, std::size_t elements) {
+    constexpr std::size_t kMost = std::size_t{1} << 22;
+    m_withoutBytes += elements;
+    if (m_withoutBytes <= kMost) return true;
+    accessor.fail(fmt::format("up to {} the file has {} elements without bytes", accessor.pointer(),
+                              groupedDigits(m_withoutBytes)),
+                  fmt::format("at most {}", groupedDigits(kMost)));
+    return false;
+}
+
 double GltfAccessor::component(std::size_t element, std::size_t index) const {
     const ComponentType& type = *findType(componentType);
-    const std::size_t at = element * stride + index * type.bytes;
+    std::string_view from = bytes;
+    std::size_t at = element * stride;
+    if (!replaced.empty()) {
+        const auto found = std::ranges::lower_bound(replaced, element);
+        if (found != replaced.end() && *found == element) {
+            from = replacements;
+            at = static_cast<std::size_t>(found - replaced.begin()) * elementBytes;
+        }
+    }
+    if (from.empty()) return 0;
+    at += index * type.bytes;
     double value = 0;
     switch (componentType) {
-        case 5120: value = numberAt<std::int8_t>(bytes, at); break;
-        case 5121: value = numberAt<std::uint8_t>(bytes, at); break;
-        case 5122: value = numberAt<std::int16_t>(bytes, at); break;
-        case 5123: value = numberAt<std::uint16_t>(bytes, at); break;
-        case 5125: value = numberAt<std::uint32_t>(bytes, at); break;
-        default: return numberAt<float>(bytes, at);
+        case 5120: value = numberAt<std::int8_t>(from, at); break;
+        case 5121: value = numberAt<std::uint8_t>(from, at); break;
+        case 5122: value = numberAt<std::int16_t>(from, at); break;
+        case 5123: value = numberAt<std::uint16_t>(from, at); break;
+        case 5125: value = numberAt<std::uint32_t>(from, at); break;
+        default: return numberAt<float>(from, at);
     }
     return normalized ? std::max(value / type.largest, -1.0) : value;
 }
 
-std::optional<GltfAccessor> accessorAt(const GltfValue& index, std::string_view type, GltfBuffers& buffers) {
-    const auto value = index.element("accessors");
-    if (!value) return {};
-    const GltfValue viewIndex = (*value)["bufferView"], countValue = (*value)["count"];
-    const GltfValue typeValue = (*value)["type"], componentValue = (*value)["componentType"];
-    if ((*value)["sparse"].isThere()) {
-        value->fail(fmt::format("{} is sparse", value->pointer()), "all elements in a buffer view; sparse is not read");
-        return {};
-    }
-    for (const GltfValue& needed : {viewIndex, countValue, typeValue, componentValue})
-        if (!needed.isThere()) needed.refuse("a value");
+namespace {
+
+// Where elements stand in a buffer.
+struct Elements {
+    std::string_view bytes;
+    std::size_t stride = 0;
+};
+
+// `count` elements of so many bytes, from the byteOffset of `of` on in the bufferView that it names. What says so many
+// is `countValue`.
+std::optional<Elements> elementsOf(const GltfValue& of, const GltfValue& countValue, std::uint64_t count,
+                                   std::size_t elementBytes, GltfBuffers& buffers) {
+    const GltfValue viewIndex = of["bufferView"];
+    if (!viewIndex.isThere()) viewIndex.refuse("a value");
     const auto view = viewIndex.element("bufferViews");
-    const auto count = countValue.whole(1, kMaxVertices);
-    const auto components = componentValue.whole(0, UINT32_MAX);
-    const auto given = typeValue.text();
-    if (!view || !count || !components || !given) return {};
-
-    GltfAccessor accessor;
-    accessor.pointer = value->pointer();
-    accessor.count = *count;
-    accessor.componentType = *components;
-    accessor.normalized = (*value)["normalized"].truth().value_or(false);
-    const ComponentType* const component = findType(accessor.componentType);
-    if (!component) componentValue.refuse("5120, 5121, 5122, 5123, 5125 or 5126");
-    if (*given != type) typeValue.refuse(fmt::format("\"{}\" for {}", type, index.pointer()));
-    if (!component || *given != type) return {};
-    const std::size_t elementBytes = component->bytes * (type == "VEC3" ? 3 : 1);
-
+    if (!view) return {};
     const GltfValue bufferIndex = (*view)["buffer"], viewLength = (*view)["byteLength"];
     if (!bufferIndex.isThere()) bufferIndex.refuse("the index of a buffer");
     if (!viewLength.isThere()) viewLength.refuse("a number of bytes");
@@ -190,12 +198,14 @@ std::optional<GltfAccessor> accessorAt(const GltfValue& index, std::string_view 
     const auto offsetOf = [](const GltfValue& offset) {
         return offset.isThere() ? offset.whole(0, kMaxFileBytes) : std::optional<std::uint64_t>(0);
     };
-    const auto viewOffset = offsetOf((*view)["byteOffset"]), offset = offsetOf((*value)["byteOffset"]);
+    const auto viewOffset = offsetOf((*view)["byteOffset"]), offset = offsetOf(of["byteOffset"]);
     const GltfValue strideValue = (*view)["byteStride"];
-    const auto stride = strideValue.isThere() ? strideValue.whole(4, 252) : elementBytes;
+    // Some write 0 where elements stand one after the other, or the size of an index.
+    auto stride = strideValue.isThere() ? strideValue.whole(0, 252) : elementBytes;
     if (!bytes || !length || !viewOffset || !offset || !stride) return {};
+    if (*stride == 0) stride = elementBytes;
     if (*stride < elementBytes) {
-        strideValue.refuse(fmt::format("at least {}, the bytes of an element of {}", elementBytes, accessor.pointer));
+        strideValue.refuse(fmt::format("at least {}, the bytes of an element of {}", elementBytes, of.pointer()));
         return {};
     }
     if (!hasBytes(*bytes, *viewOffset, *length)) {
@@ -203,13 +213,81 @@ std::optional<GltfAccessor> accessorAt(const GltfValue& index, std::string_view 
         return {};
     }
     // No sum or product overflows: each factor is below 2^28.
-    if (*offset + *stride * (*count - 1) + elementBytes > *length) {
+    if (*offset + *stride * (count - 1) + elementBytes > *length) {
         countValue.fail(fmt::format("{} is {}, {} of {} bytes has no room for as many", countValue.pointer(),
-                                    groupedDigits(*count), view->pointer(), groupedDigits(*length)));
+                                    groupedDigits(count), view->pointer(), groupedDigits(*length)));
         return {};
     }
-    accessor.stride = *stride;
-    accessor.bytes = bytes->substr(*viewOffset + *offset);
+    return Elements{bytes->substr(*viewOffset + *offset), static_cast<std::size_t>(*stride)};
+}
+
+// Section 3.6.2.3. False where it is not as it must be; that is reported.
+bool readSparse(const GltfValue& sparse, GltfAccessor& accessor, GltfBuffers& buffers) {
+    const GltfValue countValue = sparse["count"], indices = sparse["indices"], values = sparse["values"];
+    const GltfValue typeValue = indices["componentType"];
+    for (const GltfValue& needed : {countValue, typeValue, values})
+        if (!needed.isThere()) needed.refuse("a value");
+    const auto count = countValue.whole(1, accessor.count);
+    const auto components = typeValue.whole(0, UINT32_MAX);
+    if (!count || !components || !values.isThere()) return false;
+    const ComponentType* const type = findType(*components);
+    if (!type || (*components != 5121 && *components != 5123 && *components != 5125)) {
+        typeValue.refuse("5121, 5123 or 5125 for indices");
+        return false;
+    }
+    const auto at = elementsOf(indices, countValue, *count, type->bytes, buffers);
+    const auto with = elementsOf(values, countValue, *count, accessor.elementBytes, buffers);
+    if (!at || !with) return false;
+    const GltfAccessor list{indices.pointer(), at->bytes, static_cast<std::size_t>(*count), at->stride, *components};
+    accessor.replaced.reserve(list.count);
+    for (std::size_t i = 0; i < list.count; ++i) {
+        const double element = list.component(i, 0);
+        if (element >= double(accessor.count) || (i > 0 && element <= accessor.replaced.back())) {
+            indices.fail(fmt::format("element {} of {} is {}", i, indices.pointer(), shortestText(element)),
+                         fmt::format("numbers that rise, below {}", groupedDigits(accessor.count)));
+            return false;
+        }
+        accessor.replaced.push_back(static_cast<std::uint32_t>(element));
+    }
+    accessor.replacements = with->bytes;
+    return true;
+}
+
+}  // namespace
+
+std::optional<GltfAccessor> accessorAt(const GltfValue& index, std::string_view type, GltfBuffers& buffers) {
+    const auto value = index.element("accessors");
+    if (!value) return {};
+    const GltfValue countValue = (*value)["count"], sparse = (*value)["sparse"];
+    const GltfValue typeValue = (*value)["type"], componentValue = (*value)["componentType"];
+    for (const GltfValue& needed : {countValue, typeValue, componentValue})
+        if (!needed.isThere()) needed.refuse("a value");
+    const auto count = countValue.whole(1, kMaxVertices);
+    const auto components = componentValue.whole(0, UINT32_MAX);
+    const auto given = typeValue.text();
+    if (!count || !components || !given) return {};
+
+    GltfAccessor accessor;
+    accessor.pointer = value->pointer();
+    accessor.count = *count;
+    accessor.componentType = *components;
+    accessor.normalized = (*value)["normalized"].truth().value_or(false);
+    const ComponentType* const component = findType(accessor.componentType);
+    if (!component) componentValue.refuse("5120, 5121, 5122, 5123, 5125 or 5126");
+    if (*given != type) typeValue.refuse(fmt::format("\"{}\" for {}", type, index.pointer()));
+    if (!component || *given != type) return {};
+    accessor.elementBytes = component->bytes * (type == "VEC3" ? 3 : 1);
+
+    // Section 5.1.1, accessor.bufferView: without one all elements are 0.
+    if ((*value)["bufferView"].isThere()) {
+        const auto elements = elementsOf(*value, countValue, *count, accessor.elementBytes, buffers);
+        if (!elements) return {};
+        accessor.bytes = elements->bytes;
+        accessor.stride = elements->stride;
+    } else if (!buffers.hasRoomFor(*value, accessor.count)) {
+        return {};
+    }
+    if (sparse.isThere() && !readSparse(sparse, accessor, buffers)) return {};
     return accessor;
 }
 

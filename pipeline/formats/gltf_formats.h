@@ -8,9 +8,6 @@
 // What the parts of the reader of glTF share (Khronos Group, glTF 2.0 Specification, 2021).
 namespace pipeline {
 
-// glTF has +y up, our world +z.
-inline Vec3d fromYUp(const Vec3d& v) { return {v.x, 0.0 - v.z, v.y}; }
-
 // A node that draws a mesh.
 struct GltfInstance {
     GltfValue node, mesh;

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <span>
 
 #include "pipeline/formats/gltf_formats.h"
+#include "pipeline/formats/model_formats.h"
 
 namespace pipeline {
 namespace {
@@ -12,11 +14,26 @@ void remarkOn(const GltfValue& material) {
          {pbr["baseColorTexture"], pbr["metallicRoughnessTexture"], material["normalTexture"],
           material["occlusionTexture"], material["emissiveTexture"]})
         if (texture.isThere())
-            remark(material.file(), "Pictures on surfaces are not read; the materials' factors stand alone.");
+            remark(material.file(), "Pictures on surfaces are not read; the materials' factors stand alone.",
+                   "picture");
     if (material["doubleSided"].truth().value_or(false))
         remark(material.file(),
                "A material is double-sided. Its back faces are seen where the scene does not cull them, and lit "
-               "as front faces only by OpenGL's two-sided lighting.");
+               "as front faces only by OpenGL's two-sided lighting.",
+               "material");
+}
+
+// A factor from 0 to 1. One beyond, often by a rounding, counts as the nearer of the two.
+double factor(const GltfValue& value, double otherwise) {
+    const double number = value.number(-kFarthestVertex, kFarthestVertex).value_or(otherwise);
+    if (number < 0 || number > 1)
+        remark(value.file(), "A factor of a material lies beyond 0 to 1; it counts as the nearer of the two.",
+               "factor");
+    return std::clamp(number, 0.0, 1.0);
+}
+void factors(const GltfValue& value, std::span<double> to) {
+    if (!value.numbers(to, -kFarthestVertex, kFarthestVertex)) return;
+    for (std::size_t i = 0; value.isThere() && i < to.size(); ++i) to[i] = factor(value.at(i), to[i]);
 }
 
 // What the alpha of the base colour comes to: nothing when opaque, which is the default; all or nothing when masked.
@@ -32,13 +49,18 @@ double readAlpha(const GltfValue& material, double base) {
 }  // namespace
 
 Material readGltfMaterial(const GltfValue& value) {
+    const std::size_t errors = value.file().errors.size();
     remarkOn(value);
     const GltfValue pbr = value["pbrMetallicRoughness"];
     double color[4] = {1, 1, 1, 1}, emission[3] = {0, 0, 0};
-    pbr["baseColorFactor"].numbers(color, 0, 1);
-    value["emissiveFactor"].numbers(emission, 0, 1);
-    const double metallic = pbr["metallicFactor"].number(0, 1).value_or(1);
-    const double roughness = pbr["roughnessFactor"].number(0, 1).value_or(1);
+    factors(pbr["baseColorFactor"], color);
+    // The factor multiplies a picture that is dark almost everywhere: alone it would be too much.
+    if (value["emissiveTexture"].isThere())
+        remark(value.file(), "What a picture gives off is not read, and the emissive factor with it.", "material");
+    else
+        factors(value["emissiveFactor"], emission);
+    const double metallic = factor(pbr["metallicFactor"], 1);
+    const double roughness = factor(pbr["roughnessFactor"], 1);
     const double alpha = roughness * roughness;
     const Vec3d base{color[0], color[1], color[2]};
 
@@ -52,6 +74,7 @@ Material readGltfMaterial(const GltfValue& value) {
     material.ambient = base;
     material.emission = {emission[0], emission[1], emission[2]};
     material.alpha = readAlpha(value, color[3]);
+    dropErrors(value.file(), errors, "what the material has there is not read", "material");
     return material;
 }
 

@@ -31,20 +31,27 @@ glm::dmat4 transformOf(const GltfValue& node) {
         if (!given.numbers(m, -kFar, kFar)) return matrix;
         for (std::size_t i = 0; i < 16; ++i)
             matrix[static_cast<glm::length_t>(i / 4)][static_cast<glm::length_t>(i % 4)] = m[i];
-        if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) given.refuse("a matrix whose last row is 0 0 0 1");
+        // Written by way of floats the row may be off by a rounding.
+        constexpr double kRounding = 1.0 / (1 << 20);
+        const double off = std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11]), std::abs(m[15] - 1)});
+        if (off > kRounding) given.refuse("a matrix whose last row is 0 0 0 1");
+        for (glm::length_t column = 0; column < 4; ++column) matrix[column][3] = column == 3;
         return matrix;
     }
     std::array<double, 3> move{0, 0, 0}, scale{1, 1, 1};
     std::array<double, 4> turn{0, 0, 0, 1};
     node["translation"].numbers(move, -kFar, kFar);
     node["scale"].numbers(scale, -kFar, kFar);
-    if (const GltfValue rotation = node["rotation"]; rotation.numbers(turn, -1, 1)) {
+    if (const GltfValue rotation = node["rotation"]; rotation.numbers(turn, -kFar, kFar)) {
         const double length = std::hypot(std::hypot(turn[0], turn[1]), std::hypot(turn[2], turn[3]));
         if (length == 0) {
             rotation.fail(fmt::format("{} is (0, 0, 0, 0)", rotation.pointer()), "a quaternion of length 1");
             return matrix;
         }
         for (double& part : turn) part /= length;
+        constexpr double kWell = 1.0 / 256;  // what quaternions in normalised bytes are off by
+        if (std::abs(length - 1) > kWell)
+            remark(node.file(), "A rotation is no quaternion of length 1; its direction alone counts.", "node");
     }
     const glm::dmat3 rotation = rotationOf(turn);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -153,7 +160,7 @@ std::vector<GltfInstance> instancesOf(GltfFile& file) {
             break;
         }
         const glm::dmat4 toWorld = visit.parent * transformOf(node);
-        if (node["skin"].isThere()) remark(file, "Skins are not read; what they move stays as it is written.");
+        if (node["skin"].isThere()) remark(file, "Skins are not read; what they move stays as it is written.", "node");
         if (const auto mesh = node["mesh"].element("meshes")) instances.push_back({node, *mesh, toWorld});
         push(graph.children[visit.node], visit.level + 1, toWorld);
     }

@@ -32,12 +32,22 @@ std::array<std::size_t, 3> cornersOf(std::uint64_t mode, std::size_t i) {
     return {3 * i, 3 * i + 1, 3 * i + 2};
 }
 
+constexpr std::string_view kQuantized = "KHR_mesh_quantization";
+
+// Extensions of materials, pictures, lights and what is said about the file leave the shape as it is.
+bool isBesideGeometry(std::string_view extension) {
+    constexpr std::string_view kBeside[]{"KHR_materials_", "EXT_materials_", "KHR_texture_",     "EXT_texture_",
+                                         "MSFT_texture_",  "KHR_lights_",    "EXT_lights_",      "KHR_xmp",
+                                         "KHR_audio",      "KHR_animation_", "KHR_interactivity"};
+    return std::ranges::any_of(kBeside, [&](std::string_view start) { return extension.starts_with(start); });
+}
+
 class GltfReader {
 public:
     GltfReader(GltfFile& file, const FileLoader& load, const ReadProgress& progress)
         : m_file(file), m_buffers(load), m_progress(progress) {}
 
-    std::vector<Object> read() {
+    LoadedModel read() {
         checkHead();
         if (!m_file.errors.empty()) return {};
         const std::vector<GltfInstance> instances = instancesOf(m_file);
@@ -51,11 +61,18 @@ public:
                 readPrimitive(instance, primitives.at(k), primitives.size() > 1);
             m_told += kShares;
         }
-        remarkOnLeftOut(m_leftOut, m_file.name, m_file.remarks);
-        return std::move(m_objects);
+        LoadedModel model{std::move(m_objects), remarksOf(m_file)};
+        remarkOnLeftOut(m_leftOut, m_file.name, model.remarks);
+        return model;
     }
 
 private:
+    static bool isIn(const GltfValue& list, std::string_view name) {
+        for (std::size_t i = 0; i < list.size(); ++i)
+            if (list.at(i).text() == name) return true;
+        return false;
+    }
+
     void checkHead() {
         const GltfValue top(m_file), asset = top["asset"];
         for (const GltfValue& version : {asset["version"], asset["minVersion"]}) {
@@ -65,15 +82,21 @@ private:
                 version.refuse("\"2.0\"");
         }
         const GltfValue required = top["extensionsRequired"], used = top["extensionsUsed"];
-        std::vector<std::string_view> known{"KHR_mesh_quantization"};
         for (std::size_t i = 0; i < required.size(); ++i)
-            if (const auto name = required.at(i).text(); name && std::ranges::find(known, *name) == known.end())
-                required.at(i).refuse("an extension that is read, KHR_mesh_quantization");
-        for (std::size_t i = 0; i < used.size(); ++i)
-            if (const auto name = used.at(i).text(); name && std::ranges::find(known, *name) == known.end())
-                remark(m_file, fmt::format("The extension {} is not read.", quotedInput(*name)));
-            else if (name)
-                m_quantized = true;
+            if (const auto name = required.at(i).text(); name && *name != kQuantized && !isBesideGeometry(*name))
+                required.at(i).fail(fmt::format("{} is {}, which is not read, and the shape depends on it",
+                                                required.at(i).pointer(), quotedInput(*name)),
+                                    "a file that does not require it");
+        for (const GltfValue& list : {required, used})
+            for (std::size_t i = 0; i < list.size(); ++i)
+                if (const auto name = list.at(i).text(); name && *name == kQuantized)
+                    m_quantized = true;
+                else if (name && !isIn(required, *name))
+                    remark(m_file, fmt::format("The extension {} is not read.", quotedInput(*name)));
+                else if (name && list.pointer() == required.pointer())
+                    remark(m_file, fmt::format("The file requires the extension {}, which is not read; the shape does "
+                                               "not depend on it.",
+                                               quotedInput(*name)));
         if (top["animations"].isThere()) remark(m_file, "Animations are not read; every node stays as it is written.");
         if (top["cameras"].isThere()) remark(m_file, "Cameras are not read.");
     }
@@ -83,15 +106,16 @@ private:
             return primitive.fail(fmt::format("the nodes have more than {} primitives", groupedDigits(kMaxPrimitives)));
         const auto mode = primitive["mode"].isThere() ? primitive["mode"].whole(0, 6) : std::optional<std::uint64_t>(4);
         if (!mode) return;
-        if (*mode < kTriangles) return remark(m_file, "Points and lines are not read.");
+        if (*mode < kTriangles) return remark(m_file, "Points and lines are not read.", "primitive");
         if (primitive["targets"].isThere())
-            remark(m_file, "Morph targets are not read; the mesh stays as it is written.");
+            remark(m_file, "Morph targets are not read; the mesh stays as it is written.", "primitive");
         const GltfValue attributes = primitive["attributes"];
         for (const char* key : {"COLOR_0", "TEXCOORD_0"})
-            if (attributes[key].isThere()) remark(m_file, "Colours and picture coordinates of vertices are not read.");
+            if (attributes[key].isThere())
+                remark(m_file, "Colours and picture coordinates of vertices are not read.", "attribute");
         const GltfValue positionIndex = attributes["POSITION"];
         // Without positions the specification has nothing drawn.
-        if (!positionIndex.isThere()) return remark(m_file, "A primitive without positions is left out.");
+        if (!positionIndex.isThere()) return remark(m_file, "A primitive without positions is left out.", "primitive");
         const auto position = accessorAt(positionIndex, "VEC3", m_buffers);
         if (!position || !hasRoomFor(primitive, position->count) || !isVectorType(positionIndex, *position, false))
             return;
@@ -99,15 +123,15 @@ private:
         if (!corners) return;
         const std::size_t count =
             *mode == kTriangles ? corners->size() / 3 : corners->size() - std::min<std::size_t>(2, corners->size());
-        if (corners->size() < 3 || (*mode == kTriangles && corners->size() % 3 != 0))
-            return primitive.fail(fmt::format("{} has {} corners", primitive.pointer(), groupedDigits(corners->size())),
-                                  *mode == kTriangles ? "a multiple of three" : "at least three");
+        if (count == 0 || (*mode == kTriangles && corners->size() % 3 != 0))
+            remark(m_file, "A primitive ends within a triangle; that one is left out.", "primitive");
+        if (count == 0) return;
         auto positions = readVectors(m_file, *position);
         auto normals = readNormals(attributes["NORMAL"], position->count);
-        if (!positions || !normals || !place(instance, *positions, *normals)) return;
+        if (!positions || !place(instance, *positions, normals)) return;
         addObject(instance, primitive, hasTwins, [&](Mesh& mesh) {
             const bool mirrored = glm::determinant(glm::dmat3(instance.toWorld)) < 0;
-            WeldedVertices welded(mesh, !normals->empty());
+            WeldedVertices welded(mesh, !normals.empty());
             welded.reserve(positions->size());
             for (std::size_t i = 0; i < count; ++i) {
                 if (!m_meter->goesOn(m_told + kShares * i / count, m_file.errors)) return;
@@ -116,7 +140,7 @@ private:
                 std::array<std::uint32_t, 3> polygon{};
                 for (std::size_t k = 0; k < 3; ++k) {
                     const std::uint32_t corner = (*corners)[triangle[k]];
-                    polygon[k] = welded.at((*positions)[corner], normals->empty() ? Vec3d(0.0) : (*normals)[corner]);
+                    polygon[k] = welded.at((*positions)[corner], normals.empty() ? Vec3d(0.0) : normals[corner]);
                 }
                 // A strip may repeat a corner to go on elsewhere.
                 if (!addPolygon(mesh, polygon) && *mode == kTriangles) ++m_leftOut;
@@ -125,10 +149,10 @@ private:
         });
     }
 
-    // Puts them into the world, +z up. Without normals where one has no length.
+    // Puts them where the node and its parents do, +y up. Without normals where one has no length.
     bool place(const GltfInstance& instance, std::vector<Vec3d>& positions, std::vector<Vec3d>& normals) {
         for (Vec3d& p : positions) {
-            p = fromYUp(Vec3d(instance.toWorld * glm::dvec4(p, 1)));
+            p = Vec3d(instance.toWorld * glm::dvec4(p, 1));
             if (isCoordinate(p.x) && isCoordinate(p.y) && isCoordinate(p.z)) continue;
             const auto text = [](double x) { return textBeyond(x, std::copysign(kFarthestVertex, x)); };
             instance.node.fail(fmt::format("{} moves a vertex to ({}, {}, {})", instance.node.pointer(), text(p.x),
@@ -142,9 +166,9 @@ private:
         const glm::dmat3 cofactors(side * glm::cross(m[1], m[2]), side * glm::cross(m[2], m[0]),
                                    side * glm::cross(m[0], m[1]));
         for (Vec3d& n : normals) {
-            const auto unit = unitVector(fromYUp(cofactors * n));
+            const auto unit = unitVector(cofactors * n);
             if (!unit) {
-                remark(m_file, "Some normals have no length; the normals of their object are not used.");
+                remark(m_file, "Some normals have no length; the normals of their object are not used.", "object");
                 normals.clear();
                 break;
             }
@@ -162,13 +186,18 @@ private:
         mesh.file = m_file.meshFile;
         Object& object = m_objects.emplace_back();
         object.mesh = makeMesh(std::move(mesh));
+        object.transform.up = UpAxis::Y;
         const GltfValue materialIndex = primitive["material"];
+        const std::size_t errors = m_file.errors.size();
         const auto material = materialIndex.element("materials");
+        dropErrors(m_file, errors, "the object has the default material", "object");
         if (material) object.material = readGltfMaterial(*material);
+        const std::size_t before = m_file.errors.size();
         const std::string otherwise = shownName(instance.mesh["name"].text().value_or(""), stemOf(m_file.name));
         object.name = shownName(instance.node["name"].text().value_or(""), otherwise);
         if (hasTwins)
             object.name += ", " + shownName(material ? (*material)["name"].text().value_or("") : "", "no material");
+        dropErrors(m_file, before, "the name is not read", "object");
     }
 
     // Primitives may name the same vertices again and again; what they amount to is limited.
@@ -204,17 +233,21 @@ private:
         return corners;
     }
 
-    // Empty where the primitive has none.
-    std::optional<std::vector<Vec3d>> readNormals(const GltfValue& index, std::size_t vertexCount) {
-        if (!index.isThere()) return std::vector<Vec3d>{};
+    // Empty where the primitive has none that can be used.
+    std::vector<Vec3d> readNormals(const GltfValue& index, std::size_t vertexCount) {
+        if (!index.isThere()) return {};
+        const std::size_t errors = m_file.errors.size();
         const auto accessor = accessorAt(index, "VEC3", m_buffers);
-        if (!accessor || !isVectorType(index, *accessor, true)) return {};
-        if (accessor->count != vertexCount) {
-            index.fail(fmt::format("{}/count is {}", accessor->pointer, groupedDigits(accessor->count)),
-                       fmt::format("{}, as many as positions", groupedDigits(vertexCount)));
-            return {};
+        std::optional<std::vector<Vec3d>> normals;
+        if (accessor && isVectorType(index, *accessor, true)) {
+            if (accessor->count == vertexCount)
+                normals = readVectors(m_file, *accessor);
+            else
+                index.fail(fmt::format("{}/count is {}", accessor->pointer, groupedDigits(accessor->count)),
+                           fmt::format("{}, as many as positions", groupedDigits(vertexCount)));
         }
-        return readVectors(m_file, *accessor);
+        dropErrors(m_file, errors, "the normals are not used", "primitive");
+        return normals.value_or(std::vector<Vec3d>());
     }
 
     GltfFile& m_file;
@@ -243,9 +276,9 @@ Result<LoadedModel> readGltf(const SourceText& source, const FileLoader& load) {
     Result<GltfFile> parsed = parseGltf(source);
     if (!parsed) return parsed.errors();
     GltfFile file = std::move(parsed).value();
-    std::vector<Object> objects = GltfReader(file, load, source.progress).read();
+    LoadedModel model = GltfReader(file, load, source.progress).read();
     if (!file.errors.empty()) return file.errors;
-    return LoadedModel{std::move(objects), std::move(file.remarks)};
+    return model;
 }
 
 }  // namespace pipeline

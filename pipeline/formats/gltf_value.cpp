@@ -87,8 +87,20 @@ Result<Chunks> chunksOf(const SourceText& source) {
         if (count == 1 && type == kBinChunk) chunks.binary = bytes.substr(at, size);
         at += size;
     }
+    while (chunks.json.ends_with('\0')) chunks.json.remove_suffix(1);  // padding that should be spaces
     if (!chunks.json.data()) return wrong("the file's first chunk is not JSON", "a JSON chunk");
     return chunks;
+}
+
+// A whole number, however it is written: JSON has no integers, and 12, 12.0 and 1.2e1 are the same number (RFC 8259,
+// section 6).
+std::optional<std::uint64_t> wholeNumber(const Json& value) {
+    if (value.is_number_unsigned()) return value.get<std::uint64_t>();
+    if (!value.is_number()) return {};
+    const double number = value.get<double>();
+    constexpr double kEnd = 18446744073709551616.0;  // 2^64
+    if (!(number >= 0 && number < kEnd) || number != std::floor(number)) return {};
+    return static_cast<std::uint64_t>(number);
 }
 
 // A value for a message, short whatever it is.
@@ -122,9 +134,35 @@ Result<GltfFile> parseGltf(const SourceText& source) {
     return file;
 }
 
-void remark(GltfFile& file, std::string text) {
-    Remark remark{file.name, std::move(text)};
-    if (std::ranges::find(file.remarks, remark) == file.remarks.end()) file.remarks.push_back(std::move(remark));
+void remark(GltfFile& file, std::string text, std::string_view noun) {
+    const auto known = std::ranges::find(file.remarks, text, &GltfRemark::text);
+    if (known == file.remarks.end())
+        file.remarks.push_back({std::move(text), noun, 1});
+    else
+        ++known->count;
+}
+
+std::vector<Remark> remarksOf(const GltfFile& file) {
+    std::vector<Remark> remarks;
+    for (const GltfRemark& said : file.remarks) {
+        std::string text = said.text.substr(0, said.text.find_last_not_of('.') + 1);
+        if (!said.noun.empty()) text += fmt::format(" ({})", plural(std::int64_t(said.count), said.noun));
+        remarks.push_back({file.name, text + '.'});
+    }
+    return remarks;
+}
+
+void dropErrors(GltfFile& file, std::size_t from, std::string_view consequence, std::string_view noun) {
+    if (file.errors.size() <= from) return;
+    const Error& first = file.errors[from];
+    const std::string why =
+        first.expected.empty() ? first.found : fmt::format("{}, expected {}", first.found, first.expected);
+    file.errors.resize(from);
+    const auto known = std::ranges::find(file.remarks, consequence, &GltfRemark::consequence);
+    if (known == file.remarks.end())
+        file.remarks.push_back({fmt::format("{}: {}.", why, consequence), noun, 1, std::string(consequence)});
+    else
+        ++known->count;
 }
 
 GltfValue GltfValue::operator[](std::string_view key) const {
@@ -151,8 +189,7 @@ GltfValue GltfValue::at(std::size_t index) const {
 
 std::optional<std::uint64_t> GltfValue::whole(std::uint64_t min, std::uint64_t max) const {
     if (!m_json) return {};
-    if (m_json->is_number_unsigned())
-        if (const auto value = m_json->get<std::uint64_t>(); value >= min && value <= max) return value;
+    if (const auto value = wholeNumber(*m_json); value && *value >= min && *value <= max) return value;
     refuse(fmt::format("a whole number from {} to {}", groupedDigits(min), groupedDigits(max)));
     return {};
 }
@@ -199,8 +236,8 @@ std::optional<GltfValue> GltfValue::element(std::string_view list) const {
     if (!m_json) return {};
     const GltfValue elements = GltfValue(*m_file)[list];
     const std::size_t count = elements.size();
-    if (m_json->is_number_unsigned() && m_json->get<std::uint64_t>() < count)
-        return elements.at(m_json->get<std::size_t>());
+    if (const auto value = wholeNumber(*m_json); value && *value < count)
+        return elements.at(static_cast<std::size_t>(*value));
     refuse(count == 0 ? fmt::format("no index: there are no {}", list)
                       : fmt::format("an index of {}, 0 to {}", list, count - 1));
     return {};

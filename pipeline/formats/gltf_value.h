@@ -14,13 +14,21 @@
 
 namespace pipeline {
 
+// What is said of a file once, with the number of things that it is said of.
+struct GltfRemark {
+    std::string text;       // a sentence
+    std::string_view noun;  // of what is counted, "node"; empty: nothing is
+    std::size_t count = 1;
+    std::string consequence{};  // of dropErrors
+};
+
 // A glTF file whose JSON has been parsed; nothing of what it says has been checked.
 struct GltfFile {
     std::string name, meshFile;                // Mesh::file of its meshes
     nlohmann::json json;                       // an object
     std::optional<std::string_view> binary{};  // the BIN chunk of a .glb, bytes of the source
     Errors errors{};                           // at most kMaxErrors
-    std::vector<Remark> remarks{};             // one of a kind
+    std::vector<GltfRemark> remarks{};
 };
 
 // Parses a .gltf or a .glb, which its first bytes tell apart. JSON that nests more than 64 deep or
@@ -28,8 +36,12 @@ struct GltfFile {
 // takes many times the memory of its text.
 Result<GltfFile> parseGltf(const SourceText& source);
 
-// Adds a remark about the file, once.
-void remark(GltfFile& file, std::string text);
+// Adds a remark about the file, or counts one more of its kind.
+void remark(GltfFile& file, std::string text, std::string_view noun = {});
+std::vector<Remark> remarksOf(const GltfFile& file);
+// Takes back the errors from that one on, for the geometry does not depend on what they are about: the first of them
+// becomes a remark, with what follows from it.
+void dropErrors(GltfFile& file, std::size_t from, std::string_view consequence, std::string_view noun);
 
 // A value of the file with its JSON pointer (RFC 6901), or nothing. What is not as it must be is
 // reported as "/accessors/3/count is -1, expected …".

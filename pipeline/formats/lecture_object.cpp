@@ -3,7 +3,7 @@
 
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/lecture_values.h"
-#include "pipeline/formats/model_scene.h"
+#include "pipeline/scene/framing.h"
 
 namespace pipeline {
 namespace {
@@ -106,7 +106,7 @@ Result<Scene> readLectureObject(const SourceText& source, const FileLoader&) {
     object.name = printableText(file.stem().string());
     object.mesh = makeMesh(std::move(mesh));
     object.material = description.material;
-    showAll(scene);
+    frameModel(scene);
     return scene;
 }
 

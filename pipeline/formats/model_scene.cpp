@@ -1,33 +1,33 @@
 #include "pipeline/formats/model_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
+#include "pipeline/core/text.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/object_names.h"
+#include "pipeline/formats/up_axis.h"
+#include "pipeline/scene/framing.h"
 
 namespace pipeline {
+namespace {
 
-void showAll(Scene& scene) {
-    Vec3d low = scene.objects.front().mesh->positions[0], high = low;
-    for (const Object& object : scene.objects)
-        for (const Vec3d& p : object.mesh->positions) {
-            low = glm::min(low, p);
-            high = glm::max(high, p);
-        }
-    const Vec3d center = 0.5 * (low + high);
-    const double halfDiagonal = glm::length(high - center);
-    const double radius = halfDiagonal > 0 ? halfDiagonal : 1;
-    for (Object& object : scene.objects) object.transform.translation = -center;
-    // Four radii away, a sphere's outline appears at d / sqrt(4² - 1) from the picture's centre;
-    // it is to fill four fifths of the picture's height.
-    scene.camera.rho = 4 * radius;
-    scene.camera.screenDistance = 0.8 * scene.settings.height / 2 * std::sqrt(15.0);
-    // Beside the eye: from the example's direction the two sides of a cube would look alike.
-    scene.lights.push_back({.position = {500, 200, 600}, .intensity = 100});
-    scene.ambient.intensity = 50;
+// glTF says which axis is up, and its reader has done what follows from that. Of the other formats OBJ alone is written
+// both ways about as often.
+void findUp(const SourceText& source, Scene& scene) {
+    const auto remark = [&](std::string text) { scene.remarks.push_back({"up", std::move(text)}); };
+    if (upOf(scene) == UpAxis::Y) return remark("y of the file points up, as in every glTF file.");
+    const std::string extension = std::filesystem::path(source.name).extension().string();
+    const UpGuess guess = sameLetters(extension, ".obj") ? guessUp(source.text, scene.objects) : UpGuess();
+    for (Object& object : scene.objects) object.transform.up = guess.up;
+    const bool isY = guess.up == UpAxis::Y;
+    remark(fmt::format("{} of the file is taken to point up{}{}; up={} turns it.", isY ? 'y' : 'z',
+                       guess.why.empty() ? "" : ": ", guess.why, isY ? 'z' : 'y'));
 }
+
+}  // namespace
 
 Result<Scene> readModelScene(const SourceText& source, const FileLoader& load) {
     Result<LoadedModel> model = readModel(source, std::filesystem::path(source.name).extension().string(), load);
@@ -36,12 +36,13 @@ Result<Scene> readModelScene(const SourceText& source, const FileLoader& load) {
     scene.objects = std::move(model).value().objects;
     scene.remarks = std::move(model).value().remarks;
     tellApart(scene.objects);
+    findUp(source, scene);
     const auto hasNormals = [](const Object& object) { return !object.mesh->normals.empty(); };
     if (std::ranges::any_of(scene.objects, hasNormals)) {
         scene.settings.shading = Shading::Phong;
         scene.settings.normalWeight = NormalWeight::Given;
     }
-    showAll(scene);
+    frameModel(scene);
     return scene;
 }
 

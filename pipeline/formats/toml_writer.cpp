@@ -18,7 +18,8 @@ namespace {
 
 class TomlWriter {
 public:
-    explicit TomlWriter(const Scene& scene) : m_scene(scene) {}
+    // Every object has its own up axis, and what is written is no model by itself.
+    explicit TomlWriter(const Scene& scene) : m_scene(scene) { m_scene.framed = false; }
 
     Result<std::string> write() {
         if (!m_scene.name.empty()) line("title", tomlString(m_scene.name));
@@ -71,6 +72,7 @@ private:
             if (!row.key.starts_with(prefix)) continue;
             const std::string_view key = row.key.substr(prefix.size());
             if (key.find('#') != key.npos || (prefix.empty() && isOfTable(key))) continue;
+            if (!row.absent(m_scene, index).empty()) continue;
             const double value = row.get(m_scene, index), known = row.get(m_known, index);
             if (value == known && std::signbit(value) == std::signbit(known)) continue;
             line(key, settingText(row, value));

@@ -70,7 +70,10 @@ void addObjects(const FramePtr& frame, SceneTable& table) {
         const bool colored = key == "material.#.ksr" || key == "material.#.ksg" || key == "material.#.ksb";
         return white ? !colored : key != "material.#.ks";
     });
-    addSettings(frame, SettingGroup::Object, columns, [](std::string_view) { return true; });
+    const bool anyTurned = std::ranges::any_of(frame->scene().objects,
+                                               [](const Object& object) { return object.transform.up != UpAxis::Z; });
+    addSettings(frame, SettingGroup::Object, columns,
+                [anyTurned](std::string_view key) { return key != "object.#.up" || anyTurned; });
     columns.push_back({"", "file", "", "The object description file, or built in.", -1, {}, [frame](std::size_t i) {
                            const std::string& file = frame->scene().objects[i].mesh->file;
                            return Cell(file.empty() ? std::string("built in") : file);

@@ -20,14 +20,20 @@ struct AxisTurn {
     bool operator==(const AxisTurn&) const = default;
 };
 
-// Applied in this order: scale, rotation about x, then y, then z, translation. Where there are
-// turns they take the place of the rotation; like successive calls of glRotate, the last one
+// The axis of a mesh's file that points up.
+enum class UpAxis : std::uint8_t { Z, Y };
+// A vector of the file with z up: (x, y, z) of a file with y up is (x, -z, y).
+inline Vec3d upright(UpAxis up, const Vec3d& v) { return up == UpAxis::Y ? Vec3d{v.x, 0.0 - v.z, v.y} : v; }
+
+// Applied in this order: what turns the mesh upright, scale, rotation about x, then y, then z, translation. Where there
+// are turns they take the place of the rotation; like successive calls of glRotate, the last one
 // written is the first one applied.
 struct ObjectTransform {
     Vec3d scale{1.0};
     Vec3d rotation{0.0};     // degrees, counter-clockwise seen from the axis' positive end
     Vec3d translation{0.0};  // world units
     std::vector<AxisTurn> turns{};
+    UpAxis up = UpAxis::Z;
     bool operator==(const ObjectTransform&) const = default;
 };
 
@@ -141,6 +147,7 @@ struct Scene {
     Camera camera;
     Settings settings;
     std::vector<Remark> remarks{};  // of its readers, about what they left out
+    bool framed = false;  // a model opened by itself: pipeline/scene/framing.h has placed it and added the camera
     bool operator==(const Scene&) const = default;
 };
 

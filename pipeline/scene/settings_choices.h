@@ -34,6 +34,7 @@ inline constexpr std::array<std::string_view, 3> kShadowCull{"none", "back", "fr
 inline constexpr std::array<std::string_view, 3> kShadowBias{"automatic", "constant", "slope"};
 inline constexpr std::array<std::string_view, 2> kCameraKind{"spherical", "look-at"};
 inline constexpr std::array<std::string_view, 2> kProjection{"perspective", "orthographic"};
+inline constexpr std::array<std::string_view, 2> kUpAxis{"z", "y"};
 inline constexpr std::array<std::string_view, 3> kLightKind{"at-infinity", "point", "area"};
 
 // World units. With coordinates up to here a normal's squared length (an edge to the fourth

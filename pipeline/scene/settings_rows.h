@@ -3,6 +3,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "pipeline/scene/framing.h"
 #include "pipeline/scene/settings_table.h"
 
 // How a row of the table of settings is made from a member of the scene; settings_table.cpp alone
@@ -124,6 +125,31 @@ constexpr Setting component(Words words, Range range, Idle idle = neverIdle) {
             [](const Scene& scene, std::size_t i) { return (Of::part(scene, i).*Member)[axis]; },
             [](Scene& scene, std::size_t i, double value) { (Of::part(scene, i).*Member)[axis] = value; },
             idle};
+}
+
+// A side of the picture: the camera of a framed model follows.
+template <auto Member>
+constexpr Setting side(Words words, Range range) {
+    Setting setting = row<OfPicture, Member>(words, range);
+    setting.set = [](Scene& scene, std::size_t, double value) {
+        Settings sized = scene.settings;
+        sized.*Member = static_cast<int>(value);
+        setSize(scene, {sized.width, sized.height});
+    };
+    return setting;
+}
+
+// The up axis of a whole file, which is that of all its objects.
+constexpr Setting upAxis(Words words, Names choices) {
+    Setting setting = choice<OfObject, &ObjectTransform::up>(words, choices);
+    setting.group = OfPicture::group;
+    setting.count = OfPicture::count;
+    setting.get = [](const Scene& scene, std::size_t) { return static_cast<double>(upOf(scene)); };
+    setting.set = [](Scene& scene, std::size_t, double value) { setUp(scene, static_cast<UpAxis>(value)); };
+    setting.absent = [](const Scene& scene, std::size_t) -> std::string_view {
+        return scene.framed ? "" : "the scene is no model that was opened by itself; object.0.up is that of an object";
+    };
+    return setting;
 }
 
 // I_a: what the model has by itself until it is set.

@@ -28,8 +28,8 @@ using A = AreaLight;
 using F = Forms;
 
 constexpr auto kSceneTable = std::to_array<Setting>({
-    row<OfPicture, &S::width>({"width", "Width", "pixels", "Columns of the picture."}, kSide),
-    row<OfPicture, &S::height>({"height", "Height", "pixels", "Rows of the picture."}, kSide),
+    side<&S::width>({"width", "Width", "pixels", "Columns of the picture."}, kSide),
+    side<&S::height>({"height", "Height", "pixels", "Rows of the picture."}, kSide),
     choice<OfPicture, &S::precision>(
         {"precision", "Precision", "", "What the stages compute in: 24, 53, 64 or 113 bits of significand."},
         kPrecision),
@@ -46,6 +46,11 @@ constexpr auto kSceneTable = std::to_array<Setting>({
          "Where the samples of a pixel stand, alike in all pixels: on a grid, anywhere in the grid's cells, anywhere, "
          "or on Hammersley's points."},
         kPattern, onlyAntialiased),
+    upAxis(
+        {"up", "Up axis of the file", "",
+         "The axis of a model's file that points up, where the model was opened by itself. Changing it turns all its "
+         "objects about the middle of the file."},
+        kUpAxis),
 
     choice<OfCamera, &C::kind>(
         {"camera.kind", "Camera", "", "On a sphere around the world's origin, or from an eye towards a target."},
@@ -256,9 +261,16 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         {"light.#.space", "Space", "", "Whether the light stands in the world or moves with the eye."}, kLightSpace,
         onlyOpenGl),
 
-    component<OfObject, &ObjectTransform::scale, 0>({"object.#.sx", "Scale x", "", "Applied first."}, kScale),
-    component<OfObject, &ObjectTransform::scale, 1>({"object.#.sy", "Scale y", "", "Applied first."}, kScale),
-    component<OfObject, &ObjectTransform::scale, 2>({"object.#.sz", "Scale z", "", "Applied first."}, kScale),
+    choice<OfObject, &ObjectTransform::up>(
+        {"object.#.up", "Up axis", "",
+         "The axis of the mesh's file that points up: y turns it about x. Applied first."},
+        kUpAxis),
+    component<OfObject, &ObjectTransform::scale, 0>({"object.#.sx", "Scale x", "", "Applied before rotations."},
+                                                    kScale),
+    component<OfObject, &ObjectTransform::scale, 1>({"object.#.sy", "Scale y", "", "Applied before rotations."},
+                                                    kScale),
+    component<OfObject, &ObjectTransform::scale, 2>({"object.#.sz", "Scale z", "", "Applied before rotations."},
+                                                    kScale),
     component<OfObject, &ObjectTransform::rotation, 0>(
         {"object.#.rx", "Rotation about x", "degrees", "Applied after scaling."}, kAngle),
     component<OfObject, &ObjectTransform::rotation, 1>(

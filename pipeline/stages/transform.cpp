@@ -35,7 +35,10 @@ ObjectMatrix makeObjectMatrix(const ObjectTransform& t) {
     for (const AxisTurn& turn : t.turns) rotation = rotation * aboutAxis(turn);
     // The sign of the determinant from the factors: their product may underflow.
     const bool mirrors = (t.scale.x < 0) != ((t.scale.y < 0) != (t.scale.z < 0));
-    return {rotation * scale, t.translation, mirrors};
+    const glm::dmat3 linear = rotation * scale;
+    // The columns are where the mesh's axes go: upright, y goes where z went, and z where -y did.
+    if (t.up == UpAxis::Y) return {{linear[0], linear[2], 0.0 - linear[1]}, t.translation, mirrors};
+    return {linear, t.translation, mirrors};
 }
 
 Vec3d toWorld(const ObjectMatrix& matrix, Vec3d position) { return matrix.linear * position + matrix.translation; }

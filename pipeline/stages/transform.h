@@ -14,7 +14,7 @@ namespace pipeline {
 
 // Stage 1: object to world to view to screen, vertex by vertex.
 
-// world = linear · object + translation: scale, rotation about x, y, z, translation.
+// world = linear · object + translation: upright, scale, rotation about x, y, z, translation.
 struct ObjectMatrix {
     glm::dmat3 linear{1.0};
     Vec3d translation{0.0};

@@ -41,8 +41,10 @@ Mat3<Real> turnAbout(const AxisTurn& turn) {
 
 template <class Real>
 Mat3<Real> linearPart(const ObjectTransform& transform) {
+    const Vec3<Real> scale(transform.scale);
     Mat3<Real> m(1);
-    for (int i = 0; i < 3; ++i) m[i] *= Real(transform.scale[i]);
+    // Each axis of the mesh once it is upright, and scaled.
+    for (int i = 0; i < 3; ++i) m[i] = scale * Vec3<Real>(upright(transform.up, Vec3d(i == 0, i == 1, i == 2)));
     if (transform.turns.empty()) {
         for (int axis = 0; axis < 3; ++axis) m = turnAbout<Real>(axis, transform.rotation[axis]) * m;
         return m;
