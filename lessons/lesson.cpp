@@ -13,7 +13,7 @@ pipeline::FrameRequest requestFor(const Page& page) {
     request.wanted |= buffersOf(page.text);
     if (page.question) {
         const Question& question = *page.question;
-        request.wanted |= buffersOf(question.answer);
+        request.wanted |= question.answer.buffers;
         for (const Prose* prose : {&question.text, &question.hint, &question.right, &question.wrong})
             request.wanted |= buffersOf(*prose);
     }
@@ -36,9 +36,10 @@ bool runPages(const Lesson& lesson, const std::stop_token& stop, const PageVisit
 pipeline::Result<double> answerOf(const Page& page, const pipeline::Frame& frame) {
     assert(page.question);
     const Expression& answer = page.question->answer;
-    const auto value = evaluate(answer, frame);
+    const auto value = evaluate(answer, {.frame = frame});
     if (!value) return value.errors();
-    if (value->numbers.size() != 1) return pipeline::Error{answer.root.where, "found " + toText(*value), "one number"};
+    if (answer.root.type != Type::Number)
+        return pipeline::Error{answer.root.where, "found " + toText(*value), "one number"};
     return value->numbers.front();
 }
 

@@ -20,6 +20,7 @@
 //   summary: One sentence for the list of lessons.
 //   scene: pyramid               a scene that comes with the program, or a scene file in the folder
 //   set: shading = flat          a setting for all pages; may be repeated
+//   let: third = 1 / 3           a name for an expression, on all pages; may be repeated
 //
 //   # What the highlight adds    begins a page
 //   stage: shading               the stage on show; shading unless given
@@ -27,6 +28,7 @@
 //   pixel: 268, 281              the picked pixel, x and y; none unless given
 //   channel: b                   r, g or b: of which the equation speaks; b unless given
 //   set: material.0.n = 4        as above, for this page; pages do not inherit from one another
+//   let: c = buffer(n_dot_l.0, 268, 281)   likewise; may use the names before it
 //   scene: box.scene             another scene for this page
 //
 //   The text, in Markdown, with {buffer(specular.0, 268, 281, b) : 3} for numbers (see prose.h).
@@ -36,7 +38,7 @@
 //   tolerance: 0.001             how far off a typed answer may be; 0 unless given
 //   hint: …
 //   right: …                     said after Check; holes are filled from what the window shows then,
-//   wrong: …                     so that they can speak of the reader's own settings
+//   wrong: …                     so that they can speak of the reader's own settings, and {answer} is the answer
 //
 // question, hint, right and wrong go on in the lines below up to the next key. Everything is
 // checked when the file is read: an unknown name is an error with its line and the nearest name.

@@ -22,8 +22,9 @@ using pipeline::inQuotes;
 using pipeline::Result;
 using pipeline::SourceLocation;
 
-constexpr std::array<std::string_view, 5> kHeaderKeys{"title", "lecture", "summary", "scene", "set"};
-constexpr std::array<std::string_view, 6> kPageKeys{"stage", "buffers", "pixel", "channel", "set", "scene"};
+constexpr std::array<std::string_view, 6> kHeaderKeys{"title", "lecture", "summary", "scene", "set", "let"};
+constexpr std::array<std::string_view, 7> kPageKeys{"stage", "buffers", "pixel", "channel", "set", "let", "scene"};
+constexpr std::array<std::string_view, 2> kRepeatedKeys{"set", "let"};
 constexpr std::array<std::string_view, 6> kQuestionKeys{"question", "answer", "tolerance", "hint", "right", "wrong"};
 using Keys = std::span<const std::string_view>;
 constexpr std::size_t kMaxLessonBytes = std::size_t{1} << 20;
@@ -119,7 +120,8 @@ private:
             failUnknown(entry.where, "key", entry.key, {keys.begin(), keys.end()});
             return false;
         }
-        if (entry.key != "set" && std::ranges::find(before, entry.key, &Entry::key) != before.end())
+        if (std::ranges::find(kRepeatedKeys, entry.key) == kRepeatedKeys.end() &&
+            std::ranges::find(before, entry.key, &Entry::key) != before.end())
             fail(entry.where, "found " + inQuotes(entry.key) + " a second time", "it once");
         if (!entry.line().text.empty()) return true;
         fail(entry.line().where, "found nothing", "what " + inQuotes(entry.key) + " is");
@@ -190,9 +192,31 @@ private:
         for (const Entry& entry : settings) apply(entry, page.state);
         if (page.state.buffers.empty()) page.state.buffers.push_back({pipeline::BufferId::Color});
         if (text.empty()) fail(page.where, "this page has no text", "Markdown below its keys");
-        page.text = prose(text, *scene);
-        if (!question.empty()) page.question = questionFrom(question, *scene);
+        const Names names = namesFrom(settings, *scene);
+        page.text = prose(text, {*scene, &names});
+        if (!question.empty()) page.question = questionFrom(question, *scene, names);
         return page;
+    }
+
+    // What the header and the page let names stand for; each may use those before it.
+    Names namesFrom(const std::vector<Entry>& page, const pipeline::Scene& scene) {
+        Names names;
+        for (const std::vector<Entry>* list : {&std::as_const(m_header), &page})
+            for (const Entry& entry : *list)
+                if (entry.key == "let") let(entry.line(), scene, names);
+        return names;
+    }
+    void let(const Line& line, const pipeline::Scene& scene, Names& names) {
+        const std::size_t sign = line.text.find('=');
+        if (sign == line.text.npos) return fail(line.where, "found " + inQuotes(line.text), "NAME = EXPRESSION");
+        const std::string name(trimmed({line.text.substr(0, sign), {}}).text);
+        if (const std::string why = whyNoName(name); !why.empty())
+            return fail(line.where, "found the name " + inQuotes(name) + ": " + why);
+        auto expression = parseExpression(line.text.substr(sign + 1),
+                                          advanced(line.where, line.text.substr(0, sign + 1)), {scene, &names});
+        if (!expression) return fail({}, expression.errors());
+        if (!names.try_emplace(name, std::move(expression).value()).second)
+            fail(line.where, "found the name " + inQuotes(name) + " a second time", "another name");
     }
 
     // The Markdown of a page, without blank lines around it.
@@ -284,20 +308,15 @@ private:
                  "\"x, y\", x from 0 to " + std::to_string(size.x - 1) + ", y from 0 to " + std::to_string(size.y - 1));
     }
 
-    Prose prose(std::span<const Line> lines, const pipeline::Scene& scene) {
-        auto prose = parseProse(lines, scene);
+    Prose prose(std::span<const Line> lines, const Scope& scope) {
+        auto prose = parseProse(lines, scope);
         if (prose) return std::move(prose).value();
         fail({}, prose.errors());
         return {};
     }
 
-    std::optional<Question> questionFrom(const std::vector<Entry>& entries, const pipeline::Scene& scene) {
+    std::optional<Question> questionFrom(const std::vector<Entry>& entries, const pipeline::Scene& scene, Names names) {
         Question question;
-        for (const auto& [key, text] : {std::pair{"question", &question.text},
-                                        {"hint", &question.hint},
-                                        {"right", &question.right},
-                                        {"wrong", &question.wrong}})
-            if (const Entry* entry = find(entries, key)) *text = prose(entry->value, scene);
         const Entry* const asked = find(entries, "question");
         const Entry* const answer = find(entries, "answer");
         if (!asked || !answer) {
@@ -305,11 +324,16 @@ private:
                  "both a question and its answer");
             return {};
         }
-        auto expression = parseExpression(answer->line().text, answer->line().where, scene);
+        auto expression = parseExpression(answer->line().text, answer->line().where, {scene, &names});
+        for (const auto& [key, text] : {std::pair{"question", &question.text}, {"hint", &question.hint}})
+            if (const Entry* entry = find(entries, key)) *text = prose(entry->value, {scene, &names});
         if (expression)
-            question.answer = std::move(expression).value();
+            names.insert_or_assign("answer", question.answer = std::move(expression).value());
         else
             fail({}, expression.errors());
+        // What is said after an answer may speak of it.
+        for (const auto& [key, text] : {std::pair{"right", &question.right}, {"wrong", &question.wrong}})
+            if (const Entry* entry = find(entries, key)) *text = prose(entry->value, {scene, &names});
         if (const Entry* entry = find(entries, "tolerance")) {
             const auto tolerance = numberIn(entry->line().text);
             if (tolerance && *tolerance >= 0)

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "lessons/expression/changed_frames.h"
 #include "lessons/text_position.h"
 #include "pipeline/core/text.h"
 
@@ -12,9 +13,9 @@ namespace {
 constexpr int kMostDigits = 12;
 
 pipeline::Result<Prose::Hole> parseHole(std::string_view text, const pipeline::SourceLocation& where,
-                                        const pipeline::Scene& scene) {
+                                        const Scope& scope) {
     const auto colon = text.rfind(':');
-    auto expression = parseExpression(text.substr(0, colon), where, scene);
+    auto expression = parseExpression(text.substr(0, colon), where, scope);
     if (!expression) return expression.errors();
     Prose::Hole hole{std::move(expression).value(), {}};
     if (colon == text.npos) return hole;
@@ -32,7 +33,7 @@ pipeline::Result<Prose::Hole> parseHole(std::string_view text, const pipeline::S
 
 }  // namespace
 
-pipeline::Result<Prose> parseProse(std::span<const Line> lines, const pipeline::Scene& scene) {
+pipeline::Result<Prose> parseProse(std::span<const Line> lines, const Scope& scope) {
     Prose prose{{""}, {}};
     pipeline::Errors errors;
     for (const Line& line : lines) {
@@ -48,7 +49,7 @@ pipeline::Result<Prose> parseProse(std::span<const Line> lines, const pipeline::
                 break;
             } else {
                 auto hole =
-                    parseHole(text.substr(at + 1, end - at - 1), advanced(line.where, text.substr(0, at + 1)), scene);
+                    parseHole(text.substr(at + 1, end - at - 1), advanced(line.where, text.substr(0, at + 1)), scope);
                 if (!hole) {
                     errors.insert(errors.end(), hole.errors().begin(), hole.errors().end());
                 } else {
@@ -68,8 +69,9 @@ pipeline::Result<Prose> parseProse(std::span<const Line> lines, const pipeline::
 pipeline::Result<std::string> filled(const Prose& prose, const pipeline::Frame& frame) {
     std::string text = prose.pieces.empty() ? std::string() : prose.pieces.front();
     pipeline::Errors errors;
+    ChangedFrames changed;
     for (std::size_t i = 0; i < prose.holes.size(); ++i) {
-        const auto value = evaluate(prose.holes[i].expression, frame);
+        const auto value = evaluate(prose.holes[i].expression, {.frame = frame, .changed = &changed});
         if (value)
             text += toText(*value, prose.holes[i].digits) + prose.pieces[i + 1];
         else
@@ -94,7 +96,7 @@ std::string withGaps(const Prose& prose) {
 
 pipeline::BufferSet buffersOf(const Prose& prose) {
     pipeline::BufferSet buffers;
-    for (const Prose::Hole& hole : prose.holes) buffers |= buffersOf(hole.expression);
+    for (const Prose::Hole& hole : prose.holes) buffers |= hole.expression.buffers;
     return buffers;
 }
 

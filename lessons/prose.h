@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/expression.h"
+#include "lessons/expression/expression.h"
 
 namespace lessons {
 
@@ -27,7 +27,7 @@ struct Line {
 };
 
 // Lines end with a newline but for the last. Up to kMaxErrors errors.
-pipeline::Result<Prose> parseProse(std::span<const Line> lines, const pipeline::Scene& scene);
+pipeline::Result<Prose> parseProse(std::span<const Line> lines, const Scope& scope);
 
 // Errors name the hole that the frame cannot fill.
 pipeline::Result<std::string> filled(const Prose& prose, const pipeline::Frame& frame);

@@ -9,7 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
-#include "lessons/condition.h"
+#include "lessons/expression/condition.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/json.h"
 #include "pipeline/export/plot_file.h"
@@ -80,7 +80,7 @@ int inspectTable(std::shared_ptr<const pipeline::Scene> scene, const InspectOpti
 
 // The pixels that a condition holds for, in reading order: the first of them as text, all as JSON.
 int printWhere(const std::shared_ptr<const pipeline::Scene>& scene, const InspectOptions& options) {
-    const auto condition = lessons::parseCondition(options.where, {"--where", 1, 1}, *scene);
+    const auto condition = lessons::parseCondition(options.where, {"--where", 1, 1}, {*scene});
     if (!condition) {
         printErrors(condition.errors());
         return kWrongUsage;
@@ -89,7 +89,7 @@ int printWhere(const std::shared_ptr<const pipeline::Scene>& scene, const Inspec
     if (!fits(*scene, requestFor(options, condition->buffers), options.scene, status)) return status;
     const pipeline::FramePtr frame = frameOf(scene, options, condition->buffers);
     if (!frame) return cancelled();
-    const auto mask = evaluate(*condition, *frame, options.stop);
+    const auto mask = maskOf(*condition, {.frame = *frame, .stop = options.stop});
     if (options.stop.stop_requested()) return cancelled();
     if (!mask) {
         printErrors(mask.errors());

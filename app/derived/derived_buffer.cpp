@@ -25,11 +25,11 @@ TermMix mixOf(const DerivedRecipe& recipe, const Scene& scene) {
     return recipe.mix.empty() ? pipeline::plainMix(scene.lights.size()) : recipe.mix;
 }
 
-Result<lessons::Condition> conditionOf(const BufferName& name, const DerivedRecipe& recipe, const Scene& scene) {
+Result<lessons::Expression> conditionOf(const BufferName& name, const DerivedRecipe& recipe, const Scene& scene) {
     const bool isTruth = name.id == BufferId::Condition;
     if (recipe.text.empty()) return Error{{}, isTruth ? "There is no condition." : "There is no expression.", {}};
-    return isTruth ? lessons::parseCondition(recipe.text, kStart, scene)
-                   : lessons::parseNumbers(recipe.text, kStart, scene);
+    return isTruth ? lessons::parseCondition(recipe.text, kStart, {scene})
+                   : lessons::parseNumbers(recipe.text, kStart, {scene});
 }
 
 Result<DerivedBuffer> makeMix(const DerivedRecipe& recipe, const Frame& frame, const DerivedControl& control) {
@@ -66,11 +66,11 @@ Result<DerivedBuffer> makeCondition(const BufferName& name, const DerivedRecipe&
     const auto condition = conditionOf(name, recipe, frame.scene());
     if (!condition) return condition.errors();
     if (name.id == BufferId::Expression) {
-        auto numbers = evaluateNumbers(*condition, frame, control.stop);
+        auto numbers = numbersOf(*condition, {.frame = frame, .stop = control.stop});
         if (!numbers) return numbers.errors();
         return DerivedBuffer{.buffer = std::move(numbers).value(), .meaning = fmt::format("{}.", recipe.text)};
     }
-    auto mask = evaluate(*condition, frame, control.stop);
+    auto mask = maskOf(*condition, {.frame = frame, .stop = control.stop});
     if (!mask) return mask.errors();
     const auto found = std::make_shared<const lessons::ConditionMask>(std::move(mask).value());
     return DerivedBuffer{

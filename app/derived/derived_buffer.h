@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <string>
 
-#include "lessons/condition.h"
+#include "lessons/expression/condition.h"
 #include "pipeline/inspect/term_mix.h"
 #include "pipeline/study/shadow_verdict.h"
 

@@ -156,8 +156,8 @@ void ConditionBar::read() {
     DerivedBuffers& derived = m_document.derived();
     const std::string text = derived.text().trimmed().toStdString();
     if (!isHidden() && m_document.hasScene() && !text.empty()) {
-        auto condition = lessons::parseCondition(text, {{}, 1, 1}, m_document.scene());
-        m_isOfNumbers = !condition && lessons::parseNumbers(text, {{}, 1, 1}, m_document.scene());
+        auto condition = lessons::parseCondition(text, {{}, 1, 1}, {m_document.scene()});
+        m_isOfNumbers = !condition && lessons::parseNumbers(text, {{}, 1, 1}, {m_document.scene()});
         if (condition)
             m_condition = std::move(condition).value();
         else if (!m_isOfNumbers)

@@ -4,7 +4,7 @@
 
 #include "app/core/background_job.h"
 #include "app/core/document.h"
-#include "lessons/condition_stop.h"
+#include "lessons/expression/condition_stop.h"
 
 class QLabel;
 class QLineEdit;
@@ -50,7 +50,7 @@ private:
     QLineEdit* m_text;
     QLabel* m_said;
     QToolButton *m_previous, *m_next, *m_stop, *m_close;
-    std::optional<lessons::Condition> m_condition;
+    std::optional<lessons::Expression> m_condition;
     QString m_wrong;  // with the text
     bool m_isOfNumbers = false;
     // Where Play ends, of these steps, ahead of that moment; nothing where it is not known.

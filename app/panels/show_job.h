@@ -7,7 +7,7 @@
 #include "app/core/window_look.h"
 #include "app/panels/overlays.h"
 #include "app/panels/shown_buffer.h"
-#include "lessons/condition.h"
+#include "lessons/expression/condition.h"
 #include "pipeline/study/shadow_verdict.h"
 
 namespace app {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "lessons/expression.h"
+#include "lessons/expression/function_table.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/toml_scene.h"
@@ -87,28 +87,11 @@ std::string settings() {
     return text;
 }
 
-std::string_view callText(lessons::Takes takes) {
-    switch (takes) {
-        case lessons::Takes::Number: return "(number)";
-        case lessons::Takes::TwoNumbers: return "(number, number)";
-        case lessons::Takes::Buffer: return "(BUFFER)";
-        case lessons::Takes::Element: return "(BUFFER, place, channel)";
-        case lessons::Takes::Comparison: return "(BUFFER > number)";
-        case lessons::Takes::PixelField: return "(x, y).FIELD";
-        case lessons::Takes::FragmentField: return "(x, y, i).FIELD";
-        case lessons::Takes::Polygon: return "(polygon)";
-        case lessons::Takes::Setting: return "(KEY)";
-        case lessons::Takes::Stage: return "(STAGE)";
-    }
-    return "";
-}
-
 std::string functions() {
     std::string text =
-        "\n## Functions of a lesson\n\nWith `+ - * / ^` and parentheses. A place is x, y for a buffer per pixel, and "
-        "an index for one per vertex or polygon. A channel is r g b, x y z or 0 1 2; without it, all are given. "
-        "Comparisons are = != < <= > >=; `polygons.verdict` is compared with a verdict, such as `back-facing`. Angles "
-        "are degrees.\n\n| call | gives |\n|---|---|\n";
+        "\n## Functions\n\nOf [formulas](formulas.md). A place is x, y for a buffer per pixel, and an index for one "
+        "per vertex or polygon. A channel is r g b, x y z or 0 1 2; it may be left out. Angles are degrees.\n\n"
+        "| call | gives |\n|---|---|\n";
     for (const lessons::Function& function : lessons::functionTable()) {
         std::string fields;
         for (const std::string_view field : lessons::fieldsOf(function.takes))

@@ -1,4 +1,4 @@
-#include "lessons/condition_stop.h"
+#include "lessons/expression/condition_stop.h"
 
 #include <gtest/gtest.h>
 
@@ -22,14 +22,14 @@ protected:
             runFrame(std::make_shared<const pipeline::Scene>(s_scene), request, nullptr));
     }
     static std::optional<ConditionStop> stop(std::string_view text, std::optional<Moment> from = {}) {
-        const auto condition = parseCondition(text, {"--where", 1, 1}, s_scene);
+        const auto condition = parseCondition(text, {"--where", 1, 1}, {s_scene});
         EXPECT_TRUE(condition) << (condition ? "" : format(condition.errors()));
         return nextStop(*s_steps, from.value_or(s_steps->first()), *condition);
     }
     // Whether it holds at a pixel in the state at a moment: asked of the whole state, one moment alone.
     static bool holds(std::string_view text, Moment moment, glm::ivec2 pixel) {
         const auto frame = s_steps->frameAt(moment);
-        const auto mask = evaluate(*parseCondition(text, {"--where", 1, 1}, s_scene), *frame);
+        const auto mask = maskOf(*parseCondition(text, {"--where", 1, 1}, {s_scene}), {.frame = *frame});
         return mask && mask->holds[std::size_t(pixel.y) * std::size_t(mask->size.x) + std::size_t(pixel.x)];
     }
 
@@ -47,7 +47,7 @@ TEST_F(ConditionStopTest, StopsRightAfterTheFragmentThatMakesItHold) {
         EXPECT_TRUE(holds(text, found->moment, found->pixel)) << text;
         // One step before, it holds nowhere: nothing earlier was missed.
         const auto before = s_steps->frameAt({found->moment.stage, found->moment.done - 1});
-        EXPECT_EQ(evaluate(*parseCondition(text, {"--where", 1, 1}, s_scene), *before)->count, 0u) << text;
+        EXPECT_EQ(maskOf(*parseCondition(text, {"--where", 1, 1}, {s_scene}), {.frame = *before})->count, 0u) << text;
     }
 }
 

@@ -19,6 +19,38 @@ std::string errorsOf(std::string_view text) {
     return lesson ? "" : format(lesson.errors());
 }
 
+TEST(LessonReader, GivesNamesToExpressions) {
+    const auto lesson = parseLesson(withHeader("let: n = setting(material.0.n)\n"
+                                               "# One\n"
+                                               "let: twice = 2 * n\n"
+                                               "\n"
+                                               "Twice is {twice}.\n"
+                                               "\n"
+                                               "question: Three times?\n"
+                                               "answer: twice + n\n"
+                                               "right: Yes, {answer}.\n"
+                                               "# Two\n"
+                                               "let: twice = 3\n"
+                                               "It is {twice}, and n {n}.\n"),
+                                    "lesson.md", sceneNamed);
+    ASSERT_TRUE(lesson) << format(lesson.errors());
+    const auto said = [&](const Page& page, const Prose& prose) {
+        return filled(prose, *frameOf(page.state.scene, requestFor(page))).value();
+    };
+    const Page &one = lesson->pages[0], &two = lesson->pages[1];
+    EXPECT_EQ(said(one, one.text), "Twice is 16.");  // the lecture's n is 8
+    EXPECT_EQ(said(one, one.question->right), "Yes, 24.");
+    EXPECT_EQ(said(two, two.text), "It is 3, and n 8.");
+    EXPECT_EQ(errorsOf(withHeader("# One\nlet: half\n\nText.\n")),
+              "lesson.md:6:6: found \"half\", expected NAME = EXPRESSION\n");
+    EXPECT_EQ(errorsOf(withHeader("# One\nlet: depth = 1\n\nText.\n")),
+              "lesson.md:6:6: found the name \"depth\": A buffer has this name.\n");
+    EXPECT_EQ(errorsOf(withHeader("# One\nlet: a = 1\nlet: a = 2\n\nText.\n")),
+              "lesson.md:7:6: found the name \"a\" a second time, expected another name\n");
+    // The answer's name is for what is said after it: the question gives nothing away.
+    EXPECT_NE(errorsOf(withHeader("# One\nText.\n\nquestion: Is it {answer}?\nanswer: 1\n")), "");
+}
+
 TEST(LessonReader, ReadsHeaderPagesAndQuestions) {
     const auto lesson = parseLesson(withHeader("set: material.0.n = 6\n"
                                                "\n"

@@ -8,7 +8,7 @@ namespace {
 
 Prose proseFrom(std::string_view text, const pipeline::Scene& scene) {
     const Line line{text, {"f", 3, 1}};
-    const auto prose = parseProse({&line, 1}, scene);
+    const auto prose = parseProse({&line, 1}, {scene});
     EXPECT_TRUE(prose) << text;
     return prose ? *prose : Prose{};
 }
@@ -46,7 +46,7 @@ TEST(ProseText, AnEscapedBraceIsABrace) {
 TEST(ProseText, ErrorsCountCharactersAndNotBytes) {
     const pipeline::Scene scene = pyramidScene();
     const Line lines[]{{"·· {bufer}", {"f", 3, 1}}, {"{1 : 20} {1", {"f", 4, 1}}};
-    const auto prose = parseProse(lines, scene);
+    const auto prose = parseProse(lines, {scene});
     ASSERT_FALSE(prose);
     EXPECT_EQ(format(prose.errors()),
               "f:3:5: no function \"bufer\"; the nearest is \"buffer\"\n"

@@ -1,4 +1,4 @@
-#include "lessons/value.h"
+#include "lessons/expression/value.h"
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ bool isWhole(double number) { return std::abs(number) < kExactWhole && number ==
 }  // namespace
 
 std::string toText(const Value& value, std::optional<int> digits) {
-    if (value.numbers.empty()) return value.words;
+    if (!value.words.empty() || value.numbers.empty()) return value.words;
     if (value.numbers.size() == 1) return numberText(value.numbers.front(), digits);
     // Whole components stay short: a vector's 0 and 1 are exact more often than not.
     std::string text = "(";

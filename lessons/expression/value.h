@@ -6,7 +6,8 @@
 
 namespace lessons {
 
-// What an expression gives: one number, a vector of several, or words (then no numbers).
+// What an expression gives: one number, a vector of several, words (then no numbers), or a truth: the words "true" or
+// "false" with the number 1 or 0.
 struct Value {
     std::vector<double> numbers;
     std::string words;

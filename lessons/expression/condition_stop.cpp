@@ -1,4 +1,4 @@
-#include "lessons/condition_stop.h"
+#include "lessons/expression/condition_stop.h"
 
 #include <algorithm>
 
@@ -9,15 +9,15 @@ using pipeline::Moment;
 using pipeline::StageId;
 using pipeline::Steps;
 
-bool readsShading(const ConditionNode& node) {
+bool readsShading(const Node& node) {
     return (node.buffer && bufferInfo(node.buffer->id).stage == StageId::Shading) ||
            std::ranges::any_of(node.operands, readsShading);
 }
 
-ConditionMask maskAt(const Steps& steps, Moment moment, const Condition& condition, const std::stop_token& stop) {
+ConditionMask maskAt(const Steps& steps, Moment moment, const Expression& condition, const std::stop_token& stop) {
     const pipeline::FramePtr frame = steps.frameAt(moment, 0, stop);
     if (!frame) return {};
-    const auto mask = evaluate(condition, *frame, stop);
+    const auto mask = maskOf(condition, {.frame = *frame, .stop = stop});
     return mask ? *mask : ConditionMask{};
 }
 
@@ -39,7 +39,7 @@ bool holdsAt(const ConditionMask& mask, glm::ivec2 pixel) {
     return i < mask.holds.size() && mask.holds[i];
 }
 
-std::optional<ConditionStop> inZBuffer(const Steps& steps, Moment from, const Condition& condition,
+std::optional<ConditionStop> inZBuffer(const Steps& steps, Moment from, const Expression& condition,
                                        const std::stop_token& stop, const StopProgress& progress) {
     const Moment end{StageId::ZBuffer, steps.total(StageId::ZBuffer)};
     ConditionMask before = maskAt(steps, from, condition, stop);
@@ -59,7 +59,7 @@ std::optional<ConditionStop> inZBuffer(const Steps& steps, Moment from, const Co
 
 }  // namespace
 
-std::optional<ConditionStop> nextStop(const Steps& steps, Moment from, const Condition& condition,
+std::optional<ConditionStop> nextStop(const Steps& steps, Moment from, const Expression& condition,
                                       const std::stop_token& stop, const StopProgress& progress) {
     const Moment zEnd{StageId::ZBuffer, steps.total(StageId::ZBuffer)};
     if (!readsShading(condition.root) && steps.runs(StageId::ZBuffer) && from < zEnd) {
@@ -67,7 +67,7 @@ std::optional<ConditionStop> nextStop(const Steps& steps, Moment from, const Con
         if (const auto found = inZBuffer(steps, begin, condition, stop, progress)) return found;
     }
     if (stop.stop_requested() || !steps.runs(StageId::Shading)) return std::nullopt;
-    const auto mask = evaluate(condition, *steps.frame(), stop);
+    const auto mask = maskOf(condition, {.frame = *steps.frame(), .stop = stop});
     if (!mask || mask->count == 0) return std::nullopt;
     return firstStep(steps, std::max(from, Moment{StageId::Shading, 0}), steps.total(StageId::Shading), stop,
                      [&](glm::ivec2 pixel) { return holdsAt(*mask, pixel); });

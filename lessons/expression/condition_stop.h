@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "lessons/condition.h"
+#include "lessons/expression/condition.h"
 #include "pipeline/steps/steps.h"
 
 namespace lessons {
@@ -18,7 +18,7 @@ using StopProgress = std::function<void(double share)>;
 // of a fragment that makes it hold where it did not hold before; in the shading stage the first pixel shaded for which
 // it holds in the end. Nothing where none comes, or when stopped. The frame of `steps` holds the condition's buffers.
 // Looks at the state after every polygon of the z-buffer stage, so that many polygons take their time.
-std::optional<ConditionStop> nextStop(const pipeline::Steps& steps, pipeline::Moment from, const Condition& condition,
+std::optional<ConditionStop> nextStop(const pipeline::Steps& steps, pipeline::Moment from, const Expression& condition,
                                       const std::stop_token& stop = {}, const StopProgress& progress = {});
 
 }  // namespace lessons
