@@ -99,11 +99,6 @@ void printPlanAsJson(const pipeline::Scene& scene, const pipeline::Plan& plan, c
     fmt::print("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
 }
 
-int cancelled() {
-    tell("Cancelled.\n");
-    return kInterrupted;
-}
-
 // The frame up to its polygons' verdicts, which say why nothing would be seen; null where it does not fit into memory.
 pipeline::FramePtr culledFrame(const std::shared_ptr<const pipeline::Scene>& scene, pipeline::FrameRequest request) {
     request.wanted = pipeline::setOf({pipeline::BufferId::PolygonsVerdict});
@@ -124,16 +119,14 @@ int runPlan(const PlanOptions& options) {
     pipeline::FrameRequest request = wanted->request;
     request.stop = interrupt.token();
     const auto print = options.json ? printPlanAsJson : printPlan;
-    if (!options.counts) {
-        const pipeline::FramePtr culled = culledFrame(scene, request);
-        if (request.stop.stop_requested()) return cancelled();
-        print(*scene, makePlan(*scene, wanted->request, nullptr), *wanted, culled.get(), false);
-        return kDone;
+    if (options.counts && !fits(*scene, request, options.scene, status)) return status;
+    const pipeline::FramePtr frame = options.counts ? runFrame(scene, request, nullptr) : culledFrame(scene, request);
+    if (request.stop.stop_requested()) {
+        tell("Cancelled.\n");
+        return kInterrupted;
     }
-    if (!fits(*scene, request, options.scene, status)) return status;
-    const pipeline::FramePtr frame = runFrame(scene, request, nullptr);
-    if (!frame) return cancelled();
-    print(*scene, frame->plan(), *wanted, frame.get(), true);
+    print(*scene, options.counts ? frame->plan() : makePlan(*scene, wanted->request, nullptr), *wanted, frame.get(),
+          options.counts);
     return kDone;
 }
 
