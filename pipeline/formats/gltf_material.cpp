@@ -16,11 +16,13 @@ void remarkOn(const GltfValue& material) {
         if (texture.isThere())
             remark(material.file(), "Pictures on surfaces are not read; the materials' factors stand alone.",
                    "picture");
-    if (material["doubleSided"].truth().value_or(false))
-        remark(material.file(),
-               "A material is double-sided. Its back faces are seen where the scene does not cull them, and lit "
-               "as front faces only by OpenGL's two-sided lighting.",
-               "material");
+    if (!material["doubleSided"].truth().value_or(false)) return;
+    material.file().doubleSided = true;
+    remark(
+        material.file(),
+        "A material is double-sided: its back faces are seen with cull=none, and lit as front faces only by OpenGL's "
+        "two-sided lighting.",
+        "material");
 }
 
 // A factor from 0 to 1. One beyond, often by a rounding, counts as the nearer of the two.

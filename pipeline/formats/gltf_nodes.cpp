@@ -100,9 +100,10 @@ std::vector<std::size_t> rootsOf(const GltfValue& top, const Graph& graph) {
         return roots;
     }
     if (scenes.size() > 1) remark(top.file(), "The file has several scenes; the one that it shows first is read.");
-    const auto scene = shown.isThere() ? shown.element("scenes") : std::optional(scenes.at(0));
-    if (!scene) return roots;
-    const GltfValue list = (*scene)["nodes"];
+    const std::size_t errors = top.file().errors.size();
+    const GltfValue scene = (shown.isThere() ? shown.element("scenes") : std::nullopt).value_or(scenes.at(0));
+    dropErrors(top.file(), errors, "the first scene is shown", {});
+    const GltfValue list = scene["nodes"];
     std::vector<bool> taken(graph.parents.size());
     for (std::size_t k = 0; k < list.size(); ++k) {
         if (!list.at(k).element("nodes")) return {};

@@ -61,7 +61,7 @@ public:
                 readPrimitive(instance, primitives.at(k), primitives.size() > 1);
             m_told += kShares;
         }
-        LoadedModel model{std::move(m_objects), remarksOf(m_file)};
+        LoadedModel model{std::move(m_objects), remarksOf(m_file), m_file.doubleSided};
         remarkOnLeftOut(m_leftOut, m_file.name, model.remarks);
         return model;
     }

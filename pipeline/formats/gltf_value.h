@@ -29,6 +29,7 @@ struct GltfFile {
     std::optional<std::string_view> binary{};  // the BIN chunk of a .glb, bytes of the source
     Errors errors{};                           // at most kMaxErrors
     std::vector<GltfRemark> remarks{};
+    bool doubleSided = false;  // a material that is drawn is
 };
 
 // Parses a .gltf or a .glb, which its first bytes tell apart. JSON that nests more than 64 deep or

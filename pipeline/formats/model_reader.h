@@ -18,6 +18,7 @@ bool isModel(std::string_view extension);
 struct LoadedModel {
     std::vector<Object> objects;    // each has at least one polygon
     std::vector<Remark> remarks{};  // about what the file has and the reader leaves out
+    bool doubleSided = false;       // a material's back faces are to be seen as well
 };
 
 // Files that the model names (materials, glTF buffers) come from `load`.

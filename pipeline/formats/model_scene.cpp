@@ -42,6 +42,7 @@ Result<Scene> readModelScene(const SourceText& source, const FileLoader& load) {
         scene.settings.shading = Shading::Phong;
         scene.settings.normalWeight = NormalWeight::Given;
     }
+    if (model->doubleSided) scene.settings.cull = CullMode::None;
     frameModel(scene);
     return scene;
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/core/text.h"
 #include "pipeline/formats/text_scanner.h"
 
 namespace pipeline {
@@ -159,7 +160,13 @@ PlyHeader readPlyHeader(LineScanner& scanner) {
             checkElements(scanner, header);
             return header;
         } else if (!word.empty() && word != "comment" && word != "obj_info") {
-            scanner.refuse("format, comment, element, property or end_header");
+            // A line of words of its own changes nothing; one that may mean what the numbers are does.
+            constexpr std::size_t kTypo = 3;
+            const auto isLike = [&](std::string_view keyword) { return editDistance(word, keyword) <= kTypo; };
+            if (isLike("format") || isLike("element") || isLike("property") || isLike("end_header"))
+                scanner.refuse("format, comment, element, property or end_header");
+            else if (header.unknownLines++ == 0)
+                header.firstUnknown = scanner.line();
         }
     }
     scanner.fail("found the end of the file", "end_header");

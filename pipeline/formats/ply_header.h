@@ -31,6 +31,8 @@ struct PlyElement {
 struct PlyHeader {
     PlyForm form = PlyForm::Text;
     std::vector<PlyElement> elements;
+    std::size_t unknownLines = 0;
+    int firstUnknown = 0;  // its line
 };
 
 // What polygons are made of: "face", each row one, or "tristrips" (also "tristrip"), each row strips of triangles of

@@ -293,6 +293,11 @@ void remarkOnProperties(const PlyElement& element, const std::string& file, std:
 }
 
 void remarkOnElements(const PlyHeader& header, const std::string& file, std::vector<Remark>& remarks) {
+    if (header.unknownLines > 0)
+        remarks.push_back(
+            {file, fmt::format("{} of the header, from line {} on, {} no keyword of PLY and {} not read.",
+                               plural(std::int64_t(header.unknownLines), "line"), header.firstUnknown,
+                               header.unknownLines == 1 ? "has" : "have", header.unknownLines == 1 ? "is" : "are")});
     for (const PlyElement& element : header.elements) {
         if (element.count == 0) continue;
         if (element.name == "vertex" || hasPolygons(element))

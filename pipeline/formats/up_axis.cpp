@@ -30,6 +30,11 @@ constexpr auto kWriters = std::to_array<Writer>({
     {"3ds max", "3ds Max", UpAxis::Y},
     {"wings 3d", "Wings 3D", UpAxis::Y},
     {"zbrush", "ZBrush", UpAxis::Y},
+    {"max2obj", "Max2Obj", UpAxis::Y},
+    {"cinema 4d", "Cinema 4D", UpAxis::Y},
+    {"daz studio", "DAZ Studio", UpAxis::Y},
+    {"poser", "Poser", UpAxis::Y},
+    {"this file uses centimeters as units", "Maya", UpAxis::Y},
     {"freecad", "FreeCAD", UpAxis::Z},
     {"openscad", "OpenSCAD", UpAxis::Z},
 });

@@ -29,9 +29,10 @@ Scene sceneOf(const std::string& text, const std::string& name, const FileLoader
     return scene ? *scene : Scene();
 }
 FramePtr frameOf(const Scene& scene) {
-    return runFrame(std::make_shared<const Scene>(scene),
-                    {.wanted = setOf({BufferId::Color, BufferId::PolygonId, BufferId::PolygonsVerdict}), .threads = 1},
-                    nullptr);
+    FrameRequest request;
+    request.wanted = setOf({BufferId::Color, BufferId::PolygonId, BufferId::PolygonsVerdict});
+    request.threads = 1;
+    return runFrame(std::make_shared<const Scene>(scene), request, nullptr);
 }
 Scene with(Scene scene, const std::vector<std::string>& assignments) {
     for (const std::string& assignment : assignments) {
@@ -109,6 +110,14 @@ TEST(FirstPicture, AMetalIsNotBlack) {
     EXPECT_FALSE(std::ranges::any_of(plain.remarks, [](const Remark& r) { return r.about == "model"; }));
 }
 
+// Seen from behind a double-sided square is there as well.
+TEST(FirstPicture, ADoubleSidedMaterialIsNotCulled) {
+    const Scene scene = sceneOf(withMaterial(R"({"doubleSided": true})"), "m.gltf");
+    EXPECT_EQ(scene.settings.cull, CullMode::None);
+    EXPECT_EQ(sceneOf(withMaterial("{}"), "m.gltf").settings.cull, CullMode::Back);
+    EXPECT_EQ(textOf(whyNothingIsSeen(*frameOf(with(scene, {"camera.theta=135"})))), "");
+}
+
 TEST(FirstPicture, WhatGivesOffLightIsNotBlack) {
     const Scene scene = sceneOf(withMaterial(R"({"emissiveFactor": [0, 0.5, 0],
         "pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 1], "metallicFactor": 0}})"),
@@ -136,7 +145,7 @@ TEST(FirstPicture, AllOfAModelIsSeenAtEverySize) {
             with(sceneOf(box, "m.obj"), {fmt::format("width={}", width), fmt::format("height={}", height)});
         const auto [left, right, top, bottom] = drawnBox(*frameOf(scene));
         const double side = std::min(width, height);
-        const double most = std::max(right - left, bottom - top) + 1.0;
+        const double most = double(std::max(right - left, bottom - top) + 1);
         EXPECT_GT(left, 0u);
         EXPECT_GT(top, 0u);
         EXPECT_LT(right, std::size_t(width) - 1);

@@ -143,6 +143,10 @@ TEST(GltfLenient, FaultsBesideTheGeometryAreRemarks) {
     EXPECT_TRUE(hasRemark(model, "A primitive ends within a triangle; that one is left out (1 primitive)."));
 }
 
+TEST(GltfLenient, WithoutTheSceneThatIsShownTheFirstIs) {
+    for (const char* scene : {"1", "\"hello\""}) EXPECT_TRUE(isSquare(modelOf(fileOf("scene", scene)))) << scene;
+}
+
 // A material with a picture that glows is no lamp: the factor 1 multiplies a picture that is not read.
 TEST(GltfLenient, EmissionOfAPictureIsLeftOut) {
     Parts parts = squareParts();

@@ -149,7 +149,6 @@ TEST(GltfReader, WhatIsRefused) {
          "/extensionsRequired/0 is \"KHR_draco_mesh_compression\", which is not read, and the shape depends on it, "
          "expected a file that does not require it"},
         {fileOf("scenes", "[7]"), "/scenes/0 is 7, expected an object"},
-        {fileOf("scene", "1"), "/scene is 1, expected an index of scenes, 0 to 0"},
         {fileOf("scenes", R"([{"nodes": [0, 1]}])"), "/scenes/0/nodes/1 is 1, expected an index of nodes, 0 to 0"},
         {fileOf("scenes", R"([{"nodes": [0, 0]}])"),
          "/scenes/0/nodes/1 is 0, expected a node that is no child and stands there once"},

@@ -80,6 +80,19 @@ TEST(PlyLenient, WhatIsLeftOutIsSaidWithACount) {
                                                        "The colours of 1 row of the element \"face\" are not read."}));
 }
 
+TEST(PlyLenient, WordsOfItsOwnInTheHeaderRefuseNothing) {
+    const auto withLine = [](const std::string& line) {
+        return "ply\nformat ascii 1.0\n" + line +
+               "\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+               "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    };
+    const LoadedModel model = modelOf(withLine("Created by hand"), ".ply");
+    EXPECT_EQ(trianglesOf(model).size(), 1u);
+    EXPECT_EQ(remarksOf(model), Texts{"1 line of the header, from line 3 on, has no keyword of PLY and is not read."});
+    EXPECT_EQ(errorsOf(withLine("propery float w"), ".ply"),
+              "m:3:1: found \"propery\", expected format, comment, element, property or end_header\n");
+}
+
 // A normal that is no number makes no shape wrong.
 TEST(PlyLenient, NormalsWithoutADirectionRefuseNothing) {
     const std::string text =
