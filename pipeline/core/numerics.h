@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "pipeline/core/elementary.h"
 #include "pipeline/core/forms.h"
 #include "pipeline/core/power.h"
 #include "pipeline/core/real.h"

@@ -65,19 +65,12 @@ Quad frexp(Quad x, int* exponent);
 Quad ldexp(Quad x, int exponent);
 bool isfinite(Quad x);
 
-// For any of the four arithmetics, without std:: in front.
+// For any of the four arithmetics, without std:: in front; elementary.h has the others.
 using std::abs;
-using std::acos;
-using std::atan2;
-using std::exp;
-using std::exp2;
 using std::floor;
 using std::frexp;
 using std::isfinite;
 using std::ldexp;
-using std::log1p;
-using std::log2;
-using std::pow;
 using std::round;
 using std::sqrt;
 

@@ -15,7 +15,7 @@ namespace {
 std::optional<std::size_t> valuesAside(std::size_t n) {
     // 2^-n would vanish; the normal distribution is as good by then.
     if (n > 1000) return static_cast<std::size_t>((static_cast<double>(n) - 1.96 * std::sqrt(n)) / 2) - 1;
-    double tail = 0, term = std::exp2(-static_cast<double>(n));  // P(exactly i of n), i = 0
+    double tail = 0, term = std::ldexp(1.0, -static_cast<int>(n));  // P(exactly i of n), i = 0
     std::optional<std::size_t> aside;
     for (std::size_t i = 0; i < n; ++i) {
         tail += term;

@@ -43,7 +43,14 @@ glm::dmat4 transformOf(const GltfValue& node) {
     node["translation"].numbers(move, -kFar, kFar);
     node["scale"].numbers(scale, -kFar, kFar);
     if (const GltfValue rotation = node["rotation"]; rotation.numbers(turn, -kFar, kFar)) {
-        const double length = std::hypot(std::hypot(turn[0], turn[1]), std::hypot(turn[2], turn[3]));
+        // Scaled by a power of two: squares of small parts stay normal.
+        double largest = 0;
+        for (const double part : turn) largest = std::max(largest, std::abs(part));
+        int exponent = 0;
+        std::frexp(largest, &exponent);
+        double square = 0;
+        for (double& part : turn) part = std::ldexp(part, -exponent), square += part * part;
+        const double length = std::sqrt(square);
         if (length == 0) {
             rotation.fail(fmt::format("{} is (0, 0, 0, 0)", rotation.pointer()), "a quaternion of length 1");
             return matrix;

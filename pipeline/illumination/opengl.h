@@ -1,5 +1,6 @@
 #pragma once
 #include "pipeline/core/angles.h"
+#include "pipeline/core/elementary.h"
 #include "pipeline/illumination/light_sample.h"
 
 namespace pipeline {

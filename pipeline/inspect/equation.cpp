@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/core/elementary.h"
 #include "pipeline/inspect/formula_parts.h"
 #include "pipeline/inspect/pixel_report.h"
 
@@ -174,7 +175,7 @@ void Writer::result(const Evaluation& e) {
 
 // An angle is read, not stored: it has its one decimal in every form.
 std::string degrees(double cosine) {
-    return fixed(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi, 1) + "°";
+    return fixed(acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi, 1) + "°";
 }
 
 void Writer::rows(const Evaluation& e) {

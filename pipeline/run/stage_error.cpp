@@ -38,7 +38,8 @@ void forEachInBoth(const AnyBuffer& a, const AnyBuffer& b, Visit visit) {
 
 StageError transformError(const AnyBuffer& a, const AnyBuffer& b) {
     double largest = 0;
-    forEachInBoth(a, b, [&](Vec3d p, Vec3d q) { largest = std::max(largest, std::hypot(p.x - q.x, p.y - q.y)); });
+    forEachInBoth(a, b,
+                  [&](Vec3d p, Vec3d q) { largest = std::max(largest, glm::distance(glm::dvec2(p), glm::dvec2(q))); });
     return {largest, fmt::format("{:.1e} px", largest)};
 }
 

@@ -12,7 +12,8 @@ enum class Precision : std::uint8_t { Float, Double, Extended, Quad };
 constexpr int bytesOf(Precision precision) {
     return precision == Precision::Float ? 4 : precision == Precision::Double ? 8 : 16;
 }
-// In which operations. Exact: those of IEEE 754 alone, the same bits on every machine. Fast: multiplying and adding at
+// In which operations. Exact: those of IEEE 754 alone, in float and double the same bits on every machine; extended and
+// quad take elementary functions of a library. Fast: multiplying and adding at
 // once, and roots estimated, where pixels are shaded in vectors (pipeline/simd); within 1/255 of the picture in exact
 // arithmetic, its bits those of the machine.
 enum class Arithmetic : std::uint8_t { Exact, Fast };

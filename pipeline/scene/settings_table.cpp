@@ -33,10 +33,11 @@ constexpr auto kSceneTable = std::to_array<Setting>({
     choice<OfPicture, &S::precision>(
         {"precision", "Precision", "", "What the stages compute in: 24, 53, 64 or 113 bits of significand."},
         kPrecision),
-    choice<OfPicture, &S::arithmetic>({"arithmetic", "Arithmetic", "",
-                                       "Exact: the same bits on every machine. Fast: multiplies and adds at once and "
-                                       "estimates roots where pixels are shaded in vectors, within 1/255 of that."},
-                                      kArithmetic, onlyFloat),
+    choice<OfPicture, &S::arithmetic>(
+        {"arithmetic", "Arithmetic", "",
+         "Exact: the same bits on every machine in float and double. Fast: multiplies and adds at once and "
+         "estimates roots where pixels are shaded in vectors, within 1/255 of that."},
+        kArithmetic, onlyFloat),
     row<OfPicture, &S::antialiasing>({"antialiasing", "Antialiasing", "samples along a side",
                                       "Samples along each side of a pixel, whose mean the frame buffer shows; 1 is its "
                                       "centre alone."},

@@ -1,6 +1,6 @@
 #include "pipeline/stages/sample_pattern.h"
 
-#include <cmath>
+#include <bit>
 #include <random>
 
 namespace pipeline {
@@ -38,7 +38,7 @@ std::vector<glm::dvec2> samplePlaces(SamplePattern pattern, int side) {
             }
             case SamplePattern::Hammersley:
                 places.emplace_back((i + 0.5) / count,
-                                    mirroredDigits(unsigned(i)) + 0.5 / std::exp2(std::ceil(std::log2(count))));
+                                    mirroredDigits(unsigned(i)) + 0.5 / std::bit_ceil(unsigned(count)));
                 break;
         }
         places.back() -= 0.5;

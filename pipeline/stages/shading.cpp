@@ -91,7 +91,7 @@ double logContrast(const ShadingInputs& inputs) {
             }
         }
     }
-    return contrast > 0 ? std::log(contrast) : kUnknown;
+    return contrast > 0 ? log(contrast) : kUnknown;
 }
 
 template <class Real>

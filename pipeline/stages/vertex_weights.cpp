@@ -50,7 +50,7 @@ glm::dvec2 placeInPicture(const TransformOutput<Real>& in, std::uint32_t vertex)
     const View& view = in.view;
     const Vec3d v(in.viewSpace(vertex));
     const double spread = view.perspective ? v.z : 1;
-    const double places = std::exp2(view.subPixelBits);
+    const double places = std::ldexp(1.0, view.subPixelBits);
     const auto onGrid = [&](double x) { return std::floor(x * places + 0.5) / places; };
     return {onGrid(view.centre.x + view.scale.x * v.x / spread), onGrid(view.centre.y - view.scale.y * v.y / spread)};
 }
@@ -121,7 +121,7 @@ VertexWeights<Real> vertexWeights(Interpolation mode, const TransformOutput<Real
         const std::uint32_t polygon = in.topology->polygonOf(triangle);
         if (row.polygon != polygon || row.row != pixel.y) cross(in, polygon, pixel.y, row);
         VertexWeights<Real> weights;
-        if (scanline(row, pixel.x + 0.5, std::exp2(-in.view.subPixelBits), weights)) return weights;
+        if (scanline(row, pixel.x + 0.5, std::ldexp(1.0, -in.view.subPixelBits), weights)) return weights;
     }
     return affine(in, triangle, b, pixel);
 }

@@ -179,6 +179,24 @@ Breaches numbersOfALocale(const SourceTree& tree) {
     return breaches;
 }
 
+Breaches functionsOfALibrary(const SourceTree& tree) {
+    Breaches breaches;
+    static const std::regex ofLibrary(
+        R"(((std|glm)|(^|[^\w]))::(a?(sin|cos|tan)h?|atan2|exp(2|m1)?|log(2|10|1p)?|pow|cbrt|hypot|l?gamma|erfc?|lerp|fma)[fl]?\s*\()");
+    findLines(
+        tree,
+        [](const std::string& path) {
+            if (path.starts_with("pipeline/core/elementary.") || path.starts_with("pipeline/core/quad.")) return false;
+            if (!path.starts_with("pipeline/")) return false;
+            // What measures frames and writes reports makes no buffer.
+            return std::ranges::none_of(std::array{"check/", "export/", "inspect/", "study/"}, [&](const char* folder) {
+                return path.starts_with(std::string("pipeline/") + folder);
+            });
+        },
+        ofLibrary, "frames have the same bits on every machine: pipeline/core/elementary.h has the function", breaches);
+    return breaches;
+}
+
 Breaches longFiles(const SourceTree& tree) {
     Breaches breaches;
     for (const SourceFile& file : tree) {

@@ -22,6 +22,9 @@ Breaches impurePipeline(const SourceTree& tree);
 // Numbers are written by {fmt} and read by from_chars or Qt, which know no locale: in many of them a comma stands where
 // files and texts have a point.
 Breaches numbersOfALocale(const SourceTree& tree);
+// What frames are made of calls no elementary function of a library, whose last bits differ from machine to machine, but
+// those of pipeline/core/elementary.h. Extended and quad precision keep the library's.
+Breaches functionsOfALibrary(const SourceTree& tree);
 // At most 400 lines a file, 250 a panel's, 200 a stage's .cpp.
 Breaches longFiles(const SourceTree& tree);
 // Every .cpp is named in the CMakeLists.txt of its folder or of one above.

@@ -107,6 +107,20 @@ TEST(Architecture, NumbersAreTheSameInEveryLocale) {
     expectKept(numbersOfALocale(project()));
 }
 
+TEST(Architecture, FramesCallNoElementaryFunctionOfALibrary) {
+    const auto stage = [](std::string line) { return SourceTree{{"pipeline/stages/cull.cpp", {std::move(line)}}}; };
+    for (const char* call : {"std::sin(x)", "::pow(x, y)", "std::atan2(y, x)", "glm::acos(x)", "std::expf(x)",
+                             "std::log1p(x)", "std::hypot(x, y)", "std::fma(a, b, c)", "glm::pow(a, b)"})
+        expectOne(functionsOfALibrary(stage(std::string("const double a = ") + call + ";")),
+                  "pipeline/stages/cull.cpp:1:");
+    for (const char* call :
+         {"exp(x)", "std::sqrt(x)", "std::ldexp(x, 3)", "glm::cross(a, b)", "std::fmod(x, y)", "pipeline::log2(x)"})
+        expectKept(functionsOfALibrary(stage(std::string("const double a = ") + call + ";")));
+    expectKept(functionsOfALibrary(
+        {{"pipeline/check/case.cpp", {"std::sin(x)"}}, {"pipeline/core/elementary.h", {"std::exp(x)"}}}));
+    expectKept(functionsOfALibrary(project()));
+}
+
 TEST(Architecture, FilesAreShort) {
     const auto file = [](std::string path, std::size_t lines) {
         return SourceTree{{std::move(path), std::vector<std::string>(lines)}};
