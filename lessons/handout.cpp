@@ -5,6 +5,7 @@
 #include "lessons/handout_figure.h"
 #include "lessons/prose_html.h"
 #include "pipeline/core/version.h"
+#include "pipeline/export/file_hash.h"
 #include "pipeline/export/formula_html.h"
 #include "pipeline/export/html_text.h"
 #include "pipeline/export/staging.h"
@@ -98,9 +99,11 @@ public:
             element("p", m_lesson.summary) + "\n<p>" + blank("Name") + ' ' + blank("Date") + "</p>\n";
         const std::string hints =
             m_hints.empty() ? std::string() : "<section>\n<h2>Hints</h2>\n" + m_hints + "</section>\n";
-        return Handout{
-            document(m_lesson, "", head + m_pages + hints),
-            document(m_lesson, ": answers", m_answers.empty() ? "<p>This lesson asks nothing.</p>\n" : m_answers)};
+        const std::string pages = document(m_lesson, "", head + m_pages + hints);
+        const std::string answers =
+            document(m_lesson, ": answers", m_answers.empty() ? "<p>This lesson asks nothing.</p>\n" : m_answers);
+        return Handout{pages, answers + fmt::format("<!-- Answers to a handout of {} bytes, SHA-256 {} -->\n",
+                                                    pages.size(), pipeline::sha256Of(pages))};
     }
 
 private:

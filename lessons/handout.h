@@ -11,8 +11,9 @@ namespace lessons {
 
 // A lesson on paper: two pages in HTML 5 without scripts that need nothing else, for a browser or its printer.
 struct Handout {
-    std::string pages;    // for the class: each page's pictures, text, equation and question, with room for an answer
-    std::string answers;  // for who teaches: each question with its answer
+    std::string pages;  // for the class: each page's pictures, text, equation and question, with room for an answer
+    // For who teaches: each question with its answer. Its last line has the size and the hash of `pages`.
+    std::string answers;
 };
 
 // number: of the page whose frame is there, from 0.
@@ -24,7 +25,8 @@ pipeline::Result<Handout> makeHandout(const Lesson& lesson, const std::stop_toke
 
 // NAME.html and NAME-answers.html.
 std::vector<std::string> handoutFiles(const std::string& name);
-// Both in a folder, which is made when it is missing: both or none. Gives their names.
+// Both in a folder, which is made when it is missing: both or none; the answers go first and come last. Gives
+// their names.
 pipeline::Result<std::vector<std::string>> writeHandout(const Handout& handout, const std::string& name,
                                                         const std::filesystem::path& folder);
 

@@ -270,6 +270,7 @@ int runExport(ExportOptions options, const CliHost& host) {
     }
     if (summary->cancelled) return cancelled();
     tellLeftOut(*frame, request);
+    if (!summary->inDoubt.empty()) tell("{}: {}; the export there was replaced\n", options.folder, summary->inDoubt);
     const std::size_t removed = summary->removed.size();
     // With the manifest two at least.
     tell("{} files, {}, in {}{}\n", summary->files.size(), pipeline::sizeText(summary->bytes), options.folder,

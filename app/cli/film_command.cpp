@@ -107,8 +107,11 @@ int runFilm(const FilmOptions& options) {
         return kCouldNotWrite;
     }
     if (summary->cancelled) return cancelled();
-    tell("{}, {}, in {}{}\n", pipeline::plural(std::int64_t(summary->pictures), "picture"),
+    if (!summary->inDoubt.empty()) tell("{}: {}; the film there was replaced\n", options.target, summary->inDoubt);
+    const std::size_t removed = summary->removed.size();
+    tell("{}, {}, in {}{}{}\n", pipeline::plural(std::int64_t(summary->pictures), "picture"),
          pipeline::sizeText(summary->bytes), options.target,
+         removed == 0 ? "" : fmt::format("; {} of the film before removed", removed),
          summary->behind == 0 ? "" : fmt::format("; {} not of this film behind them", summary->behind));
     return kDone;
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/export/byte_file.h"
 #include "pipeline/export/staging.h"
 #include "pipeline/export/study_json.h"
 #include "pipeline/formats/scene_folder.h"
@@ -56,13 +55,9 @@ Result<std::optional<StudyReport>> resumed(const fs::path& folder, const StudyRe
 }
 
 Result<std::monostate> writeJson(const StudyReport& report, const fs::path& file) {
-    auto begun = pipeline::Staging::begin(file.parent_path());
-    if (!begun) return begun.errors();
-    pipeline::Staging staging = std::move(begun).value();
-    pipeline::ByteFile out(staging.folder() / file.filename());
-    out.write(studyFileText(report));
-    if (const auto written = out.close(); !written) return written.errors();
-    return staging.publish();
+    const auto written = pipeline::writeFiles({{file.filename().string(), studyFileText(report)}}, file.parent_path());
+    if (!written) return written.errors();
+    return std::monostate{};
 }
 
 }  // namespace app

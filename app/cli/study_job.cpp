@@ -1,7 +1,6 @@
 #include "app/cli/study_job.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +12,7 @@
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "app/cli/study_folder.h"
+#include "pipeline/export/contents.h"
 #include "pipeline/export/staging.h"
 #include "pipeline/export/study_files.h"
 #include "pipeline/export/study_json.h"
@@ -100,9 +100,14 @@ struct Run {
     }
 
     bool measure() {
-        // In the folder, where there is room for it, hidden; gone when it has been read. Of this process alone: parts of a
-        // study share a folder, also from several machines, where processes may have the same number.
-        const fs::path times = job.folder / fmt::format(".times-{}-{}.json", job.request.shard, ::getpid());
+        // In the folder, where there is room for it, hidden, and of this process alone: parts of a study share a folder.
+        const auto hidden = pipeline::Staging::begin(job.folder);
+        if (!hidden) {
+            printErrors(hidden.errors());
+            status = kCouldNotWrite;
+            return false;
+        }
+        const fs::path times = hidden->folder() / "times.json";
         for (int process = static_cast<int>(report.load.size()); process < job.processes; ++process) {
             std::vector<std::string> arguments = job.arguments;
             arguments.insert(arguments.end(), {"--times-into", times.string(), "--times-of",
@@ -188,11 +193,13 @@ int reportStudy(const StudyReport& report, pipeline::StudyLimits limits,
                       (limits.milliseconds > 0 && !bestWithin(analysis, limits.milliseconds));
     if (limits.error == 0) limits.error = middle.error;
     if (limits.milliseconds == 0) limits.milliseconds = middle.milliseconds;
+    const std::string inDoubt = pipeline::whyInDoubt(folder, "study.json", pipeline::readIndex(folder, "study.json"));
     const auto written = writeStudyFiles(report, analysis, limits, pictures, folder);
     if (!written) {
         printErrors(written.errors());
         return kCouldNotWrite;
     }
+    if (!inDoubt.empty()) tell("{}: {}; the study there was replaced\n", folder.string(), inDoubt);
     if (json)
         fmt::print("{}", studyFileText(report));
     else

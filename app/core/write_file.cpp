@@ -1,14 +1,15 @@
 #include "app/core/write_file.h"
 
-#include <QSaveFile>
+#include <QFile>
+
+#include "pipeline/export/staging.h"
 
 namespace app {
 
 pipeline::Errors writeFile(const QString& file, QByteArrayView bytes) {
-    QSaveFile out(file);
-    if (out.open(QIODevice::WriteOnly) && out.write(bytes.data(), bytes.size()) == bytes.size() && out.commit())
-        return {};
-    return {{{file.toStdString(), 0, 0}, "could not write: " + out.errorString().toStdString(), {}}};
+    const auto written =
+        pipeline::writeWhole(QFile::encodeName(file).toStdString(), {bytes.data(), std::size_t(bytes.size())});
+    return written ? pipeline::Errors() : written.errors();
 }
 
 }  // namespace app

@@ -221,7 +221,10 @@ void ExportDialog::start() {
     auto* job =
         new ExportJob(sceneToExport(), m_document.wholeFrame(), wanted, m_document.derived().recipe(), more, this);
     run(job, wanted.folder, [](const pipeline::ExportSummary& summary) {
-        return tr("%1 files, %2, are in the folder.").arg(summary.files.size()).arg(sizeText(summary.bytes));
+        const QString done =
+            tr("%1 files, %2, are in the folder.").arg(summary.files.size()).arg(sizeText(summary.bytes));
+        if (summary.inDoubt.empty()) return done;
+        return done + tr(" The export there was replaced: %1.").arg(toQString(summary.inDoubt));
     });
 }
 

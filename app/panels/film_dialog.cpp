@@ -131,7 +131,10 @@ void FilmDialog::start() {
     run(job, wanted.target, [](const pipeline::FilmSummary& summary) {
         const QString behind =
             summary.behind == 0 ? QString() : tr(" %1 not of this film behind them.").arg(summary.behind);
-        return tr("%1 pictures, %2.").arg(summary.pictures).arg(sizeText(summary.bytes)) + behind;
+        const QString replaced = summary.inDoubt.empty()
+                                     ? QString()
+                                     : tr(" The film there was replaced: %1.").arg(toQString(summary.inDoubt));
+        return tr("%1 pictures, %2.").arg(summary.pictures).arg(sizeText(summary.bytes)) + replaced + behind;
     });
 }
 

@@ -1,8 +1,9 @@
 #include "app/view3d/offscreen.h"
 
+#include <QBuffer>
+#include <QFile>
 #include <QGuiApplication>
 #include <QPainter>
-#include <QSaveFile>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -11,6 +12,7 @@
 
 #include "app/core/numbers.h"
 #include "app/core/window_look.h"
+#include "app/core/write_file.h"
 #include "app/view3d/headless_window.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
@@ -55,10 +57,11 @@ private:
     std::unique_ptr<QGuiApplication> m_application;
 };
 
-// Whole or not at all: QSaveFile renames a finished file into place.
 bool savePng(const QImage& image, const std::filesystem::path& file) {
-    QSaveFile out(QString::fromStdString(file.string()));
-    return out.open(QIODevice::WriteOnly) && image.save(&out, "PNG") && out.commit();
+    QByteArray png;
+    QBuffer out(&png);
+    return out.open(QIODevice::WriteOnly) && image.save(&out, "PNG") &&
+           writeFile(QFile::decodeName(file.c_str()), png).empty();
 }
 
 glm::ivec2 tileOf(const ViewShot& shot) { return glm::min(shot.size, glm::ivec2(shot.tile)); }

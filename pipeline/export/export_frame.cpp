@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/export/byte_file.h"
+#include "pipeline/export/contents.h"
 #include "pipeline/export/exporter.h"
 #include "pipeline/export/manifest.h"
 #include "pipeline/export/png_file.h"
@@ -84,22 +85,11 @@ Result<std::vector<WrittenScene>> writeScene(const Frame& frame, const ExportReq
     return written;
 }
 
-// The manifest of the export that is in the folder, without its settings, which nobody reads; null where there is none.
-// Anybody may have written it: what nests deeper than a manifest is left out, for it would be copied level by level.
-Json earlierManifest(const fs::path& folder) {
-    constexpr int kLevels = 16;
-    const Result<std::string> text = readFile(folder / kManifest, kMaxFileBytes);
-    if (!text) return {};
-    const auto keep = [](int depth, Json::parse_event_t event, const Json& parsed) {
-        return depth < kLevels && !(event == Json::parse_event_t::key && depth == 1 && parsed == "settings");
-    };
-    return Json::parse(*text, keep, false);
-}
-
 // The files of an earlier export in the folder which the new one does not write itself.
-std::vector<std::string> remaining(const Json& earlier, const fs::path& folder,
+std::vector<std::string> remaining(std::vector<std::string> names, const fs::path& folder,
                                    const std::vector<std::string>& written) {
-    std::vector<std::string> names = filesNamedBy(earlier);
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     std::erase_if(names, [&](const std::string& name) {
         std::error_code ignored;
         const fs::file_status status = fs::symlink_status(folder / name, ignored);
@@ -188,10 +178,16 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
     }
 
     Json all = manifest(frame, askedFor(frame, request), written, *whole, *views, request.at);
+    all["contents"] = contentsOf(staging.folder(), summary.files);
     staging.waitForOthers();  // what the export before has left has to be known when this one takes its place
-    const Json earlier = earlierManifest(request.folder);
-    const std::vector<std::string> old = remaining(earlier, request.folder, summary.files);
-    if (areOfOneFrame(earlier, all))
+    const Json earlier = readIndex(request.folder, kManifest);
+    const std::string mark = unfinishedName(kManifest);
+    std::vector<std::string> names = filesNamedBy(earlier);
+    for (const std::string& name : namesIn(readIndex(request.folder, mark)))
+        if (isWritten(name)) names.push_back(name);
+    const std::vector<std::string> old = remaining(names, request.folder, summary.files);
+    summary.inDoubt = whyInDoubt(request.folder, kManifest, earlier);
+    if (summary.inDoubt.empty() && areOfOneFrame(earlier, all))
         addEarlier(earlier, old, all);
     else
         summary.removed = old;
@@ -204,7 +200,7 @@ Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& reque
     summary.bytes += *bytes;
 
     if (!goOn(1, kManifest)) return cancelled;
-    const auto published = staging.publish(summary.removed);
+    const auto published = staging.publish(summary.removed, kManifest);
     if (!published) return published.errors();
     return summary;
 }

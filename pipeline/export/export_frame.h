@@ -47,13 +47,15 @@ struct ExportSummary {
     std::vector<std::string> files;      // names in the folder, manifest.json last
     std::vector<std::string> removed{};  // of the export that was there before, and are not among them
     std::uint64_t bytes = 0;
+    std::string inDoubt{};  // why the files of the export before were not those of its manifest; it was replaced then
 };
 
 // Called before each file with the share that is done, 0 to 1; false cancels.
 using ExportProgress = std::function<bool(double share, std::string_view file)>;
 
 // Writes the buffers of a frame and manifest.json: all of them, or nothing. To an export of the same frame that is in the
-// folder already they are added; one of another frame is replaced, all files that its manifest names. Other files stay.
+// folder already they are added; one of another frame, or whose files are not as its manifest has them, is
+// replaced: all files that its manifest names go. Other files stay.
 // Errors: what could not be written, and why.
 Result<ExportSummary> exportFrame(const Frame& frame, const ExportRequest& request,
                                   const ExportProgress& progress = {});

@@ -1,10 +1,12 @@
 #include "pipeline/export/file_hash.h"
 
-#include <openssl/evp.h>
+// The functions of OpenSSL 1.1, which allocate nothing: those of 3.0 look their algorithm up in a library that ends the
+// program where it gets no memory.
+#define OPENSSL_API_COMPAT 0x10101000L
+#include <openssl/sha.h>
 
 #include <array>
 #include <fstream>
-#include <memory>
 
 namespace pipeline {
 
@@ -12,28 +14,22 @@ namespace {
 
 class Hash {
 public:
-    Hash() : m_context(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
-        m_good = m_context && EVP_DigestInit_ex(m_context.get(), EVP_sha256(), nullptr) == 1;
-    }
-    void add(std::string_view bytes) {
-        m_good = m_good && EVP_DigestUpdate(m_context.get(), bytes.data(), bytes.size()) == 1;
-    }
-    std::optional<std::string> text() {
-        std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
-        unsigned size = 0;
-        if (!m_good || EVP_DigestFinal_ex(m_context.get(), digest.data(), &size) != 1) return std::nullopt;
+    Hash() { SHA256_Init(&m_state); }
+    void add(std::string_view bytes) { SHA256_Update(&m_state, bytes.data(), bytes.size()); }
+    std::string text() {
+        std::array<unsigned char, SHA256_DIGEST_LENGTH> digest;
+        SHA256_Final(digest.data(), &m_state);
         constexpr std::string_view kDigits = "0123456789abcdef";
         std::string text;
-        for (unsigned i = 0; i < size; ++i) {
-            text += kDigits[digest[i] >> 4];
-            text += kDigits[digest[i] & 15];
+        for (const unsigned char byte : digest) {
+            text += kDigits[byte >> 4];
+            text += kDigits[byte & 15];
         }
         return text;
     }
 
 private:
-    std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> m_context;
-    bool m_good = false;
+    SHA256_CTX m_state;
 };
 
 }  // namespace
@@ -51,7 +47,7 @@ std::optional<std::string> sha256(const std::filesystem::path& file) {
     return hash.text();
 }
 
-std::optional<std::string> sha256Of(std::string_view bytes) {
+std::string sha256Of(std::string_view bytes) {
     Hash hash;
     hash.add(bytes);
     return hash.text();

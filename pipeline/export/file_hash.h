@@ -9,6 +9,6 @@ namespace pipeline {
 // SHA-256 of a file's bytes, 64 hexadecimal digits; nothing when it cannot be read.
 std::optional<std::string> sha256(const std::filesystem::path& file);
 // The same of bytes in memory.
-std::optional<std::string> sha256Of(std::string_view bytes);
+std::string sha256Of(std::string_view bytes);
 
 }  // namespace pipeline

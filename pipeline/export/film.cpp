@@ -8,12 +8,16 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 #include <system_error>
 
 #include "pipeline/core/text.h"
+#include "pipeline/core/version.h"
 #include "pipeline/export/byte_file.h"
+#include "pipeline/export/contents.h"
 #include "pipeline/export/gif_file.h"
+#include "pipeline/export/json.h"
 #include "pipeline/export/png_file.h"
 #include "pipeline/export/staging.h"
 
@@ -71,6 +75,7 @@ void write(const Caption& caption, int top, Buffer2D<Color8>& picture) {
         cairo_show_text(c, caption.right.c_str());
     }
     cairo_surface_flush(surface.get());
+    if (cairo_status(c) == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
     const unsigned char* bytes = cairo_image_surface_get_data(surface.get());
     const int stride = cairo_image_surface_get_stride(surface.get());
     for (int y = 0; bytes && y < kCaptionHeight; ++y)
@@ -105,6 +110,52 @@ Buffer2D<Color8> picture(const Steps& steps, Moment moment, const FilmRequest& r
 }
 
 std::string pictureName(std::size_t number) { return fmt::format("step_{:04}.png", number); }
+
+// step_ and four digits or more.
+bool isPictureName(std::string_view name) {
+    constexpr std::string_view kBefore = "step_", kAfter = ".png";
+    if (name.size() < kBefore.size() + 4 + kAfter.size() || !name.starts_with(kBefore) || !name.ends_with(kAfter))
+        return false;
+    name = name.substr(kBefore.size(), name.size() - kBefore.size() - kAfter.size());
+    return std::ranges::all_of(name, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+constexpr const char* kFilm = "film.json";
+
+// What film.json says of a film whose pictures are in `folder`.
+std::string filmText(const Steps& steps, const FilmRequest& request, const std::vector<Moment>& moments,
+                     const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    Json places = Json::array();
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        names.push_back(pictureName(i + 1));
+        places.push_back(text(steps.placeOf(moments[i])));
+    }
+    const Scene& scene = steps.frame()->scene();
+    const Json film{{"program", {{"name", "Shadescope"}, {"version", programVersion()}}},
+                    {"scene", sceneToJson(scene)},
+                    {"settings", settingsToJson(scene)},
+                    {"buffer", request.buffer.text()},
+                    {"by", name(request.level)},
+                    {"places", places},
+                    {"contents", contentsOf(folder, names)}};
+    return film.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+// The pictures of the film before that the new one does not write.
+std::vector<std::string> picturesToGo(const std::filesystem::path& folder, const Json& earlier, std::size_t pictures) {
+    std::vector<std::string> names = namesIn(earlier);
+    const std::vector<std::string> onTheirWay = namesIn(readIndex(folder, unfinishedName(kFilm)));
+    names.insert(names.end(), onTheirWay.begin(), onTheirWay.end());
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    std::erase_if(names, [&](const std::string& name) {
+        std::error_code ignored;
+        const bool isNew = name.size() == pictureName(1).size() && name <= pictureName(pictures);
+        return !isPictureName(name) || isNew || !std::filesystem::is_regular_file(folder / name, ignored);
+    });
+    return names;
+}
 
 // How many pictures the folder goes on with behind its first `pictures`.
 std::size_t countBehind(const std::filesystem::path& folder, std::size_t pictures) {
@@ -178,9 +229,20 @@ Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, co
         const auto bytes = gif->close();
         if (!bytes) return inFolder(bytes.errors(), target.parent_path());
         summary.bytes = *bytes;
+        if (const auto done = hidden.publish(); !done) return done.errors();
+        return summary;
     }
-    if (const auto done = hidden.publish(); !done) return done.errors();
-    if (!single) summary.behind = countBehind(target, summary.pictures);
+    ByteFile index(hidden.folder() / kFilm);
+    index.write(filmText(steps, request, moments, hidden.folder()));
+    const auto bytes = index.close();
+    if (!bytes) return inFolder(bytes.errors(), target);
+    summary.bytes += *bytes;
+    hidden.waitForOthers();
+    const Json earlier = readIndex(target, kFilm);
+    summary.inDoubt = whyInDoubt(target, kFilm, earlier);
+    summary.removed = picturesToGo(target, earlier, summary.pictures);
+    if (const auto done = hidden.publish(summary.removed, kFilm); !done) return done.errors();
+    summary.behind = countBehind(target, summary.pictures);
     return summary;
 }
 

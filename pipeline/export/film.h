@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "pipeline/buffers/buffer2d.h"
 #include "pipeline/buffers/palette.h"
@@ -37,10 +39,13 @@ struct FilmSummary {
     bool cancelled = false;  // nothing was written
     std::size_t pictures = 0;
     std::uint64_t bytes = 0;
-    std::size_t behind = 0;  // pictures in the folder that go on where the film ends; not of this film, and left alone
+    std::size_t behind = 0;  // pictures in the folder that go on where the film ends; of no film, and left alone
+    std::vector<std::string> removed{};  // of the film that was there before
+    std::string inDoubt{};               // why its pictures were not those of its film.json
 };
-// Writes "FILE.gif", or into a folder step_0001.png, step_0002.png… All of it, or nothing. A GIF has at most 256
-// colours a picture. The same request gives the same bytes on one machine; another may have other letters.
+// Writes "FILE.gif", or into a folder step_0001.png, step_0002.png… and film.json: what the film shows, where each
+// picture stands, and the hashes of the pictures. All of it, or nothing; film.json goes first and comes last, and a film
+// that was there goes. A GIF has at most 256 colours a picture. The same request gives the same bytes on one machine; another may have other letters.
 Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, const std::filesystem::path& target,
                               const FilmProgress& progress = {});
 

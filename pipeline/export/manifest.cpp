@@ -102,7 +102,7 @@ Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const st
     if (!derived.empty()) all["derived"] = std::move(derived);
     if (!at.empty()) all["at"] = at;
     const Json ofFrame{all["program"], all["scene"], all["settings"], at};
-    all["frame"] = sha256Of(ofFrame.dump(-1, ' ', false, Json::error_handler_t::replace)).value_or("");
+    all["frame"] = sha256Of(ofFrame.dump(-1, ' ', false, Json::error_handler_t::replace));
     return all;
 }
 
@@ -136,15 +136,14 @@ bool tellsChanges(const Json& scene) {
     return tells;
 }
 
-// Whether a file of this name may be one that an export has written: what else a manifest names is not the program's.
+}  // namespace
+
 bool isWritten(std::string_view name) {
     const auto ends = [&](std::string_view ending) { return name.size() > ending.size() && name.ends_with(ending); };
     return ends(".png") ||  // views
            std::ranges::any_of(exporterTable(), [&](const Exporter& e) { return ends('.' + std::string(e.name)); }) ||
            std::ranges::any_of(frameExporterTable(), [&](const FrameExporter& e) { return ends(e.ending); });
 }
-
-}  // namespace
 
 std::vector<std::string> filesNamedBy(const Json& manifest) {
     std::set<std::string> names;
@@ -188,6 +187,9 @@ void addEarlier(const Json& earlier, const std::vector<std::string>& staying, Js
             for (Json& file : files) (*entry)["files"].push_back(std::move(file));
         });
     addFiles(earlier, manifest["files"]);
+    forEach(earlier, "contents", [&](const Json& file) {
+        if (stays(textAt(file, "file"))) manifest["contents"].push_back(file);
+    });
     forEach(earlier, "views", [&](const Json& view) {
         if (view.is_string() && stays(view.get<std::string>())) manifest["views"].push_back(view);
     });

@@ -29,13 +29,17 @@ struct WrittenScene {
 };
 
 // The text of manifest.json: which program made this of what, with which settings and plan,
-// and what each file holds. `asked` are the buffers that were to be exported.
+// and what each file holds; its "contents" (pipeline/export/contents.h) are for the caller to add. `asked` are the
+// buffers that were to be exported.
 Json manifest(const Frame& frame, const std::vector<BufferName>& asked, const std::vector<WrittenBuffer>& buffers,
               const std::vector<WrittenScene>& whole, const std::vector<std::string>& views, const std::string& at);
 
 // The names of the files that such a text says are beside it; none where it is not one of this program's. A name that
 // leads out of its folder is left out: anybody may have written the text.
 std::vector<std::string> filesNamedBy(const Json& manifest);
+
+// Whether a file of this name may be one that an export has written: what else a manifest names is not the program's.
+bool isWritten(std::string_view name);
 
 // Whether both are of the same program, scene, settings and place in the run, whose hash stands in "frame": their
 // buffers are of the same numbers. b: made by manifest().

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <new>
 
 namespace pipeline {
 
@@ -21,9 +22,16 @@ struct DestroyCairo {
 using CairoSurface = std::unique_ptr<cairo_surface_t, DestroyCairo>;
 using Context = std::unique_ptr<cairo_t, DestroyCairo>;
 
-cairo_status_t append(void* text, const unsigned char* bytes, unsigned size) {
+// What cairo could not do for lack of memory it leaves out, and goes on.
+void requireMemory(cairo_status_t status) {
+    if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+}
+
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned size) try {
     static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), size);
     return CAIRO_STATUS_SUCCESS;
+} catch (const std::bad_alloc&) {
+    return CAIRO_STATUS_NO_MEMORY;
 }
 
 void setColor(cairo_t* c, Color8 color) { cairo_set_source_rgb(c, color.r / 255.0, color.g / 255.0, color.b / 255.0); }
@@ -90,6 +98,7 @@ void paint(cairo_surface_t* surface, const PlotDrawing& drawing, const PlotColor
     for (const PlotLine& line : drawing.lines) draw(c, line, colors);
     for (const PlotMarker& marker : drawing.markers) draw(c, marker, colors);
     for (const PlotText& text : drawing.texts) draw(c, text, colors);
+    requireMemory(cairo_status(c));
 }
 
 }  // namespace
@@ -131,6 +140,7 @@ std::string plotSvg(const PlotDrawing& drawing, PlotTheme theme) {
     const CairoSurface surface(cairo_svg_surface_create_for_stream(append, &bytes, drawing.width, drawing.height));
     paint(surface.get(), drawing, plotColors(theme), 1);
     cairo_surface_finish(surface.get());
+    requireMemory(cairo_surface_status(surface.get()));
     return bytes;
 }
 
@@ -140,7 +150,9 @@ std::string plotPng(const PlotDrawing& drawing, PlotTheme theme, double pixelsPe
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(drawing.width * pixelsPerPoint)),
                                    static_cast<int>(std::ceil(drawing.height * pixelsPerPoint))));
     paint(surface.get(), drawing, plotColors(theme), pixelsPerPoint);
-    if (cairo_surface_write_to_png_stream(surface.get(), append, &bytes) != CAIRO_STATUS_SUCCESS) bytes.clear();
+    const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
+    requireMemory(status);
+    if (status != CAIRO_STATUS_SUCCESS) bytes.clear();
     return bytes;
 }
 

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <csetjmp>
 #include <functional>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -124,21 +125,27 @@ Result<std::uint64_t> writePng(const ExportItem& item, const std::filesystem::pa
         return out.good();
     };
     const bool encoded = out.good() && writePicture({item.buffer.columns(), item.buffer.rows(), 3, fill, put}, &texts);
-    if (!encoded && out.good()) return Error{{file.string()}, "could not write: the picture is too large for PNG", {}};
+    if (!encoded && out.good())
+        return Error{{file.string()},
+                     "could not write: the picture is too large for PNG, or there is not enough memory"};
     return out.close();
 }
 
 namespace {
 
-// The file's bytes; empty where libpng gives up.
+// The file's bytes. A picture that a frame has is not too large for libpng, which gives up for lack of memory alone.
 std::string bytesOf(std::size_t columns, std::size_t rows, std::size_t channels,
                     std::function<void(std::size_t, std::vector<png_byte>&)> fill, Texts* texts) {
     std::string bytes;
     const auto put = [&](std::span<const std::byte> more) {
-        bytes.append(reinterpret_cast<const char*>(more.data()), more.size());
-        return true;
+        try {
+            bytes.append(reinterpret_cast<const char*>(more.data()), more.size());
+            return true;
+        } catch (const std::bad_alloc&) {  // not through libpng, which is C
+            return false;
+        }
     };
-    if (!writePicture({columns, rows, channels, std::move(fill), put}, texts)) return {};
+    if (!writePicture({columns, rows, channels, std::move(fill), put}, texts)) throw std::bad_alloc();
     return bytes;
 }
 

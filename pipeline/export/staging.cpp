@@ -5,11 +5,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <new>
 #include <system_error>
 #include <utility>
 
 #include "pipeline/export/byte_file.h"
+#include "pipeline/export/contents.h"
 #include "pipeline/export/exporter.h"
+#include "pipeline/export/owner.h"
 
 namespace pipeline {
 
@@ -19,15 +22,68 @@ namespace {
 
 Error folderError(const fs::path& folder, const std::error_code& error) { return writeError(folder, error.value()); }
 
-// A new folder ".NAME.part-PID" in `parent`.
-fs::path makeHidden(const fs::path& parent, const fs::path& name, std::error_code& error) {
+// A new hidden folder in `parent`.
+fs::path makeHidden(const fs::path& parent, std::error_code& error) {
     for (int attempt = 0; attempt < 100; ++attempt) {
-        const std::string suffix = ".part-" + std::to_string(::getpid()) + '-' + std::to_string(attempt);
-        const fs::path folder = parent / ('.' + name.string() + suffix);
+        const fs::path folder = parent / hiddenName(attempt);
         if (fs::create_directory(folder, error) || error) return folder;
     }
     error = std::make_error_code(std::errc::file_exists);
     return {};
+}
+
+// A lock on a folder that its holder's end frees, also an end by force; below 0: none.
+int lockFolder(const fs::path& folder, int how) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) return -1;
+    while (::flock(descriptor, how) != 0) {
+        if (errno == EINTR) continue;
+        const int why = errno;
+        ::close(descriptor);
+        errno = why;
+        return -1;
+    }
+    return descriptor;
+}
+
+// What processes that are gone have left in `parent`. A process in a container has its own numbers: its lock tells that
+// it is there.
+void removeLeftovers(const fs::path& parent) {
+    std::error_code error;
+    std::vector<fs::path> found;
+    for (fs::directory_iterator entry(parent, error), end; !error && entry != end; entry.increment(error))
+        if (isLeftover(entry->path().filename().string())) found.push_back(entry->path());
+    for (const fs::path& one : found) {
+        const int lock = lockFolder(one, LOCK_EX | LOCK_NB);
+        if (lock >= 0 || errno != EWOULDBLOCK) fs::remove_all(one, error);
+        if (lock >= 0) ::close(lock);
+    }
+}
+
+// Moves files one by one, and all of them back.
+class Moves {
+public:
+    void move(const fs::path& from, const fs::path& to, std::error_code& error) {
+        if (error) return;
+        m_done.emplace_back(from, to);  // first: after the move nothing may fail
+        fs::rename(from, to, error);
+        if (error) m_done.pop_back();
+    }
+    void undo() {
+        std::error_code ignored;
+        for (auto one = m_done.rbegin(); one != m_done.rend(); ++one) fs::rename(one->second, one->first, ignored);
+    }
+
+private:
+    std::vector<std::pair<fs::path, fs::path>> m_done;
+};
+
+// Else a machine that goes off may keep the index and lose what it names.
+void bringToDisk(const fs::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    ::fsync(descriptor);
+    ::close(descriptor);
 }
 
 }  // namespace
@@ -42,7 +98,11 @@ Result<Staging> Staging::begin(const fs::path& target) {
     constexpr int kMostAttempts = 100;
     for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
         error.clear();
-        if (staging.makeFolder(error)) return staging;
+        if (staging.makeFolder(error)) {
+            removeLeftovers(staging.m_target);
+            removeLeftovers(staging.m_target.parent_path());
+            return staging;
+        }
         if (error != std::errc::no_such_file_or_directory && error != std::errc::file_exists) break;
     }
     return folderError(target, error);
@@ -66,8 +126,12 @@ bool Staging::makeFolder(std::error_code& error) {
             error = std::make_error_code(std::errc::file_exists);
         if (error) return false;
     }
-    const fs::path folder = makeHidden(parent, m_target.filename(), error);
-    if (!error) m_folder = folder;
+    const fs::path folder = makeHidden(parent, error);
+    if (!error) {
+        m_folder = folder;
+        m_own = lockFolder(folder, LOCK_EX | LOCK_NB);
+        m_kept.emplace(folder, m_made.size());
+    }
     return !error;
 }
 
@@ -75,12 +139,15 @@ Staging::Staging(Staging&& other) noexcept
     : m_target(std::move(other.m_target)),
       m_folder(std::exchange(other.m_folder, {})),
       m_made(std::exchange(other.m_made, {})),
+      m_kept(std::move(other.m_kept)),
+      m_own(std::exchange(other.m_own, -1)),
       m_lock(std::exchange(other.m_lock, -1)) {}
 
 Staging::~Staging() {
     std::error_code ignored;
     if (!m_folder.empty()) fs::remove_all(m_folder, ignored);
     for (auto p = m_made.rbegin(); p != m_made.rend(); ++p) fs::remove(*p, ignored);  // only while empty
+    if (m_own >= 0) ::close(m_own);
     if (m_lock >= 0) ::close(m_lock);
 }
 
@@ -88,12 +155,10 @@ void Staging::waitForOthers() {
     if (m_lock >= 0) return;
     // Of the folder that the target stands in, or will: the target itself may not be there yet. Where it cannot be locked
     // files are published all the same.
-    m_lock = ::open(m_target.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    while (m_lock >= 0 && ::flock(m_lock, LOCK_EX) != 0 && errno == EINTR) {
-    }
+    m_lock = lockFolder(m_target.parent_path(), LOCK_EX);
 }
 
-Result<std::monostate> Staging::publish(const std::vector<std::string>& gone) {
+Result<std::monostate> Staging::publish(const std::vector<std::string>& gone, const std::string& index) {
     waitForOthers();
     std::error_code error;
     bool isThere = fs::exists(m_target, error);
@@ -102,38 +167,78 @@ Result<std::monostate> Staging::publish(const std::vector<std::string>& gone) {
         // Another process has put its files there meanwhile: these join them.
         isThere = error == std::errc::directory_not_empty || error == std::errc::file_exists;
         if (error && !isThere) return folderError(m_target, error);
-        error.clear();
     }
     if (isThere) {
-        std::vector<fs::path> names;
-        for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, error))
-            names.push_back(entry.path().filename());
-        // Looked at before the first one moves: either all can, or none does.
-        for (const fs::path& name : names)
-            if (fs::is_directory(m_target / name, error)) return writeError(m_target / name, EISDIR);
-        // Put aside before they are removed: they come back where a file cannot move after all.
-        const fs::path aside = m_folder / "aside";
-        std::vector<fs::path> putAside;
-        const auto refuse = [&](const fs::path& name) {
-            std::error_code ignored;
-            for (const fs::path& old : putAside) fs::rename(aside / old, m_target / old, ignored);
-            return folderError(m_target / name, error);
-        };
-        if (!gone.empty()) fs::create_directory(aside, error);
-        for (const std::string& name : gone) {
-            if (!error) fs::rename(m_target / name, aside / name, error);
-            if (error) return refuse(name);
-            putAside.emplace_back(name);
-        }
-        for (const fs::path& name : names) {
-            fs::rename(m_folder / name, m_target / name, error);
-            if (error) return refuse(name);
-        }
+        if (const auto moved = moveFiles(gone, index); !moved) return moved.errors();
         fs::remove_all(m_folder, error);
     }
     m_folder.clear();
+    m_kept.reset();
     m_made.clear();
+    if (m_own >= 0) ::close(std::exchange(m_own, -1));
     if (m_lock >= 0) ::close(std::exchange(m_lock, -1));
+    return std::monostate{};
+}
+
+Result<std::monostate> Staging::moveFiles(const std::vector<std::string>& gone, const std::string& index) {
+    std::error_code error;
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(m_folder, error))
+        if (entry.path().filename() != index) names.push_back(entry.path().filename().string());
+    if (error) return folderError(m_target, error);
+    if (!index.empty()) names.push_back(index);
+    // Looked at before the first one moves: either all can, or none does.
+    for (const std::string& name : names)
+        if (fs::is_directory(m_target / name, error)) return writeError(m_target / name, EISDIR);
+    error.clear();
+
+    std::vector<std::string> old;  // the index first
+    if (!index.empty()) {
+        std::error_code ignored;
+        for (const std::string& name : names)
+            if (fs::exists(fs::symlink_status(m_target / name, ignored))) old.push_back(name);
+        if (!old.empty() && old.back() == index) std::swap(old.front(), old.back());
+    }
+    old.insert(old.end(), gone.begin(), gone.end());
+
+    const fs::path aside = m_folder / "aside", mark = m_target / unfinishedName(index);
+    const bool wasMarked = fs::exists(mark, error);
+    if (!index.empty()) {
+        std::vector<std::string> onTheirWay = names;
+        onTheirWay.insert(onTheirWay.end(), gone.begin(), gone.end());
+        ByteFile text(m_folder / mark.filename());
+        text.write(unfinishedText(onTheirWay));
+        if (const auto written = text.close(); !written) return inFolder(written.errors(), m_target);
+        fs::rename(m_folder / mark.filename(), mark, error);
+        if (error) return folderError(mark, error);
+    }
+    Moves moves;
+    std::string moved;  // the last one
+    const auto undo = [&] {
+        moves.undo();
+        std::error_code ignored;
+        if (!index.empty() && !wasMarked) fs::remove(mark, ignored);
+    };
+    try {
+        const auto move = [&](const std::string& name, const fs::path& from, const fs::path& to) {
+            if (!error) moved = name;
+            moves.move(from / name, to / name, error);
+        };
+        if (!old.empty()) fs::create_directory(aside, error);
+        for (const std::string& name : old) move(name, m_target, aside);
+        for (const std::string& name : names) {
+            if (name == index) bringToDisk(m_target);
+            move(name, m_folder, m_target);
+        }
+    } catch (const std::bad_alloc&) {
+        undo();
+        throw;
+    }
+    if (error) {
+        undo();
+        return folderError(m_target / moved, error);
+    }
+    if (!index.empty()) fs::remove(mark, error);
     return std::monostate{};
 }
 
@@ -149,8 +254,27 @@ Result<std::vector<std::string>> writeFiles(const std::vector<std::pair<std::str
         if (const auto written = out.close(); !written) return inFolder(written.errors(), folder);
         names.push_back(name);
     }
-    if (const auto published = target.publish(); !published) return published.errors();
+    if (const auto published = target.publish({}, names.size() > 1 ? names.back() : std::string()); !published)
+        return published.errors();
     return names;
+}
+
+Result<std::monostate> writeWhole(const fs::path& file, std::string_view bytes) {
+    std::error_code error;
+    fs::path target = file;
+    if (fs::is_symlink(fs::symlink_status(file, error))) target = fs::weakly_canonical(file, error);
+    const fs::file_status before = fs::status(target, error);
+    if (fs::exists(before) && ::access(target.c_str(), W_OK) != 0) return writeError(file, errno);
+    const fs::path folder = fs::absolute(target, error).parent_path();
+    if (!fs::is_directory(folder, error)) return writeError(file, error ? error.value() : ENOTDIR);
+    Result<Staging> staging = Staging::begin(folder);
+    if (!staging) return inFolder(staging.errors(), folder);
+    Staging hidden = std::move(staging).value();
+    ByteFile out(hidden.folder() / target.filename());
+    out.write(bytes);
+    if (const auto written = out.close(); !written) return inFolder(written.errors(), file.parent_path());
+    if (fs::exists(before)) fs::permissions(hidden.folder() / target.filename(), before.permissions(), error);
+    return hidden.publish();
 }
 
 Errors inFolder(Errors errors, const fs::path& folder) {

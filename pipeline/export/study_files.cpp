@@ -1,5 +1,6 @@
 #include "pipeline/export/study_files.h"
 
+#include "pipeline/export/contents.h"
 #include "pipeline/export/plot_file.h"
 #include "pipeline/export/staging.h"
 #include "pipeline/export/study_csv.h"
@@ -11,14 +12,15 @@ Result<std::vector<std::string>> writeStudyFiles(const StudyReport& report, cons
                                                  const StudyLimits& limits, const std::vector<StudyPictures>& pictures,
                                                  const std::filesystem::path& folder) {
     const PlotDrawing plot = layOut(plotOf(report, analysis), {});
-    return writeFiles({{"study.json", studyFileText(report)},
-                       {"study.csv", studyCsv(report)},
-                       {"report.html", studyHtml(report, analysis, limits, pictures)},
-                       {"plot.svg", plotSvg(plot, PlotTheme::Light)},
-                       {"plot.png", plotPng(plot, PlotTheme::Light)},
-                       {"plot-dark.svg", plotSvg(plot, PlotTheme::Dark)},
-                       {"plot-dark.png", plotPng(plot, PlotTheme::Dark)}},
-                      folder);
+    std::vector<std::pair<std::string, std::string>> files{
+        {"study.csv", studyCsv(report)},
+        {"report.html", studyHtml(report, analysis, limits, pictures)},
+        {"plot.svg", plotSvg(plot, PlotTheme::Light)},
+        {"plot.png", plotPng(plot, PlotTheme::Light)},
+        {"plot-dark.svg", plotSvg(plot, PlotTheme::Dark)},
+        {"plot-dark.png", plotPng(plot, PlotTheme::Dark)}};
+    files.emplace_back("study.json", studyFileText(report, contentsOf(files)));
+    return writeFiles(files, folder);
 }
 
 }  // namespace pipeline

@@ -9,7 +9,8 @@
 namespace pipeline {
 
 // Everything about a study in a folder, all files or none; what else is in the folder stays:
-// study.json, study.csv, report.html, and plot.svg, plot.png, plot-dark.svg, plot-dark.png. Gives the names of the files.
+// study.csv, report.html, plot.svg, plot.png, plot-dark.svg, plot-dark.png, and study.json, which goes first, comes last
+// and has the hashes of the others. Gives the names of the files.
 Result<std::vector<std::string>> writeStudyFiles(const StudyReport& report, const StudyAnalysis& analysis,
                                                  const StudyLimits& limits, const std::vector<StudyPictures>& pictures,
                                                  const std::filesystem::path& folder);

@@ -77,9 +77,10 @@ Json toJson(const StudyReport& report) {
     return json;
 }
 
-std::string studyFileText(const StudyReport& report) {
+std::string studyFileText(const StudyReport& report, const Json& contents) {
     std::string text = "{\n";
-    const Json head = headJson(report);
+    Json head = headJson(report);
+    if (!contents.is_null()) head["contents"] = contents;
     // Replacing what is not UTF-8: a file's name may hold any bytes.
     const auto dumped = [](const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); };
     for (const auto& [key, value] : head.items()) text += dumped(Json(key)) + ": " + dumped(value) + ",\n";

@@ -12,8 +12,9 @@ namespace pipeline {
 // number becomes null, as one that a point does not have.
 Json toJson(const StudyReport& report);
 
-// The text of a study file: toJson laid out with one line a point.
-std::string studyFileText(const StudyReport& report);
+// The text of a study file: toJson laid out with one line a point. contents: of the files beside it
+// (pipeline/export/contents.h), or null.
+std::string studyFileText(const StudyReport& report, const Json& contents = {});
 
 // The report of a study file's text. `file` is named by errors, which give the place by a JSON
 // pointer (RFC 6901): "study.json: /points/3/number is -1, expected a whole number from 0". Members

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <functional>
+#include <sstream>
 #include <thread>
 
 #include "tests/support/files.h"
@@ -21,7 +22,7 @@ constexpr const char* kClosed = "closed";
 
 // Standard output and error go to these files; empty: to ones whose text is given back.
 Finished start(const std::vector<std::string>& arguments, std::string out, std::string err,
-               const std::function<void(pid_t)>& meanwhile) {
+               const std::function<void(pid_t)>& meanwhile, std::vector<std::string> environment = {}) {
     const TemporaryFolder folder;
     if (out.empty()) out = (folder / "out").string();
     if (err.empty()) err = (folder / "err").string();
@@ -31,8 +32,10 @@ Finished start(const std::vector<std::string>& arguments, std::string out, std::
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
-    std::string locale = "LC_ALL=C.UTF-8";
-    char* environment[] = {locale.data(), nullptr};  // no DISPLAY
+    environment.emplace_back("LC_ALL=C.UTF-8");  // no DISPLAY
+    std::vector<char*> envp;
+    for (std::string& word : environment) envp.push_back(word.data());
+    envp.push_back(nullptr);
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -43,7 +46,7 @@ Finished start(const std::vector<std::string>& arguments, std::string out, std::
     else
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
     pid_t program = 0;
-    const int failed = posix_spawn(&program, argv[0], &actions, nullptr, argv.data(), environment);
+    const int failed = posix_spawn(&program, argv[0], &actions, nullptr, argv.data(), envp.data());
     posix_spawn_file_actions_destroy(&actions);
     if (failed != 0) return {};
 
@@ -76,6 +79,27 @@ Finished runWithin(std::size_t bytes, const std::vector<std::string>& arguments)
     setrlimit(RLIMIT_AS, &less);
     Finished finished = start(arguments, "", "", [&](pid_t) { setrlimit(RLIMIT_AS, &before); });
     return finished;
+}
+
+Finished runWhile(const std::vector<std::string>& arguments, const std::function<void(int)>& meanwhile) {
+    return start(arguments, "", "", meanwhile);
+}
+
+Finished runWithFaults(const Faults& faults, const std::vector<std::string>& arguments) {
+    std::vector<std::string> environment{"LD_PRELOAD=" SHADESCOPE_FAULTS};
+    for (const auto& [name, number] : faults)
+        environment.push_back("SHADESCOPE_TEST_" + name + '=' + std::to_string(number));
+    return start(
+        arguments, "", "", [](pid_t) {}, environment);
+}
+
+FaultCounts countFaults(const std::vector<std::string>& arguments) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "counts";
+    start(arguments, "", "", [](pid_t) {}, {"LD_PRELOAD=" SHADESCOPE_FAULTS, "SHADESCOPE_TEST_COUNTS=" + file});
+    FaultCounts counts;
+    std::istringstream(readText(file)) >> counts.changes >> counts.allocations;
+    return counts;
 }
 
 Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds, int signal) {

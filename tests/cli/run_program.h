@@ -1,6 +1,8 @@
 #pragma once
 #include <csignal>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,23 @@ Finished runWithin(std::size_t bytes, const std::vector<std::string>& arguments)
 
 // The same, with Ctrl+C, or another signal, after some time.
 Finished runAndInterrupt(const std::vector<std::string>& arguments, int milliseconds, int signal = SIGINT);
+
+// The same; meanwhile() is called once, with the number of the process.
+Finished runWhile(const std::vector<std::string>& arguments, const std::function<void(int process)>& meanwhile);
+
+// The same, with faults of tests/support/faults.cpp: {{"KILL_AT", 3}}. Not under a sanitizer.
+using Faults = std::map<std::string, std::size_t>;
+Finished runWithFaults(const Faults& faults, const std::vector<std::string>& arguments);
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kHasFaults = false;
+#else
+constexpr bool kHasFaults = true;
+#endif
+// How many changes of folders and allocations there are without a fault.
+struct FaultCounts {
+    std::size_t changes = 0, allocations = 0;
+};
+FaultCounts countFaults(const std::vector<std::string>& arguments);
 
 inline bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 

@@ -61,6 +61,67 @@ TEST(ExportFrame, AddsToAnExportOfTheSameFrame) {
     EXPECT_EQ(filesOf(manifestIn(out), "depth"), (std::vector<std::string>{"depth.npy", "depth.csv"}));
 }
 
+// Somebody has painted in a picture, or copied files of another export over it: what is there is no longer the frame's,
+// so that nothing is added to it.
+TEST(ExportFrame, ReplacesAnExportWhoseFilesAreNotThoseOfItsManifestAndSaysSo) {
+    const FramePtr frame = usefulFrame();
+    const auto exported = [&](const fs::path& out, BufferId id) {
+        auto summary = exportFrame(*frame, {out, {{id}}, {"npy"}, {}});
+        EXPECT_TRUE(summary);
+        return summary ? *summary : ExportSummary{};
+    };
+    const auto changed = [&](auto change) {
+        const test::TemporaryFolder folder;
+        exported(folder / "out", BufferId::Depth);
+        EXPECT_EQ(exported(folder / "out", BufferId::Color).inDoubt, "");
+        change(folder / "out");
+        const ExportSummary summary = exported(folder / "out", BufferId::Overdraw);
+        EXPECT_EQ(summary.removed, (std::vector<std::string>{"color.npy", "depth.npy"}));
+        EXPECT_EQ(folder.names(), (std::vector<std::string>{"out", "out/manifest.json", "out/overdraw.npy"}));
+        return summary.inDoubt;
+    };
+    EXPECT_EQ(changed([&](const fs::path& out) {
+                  test::writeText(out / "color.npy", std::string(fs::file_size(out / "color.npy"), 'x'));
+              }),
+              "color.npy is not as manifest.json has it");
+    EXPECT_EQ(changed([&](const fs::path& out) { test::writeText(out / "depth.npy", "painted in"); }),
+              "depth.npy is not as manifest.json has it");
+    // A pipe is never read, for that would wait for ever.
+    EXPECT_EQ(changed([&](const fs::path& out) {
+                  fs::remove(out / "color.npy");
+                  fs::create_symlink("/dev/zero", out / "color.npy");
+              }),
+              "color.npy is not as manifest.json has it");
+    // One of an earlier version.
+    EXPECT_EQ(changed([&](const fs::path& out) {
+                  Json manifest = manifestIn(out);
+                  manifest.erase("contents");
+                  test::writeText(out / "manifest.json", manifest.dump());
+              }),
+              "manifest.json does not list what its files hold");
+}
+
+// SHA-256 of "abc": FIPS 180-4, example 1 of the secure hash standard's example values.
+TEST(ExportFrame, ListsEveryFileWithItsSizeAndHash) {
+    const test::TemporaryFolder folder;
+    ExportRequest request{folder / "out", {{BufferId::Color}}, {"npy", "png", "scene"}, {}};
+    request.writeMore = [](const fs::path& where) -> Result<std::vector<fs::path>> {
+        test::writeText(where / "world.png", "abc");
+        return std::vector{where / "world.png"};
+    };
+    ASSERT_TRUE(exportFrame(*usefulFrame(), request));
+    std::vector<std::string> listed{"out", "out/manifest.json"};
+    const Json manifest = manifestIn(folder / "out");
+    for (const Json& file : manifest["contents"]) {
+        listed.push_back("out/" + file["file"].get<std::string>());
+        EXPECT_EQ(file["bytes"], fs::file_size(folder / listed.back()));
+        const bool isOfAbc = file["sha256"] == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        EXPECT_EQ(isOfAbc, file["file"] == "world.png");
+    }
+    std::ranges::sort(listed);
+    EXPECT_EQ(listed, folder.names());
+}
+
 // Two at once, of different frames and files: the later one takes the place of the earlier one, whichever it is.
 TEST(ExportFrame, OfTwoAtOnceOneIsLeftWhole) {
     const FramePtr frame = usefulFrame();

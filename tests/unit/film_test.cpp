@@ -109,9 +109,9 @@ TEST(Film, AFolderHoldsThePicturesByNumberAndCancellingLeavesNothing) {
         EXPECT_TRUE(std::filesystem::exists(folder.path() / "film" / name)) << name;
 }
 
-// Programs that make one film of numbered pictures go on for as long as there is a next number. But nobody can tell
-// whose the others are.
-TEST(Film, SaysHowManyPicturesGoOnBehindIt) {
+// Programs that make one film of numbered pictures go on for as long as there is a next number. What film.json names is
+// of the film before; of others nobody can tell whose they are.
+TEST(Film, ReplacesTheFilmBeforeAndSaysHowManyPicturesGoOnBehindIt) {
     const Steps steps = smallPyramid();
     FilmRequest request = zFilm(steps);
     const test::TemporaryFolder folder;
@@ -121,9 +121,34 @@ TEST(Film, SaysHowManyPicturesGoOnBehindIt) {
     const auto shorter = writeFilm(steps, request, folder.path());
     ASSERT_TRUE(shorter);
     EXPECT_EQ(shorter->pictures, 2u);
-    EXPECT_EQ(shorter->behind, 2u);
-    for (const char* name : {"step_0003.png", "step_0004.png", "step_0006.png"})
-        EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+    EXPECT_EQ(shorter->removed, (std::vector<std::string>{"step_0003.png", "step_0004.png"}));
+    EXPECT_EQ(shorter->behind, 0u);
+    EXPECT_EQ(shorter->inDoubt, "");
+    EXPECT_EQ(folder.names(),
+              (std::vector<std::string>{"film.json", "step_0001.png", "step_0002.png", "step_0006.png"}));
+    for (const char* name : {"step_0003.png", "step_0004.png"}) test::writeText(folder / name, "somebody else's");
+    test::writeText(folder / "step_0002.png", "painted in");
+    const auto again = writeFilm(steps, request, folder.path());
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->behind, 2u);
+    EXPECT_EQ(again->inDoubt, "step_0002.png is not as film.json has it");
+    EXPECT_EQ(folder.names().size(), 6u);
+}
+
+// Anybody may have written it.
+TEST(Film, RemovesNothingThatIsNoPictureOfAFilm) {
+    const test::TemporaryFolder folder;
+    const Steps steps = smallPyramid();
+    std::string listed;
+    for (const char* name : {"notes.txt", "step_1.png", "step_000x.png", "step_0009.png"}) {
+        test::writeText(folder / name, "mine");
+        listed += std::string(listed.empty() ? "" : ", ") + R"({"file": ")" + name + "\"}";
+    }
+    test::writeText(folder / "film.json", R"({"contents": [)" + listed + R"(, {"file": "../step_0001.png"}, 7]})");
+    const auto film = writeFilm(steps, zFilm(steps), folder.path());
+    ASSERT_TRUE(film);
+    EXPECT_EQ(film->removed, std::vector<std::string>{"step_0009.png"});
+    EXPECT_TRUE(std::filesystem::exists(folder / "notes.txt"));
 }
 
 // Of the hidden folder in which a film is made nothing is said: the file is named as it was asked for.

@@ -1,11 +1,17 @@
 // Files that appear in a folder together or not at all.
 #include "pipeline/export/staging.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <mutex>
 #include <thread>
 
+#include "pipeline/export/owner.h"
 #include "tests/support/files.h"
 
 namespace pipeline {
@@ -119,6 +125,109 @@ TEST(Staging, BringsBackWhatIsToGoWhenOneFileCannotMove) {
         EXPECT_EQ(fs::exists(folder / "stale"), fails);
     }
     EXPECT_EQ(folder.names(), std::vector<std::string>{"a"});
+}
+
+// A shared folder may hold what processes of other machines write; the host's name tells them from this one's.
+TEST(Staging, RemovesWhatGoneProcessesOfThisMachineLeftAndNothingElse) {
+    const test::TemporaryFolder folder;
+    const pid_t gone = ::fork();
+    if (gone == 0) ::_exit(0);
+    int status = 0;
+    ASSERT_EQ(::waitpid(gone, &status, 0), gone);
+
+    const std::string ours = hiddenName(7);  // ".shadescope.part-HOST-PID-START-7"
+    const std::string start = ".shadescope.part-",
+                      host = ours.substr(start.size(), ours.find('-', start.size() + 1) - start.size());
+    const std::string self = std::to_string(::getpid()), other = std::to_string(gone);
+    const auto named = [&](const std::string& of, const std::string& process, const std::string& began) {
+        return start + of + '-' + process + '-' + began + "-0";
+    };
+    const std::vector<std::string> stay{ours,                            // of this process, which lives
+                                        named(host + "x", other, "5"),   // of another machine
+                                        named(host, other, "5") + "-1",  // of another form
+                                        start + host + "-" + other,      //
+                                        named(host, "-1", "5"),
+                                        named(host, "x", "5"),  //
+                                        ".part-" + other,
+                                        "out.part"};
+    for (const std::string& name : stay) fs::create_directory(folder / name);
+    // Of a process that is gone, and of one before this one that had its number.
+    for (const std::string& name : {named(host, other, "5"), named(host, self, "5")}) {
+        fs::create_directory(folder / name);
+        test::writeText(folder / (name + "/file"), "left");
+        fs::create_directory_symlink("/", folder / (name + "/link"));
+    }
+    test::writeText(folder / named(host, other, "6"), "a file");
+    ASSERT_TRUE(Staging::begin(folder.path()));
+    std::vector<std::string> expected = stay;
+    std::ranges::sort(expected);
+    EXPECT_EQ(folder.names(), expected);
+    ASSERT_TRUE(writeWhole(folder / "notes.txt", "text"));  // next to files too
+}
+
+// A container has numbers of its own: where somebody holds the folder it is in use, whatever its name says.
+TEST(Staging, LeavesAFolderThatSomebodyHolds) {
+    const test::TemporaryFolder folder;
+    const pid_t gone = ::fork();
+    if (gone == 0) ::_exit(0);
+    int status = 0;
+    ASSERT_EQ(::waitpid(gone, &status, 0), gone);
+    std::string name = hiddenName(0);
+    const std::string self = '-' + std::to_string(::getpid()) + '-';
+    name.replace(name.find(self), self.size(), '-' + std::to_string(gone) + '-');
+    fs::create_directory(folder / name);
+    const int held = ::open((folder / name).c_str(), O_RDONLY | O_DIRECTORY);
+    ASSERT_EQ(::flock(held, LOCK_EX), 0);
+    ASSERT_TRUE(Staging::begin(folder.path()));
+    EXPECT_TRUE(fs::exists(folder / name));
+    ::close(held);
+    ASSERT_TRUE(Staging::begin(folder.path()));
+    EXPECT_FALSE(fs::exists(folder / name));
+}
+
+TEST(Staging, BringsTheOldFilesBackWhenOneOfSeveralCannotMove) {
+    const test::TemporaryFolder folder;
+    for (const char* name : {"a", "b", "index"}) test::writeText(folder / name, "old");
+    auto begun = Staging::begin(folder.path());
+    ASSERT_TRUE(begun);
+    {
+        Staging staging = std::move(begun).value();
+        for (const char* name : {"a", "b", "index"}) test::writeText(staging.folder() / name, "new");
+        EXPECT_FALSE(staging.publish({"missing"}, "index"));
+    }
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"a", "b", "index"}));
+    for (const char* name : {"a", "b", "index"}) EXPECT_EQ(test::readText(folder / name), "old");
+}
+
+TEST(WriteWhole, KeepsPermissionsAndFollowsLinks) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "file", "old");
+    fs::permissions(folder / "file", fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("file", folder / "link");
+    ASSERT_TRUE(writeWhole(folder / "link", "new"));
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(test::readText(folder / "file"), "new");
+    EXPECT_EQ(fs::status(folder / "file").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    EXPECT_EQ(folder.names().size(), 2u);
+}
+
+TEST(WriteWhole, LeavesWhatIsThereWhereItCannotWrite) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "file", "old");
+    {
+        const test::FullDisk full(2);
+        const auto written = writeWhole(folder / "file", "newer");
+        ASSERT_FALSE(written);
+        EXPECT_EQ(format(written.errors()[0]), (folder / "file").string() + ": could not write: File too large");
+    }
+    EXPECT_FALSE(writeWhole(folder / "file/below", "new"));
+    const auto missing = writeWhole(folder / "missing/file", "new");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(format(missing.errors()[0]),
+              (folder / "missing/file").string() + ": could not write: No such file or directory");
+    EXPECT_FALSE(writeWhole(folder.path(), "new"));
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"file"});
+    EXPECT_EQ(test::readText(folder / "file"), "old");
 }
 
 }  // namespace

@@ -1,0 +1,106 @@
+#include "pipeline/export/contents.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <optional>
+
+#include "pipeline/export/file_hash.h"
+#include "pipeline/formats/scene_folder.h"
+
+namespace pipeline {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kContents = "contents";
+
+// Calls visit(name, entry) for each file that the index lists by a plain name.
+template <class Visit>
+void forEachFile(const Json& index, Visit visit) {
+    if (!index.is_object() || !index.contains(kContents) || !index[kContents].is_array()) return;
+    for (const Json& entry : index[kContents]) {
+        const Json name = entry.is_object() ? entry.value("file", Json()) : Json();
+        if (!name.is_string()) continue;
+        const fs::path file = name.get<std::string>();
+        if (file.has_filename() && file == file.filename()) visit(file.string(), entry);
+    }
+}
+
+// A name with bytes that are no UTF-8 is listed as it can be.
+std::string listed(const std::string& name) {
+    return Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
+Json fileEntry(const std::string& name, std::uintmax_t bytes, const std::optional<std::string>& hash) {
+    return {{"file", listed(name)}, {"bytes", bytes}, {"sha256", hash.value_or("")}};
+}
+
+}  // namespace
+
+Json contentsOf(const fs::path& folder, const std::vector<std::string>& names) {
+    Json contents = Json::array();
+    for (const std::string& name : names) {
+        std::error_code ignored;
+        contents.push_back(fileEntry(name, fs::file_size(folder / name, ignored), sha256(folder / name)));
+    }
+    return contents;
+}
+
+Json contentsOf(const std::vector<std::pair<std::string, std::string>>& files) {
+    Json contents = Json::array();
+    for (const auto& [name, bytes] : files) contents.push_back(fileEntry(name, bytes.size(), sha256Of(bytes)));
+    return contents;
+}
+
+Json readIndex(const fs::path& folder, const std::string& index) {
+    constexpr int kLevels = 16;
+    const Result<std::string> text = readFile(folder / index, kMaxFileBytes);
+    if (!text) return {};
+    const auto keep = [](int depth, Json::parse_event_t event, const Json& parsed) {
+        return depth < kLevels && !(event == Json::parse_event_t::key && depth == 1 && parsed == "settings");
+    };
+    Json found = Json::parse(*text, keep, false);
+    return found.is_discarded() ? Json() : found;
+}
+
+std::vector<std::string> namesIn(const Json& index) {
+    std::vector<std::string> names;
+    forEachFile(index, [&](const std::string& name, const Json&) { names.push_back(name); });
+    return names;
+}
+
+std::string whyInDoubt(const fs::path& folder, const std::string& index, const Json& found) {
+    std::error_code ignored;
+    if (found.is_null()) {
+        if (fs::exists(folder / unfinishedName(index), ignored))
+            return fmt::format("{} is missing: the run before was ended by force", index);
+        return fs::exists(folder / index, ignored) ? index + " cannot be read" : std::string();
+    }
+    if (!found.is_object() || !found.contains(kContents)) return index + " does not list what its files hold";
+    std::string why;
+    forEachFile(found, [&](const std::string& name, const Json& entry) {
+        if (!why.empty() || !fs::exists(folder / name, ignored)) return;
+        // A stranger's folder may hold a pipe, which is never read to its end.
+        if (!fs::is_regular_file(folder / name, ignored) ||
+            entry.value("bytes", Json()) != fs::file_size(folder / name, ignored) ||
+            entry.value("sha256", Json()) != sha256(folder / name).value_or("-"))
+            why = fmt::format("{} is not as {} has it", name, index);
+    });
+    return why;
+}
+
+std::string unfinishedName(const std::string& index) { return index + ".unfinished"; }
+
+std::string unfinishedText(const std::vector<std::string>& names) {
+    Json files = Json::array();
+    for (const std::string& name : names) files.push_back({{"file", listed(name)}});
+    const Json all{{"about",
+                    "Shadescope is writing into this folder, or was ended by force while it did. Then the files below "
+                    "may be of two runs; the next run into this folder replaces them."},
+                   {kContents, files}};
+    return all.dump(2) + '\n';
+}
+
+}  // namespace pipeline

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+
+namespace pipeline {
+
+// The hidden folders that this process writes into, kept so that they can be removed without any memory: when the
+// process has to end because it gets none, nobody's destructor runs.
+class HiddenFolder {
+public:
+    // made: how many parents of the folder were made for it, which go with it where nothing else is in them. A folder
+    // with a very long name, or beside very many others, is not kept: it is the next run's.
+    HiddenFolder(const std::filesystem::path& folder, std::size_t made);
+    HiddenFolder(HiddenFolder&& other) noexcept;
+    HiddenFolder& operator=(HiddenFolder&&) = delete;
+    ~HiddenFolder();
+
+private:
+    std::size_t m_place;
+};
+
+// Removes all of them, and what is in them. Calls only what signal-safety(7) lists, and getdents64(2).
+void removeHiddenFolders() noexcept;
+
+}  // namespace pipeline
