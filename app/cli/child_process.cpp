@@ -1,7 +1,7 @@
 #include "app/cli/child_process.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,27 +14,29 @@ namespace app {
 pipeline::Result<int> runOurselves(const std::vector<std::string>& arguments, std::stop_token stop) {
     // The file that runs, whatever it was called by and wherever it has been moved to since.
     constexpr const char* kProgram = "/proc/self/exe";
+    constexpr int kNotStarted = 127;  // as shells have it
     std::vector<char*> argv{const_cast<char*>("shadescope")};
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
 
-    // Signals that Interrupt keeps for itself must reach the other one, also where a shell has them ignored.
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t none;
-    sigemptyset(&none);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    sigset_t stopping;
-    sigemptyset(&stopping);
-    sigaddset(&stopping, SIGTERM);
-    posix_spawnattr_setsigdefault(&attributes, &stopping);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    pid_t child = 0;
-    const int error = posix_spawn(&child, kProgram, nullptr, &attributes, argv.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    if (error != 0)
+    const pid_t parent = ::getpid();
+    const pid_t child = ::fork();
+    if (child < 0)
         return pipeline::Error{
-            {}, fmt::format("could not start a process: {}", std::generic_category().message(error)), {}};
+            {}, fmt::format("could not start a process: {}", std::generic_category().message(errno)), {}};
+    if (child == 0) {
+        // Between fork and execv only what signal-safety(7) lists. However this process ends, the other one ends with
+        // it; where it has ended already nobody would tell.
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (::getppid() != parent) ::_exit(kNotStarted);
+        // Signals that Interrupt keeps for itself must reach the other one, also where a shell has them ignored.
+        ::signal(SIGTERM, SIG_DFL);
+        sigset_t none;
+        ::sigemptyset(&none);
+        ::sigprocmask(SIG_SETMASK, &none, nullptr);
+        ::execv(kProgram, argv.data());
+        ::_exit(kNotStarted);
+    }
 
     {
         // Its number stays taken until it is waited for below: the signal never reaches another one.
@@ -46,6 +48,8 @@ pipeline::Result<int> runOurselves(const std::vector<std::string>& arguments, st
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == kNotStarted)
+        return pipeline::Error{{}, "could not start a process", {}};
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

@@ -1,10 +1,15 @@
 // shadescope study: reports, shards and their merge, going on after an interruption, what is refused.
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -254,6 +259,53 @@ TEST(StudyCommand, saysWhatIsWrong) {
     const auto merge = test::run({"study", "merge", "/nonexistent.json", "-o", folder.path().string()});
     EXPECT_EQ(merge.status, 3);
     EXPECT_NE(merge.err.find("/nonexistent.json: no such file"), std::string::npos) << merge.err;
+}
+
+// The first process that another one has started; 0: none yet. Field 4 of /proc/PID/stat, proc(5).
+int childOf(int process) {
+    for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
+        if (!std::isdigit(static_cast<unsigned char>(entry.path().filename().string()[0]))) continue;
+        std::ifstream in(entry.path() / "stat");
+        const std::string text(std::istreambuf_iterator<char>(in), {});
+        const auto name = text.rfind(") ");
+        if (name == text.npos) continue;
+        std::istringstream rest(text.substr(name + 2));
+        char state = 0;
+        int parent = 0;
+        if (rest >> state >> parent && parent == process) return std::stoi(entry.path().filename().string());
+    }
+    return 0;
+}
+
+// However a study ends, no process goes on measuring for nobody. This one takes the orphans, so that it is told how they
+// ended: by force, where the study could not ask them to stop.
+TEST(StudyCommand, takesItsMeasuringProcessAlong) {
+    ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
+    for (const int signal : {SIGKILL, SIGSEGV, SIGTERM, SIGINT}) {
+        const auto before = signal == SIGKILL ? SIG_DFL : std::signal(signal, SIG_DFL);
+        const test::TemporaryFolder folder;
+        int child = 0;
+        std::vector<std::string> arguments = studyOf(folder.path(), {});
+        *(std::ranges::find(arguments, "--repeat") + 1) = "100000";  // hours
+        const auto done = test::runWhile(arguments, [&](int process) {
+            for (int look = 0; child == 0 && look < 100'000; ++look) child = childOf(process);
+            ::kill(process, signal);
+        });
+        if (signal != SIGKILL) std::signal(signal, before);
+        ASSERT_GT(child, 0);
+        const bool isAsked = signal == SIGTERM || signal == SIGINT;
+        EXPECT_EQ(done.status, isAsked ? 130 : 128 + signal);
+        int status = 0;
+        const pid_t waited = waitpid(child, &status, 0);
+        if (isAsked) {
+            EXPECT_EQ(waited, -1) << "the study itself has waited for it";
+            EXPECT_NE(::kill(child, 0), 0);
+        } else {
+            EXPECT_EQ(waited, child);
+            EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << status;
+        }
+    }
+    prctl(PR_SET_CHILD_SUBREAPER, 0);
 }
 
 }  // namespace
