@@ -7,7 +7,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <new>
 #include <system_error>
 
 #include "app/cli/commands.h"
@@ -36,7 +35,7 @@ constexpr std::array<std::string_view, 4> kOptions{"-h", "--help", "--version", 
 
 constexpr const char* kFooter =
     "SCENE is a scene file, or the name of a scene that comes with the program: pyramid.\n"
-    "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 could not write.";
+    "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input,\n4 could not write, or not enough memory.";
 
 void declareProgram(CLI::App& program, const CliHost& host, int& status) {
     program.name("shadescope");
@@ -95,10 +94,9 @@ int runCli(int argc, const char* const* argv, const CliHost& host) {
         tell("shadescope: {}\nRun shadescope --help to see what there is.\n", error.what());
         return kWrongUsage;
     } catch (const std::system_error& error) {  // fmt::print has no other way to say that it could not
+        // A thread that cannot begin has no memory for its stack.
+        if (error.code() == std::errc::resource_unavailable_try_again) throw std::bad_alloc();
         return couldNotWrite(error.code().value());
-    } catch (const std::bad_alloc&) {
-        tell("shadescope: not enough memory; a smaller picture (--size) and fewer buffers (--buffers) need less\n");
-        return kBadInput;
     }
     return flushed(status);
 }

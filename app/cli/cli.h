@@ -16,7 +16,7 @@ enum ExitStatus {
     kAnswerIsNo = 1,
     kWrongUsage = 2,
     kBadInput = 3,
-    kCouldNotWrite = 4,
+    kCouldNotWrite = 4,  // or there was not enough memory
     kInterrupted = 130,  // Ctrl+C, as shells have it; the others that ask to stop too
 };
 
@@ -36,7 +36,7 @@ bool isForCli(std::string_view argument);
 std::string nearestCommand(std::string_view argument);
 
 // Runs a subcommand. Data goes to standard output, messages to standard error. Gives the
-// program's exit status.
+// program's exit status. Throws std::bad_alloc.
 int runCli(int argc, const char* const* argv, const CliHost& host);
 
 // The help of the whole program.

@@ -9,8 +9,10 @@
 #include "app/cli/cli.h"
 #include "app/cli/cue_check.h"
 #include "app/cli/message.h"
+#include "app/cli/out_of_memory.h"
 #include "app/state/state_scene.h"
 #include "pipeline/core/text.h"
+#include "pipeline/formats/no_memory.h"
 #include "pipeline/plan/memory_limit.h"
 #include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
@@ -113,6 +115,11 @@ std::optional<glm::ivec2> pixelIn(const Scene& scene, const std::string& text) {
     return std::nullopt;
 }
 
-void printErrors(const Errors& errors) { tell("{}", format(errors)); }
+void printErrors(const Errors& errors) {
+    const bool isOfMemory = std::ranges::any_of(errors, pipeline::isOfMemory);
+    if (!isOfMemory && hasThrownOutOfMemory()) throw std::bad_alloc();
+    tell("{}", format(errors));
+    if (isOfMemory) throw OutOfMemorySaid();
+}
 
 }  // namespace app

@@ -45,7 +45,7 @@ std::optional<glm::ivec2> parsePair(std::string_view text, char separator);
 // --pixel's X,Y, or nothing after the reason went to standard error.
 std::optional<glm::ivec2> pixelIn(const pipeline::Scene& scene, const std::string& text);
 
-// Prints one line an error.
+// Prints one line an error. Throws std::bad_alloc where memory was missing and nothing is wrong with a file.
 void printErrors(const pipeline::Errors& errors);
 
 }  // namespace app

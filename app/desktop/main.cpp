@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <string>
 #include <string_view>
 
 #include "app/cli/cli.h"
 #include "app/cli/message.h"
+#include "app/cli/out_of_memory.h"
 #include "app/state/cue_list.h"
 #include "app/state/state_scene.h"
 #include "pipeline/core/memory.h"
@@ -45,6 +47,7 @@ bool hasDisplay() {
 
 int openWindow(int argc, char** argv, const std::string& file, const app::CueName& cue, bool session) {
     if (!hasDisplay()) return refuse("there is no display for the window; the commands need none");
+    app::onlyThrowWhenOutOfMemory();
     return app::runWindow(argc, argv,
                           {.cues = QString::fromStdString(cue.file.string()),
                            .cue = QString::fromStdString(cue.name),
@@ -73,9 +76,7 @@ int present(int argc, char** argv, bool session) {
     return app::kBadInput;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runProgram(int argc, char** argv) {
     app::keepStandardFiles();
     app::tellOfFullFiles();
     pipeline::keepFreedMemory();
@@ -95,4 +96,21 @@ int main(int argc, char** argv) {
     if (file && argc > 2 && argv[2][0] != '-')
         return refuse("the window takes one file, not also " + pipeline::inQuotes(argv[2]));
     return openWindow(argc, argv, scene, {}, session);
+}
+
+// Run by the loader before the libraries begin (System V ABI, DT_PREINIT_ARRAY).
+void beforeAll(int, char**, char**) { app::endWhenOutOfMemory(); }
+[[gnu::section(".preinit_array"), gnu::used]] void (*const kBeforeAll)(int, char**, char**) = beforeAll;
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    app::throwWhenOutOfMemory();
+    try {
+        return runProgram(argc, argv);
+    } catch (const app::OutOfMemorySaid&) {
+        return app::kCouldNotWrite;
+    } catch (const std::bad_alloc&) {
+        return app::sayOutOfMemory();
+    }
 }

@@ -11,6 +11,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/no_memory.h"
 
 namespace pipeline {
 namespace {
@@ -44,7 +45,7 @@ Result<LoadedModel> readModel(const SourceText& source, std::string_view extensi
             return Error{{source.name, 0, 0}, "found no polygon", "a model with polygons"};
         return model;
     } catch (const std::bad_alloc&) {
-        return Error{{source.name, 0, 0}, "not enough memory to read the model", {}};
+        return noMemoryToRead({source.name, 0, 0}, "model");
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "pipeline/formats/format_table.h"
 #include "pipeline/formats/model_reader.h"
+#include "pipeline/formats/no_memory.h"
 #include "pipeline/formats/text_scanner.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -55,7 +56,7 @@ Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress& p
         if (!errors.empty()) return inFile(errors, name);
         return scene;
     } catch (const std::bad_alloc&) {
-        return Error{{name, 0, 0}, "not enough memory to read the scene", {}};
+        return noMemoryToRead({name, 0, 0}, "scene");
     }
 }
 

@@ -45,7 +45,7 @@ TEST(Memory, thatIsNotThereIsAnError) {
     const std::string out = folder / "out";
     const auto done = test::runWithin(std::size_t{1} << 30, {"export", "pyramid", "--size", "3500x3500", "-o", out,
                                                              "--no-leave-out", "--threads", "1"});
-    EXPECT_EQ(done.status, 3);
+    EXPECT_EQ(done.status, 4);
     EXPECT_EQ(done.err,
               "shadescope: not enough memory; a smaller picture (--size) and fewer buffers (--buffers) need less\n");
     EXPECT_FALSE(std::filesystem::exists(out));

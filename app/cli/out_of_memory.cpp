@@ -1,0 +1,79 @@
+#include "app/cli/out_of_memory.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <exception>
+#include <string_view>
+
+#include "app/cli/cli.h"
+#include "pipeline/core/memory.h"
+#include "pipeline/export/hidden_folders.h"
+
+namespace app {
+
+namespace {
+
+std::atomic<bool> mayThrow{false}, hasThrown{false};
+
+[[noreturn]] void end() {
+    pipeline::removeHiddenFolders();
+    ::_exit(sayOutOfMemory());
+}
+
+// What a message and the way to it need.
+constexpr std::size_t kLittle = std::size_t{64} << 10;
+
+// operator new calls this again, from the same place, where the memory that was freed did not help.
+void handleFailure() {
+    thread_local const void* triedFrom = nullptr;
+    const void* const from = __builtin_frame_address(0);
+    if (triedFrom != from) {
+        triedFrom = from;
+        pipeline::giveBackFreedMemory();
+        return;
+    }
+    triedFrom = nullptr;
+    if (!mayThrow) end();
+    void* volatile little = std::malloc(kLittle);  // volatile: else the compiler takes malloc and free away
+    if (!little) end();
+    std::free(little);
+    hasThrown = true;
+    throw std::bad_alloc();
+}
+
+// Of std::bad_alloc where nothing can catch it, as in a thread of a library.
+[[noreturn]] void handleUncaught() {
+    if (const std::exception_ptr thrown = std::current_exception()) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const std::bad_alloc&) {
+            end();
+        } catch (...) {
+        }
+    }
+    std::abort();
+}
+
+}  // namespace
+
+void endWhenOutOfMemory() {
+    std::set_new_handler(handleFailure);
+    std::set_terminate(handleUncaught);
+}
+
+void throwWhenOutOfMemory() { mayThrow = true; }
+
+bool hasThrownOutOfMemory() { return hasThrown; }
+
+void onlyThrowWhenOutOfMemory() { std::set_new_handler(nullptr); }
+
+int sayOutOfMemory() {
+    constexpr std::string_view kText =
+        "shadescope: not enough memory; a smaller picture (--size) and fewer buffers (--buffers) need less\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kText.data(), kText.size());
+    return kCouldNotWrite;
+}
+
+}  // namespace app
