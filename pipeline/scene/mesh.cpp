@@ -5,6 +5,7 @@
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/scene/closed_mesh.h"
+#include "pipeline/scene/ear_clipper.h"
 
 namespace pipeline {
 namespace {
@@ -13,9 +14,9 @@ constexpr double kRoundoff = 0x1p-53;  // largest relative error of one double o
 // How far a vertex may lie off its polygon's plane, as a fraction of the polygon's extent,
 // before it is reported: text files carry about six digits.
 constexpr double kPlanarTolerance = 1e-6;
-// Comparisons spent on the concave polygons of a mesh before the rest is given up: a second's
-// work, and what many small polygons take.
-constexpr std::size_t kEarWork = 200'000'000, kEarWorkPerCorner = 64;
+// Comparisons spent on the concave polygons of a mesh before the rest is given up: half a second's work, and several
+// times what outlines of any number of corners take.
+constexpr std::size_t kEarWork = 50'000'000, kEarWorkPerCorner = 1024;
 // Polygons times vertices up to which a mesh is examined for convexity.
 constexpr double kMaxConvexWork = 4e6;
 
@@ -88,14 +89,6 @@ void flatten(const LocalPolygon& polygon, std::vector<Vec2<double>>& points) {
     for (const Vec3d& p : polygon.points) points.emplace_back(p[u], p[v]);
 }
 
-// 1: a, b, c turn left, -1: right, 0: straight on, as far as rounding lets one tell.
-int turn(const Vec2<double>& a, const Vec2<double>& b, const Vec2<double>& c, double quantum) {
-    const Vec2<double> ab = b - a, bc = c - b;
-    const double cross = ab.x * bc.y - ab.y * bc.x;
-    const double error = 4 * quantum * (std::abs(ab.x) + std::abs(ab.y) + std::abs(bc.x) + std::abs(bc.y));
-    return cross > error ? 1 : cross < -error ? -1 : 0;
-}
-
 enum class Outline { StrictlyConvex, Convex, Concave };  // Convex: with corners that go straight on
 
 // Turning left everywhere is not enough: a pentagram does. A convex outline also changes
@@ -121,97 +114,6 @@ Outline outlineOf(const std::vector<Vec2<double>>& points, double quantum) {
     return straight ? Outline::Convex : Outline::StrictlyConvex;
 }
 
-// Triangulates a simple polygon by cutting off corners that hold no other vertex
-// (G. Meisters, "Polygons have ears", American Mathematical Monthly 1975).
-class EarClipper {
-public:
-    // Takes what it compares off `work`.
-    EarClipper(const std::vector<Vec2<double>>& points, double quantum, std::size_t& work)
-        : m_points(points), m_quantum(quantum), m_work(work) {
-        const std::uint32_t n = static_cast<std::uint32_t>(points.size());
-        m_previous.resize(n);
-        m_next.resize(n);
-        m_blocks.resize(n, false);
-        for (std::uint32_t i = 0; i < n; ++i) {
-            m_previous[i] = i == 0 ? n - 1 : i - 1;
-            m_next[i] = i + 1 == n ? 0 : i + 1;
-        }
-        for (std::uint32_t i = 0; i < n; ++i) updateBlocker(i);
-    }
-
-    // False, with `triangles` unfinished, where the outline crosses itself or costs too much.
-    bool clip(std::vector<glm::uvec3>& triangles) {
-        std::uint32_t i = 0;
-        std::size_t left = m_points.size(), tried = 0;
-        bool lenient = false;
-        while (left > 3) {
-            if (isEar(i, lenient)) {
-                const std::uint32_t before = m_previous[i], after = m_next[i];
-                triangles.emplace_back(before, i, after);
-                m_blocks[i] = false;
-                m_next[before] = after;
-                m_previous[after] = before;
-                updateBlocker(before);
-                updateBlocker(after);
-                i = m_next[after];  // not the neighbour: triangles stay less thin
-                --left;
-                tried = 0;
-                lenient = false;
-            } else {
-                i = m_next[i];
-                if (++tried < left) continue;
-                if (lenient || m_work == 0) return false;
-                lenient = true;
-                tried = 0;
-            }
-        }
-        triangles.emplace_back(m_previous[i], i, m_next[i]);
-        return cornerTurn(i) >= 0;
-    }
-
-private:
-    int cornerTurn(std::uint32_t i) const {
-        return turn(m_points[m_previous[i]], m_points[i], m_points[m_next[i]], m_quantum);
-    }
-
-    // Only a corner that does not turn left can lie in an ear, or on its new edge.
-    void updateBlocker(std::uint32_t i) {
-        const bool blocks = cornerTurn(i) <= 0;
-        if (blocks && !m_blocks[i]) m_blockers.push_back(i);
-        m_blocks[i] = blocks;
-    }
-
-    // Lenient: touching is allowed, and so is an ear without area.
-    bool isEar(std::uint32_t i, bool lenient) {
-        if (m_work == 0) return false;
-        const Vec2<double>&a = m_points[m_previous[i]], &b = m_points[i], &c = m_points[m_next[i]];
-        if (turn(a, b, c, m_quantum) < (lenient ? 0 : 1)) return false;
-        std::size_t kept = 0;
-        bool empty = true;
-        for (const std::uint32_t blocker : m_blockers) {
-            if (!m_blocks[blocker]) continue;  // no longer one: drop it from the list on the way
-            m_blockers[kept++] = blocker;
-            if (empty) empty = !lies(m_points[blocker], a, b, c, lenient ? 1 : 0);
-        }
-        m_work -= std::min(m_work, m_blockers.size() + 1);
-        m_blockers.resize(kept);
-        return empty;
-    }
-
-    bool lies(const Vec2<double>& p, const Vec2<double>& a, const Vec2<double>& b, const Vec2<double>& c,
-              int least) const {
-        if (p == a || p == b || p == c) return false;
-        return turn(a, b, p, m_quantum) >= least && turn(b, c, p, m_quantum) >= least &&
-               turn(c, a, p, m_quantum) >= least;
-    }
-
-    const std::vector<Vec2<double>>& m_points;
-    double m_quantum;
-    std::vector<std::uint32_t> m_previous, m_next, m_blockers;
-    std::vector<bool> m_blocks;
-    std::size_t& m_work;
-};
-
 void fan(std::size_t cornerCount, std::vector<glm::uvec3>& triangles) {
     triangles.clear();
     for (std::uint32_t i = 1; i + 1 < cornerCount; ++i) triangles.emplace_back(0, i, i + 1);
@@ -219,15 +121,20 @@ void fan(std::size_t cornerCount, std::vector<glm::uvec3>& triangles) {
 
 // Splits a polygon into corner numbers. A fan takes linear time, but puts the straight corners
 // beside its first vertex on an edge of no polygon; ears leave none there.
+// isSplit: false where the triangles may overlap.
 Outline triangulate(const LocalPolygon& polygon, std::vector<Vec2<double>>& flat, std::vector<glm::uvec3>& triangles,
-                    std::size_t& work) {
+                    std::size_t& work, bool& isSplit) {
+    isSplit = true;
     fan(polygon.points.size(), triangles);
     if (polygon.points.size() == 3) return Outline::StrictlyConvex;
     flatten(polygon, flat);
     const Outline outline = outlineOf(flat, polygon.quantum);
-    if (outline == Outline::StrictlyConvex || !polygon.hasArea()) return outline;
+    if (outline == Outline::StrictlyConvex) return outline;
+    isSplit = polygon.hasArea();
+    if (!isSplit) return outline;
     std::vector<glm::uvec3> ears;
-    if (EarClipper(flat, polygon.quantum, work).clip(ears)) triangles = std::move(ears);
+    isSplit = EarClipper(flat, polygon.quantum, work).clip(ears);
+    if (isSplit) triangles = std::move(ears);
     return outline;
 }
 
@@ -340,8 +247,10 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
     }
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
         gather(mesh, i, polygon);
-        const Outline outline = triangulate(polygon, flat, pieces, work);
+        bool isSplit = true;
+        const Outline outline = triangulate(polygon, flat, pieces, work, isSplit);
         mesh.facts.concave += outline == Outline::Concave;
+        mesh.facts.unsplit += outline == Outline::Concave && !isSplit;
         mesh.facts.degenerate += !polygon.hasArea();
         mesh.facts.nonPlanar += !isPlanar(polygon);
         if (!splits) continue;

@@ -30,10 +30,11 @@ struct VertexRange {
 // What makeMesh found out about a mesh. The plan leaves work out on the strength of it,
 // so each fact is true only where it is certain.
 struct MeshFacts {
-    bool closed = false;        // every edge is used once in each direction
-    bool convex = false;        // closed, and no vertex lies outside the plane of a polygon
-    int nonPlanar = 0;          // polygons with a vertex off the plane of the others
-    int concave = 0;            // polygons with a corner that turns the other way
+    bool closed = false;  // every edge is used once in each direction
+    bool convex = false;  // closed, and no vertex lies outside the plane of a polygon
+    int nonPlanar = 0;    // polygons with a vertex off the plane of the others
+    int concave = 0;      // polygons with a corner that turns the other way
+    int unsplit = 0;  // of these, the ones whose triangles may overlap: the outline crosses itself, or costs too much
     int degenerate = 0;         // polygons without area
     bool ownNormals = false;    // every vertex has a normal, its largest component between 2^-100 and 2^100
     double offUnit = 0;         // the most that a normal's square differs from 1 by; infinity where one is not finite
@@ -82,9 +83,8 @@ struct Mesh {
     void renumberVertices(std::span<const std::uint32_t> number);  // number[i]: what vertex i becomes
 };
 
-// Completes a mesh: splits polygons into triangles (a fan where the polygon is convex, ears
-// where it is not; a fan again where an outline crosses itself, or is concave with tens of
-// thousands of corners) and finds the facts. Indices must be in range, polygons have >= 3 corners.
+// Completes a mesh: splits polygons into triangles (a fan where the polygon is convex, ears where it is not; a fan again
+// where an outline crosses itself) and finds the facts. Indices must be in range, polygons have >= 3 corners.
 std::shared_ptr<const Mesh> makeMesh(Mesh mesh);
 
 }  // namespace pipeline

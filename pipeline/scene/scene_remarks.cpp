@@ -132,10 +132,14 @@ private:
             add(object.name, fmt::format("{} not planar. Each such polygon is drawn as the triangles that it is split "
                                          "into, with one normal, the sum of theirs.",
                                          polygonsAre(object, facts.nonPlanar)));
-        if (facts.concave > 0)
+        if (facts.concave > facts.unsplit)
             add(object.name,
                 fmt::format("{} concave. Each such polygon is split into triangles that cover no more than it.",
-                            polygonsAre(object, facts.concave)));
+                            polygonsAre(object, facts.concave - facts.unsplit)));
+        if (facts.unsplit > 0)
+            add(object.name, fmt::format("{} concave and not split: the outline crosses itself, or takes too long. The "
+                                         "triangles of such a polygon overlap and may cover more than it.",
+                                         polygonsAre(object, facts.unsplit)));
         if (facts.degenerate > 0)
             add(object.name, fmt::format("{} without area. Nothing of such a polygon is drawn.",
                                          polygonsAre(object, facts.degenerate)));
