@@ -9,9 +9,11 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// Of most characters the first comparison is the only one.
+// Of most characters the first comparison is the only one. Files that were copied in blocks end with bytes of 0, files of
+// old editors with 26.
 bool isSpace(char c) {
-    return static_cast<unsigned char>(c) <= ' ' && (c == ' ' || c == '\t' || c == '\v' || c == '\f');
+    return static_cast<unsigned char>(c) <= ' ' &&
+           (c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0' || c == '\x1A');
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ std::optional<Vec3d> unitVector(const Vec3d& vector);
 // `place` goes to Mesh::polygonPlaces unless its line is 0.
 bool addPolygon(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition place = {});
 
-// The remark that so many polygons of the file were left out by addPolygon; none of none.
-void remarkOnLeftOut(std::size_t polygons, const std::string& file, std::vector<Remark>& remarks);
+// The remark that so many polygons of the file were left out by addPolygon; none of none. about: the file, or with
+// ":LINE" where the first of them stands.
+void remarkOnLeftOut(std::size_t polygons, const std::string& about, std::vector<Remark>& remarks);
 
 // Leaves out the vertices that no polygon uses; the order of the others stays.
 void dropUnusedVertices(Mesh& mesh);
@@ -36,14 +37,6 @@ std::string meshFileOf(const SourceText& source);
 
 // A name from a file where a window can show it, else the other one.
 std::string shownName(std::string_view name, const std::string& otherwise);
-
-// Materials of an MTL file (Wavefront, Object Files, 1995, appendix B1):
-//   Kd diffuse, Ka ambient, Ks specular, Ns exponent, Ke emission, d opacity, Tr 1 - d. The rest, as pictures, is skipped.
-struct NamedMaterial {
-    std::string name;
-    Material material;
-};
-void readMtl(const SourceText& source, std::vector<NamedMaterial>& materials, Errors& errors);
 
 // One function for each format; readModel checks what they promise together.
 Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load);

@@ -41,8 +41,12 @@ Result<LoadedModel> readModel(const SourceText& source, std::string_view extensi
     if (!format) return Error{{source.name, 0, 0}, "found no model", {}};
     try {
         Result<LoadedModel> model = format->read(source, load);
-        if (model && model->objects.empty())
-            return Error{{source.name, 0, 0}, "found no polygon", "a model with polygons"};
+        if (model && model->objects.empty()) {
+            std::string found = "found no polygon";
+            for (const Remark& remark : model->remarks) found += "; " + remark.text;
+            if (found.ends_with('.')) found.pop_back();
+            return Error{{source.name, 0, 0}, std::move(found), "a model with polygons"};
+        }
         return model;
     } catch (const std::bad_alloc&) {
         return noMemoryToRead({source.name, 0, 0}, "model");
@@ -72,14 +76,14 @@ bool addPolygon(Mesh& mesh, std::span<const std::uint32_t> corners, TextPosition
     return true;
 }
 
-void remarkOnLeftOut(std::size_t polygons, const std::string& file, std::vector<Remark>& remarks) {
+void remarkOnLeftOut(std::size_t polygons, const std::string& about, std::vector<Remark>& remarks) {
     if (polygons == 0) return;
     remarks.push_back(
-        {file, polygons == 1
-                   ? "1 polygon has fewer than three different corners, and so no area; it is left out."
-                   : fmt::format("{} polygons have fewer than three different corners, and so no area; they are "
-                                 "left out.",
-                                 groupedDigits(polygons))});
+        {about, polygons == 1
+                    ? "1 polygon has fewer than three different corners, and so no area; it is left out."
+                    : fmt::format("{} polygons have fewer than three different corners, and so no area; they are "
+                                  "left out.",
+                                  groupedDigits(polygons))});
 }
 
 void dropUnusedVertices(Mesh& mesh) {

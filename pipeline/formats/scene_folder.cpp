@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <fstream>
 #include <memory>
+#include <optional>
 
+#include "pipeline/core/text.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/text_scanner.h"
+#include "pipeline/formats/utf16.h"
 
 namespace pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxEntries = 100'000;  // of folders, looked at for a name in another case
 
 Error noPlace(std::string found, std::string expected = {}) { return {{}, std::move(found), std::move(expected)}; }
 
@@ -82,6 +87,30 @@ Result<fs::path> resolve(const fs::path& folder, std::string_view name) {
     return to;
 }
 
+// The path below `folder` whose components are those of `name` but for the case of A to Z; the first in alphabetical order.
+// left: how many entries of folders may still be looked at.
+std::optional<fs::path> inOtherCase(const fs::path& folder, const fs::path& name, std::size_t& left) {
+    fs::path found;
+    for (const fs::path& component : name) {
+        if (component == "." || component.empty()) continue;
+        if (component == "..") return {};
+        std::error_code failed;
+        if (fs::exists(folder / found / component, failed)) {
+            found /= component;
+            continue;
+        }
+        fs::path best;
+        for (fs::directory_iterator entry(folder / found, failed), end; !failed && entry != end && left > 0;
+             entry.increment(failed), --left) {
+            const fs::path there = entry->path().filename();
+            if (sameLetters(there.string(), component.string()) && (best.empty() || there < best)) best = there;
+        }
+        if (best.empty()) return {};
+        found /= best;
+    }
+    return found;
+}
+
 }  // namespace
 
 Result<std::string> readFile(const fs::path& file, std::size_t limit) {
@@ -106,6 +135,16 @@ Result<NamedFile> openFile(const fs::path& file) {
     Result<std::string> start = readFrom(from, kFileStart);
     if (!start) return start.errors();
     NamedFile out{std::move(start).value(), file.string()};
+    if (isUtf16(out.text)) {
+        from.stream.clear();
+        from.stream.seekg(0);
+        std::unique_ptr<std::istream> decoded = utf8Of(std::make_unique<std::ifstream>(std::move(from.stream)));
+        out.text.clear();
+        append(*decoded, kFileStart, out.text);
+        if (out.text.size() == kFileStart)
+            out.tail = std::make_shared<FileTail>(std::move(decoded), std::max(from.size / 2, kFileStart) - kFileStart);
+        return out;
+    }
     if (out.text.size() == kFileStart)
         out.tail = std::make_shared<FileTail>(std::make_unique<std::ifstream>(std::move(from.stream)),
                                               std::max(from.size, kFileStart) - kFileStart);
@@ -121,9 +160,17 @@ bool FileTail::read(std::string& to, std::size_t count) {
 FileLoader filesBeside(const fs::path& scene) {
     const fs::path shown = scene.parent_path();
     const fs::path folder = shown.empty() ? fs::path(".") : shown;
-    return [shown, folder, left = kMaxSceneBytes](std::string_view name) mutable -> Result<NamedFile> {
-        const Result<fs::path> path = resolve(folder, name);
+    return [shown, folder, left = kMaxSceneBytes,
+            entriesLeft = kMaxEntries](std::string_view asked) mutable -> Result<NamedFile> {
+        Result<fs::path> path = resolve(folder, asked);
         if (!path) return path.errors();
+        std::string name(asked), otherName;
+        if (std::error_code ignored; !fs::exists(*path, ignored))
+            if (const auto other = inOtherCase(folder, asked, entriesLeft)) {
+                Result<fs::path> there = resolve(folder, other->string());  // a link may lead out of the folder
+                if (!there) return there.errors();
+                path = std::move(there), name = otherName = other->string();
+            }
         const auto named = [&](Error error) {
             error.found = quotedInput(name) + ": " + error.found;
             return error;
@@ -133,13 +180,13 @@ FileLoader filesBeside(const fs::path& scene) {
             Result<NamedFile> model = openFile(*path);
             if (!model) return named(model.errors().front());
             NamedFile opened = std::move(model).value();
-            opened.path = path_;
+            opened.path = path_, opened.otherName = std::move(otherName);
             return opened;
         }
         Result<std::string> text = readFile(*path, std::min(left, kMaxFileBytes));
         if (!text) return named(text.errors().front());
         left -= text->size();
-        return NamedFile{std::move(text).value(), path_};
+        return NamedFile{std::move(text).value(), path_, nullptr, std::move(otherName)};
     };
 }
 

@@ -50,6 +50,7 @@ struct NamedFile {
     std::string text;
     std::string path;
     std::shared_ptr<FileTail> tail = nullptr;  // of a model, as in SourceText
+    std::string otherName = {};                // what it is called where that differs from what was asked for
 };
 using FileLoader = std::function<Result<NamedFile>(std::string_view name)>;
 
@@ -57,14 +58,16 @@ using FileLoader = std::function<Result<NamedFile>(std::string_view name)>;
 Result<std::string> readFile(const std::filesystem::path& file, std::size_t limit = kMaxFileBytes);
 // Its first bytes, at most `count`, under the same rules.
 Result<std::string> readStart(const std::filesystem::path& file, std::size_t count);
-// Its first bytes, and the rest where it is larger: for what is read piece by piece, of any size.
+// Its first bytes, and the rest where it is larger: for what is read piece by piece, of any size. Text in UTF-16 is given
+// in UTF-8.
 Result<NamedFile> openFile(const std::filesystem::path& file);
 
 // The whole text of a source, of at most kMaxFileBytes.
 Result<std::string> wholeText(const SourceText& source);
 
 // Loads files of the folder that `scene` stands in, or of folders below it; models as openFile does. A name that leads
-// out of the folder, be it by "..", by an absolute path or by a symbolic link, is refused.
+// out of the folder, be it by "..", by an absolute path or by a symbolic link, is refused. Where there is no file of that
+// name, but one whose letters are of another case, that is loaded.
 FileLoader filesBeside(const std::filesystem::path& scene);
 
 }  // namespace pipeline

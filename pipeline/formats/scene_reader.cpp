@@ -36,8 +36,7 @@ Result<Scene> readUnchecked(const std::filesystem::path& file, const ReadProgres
         return format->read({start, name, progress, opened->tail}, filesBeside(file));
     if (!format->looksLike(start) && beginsWithEndlessWord(start))
         return refused({name, 1, 1}, "found a word of more than " + groupedDigits(kMaxWord) + " bytes");
-    if (!opened->tail) return format->read({start, name, progress}, filesBeside(file));
-    const Result<std::string> text = readFile(file);
+    const Result<std::string> text = wholeText({start, name, progress, opened->tail});
     if (!text) return text.errors();
     return format->read({*text, name, progress}, filesBeside(file));
 }

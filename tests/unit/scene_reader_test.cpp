@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -275,14 +276,33 @@ TEST_F(SceneReader, ModelMayBeginWithAnyBytes) {
         stl.resize(84, ' ');
         stl.replace(80, 4, std::string("\0\x02\0\0", 4));  // 512 facets, all zero
         stl.resize(84 + 50 * 512, '\0');
-        EXPECT_EQ(errorsOf(readScene(write("m.stl", stl))),
-                  "m.stl: found no polygon, expected a model with polygons\n");
+        EXPECT_EQ(
+            errorsOf(readScene(write("m.stl", stl))),
+            "m.stl: found no polygon; 512 polygons have fewer than three different corners, and so no area; they are "
+            "left out, expected a model with polygons\n");
     }
 }
 
 TEST_F(SceneReader, ModelNamesFilesBesideIt) {
-    EXPECT_EQ(errorsOf(readScene(write("m.obj", "mtllib ../x.mtl\n"))),
-              "m.obj:1:8: \"../x.mtl\" leaves the scene's folder; put the file beside the scene\n");
+    const auto read = [&](const std::string& named) {
+        return readScene(write("m.obj", "mtllib " + named + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"));
+    };
+    const auto outside = read("../x.mtl");
+    ASSERT_TRUE(outside) << "its materials are not worth the geometry";
+    EXPECT_NE(outside->remarks.at(0).text.find("\"../x.mtl\" leaves the scene's folder"), std::string::npos);
+    EXPECT_EQ(outside->objects[0].material, Material());
+    // Written on another machine: the same file, its letters in another case, with a path that is no more.
+    write("Paint.mtl", "newmtl a\nKd 1 0 0\n");
+    for (const std::string named : {"Paint.mtl", "paint.MTL", "C:\\models\\paint.mtl", "/home/else/Paint.mtl",
+                                    "..\\Paint.mtl", "textures/paint.mtl"}) {
+        const auto scene = read(named);
+        ASSERT_TRUE(scene) << named;
+        EXPECT_EQ(scene->objects[0].material.diffuse, Vec3d(1, 0, 0)) << named;
+        const bool said = std::ranges::any_of(scene->remarks, [](const Remark& remark) {
+            return remark.text.find("\"Paint.mtl\" is read in its place") != std::string::npos;
+        });
+        EXPECT_EQ(said, named != "Paint.mtl") << named;
+    }
 }
 
 // Kilobytes that this process has held at most.

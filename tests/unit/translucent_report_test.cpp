@@ -3,7 +3,7 @@
 
 #include "pipeline/export/gl_calls.h"
 #include "pipeline/export/json.h"
-#include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/mtl_reader.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/formats/toml_scene.h"
 #include "pipeline/inspect/pixel_report.h"
@@ -114,8 +114,9 @@ TEST(AlphaInFiles, OfATomlScene) {
 Material fromMtl(std::string_view lines) {
     std::vector<NamedMaterial> materials;
     Errors errors;
+    MtlTallies tallies;
     const std::string text = "newmtl a\n" + std::string(lines);
-    readMtl({text, "a.mtl"}, materials, errors);
+    readMtl({text, "a.mtl"}, materials, tallies, errors);
     EXPECT_TRUE(errors.empty()) << format(errors);
     return materials.at(0).material;
 }
