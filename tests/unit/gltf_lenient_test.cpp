@@ -64,7 +64,9 @@ TEST(GltfLenient, SparseAccessorsReplaceSomeElements) {
     // Without a bufferView the others are 0 (section 5.1.1): both triangles lose their area.
     EXPECT_EQ(errorsOf(fileOf(parts)), "");
     parts["accessors"].replace(parts["accessors"].find(R"("bufferView": 0, )"), 17, "");
-    EXPECT_EQ(errorsOf(fileOf(parts)), "m.gltf: found no polygon, expected a model with polygons\n");
+    EXPECT_TRUE(
+        errorsOf(fileOf(parts)).starts_with("m.gltf: found no polygon; 2 polygons have fewer than three different "))
+        << errorsOf(fileOf(parts));
 }
 
 // Normals of 0 have no direction: the square is there, without them.

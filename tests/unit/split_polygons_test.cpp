@@ -189,10 +189,10 @@ TEST(IndexSet, FindsTheNextOneAndBeginsAnew) {
         std::vector<bool> has(n, false);
         EXPECT_EQ(set.from(0), IndexSet::kNone);
         for (int step = 0; step < 2000; ++step) {
-            const std::uint32_t i = random() % n;
+            const std::uint32_t i = static_cast<std::uint32_t>(random() % n);
             has[i] = step % 3 != 0;
             has[i] ? set.insert(i) : set.erase(i);
-            const std::uint32_t from = random() % n;
+            const std::uint32_t from = static_cast<std::uint32_t>(random() % n);
             std::uint32_t expected = IndexSet::kNone;
             for (std::uint32_t k = 0; k < n && expected == IndexSet::kNone; ++k)
                 if (has[(from + k) % n]) expected = (from + k) % n;
