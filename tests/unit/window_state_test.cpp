@@ -6,6 +6,7 @@
 #include "app/state/cue_list.h"
 #include "app/state/state_scene.h"
 #include "pipeline/formats/scene_reader.h"
+#include "pipeline/scene/settings_table.h"
 #include "tests/support/files.h"
 #include "tests/support/scenes.h"
 
@@ -230,6 +231,27 @@ TEST(CueList, AFileAndACueInOneWord) {
     EXPECT_EQ(parseCueName((folder / "a: b.cues").string() + ":1")->file, folder / "a: b.cues");
     EXPECT_EQ(parseCueName((folder / "b.cues").string() + ":1: why")->file, folder / "b.cues");
     EXPECT_FALSE(parseCueName((folder / "a.cues").string()));
+}
+
+// A model that was opened by itself: its size changes the camera along, its up axis every object and the camera. What is
+// kept of it are settings, in an order that makes the same scene again, also where the camera was set by hand.
+TEST(WindowState, AFramedModelIsKeptAsSettings) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "m.obj", "o a\nv 1 2 0\nv 2 2 1\nv 2 4 0\nf 1 2 3\no b\nv 1 4 2\nf 1 3 4\n");
+    const auto original = pipeline::readScene(folder / "m.obj");
+    ASSERT_TRUE(original);
+    for (const std::vector<std::string>& set : {std::vector<std::string>{"up=y"},
+                                                {"width=100", "height=50"},
+                                                {"up=y", "width=100", "camera.distance=30", "object.1.tx=7"}}) {
+        pipeline::Scene changed = *original;
+        for (const std::string& one : set) changed = withSetting(std::move(changed), one).value();
+        WindowState state;
+        EXPECT_TRUE(describeScene(state, changed, &*original).empty());
+        EXPECT_TRUE(state.sceneText.empty());
+        const auto again = sceneOf(state, *original);
+        ASSERT_TRUE(again) << format(again.errors());
+        EXPECT_EQ(*again, changed) << set[0];
+    }
 }
 
 }  // namespace
