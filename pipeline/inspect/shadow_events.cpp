@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/illumination/texel_test.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/scene/area_light.h"
 
@@ -58,12 +59,11 @@ template <class Real>
 Comparison compare(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
                    Vec3<Real> normal) {
     const ShadowTest<Real> test = shadowTest(light, settings, position, normal);
-    const Buffer2D<Real>& depth = *light.depth[test.face];
-    const glm::ivec2 at = test.texel;
-    const bool inside = at.x >= 0 && at.y >= 0 && at.x < depth.size.x && at.y < depth.size.y;
-    const Real stored = inside ? depth.at(at) : std::numeric_limits<Real>::infinity();
-    const bool shadowed = test.z > stored + test.bias;
-    return {comparisonOf(double(test.z), shadowed, at, double(stored), double(test.bias)), shadowed};
+    const glm::ivec2 at = test.texel, size = light.depth[test.face]->size;
+    const bool inside = at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
+    TexelTest<Real> found{std::numeric_limits<Real>::infinity(), test.bias, false};
+    if (inside) found = testTexel(light, settings, test, at, texelOffset(light, test, position));
+    return {comparisonOf(double(test.z), found.shadowed, at, double(found.stored), double(found.bias)), found.shadowed};
 }
 
 template <class Real>

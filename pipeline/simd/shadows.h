@@ -50,6 +50,7 @@ struct SeenByLight {
 // filtering asks for its column and row; without any it is nearer than everything.
 struct LookUps {
     Row x, y, z, bias;
+    Row right, down;  // of the texel's centre, how far the points are, texels
     alignas(64) std::int32_t place[kRowPixels];
 };
 
@@ -72,13 +73,21 @@ HWY_INLINE void preparePlaces(const LightFace& face, Ints places, std::size_t i,
 HWY_INLINE Ints nearestPlace(const LightFace& face, Floats x, Floats y) {
     return texelPlace(*face.depth, wholeBits(nearestTexel(face, x)), wholeBits(nearestTexel(face, y)));
 }
+// Texels at x, y that points at right, down fall on, all in texels.
+HWY_INLINE void storeTexel(Floats x, Floats y, Floats right, Floats down, std::size_t i, LookUps& out) {
+    store(x, out.x, i), store(y, out.y, i);
+    store(hn::Sub(hn::Sub(right, x), all(0.5F)), out.right, i);
+    store(hn::Sub(hn::Sub(down, y), all(0.5F)), out.down, i);
+}
 template <class A>
 HWY_INLINE void prepareTexelAtInfinity(const LightFace& face, int filter, Floats3 p, std::size_t i, LookUps& out) {
-    const Floats x = hn::Floor(A::mulAdd(all(face.step.x), p.x, all(face.centre.x)));
-    const Floats y = hn::Floor(A::mulAdd(all(face.step.y), p.y, all(face.centre.y)));
+    const Floats right = A::mulAdd(all(face.step.x), p.x, all(face.centre.x));
+    const Floats down = A::mulAdd(all(face.step.y), p.y, all(face.centre.y));
+    const Floats x = hn::Floor(right), y = hn::Floor(down);
+    storeTexel(x, y, right, down, i, out);
     if (filter != 0) {
         preparePlaces(face, nearestPlace(face, x, y), i, out);
-        store(x, out.x, i), store(y, out.y, i), store(p.z, out.z, i);
+        store(p.z, out.z, i);
         return;
     }
     // As numbers without a sign, what is beyond any side of the buffer is beyond the last texel; NaN, too.
@@ -96,12 +105,12 @@ template <class A>
 HWY_INLINE void prepareLookUps(const LightFace& face, const ShadowSettings& settings, const SeenByLight& p,
                                std::size_t i, LookUps& out) {
     if (face.perspective) {
-        const auto texel = [&](float centre, float step, Floats across) HWY_ATTR {
-            return nearestTexel(face, hn::Floor(hn::Add(all(centre), hn::Div(hn::Mul(all(step), across), p.z))));
-        };
-        const Floats x = texel(face.centre.x, face.step.x, p.x), y = texel(face.centre.y, face.step.y, p.y);
+        const auto place = [&](float centre, float step, Floats across)
+                               HWY_ATTR { return hn::Add(all(centre), hn::Div(hn::Mul(all(step), across), p.z)); };
+        const Floats right = place(face.centre.x, face.step.x, p.x), down = place(face.centre.y, face.step.y, p.y);
+        const Floats x = nearestTexel(face, hn::Floor(right)), y = nearestTexel(face, hn::Floor(down));
         preparePlaces(face, nearestPlace(face, x, y), i, out);
-        store(x, out.x, i), store(y, out.y, i), store(p.z, out.z, i);
+        storeTexel(x, y, right, down, i, out), store(p.z, out.z, i);
     } else {
         prepareTexelAtInfinity<A>(face, settings.filter, {p.x, p.y, p.z}, i, out);
     }
@@ -117,14 +126,41 @@ HWY_INLINE void prepareLookUps(const LightFace& face, const ShadowSettings& sett
     store(biasOf(face, settings, slope), out.bias, i);
 }
 
-// 1 where the points of vector i of a row are no farther than what is stored in their texels, else 0.
-HWY_INLINE Floats litAt(const LightFace& face, const LookUps& lookUps, Ints place, Floats bias, std::size_t i) {
-    const Floats stored = hn::GatherIndex(F(), face.depth->blocks[0].of, place);
-    return hn::IfThenZeroElse(hn::Gt(load(lookUps.z, i), hn::Add(stored, bias)), all(1));
+HWY_INLINE Floats storedAt(const LightFace& face, Ints place) {
+    return hn::GatherIndex(F(), face.depth->blocks[0].of, place);
+}
+// heldSlope of texels x, y that hold `stored`.
+HWY_NOINLINE Floats heldSlopes(const LightFace& face, Floats stored, Floats x, Floats y, Floats right, Floats down) {
+    const auto away = [](Floats texel, Floats offset)
+                          HWY_ATTR { return hn::Add(texel, hn::IfThenElse(hn::Gt(offset, all(0)), all(-1), all(1))); };
+    // Beyond the buffer it is the texel itself, from which nothing differs.
+    const auto along = [&](Ints beside, Floats offset) HWY_ATTR {
+        const Floats nearer = storedAt(face, beside), recedes = hn::Sub(stored, nearer);
+        const Floats rate = face.perspective ? hn::Div(recedes, nearer) : recedes;
+        return hn::IfThenElseZero(hn::Gt(recedes, all(0)), hn::Mul(rate, hn::Abs(offset)));
+    };
+    const Floats sum =
+        hn::Add(along(nearestPlace(face, away(x, right), y), right), along(nearestPlace(face, x, away(y, down)), down));
+    if (!face.perspective) return sum;
+    return hn::IfThenElseZero(hn::Lt(sum, all(1)), hn::Mul(stored, hn::Div(sum, hn::Sub(all(1), sum))));
+}
+// Where points at distance z are farther than what their texels x, y, at `place`, hold: testTexel.
+HWY_INLINE Mask shadowedAt(const LightFace& face, const ShadowSettings& settings, Ints place, Floats z, Floats bias,
+                           Floats x, Floats y, Floats right, Floats down) {
+    const Floats stored = storedAt(face, place);
+    const Mask shadowed = hn::Gt(z, hn::Add(stored, bias));
+    if (settings.bias != ShadowBias::Automatic || hn::AllFalse(F(), hn::AndNot(PolygonBias::turnsAway(bias), shadowed)))
+        return shadowed;
+    const Floats held = heldSlopes(face, stored, x, y, right, down);
+    return hn::And(shadowed, hn::Gt(z, hn::Add(stored, held)));
 }
 // How many of the texels that are looked at see the points of vector i of a row lit: litTexels.
-HWY_INLINE Floats litInTexel(const LightFace& face, const LookUps& lookUps, Floats bias, std::size_t i) {
-    return litAt(face, lookUps, hn::Load(I(), lookUps.place + i), bias, i);
+HWY_INLINE Floats litInTexel(const LightFace& face, const ShadowSettings& settings, const LookUps& lookUps, Floats bias,
+                             std::size_t i) {
+    const Mask shadowed =
+        shadowedAt(face, settings, hn::Load(I(), lookUps.place + i), load(lookUps.z, i), bias, load(lookUps.x, i),
+                   load(lookUps.y, i), load(lookUps.right, i), load(lookUps.down, i));
+    return hn::IfThenZeroElse(shadowed, all(1));
 }
 HWY_NOINLINE Floats litInTexels(const LightFace& face, const ShadowSettings& settings, const LookUps& lookUps,
                                 Floats bias, std::size_t i) {
@@ -134,7 +170,11 @@ HWY_NOINLINE Floats litInTexels(const LightFace& face, const ShadowSettings& set
     for (int dy = -r; dy <= r; ++dy) {
         for (int dx = -r; dx <= r; ++dx) {
             const Floats u = hn::Add(x, all(float(dx))), v = hn::Add(y, all(float(dy)));
-            Floats lit = litAt(face, lookUps, nearestPlace(face, u, v), bias, i);
+            const Floats right = hn::Sub(load(lookUps.right, i), all(float(dx)));
+            const Floats down = hn::Sub(load(lookUps.down, i), all(float(dy)));
+            const Mask shadowed = shadowedAt(face, settings, nearestPlace(face, u, v), load(lookUps.z, i), bias,
+                                             nearestTexel(face, u), nearestTexel(face, v), right, down);
+            Floats lit = hn::IfThenZeroElse(shadowed, all(1));
             const Mask inside =
                 hn::And(hn::And(hn::Ge(u, first), hn::Le(u, last)), hn::And(hn::Ge(v, first), hn::Le(v, last)));
             if (!face.perspective) lit = hn::IfThenElse(inside, lit, all(1));
@@ -191,7 +231,7 @@ public:
         Floats share = all(1);
         if (looksUp()) {
             const int most = filteredTexels(m_settings);
-            share = most == 1 ? litInTexel(m_faces[0], lookUps, of, i)
+            share = most == 1 ? litInTexel(m_faces[0], m_settings, lookUps, of, i)
                               : hn::Div(litInTexels(m_faces[0], m_settings, lookUps, of, i), all(float(most)));
         }
         return hn::IfThenZeroElse(PolygonBias::turnsAway(of), share);
@@ -277,7 +317,7 @@ private:
         for (std::size_t n = 0; n < wanted.count; ++n) {
             const std::size_t i = wanted.at[n];
             const Floats bias = load(lookUps.bias, i);
-            const Floats of = m_settings.filter == 0 ? litInTexel(face, lookUps, bias, i)
+            const Floats of = m_settings.filter == 0 ? litInTexel(face, m_settings, lookUps, bias, i)
                                                      : litInTexels(face, m_settings, lookUps, bias, i);
             addLit(of, wanted.mask(n), i, lit);
         }
