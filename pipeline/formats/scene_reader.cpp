@@ -1,7 +1,12 @@
 #include "pipeline/formats/scene_reader.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <new>
 
+#include "pipeline/core/numerics.h"
+#include "pipeline/core/text.h"
 #include "pipeline/formats/format_table.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/no_memory.h"
@@ -41,6 +46,41 @@ Result<Scene> readUnchecked(const std::filesystem::path& file, const ReadProgres
     return format->read({*text, name, progress}, filesBeside(file));
 }
 
+// Whether the normals that a mesh gives to the corners of a polygon, summed, point against its winding.
+bool isTurned(const Mesh& mesh, std::size_t polygon) {
+    Vec3d along(0), given(0);
+    for (std::size_t t = mesh.firstTriangleOf(polygon); t < mesh.firstTriangleOf(polygon + 1); ++t) {
+        const auto& v = mesh.triangles[t].vertices;
+        const Vec3d origin = mesh.positions[v[0]];
+        along += glm::cross(mesh.positions[v[1]] - origin, mesh.positions[v[2]] - origin);
+    }
+    for (const std::uint32_t corner : mesh.polygon(polygon)) given += normalized(mesh.normals[corner]);
+    return glm::dot(normalized(along), given) < 0;
+}
+
+// Of given normals, which are computed with as they are.
+void remarkOnNormals(const Object& object, std::vector<Remark>& remarks) {
+    const Mesh& mesh = *object.mesh;
+    if (mesh.normals.empty()) return;
+    if (!mesh.facts.ownNormals)  // else none is 0
+        if (const auto zero = std::ranges::count_if(mesh.normals, [](const Vec3d& n) { return n == Vec3d(0); });
+            zero > 0)
+            remarks.push_back(
+                {object.name,
+                 fmt::format("{} of the {} normals that {} gives {} length 0. The normals of the polygons "
+                             "around the vertex take the place of such a normal.",
+                             zero, mesh.normals.size(), inQuotes(object.name), zero == 1 ? "has" : "have")});
+    std::int64_t turned = 0;
+    for (std::size_t i = 0; i < mesh.polygonCount(); ++i) turned += isTurned(mesh, i);
+    if (turned > 0)
+        remarks.push_back(
+            {object.name,
+             fmt::format("The given normals of {} of {} point against the winding: with normal_weight = given the side "
+                         "that is seen is lit from behind. Turn the normals or the order of the vertices round, or "
+                         "choose another normal_weight.",
+                         plural(turned, "polygon"), inQuotes(object.name))});
+}
+
 }  // namespace
 
 Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress& progress) {
@@ -53,6 +93,7 @@ Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress& p
         scene.file = name;
         const Errors errors = checkScene(scene);
         if (!errors.empty()) return inFile(errors, name);
+        for (const Object& object : scene.objects) remarkOnNormals(object, scene.remarks);
         return scene;
     } catch (const std::bad_alloc&) {
         return noMemoryToRead({name, 0, 0}, "scene");

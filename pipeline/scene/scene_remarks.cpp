@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -11,6 +13,8 @@
 #include "pipeline/core/text.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/plan/black.h"
+#include "pipeline/scene/opacity.h"
+#include "pipeline/stages/transform.h"
 
 namespace pipeline {
 namespace {
@@ -23,6 +27,7 @@ public:
         ofCamera();
         ofLights();
         for (std::size_t i = 0; i < m_scene.objects.size(); ++i) ofObject(i);
+        ofNearPlane();
         if (m_scene.objects.empty())
             add("object", "The scene has no object: every pixel is background.");
         else if (maximumIntensity(m_scene) <= 0 || isBlack(m_scene))
@@ -143,6 +148,65 @@ private:
         if (facts.degenerate > 0)
             add(object.name, fmt::format("{} without area. Nothing of such a polygon is drawn.",
                                          polygonsAre(object, facts.degenerate)));
+        ofDistance(object);
+    }
+
+    // visit(place) for the corners of the box around an object's mesh, world space.
+    template <class Visit>
+    static void forEachCorner(const Object& object, Visit visit) {
+        const ObjectMatrix matrix = makeObjectMatrix(object.transform);
+        const Vec3d sides[2]{object.mesh->facts.low, object.mesh->facts.high};
+        for (unsigned corner = 0; corner < 8; ++corner)
+            visit(toWorld(matrix, {sides[corner & 1].x, sides[corner >> 1 & 1].y, sides[corner >> 2].z}));
+    }
+
+    // Float has 24 bits: of a mesh farther off than 2^20 times its size fewer than 4 are left for its shape.
+    void ofDistance(const Object& object) {
+        if (m_scene.settings.precision != Precision::Float || object.mesh->positions.empty()) return;
+        constexpr double kLeast = 0x1p-20;
+        const auto share = [](Vec3d low, Vec3d high) {
+            const double offset = std::max(largestComponent(low), largestComponent(high));
+            return offset > 0 ? largestComponent(high - low) / offset : 1.0;
+        };
+        Vec3d low(std::numeric_limits<double>::infinity()), high = -low;
+        forEachCorner(object, [&](Vec3d p) { low = glm::min(low, p), high = glm::max(high, p); });
+        const MeshFacts& facts = object.mesh->facts;
+        // Rounded as the mesh gives them, and once more where they stand in the world.
+        const double of = std::min(share(facts.low, facts.high), share(low, high));
+        if (!(of < kLeast) || facts.low == facts.high) return;
+        add(object.name,
+            fmt::format("{} is {} times as far from the origin as it is large: float rounds its vertices to "
+                        "{} steps along its size. Move it to the origin, or set precision to double.",
+                        inQuotes(object.name), shortestText(std::round(1 / of)),
+                        shortestText(std::max(1.0, std::round(of * 0x1p24)))));
+    }
+
+    // A plane that is given hides what is before it without a trace.
+    void ofNearPlane() {
+        const Camera& camera = m_scene.camera;
+        if (camera.near == 0) return;
+        Scene empty;
+        empty.settings = m_scene.settings, empty.camera = camera;  // no object is looked at for its extent
+        const View view = makeView(empty);
+        std::size_t before = 0;
+        const std::string* first = nullptr;
+        for (const Object& object : m_scene.objects) {
+            if (object.mesh->positions.empty() || isTransparent(object, m_scene.settings)) continue;
+            double farthest = -std::numeric_limits<double>::infinity();
+            forEachCorner(object,
+                          [&](Vec3d p) { farthest = std::max(farthest, glm::dot(view.forward, p - view.eye)); });
+            const bool isBehindEye = view.perspective && !(farthest > 0);
+            if (!(farthest < view.near) || isBehindEye) continue;
+            ++before;
+            if (!first) first = &object.name;
+        }
+        if (before == 0) return;
+        add("camera.near",
+            fmt::format("{} before the near plane, which is {} from the eye: nothing of {} is drawn. Set camera.near "
+                        "lower, or to 0 for a plane that is chosen.",
+                        before == 1 ? inQuotes(*first) + " lies"
+                                    : fmt::format("{} objects, {} the first of them, lie", before, inQuotes(*first)),
+                        shortestText(camera.near), before == 1 ? "it" : "them"));
     }
 
     static std::string polygonsAre(const Object& object, int count) {

@@ -7,8 +7,10 @@
 #include <limits>
 #include <optional>
 
+#include "pipeline/formats/scene_reader.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/scene/settings_table.h"
+#include "tests/support/files.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -253,6 +255,89 @@ TEST(SceneRemarks, PolygonsThatAreNoPlaneConvexOnes) {
     EXPECT_EQ(starts,
               (std::vector<std::string>{"1 polygon of \"strange\" is not planar", "1 polygon of \"strange\" is concave",
                                         "2 polygons of \"strange\" are without area"}));
+}
+
+// The texts of the remarks about an object, or about a setting.
+std::vector<std::string> textsAbout(const Scene& scene, std::string_view about) {
+    std::vector<std::string> texts;
+    for (const Remark& remark : sceneRemarks(scene))
+        if (remark.about == about) texts.push_back(remark.text);
+    return texts;
+}
+bool starts(const std::vector<std::string>& texts, std::string_view with) {
+    return texts.size() == 1 && texts[0].starts_with(with);
+}
+
+// A scene of one mesh with normals, as it is read from a file: a quad and a triangle beside it in the plane z = 0, both
+// counter-clockwise seen from +z.
+Scene readWithNormals(const std::string& normals) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "scene.toml",
+                    "normal_weight = \"given\"\n[[light]]\nposition = [0, 0, 1]\n[[object]]\nname = \"square\"\n"
+                    "vertices = [[-5,-5,0],[5,-5,0],[5,5,0],[-5,5,0],[9,0,0]]\npolygons = [[0,1,2,3],[1,4,2]]\n"
+                    "normals = [" +
+                        normals + "]\n");
+    Result<Scene> scene = readScene(folder / "scene.toml");
+    EXPECT_TRUE(scene) << format(scene.errors());
+    return scene ? *scene : Scene();
+}
+
+TEST(SceneRemarks, CountGivenNormalsOfLengthZeroAndAgainstTheWinding) {
+    const auto texts = [](const char* normals) { return textsAbout(readWithNormals(normals), "square"); };
+    EXPECT_TRUE(texts("[0,0,1],[0,0,1],[1,0,0],[0,0,1],[0,0,1]").empty());
+    EXPECT_TRUE(starts(texts("[0,0,1],[0,0,0],[0,0,0],[0,0,1],[0,0,1]"),
+                       "2 of the 5 normals that \"square\" gives have length 0."));
+    // All normals of the triangle are turned; of the quad's two of four, slightly less than half of the sum.
+    EXPECT_TRUE(starts(texts("[0,0,1],[0.1,0,-3],[0.1,0,-3],[0,0,1],[0.1,0,-3]"),
+                       "The given normals of 1 polygon of \"square\" point against the winding"));
+    EXPECT_TRUE(starts(texts("[0,0,-1],[0,0,-1],[0,0,-1],[0,0,-1],[0,0,-1]"), "The given normals of 2 polygons of"));
+}
+
+// The square is 10 wide. 2^20 = 1 048 576 times that far away float keeps 2^24 / 2^20 = 16 steps of it.
+TEST(SceneRemarks, SayWhereFloatCannotHoldAMesh) {
+    Scene scene = square();
+    scene.settings.precision = Precision::Float;
+    const auto texts = [&](double away) {
+        scene.objects[0].transform.translation = {away, 0, 0};
+        return textsAbout(scene, "square");
+    };
+    EXPECT_TRUE(texts(1e7).empty());
+    const auto far = texts(1e8);
+    EXPECT_TRUE(starts(far,
+                       "\"square\" is 10000001 times as far from the origin as it is large: float rounds its "
+                       "vertices to 2 steps"))
+        << (far.empty() ? "" : far[0]);
+    scene.settings.precision = Precision::Double;
+    EXPECT_TRUE(texts(1e8).empty());
+    // In the mesh itself: the translation brings it back, after float has rounded it.
+    Mesh mesh = *scene.objects[0].mesh;
+    test::moveVertices(mesh, [](Vec3d p) { return p + Vec3d(0, 1e8, 0); });
+    scene.objects[0].mesh = makeMesh(std::move(mesh));
+    scene.objects[0].transform.translation = {0, -1e8, 0};
+    EXPECT_TRUE(textsAbout(scene, "square").empty());
+    scene.settings.precision = Precision::Float;
+    EXPECT_EQ(textsAbout(scene, "square").size(), 1u);
+}
+
+// The eye is at z = 5: the square at 5 from it, a second one at 2, a third behind it.
+TEST(SceneRemarks, CountTheObjectsBeforeTheNearPlane) {
+    Scene scene = square();
+    for (const double z : {3.0, 8.0}) {
+        scene.objects.push_back(scene.objects[0]);
+        scene.objects.back().name = "at " + std::to_string(int(z));
+        scene.objects.back().transform.translation = {0, 0, z};
+    }
+    EXPECT_TRUE(textsAbout(scene, "camera.near").empty());
+    scene.camera.near = 1.9;
+    EXPECT_TRUE(textsAbout(scene, "camera.near").empty());
+    scene.camera.near = 2.1;
+    EXPECT_TRUE(starts(textsAbout(scene, "camera.near"), "\"at 3\" lies before the near plane, which is 2.1 from"));
+    scene.camera.near = 6;
+    EXPECT_TRUE(starts(textsAbout(scene, "camera.near"), "2 objects, \"square\" the first of them, lie before"));
+    scene.camera.projection = ProjectionKind::Orthographic;  // what is behind the eye is before the plane, too
+    EXPECT_TRUE(starts(textsAbout(scene, "camera.near"), "3 objects,"));
+    scene.camera.near = -4;
+    EXPECT_TRUE(textsAbout(scene, "camera.near").empty());
 }
 
 TEST(SceneRemarks, OfTheReadersComeFirstAndManyAreCounted) {
