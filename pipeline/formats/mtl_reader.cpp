@@ -156,8 +156,8 @@ void MtlTallies::say(std::vector<Remark>& remarks) const {
     halos.say("opacity", "given as -halo", "left out", remarks);
     pictures.say("picture", "on surfaces", "left out", remarks);
     blackPictures.say("material", "with a picture and Kd 0", "shown with Kd 0.7 instead of black", remarks);
-    opacityTr.say("Tr", "",
-                  "read as opacity, for read as transparency it would hide surfaces; material.#.alpha sets it",
+    opacityTr.say("material", "with Tr",
+                  "shown with Tr as opacity, for as transparency it would hide surfaces; material.#.alpha changes it",
                   remarks);
 }
 

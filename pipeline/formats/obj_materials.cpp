@@ -20,10 +20,15 @@ std::string inLowerCase(std::string_view text) {
     return lower;
 }
 
-// How else a name may be meant that was written on another machine: with slashes, or as the file's name alone, without
-// folders that are there no more.
+std::string withoutQuotes(std::string name) {
+    if (name.size() > 2 && name.front() == '"' && name.back() == '"') return name.substr(1, name.size() - 2);
+    return name;
+}
+
+// How else a name may be meant that was written on another machine: without quotes, with slashes, or as the file's name
+// alone, without folders that are there no more.
 std::vector<std::string> otherReadings(const std::string& name) {
-    std::string slashes = name;
+    std::string slashes = withoutQuotes(name);
     std::ranges::replace(slashes, '\\', '/');
     std::vector<std::string> readings;
     for (const std::string& reading : {slashes, std::filesystem::path(slashes).filename().string()})
@@ -54,7 +59,7 @@ void ObjMaterials::load(std::string_view names, int line) {
     if (loadOne(all, line, whyNot)) return;
     const std::vector<std::string> words = wordsOf(names);
     std::vector<std::string> failed;
-    if (words.size() > 1) {
+    if (words.size() > 1 || (words.size() == 1 && words[0] != all)) {  // one: before a comment
         whyNot.clear();
         std::size_t found = 0;
         for (const std::string& word : words) {
@@ -117,6 +122,16 @@ bool ObjMaterials::open(const std::string& name, const std::string& written, int
 }
 
 const Material* ObjMaterials::find(std::string_view name) const {
+    if (const Material* material = findWritten(name)) return material;
+    // A name may hold " #", so what follows it is a comment only where nothing has the whole name.
+    const std::size_t comment = std::min(name.find(" #"), name.find("\t#"));
+    if (comment == name.npos) return nullptr;
+    name = name.substr(0, comment);
+    while (name.ends_with(' ') || name.ends_with('\t')) name.remove_suffix(1);
+    return findWritten(name);
+}
+
+const Material* ObjMaterials::findWritten(std::string_view name) const {
     if (const auto same = m_of.find(name); same != m_of.end()) return &m_materials[same->second].material;
     const auto similar = m_ofLowerCase.find(inLowerCase(name));
     return similar == m_ofLowerCase.end() ? nullptr : &m_materials[similar->second].material;

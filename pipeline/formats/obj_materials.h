@@ -21,7 +21,8 @@ public:
     // was given up.
     void load(std::string_view names, int line);
 
-    // Null where no file has one of this name; in another case of its letters is found where nothing has the same.
+    // Null where no file has one of this name. Where none has the same letters, another case of them is found, and what
+    // stands before a comment.
     const Material* find(std::string_view name) const;
     // Whether a file that was named could not be read.
     bool someMissing() const { return m_missing.count > 0; }
@@ -36,6 +37,7 @@ private:
         }
     };
 
+    const Material* findWritten(std::string_view name) const;
     bool loadOne(const std::string& name, int line, std::string& whyNot);
     bool open(const std::string& name, const std::string& written, int line, std::string& whyNot);
 

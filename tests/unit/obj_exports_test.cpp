@@ -116,6 +116,20 @@ TEST(ObjExports, MaterialsWithoutANameAndInAnotherCase) {
     EXPECT_EQ(remarksOf(model), "");
 }
 
+TEST(ObjExports, CommentsAndQuotesAroundNames) {
+    const FileLoader load = filesNamed({{"my a.mtl", "newmtl red\nKd 1 0 0\nnewmtl steel #2\nKd 0 0 1\n"}});
+    const LoadedModel model = modelOf("mtllib \"my a.mtl\"\n" + kTriangles +
+                                          "usemtl red  # as paint\nf 1 2 3\no b\nusemtl steel #2\nf 1 3 4 # last\n",
+                                      load);
+    ASSERT_EQ(model.objects.size(), 2u);
+    EXPECT_EQ(model.objects[0].material.diffuse, Vec3d(1, 0, 0));
+    EXPECT_EQ(model.objects[1].material.diffuse, Vec3d(0, 0, 1));
+    const FileLoader plain = filesNamed({{"a.mtl", "newmtl red\nKd 1 0 0\n"}});
+    const LoadedModel commented = modelOf("mtllib a.mtl # of 2004\n" + kTriangles + "usemtl red\nf 1 2 3\n", plain);
+    EXPECT_EQ(commented.objects.at(0).material.diffuse, Vec3d(1, 0, 0));
+    EXPECT_EQ(remarksOf(commented), "");
+}
+
 TEST(ObjExports, NothingBehindASlashIsNoNormal) {
     for (const std::string face : {"f 1// 2// 3//", "f 1/ 2/ 3/", "f 1/5/ 2/6/ 3/7/"}) {
         const LoadedModel model = modelOf(kTriangles + "vn 0 0 1\n" + face + "\n");
@@ -310,10 +324,9 @@ TEST(MtlExports, TrIsOpacityWhereNothingElseMakesSense) {
     EXPECT_EQ(materialOf("newmtl a\nTr 0.25\nnewmtl b\nd 0.9\nTr 0.1\n").alpha, 0.75);
     const LoadedModel model = modelOf("mtllib a.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n",
                                       filesNamed({{"a.mtl", "newmtl a\nKd 1 0 0\nTr 1.000000\n"}}));
-    EXPECT_EQ(
-        remarksOf(model),
-        "a.mtl:3: 1 Tr is read as opacity, for read as transparency it would hide surfaces; material.#.alpha sets "
-        "it.\n");
+    EXPECT_EQ(remarksOf(model),
+              "a.mtl:3: 1 material with Tr is shown with Tr as opacity, for as transparency it would hide surfaces; "
+              "material.#.alpha changes it.\n");
 }
 
 std::string utf16(std::string_view text, bool bigEndian) {
