@@ -85,22 +85,21 @@ std::string tallyText(const pipeline::Tally& tally) {
 
 void printTable(const Times& times, const BenchOptions& options) {
     const pipeline::Scene& scene = times.last->scene();
-    fmt::print("{}, {} × {}, {} threads; {} frames from nothing after {} to warm up; ms\n\n", scene.name,
-               scene.settings.width, scene.settings.height, threadsUsed(options), options.repeats(), options.warmups);
-    fmt::print("{:<14} {:>9} {:>9} {:>9} {:>8}   {:<20} {}\n", "", "min", "median", "p95", "share", "median, 95 %", "");
+    say("{}, {} × {}, {} threads; {} frames from nothing after {} to warm up; ms\n\n", scene.name, scene.settings.width,
+        scene.settings.height, threadsUsed(options), options.repeats(), options.warmups);
+    say("{:<14} {:>9} {:>9} {:>9} {:>8}   {:<20} {}\n", "", "min", "median", "p95", "share", "median, 95 %", "");
     for (const pipeline::StageId stage : pipeline::kStages) {
         const std::string_view label = stageInfo(stage).name;
         const std::vector<double>& taken = times.stages[index(stage)];
         if (taken.empty()) {
-            fmt::print("{:<14} {}: {}\n", label, name(pipeline::Action::LeaveOut),
-                       times.last->plan()[index(stage)].why);
+            say("{:<14} {}: {}\n", label, name(pipeline::Action::LeaveOut), times.last->plan()[index(stage)].why);
             continue;
         }
         const pipeline::StageRun& run = times.last->run(stage);
-        fmt::print("{}", row(label, taken, shareOf(taken, times), run.counts));
-        for (const pipeline::Tally& tally : run.tallies) fmt::print("{}", tallyText(tally));
+        say("{}", row(label, taken, shareOf(taken, times), run.counts));
+        for (const pipeline::Tally& tally : run.tallies) say("{}", tallyText(tally));
     }
-    fmt::print("{}", row("frame", times.frame, 1, fmt::format("peak memory {:.1f} MB", peakMemory() / 1e6)));
+    say("{}", row("frame", times.frame, 1, fmt::format("peak memory {:.1f} MB", peakMemory() / 1e6)));
 }
 
 pipeline::Json summaryJson(const std::vector<double>& times) {
@@ -133,7 +132,7 @@ void printJson(const Times& times, const BenchOptions& options) {
                               {"milliseconds", summaryJson(times.frame)},
                               {"stages", stages},
                               {"peak_memory_bytes", peakMemory()}};
-    fmt::print("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+    say("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
 }
 
 // The scene that is named, or every built-in one.
@@ -178,7 +177,7 @@ int runLeaveOutBench(const BenchOptions& options) {
         else
             printLeaveOutRow(*times, nameWidth);
     }
-    if (options.json) fmt::print("{}\n", rows.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+    if (options.json) say("{}\n", rows.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
     return kDone;
 }
 
@@ -190,7 +189,7 @@ int runScalingBench(const BenchOptions& options) {
         return kInterrupted;
     }
     if (options.json)
-        fmt::print("{}\n", scalingJson(*series).dump(2));
+        say("{}\n", scalingJson(*series).dump(2));
     else
         printScaling(*series);
     return kDone;

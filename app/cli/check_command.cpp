@@ -40,7 +40,7 @@ void printRows(const std::vector<std::vector<std::string>>& rows) {
     for (const auto& row : rows) {
         std::string line;
         for (std::size_t i = 0; i < row.size(); ++i) line += padded(row[i], widths[i] + 2);
-        fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+        say("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
     }
 }
 
@@ -81,7 +81,7 @@ void printList(const pipeline::check::Filter& filter) {
 }
 
 void print(const pipeline::Json& json) {
-    fmt::print("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+    say("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
 }
 
 void printResults(std::vector<CaseResult> results, double seconds) {
@@ -91,8 +91,8 @@ void printResults(std::vector<CaseResult> results, double seconds) {
         rows.push_back({std::string(r.what->id), std::string(r.what->title), r.naiveText(), r.oursText(), r.boundText(),
                         std::string(name(r.what->outcome)), r.holds ? "holds" : "breaks: " + r.reason});
     printRows(rows);
-    fmt::print("\n{} of {} hold, in {:.2f} s\n", std::ranges::count(results, true, &CaseResult::holds), results.size(),
-               seconds);
+    say("\n{} of {} hold, in {:.2f} s\n", std::ranges::count(results, true, &CaseResult::holds), results.size(),
+        seconds);
 }
 
 int runCheck(const CheckOptions& options) {

@@ -11,6 +11,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/message.h"
+#include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/core/version.h"
 
@@ -91,9 +92,9 @@ int runCli(int argc, const char* const* argv, const CliHost& host) {
             program.exit(error);
             return flushed(kDone);
         }
-        tell("shadescope: {}\nRun shadescope --help to see what there is.\n", error.what());
+        tell("shadescope: {}\nRun shadescope --help to see what there is.\n", pipeline::escaped(error.what()));
         return kWrongUsage;
-    } catch (const std::system_error& error) {  // fmt::print has no other way to say that it could not
+    } catch (const std::system_error& error) {  // say() has no other way
         // A thread that cannot begin has no memory for its stack.
         if (error.code() == std::errc::resource_unavailable_try_again) throw std::bad_alloc();
         return couldNotWrite(error.code().value());

@@ -66,7 +66,7 @@ int inspectTable(std::shared_ptr<const pipeline::Scene> scene, const InspectOpti
         return kWrongUsage;
     const auto id = pipeline::findTable(options.table).value();  // CLI11 has checked both words
     const auto format = std::ranges::find(pipeline::kTableFormats, options.format);
-    const auto write = [](std::string_view text) { fmt::print("{}", text); };
+    const auto write = [](std::string_view text) { say("{}", text); };
     const pipeline::FramePtr frame = frameOf(std::move(scene), options);
     if (!frame) return cancelled();
     const pipeline::SceneTable table = sceneTable(frame, id);
@@ -105,12 +105,12 @@ int printWhere(const std::shared_ptr<const pipeline::Scene>& scene, const Inspec
         for (const glm::ivec2 pixel : pixels) list.push_back({pixel.x, pixel.y});
         const pipeline::Json all{
             {"condition", condition->text}, {"count", mask->count}, {"drawn", mask->drawn}, {"pixels", list}};
-        fmt::print("{}\n", all.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+        say("{}\n", all.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
         return kDone;
     }
-    fmt::print("{} of {} pixels where something was drawn\n", mask->count, mask->drawn);
-    for (const glm::ivec2 pixel : pixels) fmt::print("{},{}\n", pixel.x, pixel.y);
-    if (mask->count > most) fmt::print("and {} more; --json lists all\n", mask->count - most);
+    say("{} of {} pixels where something was drawn\n", mask->count, mask->drawn);
+    for (const glm::ivec2 pixel : pixels) say("{},{}\n", pixel.x, pixel.y);
+    if (mask->count > most) say("and {} more; --json lists all\n", mask->count - most);
     return kDone;
 }
 
@@ -128,12 +128,11 @@ int printRow(const std::shared_ptr<const pipeline::Scene>& scene, const InspectO
     const auto section = shadedSection(frame, row, options.threads, options.stop);
     if (!section) return cancelled();
     if (options.json)
-        fmt::print("{}\n", toJson(*section).dump(2));
+        say("{}\n", toJson(*section).dump(2));
     else if (options.format == "svg")
-        fmt::print("{}",
-                   plotSvg(layOut(pipeline::ScanlinePlot{&*section}, {1200, 600, 16}), pipeline::PlotTheme::Light));
+        say("{}", plotSvg(layOut(pipeline::ScanlinePlot{&*section}, {1200, 600, 16}), pipeline::PlotTheme::Light));
     else
-        fmt::print("{}", sectionCsv(*section));
+        say("{}", sectionCsv(*section));
     return kDone;
 }
 
@@ -150,7 +149,7 @@ int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const Insp
         pipeline::Json light{{"light", k}};
         if (const std::string why = whyNoShadowVerdicts(*scene, k); !why.empty()) {
             light["why"] = why;
-            if (!options.json) fmt::print("light {}: {}\n", k, why);
+            if (!options.json) say("light {}: {}\n", k, why);
             lights.push_back(light);
             continue;
         }
@@ -160,21 +159,20 @@ int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const Insp
         light["judged"] = verdicts.judged();
         light["elsewhere"] = verdicts.elsewhere;
         if (!options.json)
-            fmt::print("light {}: {} against exact rays\n", k,
-                       pipeline::plural(std::int64_t(verdicts.judged()), "pixel"));
+            say("light {}: {} against exact rays\n", k, pipeline::plural(std::int64_t(verdicts.judged()), "pixel"));
         for (std::size_t v = 0; v < pipeline::kShadowVerdictCount; ++v) {
             const pipeline::ShadowVerdictInfo& info = pipeline::shadowVerdictTable()[v];
             light[std::string(info.name)] = verdicts.counts[v];
             if (options.json) continue;
-            fmt::print("  {:<9}{:>8} {:>7.2f} %  {}\n", info.name, verdicts.counts[v],
-                       verdicts.percent(pipeline::ShadowVerdict(v)), info.meaning);
+            say("  {:<9}{:>8} {:>7.2f} %  {}\n", info.name, verdicts.counts[v],
+                verdicts.percent(pipeline::ShadowVerdict(v)), info.meaning);
         }
         if (verdicts.elsewhere > 0 && !options.json)
-            fmt::print("  {} at outlines, where the ray meets another object\n",
-                       pipeline::plural(std::int64_t(verdicts.elsewhere), "pixel"));
+            say("  {} at outlines, where the ray meets another object\n",
+                pipeline::plural(std::int64_t(verdicts.elsewhere), "pixel"));
         lights.push_back(light);
     }
-    if (options.json) fmt::print("{}\n", lights.dump(2));
+    if (options.json) say("{}\n", lights.dump(2));
     return kDone;
 }
 
@@ -202,14 +200,14 @@ int runInspect(InspectOptions options) {
     if (format != pipeline::kEquationFormats.begin()) {  // text is all that is known
         if (!report.covered) tell("pixel {}, {} shows the background: it has no equation\n", pixel->x, pixel->y);
         for (int channel = 0; channel < 3; ++channel)
-            fmt::print("{}", equationText(equation(frame->scene(), report, channel),
-                                          pipeline::EquationFormat(format - pipeline::kEquationFormats.begin())));
+            say("{}", equationText(equation(frame->scene(), report, channel),
+                                   pipeline::EquationFormat(format - pipeline::kEquationFormats.begin())));
         return kDone;
     }
     if (options.json)
-        fmt::print("{}\n", toJson(*frame, report).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+        say("{}\n", toJson(*frame, report).dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
     else
-        fmt::print("{}", toText(*frame, report));
+        say("{}", toText(*frame, report));
     return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 
+#include "app/cli/message.h"
 #include "pipeline/core/sample.h"
 #include "pipeline/run/runner.h"
 
@@ -58,17 +59,17 @@ std::optional<LeaveOutTimes> measureLeavingOut(const pipeline::Scene& scene, con
 }
 
 void printLeaveOutHead(std::size_t nameWidth) {
-    fmt::print("{:<{}} {:>9} {:>9} {:>6} {:>9}   {:<23} {:<23} {:<23} {}\n", "", nameWidth, "with ms", "without",
-               "times", "deciding", "light evaluations", "powers", "shadow look-ups", "buffers MB");
+    say("{:<{}} {:>9} {:>9} {:>6} {:>9}   {:<23} {:<23} {:<23} {}\n", "", nameWidth, "with ms", "without", "times",
+        "deciding", "light evaluations", "powers", "shadow look-ups", "buffers MB");
 }
 
 void printLeaveOutRow(const LeaveOutTimes& times, std::size_t nameWidth) {
     const double with = median(times.with), without = median(times.without);
-    fmt::print("{:<{}} {:>9.3f} {:>9.3f} {:>6.2f} {:>8.2f}%  ", times.withFrame->scene().name, nameWidth, with, without,
-               ratio(times), 100 * median(times.deciding) / with);
+    say("{:<{}} {:>9.3f} {:>9.3f} {:>6.2f} {:>8.2f}%  ", times.withFrame->scene().name, nameWidth, with, without,
+        ratio(times), 100 * median(times.deciding) / with);
     for (const std::string_view what : kCounters)
-        fmt::print(" {:<23}", fmt::format("{} of {}", done(*times.withFrame, what), done(*times.withoutFrame, what)));
-    fmt::print(" {:.1f} of {:.1f}\n", megabytes(*times.withFrame), megabytes(*times.withoutFrame));
+        say(" {:<23}", fmt::format("{} of {}", done(*times.withFrame, what), done(*times.withoutFrame, what)));
+    say(" {:.1f} of {:.1f}\n", megabytes(*times.withFrame), megabytes(*times.withoutFrame));
 }
 
 pipeline::Json leaveOutJson(const LeaveOutTimes& times) {

@@ -17,7 +17,7 @@ namespace {
 
 using pipeline::Json;
 
-void printJson(const Json& json) { fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace)); }
+void printJson(const Json& json) { say("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace)); }
 
 int listLessons(bool json) {
     const lessons::Library library = lessons::allLessons();
@@ -33,8 +33,8 @@ int listLessons(bool json) {
         printJson(list);
     } else {
         for (const lessons::Lesson& lesson : library.lessons)
-            fmt::print("{:<16} {}. {}, {} pages. {}\n", lesson.name, lesson.title, lesson.lecture, lesson.pages.size(),
-                       lesson.summary);
+            say("{:<16} {}. {}, {} pages. {}\n", lesson.name, lesson.title, lesson.lecture, lesson.pages.size(),
+                lesson.summary);
     }
     return library.errors.empty() ? kDone : kBadInput;
 }
@@ -62,10 +62,10 @@ Json pageJson(const lessons::Page& page, const pipeline::Frame& frame, pipeline:
 
 // As Markdown: headings, texts, questions.
 void printPages(const lessons::Lesson& lesson, const Json& pages) {
-    fmt::print("# {}\n\n{}\n", lesson.title, lesson.summary);
+    say("# {}\n\n{}\n", lesson.title, lesson.summary);
     for (const Json& page : pages) {
-        fmt::print("\n## {}\n\n{}\n", page["heading"].get<std::string>(), page["text"].get<std::string>());
-        if (!page["question"].is_null()) fmt::print("\n{}\n", page["question"]["text"].get<std::string>());
+        say("\n## {}\n\n{}\n", page["heading"].get<std::string>(), page["text"].get<std::string>());
+        if (!page["question"].is_null()) say("\n{}\n", page["question"]["text"].get<std::string>());
     }
 }
 

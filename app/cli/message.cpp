@@ -3,9 +3,26 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <system_error>
+
+#include "pipeline/core/printable.h"
 
 namespace app {
+
+void writeEscaped(std::string_view text, std::FILE* to) {
+    const std::string escaped = pipeline::escapedLines(text);
+    std::fwrite(escaped.data(), 1, escaped.size(), to);
+}
+
+void sayText(std::string_view text) {
+    errno = 0;
+    writeEscaped(text, stdout);
+    if (std::ferror(stdout) != 0) throw std::system_error(errno != 0 ? errno : EIO, std::generic_category());
+}
+
+void clearLine() { std::fputs("\r\x1b[K", stderr); }
 
 void keepStandardFiles() {
     // open() gives the lowest free number, so that these are filled from below.

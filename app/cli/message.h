@@ -3,17 +3,31 @@
 
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace app {
 
+// All that the program prints goes through here. What no terminal should get (control characters and what turns the
+// direction of writing; names, paths and the words of libraries may hold it) is escaped, see pipeline/core/printable.h.
+void writeEscaped(std::string_view text, std::FILE* to);  // what it could not write the stream's error says
+
 // A message for standard error. One that cannot be written changes nothing: the exit status has been decided by what
-// happened, not by who could be told. (fmt::print throws there.)
+// happened, not by who could be told.
 template <class... Args>
 void tell(fmt::format_string<Args...> text, Args&&... args) {
-    const std::string line = fmt::format(text, std::forward<Args>(args)...);
-    std::fwrite(line.data(), 1, line.size(), stderr);
+    writeEscaped(fmt::format(text, std::forward<Args>(args)...), stderr);
 }
+
+// What was asked for, on standard output. Throws std::system_error where it cannot be written.
+void sayText(std::string_view text);
+template <class... Args>
+void say(fmt::format_string<Args...> text, Args&&... args) {
+    sayText(fmt::format(text, std::forward<Args>(args)...));
+}
+
+// Empties the line of a terminal that the cursor is in.
+void clearLine();
 
 // What the caller has closed of standard input, output and error stays taken by a file that can be neither read nor
 // written as it should: else the next file that is opened would get its number, and what is said its bytes.

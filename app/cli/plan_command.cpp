@@ -34,14 +34,14 @@ std::string reason(std::string text, const std::string& saves, std::optional<pip
 
 // What the stages did, and what rules left out while they ran.
 void printCounts(const pipeline::Frame& frame) {
-    fmt::print("\nCounts\n");
+    say("\nCounts\n");
     for (const pipeline::StageId stage : pipeline::kStages) {
         if (!frame.run(stage).counts.empty())
-            fmt::print("{} {:<22} {}\n", index(stage) + 1, stageInfo(stage).name, frame.run(stage).counts);
+            say("{} {:<22} {}\n", index(stage) + 1, stageInfo(stage).name, frame.run(stage).counts);
         for (const pipeline::Tally& tally : frame.run(stage).tallies) {
-            fmt::print("    {:<20} {}", tally.what, tally.done);
-            if (tally.leftOut > 0) fmt::print(", {} left out [{}]", tally.leftOut, name(*tally.rule));
-            fmt::print("\n");
+            say("    {:<20} {}", tally.what, tally.done);
+            if (tally.leftOut > 0) say(", {} left out [{}]", tally.leftOut, name(*tally.rule));
+            say("\n");
         }
     }
 }
@@ -65,20 +65,19 @@ void printPlan(const pipeline::Scene& scene, const pipeline::Plan& plan, const W
         const auto ref = findSetting(scene, key).value();
         return formatSetting(ref, ref.get(scene));
     };
-    fmt::print("{}, {} × {}, {}, {}\n\n", scene.name, settings.width, settings.height, choice("precision"),
-               choice("shading"));
+    say("{}, {} × {}, {}, {}\n\n", scene.name, settings.width, settings.height, choice("precision"), choice("shading"));
     for (const pipeline::PlanStep& step : plan) {
-        fmt::print("{} {:<22} {:<9} {}\n", index(step.stage) + 1, stageInfo(step.stage).name, name(step.action),
-                   reason(step.why, {}, step.rule));
+        say("{} {:<22} {:<9} {}\n", index(step.stage) + 1, stageInfo(step.stage).name, name(step.action),
+            reason(step.why, {}, step.rule));
         for (const pipeline::PlanPart& part : step.parts)
-            fmt::print("    {:<20} {:<9} {}\n", part.name, name(part.action), reason(part.why, part.saves, part.rule));
+            say("    {:<20} {:<9} {}\n", part.name, name(part.action), reason(part.why, part.saves, part.rule));
     }
     const auto left = buffersLeftOut(scene, wanted);
-    if (!left.empty()) fmt::print("\nBuffers left out unless asked for by name\n");
-    for (const auto& [buffer, why] : left) fmt::print("    {:<20} {}\n", buffer, why);
+    if (!left.empty()) say("\nBuffers left out unless asked for by name\n");
+    for (const auto& [buffer, why] : left) say("    {:<20} {}\n", buffer, why);
     const auto remarks = frame ? frameRemarks(*frame) : sceneRemarks(scene);
-    if (!remarks.empty()) fmt::print("\nRemarks\n");
-    for (const pipeline::Remark& remark : remarks) fmt::print("    {:<20} {}\n", remark.about, remark.text);
+    if (!remarks.empty()) say("\nRemarks\n");
+    for (const pipeline::Remark& remark : remarks) say("    {:<20} {}\n", remark.about, remark.text);
     if (frame && counts) printCounts(*frame);
 }
 
@@ -96,7 +95,7 @@ void printPlanAsJson(const pipeline::Scene& scene, const pipeline::Plan& plan, c
             json["plan"][index(stage)]["counts"] = frame->run(stage).counts;
             json["plan"][index(stage)]["tallies"] = toJson(frame->run(stage).tallies);
         }
-    fmt::print("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+    say("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
 }
 
 // The frame up to its polygons' verdicts, which say why nothing would be seen; null where it does not fit into memory.

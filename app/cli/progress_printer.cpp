@@ -23,7 +23,7 @@ ProgressPrinter::ProgressPrinter(std::string what)
 ProgressPrinter::~ProgressPrinter() { end(); }
 
 void ProgressPrinter::end() {
-    if (std::exchange(m_shown, false)) tell("\r\x1b[K");
+    if (std::exchange(m_shown, false)) clearLine();
 }
 
 void ProgressPrinter::show(std::size_t done, std::size_t all, std::string_view now) {
@@ -38,10 +38,8 @@ void ProgressPrinter::show(std::size_t done, std::size_t all, std::string_view n
     if (done > 0)
         text +=
             fmt::format("; {} left", timeLeftText(spent * static_cast<double>(all - done) / static_cast<double>(done)));
-    if (m_terminal)
-        tell("\r\x1b[K{}", text);
-    else
-        tell("{}\n", text);
+    if (m_terminal) clearLine();
+    tell("{}{}", text, m_terminal ? "" : "\n");
     std::fflush(stderr);
     m_shown = m_terminal;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/message.h"
 #include "pipeline/run/runner.h"
 
 namespace app {
@@ -85,18 +86,18 @@ double growthExponent(const std::vector<double>& sizes, const std::vector<double
 
 void printScaling(const std::array<ScalingSeries, 2>& series) {
     for (const ScalingSeries& one : series) {
-        fmt::print("{:<14}", one.over);
-        for (const double size : one.sizes) fmt::print(" {:>10.0f}", size);
-        fmt::print("   exponent\n");
+        say("{:<14}", one.over);
+        for (const double size : one.sizes) say(" {:>10.0f}", size);
+        say("   exponent\n");
         const auto row = [&](std::string_view name, const std::vector<double>& times) {
             if (times.size() != one.sizes.size()) return;
-            fmt::print("{:<14}", name);
-            for (const double time : times) fmt::print(" {:>10.3f}", time);
-            fmt::print("   {:.2f}\n", growthExponent(one.sizes, times));
+            say("{:<14}", name);
+            for (const double time : times) say(" {:>10.3f}", time);
+            say("   {:.2f}\n", growthExponent(one.sizes, times));
         };
         for (const StageId stage : kStages) row(stageInfo(stage).name, one.stages[index(stage)]);
         row("frame, ms", one.frame);
-        fmt::print("\n");
+        say("\n");
     }
 }
 

@@ -201,9 +201,9 @@ int reportStudy(const StudyReport& report, pipeline::StudyLimits limits,
     }
     if (!inDoubt.empty()) tell("{}: {}; the study there was replaced\n", folder.string(), inDoubt);
     if (json)
-        fmt::print("{}", studyFileText(report));
+        say("{}", studyFileText(report));
     else
-        fmt::print("{}", studyText(report, analysis, limits));
+        say("{}", studyText(report, analysis, limits));
     tell("{} are in {}\n", fmt::join(*written, ", "), folder.string());
     if (hasNone) tell("No point of the study has both a time and an error: {}\n", whyNoPoint(analysis));
     return isNo ? kAnswerIsNo : kDone;

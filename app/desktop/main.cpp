@@ -1,6 +1,5 @@
 // The program: a command, or the window.
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <new>
@@ -33,7 +32,7 @@ app::CliHost makeHost() {
 constexpr std::string_view kNoSession = "--no-session";
 
 int refuse(const std::string& message) {
-    std::fputs(("shadescope: " + message + "\nRun shadescope --help to see what there is.\n").c_str(), stderr);
+    app::tell("shadescope: {}\nRun shadescope --help to see what there is.\n", message);
     return app::kWrongUsage;
 }
 
@@ -45,7 +44,13 @@ bool hasDisplay() {
     return false;
 }
 
+// What Qt and its readers of pictures have to say may quote a file.
+void tellOfQt(QtMsgType kind, const QMessageLogContext& context, const QString& message) {
+    app::tell("{}\n", qFormatLogMessage(kind, context, message).toStdString());
+}
+
 int openWindow(int argc, char** argv, const std::string& file, const app::CueName& cue, bool session) {
+    qInstallMessageHandler(tellOfQt);
     if (!hasDisplay()) return refuse("there is no display for the window; the commands need none");
     app::onlyThrowWhenOutOfMemory();
     return app::runWindow(argc, argv,
@@ -56,8 +61,7 @@ int openWindow(int argc, char** argv, const std::string& file, const app::CueNam
 }
 #else
 int openWindow(int, char**, const std::string&, const app::CueName&, bool) {
-    std::fputs("shadescope: this build has no window\n\n", stderr);
-    std::fputs(app::helpText(makeHost()).c_str(), stderr);
+    app::tell("shadescope: this build has no window\n\n{}", app::helpText(makeHost()));
     return app::kWrongUsage;
 }
 #endif
@@ -72,7 +76,7 @@ int present(int argc, char** argv, bool session) {
                        : cue.name.empty() ? pipeline::Result<std::size_t>(0)
                                           : findCue(*list, cue.name);
     if (found) return openWindow(1, argv, {}, cue, session);
-    std::fputs(format(found.errors()).c_str(), stderr);
+    app::tell("{}", format(found.errors()));
     return app::kBadInput;
 }
 

@@ -1,16 +1,18 @@
 #include "pipeline/core/result.h"
 
+#include "pipeline/core/printable.h"
+
 namespace pipeline {
 
 std::string format(const Error& error) {
-    std::string text = error.where.file;
+    std::string text = escaped(error.where.file);
     if (error.where.line > 0) {
         text += ':' + std::to_string(error.where.line);
         if (error.where.column > 0) text += ':' + std::to_string(error.where.column);
     }
     if (!text.empty()) text += ": ";
-    text += error.found;
-    if (!error.expected.empty()) text += ", expected " + error.expected;
+    text += escaped(error.found);
+    if (!error.expected.empty()) text += ", expected " + escaped(error.expected);
     return text;
 }
 

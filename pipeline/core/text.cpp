@@ -9,6 +9,8 @@
 #include <numeric>
 #include <vector>
 
+#include "pipeline/core/printable.h"
+
 namespace pipeline {
 
 std::string shortestText(double value) {
@@ -39,17 +41,12 @@ std::string textBeyond(double value, double bound) {
 
 std::string inQuotes(std::string_view words) {
     constexpr std::size_t kLongest = 60;
-    std::string text = "\"";
-    for (const char c : words.substr(0, kLongest)) {
-        const auto code = static_cast<unsigned char>(c);
-        text += code < 0x20 || code == 0x7f ? '?' : c;
-    }
-    if (words.size() > kLongest) {
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
-        if (static_cast<unsigned char>(text.back()) >= 0xc0) text.pop_back();  // no half of a UTF-8 character
-        text += "…";
-    }
-    return text + '"';
+    if (words.size() <= kLongest) return '"' + escaped(words) + '"';
+    std::string_view start = words.substr(0, kLongest);
+    while (!start.empty() && (static_cast<unsigned char>(start.back()) & 0xc0) == 0x80) start.remove_suffix(1);
+    if (!start.empty() && static_cast<unsigned char>(start.back()) >= 0xc0)
+        start.remove_suffix(1);  // no half character
+    return '"' + escaped(start) + "…\"";
 }
 
 std::string plural(std::int64_t count, std::string_view noun) {

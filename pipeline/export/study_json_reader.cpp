@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/study_json.h"
 #include "pipeline/formats/json_error.h"
@@ -43,11 +44,12 @@ public:
     void eachMember(const auto& visit) const {
         if (!m_json) return;
         if (!m_json->is_object()) return refuse("an object");
-        for (const auto& [key, member] : m_json->items()) visit(key, inner(&member, key));
+        for (const auto& [key, member] : m_json->items()) visit(escaped(key), inner(&member, key));
     }
 
+    // Tables, plots and pages show it: what cannot be shown is escaped.
     std::string text() const {
-        if (m_json && m_json->is_string()) return m_json->get<std::string>();
+        if (m_json && m_json->is_string()) return escaped(m_json->get_ref<const std::string&>());
         refuse("a text");
         return {};
     }

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "pipeline/core/printable.h"
+
 namespace pipeline {
 namespace {
 
@@ -38,30 +40,6 @@ bool isTiny(std::string_view number) {
         if (negative) exponent = -exponent;
     }
     return exponent + position < 0;
-}
-
-// The length of the UTF-8 character that `text` begins with; 0 where it begins with none that
-// can be shown: control characters, marks that turn the direction of writing, broken sequences.
-std::size_t printableLength(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t length = byte(0) < 0x80   ? 1
-                               : byte(0) < 0xC2 ? 0
-                               : byte(0) < 0xE0 ? 2
-                               : byte(0) < 0xF0 ? 3
-                               : byte(0) < 0xF5 ? 4
-                                                : 0;
-    if (length == 0 || length > text.size()) return 0;
-    std::uint32_t code = length == 1 ? byte(0) : byte(0) & (0x7Fu >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        if (!continuesCharacter(text[i])) return 0;
-        code = code << 6 | (byte(i) & 0x3Fu);
-    }
-    const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-    const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
-    const bool invisible = (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
-                           (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF;
-    const bool noCharacter = (code >= 0xD800 && code < 0xE000) || code > 0x10FFFF;
-    return overlong || control || invisible || noCharacter ? 0 : length;
 }
 
 }  // namespace

@@ -149,13 +149,43 @@ Breaches misplacedToolkits(const SourceTree& tree) {
     });
 }
 
+// Writing to a string is not printing: fmt::format passes.
+static const std::regex kPrinting(
+    R"(#\s*include\s*<iostream>|\bstd::c(out|err|log)\b|\b(f|v|vf)?printf\s*\(|\bf?puts\s*\(|\bfmt::print\b)");
+
+Breaches printingPastMessages(const SourceTree& tree) {
+    Breaches breaches;
+    findLines(
+        tree,
+        [](const std::string& path) {
+            return (path.starts_with("app/") || path.starts_with("lessons/")) && path != "app/cli/message.cpp";
+        },
+        kPrinting, "what is printed goes through app/cli/message.h", breaches);
+    return breaches;
+}
+
+Breaches markupInNewPlaces(const SourceTree& tree) {
+    static const std::set<std::string> known{"app/core/application.h",         "app/core/application.cpp",
+                                             "app/core/style_sheet.cpp",       "app/panels/why_section.cpp",
+                                             "app/panels/terms_section.cpp",   "app/panels/region_panel.cpp",
+                                             "app/panels/inspector_panel.cpp", "app/panels/setting_row.cpp",
+                                             "app/panels/settings_panel.cpp",  "app/panels/buffer_view_layout.cpp",
+                                             "app/desktop/status_line.cpp",    "app/panels/prose_view.cpp",
+                                             "app/panels/prose_view.h",        "app/desktop/manual_window.cpp",
+                                             "app/desktop/manual_window.h"};
+    static const std::regex markup(
+        R"(Qt::(RichText|MarkdownText|AutoText)|\b(setHtml|insertHtml|fromHtml|setMarkdown|fromMarkdown)\b|\bQ(TextBrowser|StaticText)\b)");
+    Breaches breaches;
+    findLines(
+        tree, [](const std::string& path) { return path.starts_with("app/") && !known.contains(path); }, markup,
+        "a text of a file is shown as it is", breaches);
+    return breaches;
+}
+
 Breaches impurePipeline(const SourceTree& tree) {
     Breaches breaches;
-    // Writing to a string is not printing: fmt::format passes.
-    static const std::regex printing(
-        R"(#\s*include\s*<iostream>|\bstd::c(out|err|log)\b|\b(f|v|vf)?printf\s*\(|\bf?puts\s*\(|\bfmt::print\b)");
     findLines(
-        tree, [](const std::string& path) { return path.starts_with("pipeline/"); }, printing,
+        tree, [](const std::string& path) { return path.starts_with("pipeline/"); }, kPrinting,
         "the pipeline does not print", breaches);
     static const std::regex scheduling(
         R"(#\s*include\s*(<(thread|mutex|atomic|future|condition_variable)>|[<"](oneapi/)?tbb/|"pipeline/(run|plan)/))");

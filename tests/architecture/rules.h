@@ -19,6 +19,10 @@ Breaches panelsIncludingPanels(const SourceTree& tree);
 Breaches misplacedToolkits(const SourceTree& tree);
 // The pipeline does not print. Its stages know no threads, plan or runner.
 Breaches impurePipeline(const SourceTree& tree);
+// app/cli/message.cpp alone prints: it escapes what no terminal should get.
+Breaches printingPastMessages(const SourceTree& tree);
+// Texts come from files. Markup is read only where a file of this list builds it and escapes what it puts in.
+Breaches markupInNewPlaces(const SourceTree& tree);
 // Numbers are written by {fmt} and read by from_chars or Qt, which know no locale: in many of them a comma stands where
 // files and texts have a point.
 Breaches numbersOfALocale(const SourceTree& tree);

@@ -100,6 +100,23 @@ TEST(Architecture, ThePipelineIsPure) {
     expectKept(impurePipeline(project()));
 }
 
+TEST(Architecture, WhatIsPrintedIsEscaped) {
+    expectOne(printingPastMessages({{"app/cli/plan.cpp", {"fmt::print(\"{}\", name);"}}}), "app/cli/plan.cpp:1:");
+    expectOne(printingPastMessages({{"app/desktop/main.cpp", {"std::fputs(text, stderr);"}}}),
+              "app/desktop/main.cpp:1:");
+    expectKept(printingPastMessages({{"app/cli/message.cpp", {"std::fputs(text, stderr);"}}}));
+    expectKept(printingPastMessages(project()));
+}
+
+TEST(Architecture, MarkupStandsInKnownPlaces) {
+    expectOne(markupInNewPlaces({{"app/panels/cue_panel.cpp", {"label->setTextFormat(Qt::RichText);"}}}),
+              "app/panels/cue_panel.cpp:1:");
+    expectOne(markupInNewPlaces({{"app/core/table_model.cpp", {"document.setHtml(text);"}}}),
+              "app/core/table_model.cpp:1:");
+    expectKept(markupInNewPlaces({{"app/core/table_model.cpp", {"label->setTextFormat(Qt::PlainText);"}}}));
+    expectKept(markupInNewPlaces(project()));
+}
+
 TEST(Architecture, NumbersAreTheSameInEveryLocale) {
     expectOne(numbersOfALocale({{"lessons/value.cpp", {"std::snprintf(buffer, size, \"%g\", x);"}}}),
               "lessons/value.cpp:1:");

@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/core/printable.h"
+#include "pipeline/core/result.h"
+
 namespace pipeline {
 namespace {
 
@@ -37,10 +40,26 @@ TEST(TextBeyond, ReadsAsAnotherNumberThanTheBound) {
 }
 
 TEST(InQuotes, KeepsAMessageOnOneLineAndUtf8Whole) {
-    EXPECT_EQ(inQuotes("a\nb\x1b[31m"), "\"a?b?[31m\"");
+    EXPECT_EQ(inQuotes("a\nb\x1b[31m"), "\"a\\x0ab\\x1b[31m\"");
     // 59 letters, then a character of two bytes: it does not fit and goes as a whole.
     const std::string kept(59, 'x');
     EXPECT_EQ(inQuotes(kept + "ρ!"), fmt::format("\"{}…\"", kept));
+}
+
+// U+009B is C1's start of a command, U+202E turns the direction of writing, U+200B takes no room.
+TEST(Escaped, LeavesNothingThatATerminalObeys) {
+    EXPECT_EQ(escaped("plain, ρ — 日本 \\x1b"), "plain, ρ — 日本 \\x1b");
+    EXPECT_EQ(escaped("a\x1b[31mb\nc\t\x7f"), "a\\x1b[31mb\\x0ac\\x09\\u007f");
+    EXPECT_EQ(escaped("\xc2\x9b\xe2\x80\xae\xe2\x80\x8b\xef\xbb\xbf"), "\\u009b\\u202e\\u200b\\ufeff");
+    EXPECT_EQ(escaped("\xff\xc3|\xed\xa0\x80|\xc0\xaf"), "\\xff\\xc3|\\xed\\xa0\\x80|\\xc0\\xaf") << "no UTF-8";
+    EXPECT_EQ(escaped(std::string_view("\0", 1)), "\\x00");
+    EXPECT_EQ(escapedLines("a\nb\tc\rd"), "a\nb\tc\\x0dd");
+    EXPECT_EQ(escaped(escaped("\x1b")), escaped("\x1b")) << "once is enough";
+}
+
+TEST(ErrorText, IsALineWhateverIsInIt) {
+    const Error error{{"a\nb", 2, 3}, "this is not TOML: \"tr\nx\x1b[31m\"", "a\nline"};
+    EXPECT_EQ(format(error), "a\\x0ab:2:3: this is not TOML: \"tr\\x0ax\\x1b[31m\", expected a\\x0aline");
 }
 
 TEST(EditDistance, CountsChangesAdditionsAndRemovals) {
