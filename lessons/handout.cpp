@@ -25,6 +25,7 @@ main { max-width: 50rem; margin: 0 auto; padding: 2rem 1.25rem 4rem; }
 h1 { font-size: 1.75rem; line-height: 1.2; margin: 0 0 .25rem; }
 h2 { font-size: 1.25rem; margin: 0 0 .5rem; }
 p, ul, ol { margin: .5rem 0; } ul, ol { padding-left: 1.4rem; }
+img { max-width: 100%; }
 code { font: .85em "JetBrains Mono", ui-monospace, monospace; }
 blockquote { margin: .5rem 0; padding-left: 1rem; border-left: 3px solid #D0D5DC; }
 .lecture, footer { color: #4A525D; font-size: .875rem; }
@@ -81,13 +82,14 @@ std::string equationHtml(const Page& page, const pipeline::Frame& frame, const s
 // Takes up the pages, and what could not be filled in.
 class Writer {
 public:
-    explicit Writer(const Lesson& lesson) : m_lesson(lesson) {}
+    explicit Writer(const Lesson& lesson) : m_lesson(lesson), m_pictures(lesson.folder) {}
 
     void add(const Page& page, std::size_t number, const pipeline::Frame& frame, const std::stop_token& stop) {
         m_pages += "<section>\n" + headingOf(page, number) + "\n<div class=pictures>\n";
         const pipeline::Tile part = partToShow(frame, page.state.buffers, page.state.pixel);
         for (const pipeline::BufferName& buffer : page.state.buffers)
             m_pages += figureHtml(frame, buffer, part, page.state.pixel);
+        m_page = &page;
         m_pages += "</div>\n" + html(page.text, frame) + equationHtml(page, frame, stop);
         if (page.question) ask(page, number, frame);
         m_pages += "</section>\n";
@@ -102,13 +104,29 @@ public:
         const std::string pages = document(m_lesson, "", head + m_pages + hints);
         const std::string answers =
             document(m_lesson, ": answers", m_answers.empty() ? "<p>This lesson asks nothing.</p>\n" : m_answers);
-        return Handout{pages, answers + fmt::format("<!-- Answers to a handout of {} bytes, SHA-256 {} -->\n",
-                                                    pages.size(), pipeline::sha256Of(pages))};
+        return Handout{pages,
+                       answers + fmt::format("<!-- Answers to a handout of {} bytes, SHA-256 {} -->\n", pages.size(),
+                                             pipeline::sha256Of(pages)),
+                       leftOut()};
     }
 
 private:
+    pipeline::Errors leftOut() const {
+        pipeline::Errors all = m_leftOut;
+        if (m_leftOutCount > all.size())
+            all.push_back({{}, fmt::format("{} more pictures are left out", m_leftOutCount - all.size()), {}});
+        return all;
+    }
     std::string html(const Prose& prose, const pipeline::Frame& frame) {
-        return proseHtml(filled(prose, frame, m_errors));
+        pipeline::Errors leftOut;
+        std::string html = proseHtml(filled(prose, frame, m_errors), m_pictures, leftOut);
+        for (pipeline::Error& one : leftOut) {
+            if (m_leftOutCount++ >= pipeline::kMaxErrors) continue;
+            one.where = m_page->where;
+            one.found = "a picture is left out: " + one.found;
+            m_leftOut.push_back(std::move(one));
+        }
+        return html;
     }
 
     void ask(const Page& page, std::size_t number, const pipeline::Frame& frame) {
@@ -130,8 +148,11 @@ private:
     }
 
     const Lesson& m_lesson;
+    const Page* m_page = nullptr;  // the one that is being written
+    Pictures m_pictures;
     std::string m_pages, m_hints, m_answers;
-    pipeline::Errors m_errors;
+    pipeline::Errors m_errors, m_leftOut;
+    std::size_t m_leftOutCount = 0;
 };
 
 }  // namespace

@@ -14,6 +14,9 @@ struct Handout {
     std::string pages;  // for the class: each page's pictures, text, equation and question, with room for an answer
     // For who teaches: each question with its answer. Its last line has the size and the hash of `pages`.
     std::string answers;
+    // The pictures that no lesson may bring along (lessons/picture.h), each with the place of its page. Their words stand
+    // in the text.
+    pipeline::Errors leftOut = {};
 };
 
 // number: of the page whose frame is there, from 0.

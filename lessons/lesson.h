@@ -70,7 +70,8 @@ struct Page {
 };
 
 struct Lesson {
-    std::string name;  // of its folder
+    std::string name;              // of its folder
+    std::filesystem::path folder;  // where its pictures are; empty where it was read from a text
     std::string title, lecture, summary;
     std::vector<Page> pages;  // at least one
 };

@@ -363,8 +363,10 @@ Result<pipeline::Scene> sceneFor(std::string_view name, const std::filesystem::p
     }
     const std::filesystem::path file = std::filesystem::path(name).filename();  // of this folder alone
     std::error_code ignored;
-    if (file == name && std::filesystem::is_regular_file(folder / file, ignored))
-        return pipeline::readScene(folder / file);
+    if (file == name && std::filesystem::is_regular_file(folder / file, ignored)) {
+        const auto inside = pipeline::pathInFolder(folder, name, "lesson");
+        return inside ? pipeline::readScene(folder / file) : inside.errors();
+    }
     return Error{{}, "no scene " + inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
 }
 
@@ -384,6 +386,7 @@ Result<Lesson> readLesson(const std::filesystem::path& folder) {
     Lesson named = std::move(lesson).value();
     std::error_code ignored;
     const std::filesystem::path whole = std::filesystem::absolute(folder, ignored).lexically_normal();  // "." and "x/"
+    named.folder = folder;
     named.name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
     return named;
 }

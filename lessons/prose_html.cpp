@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "pipeline/core/text.h"
 #include "pipeline/export/formula_html.h"
+#include "pipeline/export/html_text.h"
 #include "pipeline/inspect/formula_parts.h"
 
 namespace lessons {
@@ -64,18 +64,24 @@ std::string markVectors(std::string html) {
     return html;
 }
 
-// Whether an address stays within the page and its folder, or leads to one of these at a click.
-bool mayLead(std::string_view address) {
-    if (address.starts_with("//")) return false;
-    const std::size_t colon = address.find_first_of(":/?#");
-    if (colon == address.npos || address[colon] != ':') return true;
-    const std::string_view scheme = address.substr(0, colon);
-    return pipeline::sameLetters(scheme, "https") || pipeline::sameLetters(scheme, "http") ||
-           pipeline::sameLetters(scheme, "mailto");
+// An attribute's value as md4c writes it, with its four entities read.
+std::string unescaped(std::string_view value) {
+    constexpr std::pair<std::string_view, char> kEntities[]{
+        {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}};
+    std::string text;
+    while (!value.empty()) {
+        const auto found =
+            std::ranges::find_if(kEntities, [&](const auto& entity) { return value.starts_with(entity.first); });
+        const bool isEntity = found != std::end(kEntities);
+        text += isEntity ? found->second : value.front();
+        value.remove_prefix(isEntity ? found->first.size() : 1);
+    }
+    return text;
 }
-// A lesson is data: opening its page runs nothing and asks no network. Pictures that lie elsewhere give way to their
-// words, and links that run something are none.
-std::string withoutForeign(std::string_view html) {
+
+// A lesson is data: opening its page runs nothing and asks no network. Its own pictures stand in the page, others give way
+// to their words; a link that leaves the lesson's folder keeps its words alone.
+std::string withoutForeign(std::string_view html, Pictures& pictures, pipeline::Errors& leftOut) {
     constexpr std::string_view kLink = "<a href=\"", kPicture = "<img src=\"", kWords = " alt=\"";
     std::string out;
     while (!html.empty()) {
@@ -85,26 +91,34 @@ std::string withoutForeign(std::string_view html) {
         html.remove_prefix(tag);
         const bool isLink = html.starts_with(kLink);
         const std::string_view rest = html.substr((isLink ? kLink : kPicture).size());
-        const std::string_view address = rest.substr(0, rest.find('"'));
+        const std::string address = unescaped(rest.substr(0, rest.find('"')));
         const std::string_view whole = html.substr(0, html.find('>') + 1);
         html.remove_prefix(whole.size());
-        if (isLink ? mayLead(address) : mayLead(address) && address.find(':') == address.npos)
-            out += whole;
-        else if (isLink)
-            out += "<a>";
-        else if (const std::size_t words = whole.find(kWords); words != whole.npos)
-            out += whole.substr(words + kWords.size(), whole.find('"', words + kWords.size()) - words - kWords.size());
+        if (isLink) {
+            out += linkTarget(address) == LinkTarget::None ? "<a>" : whole;
+            continue;
+        }
+        const std::size_t alt = std::min(whole.find(kWords), whole.size() - kWords.size()) + kWords.size();
+        const std::string_view words = whole.substr(alt, whole.find('"', alt) - alt);
+        const auto picture = pictures.read(address);
+        if (picture) {
+            out.append("<img src=\"").append(pipeline::imageSource(picture->type, picture->bytes));
+            out.append("\" alt=\"").append(words).append("\">");
+        } else {
+            out += words;
+            leftOut.push_back(picture.errors().front());
+        }
     }
     return out;
 }
 
 }  // namespace
 
-std::string proseHtml(std::string_view markdown) {
+std::string proseHtml(std::string_view markdown, Pictures& pictures, pipeline::Errors& leftOut) {
     std::string html;
     constexpr unsigned kFlags = MD_FLAG_TABLES | MD_FLAG_STRIKETHROUGH | MD_FLAG_NOHTML;
     if (md_html(markdown.data(), MD_SIZE(markdown.size()), append, &html, kFlags, 0) != 0) return {};  // no memory
-    return raiseScripts(markVectors(withoutForeign(html)));
+    return withoutForeign(raiseScripts(markVectors(std::move(html))), pictures, leftOut);
 }
 
 }  // namespace lessons

@@ -130,6 +130,7 @@ int exportLesson(const std::string& name, const std::string& folder) {
         printErrors(written.errors());
         return kCouldNotWrite;
     }
+    printErrors(handout->leftOut);
     tell("{} in {}\n", fmt::join(*written, " and "), folder);
     return kDone;
 }

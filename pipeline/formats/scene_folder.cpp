@@ -1,5 +1,7 @@
 #include "pipeline/formats/scene_folder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <memory>
@@ -75,18 +77,6 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
     return inFolder == folder.end();
 }
 
-Result<fs::path> resolve(const fs::path& folder, std::string_view name) {
-    if (!isPrintable(name)) return noPlace("found " + quotedInput(name), "a file name without control characters");
-    const Error outside = noPlace(quotedInput(name) + " leaves the scene's folder; put the file beside the scene");
-    if (fs::path(name).is_absolute()) return outside;
-    std::error_code failed;
-    const fs::path from = fs::weakly_canonical(folder, failed);
-    const fs::path to = failed ? fs::path() : fs::weakly_canonical(from / name, failed);
-    if (failed) return noPlace(quotedInput(name) + " cannot be read");
-    if (!isBelow(to, from)) return outside;
-    return to;
-}
-
 // The path below `folder` whose components are those of `name` but for the case of A to Z; the first in alphabetical order.
 // left: how many entries of folders may still be looked at.
 std::optional<fs::path> inOtherCase(const fs::path& folder, const fs::path& name, std::size_t& left) {
@@ -112,6 +102,19 @@ std::optional<fs::path> inOtherCase(const fs::path& folder, const fs::path& name
 }
 
 }  // namespace
+
+Result<fs::path> pathInFolder(const fs::path& folder, std::string_view name, std::string_view owner) {
+    if (!isPrintable(name)) return noPlace("found " + quotedInput(name), "a file name without control characters");
+    const Error outside =
+        noPlace(fmt::format("{} leaves the {}'s folder; put the file beside the {}", quotedInput(name), owner, owner));
+    if (fs::path(name).is_absolute()) return outside;
+    std::error_code failed;
+    const fs::path from = fs::weakly_canonical(folder, failed);
+    const fs::path to = failed ? fs::path() : fs::weakly_canonical(from / name, failed);
+    if (failed) return noPlace(quotedInput(name) + " cannot be read");
+    if (!isBelow(to, from)) return outside;
+    return to;
+}
 
 Result<std::string> readFile(const fs::path& file, std::size_t limit) {
     Result<std::string> text = readBytes(file, limit + 1);
@@ -162,12 +165,13 @@ FileLoader filesBeside(const fs::path& scene) {
     const fs::path folder = shown.empty() ? fs::path(".") : shown;
     return [shown, folder, left = kMaxSceneBytes,
             entriesLeft = kMaxEntries](std::string_view asked) mutable -> Result<NamedFile> {
-        Result<fs::path> path = resolve(folder, asked);
+        Result<fs::path> path = pathInFolder(folder, asked, "scene");
         if (!path) return path.errors();
         std::string name(asked), otherName;
         if (std::error_code ignored; !fs::exists(*path, ignored))
             if (const auto other = inOtherCase(folder, asked, entriesLeft)) {
-                Result<fs::path> there = resolve(folder, other->string());  // a link may lead out of the folder
+                Result<fs::path> there =
+                    pathInFolder(folder, other->string(), "scene");  // a link may lead out of the folder
                 if (!there) return there.errors();
                 path = std::move(there), name = otherName = other->string();
             }

@@ -65,9 +65,14 @@ Result<NamedFile> openFile(const std::filesystem::path& file);
 // The whole text of a source, of at most kMaxFileBytes.
 Result<std::string> wholeText(const SourceText& source);
 
-// Loads files of the folder that `scene` stands in, or of folders below it; models as openFile does. A name that leads
-// out of the folder, be it by "..", by an absolute path or by a symbolic link, is refused. Where there is no file of that
-// name, but one whose letters are of another case, that is loaded.
+// Where a file stands that `owner` ("scene") names, in its folder or below. A name that leads out of the folder, be it by
+// "..", by an absolute path or by a symbolic link, is refused.
+Result<std::filesystem::path> pathInFolder(const std::filesystem::path& folder, std::string_view name,
+                                           std::string_view owner);
+
+// Loads files of the folder that `scene` stands in, or of folders below it; models as openFile does. Names are
+// looked up as pathInFolder does. Where there is no file of that name, but one whose letters are of another case, that is
+// loaded.
 FileLoader filesBeside(const std::filesystem::path& scene);
 
 }  // namespace pipeline

@@ -2,7 +2,7 @@
 
 #include "lessons/handout_figure.h"
 #include "lessons/library.h"
-#include "lessons/prose_html.h"
+#include "tests/lessons/html_of.h"
 #include "tests/lessons/pyramid_scene.h"
 #include "tests/support/files.h"
 
@@ -17,21 +17,21 @@ std::size_t count(std::string_view text, std::string_view part) {
 bool has(std::string_view text, std::string_view part) { return count(text, part) > 0; }
 
 TEST(ProseHtml, IsWhatTheWindowShowsOfMarkdown) {
-    EXPECT_EQ(proseHtml("*one* **two**"), "<p><em>one</em> <strong>two</strong></p>\n");
-    EXPECT_TRUE(has(proseHtml("- a\n- b\n"), "<li>a</li>"));
-    EXPECT_EQ(proseHtml("***N***·***L***"), "<p><b class=\"vector N\">N</b>·<b class=\"vector L\">L</b></p>\n");
-    EXPECT_EQ(proseHtml("*k_b* (R·V)^n, ρ_0 and FB_b"),
+    EXPECT_EQ(htmlOf("*one* **two**"), "<p><em>one</em> <strong>two</strong></p>\n");
+    EXPECT_TRUE(has(htmlOf("- a\n- b\n"), "<li>a</li>"));
+    EXPECT_EQ(htmlOf("***N***·***L***"), "<p><b class=\"vector N\">N</b>·<b class=\"vector L\">L</b></p>\n");
+    EXPECT_EQ(htmlOf("*k_b* (R·V)^n, ρ_0 and FB_b"),
               "<p><em>k<sub>b</sub></em> (R·V)<sup>n</sup>, ρ<sub>0</sub> and FB<sub>b</sub></p>\n");
-    EXPECT_EQ(proseHtml("(***R***·***V***)^n"),
+    EXPECT_EQ(htmlOf("(***R***·***V***)^n"),
               "<p>(<b class=\"vector R\">R</b>·<b class=\"vector V\">V</b>)<sup>n</sup></p>\n");
 }
 
 // A name in code is no formula, and a lesson brings no elements of its own.
 TEST(ProseHtml, LeavesCodeAloneAndShowsHtmlAsItWasTyped) {
-    EXPECT_EQ(proseHtml("`shadow_buffer.0`"), "<p><code>shadow_buffer.0</code></p>\n");
-    EXPECT_FALSE(has(proseHtml("<script>alert(1)</script> a<b"), "<script"));
-    EXPECT_TRUE(has(proseHtml("a < b & c"), "a &lt; b &amp; c"));
-    EXPECT_FALSE(has(proseHtml("[x](javascript:alert(1)_a)"), "<sub>")) << "what stands in an attribute is no formula";
+    EXPECT_EQ(htmlOf("`shadow_buffer.0`"), "<p><code>shadow_buffer.0</code></p>\n");
+    EXPECT_FALSE(has(htmlOf("<script>alert(1)</script> a<b"), "<script"));
+    EXPECT_TRUE(has(htmlOf("a < b & c"), "a &lt; b &amp; c"));
+    EXPECT_FALSE(has(htmlOf("[x](javascript:alert(1)_a)"), "<sub>")) << "what stands in an attribute is no formula";
 }
 
 class HandoutOfThePyramid : public testing::Test {

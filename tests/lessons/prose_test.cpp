@@ -1,6 +1,6 @@
 #include "lessons/prose.h"
 
-#include "lessons/prose_html.h"
+#include "tests/lessons/html_of.h"
 #include "tests/lessons/pyramid_scene.h"
 
 namespace lessons {
@@ -32,10 +32,9 @@ TEST(ProseText, AHoleThatTheFrameCannotFillIsNamed) {
 
 // A lesson may come from anywhere; its handout runs nothing and asks no network.
 TEST(ProseHtml, LeadsNowhereButAtAClick) {
-    EXPECT_EQ(proseHtml("[a](javascript:alert(1)) ![of b](http://example.org/b.png)"), "<p><a>a</a> of b</p>\n");
-    EXPECT_EQ(proseHtml("![b](//example.org/b.png)[c](data:text/html,x)"), "<p>b<a>c</a></p>\n");
-    EXPECT_EQ(proseHtml("[a](https://example.org/) ![b](b.png)"),
-              "<p><a href=\"https://example.org/\">a</a> <img src=\"b.png\" alt=\"b\"></p>\n");
+    EXPECT_EQ(htmlOf("[a](javascript:alert(1)) ![of b](http://example.org/b.png)"), "<p><a>a</a> of b</p>\n");
+    EXPECT_EQ(htmlOf("![b](//example.org/b.png)[c](data:text/html,x)"), "<p>b<a>c</a></p>\n");
+    EXPECT_EQ(htmlOf("[a](https://example.org/) ![b](b.png)"), "<p><a href=\"https://example.org/\">a</a> b</p>\n");
 }
 
 TEST(ProseText, AnEscapedBraceIsABrace) {

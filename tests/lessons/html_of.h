@@ -1,0 +1,13 @@
+#pragma once
+#include "lessons/prose_html.h"
+
+namespace lessons {
+
+// Of a text without a folder: it has no pictures.
+inline std::string htmlOf(std::string_view markdown) {
+    Pictures none({});
+    pipeline::Errors leftOut;
+    return proseHtml(markdown, none, leftOut);
+}
+
+}  // namespace lessons
