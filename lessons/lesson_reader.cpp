@@ -6,6 +6,7 @@
 
 #include "lessons/lesson.h"
 #include "lessons/text_position.h"
+#include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/scene_reader.h"
@@ -380,8 +381,8 @@ Result<Lesson> readLesson(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / "lesson.md";
     const auto text = pipeline::readFile(file, kMaxLessonBytes);
     if (!text) return pipeline::namedAt({file.string()}, text.errors());
-    auto lesson =
-        parseLesson(*text, file.string(), [&folder](std::string_view name) { return sceneFor(name, folder); });
+    auto lesson = parseLesson(pipeline::escapedControls(*text), file.string(),
+                              [&folder](std::string_view name) { return sceneFor(name, folder); });
     if (!lesson) return lesson;
     Lesson named = std::move(lesson).value();
     std::error_code ignored;

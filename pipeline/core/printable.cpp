@@ -35,30 +35,26 @@ Character first(std::string_view text) {
     return {code, length};
 }
 
-bool isShown(std::uint32_t code) {
-    const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
-    const bool invisible = (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
-                           (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF;
-    return !control && !invisible;
+bool isControl(std::uint32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+
+bool isInvisible(std::uint32_t code) {
+    return (code >= 0x200B && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
+           (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF;
 }
+
+bool isShown(std::uint32_t code) { return !isControl(code) && !isInvisible(code); }
 
 bool isPlainAscii(char c) { return c >= ' ' && c <= '~'; }
 
-}  // namespace
-
-std::size_t printableLength(std::string_view text) {
-    const Character character = first(text);
-    return isShown(character.code) ? character.length : 0;
-}
-
-std::string escaped(std::string_view text, std::string_view kept) {
-    const auto stays = [&](char c) { return isPlainAscii(c) || kept.find(c) != kept.npos; };
-    if (std::ranges::all_of(text, stays)) return std::string(text);  // nearly always
+template <class Stays>
+std::string escapedUnless(std::string_view text, std::string_view kept, Stays stays) {
+    const auto isPlain = [&](char c) { return isPlainAscii(c) || kept.find(c) != kept.npos; };
+    if (std::ranges::all_of(text, isPlain)) return std::string(text);  // nearly always
     std::string shown;
     while (!text.empty()) {
         const Character character = first(text);
         const std::size_t length = std::max<std::size_t>(character.length, 1);
-        if (stays(text[0]) || (character.length > 0 && isShown(character.code)))
+        if (isPlain(text[0]) || (character.length > 0 && stays(character.code)))
             shown += text.substr(0, length);
         else if (character.length == 0 || character.code < 0x20)
             shown += fmt::format("\\x{:02x}", byteAt(text, 0));
@@ -67,6 +63,19 @@ std::string escaped(std::string_view text, std::string_view kept) {
         text.remove_prefix(length);
     }
     return shown;
+}
+
+}  // namespace
+
+std::size_t printableLength(std::string_view text) {
+    const Character character = first(text);
+    return isShown(character.code) ? character.length : 0;
+}
+
+std::string escaped(std::string_view text, std::string_view kept) { return escapedUnless(text, kept, isShown); }
+
+std::string escapedControls(std::string_view prose) {
+    return escapedUnless(prose, "\n\t\r", [](std::uint32_t code) { return !isControl(code); });
 }
 
 }  // namespace pipeline

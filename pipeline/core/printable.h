@@ -17,4 +17,8 @@ std::string escaped(std::string_view text, std::string_view kept = {});
 // Of several lines: these and tabulators are kept.
 inline std::string escapedLines(std::string_view text) { return escaped(text, "\n\t"); }
 
+// Of prose: control characters and broken sequences are escaped, but for lines, tabulators and carriage returns. Invisible
+// characters and marks of direction stay: many languages are written with them.
+std::string escapedControls(std::string_view prose);
+
 }  // namespace pipeline

@@ -198,7 +198,9 @@ TEST_F(ForeignFiles, MarkupInNamesIsTextInEveryFileThatIsWritten) {
             EXPECT_EQ(Json::parse(again.out).value("scene", ""), name) << again.err;
             ++read;
         }
-        if (ending == ".csv" || ending == ".json" || ending == ".toml") EXPECT_EQ(commandsIn(text), "") << entry.path();
+        if (ending == ".csv" || ending == ".json" || ending == ".toml") {
+            EXPECT_EQ(commandsIn(text), "") << entry.path();
+        }
     }
     EXPECT_GE(read, 2u);
 }

@@ -57,6 +57,12 @@ TEST(Escaped, LeavesNothingThatATerminalObeys) {
     EXPECT_EQ(escaped(escaped("\x1b")), escaped("\x1b")) << "once is enough";
 }
 
+// U+200C joins no letters in Persian, U+200F turns the direction in Arabic.
+TEST(Escaped, LeavesProseTheMarksThatLanguagesNeed) {
+    EXPECT_EQ(escapedControls("a\xe2\x80\x8c\xe2\x80\x8f\r\n\tb"), "a\xe2\x80\x8c\xe2\x80\x8f\r\n\tb");
+    EXPECT_EQ(escapedControls("a\x1b[31m\xc2\x9b\xff"), "a\\x1b[31m\\u009b\\xff");
+}
+
 TEST(ErrorText, IsALineWhateverIsInIt) {
     const Error error{{"a\nb", 2, 3}, "this is not TOML: \"tr\nx\x1b[31m\"", "a\nline"};
     EXPECT_EQ(format(error), "a\\x0ab:2:3: this is not TOML: \"tr\\x0ax\\x1b[31m\", expected a\\x0aline");
