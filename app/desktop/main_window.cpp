@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/file_watch.h"
+#include "app/core/freed_memory.h"
 #include "app/core/icons.h"
 #include "app/core/memory_notice.h"
 #include "app/core/pixel_inspection.h"
@@ -62,6 +63,7 @@ MainWindow::MainWindow() : m_opener(new SceneOpener(this)), m_actions(new Action
     m_palette = new CommandPalette(this);
     m_keys = new KeySheet(*m_actions, this);
     m_pixelField = new PixelField(this);
+    new FreedMemory(m_document, this);
     connectCues();
     connectActions();
     connectDocument();
@@ -277,7 +279,8 @@ void MainWindow::showTitle() {
     const QString edited = shown && m_document.isEdited() ? tr(" · edited") : QString();
     const QString written = shown && m_file && m_file->hasChanged() ? tr(" · its file has changed (F5)") : QString();
     m_title->setText(name + edited + written);
-    setWindowTitle(name.isEmpty() ? QStringLiteral("Shadescope") : name + QStringLiteral(" – Shadescope"));
+    QString title = name.isEmpty() ? QStringLiteral("Shadescope") : name + QStringLiteral(" – Shadescope");
+    setWindowTitle(title.replace("[*]", "[*][*]"));  // Qt's own mark for what is not saved
 }
 
 // A file may be dropped anywhere: a text field, which would take its name as words, leaves it to the window.

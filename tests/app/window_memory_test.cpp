@@ -1,0 +1,77 @@
+// What the window holds does not grow with the scenes that have been open.
+#include <QApplication>
+#include <QSignalSpy>
+#include <QTest>
+#include <QThreadPool>
+#include <fstream>
+
+#include "app/core/freed_memory.h"
+#include "pipeline/core/memory.h"
+#include "pipeline/formats/built_in_scenes.h"
+#include "tests/app/window_fixture.h"
+#include "tests/support/sweep.h"
+
+namespace app {
+namespace {
+
+// Bytes that the process has in memory: the second number of statm, in pages.
+double residentBytes() {
+    std::ifstream file("/proc/self/statm");
+    double size = 0, pages = 0;
+    file >> size >> pages;
+    return pages * 4096;
+}
+
+class WindowMemory : public WindowTest {
+protected:
+    // Opens every scene that comes with the program, and leaves the window at rest.
+    void openAll() {
+        QSignalSpy rested(window.findChild<FreedMemory*>(), &FreedMemory::givenBack);
+        for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
+            ASSERT_TRUE(window.openFile(QString::fromStdString(scene.file.string())));
+            ASSERT_TRUE(waitForFrame());
+            m_frames.push_back(document().wholeFrame());
+            m_scenes.push_back(document().sharedScene());
+            ++m_opened;
+        }
+        ASSERT_TRUE(!rested.isEmpty() || rested.wait(30000)) << "the window comes to rest";
+        QThreadPool::globalInstance()->waitForDone();
+    }
+    qsizetype objects() {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        qsizetype count = 0;
+        for (const QWidget* top : QApplication::topLevelWidgets()) count += top->findChildren<QObject*>().size();
+        return count;
+    }
+
+    int m_opened = 0;
+    std::vector<std::weak_ptr<const pipeline::Frame>> m_frames;
+    std::vector<std::weak_ptr<const pipeline::Scene>> m_scenes;
+};
+
+// Opened in turn, so that what is compared is the same scene with the same views. 1.1: what the heap cannot give back,
+// because something that is still used stands in the same page.
+TEST_F(WindowMemory, AfterManyScenesIsWhatItWasAfterOneRound) {
+    pipeline::keepFreedMemory();  // as the program does
+    openAll();
+    const double first = residentBytes();
+    const qsizetype objectsFirst = objects();
+    const int rounds = test::longRun() ? 6 : 2;
+    for (int round = 0; round < rounds; ++round) openAll();
+    EXPECT_EQ(objects(), objectsFirst) << "widgets, actions, models and timers of " << m_opened << " scenes";
+    // What computes beside the window may hold a frame a moment longer.
+    EXPECT_TRUE(QTest::qWaitFor([&] { return residentBytes() <= 1.1 * first; }, 30000))
+        << residentBytes() / 1e6 << " MB after " << m_opened << " scenes, " << first / 1e6
+        << " MB after the first round";
+    RecordProperty("MegabytesFirst", int(first / 1e6));
+    RecordProperty("MegabytesLast", int(residentBytes() / 1e6));
+    const auto held = [](const auto& all) {
+        return std::ranges::count_if(all, [](const auto& one) { return !one.expired(); });
+    };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return held(m_frames) <= 1 && held(m_scenes) <= 1; }, 30000))
+        << held(m_frames) << " frames and " << held(m_scenes) << " scenes of " << m_opened;
+    EXPECT_EQ(document().undoStack()->count(), 0);
+}
+
+}  // namespace
+}  // namespace app
