@@ -42,23 +42,27 @@ QString countsText(const std::string& counts, const std::vector<PlanPart>& parts
                                       : QStringLiteral("%1 parts left out").arg(absent.size()));
 }
 
+QString headLine(const pipeline::StageInfo& stage, StageState state) {
+    return QStringLiteral("%1, %2").arg(toQString(stage.label), word(state));
+}
+
+// A line each: the stage and its state, what it does, why it runs or not, and its parts.
 QString tooltipText(const pipeline::StageInfo& stage, const PlanStep& step, const pipeline::StageRun& run,
                     const StageStatus& status) {
-    QString html =
-        QStringLiteral("<b>%1</b>, %2<br>%3").arg(toQString(stage.label), word(status.state), toQString(stage.summary));
-    if (!step.why.empty()) html += QStringLiteral("<br>%1").arg(toQString(step.why).toHtmlEscaped());
-    if (!run.counts.empty()) html += QStringLiteral("<br>%1").arg(withGroups(toQString(run.counts)).toHtmlEscaped());
+    QStringList lines{headLine(stage, status.state), toQString(stage.summary)};
+    if (!step.why.empty()) lines += toQString(step.why);
+    if (!run.counts.empty()) lines += withGroups(toQString(run.counts));
     for (const PlanPart& part : step.parts) {
-        html += QStringLiteral("<br>· %1: %2. %3")
-                    .arg(toQString(part.name).toHtmlEscaped(), word(stateOf(part.action)),
-                         toQString(part.why).toHtmlEscaped());
-        if (!part.saves.empty()) html += QStringLiteral(" Saves %1.").arg(toQString(part.saves).toHtmlEscaped());
+        QString line =
+            QStringLiteral("· %1: %2. %3").arg(toQString(part.name), word(stateOf(part.action)), toQString(part.why));
+        if (!part.saves.empty()) line += QStringLiteral(" Saves %1.").arg(toQString(part.saves));
+        lines += line;
     }
     for (const pipeline::Tally& tally : run.tallies)
         if (tally.done + tally.leftOut > 0)
-            html += QStringLiteral("<br>%1 %2, %3 left out")
-                        .arg(count(tally.done), toQString(tally.what), count(tally.leftOut));
-    return html;
+            lines += QStringLiteral("%1 %2, %3 left out")
+                         .arg(count(tally.done), toQString(tally.what), count(tally.leftOut));
+    return lines.join('\n');
 }
 
 int countOf(const pipeline::Frame& frame, Action action) {
@@ -88,7 +92,7 @@ std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Frame
         const pipeline::StageInfo& stage = stageInfo(id);
         if (!frame) {
             status.state = busy ? StageState::InProgress : StageState::NotYet;
-            status.tooltip = QStringLiteral("<b>%1</b><br>%2").arg(toQString(stage.label), toQString(stage.summary));
+            status.tooltip = toQString(stage.label) + '\n' + toQString(stage.summary);
             continue;
         }
         const PlanStep& step = frame->plan()[index(id)];
@@ -125,8 +129,7 @@ std::array<StageStatus, pipeline::kStageCount> stageStatus(const pipeline::Steps
             status.reason = status.counts = toQString(steps.words(at, level));
             status.progress = double(at.done) / double(steps.total(id));
         }
-        status.tooltip = QStringLiteral("<b>%1</b>, %2<br>%3<br>%4")
-                             .arg(toQString(stageInfo(id).label), word(status.state), summary, status.reason);
+        status.tooltip = QStringList{headLine(stageInfo(id), status.state), summary, status.reason}.join('\n');
     }
     return all;
 }

@@ -19,7 +19,7 @@ struct StageStatus {
     QString error;                     // "3.9e-6" against double precision; "…" until it is computed
     QString counts;                    // "3 of 5 polygons kept", with the parts that are left out
     QString reason;                    // why the stage ran, was reused or left out
-    QString tooltip;                   // rich text: the stage, its state and reason, and each of its parts
+    QString tooltip;                   // lines: the stage, its state and reason, and each of its parts
     std::optional<double> progress{};  // 0 to 1, while it is being stepped through
 };
 

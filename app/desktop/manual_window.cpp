@@ -1,6 +1,7 @@
 #include "app/desktop/manual_window.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QPushButton>
@@ -13,6 +14,7 @@
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "pipeline/formats/built_in_scenes.h"
+#include "pipeline/formats/scene_folder.h"
 
 namespace app {
 namespace {
@@ -81,11 +83,16 @@ void ManualPage::scrollToHeading(const QString& name) {
     }
 }
 
+// The manual's own pages and pictures: nothing is read from elsewhere. Qt would look for a file itself where it gets nothing.
 QVariant ManualPage::loadResource(int type, const QUrl& name) {
-    QVariant found = QTextBrowser::loadResource(type, name);
-    if (type != QTextDocument::ImageResource) return found;
-    QImage image = found.canConvert<QImage>() ? found.value<QImage>() : QImage();
-    if (image.isNull()) image.loadFromData(found.toByteArray());
+    const auto folder = pipeline::resourceFolder();
+    const QString within = QDir(toQString(folder.string())).relativeFilePath(source().resolved(name).toLocalFile());
+    const auto file = pipeline::pathInFolder(folder, within.toStdString(), "manual");
+    const auto text = file ? pipeline::readFile(*file) : pipeline::Result<std::string>(file.errors());
+    const QByteArray bytes = text ? QByteArray(text->data(), qsizetype(text->size())) : QByteArray();
+    if (type != QTextDocument::ImageResource) return bytes;
+    QImage image;
+    if (!image.loadFromData(bytes)) image = QImage(1, 1, QImage::Format_Mono);
     const double ratio = devicePixelRatioF();
     const int room = int((viewport()->width() - 2 * int(document()->documentMargin())) * ratio);
     if (image.width() > room) image = image.scaledToWidth(room, Qt::SmoothTransformation);

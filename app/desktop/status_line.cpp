@@ -52,6 +52,7 @@ StatusLine::StatusLine(Document& document, const SceneOpener& opener, QWidget* p
     m_hovered = add();
     m_remarks = add();
     m_nan = add();
+    m_nan->setTextFormat(Qt::RichText);
     m_error = add();
     m_threads = add();
     m_sentence->setObjectName("statusSentence");

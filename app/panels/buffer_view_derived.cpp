@@ -89,7 +89,7 @@ bool BufferView::isMixed() const { return m_name.id == BufferId::Color && !m_doc
 QString BufferView::withNotices(const QString& notice) const {
     QStringList lines;
     if (whyNoOverlays(bufferInfo(m_name.id)).isEmpty()) lines << m_shadows->notice();
-    if (isMixed() || m_name == kMix) lines << m_document.mixer().sentence();
+    if (isMixed() || m_name == kMix) lines << m_document.mixer().sentence().toHtmlEscaped();
     lines << notice;
     lines.removeAll(QString());
     return lines.join("<br>");

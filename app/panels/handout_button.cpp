@@ -41,17 +41,21 @@ void HandoutButton::write() {
                            return files;
                        });
     if (file.isEmpty()) return;
-    using Written = pipeline::Result<std::vector<std::string>>;
+    struct Written {
+        pipeline::Result<std::vector<std::string>> names;
+        pipeline::Errors leftOut;
+    };
     const auto make = [lesson = *lesson, to = QFileInfo(file)](const BackgroundJob::Control& control) -> Written {
         const auto handout = makeHandout(lesson, control.stop);
-        if (!handout) return handout.errors();
-        return writeHandout(*handout, handoutName(to.filePath()).toStdString(), to.path().toStdString());
+        if (!handout) return {handout.errors(), {}};
+        return {writeHandout(*handout, handoutName(to.filePath()).toStdString(), to.path().toStdString()),
+                handout->leftOut};
     };
-    m_job.ask(make, [this, folder = QFileInfo(file).path()](const Written& names) {
-        if (names)
-            emit written(tr("%1 and %2 are in %3.").arg(toQString(names->front()), toQString(names->back()), folder));
-        else
-            emit failed(names.errors());
+    m_job.ask(make, [this, folder = QFileInfo(file).path()](const Written& done) {
+        if (!done.names) return emit failed(tr("The handout could not be written."), done.names.errors());
+        emit written(
+            tr("%1 and %2 are in %3.").arg(toQString(done.names->front()), toQString(done.names->back()), folder));
+        if (!done.leftOut.empty()) emit failed(tr("The handout has not all pictures of the lesson."), done.leftOut);
     });
 }
 

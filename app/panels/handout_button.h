@@ -16,7 +16,7 @@ public:
 
 signals:
     void written(const QString& sentence);
-    void failed(const pipeline::Errors& errors);
+    void failed(const QString& sentence, const pipeline::Errors& errors);
 
 private:
     void write();

@@ -117,9 +117,7 @@ QWidget* LessonPanel::makePage() {
         if (mayShow(current())) setWindow();
     });
     connect(handout, &HandoutButton::written, &m_document, &Document::said);
-    connect(handout, &HandoutButton::failed, this, [this](const pipeline::Errors& errors) {
-        m_errors->report(tr("The handout could not be written."), errors);
-    });
+    connect(handout, &HandoutButton::failed, m_errors, &ErrorList::report);
     connect(m_question, &QuestionCard::answered, this, &LessonPanel::check);
     connect(m_question, &QuestionCard::hintAsked, this, [this] {
         const auto hint = lessons::filled(current().question->hint, *m_pageFrame);
@@ -173,6 +171,7 @@ void LessonPanel::goTo(int page) {
 void LessonPanel::showPage(int page) {
     m_page = page;
     m_pageFrame.reset();
+    for (ProseView* view : findChildren<ProseView*>()) view->setPictureFolder(m_lesson->folder);
     m_shelf->setPage(*m_lesson, page + 1);
     const int pages = int(m_lesson->pages.size());
     m_place->setText(tr("page %1 of %2").arg(page + 1).arg(pages));

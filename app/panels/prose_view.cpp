@@ -1,6 +1,7 @@
 #include "app/panels/prose_view.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QDesktopServices>
 #include <QRegularExpression>
 #include <QTextBlock>
 #include <QWheelEvent>
@@ -36,7 +37,8 @@ QColor colorOf(ProseView::Tone tone, const ThemeColors& colors) {
 }  // namespace
 
 ProseView::ProseView(QWidget* parent) : QTextBrowser(parent) {
-    setOpenExternalLinks(true);
+    setOpenLinks(false);
+    connect(this, &QTextBrowser::anchorClicked, this, [](const QUrl& url) { QDesktopServices::openUrl(url); });
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFrameShape(QFrame::NoFrame);
@@ -58,7 +60,10 @@ void ProseView::typeset() {
     const bool heading = m_tone == Tone::Heading;
     document()->setDefaultFont(heading ? theme.text(16, 600) : theme.text());
     document()->setIndentWidth(theme.px(14));
-    setMarkdown(m_markdown);
+    document()->setMarkdown(m_markdown, QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub) |
+                                            QTextDocument::MarkdownNoHTML);
+    placePictures();
+    dropForeignLinks();
     QTextCursor all(document());
     all.select(QTextCursor::Document);
     QTextCharFormat color;
@@ -66,8 +71,10 @@ void ProseView::typeset() {
     all.mergeCharFormat(color);
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
         QTextBlockFormat format = block.blockFormat();
-        // Fixed, so that a line with a vector or a subscript in it stands no farther apart.
-        format.setLineHeight(theme.px(heading ? 24 : 20), QTextBlockFormat::FixedHeight);
+        // Fixed, so that a line with a vector or a subscript in it stands no farther apart. A picture takes what it needs.
+        const bool fixed = !block.text().contains(QChar::ObjectReplacementCharacter);
+        format.setLineHeight(theme.px(heading ? 24 : 20),
+                             fixed ? QTextBlockFormat::FixedHeight : QTextBlockFormat::MinimumHeight);
         format.setTopMargin(0);
         const bool inList = block.textList() && block.next().textList();
         format.setBottomMargin(block.next().isValid() ? theme.px(inList ? 2 : 8) : 0);
@@ -130,6 +137,7 @@ void ProseView::fitHeight() {
 
 void ProseView::resizeEvent(QResizeEvent* event) {
     QTextBrowser::resizeEvent(event);
+    fitPictures();
     fitHeight();
 }
 

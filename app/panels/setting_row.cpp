@@ -61,6 +61,7 @@ SettingRow::SettingRow(Document& document, pipeline::SettingRef setting, QGridLa
       m_note(new QLabel(parent)) {
     m_note->setWordWrap(true);
     m_label->setWordWrap(true);
+    m_label->setTextFormat(Qt::RichText);
     m_note->setProperty("tone", 3);
     followTheme(m_label, [this] {
         m_label->setFont(Theme::current().text());

@@ -62,6 +62,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     m_scroll->setFocusPolicy(Qt::NoFocus);
     m_changed->setObjectName("lastChange");
     m_changed->setWordWrap(true);
+    m_changed->setTextFormat(Qt::RichText);
     m_changed->setProperty("tone", 2);
     m_changed->setContextMenuPolicy(Qt::NoContextMenu);
     followTheme(this, [this] {
@@ -179,7 +180,8 @@ void SettingsPanel::showLastChange() {
     if (!change) return;
     m_changed->setText(
         QStringLiteral("%1 was %2. <a href=\"undo\" style=\"color:%3;text-decoration:none\">Put back</a> (Ctrl+Z)")
-            .arg(labelWithSymbol(labelOf(change->setting)), toQString(formatSetting(change->setting, change->before)),
+            .arg(labelWithSymbol(labelOf(change->setting)),
+                 toQString(formatSetting(change->setting, change->before)).toHtmlEscaped(),
                  Theme::current().colors().accent.name()));
 }
 

@@ -71,7 +71,7 @@ QString ShadowOverlay::notice() const {
     if (!m_light) return {};
     const DerivedJob* job = m_document.derived().find(name());
     QString rays;
-    if (job && (job->busy() || !verdicts())) rays = m_document.derived().whyNot(name());
+    if (job && (job->busy() || !verdicts())) rays = m_document.derived().whyNot(name()).toHtmlEscaped();
     if (job && job->busy() && !rays.isEmpty()) rays += QStringLiteral(" <a href='cancel'>%1</a>").arg(tr("Cancel"));
     if (!verdicts()) return rays;
     const QString found = tr("shadow of light %1 against rays").arg(*m_light) + "<br>" + sharesText(*verdicts());

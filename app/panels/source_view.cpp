@@ -1,7 +1,6 @@
 #include "app/panels/source_view.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QPlainTextEdit>
 #include <QTextBlock>
@@ -11,6 +10,7 @@
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/on_screen.h"
+#include "pipeline/formats/scene_folder.h"
 
 namespace app {
 
@@ -47,10 +47,10 @@ QString sourceFile(const std::string& sceneFile, const std::string& meshFile) {
 }
 
 bool showSource(const QString& file, int line, int column, QWidget* parent) {
-    constexpr qint64 kMost = 16 << 20;
-    QFile in(file);
-    if (in.size() > kMost || !in.open(QIODevice::ReadOnly)) return false;
-    (new SourceView(file, QString::fromUtf8(in.readAll()), line, column, parent))->show();
+    constexpr std::size_t kMost = std::size_t{16} << 20;
+    const auto text = pipeline::readFile(file.toStdString(), kMost);
+    if (!text) return false;
+    (new SourceView(file, toQString(*text), line, column, parent))->show();
     return true;
 }
 

@@ -3,7 +3,6 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QTextDocumentFragment>
 #include <algorithm>
 
 #include "app/core/text.h"
@@ -86,7 +85,7 @@ StageCard::StageCard(pipeline::StageId stage, QWidget* parent) : QAbstractButton
 void StageCard::setStatus(const StageStatus& status) {
     m_status = status;
     setToolTip(status.tooltip);
-    setAccessibleDescription(QTextDocumentFragment::fromHtml(status.tooltip).toPlainText());
+    setAccessibleDescription(status.tooltip);
     setAccessibleName(QStringLiteral("%1: %2. %3").arg(text(), word(status.state), status.reason));
     update();
 }

@@ -1,5 +1,4 @@
 #include <QDir>
-#include <QFile>
 #include <QFileDialog>
 #include <QLabel>
 
@@ -9,6 +8,8 @@
 #include "app/panels/study_words.h"
 #include "pipeline/export/study_files.h"
 #include "pipeline/export/study_json.h"
+#include "pipeline/formats/scene_folder.h"
+#include "pipeline/scene/key_places.h"
 
 // Studies from and to files.
 namespace app {
@@ -24,13 +25,10 @@ void StudyPanel::openFile() {
 }
 
 bool StudyPanel::openStudy(const QString& file) {
-    QFile source(file);
-    if (!source.open(QFile::ReadOnly)) {
-        tell(tr("%1: %2").arg(file, source.errorString()));
-        return false;
-    }
-    const QByteArray text = source.readAll();
-    auto report = pipeline::studyFromJson({text.data(), std::size_t(text.size())}, file.toStdString());
+    const std::string name = file.toStdString();
+    const auto text = pipeline::readFile(name);
+    auto report = text ? pipeline::studyFromJson(*text, name)
+                       : pipeline::Result<pipeline::StudyReport>(pipeline::namedAt({name}, text.errors()));
     if (!report) {
         tell(toQString(format(report.errors())));
         return false;

@@ -175,7 +175,7 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
     for (const int vertex : r.vertices)
         links << QString("<a href=\"vertex:%1\">%2</a>").arg(vertex).arg(digits(QString::number(vertex)));
     m_rows[4].value->setText(links.join(", "));
-    QString source = toQString(object.name);
+    QString source = toQString(object.name).toHtmlEscaped();
     // A scene out of a picture or a session has places in its text, but no file that one could look into.
     if (!object.mesh->file.empty() && place.polygon < object.mesh->polygonPlaces.size()) {
         const pipeline::TextPosition at = object.mesh->polygonPlaces[place.polygon];
