@@ -64,8 +64,7 @@ pipeline::Result<Picture> Pictures::read(std::string_view address) {
         return Error{{}, quoted + ": " + std::move(why), std::move(expected)};
     };
     if (m_folder.empty()) return refuse("this lesson has no folder, and so no pictures");
-    if (linkTarget(address) != LinkTarget::Inside)
-        return refuse("this is no file of the lesson's folder", "a picture in the lesson's folder");
+    if (linkTarget(address) != LinkTarget::Inside) return Error{{}, quoted + " is no file of the lesson's folder", {}};
     const auto file = pipeline::pathInFolder(m_folder, name, "lesson");
     if (!file) return file.errors();
     auto bytes = pipeline::readFile(*file, std::min(kMaxPictureBytes, m_bytesLeft));

@@ -196,7 +196,7 @@ TEST_F(ForeignText, OfACueListAndAPastedStateIsShownAsItIs) {
 TEST_F(ForeignText, OfFilesThatCannotBeReadIsShownAsItIs) {
     const QString name = QString("<img src=x><b>x<b>.toml");  // no / in a file's name
     writeForeign(folder.filePath(name), "two_sided = tr\nucmea[eraa]\n");
-    EXPECT_FALSE(window.openFile(folder.filePath(name)));
+    window.openFile(folder.filePath(name));
     waitForReading();
     const QString said = find<ErrorList>("errorList")->text();
     EXPECT_TRUE(said.contains("<img")) << said.toStdString();
@@ -225,8 +225,7 @@ TEST_F(ForeignLesson, NamesPicturesThatNobodyReads) {
     ASSERT_EQ(mkfifo(fifo.toLocal8Bit().constData(), 0600), 0);
     open("Text ![one](/dev/zero) and ![two](" + fifo.toLocal8Bit() + ") and ![three](../fifo) end\n\n" + kHostile +
          "\n\nquestion: Why ![four](/dev/zero)?\nanswer: 1\nhint: " + kHostile + "\n");
-    EXPECT_EQ(shown().rfind("Text one (not shown: \"/dev/zero\": this is no file of the lesson's folder", 0), 0u)
-        << shown();
+    EXPECT_EQ(shown().rfind("Text one (not shown: \"/dev/zero\" is no file of the lesson's folder", 0), 0u) << shown();
     EXPECT_NE(shown().find("two (not shown: "), std::string::npos) << shown();
     EXPECT_NE(shown().find(kHostile), std::string::npos) << "HTML as it was typed: " << shown();
     expectPlain("a lesson");
@@ -236,7 +235,7 @@ TEST_F(ForeignLesson, NamesPicturesThatNobodyReads) {
 
 TEST_F(ForeignLesson, ShowsItsOwnPictureNoWiderThanItsText) {
     ASSERT_TRUE(QDir().mkpath(folder.filePath("lesson")));
-    QImage wide(3000, 30, QImage::Format_RGB32);
+    QImage wide(3000, 600, QImage::Format_RGB32);
     wide.fill(QColor(200, 30, 90));
     ASSERT_TRUE(wide.save(folder.filePath("lesson/own.png")));
     open("![own](own.png) ![again](./own.png)\n");
@@ -244,9 +243,13 @@ TEST_F(ForeignLesson, ShowsItsOwnPictureNoWiderThanItsText) {
     QTest::qWait(50);
     EXPECT_LE(page().document()->idealWidth(), page().viewport()->width() + 1.0);
     const QImage seen = page().grab().toImage();
-    int red = 0;
-    for (int x = 0; x < seen.width(); ++x) red += seen.pixelColor(x, 1) == QColor(200, 30, 90);
-    EXPECT_GT(red, seen.width() * 8 / 10) << "the picture is as wide as the text";
+    int widest = 0;  // of a row
+    for (int y = 0; y < seen.height(); ++y) {
+        int red = 0;
+        for (int x = 0; x < seen.width(); ++x) red += seen.pixelColor(x, y) == QColor(200, 30, 90);
+        widest = std::max(widest, red);
+    }
+    EXPECT_GT(widest, seen.width() * 8 / 10) << "the picture is as wide as the text";
     expectPlain("a lesson with a picture");
 }
 

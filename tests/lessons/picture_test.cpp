@@ -8,6 +8,7 @@
 #include "lessons/handout.h"
 #include "pipeline/export/html_text.h"
 #include "pipeline/export/png_file.h"
+#include "pipeline/formats/built_in_scenes.h"
 #include "tests/lessons/html_of.h"
 #include "tests/support/files.h"
 
@@ -104,9 +105,7 @@ TEST_F(LessonPictures, NothingOutsideTheFolderIsTouched) {
         EXPECT_NE(refusal(address), "read") << address;
         EXPECT_EQ(refusal(address).find('\n'), refusal(address).size() - 1) << "one line: " << address;
     }
-    EXPECT_EQ(
-        refusal("../outside.png"),
-        "\"../outside.png\": this is no file of the lesson's folder, expected a picture in the lesson's folder\n");
+    EXPECT_EQ(refusal("../outside.png"), "\"../outside.png\" is no file of the lesson's folder\n");
     EXPECT_EQ(refusal("link.png"), "\"link.png\" leaves the lesson's folder; put the file beside the lesson\n");
     EXPECT_EQ(refusal("fifo"), "\"fifo\": this is not a regular file, expected a file\n");
     Pictures none({});
@@ -188,11 +187,9 @@ TEST_F(LessonPictures, AHandoutTakesItsOwnAndNamesTheOthers) {
          {"<script", "/dev/zero", "outside.png", "javascript:", "file:", "<b>t", "<u>", "<img src=x"})
         EXPECT_FALSE(has(part)) << part;
     const std::string at = (folder / "lesson" / "lesson.md").string() + ":6:1: a picture is left out: ";
-    EXPECT_EQ(
-        format(handout->leftOut),
-        at + "\"/dev/zero\": this is no file of the lesson's folder, expected a picture in the lesson's folder\n" + at +
-            "\"../outside.png\": this is no file of the lesson's folder, expected a picture in the lesson's folder\n" +
-            at + "\"nothing.png\": no such file\n");
+    EXPECT_EQ(format(handout->leftOut), at + "\"/dev/zero\" is no file of the lesson's folder\n" + at +
+                                            "\"../outside.png\" is no file of the lesson's folder\n" + at +
+                                            "\"nothing.png\": no such file\n");
     EXPECT_NE(handout->answers.find(pipeline::imageSource("png", pngBytes(5, 4))), std::string::npos);
 }
 
