@@ -14,6 +14,8 @@ target_compile_options(project_options INTERFACE
   -Wconversion        # a number that silently changes its type
   $<$<BOOL:${SHADESCOPE_WERROR}>:-Werror>)
 target_link_libraries(project_options INTERFACE fmt::fmt)
+# What the loader has filled in cannot be overwritten later: all functions of libraries are looked up at the start.
+target_link_options(project_options INTERFACE LINKER:-z,relro,-z,now)
 
 # GCC 12 puts two numbers that go from double to float and back side by side into a vector, and forgets to round them.
 include(CheckCXXSourceRuns)
