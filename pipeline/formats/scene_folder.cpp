@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "pipeline/core/text.h"
@@ -36,7 +38,9 @@ Result<OpenFile> open(const fs::path& file) {
     if (fs::is_directory(status)) return noPlace("this is a folder", "a file");
     if (!fs::is_regular_file(status)) return noPlace("this is not a regular file", "a file");
 
+    errno = 0;
     OpenFile opened{std::ifstream(file, std::ios::binary)};
+    if (!opened.stream.is_open() && errno == ENOMEM) throw std::bad_alloc();
     if (!opened.stream.is_open()) return noPlace("the file cannot be read");
     const std::uintmax_t size = fs::file_size(file, ignored);
     if (!ignored) opened.size = static_cast<std::size_t>(size);
@@ -111,6 +115,7 @@ Result<fs::path> pathInFolder(const fs::path& folder, std::string_view name, std
     std::error_code failed;
     const fs::path from = fs::weakly_canonical(folder, failed);
     const fs::path to = failed ? fs::path() : fs::weakly_canonical(from / name, failed);
+    if (failed == std::errc::not_enough_memory) throw std::bad_alloc();
     if (failed) return noPlace(quotedInput(name) + " cannot be read");
     if (!isBelow(to, from)) return outside;
     return to;
