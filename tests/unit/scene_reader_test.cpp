@@ -293,7 +293,7 @@ TEST_F(SceneReader, ModelNamesFilesBesideIt) {
     EXPECT_EQ(outside->objects[0].material, Material());
     // Written on another machine: the same file, its letters in another case, with a path that is no more.
     write("Paint.mtl", "newmtl a\nKd 1 0 0\n");
-    for (const std::string named : {"Paint.mtl", "paint.MTL", "C:\\models\\paint.mtl", "/home/else/Paint.mtl",
+    for (const std::string named : {"Paint.mtl", "paint.MTL", "C:\\models\\paint.mtl", "/models/of/1998/Paint.mtl",
                                     "..\\Paint.mtl", "textures/paint.mtl"}) {
         const auto scene = read(named);
         ASSERT_TRUE(scene) << named;
