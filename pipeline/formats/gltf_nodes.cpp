@@ -57,7 +57,7 @@ glm::dmat4 transformOf(const GltfValue& node) {
         }
         for (double& part : turn) part /= length;
         constexpr double kWell = 1.0 / 256;  // what quaternions in normalised bytes are off by
-        if (std::abs(length - 1) > kWell)
+        if (std::abs(std::ldexp(length, exponent) - 1) > kWell)
             remark(node.file(), "A rotation is no quaternion of length 1; its direction alone counts.", "node");
     }
     const glm::dmat3 rotation = rotationOf(turn);
