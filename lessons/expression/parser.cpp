@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "lessons/text_position.h"
+#include "pipeline/core/number.h"
 #include "pipeline/core/text.h"
 #include "pipeline/scene/opacity.h"
 
@@ -317,13 +317,13 @@ Node Parser::primary() {
 Node Parser::number() {
     Node node;
     node.where = placeOf(m_at);
-    const char* const first = m_text.data() + m_at;
-    const auto [end, error] = std::from_chars(first, m_text.data() + m_text.size(), node.number);
-    if (error != std::errc() || !std::isfinite(node.number))
+    const pipeline::LeadingNumber read = pipeline::leadingNumber(m_text.substr(m_at));
+    node.number = read.value;
+    if (read.length == 0 || !read.fits || !std::isfinite(node.number))
         fail(m_at, "found " + rest(),
              m_elements ? "a number, a buffer, a function or '('" : "a number, a function or '('");
     else
-        m_at += std::size_t(end - first);
+        m_at += read.length;
     return node;
 }
 

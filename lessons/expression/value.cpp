@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "pipeline/core/number.h"
 
 namespace lessons {
 namespace {
@@ -53,14 +54,11 @@ std::optional<double> numberIn(std::string_view text) {
     std::replace(plain.begin(), plain.end(), ',', '.');
     const auto isSpace = [](char c) { return c == ' ' || c == '\t'; };
     while (!plain.empty() && isSpace(plain.back())) plain.pop_back();
-    const char* first = plain.data();
-    const char* const last = first + plain.size();
-    while (first != last && isSpace(*first)) ++first;
-    if (first != last && *first == '+' && last - first > 1 && first[1] != '-') ++first;
-    double number = 0;
-    const auto [end, error] = std::from_chars(first, last, number);
-    if (error != std::errc() || end != last || !std::isfinite(number)) return {};
-    return number;
+    std::string_view digits = plain;
+    while (!digits.empty() && isSpace(digits.front())) digits.remove_prefix(1);
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+    const std::optional<double> number = pipeline::readNumber(digits);
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 }  // namespace lessons

@@ -1,13 +1,13 @@
 #include "pipeline/check/case.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <sstream>
 
 #include <fmt/format.h>
 
+#include "pipeline/core/number.h"
 #include "pipeline/core/text.h"
 #include "pipeline/run/parallel.h"
 #include "pipeline/scene/settings_table.h"
@@ -88,11 +88,7 @@ std::string measured(double value, std::string_view unit) {
     if (std::isinf(value)) return "infinite";
     // Whole numbers are counts and stay; of others two digits say enough.
     const bool count = value == std::floor(value) && std::abs(value) < 1e7;
-    double shown = value;
-    if (!count) {
-        const std::string digits = fmt::format("{:.1e}", value);
-        std::from_chars(digits.data(), digits.data() + digits.size(), shown);
-    }
+    const double shown = count ? value : readNumber(fmt::format("{:.1e}", value)).value_or(value);
     const bool joined = unit.empty() || unit == "°";
     return fmt::format("{}{}{}", shortestText(shown), joined ? "" : " ", unit);
 }

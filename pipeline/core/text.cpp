@@ -9,6 +9,7 @@
 #include <numeric>
 #include <vector>
 
+#include "pipeline/core/number.h"
 #include "pipeline/core/printable.h"
 
 namespace pipeline {
@@ -32,8 +33,7 @@ std::string shortestText(double value) {
 std::string textBeyond(double value, double bound) {
     for (int digits = 3; digits < 17; ++digits) {
         const std::string text = fmt::format("{:.{}g}", value, digits);
-        double rounded = value;  // it stays where the text is no number: NaN
-        std::from_chars(text.data(), text.data() + text.size(), rounded);
+        const double rounded = readNumber(text).value_or(value);
         if (rounded != bound) return shortestText(rounded);
     }
     return shortestText(value);

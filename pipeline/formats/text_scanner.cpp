@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "pipeline/core/number.h"
 #include "pipeline/core/printable.h"
 
 namespace pipeline {
@@ -47,16 +48,12 @@ bool isTiny(std::string_view number) {
 std::optional<double> parseNumber(std::string_view word) {
     if (word.size() > kMaxWord) return {};
     if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-    // from_chars reads "inf" and "nan" as well.
     const std::string_view digits = word.substr(word.starts_with('-'));
     if (digits.empty() || (!isDigit(digits[0]) && digits[0] != '.')) return {};
-    double value = 0;
-    const char* const end = word.data() + word.size();
-    const auto [stop, status] = std::from_chars(word.data(), end, value);
-    if (stop != end) return {};
-    if (status == std::errc::result_out_of_range) return isTiny(digits) ? std::optional(0.0) : std::nullopt;
-    if (status != std::errc{}) return {};
-    return value;
+    const LeadingNumber number = leadingNumber(word);
+    if (number.length != word.size()) return {};
+    if (!number.fits) return isTiny(digits) ? std::optional(0.0) : std::nullopt;
+    return number.value;
 }
 
 std::optional<std::uint64_t> parseCount(std::string_view word) {

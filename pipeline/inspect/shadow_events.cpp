@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "pipeline/core/number.h"
 #include "pipeline/illumination/texel_test.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/scene/area_light.h"
@@ -35,11 +35,7 @@ struct Comparison {
     bool shadowed;
 };
 
-double numberIn(const std::string& text) {
-    double number = 0;
-    std::from_chars(text.data(), text.data() + text.size(), number);
-    return number;
-}
+double numberIn(const std::string& text) { return readNumber(text).value_or(0); }
 
 // "z' 120.3 > Z'[12][44] 120.3 + 0.02" in as many digits as the relation needs to be seen in them.
 std::string comparisonOf(double z, bool shadowed, glm::ivec2 texel, double stored, double bias) {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <vector>
 
+#include "pipeline/core/number.h"
 #include "pipeline/core/text.h"
 #include "pipeline/run/frame_data.h"
 
@@ -150,9 +150,8 @@ Result<TermMix> parseMix(std::string_view text, std::size_t lights) {
             (number == kSolo ? strip->solo : strip->muted) = true;
             continue;
         }
-        double gain = -1;
-        const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), gain);
-        if (error != std::errc() || end != number.data() + number.size() || !(gain >= 0 && gain <= kMostGain))
+        const double gain = readNumber(number).value_or(-1);
+        if (!(gain >= 0 && gain <= kMostGain))
             return Error{{},
                          fmt::format("found {}", inQuotes(word)),
                          fmt::format("{}=GAIN, from 0 to 4, =solo or =muted", key(*strip))};

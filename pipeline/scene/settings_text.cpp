@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/core/number.h"
 #include "pipeline/core/text.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -93,12 +94,10 @@ Result<double> parseSetting(const SettingRef& ref, std::string_view text) {
         return static_cast<double>(found - setting.choices.begin());
     }
     const std::string_view digits = word.starts_with('+') && !word.starts_with("+-") ? word.substr(1) : word;
-    double value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size()) return refused;
-    if (!(value >= setting.min && value <= setting.max)) return refused;  // so written, NaN is refused too
-    if (setting.kind == SettingKind::Integer && value != std::trunc(value)) return refused;
-    return value;
+    const std::optional<double> value = readNumber(digits);
+    if (!value || !(*value >= setting.min && *value <= setting.max)) return refused;  // so written, NaN is refused too
+    if (setting.kind == SettingKind::Integer && *value != std::trunc(*value)) return refused;
+    return *value;
 }
 
 std::string formatSetting(const SettingRef& ref, double value) {

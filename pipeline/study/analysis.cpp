@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "pipeline/core/number.h"
 #include "pipeline/study/analysis_text.h"
 #include "pipeline/study/errors.h"
 
@@ -14,11 +14,8 @@ namespace pipeline {
 namespace {
 
 std::optional<double> numberOf(const std::string& text) {
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, failed] = std::from_chars(text.data(), end, value);
-    if (failed != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-    return value;
+    const std::optional<double> value = readNumber(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 bool isNumeric(const SweepAxis& axis) {

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <limits>
 
+#include "pipeline/core/number.h"
 #include "pipeline/core/text.h"
 
 namespace pipeline {
@@ -45,8 +46,8 @@ Result<std::vector<double>> rangeOf(const SettingRef& ref, std::string_view text
     double step = 1;
     if (mark != rest.npos) {
         const std::string_view digits = rest.substr(mark + 1);
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), step);
-        if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(step))
+        step = readNumber(digits).value_or(std::numeric_limits<double>::infinity());
+        if (!std::isfinite(step))
             return Error{{}, fmt::format("the step of {} is {}", inQuotes(text), inQuotes(digits)), "a number"};
     }
     const bool grows = mark != rest.npos && rest[mark] == '*';

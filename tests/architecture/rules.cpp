@@ -201,9 +201,9 @@ Breaches numbersOfALocale(const SourceTree& tree) {
     findLines(
         tree,
         [](const std::string& path) {
-            // The catalogue's naive reader is strtod.
+            // The catalogue's naive reader is strtod; number.cpp has it for libraries without from_chars.
             return (path.starts_with("app/") || path.starts_with("lessons/") || path.starts_with("pipeline/")) &&
-                   path != "pipeline/check/reader_cases.cpp";
+                   path != "pipeline/check/reader_cases.cpp" && path != "pipeline/core/number.cpp";
         },
         byLocale, "numbers are the same in every locale", breaches);
     return breaches;
