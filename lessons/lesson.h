@@ -9,6 +9,7 @@
 
 #include "lessons/prose.h"
 #include "pipeline/core/result.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/scene.h"
 
@@ -77,7 +78,7 @@ struct Lesson {
 };
 
 // Reads the lesson in a folder. Up to kMaxErrors errors, FILE:LINE:COLUMN each.
-pipeline::Result<Lesson> readLesson(const std::filesystem::path& folder);
+pipeline::Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::Stop& stop = {});
 
 // The same from text: `file` is the name in messages, `sceneNamed` finds what the lesson calls its scene.
 using SceneSource = std::function<pipeline::Result<pipeline::Scene>(std::string_view name)>;

@@ -356,17 +356,18 @@ private:
 };
 
 // A scene that comes with the program, or a file in the lesson's folder.
-Result<pipeline::Scene> sceneFor(std::string_view name, const std::filesystem::path& folder) {
+Result<pipeline::Scene> sceneFor(std::string_view name, const std::filesystem::path& folder,
+                                 const pipeline::Stop& stop) {
     std::vector<std::string> names;
     for (const pipeline::BuiltInScene& scene : pipeline::builtInScenes()) {
-        if (scene.name == name) return pipeline::readScene(scene.file);
+        if (scene.name == name) return pipeline::readScene(scene.file, {{}, stop});
         names.push_back(scene.name);
     }
     const std::filesystem::path file = std::filesystem::path(name).filename();  // of this folder alone
     std::error_code ignored;
     if (file == name && std::filesystem::is_regular_file(folder / file, ignored)) {
         const auto inside = pipeline::pathInFolder(folder, name, "lesson");
-        return inside ? pipeline::readScene(folder / file) : inside.errors();
+        return inside ? pipeline::readScene(folder / file, {{}, stop}) : inside.errors();
     }
     return Error{{}, "no scene " + inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
 }
@@ -377,12 +378,12 @@ Result<Lesson> parseLesson(std::string_view text, const std::string& file, const
     return Reader(text, file, sceneNamed).read();
 }
 
-Result<Lesson> readLesson(const std::filesystem::path& folder) {
+Result<Lesson> readLesson(const std::filesystem::path& folder, const pipeline::Stop& stop) {
     const std::filesystem::path file = folder / "lesson.md";
     const auto text = pipeline::readFile(file, kMaxLessonBytes);
     if (!text) return pipeline::namedAt({file.string()}, text.errors());
     auto lesson = parseLesson(pipeline::escapedControls(*text), file.string(),
-                              [&folder](std::string_view name) { return sceneFor(name, folder); });
+                              [&](std::string_view name) { return sceneFor(name, folder, stop); });
     if (!lesson) return lesson;
     Lesson named = std::move(lesson).value();
     std::error_code ignored;

@@ -43,10 +43,10 @@ Library allLessons() {
     return library;
 }
 
-pipeline::Result<Lesson> findLesson(std::string_view name) {
+pipeline::Result<Lesson> findLesson(std::string_view name, const pipeline::Stop& stop) {
     const std::vector<std::string> names = lessonNames();
-    if (std::ranges::find(names, name) != names.end()) return readLesson(lessonFolder() / name);
-    if (const std::filesystem::path folder = lessonAt(name); !folder.empty()) return readLesson(folder);
+    if (std::ranges::find(names, name) != names.end()) return readLesson(lessonFolder() / name, stop);
+    if (const std::filesystem::path folder = lessonAt(name); !folder.empty()) return readLesson(folder, stop);
     return pipeline::Error{{}, "no lesson " + pipeline::inQuotes(name) + "; " + pipeline::insteadOf(name, names), {}};
 }
 

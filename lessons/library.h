@@ -16,7 +16,7 @@ Library allLessons();
 
 // A lesson that comes with the program by its folder's name; any other by its folder, or the file lesson.md in it. An
 // unknown one is answered with the nearest name.
-pipeline::Result<Lesson> findLesson(std::string_view name);
+pipeline::Result<Lesson> findLesson(std::string_view name, const pipeline::Stop& stop = {});
 
 // The folder of a lesson that somebody calls by a path: the folder itself, or a file lesson.md; empty where it is neither.
 std::filesystem::path lessonAt(const std::filesystem::path& path);

@@ -149,7 +149,7 @@ int runLeaveOutBench(const BenchOptions& options) {
         SceneArgument argument = options.scene;
         argument.scene = name;
         int status = kDone;
-        scenes.push_back(loadScene(argument, status));
+        scenes.push_back(loadScene(argument, interrupt.token(), status));
         if (!scenes.back()) return status;
         nameWidth = std::max(nameWidth, scenes.back()->name.size());
     }
@@ -223,7 +223,7 @@ int runBench(BenchOptions options, const CLI::App& command) {
     }
     const Interrupt interrupt;
     int status = kDone;
-    const auto scene = loadScene(options.scene, status);
+    const auto scene = loadScene(options.scene, interrupt.token(), status);
     if (!scene) return status;
     const auto wanted = wantedFrame(*scene, options.frame);
     if (!wanted) {

@@ -182,7 +182,7 @@ int runExport(ExportOptions options, const CliHost& host) {
     const Interrupt interrupt;
     int status = kDone;
     if (!options.cue.empty() && !takeCue(options, status)) return status;
-    const auto scene = loadScene(options.scene, status);
+    const auto scene = loadScene(options.scene, interrupt.token(), status);
     if (!scene) return status;
     if (const std::string why = refused(*scene, options.formats); !why.empty()) {
         tell("shadescope export: {}\n", why);

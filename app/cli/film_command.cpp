@@ -39,7 +39,7 @@ int runFilm(const FilmOptions& options) {
     }
     const Interrupt interrupt;
     int status = kDone;
-    const auto scene = loadScene(options.scene, status);
+    const auto scene = loadScene(options.scene, interrupt.token(), status);
     if (!scene) return status;
     if (pipeline::findDerived(options.buffer)) {
         tell("shadescope film: {} is derived from a finished frame and cannot be filmed\n", options.buffer);

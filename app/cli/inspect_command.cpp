@@ -180,7 +180,7 @@ int runInspect(InspectOptions options) {
     const Interrupt interrupt;
     options.stop = interrupt.token();
     int status = kDone;
-    const auto scene = loadScene(options.scene, status);
+    const auto scene = loadScene(options.scene, interrupt.token(), status);
     if (!scene) return status;
     pipeline::BufferSet wanted;  // beside what a condition reads
     if (options.row) wanted = pipeline::sectionBuffers();

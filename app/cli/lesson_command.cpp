@@ -71,7 +71,11 @@ void printPages(const lessons::Lesson& lesson, const Json& pages) {
 
 int showLesson(const std::string& name, bool asJson) {
     const Interrupt interrupt;
-    const auto lesson = lessons::findLesson(name);
+    const auto lesson = lessons::findLesson(name, interrupt.token());
+    if (interrupt.asked()) {
+        tell("Cancelled.\n");
+        return kInterrupted;
+    }
     if (!lesson) {
         printErrors(lesson.errors());
         return kBadInput;
@@ -107,7 +111,11 @@ int exportLesson(const std::string& name, const std::string& folder) {
         return kWrongUsage;
     }
     const Interrupt interrupt;
-    const auto lesson = lessons::findLesson(name);
+    const auto lesson = lessons::findLesson(name, interrupt.token());
+    if (interrupt.asked()) {
+        tell("Cancelled.\n");
+        return kInterrupted;
+    }
     if (!lesson) {
         printErrors(lesson.errors());
         return kBadInput;

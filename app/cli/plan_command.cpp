@@ -106,15 +106,15 @@ pipeline::FramePtr culledFrame(const std::shared_ptr<const pipeline::Scene>& sce
 }
 
 int runPlan(const PlanOptions& options) {
+    const Interrupt interrupt;
     int status = kDone;
-    const auto scene = loadScene(options.scene, status);
+    const auto scene = loadScene(options.scene, interrupt.token(), status);
     if (!scene) return status;
     const auto wanted = wantedFrame(*scene, options.frame);
     if (!wanted) {
         printErrors(wanted.errors());
         return kWrongUsage;
     }
-    const Interrupt interrupt;
     pipeline::FrameRequest request = wanted->request;
     request.stop = interrupt.token();
     const auto print = options.json ? printPlanAsJson : printPlan;

@@ -65,13 +65,20 @@ void declareSceneArgument(CLI::App& command, SceneArgument& argument, SceneArgum
     command.add_flag("--no-leave-out", argument.noLeaveOut, "Run everything, also what the scene does not need");
 }
 
-std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, int& status) {
+std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, const pipeline::Stop& stop, int& status) {
     const auto refuse = [&](const Errors& errors, int why) {
         printErrors(errors);
         status = why;
         return nullptr;
     };
-    auto read = argument.state ? sceneOf(*argument.state, argument.folder) : readNamedScene(argument.scene, {});
+    const pipeline::ReadProgress progress{{}, stop};
+    auto read = argument.state ? sceneOf(*argument.state, argument.folder, progress)
+                               : readNamedScene(argument.scene, {}, progress);
+    if (stop.stop_requested()) {
+        tell("Cancelled.\n");
+        status = kInterrupted;
+        return nullptr;
+    }
     if (!read) return refuse(read.errors(), kBadInput);
     if (argument.state)
         if (const Errors errors = checkCue(*argument.state, *read, argument.folder); !errors.empty())

@@ -7,6 +7,7 @@
 
 #include "app/state/window_state.h"
 #include "pipeline/core/result.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/scene.h"
 
@@ -31,8 +32,9 @@ void declareSceneArgument(CLI::App& command, SceneArgument& argument,
                           SceneArgument::Need need = SceneArgument::Need::Always);
 
 // The scene with its settings applied, or nothing after the reasons went to standard error and
-// `status` was set to kBadInput or kWrongUsage.
-std::shared_ptr<const pipeline::Scene> loadScene(const SceneArgument& argument, int& status);
+// `status` was set to kBadInput, kWrongUsage or, where the stop ended it, kInterrupted.
+std::shared_ptr<const pipeline::Scene> loadScene(const SceneArgument& argument, const pipeline::Stop& stop,
+                                                 int& status);
 
 // Whether such a frame fits into memory. If not, the reason went to standard error and `status` was set: to kWrongUsage
 // where an option has made it so large, else to kBadInput.

@@ -87,7 +87,7 @@ int runStudyCommand(const StudyOptions& options) {
     const Interrupt interrupt;
     int status = kDone;
     StudyOrder job;
-    job.request.scene = loadScene(options.scene, status);
+    job.request.scene = loadScene(options.scene, interrupt.token(), status);
     if (!job.request.scene) return status;
     auto sweep = parseSweeps(*job.request.scene, options.sweeps);
     if (!sweep) {

@@ -101,7 +101,7 @@ Result<OpenedScene> readStateScene(const WindowState& state, const fs::path& fol
     }
     if (!opened.kept.scene && state.sceneText.empty())
         return Error{{}, "the state names no scene", "a scene file, or the name of a built-in scene"};
-    Result<Scene> shown = sceneOf(state, opened.kept.scene ? *opened.kept.scene : Scene());
+    Result<Scene> shown = sceneOf(state, opened.kept.scene ? *opened.kept.scene : Scene(), progress);
     if (!shown) return shown.errors();
     if (const pipeline::Errors errors = checkSceneAndMemory(*shown); !errors.empty()) return errors;
     opened.scene = std::move(shown).value();

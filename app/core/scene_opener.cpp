@@ -33,11 +33,11 @@ void SceneOpener::open(const QString& name, Read read, Take take) {
     m_job.ask(
         [read = std::move(read), nameFile](const BackgroundJob::Control& control) {
             std::string last;
-            return read([&](double share, std::string_view file) {
+            const auto tell = [&](double share, std::string_view file) {
                 if (file != last) nameFile(last = file);
                 control.progress(share);
-                return !control.stop.stop_requested();
-            });
+            };
+            return read({tell, control.stop});
         },
         std::move(take));
     if (m_patience.count() > 0) {

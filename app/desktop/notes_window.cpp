@@ -176,8 +176,7 @@ void NotesWindow::computeNext() {
     m_nextTitle->setText(tr("Next   cue %1: %2").arg(next + 1).arg(toQString(cue.name)));
     m_job.ask(
         [state = cue.state, folder = m_cues.folder()](const BackgroundJob::Control& control) -> QImage {
-            const auto goesOn = [&](double, std::string_view) { return !control.stop.stop_requested(); };
-            auto scene = sceneOf(state, folder, goesOn);
+            auto scene = sceneOf(state, folder, {{}, control.stop});
             if (!scene || control.stop.stop_requested()) return {};
             const auto frame =
                 frameOf(state, std::make_shared<const pipeline::Scene>(std::move(scene).value()), control.stop);

@@ -52,12 +52,12 @@ std::string sceneName(const fs::path& file, const fs::path& folder) {
     return inside.string();
 }
 
-Result<Scene> sceneOf(const WindowState& state, const Scene& original) {
+Result<Scene> sceneOf(const WindowState& state, const Scene& original, const pipeline::ReadProgress& progress) {
     if (!state.sceneText.empty()) {
         const pipeline::FileLoader none = [](std::string_view) -> Result<pipeline::NamedFile> {
             return Error{{}, "the scene's text names a file", "a scene that needs none"};
         };
-        return readTomlScene({state.sceneText, "scene_text"}, none);
+        return readTomlScene({state.sceneText, "scene_text", progress}, none);
     }
     Scene scene = original;
     pipeline::KeyPlaces places;
@@ -73,7 +73,7 @@ Result<Scene> sceneOf(const WindowState& state, const Scene& original) {
 }
 
 Result<Scene> sceneOf(const WindowState& state, const fs::path& folder, const pipeline::ReadProgress& progress) {
-    if (!state.sceneText.empty()) return sceneOf(state, Scene());
+    if (!state.sceneText.empty()) return sceneOf(state, Scene(), progress);
     const Result<Scene> original = readNamedScene(state.scene, folder, progress);
     if (!original) return namedAt(state.places.of("scene"), original.errors());
     return sceneOf(state, *original);

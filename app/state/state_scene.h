@@ -22,7 +22,8 @@ void findFilesFrom(WindowState& state, const std::filesystem::path& folder);
 
 // The scene that a state shows. original: what readNamedScene gives for state.scene; unused where the state has the
 // whole text. Errors: a setting that the scene does not have, a text that is no scene. The result has passed checkScene.
-pipeline::Result<pipeline::Scene> sceneOf(const WindowState& state, const pipeline::Scene& original);
+pipeline::Result<pipeline::Scene> sceneOf(const WindowState& state, const pipeline::Scene& original,
+                                          const pipeline::ReadProgress& progress = {});
 // The same with the original read from its file.
 pipeline::Result<pipeline::Scene> sceneOf(const WindowState& state, const std::filesystem::path& folder,
                                           const pipeline::ReadProgress& progress = {});

@@ -19,6 +19,7 @@ std::string format(const Error& error) {
 std::string format(const Errors& errors) {
     std::string text;
     for (const Error& error : errors) text += format(error) + '\n';
+    if (errors.size() >= kMaxErrors) text += "These are the first errors; there may be more.\n";
     return text;
 }
 

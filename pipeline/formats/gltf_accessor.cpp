@@ -126,6 +126,7 @@ std::optional<std::string_view> GltfBuffers::load(const GltfValue& buffer) {
                 return {};
             }
             content = std::move(std::move(file).value().text);
+            m_bytesRead += content.size();
         }
         bytes = content;
     }
@@ -300,6 +301,7 @@ std::optional<std::vector<std::uint32_t>> readIndices(GltfFile& file, const Gltf
     std::vector<std::uint32_t> indices;
     indices.reserve(accessor.count);
     for (std::size_t i = 0; i < accessor.count; ++i) {
+        if (file.check.stopped()) return {};
         const double value = accessor.normalized ? -1 : accessor.component(i, 0);
         if (!(value >= 0 && value < double(end))) {
             GltfValue(file).fail(fmt::format("element {} of {} is {}", i, accessor.pointer, shortestText(value)),
@@ -315,6 +317,7 @@ std::optional<std::vector<Vec3d>> readVectors(GltfFile& file, const GltfAccessor
     std::vector<Vec3d> vectors;
     vectors.reserve(accessor.count);
     for (std::size_t i = 0; i < accessor.count; ++i) {
+        if (file.check.stopped()) return {};
         Vec3d& vector = vectors.emplace_back(0.0);
         for (int axis = 0; axis < 3; ++axis) {
             vector[axis] = accessor.component(i, static_cast<std::size_t>(axis));

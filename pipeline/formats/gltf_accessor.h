@@ -22,11 +22,14 @@ public:
     // Counts elements that no byte of the file stands for: false, and reported, beyond 2^22 of them.
     bool hasRoomFor(const GltfValue& accessor, std::size_t elements);
 
+    // Of the files that buffers were loaded from.
+    std::size_t bytesRead() const { return m_bytesRead; }
+
 private:
     std::optional<std::string_view> load(const GltfValue& buffer);
 
     const FileLoader& m_load;
-    std::size_t m_withoutBytes = 0;
+    std::size_t m_withoutBytes = 0, m_bytesRead = 0;
     std::map<std::string, std::string> m_contents;                   // by the buffer's pointer
     std::map<std::string, std::optional<std::string_view>> m_bytes;  // likewise
 };

@@ -81,7 +81,9 @@ bool readGraph(const GltfValue& nodes, Graph& graph) {
     graph.parents.assign(count, kNoParent);
     for (std::size_t i = 0; i < count; ++i) {
         const GltfValue children = nodes.at(i)["children"];
+        if (nodes.file().check.stopped()) return false;
         for (std::size_t k = 0; k < children.size(); ++k) {
+            if (nodes.file().check.stopped()) return false;
             const auto child = children.at(k).whole(0, count - 1);
             if (!child) return false;
             if (graph.parents[*child] != kNoParent) {
@@ -157,7 +159,7 @@ std::vector<GltfInstance> instancesOf(GltfFile& file) {
         for (auto node = list.rbegin(); node != list.rend(); ++node) open.push_back({*node, level, parent});
     };
     push(rootsOf(top, graph), 1, glm::dmat4(1.0));
-    while (!open.empty() && file.errors.size() < kMaxErrors) {
+    while (!open.empty() && file.errors.size() < kMaxErrors && !file.check.stopped()) {
         const Visit visit = open.back();
         open.pop_back();
         seen[visit.node] = true;

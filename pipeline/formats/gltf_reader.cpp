@@ -9,7 +9,9 @@
 #include "pipeline/formats/gltf_formats.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/read_budget.h"
 #include "pipeline/formats/welded_vertices.h"
+#include "pipeline/scene/make_mesh.h"
 
 // glTF 2.0 (Khronos Group, glTF 2.0 Specification, 2021): the triangles of a scene's nodes, their
 // normals, and the factors of their materials.
@@ -44,8 +46,9 @@ bool isBesideGeometry(std::string_view extension) {
 
 class GltfReader {
 public:
-    GltfReader(GltfFile& file, const FileLoader& load, const ReadProgress& progress)
-        : m_file(file), m_buffers(load), m_progress(progress) {}
+    // bytes: of the file.
+    GltfReader(GltfFile& file, const FileLoader& load, const ReadProgress& progress, std::size_t bytes)
+        : m_file(file), m_buffers(load), m_progress(progress), m_bytes(bytes) {}
 
     LoadedModel read() {
         checkHead();
@@ -134,7 +137,7 @@ private:
             WeldedVertices welded(mesh, !normals.empty());
             welded.reserve(positions->size());
             for (std::size_t i = 0; i < count; ++i) {
-                if (!m_meter->goesOn(m_told + kShares * i / count, m_file.errors)) return;
+                if (m_file.check.stopped(3) || !m_meter->goesOn(m_told + kShares * i / count, m_file.errors)) return;
                 std::array<std::size_t, 3> triangle = cornersOf(*mode, i);
                 if (mirrored) std::swap(triangle[1], triangle[2]);
                 std::array<std::uint32_t, 3> polygon{};
@@ -152,6 +155,7 @@ private:
     // Puts them where the node and its parents do, +y up. Without normals where one has no length.
     bool place(const GltfInstance& instance, std::vector<Vec3d>& positions, std::vector<Vec3d>& normals) {
         for (Vec3d& p : positions) {
+            if (m_file.check.stopped()) return false;
             p = Vec3d(instance.toWorld * glm::dvec4(p, 1));
             if (isCoordinate(p.x) && isCoordinate(p.y) && isCoordinate(p.z)) continue;
             const auto text = [](double x) { return textBeyond(x, std::copysign(kFarthestVertex, x)); };
@@ -166,6 +170,7 @@ private:
         const glm::dmat3 cofactors(side * glm::cross(m[1], m[2]), side * glm::cross(m[2], m[0]),
                                    side * glm::cross(m[0], m[1]));
         for (Vec3d& n : normals) {
+            if (m_file.check.stopped()) return false;
             const auto unit = unitVector(cofactors * n);
             if (!unit) {
                 remark(m_file, "Some normals have no length; the normals of their object are not used.", "object");
@@ -185,7 +190,7 @@ private:
             return primitive.fail(fmt::format("more than {} objects", groupedDigits(kMaxObjects)));
         mesh.file = m_file.meshFile;
         Object& object = m_objects.emplace_back();
-        object.mesh = makeMesh(std::move(mesh));
+        object.mesh = makeMesh(std::move(mesh), m_progress.stop);
         object.transform.up = UpAxis::Y;
         const GltfValue materialIndex = primitive["material"];
         const std::size_t errors = m_file.errors.size();
@@ -203,10 +208,12 @@ private:
     // Primitives may name the same vertices again and again; what they amount to is limited.
     bool hasRoomFor(const GltfValue& primitive, std::size_t count) {
         m_elements += count;
-        if (m_elements <= kMaxVertices) return true;
-        primitive.fail(fmt::format("up to {} the file has {} vertices and corners", primitive.pointer(),
-                                   groupedDigits(m_elements)),
-                       fmt::format("at most {}", groupedDigits(kMaxVertices)));
+        const std::size_t most = std::min(kMaxVertices, ReadBudget::mostVertices(m_bytes + m_buffers.bytesRead()));
+        if (m_elements <= most) return true;
+        primitive.fail(
+            fmt::format("up to {} the file has {} vertices and corners", primitive.pointer(),
+                        groupedDigits(m_elements)),
+            fmt::format("at most {}{}", groupedDigits(most), most < kMaxVertices ? " in a file of this size" : ""));
         return false;
     }
 
@@ -256,6 +263,7 @@ private:
     ReadMeter* m_meter = nullptr;
     std::size_t m_told = 0;  // of kShares for each instance
     bool m_quantized = false;
+    std::size_t m_bytes = 0;                       // of the file, without its buffers' files
     std::size_t m_elements = 0, m_primitives = 0;  // read so far
     std::size_t m_leftOut = 0;                     // triangles without an area
     std::vector<Object> m_objects;
@@ -276,7 +284,7 @@ Result<LoadedModel> readGltf(const SourceText& source, const FileLoader& load) {
     Result<GltfFile> parsed = parseGltf(source);
     if (!parsed) return parsed.errors();
     GltfFile file = std::move(parsed).value();
-    LoadedModel model = GltfReader(file, load, source.progress).read();
+    LoadedModel model = GltfReader(file, load, source.progress, source.text.size()).read();
     if (!file.errors.empty()) return file.errors;
     return model;
 }

@@ -10,6 +10,7 @@
 #include "pipeline/formats/json_error.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_formats.h"
+#include "pipeline/formats/stoppable_text.h"
 
 namespace pipeline {
 namespace {
@@ -36,7 +37,8 @@ Error notJson(const SourceText& source, std::string_view json, std::size_t byte,
 std::optional<Error> checkNesting(const SourceText& source, std::string_view json) {
     std::size_t depth = 0, values = 1;
     bool inString = false;
-    for (std::size_t i = 0; i < json.size(); ++i) {
+    StopCheck check(source.progress.stop);
+    for (std::size_t i = 0; i < json.size() && !check.stopped(); ++i) {
         const char c = json[i];
         if (inString) {
             if (c == '\\') ++i;
@@ -122,7 +124,14 @@ Result<GltfFile> parseGltf(const SourceText& source) {
         chunks = *found;
     }
     if (const auto error = checkNesting(source, chunks.json)) return *error;
-    GltfFile file{source.name, meshFileOf(source), Json::parse(chunks.json, nullptr, false), chunks.binary};
+    StopCheck check(source.progress.stop);
+    const char* const begin = chunks.json.data();
+    GltfFile file{source.name, meshFileOf(source),
+                  Json::parse(StoppableIterator(begin, &check), StoppableIterator(begin + chunks.json.size(), &check),
+                              nullptr, false),
+                  chunks.binary};
+    if (source.progress.stop.stop_requested()) return readingStopped(source.name);
+    file.check = check;
     if (file.json.is_discarded()) {
         const std::size_t byte = jsonErrorAt(chunks.json);
         const bool atEnd = byte == chunks.json.size();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pipeline/core/result.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/scene/remark.h"
 
@@ -30,6 +31,7 @@ struct GltfFile {
     Errors errors{};                           // at most kMaxErrors
     std::vector<GltfRemark> remarks{};
     bool doubleSided = false;  // a material that is drawn is
+    StopCheck check{Stop()};   // of the reading; loops over what the file holds ask it
 };
 
 // Parses a .gltf or a .glb, which its first bytes tell apart. JSON that nests more than 64 deep or

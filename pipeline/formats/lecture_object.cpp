@@ -4,6 +4,7 @@
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/scene/framing.h"
+#include "pipeline/scene/make_mesh.h"
 
 namespace pipeline {
 namespace {
@@ -42,9 +43,10 @@ void readVertices(LongList& list, std::size_t count, Mesh& mesh) {
     }
 }
 
-void readPolygon(TextScanner& scanner, std::size_t cornerCount, Mesh& mesh) {
+void readPolygon(LongList& list, std::size_t cornerCount, Mesh& mesh) {
+    TextScanner& scanner = list.scanner;
     std::vector<std::uint32_t> polygon;
-    for (std::size_t k = 0; k < cornerCount && scanner.good(); ++k) {
+    for (std::size_t k = 0; k < cornerCount && list.good(); ++k) {
         const std::optional<std::uint64_t> index = parseCount(scanner.next());
         const bool known = index && *index < mesh.positions.size();
         const std::uint32_t corner = known ? static_cast<std::uint32_t>(*index) : UINT32_MAX;
@@ -66,7 +68,7 @@ bool readPolygons(LongList& list, std::size_t count, Mesh& mesh) {
         const std::optional<std::size_t> corners = readCount(scanner, kCorners, i);
         if (!corners) return false;
         mesh.polygonPlaces.push_back(scanner.place());
-        readPolygon(scanner, *corners, mesh);
+        readPolygon(list, *corners, mesh);
     }
     return list.good();
 }
@@ -104,7 +106,7 @@ Result<Scene> readLectureObject(const SourceText& source, const FileLoader&) {
     Scene scene;
     Object& object = scene.objects.emplace_back();
     object.name = printableText(file.stem().string());
-    object.mesh = makeMesh(std::move(mesh));
+    object.mesh = makeMesh(std::move(mesh), source.progress.stop);
     object.material = description.material;
     frameModel(scene);
     return scene;

@@ -6,6 +6,7 @@
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/object_names.h"
+#include "pipeline/scene/make_mesh.h"
 
 namespace pipeline {
 namespace {
@@ -77,7 +78,7 @@ private:
     }
 
     const KnownObject& objectFile(const std::string& name) {
-        const auto [entry, isNew] = m_known.try_emplace(name);
+        const auto [entry, isNew] = m_known.try_emplace(std::filesystem::path(name).lexically_normal().string());
         if (!isNew) return entry->second;
         Result<NamedFile> file = m_load(name);
         if (!file) {
@@ -93,7 +94,7 @@ private:
         ObjectDescription description = readObjectDescription({*text, file->path, m_source.progress}, m_errors);
         if (m_errors.size() > before || !m_scanner.good()) return entry->second;
         description.mesh.file = name;
-        entry->second = {makeMesh(std::move(description.mesh)), description.material};
+        entry->second = {makeMesh(std::move(description.mesh), m_source.progress.stop), description.material};
         return entry->second;
     }
 

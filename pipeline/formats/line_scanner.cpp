@@ -70,6 +70,10 @@ std::string_view LineScanner::peek() const {
 }
 
 std::string_view LineScanner::next() {
+    if (!m_meter.goesOn(at(), m_errors)) {
+        m_begin = m_end = m_lineEnd;
+        return {};
+    }
     while (true) {
         while (m_end < m_lineEnd && isSpace(m_text[m_end])) ++m_end;
         const bool continued = m_end + 1 == m_lineEnd && m_text[m_end] == '\\';

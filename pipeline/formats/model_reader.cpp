@@ -41,6 +41,7 @@ Result<LoadedModel> readModel(const SourceText& source, std::string_view extensi
     if (!format) return Error{{source.name, 0, 0}, "found no model", {}};
     try {
         Result<LoadedModel> model = format->read(source, load);
+        if (source.progress.stop.stop_requested()) return readingStopped(source.name);
         if (model && model->objects.empty()) {
             std::string found = "found no polygon";
             for (const Remark& remark : model->remarks) found += "; " + remark.text;

@@ -12,6 +12,7 @@
 #include "pipeline/formats/obj_file.h"
 #include "pipeline/formats/obj_smoothing.h"
 #include "pipeline/formats/text_scanner.h"
+#include "pipeline/scene/make_mesh.h"
 
 // Wavefront OBJ as its manual describes polygons (Object Files, 1995, appendix B1). Curves, surfaces, points, lines and
 // texture coordinates are left out.
@@ -170,7 +171,7 @@ Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
         Object& object = model.objects.emplace_back();
         object.name = group.name;
         if (groupsOf[group.object] > 1) object.name += ", " + shownName(group.material, "no material");
-        object.mesh = makeMesh(std::move(meshes[i]));
+        object.mesh = makeMesh(std::move(meshes[i]), source.progress.stop);
         if (const Material* material = materials.find(group.material)) object.material = *material;
     }
     return model;

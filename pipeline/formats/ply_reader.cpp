@@ -9,6 +9,7 @@
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/ply_header.h"
+#include "pipeline/scene/make_mesh.h"
 
 // PLY (G. Turk, The PLY Polygon File Format, 1994): vertices with or without normals, and faces.
 // Colours, other properties and other elements are left out, with a remark.
@@ -337,7 +338,7 @@ Result<LoadedModel> readPly(const SourceText& source, const FileLoader&) {
     mesh.file = meshFileOf(source);
     Object& object = model.objects.emplace_back();
     object.name = stemOf(source.name);
-    object.mesh = makeMesh(std::move(mesh));
+    object.mesh = makeMesh(std::move(mesh), source.progress.stop);
     return model;
 }
 

@@ -59,7 +59,7 @@ Result<Scene> readPngScene(const SourceText& source, const FileLoader&) {
     const FileLoader none = [](std::string_view) -> Result<NamedFile> {
         return Error{{}, "the scene in the picture names a file", "a scene that needs none"};
     };
-    return readTomlScene({scene, source.name}, none);
+    return readTomlScene({scene, source.name, source.progress}, none);
 }
 
 std::string carriedState(std::string_view png) { return looksLikePng(png) ? textOf(png, kStateChunk) : std::string(); }

@@ -129,7 +129,9 @@ Result<std::string> readFile(const fs::path& file, std::size_t limit) {
 
 Result<std::string> wholeText(const SourceText& source) {
     std::string text(source.text);
-    if (source.tail) source.tail->read(text, kMaxFileBytes + 1 - text.size());
+    // Piece by piece, for a slow disk's sake: reading may be stopped.
+    while (source.tail && text.size() <= kMaxFileBytes && !source.progress.stop.stop_requested())
+        if (!source.tail->read(text, std::min(FileTail::kPiece, kMaxFileBytes + 1 - text.size()))) break;
     if (text.size() > kMaxFileBytes) return tooLarge(kMaxFileBytes);
     return text;
 }

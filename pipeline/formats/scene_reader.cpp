@@ -86,7 +86,9 @@ void remarkOnNormals(const Object& object, std::vector<Remark>& remarks) {
 Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress& progress) {
     const std::string name = file.string();
     try {
+        if (progress.stop.stop_requested()) return readingStopped(name);
         Result<Scene> result = readUnchecked(file, progress);
+        if (progress.stop.stop_requested()) return readingStopped(name);
         if (!result) return inFile(result.errors(), name);
         Scene scene = std::move(result).value();
         if (scene.name.empty()) scene.name = printableText(file.filename().string());

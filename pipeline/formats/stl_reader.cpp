@@ -11,6 +11,7 @@
 #include "pipeline/formats/line_scanner.h"
 #include "pipeline/formats/model_formats.h"
 #include "pipeline/formats/welded_vertices.h"
+#include "pipeline/scene/make_mesh.h"
 
 // STL in both forms (3D Systems, StereoLithography Interface Specification, 1989). The normals of
 // the facets are not read: they say nothing that the corners' order does not say. Keywords are
@@ -27,7 +28,7 @@ void addObject(Mesh& mesh, const SourceText& source, std::string name, std::vect
     if (mesh.polygonCount() > 0) {
         Object& object = objects.emplace_back();
         object.name = std::move(name);
-        object.mesh = makeMesh(std::move(mesh));
+        object.mesh = makeMesh(std::move(mesh), source.progress.stop);
     }
     mesh = {};
 }

@@ -10,8 +10,8 @@ namespace {
 
 class TomlMeshReader {
 public:
-    TomlMeshReader(const toml::table& object, const std::string& path, TomlValues& values)
-        : m_object(object), m_path(path), m_values(values) {}
+    TomlMeshReader(const toml::table& object, const std::string& path, TomlValues& values, const Stop& stop)
+        : m_object(object), m_path(path), m_values(values), m_check(stop) {}
 
     std::optional<Mesh> read() {
         const toml::array* vertices = rows("vertices");
@@ -55,6 +55,7 @@ private:
     void readVectors(const toml::array& from, std::string_view key, VertexVectors& to) {
         const Setting& range = settingRow("object.#.tx");
         for (const toml::node& node : from) {
+            if (m_check.stopped(3)) return;
             const auto v = m_values.numbers(node, fmt::format("{}.{}", m_path, key), 3, range.min, range.max);
             if (!v) m_wrong = true;
             if (m_wrong) return;
@@ -69,6 +70,7 @@ private:
             const toml::array* corners = node.as_array();
             if (!corners || corners->size() < 3)
                 return fail(node, "a polygon is no array of three numbers or more", "indices of vertices");
+            if (m_check.stopped(corners->size())) return;
             polygon.clear();
             for (const toml::node& corner : *corners) {
                 const auto* index = corner.as_integer();
@@ -89,14 +91,31 @@ private:
     const toml::table& m_object;
     const std::string& m_path;
     TomlValues& m_values;
+    StopCheck m_check;
     Mesh m_mesh;
     bool m_wrong = false;
 };
 
 }  // namespace
 
-std::optional<Mesh> readTomlMesh(const toml::table& object, const std::string& path, TomlValues& values) {
-    return TomlMeshReader(object, path, values).read();
+std::optional<Shape> tomlShape(const toml::table& object) {
+    const auto* named = object["shape"].as_string();
+    if (!named) return {};
+    for (std::size_t k = 0; k < kShapeCount; ++k) {
+        Shape shape{static_cast<ShapeKind>(k)};
+        if (name(shape.kind) != named->get()) continue;
+        const Setting& row = settingRow("object.#.tessellation");
+        if (const auto* pieces = object["tessellation"].as_integer();
+            pieces && double(pieces->get()) >= row.min && double(pieces->get()) <= row.max)
+            shape.tessellation = static_cast<int>(pieces->get());
+        return shape;
+    }
+    return {};
+}
+
+std::optional<Mesh> readTomlMesh(const toml::table& object, const std::string& path, TomlValues& values,
+                                 const Stop& stop) {
+    return TomlMeshReader(object, path, values, stop).read();
 }
 
 }  // namespace pipeline

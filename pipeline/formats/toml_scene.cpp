@@ -8,17 +8,20 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "pipeline/core/text.h"
 #include "pipeline/formats/lecture_formats.h"
 #include "pipeline/formats/lecture_values.h"
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/object_names.h"
+#include "pipeline/formats/read_budget.h"
 #include "pipeline/formats/toml_mesh.h"
 #include "pipeline/formats/toml_text.h"
 #include "pipeline/formats/toml_values.h"
 #include "pipeline/formats/toml_vectors.h"
 #include "pipeline/scene/key_places.h"
+#include "pipeline/scene/make_mesh.h"
 
 namespace pipeline {
 namespace {
@@ -43,7 +46,9 @@ void fillIn(Vec3d& value, Vec3d with) {
 class TomlSceneReader {
 public:
     TomlSceneReader(const SourceText& source, const FileLoader& load)
-        : m_source(source), m_load(load), m_values(source.name) {}
+        : m_source(source), m_load(load), m_values(source.name), m_check(source.progress.stop) {
+        m_budget.addRead(source.text.size());
+    }
 
     Result<Scene> read(const toml::table& top) {
         readTable(top, "", 0, kTopKeys);
@@ -52,8 +57,9 @@ public:
         if (const toml::node* node = top.get("light"))
             for (const toml::table* light : m_values.tables(*node, "light", kMaxLights)) readLight(*light);
         if (const toml::node* node = top.get("object"))
-            for (const toml::table* object : m_values.tables(*node, "object", kMaxObjects))
-                if (!readObject(*object)) break;
+            if (const auto objects = m_values.tables(*node, "object", kMaxObjects); haveRoomForShapes(objects))
+                for (const toml::table* object : objects)
+                    if (m_values.full() || m_check.stopped() || !readObject(*object)) break;
         if (Errors errors = m_values.errors(); !errors.empty()) return errors;
         m_values.add(m_places.placed(checkScene(m_scene)));
         if (Errors errors = m_values.errors(); !errors.empty()) return errors;
@@ -68,7 +74,10 @@ private:
         if (named.empty()) named = prefix;
         if (!prefix.empty())
             m_places.add(shown(named.substr(0, named.size() - 1), index), m_values.place(table.source()));
-        for (const auto& [key, node] : table) {
+        for (const auto& [keyAt, nodeAt] : inFileOrder(table)) {
+            if (m_values.full() || m_check.stopped()) return;
+            const toml::key& key = *keyAt;
+            const toml::node& node = *nodeAt;
             const std::string_view name = key.str();
             if (std::ranges::find(others, name) != others.end()) continue;
             const std::string wanted = prefix + std::string(name);
@@ -119,6 +128,32 @@ private:
                 light.gl.constant = (*c)[0], light.gl.linear = (*c)[1], light.gl.quadratic = (*c)[2];
     }
 
+    // Counts the shapes before the first of them is built. Equal ones are one mesh, but each counts in the scene.
+    bool haveRoomForShapes(const std::vector<const toml::table*>& objects) {
+        std::size_t vertices = 0, triangles = 0;
+        std::set<std::pair<ShapeKind, int>> built;
+        for (const toml::table* object : objects) {
+            const std::optional<Shape> shape = tomlShape(*object);
+            if (!shape) continue;
+            vertices += mostVerticesOf(*shape), triangles += mostTrianglesOf(*shape);
+            if (vertices > kMaxVertices || triangles > kMaxTriangles) return refuseTooMany(*object);
+            if (!built.emplace(shape->kind, shape->tessellation).second || m_budget.mayBuild(mostVerticesOf(*shape)))
+                continue;
+            m_values.fail(
+                object->source(),
+                fmt::format("the different shapes up to this one have {} vertices", groupedDigits(m_budget.built())),
+                fmt::format("at most {} in a file of this size: less tessellation", groupedDigits(m_budget.most())));
+            return false;
+        }
+        return true;
+    }
+
+    bool refuseTooMany(const toml::table& object) {
+        m_values.fail(object.source(), "all objects up to this one have too many vertices or triangles",
+                      fmt::format("at most {} of each", groupedDigits(kMaxVertices)));
+        return false;
+    }
+
     // Whether there is room for more.
     bool readObject(const toml::table& table) {
         const std::size_t first = m_scene.objects.size();
@@ -142,10 +177,12 @@ private:
             m_vertices += m_scene.objects[i].mesh->positions.size();
             m_triangles += m_scene.objects[i].mesh->triangles.size();
         }
-        if (m_vertices <= kMaxVertices && m_triangles <= kMaxTriangles) return true;
-        m_values.fail(table.source(), "all objects up to this one have too many vertices or triangles",
-                      fmt::format("at most {} of each", groupedDigits(kMaxVertices)));
-        return false;
+        if (m_scene.objects.size() > kMaxObjects) {
+            m_values.fail(table.source(), "too many objects up to this one, those of models counted",
+                          fmt::format("at most {}", groupedDigits(kMaxObjects)));
+            return false;
+        }
+        return (m_vertices <= kMaxVertices && m_triangles <= kMaxTriangles) || refuseTooMany(table);
     }
 
     // One object, or those of a model.
@@ -169,17 +206,31 @@ private:
             // Where there is no such shape, the file is refused; whatever else is said of it is read all the same.
             const std::size_t kind = m_values.choice(*shape, path + ".shape", kinds).value_or(0);
             object.name = kinds[kind];
-            object.shape = Shape{static_cast<ShapeKind>(kind)};
+            object.shape = tomlShape(table).value_or(Shape{static_cast<ShapeKind>(kind)});
         } else if (mesh) {
             readMesh(*mesh, path + ".mesh", object);
         } else if (inPlace) {
-            if (auto own = readTomlMesh(table, path, m_values)) object.mesh = makeMesh(*std::move(own));
+            if (auto own = readTomlMesh(table, path, m_values, m_source.progress.stop))
+                object.mesh = makeMesh(*std::move(own), m_source.progress.stop);
         }
     }
 
+    // Files that are named again, by whatever way, are read once.
+    static std::string normal(const std::string& file) { return fs::path(file).lexically_normal().string(); }
+
     void readMesh(const toml::node& node, const std::string& path, Object& object) {
         const auto file = m_values.text(node, path);
-        const auto loaded = file ? load(node, *file) : std::nullopt;
+        if (!file) return;
+        const auto [known, isNew] = m_meshes.try_emplace(normal(*file));
+        if (isNew) readMeshFile(node, *file, known->second);
+        if (!known->second.mesh) return;
+        object.name = fs::path(*file).stem().string();
+        object.mesh = known->second.mesh;
+        object.material = known->second.material;
+    }
+
+    void readMeshFile(const toml::node& node, const std::string& file, Object& object) {
+        const auto loaded = load(node, file);
         if (!loaded) return;
         const Result<std::string> text = wholeText({loaded->text, loaded->path, m_source.progress, loaded->tail});
         if (!text) return m_values.add(text.errors());
@@ -187,26 +238,33 @@ private:
         ObjectDescription description = readObjectDescription({*text, loaded->path, m_source.progress}, errors);
         m_values.add(namedAt(m_values.place(node.source()), errors));
         if (!errors.empty()) return;
-        description.mesh.file = *file;
-        object.name = fs::path(*file).stem().string();
-        object.mesh = makeMesh(std::move(description.mesh));
+        description.mesh.file = file;
+        object.mesh = makeMesh(std::move(description.mesh), m_source.progress.stop);
         object.material = description.material;
     }
 
     void addModel(const toml::node& node, const std::string& path) {
         const auto file = m_values.text(node, path);
-        const auto loaded = file ? load(node, *file) : std::nullopt;
+        if (!file) return;
+        const auto [known, isNew] = m_models.try_emplace(normal(*file));
+        if (isNew) readModelFile(node, path, *file, known->second);
+        std::ranges::copy(known->second, std::back_inserter(m_scene.objects));
+    }
+
+    void readModelFile(const toml::node& node, const std::string& path, const std::string& file,
+                       std::vector<Object>& objects) {
+        const auto loaded = load(node, file);
         if (!loaded) return;
-        const std::string extension = fs::path(*file).extension().string();
+        const std::string extension = fs::path(file).extension().string();
         if (!isModel(extension)) return m_values.refuse(node, path, "a model, such as an .obj file");
         // What a model names stands beside the model.
-        const FileLoader beside = [&, folder = fs::path(*file).parent_path()](std::string_view name) {
+        const FileLoader beside = [&, folder = fs::path(file).parent_path()](std::string_view name) {
             return m_load((folder / name).string());
         };
         const Result<LoadedModel> model =
-            readModel({loaded->text, loaded->path, m_source.progress, loaded->tail, *file}, extension, beside);
+            readModel({loaded->text, loaded->path, m_source.progress, loaded->tail, file}, extension, beside);
         if (!model) return m_values.add(namedAt(m_values.place(node.source()), model.errors()));
-        std::ranges::copy(model->objects, std::back_inserter(m_scene.objects));
+        objects = model->objects;
         std::ranges::copy(model->remarks, std::back_inserter(m_scene.remarks));
     }
 
@@ -244,7 +302,7 @@ private:
 
     std::shared_ptr<const Mesh> shapeMesh(const Shape& shape) {
         auto& mesh = m_shapes[{shape.kind, shape.tessellation}];
-        if (!mesh) mesh = makeShape(shape);
+        if (!mesh) mesh = makeShape(shape, m_source.progress.stop);
         return mesh;
     }
 
@@ -279,7 +337,11 @@ private:
     KeyPlaces m_places;
     Scene m_scene;
     std::size_t m_vertices = 0, m_triangles = 0;
+    StopCheck m_check;
+    ReadBudget m_budget;
     std::map<std::pair<ShapeKind, int>, std::shared_ptr<const Mesh>> m_shapes;
+    std::map<std::string, Object> m_meshes;               // by file; without a mesh where it is no good
+    std::map<std::string, std::vector<Object>> m_models;  // by file
 };
 
 }  // namespace

@@ -32,12 +32,13 @@ bool beginsCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC
 
 // Where the first character stands, outside comments, for which `is` says so; it is asked about each, in their order.
 template <class Is>
-std::optional<TextPosition> firstWhere(std::string_view text, Is is) {
+std::optional<TextPosition> firstWhere(std::string_view text, const Stop& stop, Is is) {
+    StopCheck check(stop);
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     In in = In::Plain;
     TextPosition at{1, 1};
-    for (std::size_t i = 0; i < text.size();) {
+    for (std::size_t i = 0; i < text.size() && !check.stopped();) {
         if (in != In::Comment && is(text[i], in)) return at;
         const Step next = step(in, text.substr(i));
         for (std::size_t k = i; k < i + next.length; ++k) {
@@ -59,13 +60,14 @@ bool mayStandInKey(char c) {
 
 }  // namespace
 
-std::optional<TextPosition> strayCharacter(std::string_view text) {
-    return firstWhere(text, [](char c, In in) { return in == In::Plain && static_cast<unsigned char>(c) >= 0x80; });
+std::optional<TextPosition> strayCharacter(std::string_view text, const Stop& stop) {
+    return firstWhere(text, stop,
+                      [](char c, In in) { return in == In::Plain && static_cast<unsigned char>(c) >= 0x80; });
 }
 
-std::optional<TextPosition> deepKey(std::string_view text) {
+std::optional<TextPosition> deepKey(std::string_view text, const Stop& stop) {
     int dots = 0;
-    return firstWhere(text, [&](char c, In in) {
+    return firstWhere(text, stop, [&](char c, In in) {
         if (in != In::Plain) return false;  // part of a quoted key, or of a text
         dots = c == '.' ? dots + 1 : mayStandInKey(c) ? dots : 0;
         return dots >= kMostKeyParts;

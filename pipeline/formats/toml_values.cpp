@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <istream>
 #include <tuple>
 
 #include "pipeline/core/text.h"
+#include "pipeline/formats/stoppable_text.h"
 #include "pipeline/formats/text_scanner.h"
 #include "pipeline/formats/toml_scene.h"
 #include "pipeline/formats/toml_text.h"
@@ -49,15 +51,18 @@ Result<toml::table> parseToml(const SourceText& source) {
         return Error{{source.name, 0, 0},
                      fmt::format("the file is larger than {} bytes", groupedDigits(kMaxTomlBytes)),
                      "a smaller file"};
-    if (const auto stray = strayCharacter(source.text))
+    if (const auto stray = strayCharacter(source.text, source.progress.stop))
         return Error{{source.name, stray->line, stray->column},
                      "this is not TOML: a character that is not ASCII stands outside quotes and comments",
                      "a string in quotes"};
-    if (const auto deep = deepKey(source.text))
+    if (const auto deep = deepKey(source.text, source.progress.stop))
         return Error{{source.name, deep->line, deep->column},
                      fmt::format("this key has more than {} parts", kMostKeyParts),
                      "a key that a scene has"};
-    toml::parse_result parsed = toml::parse(source.text);
+    StoppableBuffer bytes(source.text, source.progress.stop);
+    std::istream stream(&bytes);
+    toml::parse_result parsed = toml::parse(stream);
+    if (source.progress.stop.stop_requested()) return readingStopped(source.name);
     if (!parsed) {
         const toml::source_position at = parsed.error().source().begin;
         return Error{{source.name, static_cast<int>(at.line), static_cast<int>(at.column)},
@@ -65,6 +70,17 @@ Result<toml::table> parseToml(const SourceText& source) {
                      {}};
     }
     return std::move(parsed).table();
+}
+
+std::vector<TomlEntry> inFileOrder(const toml::table& table) {
+    std::vector<TomlEntry> entries;
+    entries.reserve(table.size());
+    for (const auto& [key, node] : table) entries.push_back({&key, &node});
+    std::ranges::sort(entries, {}, [](const TomlEntry& entry) {
+        const toml::source_position at = entry.key->source().begin;
+        return std::pair(at.line, at.column);
+    });
+    return entries;
 }
 
 std::optional<double> TomlValues::number(const toml::node& node, const std::string& path, double min, double max) {
@@ -169,6 +185,7 @@ void TomlValues::setting(const toml::node& node, const std::string& path, const 
 }
 
 void TomlValues::unknown(const toml::key& key, const std::string& path, std::span<const std::string> known) {
+    if (full()) return;  // looking for the nearest name takes long
     fail(key.source(), fmt::format("no key {}; {}", inQuotes(path), insteadOf(key.str(), known)));
 }
 
@@ -177,7 +194,12 @@ void TomlValues::refuse(const toml::node& node, const std::string& path, std::st
 }
 
 void TomlValues::fail(const toml::source_region& where, std::string found, std::string expected) {
-    m_errors.emplace_back(place(where), std::move(found), std::move(expected));
+    add({Error(place(where), std::move(found), std::move(expected))});
+}
+
+void TomlValues::add(const Errors& errors) {
+    for (const Error& error : errors)
+        if (!full() && std::ranges::find(m_errors, error) == m_errors.end()) m_errors.push_back(error);
 }
 
 Errors TomlValues::errors() const {
@@ -187,8 +209,6 @@ Errors TomlValues::errors() const {
         const bool other = error.where.file != m_file;
         return std::tuple(other, other ? 0 : error.where.line, other ? 0 : error.where.column);
     });
-    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-    if (sorted.size() > kMaxErrors) sorted.resize(kMaxErrors);
     return sorted;
 }
 

@@ -21,8 +21,16 @@
 // Values of a TOML file of this program, each checked against the range of its setting.
 namespace pipeline {
 
-// The table that a text is; at most kMaxTomlBytes of it.
+// The table that a text is; at most kMaxTomlBytes of it. An error where it is stopped.
 Result<toml::table> parseToml(const SourceText& source);
+
+// The entries of a table in the order of the file, where the library has them by name: so the first errors of a table
+// are those that its reader finds first.
+struct TomlEntry {
+    const toml::key* key;
+    const toml::node* node;
+};
+std::vector<TomlEntry> inFileOrder(const toml::table& table);
 
 // Collects what is wrong with the values of one file.
 class TomlValues {
@@ -54,7 +62,9 @@ public:
     SourceLocation place(const toml::source_region& where) const {
         return {m_file, static_cast<int>(where.begin.line), static_cast<int>(where.begin.column)};
     }
-    void add(const Errors& errors) { m_errors.insert(m_errors.end(), errors.begin(), errors.end()); }
+    void add(const Errors& errors);
+    // Whether there are kMaxErrors: no use in reading on, for no more are kept.
+    bool full() const { return m_errors.size() >= kMaxErrors; }
 
     // In the order of the file, each once, at most kMaxErrors.
     Errors errors() const;

@@ -8,16 +8,19 @@
 namespace pipeline {
 namespace {
 
+// False where it is stopped.
 template <class Visit>
-void forEachEdge(const Mesh& mesh, Visit visit) {
+bool forEachEdge(const Mesh& mesh, StopCheck& check, Visit visit) {
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
         const std::span<const std::uint32_t> corners = mesh.polygon(i);
+        if (check.stopped(corners.size())) return false;
         std::uint32_t from = corners.back();
         for (const std::uint32_t to : corners) {
             visit(from, to);
             from = to;
         }
     }
+    return true;
 }
 
 // The other ends of the edges that leave, or that reach, the vertices in a range: those of a vertex side by side.
@@ -46,7 +49,7 @@ private:
 
 }  // namespace
 
-bool isClosed(const Mesh& mesh) {
+bool isClosed(const Mesh& mesh, StopCheck& check) {
     if (mesh.polygonCount() == 0) return false;
     const std::size_t vertices = mesh.positions.size();
     const std::size_t most = std::clamp<std::size_t>(vertices / 2, 1 << 18, 1 << 20);
@@ -55,17 +58,20 @@ bool isClosed(const Mesh& mesh) {
         const std::size_t count = std::min(most, vertices - first);
         const auto inRange = [&](std::uint32_t vertex) { return vertex - first < count; };  // below it wraps round
         leaving.begin(), arriving.begin();
-        forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) {
+        const bool counted = forEachEdge(mesh, check, [&](std::uint32_t from, std::uint32_t to) {
             if (inRange(from)) leaving.count(from - first);
             if (inRange(to)) arriving.count(to - first);
         });
+        if (!counted) return false;
         leaving.endCount(), arriving.endCount();
-        forEachEdge(mesh, [&](std::uint32_t from, std::uint32_t to) {
+        const bool put = forEachEdge(mesh, check, [&](std::uint32_t from, std::uint32_t to) {
             if (inRange(from)) leaving.put(from - first, to);
             if (inRange(to)) arriving.put(to - first, from);
         });
+        if (!put) return false;
         for (std::size_t vertex = 0; vertex < count; ++vertex) {
             const std::span<const std::uint32_t> to = leaving.of(vertex), from = arriving.of(vertex);
+            if (check.stopped(to.size() + from.size())) return false;
             if (!std::ranges::equal(to, from)) return false;
             if (std::ranges::adjacent_find(to) != to.end()) return false;
             if (std::ranges::binary_search(to, std::uint32_t(first + vertex))) return false;  // an edge to itself

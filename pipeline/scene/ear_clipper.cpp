@@ -4,7 +4,7 @@
 
 namespace pipeline {
 
-EarClipper::EarClipper(const std::vector<Vec2<double>>& points, double quantum, std::size_t& work)
+EarClipper::EarClipper(const std::vector<Vec2<double>>& points, double quantum, std::size_t& work, StopCheck& check)
     : m_points(points),
       m_quantum(quantum),
       m_previous(points.size()),
@@ -12,7 +12,8 @@ EarClipper::EarClipper(const std::vector<Vec2<double>>& points, double quantum, 
       m_blockers(points, quantum),
       m_untried(points.size()),
       m_untouched(points.size()),
-      m_work(work) {
+      m_work(work),
+      m_check(check) {
     const auto n = static_cast<std::uint32_t>(points.size());
     for (std::uint32_t i = 0; i < n; ++i) {
         m_previous[i] = i == 0 ? n - 1 : i - 1;
@@ -52,7 +53,7 @@ std::uint32_t EarClipper::findEar(std::uint32_t from) {
         IndexSet& candidates = lenient ? m_untouched : m_untried;
         for (std::uint32_t i = candidates.from(from); i != IndexSet::kNone; i = candidates.from(i)) {
             if (isEar(i, lenient)) return i;
-            if (m_work == 0) return IndexSet::kNone;
+            if (m_work == 0 || m_check.stopped(0)) return IndexSet::kNone;
             candidates.erase(i);
         }
     }
@@ -65,7 +66,7 @@ bool EarClipper::isEar(std::uint32_t i, bool lenient) {
     std::size_t visited = 1;
     const bool isOne = turn(a, b, c, m_quantum) >= (lenient ? 0 : 1) && !m_blockers.anyIn(a, b, c, !lenient, visited);
     m_work -= std::min(m_work, visited);
-    return isOne && m_work > 0;
+    return !m_check.stopped(visited) && isOne && m_work > 0;
 }
 
 }  // namespace pipeline

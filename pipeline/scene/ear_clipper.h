@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pipeline/core/stop.h"
 #include "pipeline/scene/index_set.h"
 #include "pipeline/scene/point_tree.h"
 
@@ -16,9 +17,10 @@ namespace pipeline {
 class EarClipper {
 public:
     // points: counter-clockwise, at least 3. Takes what it compares off `work`.
-    EarClipper(const std::vector<Vec2<double>>& points, double quantum, std::size_t& work);
+    EarClipper(const std::vector<Vec2<double>>& points, double quantum, std::size_t& work, StopCheck& check);
 
-    // False, with `triangles` unfinished, where the outline crosses itself or the work is used up.
+    // False, with `triangles` unfinished, where the outline crosses itself or the work is used up, and once it
+    // is stopped.
     bool clip(std::vector<glm::uvec3>& triangles);
 
 private:
@@ -35,6 +37,7 @@ private:
     PointTree m_blockers;             // only a corner that does not turn left can lie in an ear, or on its new edge
     IndexSet m_untried, m_untouched;  // corners that may be ears, and ears where touching is allowed
     std::size_t& m_work;
+    StopCheck& m_check;
 };
 
 }  // namespace pipeline

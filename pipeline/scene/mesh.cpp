@@ -6,6 +6,7 @@
 #include "pipeline/core/numerics.h"
 #include "pipeline/scene/closed_mesh.h"
 #include "pipeline/scene/ear_clipper.h"
+#include "pipeline/scene/make_mesh.h"
 
 namespace pipeline {
 namespace {
@@ -123,7 +124,7 @@ void fan(std::size_t cornerCount, std::vector<glm::uvec3>& triangles) {
 // beside its first vertex on an edge of no polygon; ears leave none there.
 // isSplit: false where the triangles may overlap.
 Outline triangulate(const LocalPolygon& polygon, std::vector<Vec2<double>>& flat, std::vector<glm::uvec3>& triangles,
-                    std::size_t& work, bool& isSplit) {
+                    std::size_t& work, StopCheck& check, bool& isSplit) {
     isSplit = true;
     fan(polygon.points.size(), triangles);
     if (polygon.points.size() == 3) return Outline::StrictlyConvex;
@@ -133,7 +134,7 @@ Outline triangulate(const LocalPolygon& polygon, std::vector<Vec2<double>>& flat
     isSplit = polygon.hasArea();
     if (!isSplit) return outline;
     std::vector<glm::uvec3> ears;
-    isSplit = EarClipper(flat, polygon.quantum, work).clip(ears);
+    isSplit = EarClipper(flat, polygon.quantum, work, check).clip(ears);
     if (isSplit) triangles = std::move(ears);
     return outline;
 }
@@ -150,30 +151,32 @@ bool allBehind(const Mesh& mesh, std::size_t index, const LocalPolygon& polygon)
     });
 }
 
-bool isConvex(const Mesh& mesh, LocalPolygon& scratch) {
+bool isConvex(const Mesh& mesh, LocalPolygon& scratch, StopCheck& check) {
     const MeshFacts& facts = mesh.facts;
     if (!facts.closed || facts.nonPlanar + facts.concave + facts.degenerate > 0) return false;
     if (static_cast<double>(mesh.polygonCount()) * static_cast<double>(mesh.positions.size()) > kMaxConvexWork)
         return false;
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
         gather(mesh, i, scratch);
-        if (!allBehind(mesh, i, scratch)) return false;
+        if (check.stopped(mesh.positions.size()) || !allBehind(mesh, i, scratch)) return false;
     }
     return true;
 }
 
 // No normal may vanish, overflow or become no number on its way to the world: the plan leaves out what would stand in.
-bool hasOwnNormals(const Mesh& mesh) {
+bool hasOwnNormals(const Mesh& mesh, StopCheck& check) {
     return !mesh.normals.empty() && mesh.normals.size() == mesh.positions.size() &&
-           std::ranges::all_of(mesh.normals, [](const Vec3d& n) {
+           std::ranges::all_of(mesh.normals, [&](const Vec3d& n) {
+               if (check.stopped()) return false;
                const double largest = largestComponent(n);
                return largest > 0x1p-100 && largest < 0x1p100 && std::isfinite(glm::dot(n, n));
            });
 }
 
-std::vector<VertexRange> vertexRangesOf(std::span<const Triangle> triangles) {
+std::vector<VertexRange> vertexRangesOf(std::span<const Triangle> triangles, StopCheck& check) {
     std::vector<VertexRange> ranges;
-    for (std::size_t first = 0; first < triangles.size(); first += Mesh::kRangeTriangles) {
+    for (std::size_t first = 0; first < triangles.size() && !check.stopped(Mesh::kRangeTriangles);
+         first += Mesh::kRangeTriangles) {
         std::uint32_t least = triangles[first].vertices[0], most = least;
         for (const Triangle& triangle :
              triangles.subspan(first, std::min(Mesh::kRangeTriangles, triangles.size() - first))) {
@@ -185,9 +188,10 @@ std::vector<VertexRange> vertexRangesOf(std::span<const Triangle> triangles) {
     return ranges;
 }
 
-double offUnitOf(const Mesh& mesh) {
+double offUnitOf(const Mesh& mesh, StopCheck& check) {
     double most = 0;
     for (const Vec3d& n : mesh.normals) {
+        if (check.stopped()) break;
         const double off = offUnit(n);
         most = std::isfinite(off) ? std::max(most, off) : std::numeric_limits<double>::infinity();
     }
@@ -228,7 +232,10 @@ void Mesh::renumberVertices(std::span<const std::uint32_t> number) {
     for (std::uint32_t& corner : corners) corner = number[corner];
 }
 
-std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
+std::shared_ptr<const Mesh> makeMesh(Mesh mesh) { return makeMesh(std::move(mesh), {}); }
+
+std::shared_ptr<const Mesh> makeMesh(Mesh mesh, const Stop& stop) {
+    StopCheck check(stop);
     LocalPolygon polygon;
     std::vector<Vec2<double>> flat;
     std::vector<glm::uvec3> pieces;
@@ -246,9 +253,10 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
         mesh.polygons.reserve(mesh.triangles.capacity());
     }
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) {
+        if (check.stopped(mesh.polygon(i).size())) return std::make_shared<const Mesh>();
         gather(mesh, i, polygon);
         bool isSplit = true;
-        const Outline outline = triangulate(polygon, flat, pieces, work, isSplit);
+        const Outline outline = triangulate(polygon, flat, pieces, work, check, isSplit);
         mesh.facts.concave += outline == Outline::Concave;
         mesh.facts.unsplit += outline == Outline::Concave && !isSplit;
         mesh.facts.degenerate += !polygon.hasArea();
@@ -261,12 +269,15 @@ std::shared_ptr<const Mesh> makeMesh(Mesh mesh) {
         mesh.firstTriangle.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
     }
     if (!mesh.positions.empty()) mesh.facts.low = mesh.facts.high = mesh.positions[0];
-    for (const Vec3d& p : mesh.positions)
+    for (const Vec3d& p : mesh.positions) {
+        if (check.stopped()) return std::make_shared<const Mesh>();
         mesh.facts.low = glm::min(mesh.facts.low, p), mesh.facts.high = glm::max(mesh.facts.high, p);
-    mesh.facts.ownNormals = hasOwnNormals(mesh), mesh.facts.offUnit = offUnitOf(mesh);
-    mesh.vertexRanges = vertexRangesOf(mesh.triangles);
-    mesh.facts.closed = isClosed(mesh);
-    mesh.facts.convex = isConvex(mesh, polygon);
+    }
+    mesh.facts.ownNormals = hasOwnNormals(mesh, check), mesh.facts.offUnit = offUnitOf(mesh, check);
+    mesh.vertexRanges = vertexRangesOf(mesh.triangles, check);
+    mesh.facts.closed = isClosed(mesh, check);
+    mesh.facts.convex = isConvex(mesh, polygon, check);
+    if (check.stopped()) return std::make_shared<const Mesh>();
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 

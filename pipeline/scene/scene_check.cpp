@@ -96,8 +96,7 @@ void checkExtent(const Scene& scene, Errors& errors) {
     constexpr std::string_view kScale[] = {"sx", "sy", "sz"}, kTranslation[] = {"tx", "ty", "tz"};
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
-        Vec3d largest(0.0);
-        for (const Vec3d& p : object.mesh->positions) largest = glm::max(largest, glm::abs(p));
+        const Vec3d largest = glm::max(glm::abs(object.mesh->facts.low), glm::abs(object.mesh->facts.high));
         const double size = glm::length(largest * object.transform.scale);
         const double away = glm::length(object.transform.translation);
         if (size + away <= kFarthest) continue;  // false for NaN

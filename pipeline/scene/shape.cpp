@@ -5,6 +5,7 @@
 
 #include "pipeline/core/angles.h"
 #include "pipeline/core/numerics.h"
+#include "pipeline/scene/make_mesh.h"
 #include "pipeline/scene/teapot.h"
 
 namespace pipeline {
@@ -26,6 +27,11 @@ struct Grid {
 
 class Builder {
 public:
+    explicit Builder(const Stop& stop) : m_stop(stop), m_check(stop) {}
+
+    // Whether to give up, after so many more vertices.
+    bool stopped(int vertices) { return m_check.stopped(static_cast<std::size_t>(vertices)); }
+
     Index add(const Point& point) {
         m_mesh.positions.push_back(point.position);
         m_mesh.normals.push_back(point.normal);
@@ -35,7 +41,7 @@ public:
     // A polygon for each cell of the grid, its rows seen downwards and its columns to the right from
     // outside; the other way round when `turned`. Corners that are one vertex count once.
     void addCells(Grid& grid, bool turned = false) {
-        for (int i = 0; i + 1 < grid.rows; ++i)
+        for (int i = 0; i + 1 < grid.rows && !stopped(grid.columns); ++i)
             for (int j = 0; j + 1 < grid.columns; ++j) {
                 const std::array corners{grid.at(i, j), grid.at(i + 1, j), grid.at(i + 1, j + 1), grid.at(i, j + 1)};
                 std::array<Index, 4> polygon{};
@@ -48,16 +54,21 @@ public:
             }
     }
 
-    std::shared_ptr<const Mesh> finish() { return makeMesh(std::move(m_mesh)); }
+    std::shared_ptr<const Mesh> finish() {
+        if (m_stop.stop_requested()) return std::make_shared<const Mesh>();
+        return makeMesh(std::move(m_mesh), m_stop);
+    }
 
 private:
+    Stop m_stop;
+    StopCheck m_check;
     Mesh m_mesh;
 };
 
 // A flat square of side 1: down and right are unit vectors, outside is down × right.
 void addSquare(Builder& builder, Vec3d center, Vec3d down, Vec3d right, int n) {
     Grid grid(n + 1, n + 1);
-    for (int i = 0; i <= n; ++i)
+    for (int i = 0; i <= n && !builder.stopped(n); ++i)
         for (int j = 0; j <= n; ++j)
             grid.at(i, j) = builder.add(
                 {center + (double(i) / n - 0.5) * down + (double(j) / n - 0.5) * right, glm::cross(down, right)});
@@ -86,7 +97,7 @@ Vec3d onCircle(int k, int n) {
 template <class PointAt>
 Grid addRound(Builder& builder, int rows, int n, PointAt pointAt) {
     Grid grid(rows, 4 * n + 1);
-    for (int i = 0; i < rows; ++i) {
+    for (int i = 0; i < rows && !builder.stopped(4 * n); ++i) {
         const Point first = pointAt(i, onCircle(0, n));
         const bool shrunk = first.position.x == 0 && first.position.y == 0;
         for (int j = 0; j < 4 * n; ++j)
@@ -183,7 +194,7 @@ private:
 
 void addPatch(Builder& builder, Seams& seams, const Patch& patch, Vec3d mirror, int n) {
     Grid grid(n + 1, n + 1);
-    for (int i = 0; i <= n; ++i)
+    for (int i = 0; i <= n && !builder.stopped(n); ++i)
         for (int j = 0; j <= n; ++j) {
             Point point = onPatch(patch, double(i) / n, double(j) / n);
             point.position = point.position * mirror + Vec3d(0.0);  // + 0: no negative zeros on the seams
@@ -203,14 +214,44 @@ void addTeapot(Builder& builder, int n) {
                 if (x > 0 || patch.mirrorX) addPatch(builder, seams, patch.points, {x, y, 1}, n);
 }
 
+constexpr std::size_t kTeapotPatches = 32;  // mirrored ones counted
+
 constexpr std::array<std::string_view, kShapeCount> kNames{"plane", "box", "sphere", "cylinder", "torus", "teapot"};
 
 }  // namespace
 
 std::string_view name(ShapeKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
-std::shared_ptr<const Mesh> makeShape(const Shape& shape) {
-    Builder builder;
+std::size_t mostVerticesOf(const Shape& shape) {
+    const auto n = static_cast<std::size_t>(shape.tessellation);
+    switch (shape.kind) {
+        case ShapeKind::Plane: return (n + 1) * (n + 1);
+        case ShapeKind::Box: return 6 * (n + 1) * (n + 1);
+        case ShapeKind::Sphere: return 4 * n * (2 * n - 1) + 2;
+        case ShapeKind::Cylinder: return 4 * n * (n + 1) + 2 * (4 * n * n + 1);
+        case ShapeKind::Torus: return 16 * n * n;
+        case ShapeKind::Teapot: return kTeapotPatches * (n + 1) * (n + 1);
+    }
+    return 0;
+}
+
+std::size_t mostTrianglesOf(const Shape& shape) {
+    const auto n = static_cast<std::size_t>(shape.tessellation);
+    switch (shape.kind) {
+        case ShapeKind::Plane: return 2 * n * n;
+        case ShapeKind::Box: return 12 * n * n;
+        case ShapeKind::Sphere: return 8 * n * (2 * n - 1);
+        case ShapeKind::Cylinder: return 8 * n * n + 2 * 4 * n * (2 * n - 1);
+        case ShapeKind::Torus: return 32 * n * n;
+        case ShapeKind::Teapot: return kTeapotPatches * 2 * n * n;
+    }
+    return 0;
+}
+
+std::shared_ptr<const Mesh> makeShape(const Shape& shape) { return makeShape(shape, {}); }
+
+std::shared_ptr<const Mesh> makeShape(const Shape& shape, const Stop& stop) {
+    Builder builder(stop);
     const int n = shape.tessellation;
     switch (shape.kind) {
         case ShapeKind::Plane: addSquare(builder, {}, {1, 0, 0}, {0, 1, 0}, n); break;

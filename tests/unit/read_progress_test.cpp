@@ -48,11 +48,10 @@ protected:
 
 TEST_P(ReadProgressOf, GrowsToTheEnd) {
     std::vector<double> shares;
-    const auto scene = read([&](double share, std::string_view file) {
+    const auto scene = read({[&](double share, std::string_view file) {
         EXPECT_TRUE(file.ends_with(GetParam().told)) << file;
         shares.push_back(share);
-        return true;
-    });
+    }});
     ASSERT_TRUE(scene) << format(scene.errors());
     ASSERT_GT(shares.size(), 50u);
     EXPECT_LT(shares.size(), 500u) << "as often as somebody can see";
@@ -62,13 +61,16 @@ TEST_P(ReadProgressOf, GrowsToTheEnd) {
     EXPECT_LE(shares.back(), 1);
 }
 
-TEST_P(ReadProgressOf, GivenUpThereIsNoScene) {
+TEST_P(ReadProgressOf, StoppedThereIsNoScene) {
     for (const double until : {0.0, 0.5}) {
+        std::stop_source source;
         int after = 0;
-        const auto scene = read([&](double share, std::string_view) {
-            if (share >= until) ++after;
-            return share < until;
-        });
+        const auto scene = read({[&](double share, std::string_view) {
+                                     if (share < until) return;
+                                     ++after;
+                                     source.request_stop();
+                                 },
+                                 source.get_token()});
         EXPECT_FALSE(scene);
         EXPECT_LE(after, 3) << "and it is read no further";
     }
@@ -91,10 +93,12 @@ TEST(ReadProgress, OfAGltfModelIsToldForEachInstance) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "square.gltf", test::fileOf(test::squareParts()));
     int told = 0;
-    const auto scene = readScene(folder / "square.gltf", [&](double, std::string_view) { return ++told < 100; });
+    const auto scene = readScene(folder / "square.gltf", {[&](double, std::string_view) { ++told; }});
     EXPECT_TRUE(scene);
     EXPECT_GT(told, 0);
-    EXPECT_FALSE(readScene(folder / "square.gltf", [](double, std::string_view) { return false; }));
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_FALSE(readScene(folder / "square.gltf", {{}, source.get_token()}));
 }
 
 }  // namespace

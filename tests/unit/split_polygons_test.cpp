@@ -99,7 +99,8 @@ Split split(const Outline& points) {
     std::vector<glm::uvec3> triangles;
     Split result;
     // Coordinates here are a few units, or a thousand: no rounding of theirs is above 2^-43.
-    result.done = EarClipper(points, 0x1p-43, left).clip(triangles);
+    StopCheck never{Stop()};
+    result.done = EarClipper(points, 0x1p-43, left, never).clip(triangles);
     for (const glm::uvec3& t : triangles) {
         const double area = areaOf({points[t.x], points[t.y], points[t.z]});
         result.all += std::abs(area);
@@ -157,7 +158,8 @@ TEST(SplitPolygons, WorkThatIsUsedUpEndsIt) {
     const Outline points = spiral(8000, 3);
     std::size_t left = 10'000;
     std::vector<glm::uvec3> triangles;
-    EXPECT_FALSE(EarClipper(points, 0x1p-43, left).clip(triangles));
+    StopCheck never{Stop()};
+    EXPECT_FALSE(EarClipper(points, 0x1p-43, left, never).clip(triangles));
     EXPECT_EQ(left, 0u);
     EXPECT_LT(triangles.size(), points.size() - 2);
 }
