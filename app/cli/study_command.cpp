@@ -27,7 +27,7 @@ struct StudyOptions {
     std::string folder, error, shard;
     double errorLimit = 0, timeLimit = 0;
     int threads = 1, warmups = 2, repeats = 20, processes = 3;
-    bool restart = false, json = false;
+    bool restart = false, json = false, partial = false;
     std::string timesInto, timesOf;  // of a process that takes times for another one
     std::vector<std::string> parts;  // of study merge
 };
@@ -144,10 +144,12 @@ int runMerge(const StudyOptions& options) {
         printErrors(merged.errors());
         return kBadInput;
     }
-    if (const std::size_t missing = missingPoints(*merged); missing > 0)
-        tell("{} of {} points are missing: a part of the study has not been given.\n", missing,
-             pointCount(merged->axes));
-    return reportStudy(*merged, {options.errorLimit, options.timeLimit}, {}, options.folder, options.json);
+    const std::size_t missing = missingPoints(*merged);
+    if (missing > 0)
+        tell("{} of {} points are missing: a part of the study has not been given.{}\n", missing,
+             pointCount(merged->axes), options.partial ? "" : " With --partial the exit status does not say so.");
+    const int status = reportStudy(*merged, {options.errorLimit, options.timeLimit}, {}, options.folder, options.json);
+    return status == kDone && missing > 0 && !options.partial ? kAnswerIsNo : status;
 }
 
 // What is wrong with a limit, if anything.
@@ -217,6 +219,7 @@ void declareStudy(CLI::App& program, const CliHost&, int& status) {
         ->required()
         ->type_name("");
     declareReport(*merge, *mergeOptions);
+    merge->add_flag("--partial", mergeOptions->partial, "Allow parts to be missing, which otherwise is status 1");
     // The folder is this one's then.
     merge->preparse_callback([command](std::size_t) { command->get_option("--output")->required(false); });
     merge->callback([mergeOptions, &status] { status = runMerge(*mergeOptions); });

@@ -91,7 +91,7 @@ void StudyChoice::fillErrors() {
 void StudyChoice::showReference() {
     m_reference->setText(m_report.points.empty()
                              ? QString()
-                             : tr("Reference, %1").arg(toQString(referenceText(m_report, m_choice.kind))));
+                             : tr("Reference, %1").arg(toQString(referenceText(m_report, m_choice.kind, m_choice))));
 }
 
 }  // namespace app

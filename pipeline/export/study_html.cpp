@@ -177,7 +177,7 @@ std::string studyHtml(const StudyReport& report, const StudyAnalysis& analysis, 
     html += details(report, analysis, pictures);
     html += "<h2>References</h2>\n<ul>\n";
     for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
-        html += element("li", referenceText(report, static_cast<ErrorKind>(kind))) + "\n";
+        html += element("li", referenceText(report, static_cast<ErrorKind>(kind), analysis.choice)) + "\n";
     html += "</ul>\n<h2>How it was measured</h2>\n" + element("p", protocolText(report)) + "\n" +
             element("p", fmt::format("{}{}, {}. Shadescope {}.", report.scene,
                                      report.file.empty() ? ", built in" : ", " + report.file, pictureSizeText(report),

@@ -42,8 +42,7 @@ Json headJson(const StudyReport& report) {
     for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
         references.push_back({{"kind", name(static_cast<ErrorKind>(kind))},
                               {"name", report.references[kind]},
-                              {"why_none", report.whyNone[kind]},
-                              {"error_bar", finiteOrNull(report.errorBars[kind])}});
+                              {"why_none", report.whyNone[kind]}});
     return {
         {"format", "shadescope study"},
         {"format_version", 1},
@@ -65,6 +64,7 @@ Json headJson(const StudyReport& report) {
         {"choice",
          {{"buffer", report.choice.buffer}, {"measure", report.choice.measure}, {"kind", name(report.choice.kind)}}},
         {"references", std::move(references)},
+        {"error_bars", errorsJson(report.errorBars)},
         {"error_why", report.errorWhy}};
 }
 

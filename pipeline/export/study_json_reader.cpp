@@ -35,6 +35,8 @@ public:
         return inner(nullptr, key);
     }
 
+    bool has(std::string_view key) const { return m_json && m_json->is_object() && m_json->contains(key); }
+
     void eachElement(const auto& visit) const {
         if (!m_json) return;
         if (!m_json->is_array()) return refuse("an array");
@@ -192,10 +194,10 @@ void readHead(const Value& root, StudyReport& report) {
         const std::size_t kind = index(kindOf(reference["kind"]));
         report.references[kind] = reference["name"].text();
         report.whyNone[kind] = reference["why_none"].text();
-        // Null stands for a bar that is not known, as large as can be.
-        report.errorBars[kind] =
-            reference["error_bar"].numberOrNull(0).value_or(std::numeric_limits<double>::infinity());
     });
+    // Older files have one bar for all measures, which is that of none.
+    if (root.has("error_bars"))
+        root["error_bars"].eachElement([&](const Value& row) { report.errorBars.push_back(readError(row)); });
     report.errorWhy = root["error_why"].text();
 }
 

@@ -115,15 +115,15 @@ std::string protocolText(const StudyReport& report) {
     return text + fmt::format(" Differences below {:g} % count as none.", 100 * kSameTime);
 }
 
-std::string referenceText(const StudyReport& report, ErrorKind kind) {
+std::string referenceText(const StudyReport& report, ErrorKind kind, const ErrorChoice& choice) {
     const std::size_t k = index(kind);
     if (report.references[k].empty()) {
         const std::string& why = report.whyNone[k];
         return fmt::format("{}: none{}{}", name(kind), why.empty() ? "" : ". ", why);
     }
     std::string text = fmt::format("{}: {}", name(kind), report.references[k]);
-    if (report.errorBars[k] > 0)
-        text += fmt::format(", intensities within {} of I_max", errorText(report.errorBars[k]));
+    if (const auto bar = report.errorBar(choice); bar && kind == choice.kind)
+        text += fmt::format(", its own {} {}", measureText(choice), *bar > 0 ? errorText(*bar) : "0");
     if (kind == ErrorKind::Model && !report.errorWhy.empty()) text += fmt::format(" ({})", report.errorWhy);
     // Of some points, or instead of a better one.
     if (!report.whyNone[k].empty()) text += fmt::format("; {}", report.whyNone[k]);
@@ -138,7 +138,7 @@ std::string studyText(const StudyReport& report, const StudyAnalysis& analysis, 
                         bestSentence(analysis, limits.milliseconds));
     text += "\nReferences\n";
     for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
-        text += fmt::format("  {}\n", referenceText(report, static_cast<ErrorKind>(kind)));
+        text += fmt::format("  {}\n", referenceText(report, static_cast<ErrorKind>(kind), analysis.choice));
     return text + protocolText(report) + "\n";
 }
 

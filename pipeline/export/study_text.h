@@ -14,7 +14,7 @@ std::string studyText(const StudyReport& report, const StudyAnalysis& analysis, 
 std::string protocolText(const StudyReport& report);
 // "model: analytic, intensities within 2e-16 of I_max (against the same rays in long double)"; of a kind without a
 // reference why: "storage: none. Nothing is stored with fewer digits."
-std::string referenceText(const StudyReport& report, ErrorKind kind);
+std::string referenceText(const StudyReport& report, ErrorKind kind, const ErrorChoice& choice);
 // What an observed order means on this axis: "Order p where the error falls with h^p, h = 1 /
 // tessellation." As in stepWidth.
 std::string orderMeaning(const SweepAxis& axis);

@@ -43,7 +43,8 @@ std::string nameOf(const std::vector<SweepAxis>& axes, const std::vector<std::st
     return text;
 }
 
-PointAnalysis place(const StudyPoint& point, const ErrorChoice& choice) {
+// whyNone: why the study has no such error of some points; empty.
+PointAnalysis place(const StudyPoint& point, const ErrorChoice& choice, const std::string& whyNone) {
     PointAnalysis result;
     if (!point.frame.empty()) {
         const SampleSummary summary = point.frame.summary();
@@ -68,7 +69,7 @@ PointAnalysis place(const StudyPoint& point, const ErrorChoice& choice) {
     else if (!error && result.leftOut)
         result.missing = "no pixel shows what the reference shows";
     else if (!error)
-        result.missing = "it has no such error";
+        result.missing = whyNone.empty() ? "it has no such error" : whyNone;
     else if (!result.error)
         result.missing = "its error is not a finite number";
     return result;
@@ -77,15 +78,24 @@ PointAnalysis place(const StudyPoint& point, const ErrorChoice& choice) {
 bool dominates(const PointAnalysis& a, const PointAnalysis& b) {
     const double aLeftOut = a.leftOut.value_or(0), bLeftOut = b.leftOut.value_or(0);
     if (*a.error > *b.error || aLeftOut > bLeftOut) return false;
-    const bool sameTime = std::abs(*a.time - *b.time) <= kSameTime * std::min(*a.time, *b.time);
-    if (*a.error < *b.error || aLeftOut < bLeftOut) return sameTime || *a.time < *b.time;
+    if (*a.error < *b.error || aLeftOut < bLeftOut) return a.timeGroup <= b.timeGroup;
     // Nothing but the time speaks for it: the two must be told apart by more than chance.
-    return !sameTime && a.interval.second < b.interval.first;
+    return a.timeGroup < b.timeGroup && a.interval.second < b.interval.first;
 }
 
-// Dominance has no cycles: along one neither the error nor what it leaves out ever falls, so both would be the same all
-// along, and then each point would be faster than the next.
+void groupTimes(StudyAnalysis& analysis) {
+    double first = 0;
+    std::size_t group = 0;
+    for (const std::size_t i : analysis.byTime) {
+        const double time = *analysis.points[i].time;
+        if (first == 0) first = time;
+        if (time > first * (1 + kSameTime)) first = time, ++group;
+        analysis.points[i].timeGroup = group;
+    }
+}
+
 void findFront(StudyAnalysis& analysis) {
+    groupTimes(analysis);
     std::vector<PointAnalysis>& points = analysis.points;
     std::vector<bool> dominated(points.size(), false);
     for (const std::size_t i : analysis.byTime)
@@ -161,8 +171,13 @@ std::optional<std::size_t> refinedAxis(const std::vector<SweepAxis>& axes) {
 std::optional<double> stepWidth(const SweepAxis& axis, const std::string& value) {
     const std::optional<double> number = numberOf(value);
     if (!number) return std::nullopt;
-    if (axis.key.ends_with("bits")) return std::exp2(-*number);
-    return *number > 0 ? std::optional(1 / *number) : std::nullopt;
+    const std::string_view key = axis.key;
+    if (key.ends_with("bits")) return std::exp2(-*number);
+    const std::string_view last = key.substr(key.find_last_of('.') + 1);
+    // The picture's width is one, a light's is a length.
+    const bool isResolution = last == "tessellation" || last == "samples" || key == "antialiasing" ||
+                              key == "shadow.size" || key == "width" || key == "height";
+    return isResolution && *number > 0 ? std::optional(1 / *number) : std::nullopt;
 }
 
 ObservedOrder observedOrder(const std::vector<std::optional<double>>& widths, const std::vector<double>& errors) {
@@ -195,9 +210,13 @@ StudyAnalysis analyse(const StudyReport& report, const ErrorChoice& choice) {
     StudyAnalysis analysis;
     analysis.choice = choice;
     analysis.refined = refinedAxis(report.axes);
+    // Of a model's error it says why a better reference was not taken, not why a point has none.
+    const std::size_t kind = index(choice.kind);
+    const bool explains = choice.kind != ErrorKind::Model || report.references[kind].empty();
+    const std::string whyNone = explains ? report.whyNone[kind] : std::string();
     for (std::size_t i = 0; i < report.points.size(); ++i) {
         const StudyPoint& point = report.points[i];
-        PointAnalysis& placed = analysis.points.emplace_back(place(point, choice));
+        PointAnalysis& placed = analysis.points.emplace_back(place(point, choice, whyNone));
         placed.label =
             nameOf(report.axes, point.values, [&](std::size_t a) { return report.axes[a].values.size() > 1; });
         if (analysis.refined) placed.step = point.values[*analysis.refined];

@@ -11,7 +11,8 @@ namespace pipeline {
 // What a study says about one error: which settings belong together, which are worth their time,
 // how fast the error falls, and the answer in words. Pure functions of a report.
 
-// Differences of time below this share of the shorter one count as none.
+// Times count as the same within a group: the fastest of all and what is slower by at most this share begin the first,
+// the fastest of the rest the next. A group is no wider, and of three points the order of two is never that of others.
 inline constexpr double kSameTime = 0.02;
 
 // A point of the study in milliseconds and in the chosen error.
@@ -20,6 +21,7 @@ struct PointAnalysis {
     std::string label;                       // "phong, tessellation 16": all of its values that the sweep changes
     std::string step;                        // "16": its place on the curve; empty where no axis is refined
     std::optional<double> time;              // median of the frame
+    std::size_t timeGroup = 0;               // 0 for the fastest; the same for times that count as the same
     std::pair<double, double> interval{};    // of the median; of all samples where they are too few for one
     std::optional<double> error;             // finite and at least 0
     std::optional<double> leftOut;           // pixels that do not show what the reference shows, not in the error
@@ -66,15 +68,14 @@ std::vector<ErrorChoice> choicesOf(const StudyReport& report);
 // them numbers. Every other axis makes methods.
 std::optional<std::size_t> refinedAxis(const std::vector<SweepAxis>& axes);
 
-// The width h that a value of an axis stands for, up to a factor: 1 / value (pieces, texels,
-// samples along a side); 2^-value where the key ends in "bits". Nothing where it has none.
+// The width h that a value of an axis stands for, up to a factor: 1 / value where the setting is a resolution (pieces,
+// texels, samples along a side, pixels); 2^-value where the key ends in "bits". Nothing of any other setting.
 std::optional<double> stepWidth(const SweepAxis& axis, const std::string& value);
 
-// A point is dominated when another one is at most as slow and at most as wrong, better in one of both, and that is no
-// accident. At most as wrong: in its error, and in the pixels that the error leaves out. No accident: of times that
-// differ by more than kSameTime the median intervals do not overlap; of times that do not, only the errors count. An
-// error of exactly 0 is better than every other. Named is the dominating point with the smallest error, if possible one
-// on the front.
+// A point is dominated when another one is at most as slow, by groups of kSameTime, and at most as wrong, better in one of
+// both, and that is no accident. At most as wrong: in its error, and in the pixels that the error leaves out. No accident:
+// of points that are equally wrong the median intervals do not overlap. An error of exactly 0 is better than every other.
+// Dominance is transitive; named is the dominating point on the front with the smallest error.
 StudyAnalysis analyse(const StudyReport& report, const ErrorChoice& choice);
 
 // Observed order p = ln(e / e') / ln(h / h') of errors over widths, coarse to fine.

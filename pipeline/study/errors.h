@@ -28,7 +28,13 @@ struct ErrorReferences {
     const Frame* arithmetic = nullptr;  // the same scene in a wider arithmetic
 };
 
-// One row a measure, in the order of the stages; storage errors need no reference. Buffers that are not there have no
+// Whether an arithmetic is wider than the double that buffers are read in: their differences may vanish in rounding.
+constexpr bool isWiderThanDouble(Precision precision) {
+    return precision == Precision::Extended || precision == Precision::Quad;
+}
+
+// One row a measure, in the order of the stages; storage errors need no reference. Of arithmetic wider than double a
+// buffer that differs from the reference by rounding alone has no arithmetic error: it cannot be measured. Buffers that are not there have no
 // rows. ours: pictureOf(frame).
 //   object_id         pixels that differ; of those falsely drawn, missing, and showing another object; and by the
 //                     reference's outline, pixel sides between two objects
@@ -47,6 +53,10 @@ struct ErrorReferences {
 //                     "Image quality assessment", IEEE TIP 2004; luma, windows of 8 x 8); storage: what rounding to 255
 //                     steps lost of the linear intensity
 std::vector<ErrorRow> compare(const Frame& frame, const Picture& ours, const ErrorReferences& references);
+
+// The same measures between two pictures of a scene, as errors of the model: how far one may itself be wrong. Without
+// those that count pixels.
+std::vector<ErrorRow> comparePictures(const Scene& scene, const Picture& ours, const Picture& reference);
 
 // Whether the picture shows any object.
 bool showsAnything(const Picture& picture);

@@ -32,6 +32,23 @@ std::string difference(const StudyReport& a, const StudyReport& b) {
     return {};
 }
 
+}  // namespace
+
+void addErrorBars(const std::vector<ErrorRow>& bars, StudyReport& report) {
+    for (const ErrorRow& bar : bars) {
+        const auto isSame = [&](const ErrorRow& row) { return row.buffer == bar.buffer && row.measure == bar.measure; };
+        const auto place = std::ranges::find_if(report.errorBars, isSame);
+        if (place == report.errorBars.end()) {
+            report.errorBars.push_back(bar);
+            continue;
+        }
+        for (std::size_t kind = 0; kind < kErrorKinds; ++kind)
+            place->value[kind] = std::max(place->value[kind], bar.value[kind]);  // of which one is none: the other
+    }
+}
+
+namespace {
+
 // Whether a report holds the very times that another one holds: no two frames take the same time to the last digit, again
 // and again. One frame a point may, but not at every point.
 bool measuresAgain(const StudyReport& from, const StudyReport& of) {
@@ -74,8 +91,8 @@ void mergeReport(const StudyReport& from, StudyReport& to) {
     for (std::size_t i = 0; i < kErrorKinds; ++i) {
         if (to.references[i].empty()) to.references[i] = from.references[i];
         if (to.whyNone[i].empty()) to.whyNone[i] = from.whyNone[i];
-        to.errorBars[i] = std::max(to.errorBars[i], from.errorBars[i]);
     }
+    addErrorBars(from.errorBars, to);
     if (to.errorWhy.empty()) to.errorWhy = from.errorWhy;
     to.load.insert(to.load.end(), from.load.begin(), from.load.end());
     addWords(to.machine, from.machine);

@@ -5,6 +5,7 @@
 
 #include "pipeline/buffers/buffer2d.h"
 #include "pipeline/core/real.h"
+#include "pipeline/study/study.h"
 
 namespace pipeline {
 
@@ -24,9 +25,9 @@ struct Picture {
 // A picture to compare with, and how far it may itself be wrong.
 struct Reference {
     Picture picture;
-    std::string name;      // "analytic", "polygons by rays, double", "the stages in quad"
-    double errorBar = 0;   // largest error of an intensity that the reference may have, absolute
-    std::string errorWhy;  // "against the same rays in long double"
+    std::string name;                 // "analytic", "polygons by rays, double", "the stages in quad"
+    std::vector<ErrorRow> errorBars;  // model errors that the reference may itself have, by the measures of errors.h
+    std::string errorWhy;             // how they were found: "against the same rays in long double, at 1024 pixels"
 };
 
 }  // namespace pipeline

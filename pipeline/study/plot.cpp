@@ -39,10 +39,7 @@ Plot plotOf(const StudyReport& report, const StudyAnalysis& analysis) {
     plot.subtitle = subtitle(report, analysis);
     plot.xLabel = "run time of the frame (ms, median)";
     plot.yLabel = measureWithUnit(analysis);
-    // The bars are those of intensities.
-    const std::string& buffer = analysis.choice.buffer;
-    if (buffer == "intensity" || buffer == "antialiased")
-        plot.referenceError = report.errorBars[index(analysis.choice.kind)];
+    plot.referenceError = report.errorBar(analysis.choice).value_or(0);
     for (const MethodCurve& curve : analysis.curves) plot.series.push_back(seriesOf(curve, analysis));
     for (const PointAnalysis& point : analysis.points) {
         if (point.placed()) continue;

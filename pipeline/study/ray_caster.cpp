@@ -4,6 +4,7 @@
 
 #include "pipeline/run/parallel.h"
 #include "pipeline/scene/opacity.h"
+#include "pipeline/study/errors.h"
 #include "pipeline/study/ray_polygons.h"
 
 namespace pipeline {
@@ -71,6 +72,26 @@ Picture emptyPicture(glm::ivec2 size, std::size_t lights) {
     return picture;
 }
 
+template <class Pixel>
+void put(const Pixel& pixel, std::size_t i, Picture& picture) {
+    if (pixel.at.object < 0) return;
+    picture.object.pixels[i] = pixel.at.object;
+    picture.zView.pixels[i] = double(pixel.at.t);
+    picture.position.pixels[i] = Vec3d(pixel.at.position);
+    picture.normal.pixels[i] = Vec3d(pixel.shaded.normal);
+    picture.intensity.pixels[i] = Vec3d(pixel.shaded.intensity);
+    for (std::size_t k = 0; k < pixel.shadow.size(); ++k) picture.shadow[k].pixels[i] = double(pixel.shadow[k]);
+}
+
+std::string nameOf(const Scene& scene, RaySurfaces surfaces) {
+    if (surfaces == RaySurfaces::Polygons) return "the scene's polygons by rays, double";
+    const auto isShape = [&](const Object& o) { return o.shape || isTransparent(o, scene.settings); };
+    if (std::ranges::all_of(scene.objects, isShape)) return "true surfaces by rays, double";
+    return std::ranges::any_of(scene.objects, [](const Object& o) { return o.shape.has_value(); })
+               ? "true surfaces by rays, double; those of a mesh are its facets"
+               : "the mesh's facets, taken as its true surface, by rays, double";
+}
+
 // A mesh whose vertices have normals other than its polygons' stands for a curved surface that nobody has written down.
 bool hasSmoothNormals(const Mesh& mesh) {
     if (mesh.normals.empty()) return false;
@@ -124,33 +145,26 @@ std::optional<Reference> rayCast(const Scene& scene, RaySurfaces surfaces, int t
         Caster<double>::Pixel pixel;
         for (std::size_t x = 0; x < width; ++x) {
             caster.cast(glm::ivec2(int(x), int(y)), pixel);
-            if (pixel.at.object < 0) continue;
-            const std::size_t i = y * width + x;
-            picture.object.pixels[i] = pixel.at.object;
-            picture.zView.pixels[i] = pixel.at.t;
-            picture.position.pixels[i] = pixel.at.position;
-            picture.normal.pixels[i] = pixel.shaded.normal;
-            picture.intensity.pixels[i] = pixel.shaded.intensity;
-            for (std::size_t k = 0; k < lights; ++k) picture.shadow[k].pixels[i] = pixel.shadow[k];
+            put(pixel, y * width + x, picture);
         }
     });
 
     const std::size_t count = width * std::size_t(size.y), step = std::max<std::size_t>(1, count / kChecked);
     const Caster<long double> longer(scene, surfaces, 2 * kCells);
-    std::vector<double> differences((count + step - 1) / step, 0.0);
-    Threads(threads, stop).forRange(differences.size(), 1, [&](std::size_t i, std::size_t) {
-        Caster<long double>::Pixel pixel;
+    const std::size_t samples = (count + step - 1) / step;
+    Picture some = emptyPicture({int(samples), 1}, lights), better = some;
+    Threads(threads, stop).forRange(samples, 1, [&](std::size_t i, std::size_t) {
         const std::size_t at = i * step;
-        longer.cast(glm::ivec2(int(at % width), int(at / width)), pixel);
-        if (pixel.at.object < 0 || pixel.at.object != picture.object.pixels[at]) return;
-        const Vec3<long double> difference = pixel.shaded.intensity - Vec3<long double>(picture.intensity.pixels[at]);
-        differences[i] = double(largest(difference));
+        const glm::ivec2 place(int(at % width), int(at / width));
+        Caster<double>::Pixel ours;
+        Caster<long double>::Pixel theirs;
+        caster.cast(place, ours), longer.cast(place, theirs);
+        put(ours, i, some), put(theirs, i, better);
     });
     if (stop.stop_requested()) return std::nullopt;
-    const bool exact = surfaces == RaySurfaces::Exact;
-    reference.name = exact ? "true surfaces by rays, double" : "the scene's polygons by rays, double";
-    reference.errorBar = *std::ranges::max_element(differences);
-    reference.errorWhy = fmt::format("against the same rays in long double, at {} pixels", differences.size());
+    reference.name = nameOf(scene, surfaces);
+    reference.errorBars = comparePictures(scene, some, better);
+    reference.errorWhy = fmt::format("against the same rays in long double, at {} pixels", samples);
     return reference;
 }
 
@@ -194,7 +208,11 @@ bool castWholePixels(const Scene& scene, RaySurfaces surfaces, int threads, std:
     Picture& picture = reference.picture;
     const Caster<double> caster(scene, surfaces, kCells);
     picture.antialiased = {picture.size, Vec3d(0)};
-    std::vector<double> differences(picture.antialiased.pixels.size(), 0.0);
+    constexpr std::size_t kShare = 16;  // of the pixels whose mean is taken twice
+    const std::size_t count = picture.antialiased.pixels.size();
+    Picture some, better;
+    some.size = {int((count + kShare - 1) / kShare), 1};
+    some.antialiased = {some.size, Vec3d(0)}, better = some;
     Threads(threads, stop).forRange(std::size_t(picture.size.y), 1, [&](std::size_t y, std::size_t) {
         for (int x = 0; x < picture.size.x; ++x) {
             const glm::ivec2 pixel{x, int(y)};
@@ -202,13 +220,14 @@ bool castWholePixels(const Scene& scene, RaySurfaces surfaces, int threads, std:
             const bool mixed = changes(picture, pixel);
             if (!mixed && picture.object.pixels[i] < 0) continue;  // the background, all around
             picture.antialiased.pixels[i] = mixed ? meanOver(caster, pixel, 987, 610) : meanOver(caster, pixel, 16, 5);
-            constexpr std::size_t kShare = 16;
-            if (mixed && i % kShare == 0)
-                differences[i] = largest(picture.antialiased.pixels[i] - meanOver(caster, pixel, 610, 377));
+            if (i % kShare != 0) continue;
+            some.antialiased.pixels[i / kShare] = picture.antialiased.pixels[i];
+            better.antialiased.pixels[i / kShare] =
+                mixed ? meanOver(caster, pixel, 610, 377) : picture.antialiased.pixels[i];
         }
     });
     if (stop.stop_requested()) return false;
-    reference.errorBar = std::max(reference.errorBar, *std::ranges::max_element(differences));
+    for (ErrorRow& row : comparePictures(scene, some, better)) reference.errorBars.push_back(std::move(row));
     reference.errorWhy += "; of whole pixels 987 rays against 610";
     return true;
 }

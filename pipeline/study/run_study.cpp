@@ -168,12 +168,14 @@ std::shared_ptr<const Reference> ErrorFinder::modelReference(const Scene& scene,
         const std::size_t model = index(ErrorKind::Model);
         report->references[model] = m_reference->name;
         report->whyNone[model] = instead;
-        if (const double white = whiteOf(scene); white > 0)
-            report->errorBars[model] = std::max(report->errorBars[model], m_reference->errorBar / white);
+        addErrorBars(m_reference->errorBars, *report);
         report->errorWhy = m_reference->errorWhy;
     }
     return m_reference;
 }
+
+constexpr const char* kNotMeasurable =
+    "of extended not measurable where a buffer, rounded to double, differs by that rounding alone";
 
 bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token stop) {
     const auto scene = sceneAt(*m_request.scene, report.axes, point.values);
@@ -190,6 +192,7 @@ bool ErrorFinder::find(StudyPoint& point, StudyReport& report, std::stop_token s
         exact = frameOf(*quad, wanted(), 0, stop);
         if (!exact) return false;
         report.references[arithmetic] = "the same stages in quad, 113 bits";
+        if (isWiderThanDouble(scene->settings.precision)) report.whyNone[arithmetic] = kNotMeasurable;
     } else {
         report.whyNone[arithmetic] = fmt::format("none for point {}: {}", point.number, format(quad.errors().front()));
     }

@@ -67,6 +67,9 @@ bool measureTimes(const StudyRequest& request, std::span<StudyPoint> points,
 // Takes over the times of a report of the same study, point by point: another process' measurements.
 void addTimes(const StudyReport& from, StudyReport& to);
 
+// Takes over how far references may themselves be wrong, of each measure the largest.
+void addErrorBars(const std::vector<ErrorRow>& bars, StudyReport& report);
+
 // Parts of one study, each with points of its own or with more times of the same ones, as one. Refused: parts of
 // different studies, by the first member that differs.
 Result<StudyReport> mergeStudies(std::vector<StudyReport> parts);

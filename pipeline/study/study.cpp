@@ -19,10 +19,18 @@ SampleSummary TimeSamples::summary() const {
     return summarize(std::move(all));
 }
 
-std::optional<double> StudyPoint::error(const ErrorChoice& choice) const {
-    for (const ErrorRow& row : errors)
+namespace {
+
+std::optional<double> errorIn(const std::vector<ErrorRow>& rows, const ErrorChoice& choice) {
+    for (const ErrorRow& row : rows)
         if (row.buffer == choice.buffer && row.measure == choice.measure) return row.value[index(choice.kind)];
     return std::nullopt;
 }
+
+}  // namespace
+
+std::optional<double> StudyPoint::error(const ErrorChoice& choice) const { return errorIn(errors, choice); }
+
+std::optional<double> StudyReport::errorBar(const ErrorChoice& of) const { return errorIn(errorBars, of); }
 
 }  // namespace pipeline

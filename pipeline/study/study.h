@@ -96,9 +96,11 @@ struct StudyReport {
     ErrorChoice choice;
     std::array<std::string, kErrorKinds> references;  // name of the reference of each kind; empty: none, and why below
     std::array<std::string, kErrorKinds> whyNone;     // also why some points have none, or not the best there is
-    std::array<double, kErrorKinds> errorBars{};      // of an intensity, in shares of I_max
-    std::string errorWhy;                             // how the model reference's error bar was found
-    std::vector<StudyPoint> points;                   // in order of their numbers
+    std::vector<ErrorRow> errorBars;  // errors that the references may themselves have, like the points'
+    std::string errorWhy;             // how those of the model reference were found
+    std::vector<StudyPoint> points;   // in order of their numbers
+    // Of the reference of an error, measured as the error is; nothing where it is not known.
+    std::optional<double> errorBar(const ErrorChoice& of) const;
     bool operator==(const StudyReport&) const = default;
 };
 

@@ -127,8 +127,12 @@ TEST(StudyCommand, shardsMergeToTheSameStudy) {
 
     const auto less = test::run(
         {"study", "merge", part("study-1-of-3.json"), part("study-2-of-3.json"), "-o", merged.path().string()});
-    EXPECT_EQ(less.status, 0);
+    EXPECT_EQ(less.status, 1);
     EXPECT_NE(less.err.find("1 of 4 points are missing"), std::string::npos) << less.err;
+    const auto partial = test::run({"study", "merge", part("study-1-of-3.json"), part("study-2-of-3.json"), "--partial",
+                                    "-o", merged.path().string()});
+    EXPECT_EQ(partial.status, 0);
+    EXPECT_NE(partial.err.find("1 of 4 points are missing"), std::string::npos) << partial.err;
 }
 
 TEST(StudyCommand, goesOnWhereItWasInterrupted) {

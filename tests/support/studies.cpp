@@ -30,7 +30,7 @@ StudyReport sphereStudy() {
                    {"tessellation", "Tessellation", {"4", "16", "64", "128"}}};
     report.references = {"analytic", "the stages in quad", ""};
     report.whyNone[index(ErrorKind::Storage)] = "Nothing is stored with fewer digits.";
-    report.errorBars = {2e-16, 0, 0};
+    report.errorBars = {{"intensity", StageId::Shading, "RMSE", "", {2e-16, std::nullopt, std::nullopt}}};
     report.errorWhy = "against the same rays in long double";
 
     struct Measured {

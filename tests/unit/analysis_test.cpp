@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "pipeline/study/analysis_text.h"
 #include "pipeline/study/errors.h"
@@ -146,6 +147,26 @@ TEST(Analysis, BelowTwoPercentOfTimeOnlyTheErrorCounts) {
     EXPECT_EQ(apart.front, (Indices{0, 1}));
 }
 
+// 1.015 is within 2 % of 1 and of 1.03, which are not of each other: groups begin at 1 and at 1.03, so that b beats a, and
+// c, of the next group, beats nobody.
+TEST(Analysis, WhatIsOnNoFrontIsBeatenByAPointThatIs) {
+    const StudyAnalysis chain = analysisOf(
+        {studyPoint(0, {"a"}, 1.00, 0.3, 0), studyPoint(1, {"b"}, 1.015, 0.2, 0), studyPoint(2, {"c"}, 1.03, 0.1, 0)});
+    EXPECT_EQ(chain.front, (Indices{1, 2}));
+    EXPECT_EQ(chain.points[0].dominatedBy, 1u);
+
+    std::mt19937 random(1);
+    const auto below = [&](unsigned end) { return double(random() % end); };
+    for (int study = 0; study < 200; ++study) {
+        std::vector<StudyPoint> points;
+        for (std::size_t i = 0; i < 12; ++i)
+            points.push_back(studyPoint(i, {"v"}, 1 + 0.004 * below(40), 0.1 * (1 + below(6)), 0.001 * below(20)));
+        const StudyAnalysis analysis = analysisOf(points);
+        for (const PointAnalysis& point : analysis.points)
+            ASSERT_TRUE(!point.dominatedBy || analysis.points[*point.dominatedBy].onFront()) << study;
+    }
+}
+
 TEST(Analysis, AnErrorOfZeroBeatsEveryOther) {
     const StudyAnalysis analysis =
         analysisOf({studyPoint(0, {"a"}, 1, 0), studyPoint(1, {"b"}, 2, 0), studyPoint(2, {"c"}, 3, 1e-300)});
@@ -223,8 +244,29 @@ TEST(Analysis, HasNoOrderWhereAnErrorIsZeroOrAWidthIsNone) {
 TEST(Analysis, AWidthIsOneOverTheValueAndBitsHalveIt) {
     EXPECT_EQ(stepWidth({"tessellation", "", {}}, "8"), 0.125);
     EXPECT_EQ(stepWidth({"subpixel_bits", "", {}}, "4"), 0.0625);
+    EXPECT_EQ(stepWidth({"object.#.tessellation", "", {}}, "8"), 0.125);
+    EXPECT_EQ(stepWidth({"light.0.samples", "", {}}, "4"), 0.25);
+    EXPECT_EQ(stepWidth({"shadow.size", "", {}}, "64"), 1.0 / 64);
     EXPECT_EQ(stepWidth({"shadow.filter", "", {}}, "0"), std::nullopt);
     EXPECT_EQ(stepWidth({"shading", "", {}}, "flat"), std::nullopt);
+}
+
+// An exponent, a distance or a light's width is a value, and none of them is finer than another.
+TEST(Analysis, ASettingThatIsNoResolutionHasNoOrder) {
+    for (const char* key : {"material.#.n", "camera.near", "light.0.width", "shadow.bias_value", "exponent_factor"})
+        EXPECT_EQ(stepWidth({key, "", {}}, "8"), std::nullopt) << key;
+    StudyReport report = sphereStudy();
+    report.axes[1].key = "material.#.n";
+    const StudyAnalysis analysis = analyse(report, report.choice);
+    EXPECT_EQ(analysis.refined, 1u);
+    for (const MethodCurve& curve : analysis.curves) EXPECT_FALSE(curve.order.last || curve.order.fit) << curve.name;
+}
+
+TEST(Analysis, AMissingErrorIsGivenTheStudysReason) {
+    StudyReport report = sphereStudy();
+    report.whyNone[index(ErrorKind::Arithmetic)] = "not measurable";
+    const StudyAnalysis analysis = analyse(report, {"intensity", "RMSE", ErrorKind::Arithmetic});
+    EXPECT_EQ(analysis.points[1].missing, "not measurable");
 }
 
 TEST(Analysis, AnswersInWords) {

@@ -182,7 +182,7 @@ TEST(Plot, OddStudiesLayOutTidily) {
     reports[1].points[1] = studyPoint(1, reports[1].points[1].values, 0.59, 4.2e-2);
     for (StudyPoint& point : reports[2].points)  // the ends of what a double holds
         if (!point.errors.empty()) point.errors[0].value[0] = point.number % 2 ? 1e300 : 5e-324;
-    reports[3].errorBars[0] = 1;
+    reports[3].errorBars[0].value[0] = 1;
     reports[4].scene = std::string(300, 'W');
     reports[4].axes[0].label = std::string(300, 'W');
     for (StudyPoint& point : reports[4].points) point.values[0] += std::string(200, 'm');

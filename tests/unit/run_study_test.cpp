@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "pipeline/scene/shape.h"
 #include "pipeline/study/analysis.h"
+#include "pipeline/study/ray_caster.h"
 #include "pipeline/study/run_study.h"
 #include "tests/support/scenes.h"
 
@@ -121,7 +123,8 @@ TEST(RunStudy, samplesAloneAreComparedWithTheScenesOwnPolygons) {
     EXPECT_EQ(nameOf({"shadow.size=32,64"}), "the scene's polygons by rays, double");
     EXPECT_EQ(nameOf({"antialiasing=1,2"}), "the scene's polygons by rays, double");
     EXPECT_EQ(nameOf({"antialiasing"}), "the scene's polygons by rays, double") << "as the ready-made sweep does";
-    EXPECT_EQ(nameOf({"shadow.size=32,64", "shading=flat,phong"}), "true surfaces by rays, double");
+    EXPECT_EQ(nameOf({"shadow.size=32,64", "shading=flat,phong"}),
+              "the mesh's facets, taken as its true surface, by rays, double");
 }
 
 // The error of the polygons themselves would hide that of the samples.
@@ -133,6 +136,35 @@ TEST(RunStudy, whereOnlySamplesVaryThePolygonsAreTheReference) {
     ASSERT_TRUE(a && b && a->reference);
     EXPECT_EQ(a->reference, b->reference);
     EXPECT_EQ(a->reference->name, "the scene's polygons by rays, double");
+}
+
+// 64 bits of significand against 113 differ by far less than a double's 53 say: an error of 0 was not measured. Counts
+// of pixels and polygons were.
+TEST(RunStudy, theErrorOfExtendedIsNotMeasurableInBuffersOfDoubles) {
+    const StudyRequest request = requestOf(small(), {"precision=double,extended"});
+    StudyReport report = beginStudy(request);
+    ErrorFinder finder(request);
+    for (StudyPoint& point : report.points) ASSERT_TRUE(finder.find(point, report, {}));
+    const auto errorOf = [&](std::size_t point, const char* buffer, const char* measure) {
+        return report.points[point].error({buffer, measure, ErrorKind::Arithmetic});
+    };
+    EXPECT_GT(errorOf(0, "intensity", "largest"), 0.0);
+    EXPECT_EQ(errorOf(1, "intensity", "largest"), std::nullopt);
+    EXPECT_EQ(errorOf(1, "z_view", "RMSE"), std::nullopt);
+    EXPECT_EQ(errorOf(1, "polygon_id", "pixels that differ"), 0.0);
+    EXPECT_NE(report.whyNone[index(ErrorKind::Arithmetic)].find("not measurable"), std::string::npos);
+}
+
+// Of a sphere the formula is known; a mesh stands for nothing but its facets.
+TEST(RunStudy, aModelsTrueSurfaceIsSaidToBeItsFacets) {
+    Scene scene = small();
+    const auto nameOf = [](const Scene& of) { return rayCast(of, RaySurfaces::Exact, 0)->name; };
+    EXPECT_EQ(nameOf(scene), "the mesh's facets, taken as its true surface, by rays, double");
+    const Shape sphere{ShapeKind::Sphere, 8};
+    scene.objects.push_back({"sphere", makeShape(sphere), {}, {}, {}, sphere});
+    EXPECT_EQ(nameOf(scene), "true surfaces by rays, double; those of a mesh are its facets");
+    scene.objects.erase(scene.objects.begin());
+    EXPECT_EQ(nameOf(scene), "true surfaces by rays, double");
 }
 
 TEST(RunStudy, aSceneWithoutARayReferenceSaysWhy) {

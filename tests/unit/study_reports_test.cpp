@@ -98,7 +98,7 @@ TEST(StudyText, SortsPointsByTimeAndEndsWithTheAnswers) {
     EXPECT_TRUE(has(text, "RMSE of intensity up to 0.001 takes at least 2.94 ms: phong, tessellation 16.\n"));
     EXPECT_TRUE(has(text, "Within 1 ms RMSE of intensity is at best 2.1e-3: gouraud, tessellation 16.\n"));
     EXPECT_TRUE(
-        has(text, "  model: analytic, intensities within 2.0e-16 of I_max (against the same rays in long double)\n"));
+        has(text, "  model: analytic, its own RMSE of intensity 2.0e-16 (against the same rays in long double)\n"));
     EXPECT_TRUE(has(text, "  storage: none. Nothing is stored with fewer digits.\n"));
     EXPECT_TRUE(has(text, "Times: median of 21 frames (1 process of 21, each after 2 that do not count), 1 thread."));
     StudyReport one = report;
