@@ -70,7 +70,8 @@ void addCamera(const View& view, Calls& calls) {
         for (const Vec3d& row : rows) matrix.push_back(row[column]);
         matrix.push_back(0);
     }
-    for (const Vec3d& row : rows) matrix.push_back(-glm::dot(row, view.eye));
+    const Vec3d origin = toView(view, Vec3d(0));  // z away from the viewer
+    for (const double coordinate : {origin.x, origin.y, -origin.z}) matrix.push_back(coordinate + 0.0);
     matrix.push_back(1);
     calls.step("The camera: x right, y up, z towards the viewer");
     calls.add("glMatrixMode", {"GL_MODELVIEW"});

@@ -331,7 +331,8 @@ private:
         const TransformOutput<float>& in = m_in.transform;
         const auto* words = reinterpret_cast<const std::int32_t*>(in.topology->triangles.data());
         auto nearest = float(in.view.near);  // the least z in front of the near plane
-        const Floats3 eye = all(Vec3<float>(in.view.eye)), forward = all(Vec3<float>(in.view.forward));
+        const Floats3 pivot = all(Vec3<float>(in.view.pivot)), forward = all(Vec3<float>(in.view.forward));
+        const Floats depth = all(float(in.view.pivotDepth));
         if (double(nearest) < in.view.near) nearest = std::nextafter(nearest, std::numeric_limits<float>::infinity());
         for (std::size_t i = 0; i < kRowPixels; i += hn::Lanes(F())) {
             const Mask seen = out.seenAt(i);
@@ -344,7 +345,8 @@ private:
                 const Ints vertex = hn::GatherIndex(I(), words, hn::Add(first, hn::Set(I(), corner)));
                 const Ints at = hn::Add(vertex, hn::Add(vertex, vertex));
                 const auto world = [&](int part) HWY_ATTR { return hn::GatherIndex(F(), &in.world[0].x + part, at); };
-                const Floats z = Exact::dot(forward, Floats3{world(0), world(1), world(2)} - eye);
+                const Floats along = Exact::dot(forward, Floats3{world(0), world(1), world(2)} - pivot);
+                const Floats z = hn::Add(along, depth);
                 isInFront = hn::And(isInFront, hn::Ge(z, all(nearest)));
                 return hn::Mul(weight, z);
             };

@@ -45,11 +45,13 @@ HWY_INLINE void store(Floats3 v, Vec3<float>* at) { hn::StoreInterleaved3(v.x, v
 
 // A view's, in float.
 struct Axes {
-    Vec3<float> eye, right, up, forward;
-    explicit Axes(const View& view) : eye(view.eye), right(view.right), up(view.up), forward(view.forward) {}
+    Vec3<float> pivot, right, up, forward;
+    float depth;
+    explicit Axes(const View& view)
+        : pivot(view.pivot), right(view.right), up(view.up), forward(view.forward), depth(float(view.pivotDepth)) {}
     HWY_INLINE Floats3 toView(Floats3 world) const {
-        const Floats3 p{hn::Sub(world.x, all(eye.x)), hn::Sub(world.y, all(eye.y)), hn::Sub(world.z, all(eye.z))};
-        return {dot(right, p), dot(up, p), dot(forward, p)};
+        const Floats3 p{hn::Sub(world.x, all(pivot.x)), hn::Sub(world.y, all(pivot.y)), hn::Sub(world.z, all(pivot.z))};
+        return {dot(right, p), dot(up, p), hn::Add(dot(forward, p), all(depth))};
     }
 };
 
@@ -240,13 +242,15 @@ Bounds boundsOf(const View& view, std::span<const Vec3<float>> points) {
         const Floats3 point = load(&points[i]);
         const auto apart = [&](Floats v, double from)
                                HWY_ATTR { return hn::Sub(hn::PromoteTo(d, v), hn::Set(d, from)); };
-        const auto x = apart(point.x, view.eye.x), y = apart(point.y, view.eye.y), z = apart(point.z, view.eye.z);
-        const auto along = [&](Vec3d axis, auto& low, auto& high) HWY_ATTR {
+        const auto x = apart(point.x, view.pivot.x), y = apart(point.y, view.pivot.y), z = apart(point.z, view.pivot.z);
+        const auto along = [&](Vec3d axis, double from, auto& low, auto& high) HWY_ATTR {
             const auto of = [&](double by, auto v) HWY_ATTR { return hn::Mul(hn::Set(d, by), v); };
-            const auto place = hn::Add(hn::Add(of(axis.x, x), of(axis.y, y)), of(axis.z, z));
+            const auto sum = hn::Add(hn::Add(of(axis.x, x), of(axis.y, y)), of(axis.z, z));
+            const auto place = from == 0 ? sum : hn::Add(sum, hn::Set(d, from));
             low = hn::Min(place, low), high = hn::Max(place, high);
         };
-        along(view.right, lowX, highX), along(view.up, lowY, highY), along(view.forward, lowZ, highZ);
+        along(view.right, 0, lowX, highX), along(view.up, 0, lowY, highY);
+        along(view.forward, view.pivotDepth, lowZ, highZ);
     }
     Bounds bounds = boundsIn<float>(view, points.subspan(i));
     const auto least = [&](auto v) HWY_ATTR { return hn::GetLane(hn::MinOfLanes(d, v)); };

@@ -46,7 +46,7 @@ View fitAtInfinity(Vec3d towardsLight, int size, const TransformOutput<Real>& in
     if (!(bounds.low.x <= bounds.high.x)) bounds.low = bounds.high = Vec3d(0);
 
     const Vec3d middle = (bounds.low + bounds.high) / 2.0, extent = bounds.high - bounds.low;
-    view.eye = middle.x * view.right + middle.y * view.up + bounds.low.z * view.forward;
+    view.placeEye(middle.x * view.right + middle.y * view.up + bounds.low.z * view.forward);
     const double side = std::max({extent.x, extent.y, extent.z});
     const auto texels = [&](double across) {
         const double inside = std::max(1, size - 2);
@@ -68,7 +68,7 @@ std::vector<View> sixFaces(Vec3d position, int size, const TransformOutput<Real>
     for (const Vec3d axis : {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)}) {
         for (const double sign : {1.0, -1.0}) {
             View view;
-            view.eye = position;
+            view.placeEye(position);
             view.size = {size, size};
             view.centre = view.scale = glm::dvec2(view.size) / 2.0;  // 90 degrees
             view.forward = sign * axis;

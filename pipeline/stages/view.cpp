@@ -18,7 +18,7 @@ void placeSpherical(const Camera& camera, CameraBasisForm form, View& view) {
     const double sinTheta = sinDegrees(camera.theta), cosTheta = cosDegrees(camera.theta);
     const double sinPhi = sinDegrees(camera.phi), cosPhi = cosDegrees(camera.phi);
     const Vec3d away{sinPhi * cosTheta, sinPhi * sinTheta, cosPhi};
-    view.eye = camera.rho * away;
+    view.eye = camera.rho * away, view.pivotDepth = camera.rho;
     view.forward = -away;
     view.right = {-sinTheta, cosTheta, 0};
     view.up = {-cosPhi * cosTheta, -cosPhi * sinTheta, sinPhi};
@@ -42,6 +42,15 @@ void placeLookAt(const Camera& camera, View& view) {
     // So for an up that is parallel to the viewing direction, or (0, 0, 0).
     if (view.right == Vec3d(0)) view.right = normalized(glm::cross(view.forward, leastAlignedAxis(view.forward)));
     view.up = glm::cross(view.right, view.forward);
+    // The pivot, from the end of the axis that is nearer to the origin: what is taken off it is small.
+    const double length = glm::length(camera.target - camera.eye);
+    if (glm::length(camera.target) <= glm::length(camera.eye)) {
+        const double back = std::clamp(glm::dot(camera.target, view.forward), 0.0, length);
+        view.pivot = camera.target - back * view.forward, view.pivotDepth = length - back;
+    } else {
+        view.pivotDepth = std::clamp(-glm::dot(camera.eye, view.forward), 0.0, length);
+        view.pivot = camera.eye + view.pivotDepth * view.forward;
+    }
 }
 
 // Margins and limits are powers of two, so that a scaled scene keeps its bits.
@@ -51,7 +60,7 @@ void chooseRange(const Scene& scene, View& view) {
         if (isTransparent(object, scene.settings)) continue;
         const ObjectMatrix matrix = makeObjectMatrix(object.transform);
         for (const Vec3d& position : object.mesh->positions) {
-            const double z = glm::dot(view.forward, toWorld(matrix, position) - view.eye);
+            const double z = toView(view, toWorld(matrix, position)).z;
             nearest = std::min(nearest, z);
             farthest = std::max(farthest, z);
         }

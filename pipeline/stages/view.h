@@ -9,7 +9,10 @@ namespace pipeline {
 //   screen x = centre.x + scale.x · x_view / (perspective ? z_view : 1), pixels
 //   screen y = centre.y − scale.y · y_view / (perspective ? z_view : 1), pixels, downwards
 struct View {
-    Vec3d eye{0.0};                                       // world space
+    Vec3d eye{0.0};  // world space
+    // A point on the viewing axis that vertices are taken relative to, world space, and its z_view; see toView.
+    Vec3d pivot{0.0};
+    double pivotDepth = 0;
     Vec3d right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};  // world space, orthonormal
     bool perspective = true;
     glm::dvec2 scale{1.0};     // pixels per view unit (at z_view = 1 in perspective)
@@ -18,6 +21,9 @@ struct View {
     int subPixelBits = 8;      // corners are snapped to 2^-bits pixels, 1 to 16
     double near = 0, far = 0;  // z_view, 0 < near < far (near may be < 0 when orthographic)
     bool operator==(const View&) const = default;
+
+    // Vertices are taken relative to the eye itself.
+    void placeEye(Vec3d position) { eye = pivot = position, pivotDepth = 0; }
 };
 
 // The view of a scene's camera, whatever it is: where eye and target are one point, or up is parallel to the
@@ -26,13 +32,14 @@ struct View {
 // the eye.
 View makeView(const Scene& scene);
 
-// A point of world space in the view's. The eye is taken off before the rotation: far from the origin both are large and
-// alike.
+// A point of world space in the view's: R (p − pivot) + (0, 0, z of the pivot). Far from the origin points and pivot are
+// large and alike, so that their difference keeps its digits. A camera's pivot is the point between eye and target that is
+// nearest to the origin: however far the eye is, x_view and y_view do not contain its distance, as in lecture 1's matrix.
 template <class Real>
 Vec3<Real> toView(const View& view, Vec3<Real> world) {
-    const Vec3<Real> p = world - Vec3<Real>(view.eye);
+    const Vec3<Real> p = world - Vec3<Real>(view.pivot);
     return {glm::dot(Vec3<Real>(view.right), p), glm::dot(Vec3<Real>(view.up), p),
-            glm::dot(Vec3<Real>(view.forward), p)};
+            glm::dot(Vec3<Real>(view.forward), p) + Real(view.pivotDepth)};
 }
 
 // The point on the picture's plane through z_view = distance that pixel position p (pixels,

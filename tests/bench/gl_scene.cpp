@@ -30,8 +30,9 @@ Matrix clipFromWorld(const View& view) {
     Matrix m{};
     for (int c = 0; c < 3; ++c)
         for (int r = 0; r < 4; ++r) m[std::size_t(4 * c + r)] = float(column(c)[std::size_t(r)]);
-    const double depth = -glm::dot(rows[2], view.eye);  // z_view of the world's origin
-    m[12] = float(-glm::dot(rows[0], view.eye)), m[13] = float(-glm::dot(rows[1], view.eye));
+    const Vec3d origin = toView(view, Vec3d(0));  // of the world
+    const double depth = origin.z;
+    m[12] = float(view.scale.x / view.centre.x * origin.x), m[13] = float(view.scale.y / view.centre.y * origin.y);
     m[14] = float(view.perspective ? ((f + n) * depth - 2 * f * n) / (f - n) : (2 * depth - f - n) / (f - n));
     m[15] = view.perspective ? float(depth) : 1;
     return m;

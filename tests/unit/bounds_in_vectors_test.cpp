@@ -16,7 +16,7 @@ TEST(BoundsInVectors, AreThoseOfOneByOne) {
         return std::uniform_real_distribution<float>(-1, 1)(random) * magnitudes[random() % 4];
     };
     View view;
-    view.eye = {0.5, -3, 1e10}, view.right = {0.6, 0.8, 0}, view.up = {0, 0, -1}, view.forward = {-0.8, 0.6, 0};
+    view.placeEye({0.5, -3, 1e10}), view.right = {0.6, 0.8, 0}, view.up = {0, 0, -1}, view.forward = {-0.8, 0.6, 0};
     for (std::size_t count = 0; count < 70; ++count) {
         std::vector<Vec3<float>> points(count);
         for (Vec3<float>& point : points) point = {component(), component(), component()};

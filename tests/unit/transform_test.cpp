@@ -155,6 +155,54 @@ TEST(View, AFlatSceneIsSeenFromAnyDistance) {
         }
 }
 
+// Lecture 1: x_v = -x sin(theta) + y cos(theta), y_v = -x cos(phi) cos(theta) - y cos(phi) sin(theta) + z sin(phi). With
+// rounded sines, three products and two sums an error of at most 6 half units of |p|.
+TEST(View, NoDistanceOfTheEyeIsInXAndY) {
+    const std::vector<Vec3d> points{{-0.7, -0.3, 0.11}, {0.9, -0.4, 0.3}, {0.1, 0.8, -0.2}};
+    Scene scene = test::pyramid();
+    scene.objects[0] = {"triangle", test::mesh(points, {{0, 1, 2}}), {}, {}};
+    scene.settings.width = scene.settings.height = 64, scene.settings.cull = CullMode::None;
+    scene.camera.theta = 33, scene.camera.phi = 50, scene.camera.screenDistance = 1000;
+    const double st = sinDegrees(33), ct = cosDegrees(33), sp = sinDegrees(50), cp = cosDegrees(50);
+    for (const double rho : {2.0, 1e3, 1e5, 1e9}) {
+        scene.camera.rho = rho, scene.camera.pixelsPerUnit = rho / 50;
+        const FramePtr frame = test::frameOf(scene);
+        const AnyBuffer view = *frame->buffer({BufferId::VerticesView});
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec3d p = points[i];
+            const double limit = 6 * 0x1p-24 * glm::length(p);
+            EXPECT_NEAR(view.value(0, i, 0), -p.x * st + p.y * ct, limit) << rho;
+            EXPECT_NEAR(view.value(0, i, 1), -p.x * cp * ct - p.y * cp * st + p.z * sp, limit) << rho;
+        }
+        // 20 pixels a unit, whatever the distance: half of |(p1 - p0) x (p2 - p0)| in view space is 0.5 units².
+        const AnyBuffer ids = *frame->buffer({BufferId::ObjectId});
+        int drawn = 0;
+        for (std::size_t i = 0; i < ids.count(); ++i) drawn += ids.flat(i) == 0;
+        EXPECT_GT(drawn, 100) << rho;
+    }
+}
+
+// How far away an orthographic camera is does not matter, nor which of eye and target is.
+TEST(View, AnOrthographicPictureIsTheSameFromAnyDistance) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 64;
+    scene.camera.kind = CameraKind::LookAt, scene.camera.projection = ProjectionKind::Orthographic;
+    scene.camera.height = 3;
+    scene.objects.push_back({"box", test::box(Vec3d(-1), Vec3d(1)), {Vec3d(0.8), {10, 20, 30}}, {}});
+    const Vec3d eye(6, -6.5, 4.75);
+    const auto seenFrom = [&](Vec3d from, Vec3d target) {
+        scene.camera.eye = from, scene.camera.target = target;
+        return test::frameOf(scene);
+    };
+    const FramePtr near = seenFrom(eye, Vec3d(0));
+    // The viewing direction has the same bits: powers of two, and products without rounding.
+    for (const double factor : {0x1p7, 0x1p17, 0x1p24}) {
+        const FramePtr far = seenFrom(factor * eye, Vec3d(0)), beyond = seenFrom(eye, (1 - factor) * eye);
+        EXPECT_EQ(test::firstDifference(*near, *far, setOf({BufferId::PolygonId})), "") << factor;
+        EXPECT_EQ(test::firstDifference(*near, *beyond, setOf({BufferId::PolygonId})), "") << factor;
+    }
+}
+
 TEST(Transform, AVertexBehindTheEyeHasNoPlaceOnTheScreen) {
     Scene scene = test::pyramid();
     scene.camera.rho = 100;  // among the vertices
