@@ -25,6 +25,7 @@ public:
 
     std::vector<Remark> collect() {
         ofCamera();
+        ofChosenNearPlane();
         ofLights();
         for (std::size_t i = 0; i < m_scene.objects.size(); ++i) ofObject(i);
         ofNearPlane();
@@ -77,6 +78,30 @@ private:
             add("camera.up_x",
                 "The camera's up is parallel to the viewing direction: the axis least aligned with that "
                 "takes its place.");
+    }
+
+    // What a depth format that cannot hold it hides.
+    void ofChosenNearPlane() {
+        const Camera& camera = m_scene.camera;
+        const DepthFormat format = m_scene.settings.depthFormat;
+        if (camera.near != 0 || camera.projection != ProjectionKind::Perspective ||
+            nearestShare(format) < nearestShare(DepthFormat::Fixed32))
+            return;
+        const View view = makeView(m_scene);
+        std::size_t before = 0;
+        for (const Object& object : m_scene.objects) {
+            if (isTransparent(object, m_scene.settings)) continue;
+            const ObjectMatrix matrix = makeObjectMatrix(object.transform);
+            before += std::ranges::any_of(object.mesh->positions, [&](Vec3d position) {
+                const double z = toView(view, toWorld(matrix, position)).z;
+                return z > 0 && z < view.near;
+            });
+        }
+        if (before == 0) return;
+        add("camera.near",
+            fmt::format("{} object{} nearer than {}, where the near plane is chosen for this depth format: what lies "
+                        "before it is not drawn. Set depth_format to linear, reversed or infinite, or set camera.near.",
+                        before, before == 1 ? " is" : "s are", shortestText(view.near)));
     }
 
     void ofLights() {

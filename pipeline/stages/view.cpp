@@ -56,6 +56,7 @@ void placeLookAt(const Camera& camera, View& view) {
 // Margins and limits are powers of two, so that a scaled scene keeps its bits.
 void chooseRange(const Scene& scene, View& view) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    double nearestInFront = nearest;  // of the eye
     for (const Object& object : scene.objects) {
         if (isTransparent(object, scene.settings)) continue;
         const ObjectMatrix matrix = makeObjectMatrix(object.transform);
@@ -63,13 +64,18 @@ void chooseRange(const Scene& scene, View& view) {
             const double z = toView(view, toWorld(matrix, position)).z;
             nearest = std::min(nearest, z);
             farthest = std::max(farthest, z);
+            if (z > 0) nearestInFront = std::min(nearestInFront, z);
         }
     }
     if (!(nearest <= farthest)) nearest = 1, farthest = 2;  // no vertex
     constexpr double kMargin = 1.0 / 1024, kDeepest = 1.0 / (1 << 20);
     if (view.perspective) {
         view.far = farthest > 0 ? farthest * (1 + kMargin) : 2;
-        view.near = std::max(nearest * (1 - kMargin), view.far * kDeepest);
+        double share = nearestShare(scene.settings.depthFormat), near = nearestInFront * (1 - kMargin);
+        // Polygons that reach behind the eye have no nearest point. They are cut at a share that leaves a double its digits,
+        // or before the first vertex in front.
+        if (nearest <= 0) near = std::min(near, view.far * kDeepest), share = std::max(share, 0x1p-40);
+        view.near = std::max(near, view.far * share);
     } else {
         // z_view in float is off by some 2^-24 of these distances. A scene that is flat along the view, or far off for its
         // depth, must not fall behind a plane for that.
@@ -83,6 +89,16 @@ void chooseRange(const Scene& scene, View& view) {
 }
 
 }  // namespace
+
+double nearestShare(DepthFormat format) {
+    switch (format) {
+        case DepthFormat::Linear:
+        case DepthFormat::Reversed:
+        case DepthFormat::Infinite: return 0x1p-100;
+        case DepthFormat::Fixed32: return 0x1p-28;
+        default: return 0x1p-20;
+    }
+}
 
 View makeView(const Scene& scene) {
     const Camera& camera = scene.camera;

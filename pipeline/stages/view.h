@@ -29,8 +29,14 @@ struct View {
 // The view of a scene's camera, whatever it is: where eye and target are one point, or up is parallel to the
 // viewing direction or (0, 0, 0), the axis least aligned with the other takes the place of what is missing. Near and far
 // come from the scene's bounds where the camera leaves them open: the largest range that holds every vertex in front of
-// the eye.
+// the eye, and in perspective no larger than nearestShare allows.
 View makeView(const Scene& scene);
+
+// The smallest near plane, as a share of far, that is chosen for a format. Linear, Reversed and Infinite keep their
+// relative precision at any distance. At this share Float, Fixed24 and Fixed32 still tell apart depths at the far plane
+// that differ by a sixteenth: their step is 2^-24 or 2^-32 of z² / near. Those of 16 bits are as coarse there as their
+// number of bits makes them, and hide no more than Float.
+double nearestShare(DepthFormat format);
 
 // A point of world space in the view's: R (p − pivot) + (0, 0, z of the pivot). Far from the origin points and pivot are
 // large and alike, so that their difference keeps its digits. A camera's pivot is the point between eye and target that is

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/core/angles.h"
+#include "pipeline/scene/scene_remarks.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -201,6 +202,59 @@ TEST(View, AnOrthographicPictureIsTheSameFromAnyDistance) {
         EXPECT_EQ(test::firstDifference(*near, *far, setOf({BufferId::PolygonId})), "") << factor;
         EXPECT_EQ(test::firstDifference(*near, *beyond, setOf({BufferId::PolygonId})), "") << factor;
     }
+}
+
+// A square of 2e-6 seen from 4.1e-6 away, with an opening of 50 degrees: 2 / (2 · 4.12 tan 25°) · 64 = 33.3 pixels wide and
+// 33.3 cos 14° = 32.3 high, 1076 pixels. Behind it is one a million wide.
+Scene smallBeforeLarge() {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 64;
+    scene.camera.kind = CameraKind::LookAt, scene.camera.fovY = 50;
+    scene.camera.eye = {0, -1e-6, 4e-6}, scene.camera.target = {0, 0, 0}, scene.camera.up = {0, 1, 0};
+    const auto square = [](double half, double z) {
+        return test::mesh({{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}}, {{0, 1, 2, 3}});
+    };
+    scene.objects.push_back({"small", square(1e-6, 0), {}, {}});
+    scene.objects.push_back({"large", square(1e6, -1e6), {}, {}});
+    return scene;
+}
+int pixelsOf(const Frame& frame, int object) {
+    const AnyBuffer ids = *frame.buffer({BufferId::ObjectId});
+    int pixels = 0;
+    for (std::size_t i = 0; i < ids.count(); ++i) pixels += ids.flat(i) == object;
+    return pixels;
+}
+
+TEST(View, TheNearPlaneIsBeforeTheNearestPolygonWhereTheFormatAllows) {
+    Scene scene = smallBeforeLarge();
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+        scene.settings.precision = precision;
+        for (const DepthFormat format : {DepthFormat::Linear, DepthFormat::Reversed, DepthFormat::Infinite}) {
+            scene.settings.depthFormat = format;
+            const FramePtr frame = test::frameOf(scene);
+            EXPECT_NEAR(pixelsOf(*frame, 0), 1076, 40) << int(format);
+            EXPECT_GT(pixelsOf(*frame, 1), 2000) << int(format);
+            EXPECT_EQ(test::buffersWithoutNumbers(*frame), "");
+        }
+    }
+    // A step of 2^-24 z² / near would be larger than z: these keep their far end.
+    scene.settings.depthFormat = DepthFormat::Float;
+    EXPECT_EQ(pixelsOf(*test::frameOf(scene), 0), 0);
+    EXPECT_GT(pixelsOf(*test::frameOf(scene), 1), 3000);
+    const auto remarks = sceneRemarks(scene);
+    EXPECT_TRUE(std::ranges::any_of(remarks, [](const Remark& r) {
+        return r.about == "camera.near" && r.text.starts_with("1 object is nearer than ");
+    }));
+    scene.settings.depthFormat = DepthFormat::Linear;
+    EXPECT_TRUE(std::ranges::none_of(sceneRemarks(scene), [](const Remark& r) { return r.about == "camera.near"; }));
+}
+
+// A ground that reaches behind the eye does not hide what is close before it.
+TEST(View, TheNearPlaneIsBeforeTheNearestVertexAlsoWhereSomethingIsBehindTheEye) {
+    Scene scene = smallBeforeLarge();
+    scene.objects[1].mesh = test::mesh({{-1e3, -1e3, -1e3}, {1e3, -1e3, -1e3}, {0, -1e-3, 1e3}}, {{0, 1, 2}});
+    scene.settings.cull = CullMode::None;
+    EXPECT_NEAR(pixelsOf(*test::frameOf(scene), 0), 1076, 40);
 }
 
 TEST(Transform, AVertexBehindTheEyeHasNoPlaceOnTheScreen) {
