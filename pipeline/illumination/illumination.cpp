@@ -1,7 +1,9 @@
 #include "pipeline/illumination/illumination.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "pipeline/core/numerics.h"
 #include "pipeline/scene/opacity.h"
 
 namespace pipeline {
@@ -15,8 +17,27 @@ Illumination illuminationOf(const Settings& settings) {
             {}};
 }
 
+namespace {
+
+// A direction whose length float can hold: times a power of two, which changes no bit of its unit vector.
+Vec3d inRange(Vec3d direction) {
+    const double largest = largestComponent(direction);
+    if (largest == 0 || (largest < double(kLargestUnscaled) && largest > 1 / double(kLargestUnscaled)))
+        return direction;
+    int exponent;
+    std::frexp(largest, &exponent);
+    for (int c = 0; c < 3; ++c) direction[c] = std::ldexp(direction[c], -exponent);
+    return direction;
+}
+
+}  // namespace
+
 std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view) {
     std::vector<Light> lights = scene.lights;
+    for (Light& light : lights) {
+        if (light.kind == LightKind::AtInfinity) light.position = inRange(light.position);
+        light.gl.spotDirection = inRange(light.gl.spotDirection);
+    }
     if (scene.settings.model != Model::OpenGl) return lights;
     const auto turned = [&](Vec3d v) { return v.x * view.right + v.y * view.up - v.z * view.forward; };
     for (Light& light : lights) {

@@ -128,6 +128,22 @@ TEST(OpenGl, ALightsOwnAmbientPartFadesWithIt) {
     EXPECT_EQ(s.diffuse + s.specular, Vec3d(0));
 }
 
+// Also where float has no number as small or as large: the direction counts, not its length.
+TEST(Illumination, ADirectionOfAnyLengthLightsAlike) {
+    Scene scene = test::pyramid();
+    scene.settings.width = 64, scene.settings.height = 48, scene.settings.shading = Shading::Phong;
+    for (const Model model : {Model::Phong, Model::OpenGl}) {
+        scene.settings.model = model;
+        scene.lights[0].gl.spotCutoff = 60, scene.lights[0].gl.spotDirection = {-1, -1, -1};
+        const FramePtr plain = test::frameOf(scene);
+        for (const double factor : {0x1p-150, 0x1p-40, 0x1p40}) {
+            Scene scaled = scene;
+            scaled.lights[0].position *= factor, scaled.lights[0].gl.spotDirection *= factor;
+            EXPECT_EQ(test::firstDifference(*plain, *test::frameOf(scaled)), "") << factor;
+        }
+    }
+}
+
 TEST(OpenGl, ALightInEyeSpaceMovesWithTheEye) {
     Scene scene;
     scene.settings.model = Model::OpenGl;
