@@ -1,5 +1,9 @@
 #include "pipeline/stages/normals.h"
 
+#include <algorithm>
+#include <limits>
+#include <vector>
+
 #include "pipeline/core/numerics.h"
 
 namespace pipeline {
@@ -74,6 +78,38 @@ Real cornerAngle(CornerAngleForm form, const TransformOutput<Real>& in, const To
                         normalized(in.world[corners[(i + n - 1) % n]] - here), form);
 }
 
+// What the polygon adds to the sum at its i-th corner.
+template <class Real>
+Vec3<Real> termAt(const NormalsInputs& inputs, const TransformOutput<Real>& in, const Topology::Corners& corners,
+                  std::size_t i, Vec3<Real> normal) {
+    return inputs.weight == NormalWeight::Angle ? cornerAngle(inputs.angle, in, corners, i) * normal : normal;
+}
+
+// Sums that rounding alone may have left of terms that oppose each other become 0. Each term is off by some eps of its
+// length, so that a sum of at most kOpposed · eps · Σ |N_i| says nothing; lengths by their largest components, whose
+// squares cannot underflow.
+template <class Real>
+void dropOpposed(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
+                 std::span<const Vec3<Real>> normals, std::span<Vec3<Real>> sums) {
+    constexpr Real kOpposed = 4;
+    const Topology& topology = *in.topology;
+    const std::span<Vec3<Real>> here =
+        sums.subspan(topology.firstVertex[object], topology.meshes[object]->positions.size());
+    // Of unit vectors a sum that is not small is fine: the mean of fewer than a million.
+    const bool areUnit = inputs.weight != NormalWeight::Area;
+    if (areUnit && std::ranges::none_of(here, [](Vec3<Real> sum) { return largestComponent(sum) < Real(0.5); })) return;
+    std::vector<Real> lengths(here.size(), Real(0));
+    for (std::size_t p = topology.firstPolygon[object]; p < topology.firstPolygon[object + 1]; ++p) {
+        const Topology::Corners corners = topology.corners(p);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            lengths[corners[i] - topology.firstVertex[object]] +=
+                largestComponent(termAt(inputs, in, corners, i, normals[p]));
+    }
+    const Real bound = kOpposed * std::numeric_limits<Real>::epsilon();
+    for (std::size_t i = 0; i < here.size(); ++i)
+        if (largestComponent(here[i]) <= bound * lengths[i]) here[i] = Vec3<Real>(0);
+}
+
 }  // namespace
 
 template <class Real>
@@ -87,12 +123,9 @@ void sumAroundVertices(const NormalsInputs& inputs, const TransformOutput<Real>&
     for (std::size_t p = 0, count = mesh.polygonCount(); p < count; ++p) {
         const Topology::Corners corners{mesh.polygon(p), topology.firstVertex[object]};
         const Vec3<Real> normal = normals[topology.firstPolygon[object] + p];
-        if (inputs.weight != NormalWeight::Angle)
-            for (std::size_t i = 0; i < corners.size(); ++i) sums[corners[i]] += normal;
-        else
-            for (std::size_t i = 0; i < corners.size(); ++i)
-                sums[corners[i]] += cornerAngle(inputs.angle, in, corners, i) * normal;
+        for (std::size_t i = 0; i < corners.size(); ++i) sums[corners[i]] += termAt(inputs, in, corners, i, normal);
     }
+    dropOpposed<Real>(inputs, in, object, normals, sums);
 }
 
 template <class Real>

@@ -23,7 +23,8 @@ template <class Real>
 struct NormalsOutput {
     RawVector<Vec3<Real>> polygon;  // per polygon; (0, 0, 0) for one without area; empty when not needed of all
     VertexArray<Real> vertex;       // per vertex; empty when not asked for
-    // Where the mean of the normals around a vertex vanishes, the first of them stands in: how often.
+    // Where the mean of the normals around a vertex vanishes, or is no more than rounding may have left, the first of them
+    // stands in: how often.
     std::size_t vanishing = 0;
     RawVector<Vec3<Real>> weighted;  // scratch: per polygon, twice the area times the normal
 };
@@ -44,7 +45,7 @@ template <class Real>
 Vec3<Real> polygonNormal(const TransformOutput<Real>& in, std::size_t polygon);
 
 // The vertices of one object, in three steps. First the sums over the polygons around each: of the unit normals
-// (lecture 1), or weighted by area or by the angle at the vertex.
+// (lecture 1), or weighted by area or by the angle at the vertex; 0 where no more is left than rounding may leave.
 template <class Real>
 void sumAroundVertices(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t object,
                        NormalsOutput<Real>& out);

@@ -91,6 +91,26 @@ TEST(Normals, AVanishingMeanIsReported) {
     EXPECT_EQ(counts({{0, 1, 2}}), "1 polygon normal; 3 vertex normals");
 }
 
+// Two triangles folded onto each other but for 5e-8 rad: their unit normals sum to a vector of that length. In float each of
+// them is off by as much, 2^-24, and what is left points anywhere; double has the bisector of the third corners.
+TEST(Normals, OpposedButForRoundingAreTheFirstPolygons) {
+    const auto mesh = test::mesh({{0.1631126595437225, -0.42552722677878374, 0.89012405852585},
+                                  {-0.1631126595437225, 0.42552722677878374, -0.89012405852585},
+                                  {-0.8996605140433589, -0.4344826654473671, -0.04284592042411314},
+                                  {-0.8996604937945788, -0.4344827051384043, -0.042845943109096424}},
+                                 {{0, 2, 1}, {0, 1, 3}});
+    const Vec3d bisector(-0.8996605039189695, -0.434482685292886, -0.04284593176660481);
+    for (const NormalWeight weight : {NormalWeight::Mean, NormalWeight::Area, NormalWeight::Angle}) {
+        const FramePtr inFloat = frameOf(mesh, weight, Vec3d(1), Precision::Float), inDouble = frameOf(mesh, weight);
+        for (std::size_t vertex : {0u, 1u}) {
+            EXPECT_EQ(vertexNormal(inFloat, vertex), polygonNormal(inFloat, 0)) << int(weight);
+            EXPECT_LT(degreesBetween(vertexNormal(inDouble, vertex), bisector), 1e-4) << int(weight);
+        }
+        EXPECT_NE(inFloat->run(StageId::Normals).counts.find("2 without a mean"), std::string::npos) << int(weight);
+        EXPECT_EQ(inDouble->run(StageId::Normals).counts.find("without a mean"), std::string::npos) << int(weight);
+    }
+}
+
 TEST(Normals, ASliverIsRightToTheStoredInput) {
     const auto sliver = test::mesh({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-6, 1e-6}}, {{0, 1, 2}});
     // (1,0,0) x (0.5, h, h) = (0, -h, h).
