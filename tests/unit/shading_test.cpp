@@ -207,6 +207,40 @@ View viewFrom(Vec3d eye, Vec3d target, double fovY) {
     return makeView(scene);
 }
 
+// Whatever the interpolated normal says, with every way of shading, with and without leaving out. Planes that are within
+// rounding and the flatness of the spheres' quads of the light's direction are not asked.
+TEST(Shadow, IsZeroWhereThePlaneFacesAwayAndOneWithoutAShadow) {
+    Scene scene = test::spheres();
+    ASSERT_TRUE(scene.lights[0].castsShadow && !scene.lights[1].castsShadow);
+    scene.lights[0].position = {-500, 500, 100};  // across the viewing direction
+    for (const Model model : {Model::Phong, Model::BlinnPhong, Model::OpenGl})
+        for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong})
+            for (const bool leaveOut : {true, false}) {
+                scene.settings.model = model, scene.settings.shading = shading, scene.settings.leaveOut = leaveOut;
+                const FramePtr frame = test::frameOf(scene);
+                const auto at = [&](BufferId id, int light = -1) { return *frame->buffer({id, light}); };
+                const AnyBuffer polygons = at(BufferId::PolygonId), normals = at(BufferId::PolygonsNormal);
+                const AnyBuffer of[]{at(BufferId::Shadow, 0), at(BufferId::Shadow, 1)};
+                const Vec3d L = normalized(scene.lights[0].position);
+                int away = 0;
+                for (std::size_t i = 0; i < polygons.count(); ++i) {
+                    const double polygon = polygons.flat(i);
+                    if (polygon < 0) continue;
+                    ASSERT_EQ(of[1].flat(i), 1);
+                    if (model == Model::OpenGl) {
+                        ASSERT_EQ(of[0].flat(i), 1);
+                        continue;
+                    }
+                    const auto row = std::size_t(polygon);
+                    const Vec3d n{normals.value(0, row, 0), normals.value(0, row, 1), normals.value(0, row, 2)};
+                    if (glm::dot(n, L) > -1e-3) continue;
+                    ++away;
+                    ASSERT_EQ(of[0].flat(i), 0) << i;
+                }
+                EXPECT_GT(away, model == Model::OpenGl ? -1 : 500);
+            }
+}
+
 TEST(ViewVector, OfAPixelPointsFromWhatItsRayReachesToTheEye) {
     for (const double fovY : {5.0, 40.0, 120.0}) {
         const View view = viewFrom({300, -200, 100}, {0, 10, 20}, fovY);
