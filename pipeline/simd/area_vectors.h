@@ -6,8 +6,10 @@
 #define SHADESCOPE_AREA_VECTORS_H
 #endif
 
+#include <bit>
+
 #include "pipeline/simd/lanes.h"
-#include "pipeline/stages/transform.h"
+#include "pipeline/stages/area_vector.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pipeline::HWY_NAMESPACE {
@@ -35,6 +37,26 @@ HWY_INLINE Floats3 areaVectors(const TransformOutput<float>& in, bool mirrors, F
     // Added to zero, as the sum over a polygon's triangles is: a negative zero becomes a positive one.
     const Floats3 sum = all(Vec3<float>(0)) + cross(toSecond, toThird);
     return mirrors ? outward(in, sum, polygonOf) : sum;
+}
+
+// Of which the edges are to be scaled first, as the stage's own text does.
+HWY_INLINE Mask areSmall(Floats3 sum) {
+    return hn::Lt(hn::Max(hn::Max(hn::Abs(sum.x), hn::Abs(sum.y)), hn::Abs(sum.z)), all(smallestArea<float>()));
+}
+
+// Their normals, found one by one. normalOf(l): that of lane l.
+template <class NormalOf>
+HWY_INLINE void replaceSmall(Mask seen, Floats3 sum, Floats3& normals, NormalOf normalOf) {
+    const Mask small = hn::And(seen, areSmall(sum));
+    if (HWY_LIKELY(hn::AllFalse(F(), small))) return;
+    HWY_ALIGN float x[16], y[16], z[16];
+    hn::Store(normals.x, F(), x), hn::Store(normals.y, F(), y), hn::Store(normals.z, F(), z);
+    for (std::uint32_t rest = bitsOf(small); rest != 0; rest &= rest - 1) {
+        const auto l = std::size_t(std::countr_zero(rest));
+        const Vec3<float> normal = normalOf(l);
+        x[l] = normal.x, y[l] = normal.y, z[l] = normal.z;
+    }
+    normals = {hn::Load(F(), x), hn::Load(F(), y), hn::Load(F(), z)};
 }
 
 }  // namespace pipeline::HWY_NAMESPACE

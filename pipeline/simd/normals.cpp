@@ -38,6 +38,10 @@ void triangleNormals(const NormalsInputs& inputs, const TransformOutput<float>& 
         };
         const Floats3 origin = corner(0), a = corner(1) - origin, b = corner(2) - origin;
         const Floats3 sum = areaVectors(in, mirrors, a, b, [&](std::size_t l) { return base + l; });
+        if (HWY_UNLIKELY(!hn::AllFalse(F(), areSmall(sum)))) {
+            polygonNormals(inputs, in, base, base + lanes, out);
+            continue;
+        }
         if (!out.weighted.empty()) hn::StoreInterleaved3(sum.x, sum.y, sum.z, F(), &out.weighted[base].x);
         storeUnit(sum, &out.polygon[base].x);
     }
@@ -79,6 +83,10 @@ void polygonSums(const NormalsInputs& inputs, const TransformOutput<float>& in, 
             sum = {hn::IfThenElse(isThere, more.x, sum.x), hn::IfThenElse(isThere, more.y, sum.y),
                    hn::IfThenElse(isThere, more.z, sum.z)};
             before = here;
+        }
+        if (HWY_UNLIKELY(!hn::AllFalse(F(), areSmall(sum)))) {
+            polygonNormals(inputs, in, base, base + lanes, out);
+            continue;
         }
         if (mirrors) sum = outward(in, sum, [&](std::size_t l) { return base + l; });
         if (!out.weighted.empty()) hn::StoreInterleaved3(sum.x, sum.y, sum.z, F(), &out.weighted[base].x);

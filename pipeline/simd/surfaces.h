@@ -253,6 +253,7 @@ private:
             if (findsFacing) {
                 const Floats3 sum = areaVectors(m_in.transform, m_mirrors, world.toSecond, world.toThird, polygonOf);
                 facing = Exact::unit(sum, seen);
+                replaceSmall(seen, sum, facing, [&](std::size_t l) { return m_in.polygonNormal(polygonOf(l)); });
             }
         }
         if (m_facing) store(facing, out.facing, i);

@@ -5,8 +5,26 @@
 #include <vector>
 
 #include "pipeline/core/numerics.h"
+#include "pipeline/stages/area_vector.h"
 
 namespace pipeline {
+
+namespace {
+
+// NormalsOutput::areaScale of an object. All areas of one that is scaled are less than smallestArea.
+template <class Real>
+int areaScale(const TransformOutput<Real>& in, std::size_t object) {
+    const std::size_t first = in.topology->firstVertex[object], end = in.topology->firstVertex[object + 1];
+    Real largest = 0;
+    for (std::size_t i = first; i < end; ++i)
+        largest = std::max(largest, largestComponent(in.world[i] - in.world[first]));
+    if (!(largest > 0) || largest >= ldexp(Real(1), std::numeric_limits<Real>::min_exponent / 4 - 3)) return 0;
+    int exponent;
+    frexp(largest, &exponent);
+    return exponent;
+}
+
+}  // namespace
 
 template <class Real>
 NormalsOutput<Real> prepareNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in) {
@@ -19,50 +37,29 @@ NormalsOutput<Real> prepareNormals(const NormalsInputs& inputs, const TransformO
         } else {
             out.vertex.makeOwn(in.topology->vertexCount());
         }
-        if (inputs.polygonNormals && inputs.weight == NormalWeight::Area)
+        if (inputs.polygonNormals && inputs.weight == NormalWeight::Area) {
             out.weighted.resize(in.topology->polygonCount());
+            for (std::size_t i = 0; i < in.topology->meshes.size(); ++i) out.areaScale.push_back(areaScale(in, i));
+        }
     }
     return out;
 }
 
-namespace {
-
-// Twice a polygon's area along its normal, by the right-hand rule.
-template <class Real>
-Vec3<Real> areaVector(PolygonNormalForm form, std::span<const Vec3<Real>> world, const Topology::Corners& corners) {
-    Vec3<Real> sum(0);
-    const std::size_t n = corners.size();
-    if (form == PolygonNormalForm::FromOrigin) {
-        for (std::size_t i = 0; i < n; ++i) sum += glm::cross(world[corners[i]], world[corners[(i + 1) % n]]);
-        return sum;
-    }
-    const Vec3<Real> origin = world[corners[0]];
-    const std::size_t end = form == PolygonNormalForm::ThreeCorners ? 3 : n;
-    for (std::size_t i = 2; i < end; ++i) sum += glm::cross(world[corners[i - 1]] - origin, world[corners[i]] - origin);
-    return sum;
-}
-
-// Of a polygon of the scene, outward.
-template <class Real>
-Vec3<Real> areaVector(PolygonNormalForm form, const TransformOutput<Real>& in, std::size_t polygon) {
-    const Vec3<Real> sum = areaVector<Real>(form, in.world, in.topology->corners(polygon));
-    return in.mirrored[in.topology->objectOfPolygon(polygon)] ? -sum : sum;
-}
-
-}  // namespace
-
 template <class Real>
 Vec3<Real> polygonNormal(const TransformOutput<Real>& in, std::size_t polygon) {
-    return normalized(areaVector(PolygonNormalForm::Newell, in, polygon));
+    return normalized(alongNormal(PolygonNormalForm::Newell, in, polygon));
 }
 
 template <class Real>
 void polygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
                     NormalsOutput<Real>& out) {
     for (std::size_t polygon = begin; polygon < end; ++polygon) {
-        const Vec3<Real> sum = areaVector(inputs.form, in, polygon);
-        out.polygon[polygon] = normalized(sum, inputs.unit);
-        if (!out.weighted.empty()) out.weighted[polygon] = sum;
+        const bool isStable = inputs.unit == UnitForm::Scaled;
+        out.polygon[polygon] = normalized(
+            isStable ? alongNormal(inputs.form, in, polygon) : areaVector(inputs.form, in, polygon), inputs.unit);
+        if (!out.weighted.empty())
+            out.weighted[polygon] =
+                areaVector(inputs.form, in, polygon, out.areaScale[in.topology->objectOfPolygon(polygon)]);
     }
 }
 

@@ -26,7 +26,9 @@ struct NormalsOutput {
     // Where the mean of the normals around a vertex vanishes, or is no more than rounding may have left, the first of them
     // stands in: how often.
     std::size_t vanishing = 0;
-    RawVector<Vec3<Real>> weighted;  // scratch: per polygon, twice the area times the normal
+    RawVector<Vec3<Real>> weighted;  // scratch: per polygon, twice the area times the normal, by its object's scale
+    // Scratch: per object, e where its edges are times 2^-e in `weighted`; 0 but for objects whose areas Real cannot hold.
+    std::vector<int> areaScale{};
 };
 
 template <class Real>

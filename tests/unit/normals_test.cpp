@@ -91,6 +91,28 @@ TEST(Normals, AVanishingMeanIsReported) {
     EXPECT_EQ(counts({{0, 1, 2}}), "1 polygon normal; 3 vertex normals");
 }
 
+// A power of two changes no bit of a normal, however small the mesh. By area, edges below 2^-63 have areas that are not
+// normal numbers in float. Of triangles and of quads, whose kernels differ.
+TEST(Normals, KeepEveryBitOfAScaledMeshDownToTheSmallestNumbers) {
+    const auto vertexNormals = [](const FramePtr& frame, std::size_t count) {
+        std::vector<Vec3d> normals;
+        for (std::size_t i = 0; i < count; ++i) normals.push_back(vertexNormal(frame, i));
+        return normals;
+    };
+    for (const auto& mesh : {test::sphere(1, 12, 20), test::box({-1, -1, -1}, {1, 2, 3})})
+        for (const NormalWeight weight : {NormalWeight::Mean, NormalWeight::Area, NormalWeight::Angle}) {
+            const std::size_t count = mesh->positions.size();
+            const auto plain = vertexNormals(frameOf(mesh, weight, Vec3d(1), Precision::Float), count);
+            for (const int exponent : {-20, -50, -72, -90}) {
+                const Vec3d scale(std::ldexp(1.0, exponent));
+                const FramePtr frame = frameOf(mesh, weight, scale, Precision::Float);
+                EXPECT_EQ(vertexNormals(frame, count), plain) << exponent << " " << int(weight);
+                for (std::size_t i = 0; i < mesh->polygonCount(); ++i)
+                    EXPECT_NEAR(glm::length(polygonNormal(frame, i)), 1, 1e-6) << exponent;
+            }
+        }
+}
+
 // Two triangles folded onto each other but for 5e-8 rad: their unit normals sum to a vector of that length. In float each of
 // them is off by as much, 2^-24, and what is left points anywhere; double has the bisector of the third corners.
 TEST(Normals, OpposedButForRoundingAreTheFirstPolygons) {
