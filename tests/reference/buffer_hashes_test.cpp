@@ -73,7 +73,7 @@ std::map<std::string, std::string> hashesOf(const Frame& frame) {
         for (const std::size_t size : buffer.shape) bytes += ' ' + std::to_string(size);
         std::visit([&](auto data) { bytes.append(reinterpret_cast<const char*>(data.data()), data.size_bytes()); },
                    buffer.data);
-        hashes[buffer.name.text()] = sha256Of(bytes).value().substr(0, 16);
+        hashes[buffer.name.text()] = sha256Of(bytes).substr(0, 16);
     }
     return hashes;
 }
