@@ -26,7 +26,8 @@ namespace {
 // one.
 class VertexMaker {
 public:
-    explicit VertexMaker(const ObjFile& file) : m_file(file), m_first(file.positions.size(), kNone) {}
+    VertexMaker(const ObjFile& file, StopCheck& check)
+        : m_file(file), m_check(check), m_first(file.positions.size(), kNone) {}
 
     // A mesh of a group's vertices alone; the positions of its corners become their numbers.
     Mesh verticesOf(ObjFaces& faces) {
@@ -34,8 +35,10 @@ public:
         m_corners.clear(), m_others.clear();
         m_corners.reserve(std::min(m_first.size(), faces.positions.size()));
         std::size_t i = 0;
-        for (std::uint32_t& position : faces.positions)
+        for (std::uint32_t& position : faces.positions) {
+            if (m_check.stopped()) return {};
             position = vertex({position, hasNormals ? faces.normal(i++) : kNoNormal});
+        }
         faces.normals.clear();
         Mesh mesh;
         mesh.positions.reserve(m_corners.size());
@@ -66,13 +69,14 @@ private:
     }
 
     const ObjFile& m_file;
+    StopCheck& m_check;
     std::vector<std::uint32_t> m_first;                         // vertex of a position, or kNone
     std::unordered_map<std::uint64_t, std::uint32_t> m_others;  // by position and normal, where it has several
     std::vector<ObjCorner> m_corners;                           // per vertex
 };
 
 // faces: the vertex of each corner stands where its position stood. leftOut: counts the polygons without area.
-void addPolygons(ObjFaces faces, Mesh& mesh, const std::string& file, Tally& leftOut) {
+void addPolygons(ObjFaces faces, Mesh& mesh, const std::string& file, Tally& leftOut, StopCheck& check) {
     mesh.reservePolygons(faces.count(), faces.positions.size());
     mesh.polygonPlaces.reserve(faces.count());
     std::vector<std::uint32_t> corners;
@@ -80,6 +84,7 @@ void addPolygons(ObjFaces faces, Mesh& mesh, const std::string& file, Tally& lef
     auto first = faces.firstCorner.cbegin();
     for (const TextPosition& place : faces.places) {
         const auto to = from + (first[1] - first[0]);
+        if (check.stopped(first[1] - first[0])) return;
         corners.assign(from, to);
         if (addPolygon(mesh, corners))
             mesh.polygonPlaces.push_back(place);
@@ -91,18 +96,18 @@ void addPolygons(ObjFaces faces, Mesh& mesh, const std::string& file, Tally& lef
 
 // Of each group. What the file gives and what becomes of it are twice the meshes at most: the polygons are made when its
 // positions and normals are gone.
-std::vector<Mesh> meshesOf(ObjFile& file, const std::string& name) {
+std::vector<Mesh> meshesOf(ObjFile& file, const std::string& name, StopCheck& check) {
     file.positions.shrink_to_fit(), file.normals.shrink_to_fit();
     giveBackFreedMemory();
     std::vector<Mesh> meshes;
     {
-        VertexMaker maker(file);
+        VertexMaker maker(file, check);
         for (ObjGroup& group : file.groups) meshes.push_back(maker.verticesOf(group.faces));
     }
     file.positions.clear(), file.normals.clear();
     giveBackFreedMemory();
     for (std::size_t i = 0; i < meshes.size(); ++i)
-        addPolygons(std::move(file.groups[i].faces), meshes[i], name, file.tallies.fewCorners);
+        addPolygons(std::move(file.groups[i].faces), meshes[i], name, file.tallies.fewCorners, check);
     giveBackFreedMemory();
     return meshes;
 }
@@ -159,8 +164,11 @@ Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
     std::map<std::size_t, int> groupsOf;
     for (const ObjGroup& group : file.groups) groupsOf[group.object] += group.faces.count() > 0;
     const Tally mixed = mixedNormals(file, source.name), unknown = unknownMaterials(file, materials, source.name);
-    smoothNormals(file);
-    std::vector<Mesh> meshes = meshesOf(file, source.name);
+    StopCheck check(source.progress.stop);
+    smoothNormals(file, check);
+    if (check.stopped(0)) return readingStopped(source.name);
+    std::vector<Mesh> meshes = meshesOf(file, source.name, check);
+    if (check.stopped(0)) return readingStopped(source.name);
     LoadedModel model;
     model.remarks = materials.remarks();
     say(file.tallies, mixed, unknown, model.remarks);

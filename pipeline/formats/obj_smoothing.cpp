@@ -48,11 +48,12 @@ Vec3d faceNormal(const ObjFile& file, const ObjFaces& faces, std::uint32_t begin
 
 class Smoother {
 public:
-    explicit Smoother(ObjFile& file) : m_file(file), m_firstGroup(file.positions.size(), 0) {}
+    Smoother(ObjFile& file, StopCheck& check) : m_file(file), m_check(check), m_firstGroup(file.positions.size(), 0) {}
 
     void add(const ObjFaces& faces) {
         if (m_sums.empty()) m_sums.resize(m_firstGroup.size());
         for (FaceWalk walk(faces); walk.next();) {
+            if (m_check.stopped(walk.end() - walk.begin())) return;
             if (walk.smoothing() == 0) continue;
             const Vec3d normal = faceNormal(m_file, faces, walk.begin(), walk.end());
             for (std::uint32_t i = walk.begin(); i < walk.end(); ++i) {
@@ -66,6 +67,7 @@ public:
         faces.normals.clear();
         faces.numbers = NormalNumbers::Own;
         for (FaceWalk walk(faces); walk.next();) {
+            if (m_check.stopped(walk.end() - walk.begin())) return;
             const Vec3d normal = faceNormal(m_file, faces, walk.begin(), walk.end());
             std::uint32_t own = kNoNormal;
             for (std::uint32_t i = walk.begin(); i < walk.end(); ++i) {
@@ -112,6 +114,7 @@ private:
     }
 
     ObjFile& m_file;
+    StopCheck& m_check;
     std::vector<std::uint32_t> m_firstGroup;                  // per position, 0: none yet
     std::unordered_map<std::uint64_t, std::size_t> m_others;  // by position and smoothing group
     std::vector<Sum> m_sums;
@@ -120,9 +123,9 @@ private:
 
 }  // namespace
 
-void smoothNormals(ObjFile& file) {
+void smoothNormals(ObjFile& file, StopCheck& check) {
     if (!file.smooths) return;
-    Smoother smoother(file);
+    Smoother smoother(file, check);
     std::vector<ObjFaces*> bare;
     for (ObjGroup& group : file.groups)
         if (!group.faces.haveNormals()) bare.push_back(&group.faces);
