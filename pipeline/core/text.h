@@ -12,8 +12,8 @@ std::string shortestText(double value);
 // another number than the bound: "1.27e9", and "1000000100" beyond 1e9.
 std::string textBeyond(double value, double bound);
 
-// "words" in double quotes; control characters become "?" and more than 60 bytes of it are left out,
-// so that a message stays one line whatever the input was.
+// "words" in double quotes; control characters are shown as \x1b and more than 60 bytes of it are left out, so that a
+// message stays one line whatever the input was.
 std::string inQuotes(std::string_view words);
 
 // "1 light", "2 lights".

@@ -12,13 +12,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 //
+#include "pipeline/simd/casters.h"
 #include "pipeline/simd/elements.h"
 #include "pipeline/simd/groups.h"
 #include "pipeline/simd/highlights.h"
 #include "pipeline/simd/keep_incidence.h"
 #include "pipeline/simd/look.h"
 #include "pipeline/simd/put_pixels.h"
-#include "pipeline/simd/shadows.h"
 #include "pipeline/simd/surfaces.h"
 #include "pipeline/simd/view_vectors.h"
 

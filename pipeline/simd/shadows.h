@@ -392,24 +392,6 @@ private:
     std::vector<Vec3<float>> m_corners;  // of the rectangle of places, where these are more
 };
 
-// The lights as casters of shadows.
-struct Casters {
-    std::vector<ShadowLight> lights;                 // per light
-    std::vector<PolygonBias> biases;                 // of those that have one for whole polygons
-    std::vector<std::optional<std::size_t>> biasOf;  // per light, which of them is its
-    bool facing = false;                             // whether others ask for the polygons' normals
-
-    Casters(const ShadingInputs& inputs, const ShadingSources<float>& in) {
-        for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
-            const ShadowLight& light = lights.emplace_back(inputs, in, k);
-            const std::optional<PolygonBias> bias = light.polygonBias();
-            biasOf.push_back(bias ? std::optional(biases.size()) : std::nullopt);
-            if (bias) biases.push_back(*bias);
-            facing = facing || (light.casts() && !bias);
-        }
-    }
-};
-
 }  // namespace pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -1,0 +1,37 @@
+// Included once for each instruction set, like lanes.h.
+#if defined(SHADESCOPE_CASTERS_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHADESCOPE_CASTERS_H
+#undef SHADESCOPE_CASTERS_H
+#else
+#define SHADESCOPE_CASTERS_H
+#endif
+
+#include <optional>
+#include <vector>
+
+#include "pipeline/simd/shadows.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pipeline::HWY_NAMESPACE {
+
+// The lights as casters of shadows.
+struct Casters {
+    std::vector<ShadowLight> lights;                 // per light
+    std::vector<PolygonBias> biases;                 // of those that have one for whole polygons
+    std::vector<std::optional<std::size_t>> biasOf;  // per light, which of them is its
+    bool facing = false;                             // whether others ask for the polygons' normals
+
+    Casters(const ShadingInputs& inputs, const ShadingSources<float>& in) {
+        for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
+            const ShadowLight& light = lights.emplace_back(inputs, in, k);
+            const std::optional<PolygonBias> bias = light.polygonBias();
+            biasOf.push_back(bias ? std::optional(biases.size()) : std::nullopt);
+            if (bias) biases.push_back(*bias);
+            facing = facing || (light.casts() && !bias);
+        }
+    }
+};
+
+}  // namespace pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
