@@ -20,7 +20,7 @@ struct FilmOptions {
     SceneArgument scene;
     std::string target, buffer = "color", level = "polygon", from, to;
     int pictures = 120, milliseconds = 100, threads = 0;
-    bool noCaptions = false;
+    bool noCaptions = false, algorithm = false;
 };
 
 // A place from the command line, or nothing after the reason went to standard error.
@@ -87,7 +87,8 @@ int runFilm(const FilmOptions& options) {
                                         steps.momentOf(to),
                                         std::size_t(options.pictures),
                                         options.milliseconds,
-                                        !options.noCaptions};
+                                        !options.noCaptions,
+                                        options.algorithm};
     for (const pipeline::Place& place : {from, to})
         if (!steps.comesTo(place))
             tell("This frame does not come to {}; the film has {} in its place.\n", text(place),
@@ -147,6 +148,7 @@ void declareFilm(CLI::App& program, const CliHost&, int& status) {
         ->type_name("N")
         ->check(CLI::Range(10, 60000))
         ->capture_default_str();
+    command->add_flag("--algorithm", options->algorithm, "Show the stage's algorithm below the picture, at its line");
     command->add_flag("--no-captions", options->noCaptions, "Leave out the line below the picture");
     declareThreads(*command, options->threads);
     command->callback([options, &status] { status = runFilm(*options); });

@@ -11,11 +11,13 @@
 #include "app/cli/scene_argument.h"
 #include "lessons/expression/condition.h"
 #include "pipeline/core/text.h"
+#include "pipeline/export/algorithm_json.h"
 #include "pipeline/export/json.h"
 #include "pipeline/export/plot_file.h"
 #include "pipeline/export/table_json.h"
 #include "pipeline/inspect/equation_text.h"
 #include "pipeline/run/runner.h"
+#include "pipeline/steps/steps.h"
 #include "pipeline/study/scanline_plot.h"
 #include "pipeline/study/shadow_verdict.h"
 
@@ -26,7 +28,7 @@ namespace {
 struct InspectOptions {
     std::stop_token stop{};  // asked for by Ctrl+C
     SceneArgument scene;
-    std::string pixel, table, where;
+    std::string pixel, table, where, step;
     bool hasWhere = false;  // which may be empty by mistake
     std::string format = "text";
     std::optional<int> row;
@@ -176,6 +178,37 @@ int printShadows(const std::shared_ptr<const pipeline::Scene>& scene, const Insp
     return kDone;
 }
 
+// The algorithm of the stage that the place is in, with the line and the values there.
+int printStep(const std::shared_ptr<const pipeline::Scene>& scene, const InspectOptions& options) {
+    if (!knowsFormat(options, pipeline::kAlgorithmFormats, "text or latex for a step")) return kWrongUsage;
+    const auto place = pipeline::parsePlace(options.step, *scene);
+    if (!place) {
+        printErrors(place.errors());
+        return kWrongUsage;
+    }
+    const pipeline::FramePtr frame = frameOf(scene, options);
+    if (!frame) return cancelled();
+    const pipeline::Steps steps(frame);
+    const pipeline::Moment moment = steps.momentOf(*place);
+    if (!steps.comesTo(*place))
+        tell("{} is not a step of this scene: showing {}\n", options.step, text(steps.placeOf(moment)));
+    const auto state = steps.algorithmAt(moment);
+    const std::string there = text(steps.placeOf(moment));
+    if (!state) {
+        tell("The stage of {} has no algorithm.\n", there);
+        return kDone;
+    }
+    if (options.json) {
+        pipeline::Json json{{"place", there}, {"words", steps.words(moment, pipeline::StepLevel::Line)}};
+        json.update(toJson(*state));
+        say("{}\n", json.dump(2, ' ', false, pipeline::Json::error_handler_t::replace));
+        return kDone;
+    }
+    const auto format = std::ranges::find(pipeline::kAlgorithmFormats, options.format);
+    say("{}", algorithmText(*state, pipeline::AlgorithmFormat(format - pipeline::kAlgorithmFormats.begin())));
+    return kDone;
+}
+
 int runInspect(InspectOptions options) {
     const Interrupt interrupt;
     options.stop = interrupt.token();
@@ -190,6 +223,7 @@ int runInspect(InspectOptions options) {
     if (options.hasWhere) return printWhere(scene, options);
     if (options.shadowVerdicts) return printShadows(scene, options);
     if (options.row) return printRow(scene, options);
+    if (!options.step.empty()) return printStep(scene, options);
     const auto pixel = pixelIn(*scene, options.pixel);
     if (!pixel) return kWrongUsage;
     if (!knowsFormat(options, pipeline::kEquationFormats, "text, markdown or latex for a pixel")) return kWrongUsage;
@@ -215,8 +249,9 @@ int runInspect(InspectOptions options) {
 
 void declareInspect(CLI::App& program, const CliHost&, int& status) {
     const auto options = std::make_shared<InspectOptions>();
-    CLI::App* command = program.add_subcommand(
-        "inspect", "Print everything known about a pixel, its equation included, a table, or where a condition holds");
+    CLI::App* command = program.add_subcommand("inspect",
+                                               "Print everything known about a pixel, its equation included, a table, "
+                                               "a step's algorithm, or where a condition holds");
     declareSceneArgument(*command, options->scene);
     CLI::Option_group* what = command->add_option_group("what");
     what->add_option("--pixel", options->pixel, "Column and row, from 0 at the top left")->type_name("X,Y");
@@ -232,6 +267,10 @@ void declareInspect(CLI::App& program, const CliHost&, int& status) {
                                            "Per light the pixels lit, shadowed, acne and leak, against exact rays");
     what->add_option("--row", options->row, "The section along a row: depths and intensities, as CSV, SVG or JSON")
         ->type_name("Y");
+    what->add_option(
+            "--step", options->step,
+            "The algorithm of a stage at a step, with its line and values: z-buffer/polygon=1/row=270/x=250/line=5")
+        ->type_name("PLACE");
     what->require_option(1);
     std::vector<std::string> formats(pipeline::kTableFormats.begin(), pipeline::kTableFormats.end());
     formats.emplace_back("svg");
@@ -239,7 +278,7 @@ void declareInspect(CLI::App& program, const CliHost&, int& status) {
         command
             ->add_option("--format", options->format,
                          "Of a table text, csv, markdown, latex or numpy; of a pixel its equation alone, "
-                         "markdown or latex; of a row csv or svg")
+                         "markdown or latex; of a row csv or svg; of a step text or latex")
             ->type_name("FORMAT")
             ->check(CLI::IsMember(formats));
     declareThreads(*command, options->threads);

@@ -14,8 +14,8 @@ using pipeline::Place;
 namespace {
 
 constexpr int kTickMs = 33;
-// Steps a second at speed 1, per level: what the eye can follow, finer steps faster.
-constexpr std::array<double, pipeline::kStepLevelCount> kStepsPerSecond{1, 2, 4, 30, 60};
+// Steps a second at speed 1, per level: what the eye can follow, finer steps faster, lines as fast as they are read.
+constexpr std::array<double, pipeline::kStepLevelCount> kStepsPerSecond{1, 2, 4, 30, 60, 2};
 
 }  // namespace
 

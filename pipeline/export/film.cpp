@@ -1,6 +1,5 @@
 #include "pipeline/export/film.h"
 
-#include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +15,7 @@
 #include "pipeline/core/version.h"
 #include "pipeline/export/byte_file.h"
 #include "pipeline/export/contents.h"
+#include "pipeline/export/film_text.h"
 #include "pipeline/export/gif_file.h"
 #include "pipeline/export/json.h"
 #include "pipeline/export/png_file.h"
@@ -25,12 +25,6 @@ namespace pipeline {
 namespace {
 
 constexpr int kCaptionHeight = 30, kLetters = 15, kMargin = 10;  // pixels
-constexpr double kGround = 0.09, kInk = 0.92;                    // grey, 0 to 1
-
-struct Close {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-    void operator()(cairo_t* context) const { cairo_destroy(context); }
-};
 
 std::string groups(std::int64_t number) {
     std::string text = std::to_string(number);
@@ -48,65 +42,56 @@ Caption captionOf(const Steps& steps, Moment moment, StepLevel level) {
             fmt::format("{} of {} {}", groups(made.done), groups(made.of), made.unit)};
 }
 
-double widthOf(cairo_t* c, const std::string& text) {
-    cairo_text_extents_t extents;
-    cairo_text_extents(c, text.c_str(), &extents);
-    return extents.x_advance;
-}
-
 // Writes the caption into the rows from `top` on. The right half gives way where both have no room.
 void write(const Caption& caption, int top, Buffer2D<Color8>& picture) {
     const int width = picture.size.x;
-    const std::unique_ptr<cairo_surface_t, Close> surface(
-        cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, kCaptionHeight));
-    const std::unique_ptr<cairo_t, Close> context(cairo_create(surface.get()));
-    cairo_t* c = context.get();
-    cairo_set_source_rgb(c, kGround, kGround, kGround);
-    cairo_paint(c);
-    cairo_set_source_rgb(c, kInk, kInk, kInk);
-    cairo_select_font_face(c, "Inter", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(c, kLetters);
+    FilmText strip(width, kCaptionHeight);
+    strip.setFace(FilmText::Face::Words, kLetters);
     const double base = kCaptionHeight / 2.0 + 0.35 * kLetters;
-    cairo_move_to(c, kMargin, base);
-    cairo_show_text(c, caption.left.c_str());
-    const double right = width - kMargin - widthOf(c, caption.right);
-    if (right > 2 * kMargin + widthOf(c, caption.left)) {
-        cairo_move_to(c, right, base);
-        cairo_show_text(c, caption.right.c_str());
-    }
-    cairo_surface_flush(surface.get());
-    if (cairo_status(c) == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
-    const unsigned char* bytes = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
-    for (int y = 0; bytes && y < kCaptionHeight; ++y)
-        for (int x = 0; x < width; ++x) {
-            std::uint32_t argb = 0;
-            std::copy_n(bytes + y * stride + 4 * x, 4, reinterpret_cast<unsigned char*>(&argb));
-            // A grey of sixteen: the colours of a GIF are for the buffer.
-            picture.at({x, top + y}) = Color8(std::uint8_t((argb & 255u) / 17 * 17));
-        }
+    strip.write(kMargin, base, caption.left);
+    const double right = width - kMargin - strip.widthOf(caption.right);
+    if (right > 2 * kMargin + strip.widthOf(caption.left)) strip.write(right, base, caption.right);
+    strip.copyTo(picture, top);
 }
 
 struct Look {
     glm::ivec2 size;
     PaletteRange range;
+    std::size_t lines;  // of the longest algorithm; 0: none is shown
+    int below = 0;      // the picture, pixels
 };
-Look lookOf(const Steps& steps, const BufferName& name) {
-    const AnyBuffer whole = *steps.frame()->buffer(name);
-    return {{int(whole.columns()), int(whole.rows())},
-            fittingRange(whole, statistics(whole), steps.frame()->scene().settings.depthFormat)};
+Look lookOf(const Steps& steps, const FilmRequest& request) {
+    const AnyBuffer whole = *steps.frame()->buffer(request.buffer);
+    Look look{{int(whole.columns()), int(whole.rows())},
+              fittingRange(whole, statistics(whole), steps.frame()->scene().settings.depthFormat),
+              0};
+    if (request.algorithm)
+        for (const Algorithm& algorithm : steps.algorithms()) look.lines = std::max(look.lines, algorithm.lines.size());
+    look.below = (look.lines > 0 ? algorithmStripHeight(look.lines) : 0) + (request.captions ? kCaptionHeight : 0);
+    return look;
 }
 
 Buffer2D<Color8> picture(const Steps& steps, Moment moment, const FilmRequest& request, const Look& look) {
-    const int caption = request.captions ? kCaptionHeight : 0;
-    Buffer2D<Color8> out({look.size.x, look.size.y + caption}, Color8(0));
+    Buffer2D<Color8> out({look.size.x, look.size.y + look.below}, Color8(0));
     const FramePtr frame = steps.frameAt(moment);
     if (const auto buffer = frame->buffer(request.buffer))
         for (int y = 0; y < look.size.y; ++y)
             for (int x = 0; x < look.size.x; ++x)
                 out.at({x, y}) = elementColor(*buffer, std::size_t(x), std::size_t(y), look.range);
-    if (request.captions) write(captionOf(steps, moment, request.level), look.size.y, out);
+    if (look.lines > 0) drawAlgorithmStrip(steps.algorithmAt(moment), look.lines, look.size.y, out);
+    if (request.captions) write(captionOf(steps, moment, request.level), out.size.y - kCaptionHeight, out);
     return out;
+}
+
+// The lines between moments that are ends of steps, where all of them are at most so many pictures; else the moments.
+std::vector<Moment> withLines(const Steps& steps, const std::vector<Moment>& moments, std::size_t most) {
+    std::vector<Moment> all{moments.front()};
+    while (all.back() < moments.back() && all.size() <= most) {
+        const auto next = steps.next(all.back(), StepLevel::Line);
+        if (!next) break;
+        all.push_back(std::min(*next, moments.back()));
+    }
+    return all.size() <= most ? all : moments;
 }
 
 std::string pictureName(std::size_t number) { return fmt::format("step_{:04}.png", number); }
@@ -179,6 +164,7 @@ std::vector<Moment> filmMoments(const Steps& steps, const FilmRequest& request) 
     }
     if (all.back() < to) all.push_back(to);
     const std::size_t most = std::max<std::size_t>(2, request.pictures);
+    if (request.level == StepLevel::Line) all = withLines(steps, all, most);
     if (all.size() <= most) return all;
     std::vector<Moment> some;
     for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * (all.size() - 1) / (most - 1)]);
@@ -192,13 +178,13 @@ std::filesystem::path firstFileOf(const std::filesystem::path& target) {
 }
 
 Buffer2D<Color8> filmPicture(const Steps& steps, Moment moment, const FilmRequest& request) {
-    return picture(steps, moment, request, lookOf(steps, request.buffer));
+    return picture(steps, moment, request, lookOf(steps, request));
 }
 
 Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, const std::filesystem::path& target,
                               const FilmProgress& progress) {
     const std::vector<Moment> moments = filmMoments(steps, request);
-    const Look look = lookOf(steps, request.buffer);
+    const Look look = lookOf(steps, request);
     const bool single = isGif(target);
     const auto parent = target.parent_path().empty() ? std::filesystem::path(".") : target.parent_path();
     auto staging = Staging::begin(single ? parent : target);
@@ -208,9 +194,7 @@ Result<FilmSummary> writeFilm(const Steps& steps, const FilmRequest& request, co
     const auto goOn = [&](std::size_t i) { return !progress || progress(i, moments.size()); };
     const auto cancelled = [] { return FilmSummary{.cancelled = true}; };
     std::optional<GifFile> gif;
-    if (single)
-        gif.emplace(hidden.folder() / target.filename(),
-                    look.size + glm::ivec2(0, request.captions ? kCaptionHeight : 0));
+    if (single) gif.emplace(hidden.folder() / target.filename(), look.size + glm::ivec2(0, look.below));
     for (std::size_t i = 0; i < moments.size(); ++i) {
         if (!goOn(i)) return cancelled();
         const Buffer2D<Color8> image = picture(steps, moments[i], request, look);

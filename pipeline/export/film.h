@@ -19,6 +19,7 @@ struct FilmRequest {
     std::size_t pictures = 120;  // at most; where there are more steps, evenly spread ones, the last among them
     int milliseconds = 100;      // a picture, in a GIF; the last stays ten times as long
     bool captions = true;
+    bool algorithm = false;  // with its lines and values, below each picture
 };
 
 // The moments that the film shows, ascending; `from` and `to` are among them.

@@ -302,9 +302,9 @@ void reportLayers(const FrameData<Real>& data, std::uint32_t triangle, std::size
 }
 
 template <class Real>
-void fill(const FrameData<Real>& data, const std::stop_token& stop, PixelReport& report) {
+void fill(const FrameData<Real>& data, const std::stop_token& stop, bool fragments, PixelReport& report) {
     if (!data.zBuffer) return;
-    reportFragments(data, stop, report);
+    if (fragments) reportFragments(data, stop, report);
     if (stop.stop_requested()) return;
     const std::size_t at = data.zBuffer->zView->offset(report.pixel);
     const std::uint32_t triangle = data.zBuffer->triangle->pixels[at];
@@ -353,10 +353,37 @@ PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel, const std::stop_t
     PixelReport report{};
     report.pixel = pixel;
     readStages(frame, [&](const auto& data) {
-        fill(data, stop, report);
+        fill(data, stop, true, report);
         explainShadows(frame.scene(), data, stop, report);
     });
     return report;
+}
+
+PixelReport inspectShading(const Frame& frame, glm::ivec2 pixel) {
+    PixelReport report{};
+    report.pixel = pixel;
+    readStages(frame, [&](const auto& data) { fill(data, {}, false, report); });
+    return report;
+}
+
+Evaluation inspectPolygon(const Frame& frame, std::uint32_t polygon) {
+    return readStages(frame, [&]<class Real>(const FrameData<Real>& data) {
+        const ShadingInputs inputs = withAllVectors(data.keys.shading);
+        const ShadingSources<Real> in = data.shadingSources();
+        const std::uint32_t object = data.transform->topology->objectOfPolygon(polygon);
+        return evaluate(inputs, polygonSurface(inputs, in, polygon),
+                        materialOf(inputs, object, showsBack(inputs, in, polygon)), "", 1,
+                        std::vector<double>(inputs.lights.size(), 1));
+    });
+}
+
+Evaluation inspectVertex(const Frame& frame, std::uint32_t vertex) {
+    return readStages(frame, [&]<class Real>(const FrameData<Real>& data) {
+        const ShadingInputs inputs = withAllVectors(data.keys.shading);
+        const std::size_t object = data.transform->topology->objectOfVertex(vertex);
+        return evaluate(inputs, vertexSurface(inputs, data.shadingSources(), vertex, false),
+                        materialOf(inputs, object, false), "", 1, std::vector<double>(inputs.lights.size(), 1));
+    });
 }
 
 }  // namespace pipeline

@@ -126,6 +126,14 @@ ComparisonText comparisonText(const FragmentReport& fragment, const NumberText& 
 // pixel must lie in the picture. Incomplete when it is stopped.
 PixelReport inspectPixel(const Frame& frame, glm::ivec2 pixel, const std::stop_token& stop = {});
 
+// What shading does at a pixel in which a surface is seen: the report without fragments, and without who is in the way of
+// a light.
+PixelReport inspectShading(const Frame& frame, glm::ivec2 pixel);
+// What flat shading evaluates once for a polygon, and Gouraud shading for a vertex, in the light of every light (S = 1). A
+// vertex is seen from the front. The frame has shaded.
+Evaluation inspectPolygon(const Frame& frame, std::uint32_t polygon);
+Evaluation inspectVertex(const Frame& frame, std::uint32_t vertex);
+
 // The illumination equation of a pixel for channel 0, 1 or 2 (r, g, b): in symbols, with its
 // numbers, its result, the frame buffer value, and the rows of dot products and vectors below. What the scene says, k, I
 // and n, stands there as it was typed; what was computed as `chosen` says.

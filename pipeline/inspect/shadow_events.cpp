@@ -30,15 +30,11 @@ Vec3<Real> worldAt(const FrameData<Real>& data, std::uint32_t triangle, glm::ive
     return position;
 }
 
-struct Comparison {
-    std::string text;  // z' > Z'[x'][y'] + bias, with its numbers
-    bool shadowed;
-};
-
 double numberIn(const std::string& text) { return readNumber(text).value_or(0); }
 
 // "z' 120.3 > Z'[12][44] 120.3 + 0.02" in as many digits as the relation needs to be seen in them.
-std::string comparisonOf(double z, bool shadowed, glm::ivec2 texel, double stored, double bias) {
+std::string comparisonOf(const ShadowDepths& depths) {
+    const auto& [z, stored, bias, texel, shadowed] = depths;
     constexpr int kMostDigits = 17;  // what tells any two doubles apart
     for (int digits = 7;; ++digits) {
         const std::string left = depthText(z, digits), right = depthText(stored, digits);
@@ -52,14 +48,14 @@ std::string comparisonOf(double z, bool shadowed, glm::ivec2 texel, double store
 }
 
 template <class Real>
-Comparison compare(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
-                   Vec3<Real> normal) {
+ShadowDepths compare(const LightView<Real>& light, const ShadowSettings& settings, Vec3<Real> position,
+                     Vec3<Real> normal) {
     const ShadowTest<Real> test = shadowTest(light, settings, position, normal);
     const glm::ivec2 at = test.texel, size = light.depth[test.face]->size;
     const bool inside = at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
     TexelTest<Real> found{std::numeric_limits<Real>::infinity(), test.bias, false};
     if (inside) found = testTexel(light, settings, test, at, texelOffset(light, test, position));
-    return {comparisonOf(double(test.z), found.shadowed, at, double(found.stored), double(found.bias)), found.shadowed};
+    return {double(test.z), double(found.stored), double(found.bias), at, found.shadowed};
 }
 
 template <class Real>
@@ -81,14 +77,21 @@ bool looksUp(const FrameData<Real>& data, std::size_t light) {
 }  // namespace
 
 template <class Real>
-std::optional<std::string> shadowComparison(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
-                                            Vec3<Real> position) {
+std::optional<ShadowDepths> shadowDepths(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
+                                         Vec3<Real> position) {
     const ShadingInputs& inputs = data.keys.shading;
     const Vec3<Real> normal = litNormal(data, polygon);
     if (isMean(inputs, light) || !looksUp(data, light) ||
         !(glm::dot(normal, towardsLight(inputs.lights[light], position)) > 0))
         return std::nullopt;
-    return compare(data.shadowBuffer->lights[light][0], inputs.shadow, position, normal).text;
+    return compare(data.shadowBuffer->lights[light][0], inputs.shadow, position, normal);
+}
+
+template <class Real>
+std::optional<std::string> shadowComparison(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
+                                            Vec3<Real> position) {
+    const auto depths = shadowDepths(data, light, polygon, position);
+    return depths ? std::optional(comparisonOf(*depths)) : std::nullopt;
 }
 
 template <class Real>
@@ -112,8 +115,8 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
         } else if (!(glm::dot(normal, towardsLight(light, position)) > 0)) {
             text = "the polygon faces away: only the ambient term";
         } else if (looksUp(data, k)) {
-            const Comparison found = compare(data.shadowBuffer->lights[k][0], inputs.shadow, position, normal);
-            text = found.text + (found.shadowed ? ": in shadow, only the ambient term" : ": lit");
+            const ShadowDepths found = compare(data.shadowBuffer->lights[k][0], inputs.shadow, position, normal);
+            text = comparisonOf(found) + (found.shadowed ? ": in shadow, only the ambient term" : ": lit");
         } else if (!inputs.parts.lights[k]) {
             text = kNotLookedFor;
         } else {
@@ -124,9 +127,10 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
     return events;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                                                         \
-    template std::vector<std::string> shadowEvents(const FrameData<Real>&, std::uint32_t, glm::ivec2);       \
-    template std::optional<std::string> shadowComparison(const FrameData<Real>&, std::size_t, std::uint32_t, \
+#define SHADESCOPE_INSTANTIATE(Real)                                                                                   \
+    template std::vector<std::string> shadowEvents(const FrameData<Real>&, std::uint32_t, glm::ivec2);                 \
+    template std::optional<ShadowDepths> shadowDepths(const FrameData<Real>&, std::size_t, std::uint32_t, Vec3<Real>); \
+    template std::optional<std::string> shadowComparison(const FrameData<Real>&, std::size_t, std::uint32_t,           \
                                                          Vec3<Real>);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

@@ -24,4 +24,14 @@ template <class Real>
 std::optional<std::string> shadowComparison(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
                                             Vec3<Real> position);
 
+// The numbers of the same.
+struct ShadowDepths {
+    double z, stored, bias;  // in shadow where z > stored + bias; stored: +infinity where nothing is
+    glm::ivec2 texel;
+    bool shadowed;
+};
+template <class Real>
+std::optional<ShadowDepths> shadowDepths(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
+                                         Vec3<Real> position);
+
 }  // namespace pipeline

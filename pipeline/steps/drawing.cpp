@@ -56,12 +56,12 @@ void forEachPixel(const Drawing<Real>& drawing, std::size_t element, Visit visit
 // lists but an element's.
 template <class Real>
 void drawInto(const FrameData<Real>& data, const Drawing<Real>& drawing, std::span<const std::uint32_t> indices,
-              Tile tile, ZBufferOutput<Real>& out) {
+              Tile tile, ZBufferOutput<Real>& out, std::vector<FragmentRecord>* record = nullptr) {
     const TransformOutput<Real>& in = *data.transform;
     if (data.keys.zBuffer.visibility == Visibility::Painter)
-        paint<Real>(in.view, drawing.bins, drawing.order, indices, tile, out);
+        paint<Real>(in.view, drawing.bins, drawing.order, indices, tile, out, record);
     else
-        zBuffer<Real>(in.view, in.depthFormat, drawing.bins, indices, tile, out);
+        zBuffer<Real>(in.view, in.depthFormat, drawing.bins, indices, tile, out, record);
 }
 
 template <class Real>
@@ -170,9 +170,27 @@ ZBufferOutput<Real> drawnSoFar(const FrameData<Real>& data, const Drawing<Real>&
     return out;
 }
 
-#define SHADESCOPE_INSTANTIATE(Real)                                            \
-    template Drawing<Real> takeApart(const FrameData<Real>&);                   \
-    template std::vector<PixelSpan> spansOf(const Drawing<Real>&, std::size_t); \
+template <class Real>
+PixelFragments fragmentsAt(const FrameData<Real>& data, const Drawing<Real>& drawing, std::size_t element,
+                           glm::ivec2 pixel) {
+    const glm::ivec2 tile = pixel / kTileSize;
+    const std::size_t at = std::size_t(tile.y) * std::size_t(drawing.bins.tiles.x) + std::size_t(tile.x);
+    const std::vector<std::uint32_t>& list = drawing.tiles[at];
+    const auto [first, end] = drawing.ranges[element];
+    const auto before = std::size_t(std::ranges::lower_bound(list, first) - list.begin());
+    const auto own = std::size_t(std::ranges::lower_bound(list, end) - list.begin());
+    const Tile alone{pixel, pixel + 1};
+    ZBufferOutput<Real> scratch = prepareZBuffer<Real>(alone, data.transform->depthFormat);
+    PixelFragments fragments;
+    drawInto<Real>(data, drawing, {list.data(), before}, alone, scratch, &fragments.before);
+    drawInto<Real>(data, drawing, {list.data() + before, own - before}, alone, scratch, &fragments.own);
+    return fragments;
+}
+
+#define SHADESCOPE_INSTANTIATE(Real)                                                                            \
+    template Drawing<Real> takeApart(const FrameData<Real>&);                                                   \
+    template std::vector<PixelSpan> spansOf(const Drawing<Real>&, std::size_t);                                 \
+    template PixelFragments fragmentsAt(const FrameData<Real>&, const Drawing<Real>&, std::size_t, glm::ivec2); \
     template ZBufferOutput<Real> drawnSoFar(const FrameData<Real>&, const Drawing<Real>&, std::size_t, Reach, Threads&);
 SHADESCOPE_FOR_EVERY_REAL(SHADESCOPE_INSTANTIATE)
 #undef SHADESCOPE_INSTANTIATE

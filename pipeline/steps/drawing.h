@@ -48,4 +48,13 @@ template <class Real>
 ZBufferOutput<Real> drawnSoFar(const FrameData<Real>& data, const Drawing<Real>& drawing, std::size_t elements,
                                Reach reach, Threads& threads);
 
+// What has reached a pixel before an element is drawn, and what the element itself brings there, in the order of drawing:
+// by the functions that the stage itself consists of. Not of outlines.
+struct PixelFragments {
+    std::vector<FragmentRecord> before, own;
+};
+template <class Real>
+PixelFragments fragmentsAt(const FrameData<Real>& data, const Drawing<Real>& drawing, std::size_t element,
+                           glm::ivec2 pixel);
+
 }  // namespace pipeline

@@ -12,7 +12,8 @@
 namespace pipeline {
 namespace {
 
-constexpr std::array<std::string_view, kStepLevelCount> kLevels{"stage", "object", "polygon", "scanline", "pixel"};
+constexpr std::array<std::string_view, kStepLevelCount> kLevels{"stage",    "object", "polygon",
+                                                                "scanline", "pixel",  "line"};
 
 // What may stand before a number, per stage.
 struct Key {
@@ -37,6 +38,7 @@ std::string known(StageId stage) {
     if (stage == StageId::ShadowBuffer) keys += ", light=";
     if (hasPixels(stage)) keys += ", row=, x=";
     if (stage == StageId::Shading) keys += ", layers, samples";
+    keys += ", line=";
     return keys;
 }
 
@@ -82,8 +84,11 @@ std::string take(std::string_view part, Place& place) {
     }
     const bool rows = hasPixels(place.stage) && place.what == What::Element &&
                       (place.kind == ElementKind::Polygon || place.kind == ElementKind::Piece);
-    if (word == "row" && rows && !place.row) return place.row = value, "";
-    if (word == "x" && place.row && !place.x) return place.x = value, "";
+    if (word == "row" && rows && !place.row && !place.line) return place.row = value, "";
+    if (word == "x" && place.row && !place.x && !place.line) return place.x = value, "";
+    const bool counted = value > 0 && place.what == Place::What::Element;  // from 1
+    if (word == "line" && counted && !place.line) return place.line = value, "";
+    if (word == "time" && counted && place.line && place.time == 1) return place.time = value, "";
     return wrong;
 }
 
@@ -97,6 +102,12 @@ std::optional<StepLevel> findStepLevel(std::string_view name) {
     return StepLevel(found - kLevels.begin());
 }
 
+std::string_view name(ElementKind kind) {
+    if (kind == ElementKind::Layers) return "layers";
+    if (kind == ElementKind::Samples) return "samples";
+    return std::ranges::find(kKeys, kind, &Key::kind)->word;
+}
+
 std::string text(const Place& place) {
     std::string text(stageInfo(place.stage).name);
     if (place.light >= 0) text += fmt::format("/light={}", place.light);
@@ -106,11 +117,13 @@ std::string text(const Place& place) {
         case Place::What::Object: return text + fmt::format("/object={}", place.number);
         case Place::What::Element: break;
     }
-    if (place.kind == ElementKind::Layers) return text + "/layers";
-    if (place.kind == ElementKind::Samples) return text + "/samples";
-    text += fmt::format("/{}={}", std::ranges::find(kKeys, place.kind, &Key::kind)->word, place.number);
+    text += fmt::format("/{}", name(place.kind));
+    if (place.kind != ElementKind::Layers && place.kind != ElementKind::Samples)
+        text += fmt::format("={}", place.number);
     if (place.row) text += fmt::format("/row={}", *place.row);
     if (place.x) text += fmt::format("/x={}", *place.x);
+    if (place.line) text += fmt::format("/line={}", *place.line);
+    if (place.time > 1) text += fmt::format("/time={}", place.time);
     return text;
 }
 

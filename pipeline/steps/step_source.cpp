@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "pipeline/run/runner.h"
+#include "pipeline/steps/bindings.h"
 #include "pipeline/steps/stage_states.h"
 
 namespace pipeline {
@@ -67,6 +68,18 @@ public:
                     spans.push_back({y, x, x});
             }
         return spans;
+    }
+
+    void bind(StageId stage, const StepPhase& phase, std::size_t element, std::int64_t within,
+              Bindings& out) const override {
+        const BoundStep step{&phase, element, within};
+        if (stage == StageId::ZBuffer)
+            bindDrawing(m_data, m_drawing, step, out);
+        else if (stage == StageId::Shading)
+            bindShading(*m_frame, m_data, phase.rows.empty() ? std::vector<PixelSpan>() : spans(stage, element), step,
+                        out);
+        else
+            bindGeometry(*m_frame, m_data, stage, step, out);
     }
 
     FramePtr at(Moment moment, int count, std::stop_token stop) const override {

@@ -28,6 +28,7 @@ struct StepPhase {
 };
 
 // The steps of a frame's stages and its state between them, in the frame's precision.
+struct Bindings;
 struct StepSource {
     std::array<std::vector<StepPhase>, kStageCount> phases;
     std::array<bool, kStageCount> runs{};
@@ -35,6 +36,9 @@ struct StepSource {
     virtual ~StepSource() = default;
     // The pixels of an element of a phase that goes by rows.
     virtual std::vector<PixelSpan> spans(StageId stage, std::size_t element) const = 0;
+    // What the names of the stage's algorithm stand for in smallest step number `within` of an element of the phase.
+    virtual void bind(StageId stage, const StepPhase& phase, std::size_t element, std::int64_t within,
+                      Bindings& out) const = 0;
     virtual FramePtr at(Moment moment, int threads, std::stop_token stop) const = 0;
 };
 std::shared_ptr<const StepSource> makeStepSource(FramePtr whole);

@@ -53,15 +53,15 @@ std::string Steps::words(Moment moment, StepLevel level) const {
     moment = fitting(moment);
     const std::string_view stage = stageInfo(moment.stage).label;
     const bool over = moment.done == total(moment.stage);
-    if (moment.done == 0) return over ? fmt::format("{}, done", stage) : fmt::format("{}, not begun", stage);
+    if (moment.step() < 0) return over ? fmt::format("{}, done", stage) : fmt::format("{}, not begun", stage);
     if (over && level == StepLevel::Stage) return fmt::format("{}, done", stage);
-    const Spot spot = at(moment.stage, moment.done - 1);
+    const Spot spot = at(moment.stage, moment.step());
     const StepPhase& phase = *spot.phase;
     Place place = placeOf(moment);
-    const bool inside = place.row.has_value();
+    const bool inside = place.row.has_value() || moment.line > 0;
     place.kind = phase.kind, place.number = phase.number(spot.element);
     std::string words = phase.light >= 0 ? fmt::format("light {}, ", phase.light) : std::string();
-    const bool endsObject = !inside && moment.done == end(moment.stage, moment.done - 1, StepLevel::Object);
+    const bool endsObject = !inside && moment.done == end(moment.stage, moment.step(), StepLevel::Object);
     const bool hasObject = phase.kind != ElementKind::Layers && phase.kind != ElementKind::Samples;
     if (level == StepLevel::Object && endsObject && hasObject) {
         const std::uint32_t object = objectOf(spot);
@@ -69,9 +69,9 @@ std::string Steps::words(Moment moment, StepLevel level) const {
     }
     words += elementWords(place, polygonOf(spot));
     const auto pixel = level >= StepLevel::Scanline || inside ? pixelOf(moment) : std::nullopt;
-    if (!pixel) return words;
-    words += fmt::format(", row {}", pixel->y);
-    if (level == StepLevel::Pixel || place.x) words += fmt::format(", x {}", pixel->x);
+    if (pixel) words += fmt::format(", row {}", pixel->y);
+    if (pixel && (level >= StepLevel::Pixel || place.x)) words += fmt::format(", x {}", pixel->x);
+    if (place.line) words += fmt::format(", line {}", *place.line);
     return words;
 }
 

@@ -19,7 +19,12 @@ std::int64_t Steps::total(StageId stage) const {
 }
 
 Moment Steps::fitting(Moment moment) const {
-    if (runs(moment.stage)) return {moment.stage, std::clamp<std::int64_t>(moment.done, 0, total(moment.stage))};
+    if (runs(moment.stage)) {
+        const Moment within{moment.stage, std::clamp<std::int64_t>(moment.done, 0, total(moment.stage)), moment.line};
+        if (moment.line == 0 || within.done != moment.done || moment.done == total(moment.stage))
+            return {within.stage, within.done};
+        return {within.stage, within.done, std::clamp(moment.line, 0, lineCount(within.stage, within.done))};
+    }
     std::size_t stage = index(moment.stage);
     while (stage > 0 && !m_source->runs[stage]) --stage;
     return {kStages[stage], total(kStages[stage])};
@@ -76,7 +81,7 @@ std::int64_t Steps::end(StageId stage, std::int64_t tick, StepLevel level) const
         while (spot.element + 1 < phase.count && objectOf({stage, &phase, spot.element + 1}) == object) ++spot.element;
     }
     const bool rows = !phase.rows.empty();
-    if (level == StepLevel::Pixel && rows) return tick + 1;
+    if (level >= StepLevel::Pixel && rows) return tick + 1;
     if (level == StepLevel::Scanline && rows) {
         const std::int64_t first = phase.first + phase.begin(spot.element);
         const std::vector<std::int64_t> ends = rowEnds(spot);
@@ -96,7 +101,7 @@ std::int64_t Steps::begin(StageId stage, std::int64_t tick, StepLevel level) con
     }
     const bool rows = !phase.rows.empty();
     const std::int64_t first = phase.first + phase.begin(spot.element);
-    if (level == StepLevel::Pixel && rows) return tick;
+    if (level >= StepLevel::Pixel && rows) return tick;
     if (level == StepLevel::Scanline && rows) {
         const std::vector<std::int64_t> ends = rowEnds(spot);
         const auto row = std::ranges::upper_bound(ends, tick - first);
@@ -107,6 +112,7 @@ std::int64_t Steps::begin(StageId stage, std::int64_t tick, StepLevel level) con
 
 std::optional<Moment> Steps::next(Moment moment, StepLevel level) const {
     moment = fitting(moment);
+    if (level == StepLevel::Line) return nextLine(moment);
     if (moment.done < total(moment.stage)) return Moment{moment.stage, end(moment.stage, moment.done, level)};
     for (std::size_t stage = index(moment.stage) + 1; stage < kStageCount; ++stage) {
         if (!m_source->runs[stage]) continue;
@@ -118,8 +124,9 @@ std::optional<Moment> Steps::next(Moment moment, StepLevel level) const {
 
 std::optional<Moment> Steps::previous(Moment moment, StepLevel level) const {
     moment = fitting(moment);
-    if (moment.done > 0) {
-        const std::int64_t before = begin(moment.stage, moment.done - 1, level);
+    if (level == StepLevel::Line) return previousLine(moment);
+    if (moment.step() >= 0) {
+        const std::int64_t before = begin(moment.stage, moment.step(), level);
         if (before > 0) return Moment{moment.stage, before};
     }
     for (std::size_t stage = index(moment.stage); stage-- > 0;)
@@ -148,7 +155,7 @@ std::int64_t Steps::made(Moment moment, StepLevel level) const {
             steps += over && last.element + 1 == phase.count;
         } else if (phase.rows.empty() || level == StepLevel::Polygon) {
             steps += std::int64_t(last.element) + over;
-        } else if (level == StepLevel::Pixel) {
+        } else if (level >= StepLevel::Pixel) {
             steps += std::min(done - phase.first, phase.total());
         } else {
             steps += last.element == 0 ? 0 : phase.rows[last.element - 1];
@@ -181,6 +188,12 @@ std::vector<std::int64_t> Steps::ends(StageId stage, StepLevel level, std::int64
 
 Place Steps::placeOf(Moment moment) const {
     moment = fitting(moment);
+    if (moment.line > 0) {
+        Place place = placeOfStep(moment.stage, moment.done);
+        const auto numbers = walk(moment.stage, moment.done)->numbersOf(std::size_t(moment.line) - 1);
+        place.line = numbers[0], place.time = numbers[1];
+        return place;
+    }
     Place place;
     place.stage = moment.stage;
     if (moment.done == total(moment.stage)) return place;
@@ -201,9 +214,9 @@ Place Steps::placeOf(Moment moment) const {
     return place;
 }
 
-Moment Steps::momentOf(const Place& place) const { return find(place).moment; }
+Moment Steps::momentOf(const Place& place) const { return findLine(place).moment; }
 
-bool Steps::comesTo(const Place& place) const { return find(place).isThere; }
+bool Steps::comesTo(const Place& place) const { return findLine(place).isThere; }
 
 Steps::Found Steps::find(const Place& place) const {
     const StageId stage = place.stage;
@@ -255,11 +268,11 @@ Steps::Found Steps::find(const Place& place) const {
 
 std::optional<glm::ivec2> Steps::pixelOf(Moment moment) const {
     moment = fitting(moment);
-    if (moment.done == 0) return std::nullopt;
-    const Spot spot = at(moment.stage, moment.done - 1);
+    if (moment.step() < 0) return std::nullopt;
+    const Spot spot = at(moment.stage, moment.step());
     if (spot.phase->rows.empty()) return std::nullopt;
     const Reach reach = reachOf(m_source->spans(moment.stage, spot.element),
-                                moment.done - spot.phase->first - spot.phase->begin(spot.element));
+                                moment.step() + 1 - spot.phase->first - spot.phase->begin(spot.element));
     return glm::ivec2(reach.x - 1, reach.row);
 }
 
@@ -280,8 +293,8 @@ std::vector<glm::ivec2> Steps::pixelsToCome(Moment moment) const {
 
 std::optional<std::uint32_t> Steps::polygonOf(Moment moment) const {
     moment = fitting(moment);
-    if (moment.done == 0) return std::nullopt;
-    return polygonOf(at(moment.stage, moment.done - 1));
+    if (moment.step() < 0) return std::nullopt;
+    return polygonOf(at(moment.stage, moment.step()));
 }
 
 FramePtr Steps::frameAt(Moment moment, int threads, std::stop_token stop) const {

@@ -1,9 +1,11 @@
 #pragma once
 #include <memory>
+#include <mutex>
 #include <stop_token>
 #include <vector>
 
 #include "pipeline/run/frame.h"
+#include "pipeline/steps/algorithm.h"
 #include "pipeline/steps/moment.h"
 
 namespace pipeline {
@@ -31,7 +33,17 @@ public:
     std::optional<Moment> next(Moment moment, StepLevel level) const;
     std::optional<Moment> previous(Moment moment, StepLevel level) const;
 
-    // Steps of a level in a stage, and how many of them are over.
+    // The stage's algorithm with the line that the moment is at and the values that it has there; between two steps the
+    // last line of the one before. Nothing where no text is for the stage. Every value comes from the stage's own outputs.
+    std::optional<AlgorithmState> algorithmAt(Moment moment) const;
+    // Of each stage the texts that this frame goes through, in order; of a stage that is left out, or has nothing to do,
+    // the one that it would.
+    std::vector<Algorithm> algorithms() const;
+    // Where a text's first step begins; nothing where it has none.
+    std::optional<Moment> beginOf(const Algorithm& algorithm) const;
+
+    // Steps of a level in a stage, and how many of them are over. How many lines a step has is known when it is reached:
+    // of lines the count is that of pixels.
     std::int64_t count(StageId stage, StepLevel level) const;
     std::int64_t made(Moment moment, StepLevel level) const;
     // Where they end, in smallest steps, ascending; nothing where there are more than atMost.
@@ -42,7 +54,7 @@ public:
     // Whether this frame comes to the place. Else momentOf gives the moment at which that would have been over.
     bool comesTo(const Place& place) const;
 
-    // The pixel that was drawn or shaded last, where the stage goes by pixels.
+    // The pixel that was drawn or shaded last, or at a line the one that is now, where the stage goes by pixels.
     std::optional<glm::ivec2> pixelOf(Moment moment) const;
     // Likewise, of each smallest step from there to the end of the polygon or piece that it lies in, in order.
     std::vector<glm::ivec2> pixelsToCome(Moment moment) const;
@@ -83,7 +95,8 @@ private:
         Moment moment;
         bool isThere;  // as the place says
     };
-    Found find(const Place& place) const;
+    Found find(const Place& place) const;      // without its line
+    Found findLine(const Place& place) const;  // with it
     const std::vector<StepPhase>& phases(StageId stage) const;
     // The end of the first step after `moment` that endIn(spot, steps of the element already over) gives, in steps of
     // the element; it gives 0 where the element has none.
@@ -96,8 +109,18 @@ private:
     std::int64_t end(StageId stage, std::int64_t tick, StepLevel level) const;
     std::int64_t begin(StageId stage, std::int64_t tick, StepLevel level) const;
 
+    std::shared_ptr<const Walk> walk(StageId stage, std::int64_t tick) const;
+    int lineCount(StageId stage, std::int64_t tick) const;
+    std::optional<Moment> nextLine(Moment moment) const;
+    std::optional<Moment> previousLine(Moment moment) const;
+    Place placeOfStep(StageId stage, std::int64_t tick) const;  // as far down as it goes
+
     FramePtr m_frame;
     std::shared_ptr<const StepSource> m_source;
+    // The step that was walked through last: its lines are asked for one after the other.
+    mutable std::mutex m_walkMutex;
+    mutable Moment m_walked{};
+    mutable std::shared_ptr<const Walk> m_walk;
 };
 
 }  // namespace pipeline

@@ -1,0 +1,158 @@
+// The lectures' algorithms beside the steps: which line a step is at, and the values there.
+#include "pipeline/steps/algorithm.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "pipeline/inspect/pixel_report.h"
+#include "pipeline/steps/steps.h"
+#include "tests/support/scenes.h"
+
+namespace pipeline {
+namespace {
+
+Moment at(const Steps& steps, std::string_view place) { return steps.momentOf(*parsePlace(place)); }
+
+const AlgorithmValue* valueOf(const AlgorithmState& state, std::string_view name) {
+    const Visit& visit = state.walk.visits[*state.visit];
+    const auto value = std::ranges::find(visit.values, name, &AlgorithmValue::name);
+    return value == visit.values.end() ? nullptr : &*value;
+}
+
+Scene uncutPyramid() {
+    Scene scene = test::pyramid();
+    scene.settings.cull = CullMode::None;
+    return scene;
+}
+
+// The depth of one polygon alone at a pixel: of a frame in which the others are not.
+double depthAlone(const std::vector<std::uint32_t>& polygon, glm::ivec2 pixel) {
+    Scene scene = uncutPyramid();
+    scene.objects[0].mesh = test::mesh(scene.objects[0].mesh->positions, {polygon});
+    return test::frameOf(scene)->buffer({BufferId::ZView})->value(std::size_t(pixel.x), std::size_t(pixel.y));
+}
+
+TEST(Algorithm, SetpixelComparesADepthWithWhatAnotherPolygonHasStored) {
+    const Steps steps(test::frameOf(uncutPyramid()));
+    const auto state = *steps.algorithmAt(at(steps, "z-buffer/polygon=1/row=270/x=250/line=5"));
+    EXPECT_EQ(state.walk.algorithm.lines[4].text, "if(z < zbuffer(x, y)) then");
+    EXPECT_EQ(valueOf(state, "z")->numbers[0], depthAlone({1, 2, 4}, {250, 270}));
+    EXPECT_EQ(valueOf(state, "zbuffer(x, y)")->numbers[0], depthAlone({0, 1, 4}, {250, 270}));
+    EXPECT_EQ(state.walk.visits[*state.visit].taken, true);
+    const AlgorithmRow row = rowsOf(state)[4];
+    EXPECT_EQ(row.named, "z = 671.9340 < zbuffer(250, 270) = 742.3430");  // their first seven digits
+    EXPECT_EQ(row.status, LineStatus::Now);
+    EXPECT_EQ(rowsOf(state)[5].status, LineStatus::Next);
+}
+
+TEST(Algorithm, ABranchThatIsNotTakenPassesNoneOfItsLines) {
+    const Steps steps(test::frameOf(uncutPyramid()));
+    // The base, polygon 4, is drawn last and lies behind the faces that are turned to the eye.
+    const Moment test = at(steps, "z-buffer/polygon=4/row=290/x=247/line=5");
+    const auto state = *steps.algorithmAt(test);
+    EXPECT_EQ(state.walk.visits[*state.visit].taken, false);
+    EXPECT_EQ(rowsOf(state)[5].status, LineStatus::NotTaken);
+    EXPECT_EQ(steps.next(test, StepLevel::Line), (Moment{StageId::ZBuffer, test.done + 1}));
+}
+
+// Lines are about to write: buffers change at the end of the step, and only there.
+TEST(Algorithm, BuffersAtALineAreThoseBeforeItsStepAndTheEndOfTheStepIsNext) {
+    const Steps steps(test::frameOf(uncutPyramid()));
+    const Moment writes = at(steps, "z-buffer/polygon=1/row=270/x=250/line=6");
+    const auto zAt = [&](Moment moment) { return steps.frameAt(moment)->buffer({BufferId::ZView})->value(250, 270); };
+    const double before = depthAlone({0, 1, 4}, {250, 270}), after = depthAlone({1, 2, 4}, {250, 270});
+    EXPECT_EQ(zAt(writes), before);
+    const Moment end = *steps.next(writes, StepLevel::Line);
+    EXPECT_EQ(end.line, 0);
+    EXPECT_EQ(zAt(end), after);
+    EXPECT_TRUE(steps.algorithmAt(end)->over);
+    EXPECT_EQ(steps.algorithmAt(end)->visit, steps.algorithmAt(writes)->visit);
+    EXPECT_EQ(steps.pixelOf(writes), glm::ivec2(250, 270));
+    EXPECT_EQ(steps.words(writes, StepLevel::Line), "polygon 1, row 270, x 250, line 6");
+}
+
+TEST(Algorithm, ALineOfAPlaceIsFoundAgainAndOneThatTheStepDoesNotPassIsNotThere) {
+    const Steps steps(test::frameOf(uncutPyramid()));
+    const char* const place = "z-buffer/polygon=1/row=270/x=250/line=6";
+    EXPECT_EQ(text(steps.placeOf(at(steps, place))), place);
+    EXPECT_TRUE(steps.comesTo(*parsePlace(place)));
+    EXPECT_FALSE(steps.comesTo(*parsePlace("z-buffer/polygon=4/row=290/x=247/line=6")));
+    EXPECT_FALSE(parsePlace("z-buffer/line=5"));
+    EXPECT_FALSE(parsePlace("z-buffer/polygon=1/line=0"));
+    EXPECT_FALSE(parsePlace("z-buffer/polygon=1/line=5/x=3"));
+}
+
+TEST(Algorithm, AFormatWhoseNearIsLargerComparesTheOtherWayRound) {
+    Scene scene = uncutPyramid();
+    scene.settings.depthFormat = DepthFormat::Reversed;
+    const Steps steps(test::frameOf(scene));
+    const auto state = *steps.algorithmAt(at(steps, "z-buffer/polygon=1/row=270/x=250/line=5"));
+    EXPECT_EQ(state.walk.algorithm.lines[0].text, "zbuffer(x, y) = 0 for all x, y");
+    EXPECT_EQ(state.walk.algorithm.lines[4].text, "if(z > zbuffer(x, y)) then");
+    EXPECT_GT(valueOf(state, "z")->numbers[0], valueOf(state, "zbuffer(x, y)")->numbers[0]);
+}
+
+TEST(Algorithm, OfAStageThatIsLeftOutTheLinesStandGreyWithThePlansReason) {
+    Scene painted = test::pyramid();
+    painted.settings.visibility = Visibility::Painter, painted.settings.split = false;
+    const FramePtr frame = test::frameOf(painted, setOf({BufferId::Color}));
+    const auto algorithm = algorithmOf(*frame, StageId::ZBuffer, ElementKind::Piece);
+    ASSERT_TRUE(algorithm);
+    EXPECT_EQ(algorithm->row->name, "painter");
+    const AlgorithmState state{{*algorithm, {}, {}}, {}, false};
+    EXPECT_EQ(state.leftOut(), std::vector<std::string>{"Line 2 is left out. Off in this scene: split = off."});
+}
+
+// Every row of the table, with the settings that choose its lines, has 5 to 15 of them.
+TEST(Algorithm, EveryStageAndEveryAlternativeHasATextOfAFewLines) {
+    using Change = void (*)(Scene&);
+    constexpr std::array<std::array<Change, 3>, 5> kChoices{{
+        {[](Scene& s) { s.settings.visibility = Visibility::ZBuffer; },
+         [](Scene& s) { s.settings.visibility = Visibility::Painter; },
+         [](Scene& s) { s.settings.visibility = Visibility::None; }},
+        {[](Scene& s) { s.settings.shading = Shading::Flat; }, [](Scene& s) { s.settings.shading = Shading::Gouraud; },
+         [](Scene& s) { s.settings.shading = Shading::Phong; }},
+        {[](Scene& s) { s.settings.interpolation = Interpolation::Perspective; },
+         [](Scene& s) { s.settings.interpolation = Interpolation::Affine; },
+         [](Scene& s) { s.settings.interpolation = Interpolation::Scanline; }},
+        {[](Scene& s) { s.settings.model = Model::Phong; }, [](Scene& s) { s.settings.model = Model::BlinnPhong; },
+         [](Scene& s) { s.settings.model = Model::OpenGl; }},
+        {[](Scene&) {}, [](Scene& s) { s.settings.cull = CullMode::None; },
+         [](Scene& s) { s.settings.depthFormat = DepthFormat::Reversed; }},
+    }};
+    std::set<std::string_view> titles;
+    for (int combination = 0; combination < 243; ++combination) {
+        Scene scene = test::pyramid();
+        scene.settings.width = scene.settings.height = 16;
+        for (int i = 0, rest = combination; i < 5; ++i, rest /= 3)
+            kChoices[std::size_t(i)][std::size_t(rest % 3)](scene);
+        const FramePtr frame = test::frameOf(scene, setOf({BufferId::Color}));
+        for (const StageId stage : kStages)
+            for (const ElementKind kind :
+                 {ElementKind::Vertex, ElementKind::Polygon, ElementKind::Piece, ElementKind::PolygonTerms,
+                  ElementKind::VertexTerms, ElementKind::Layers, ElementKind::Samples}) {
+                const auto algorithm = algorithmOf(*frame, stage, kind);
+                if (!algorithm) continue;
+                EXPECT_GE(algorithm->lines.size(), 5u) << algorithm->row->title;
+                EXPECT_LE(algorithm->lines.size(), 15u) << algorithm->row->title << " " << combination;
+                titles.insert(algorithm->row->title);
+            }
+    }
+    EXPECT_EQ(titles.size(), algorithmTable().size());
+}
+
+TEST(Algorithm, IsWrittenAsTextWithTheLineMarkedAndAsLatex) {
+    const Steps steps(test::frameOf(uncutPyramid()));
+    const auto state = *steps.algorithmAt(at(steps, "z-buffer/polygon=1/row=270/x=250/line=5"));
+    const std::string plain = algorithmText(state, AlgorithmFormat::Text);
+    EXPECT_NE(plain.find("\n>  5      if(z < zbuffer(x, y)) then   z = 671.9340"), std::string::npos) << plain;
+    const std::string latex = algorithmText(state, AlgorithmFormat::Latex);
+    EXPECT_NE(latex.find("\\begin{tabular}{rll}\n"), std::string::npos) << latex;
+    EXPECT_NE(latex.find("$\\infty$"), std::string::npos) << latex;
+}
+
+}  // namespace
+}  // namespace pipeline
