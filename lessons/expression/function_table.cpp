@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "lessons/expression/condition.h"
 #include "lessons/expression/elements.h"
 #include "pipeline/core/angles.h"
+#include "pipeline/core/elementary.h"
 #include "pipeline/core/text.h"
 #include "pipeline/inspect/pixel_report.h"
 #include "pipeline/run/frame_data.h"
@@ -221,7 +223,7 @@ void of(Operands a, Operands, std::span<double> result) {
     result[0] = function(a[0]);
 }
 double dot(Operands a, Operands b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
-double degrees(double radians) { return radians * 180 / std::acos(-1.0); }
+double degrees(double radians) { return radians * (180 / std::numbers::pi); }
 
 using T = Takes;
 constexpr auto kFunctions =
@@ -259,8 +261,8 @@ constexpr auto kFunctions =
             {"round", T::Number, "The nearest whole number, halves away from 0.", of<std::round>},
             {"abs", T::Number, "Without its sign.", of<std::abs>},
             {"sqrt", T::Number, "Square root.", of<std::sqrt>},
-            {"exp", T::Number, "e to this power.", of<std::exp>},
-            {"log", T::Number, "Natural logarithm.", of<std::log>},
+            {"exp", T::Number, "e to this power.", of<pipeline::exp>},
+            {"log", T::Number, "Natural logarithm.", of<pipeline::log>},
             {"sin", T::Number, "Sine of an angle in degrees.", of<pipeline::sinDegrees>},
             {"cos", T::Number, "Cosine of an angle in degrees.", of<pipeline::cosDegrees>},
             {"tan", T::Number, "Tangent of an angle in degrees.",
@@ -268,11 +270,13 @@ constexpr auto kFunctions =
                  r[0] = pipeline::sinDegrees(a[0]) / pipeline::cosDegrees(a[0]);
              }},
             {"asin", T::Number, "The angle from -90 to 90 with this sine, degrees.",
-             [](Operands a, Operands, std::span<double> r) { r[0] = degrees(std::asin(a[0])); }},
+             [](Operands a, Operands, std::span<double> r) {
+                 r[0] = degrees(pipeline::atan2(a[0], std::sqrt((1 - a[0]) * (1 + a[0]))));
+             }},
             {"acos", T::Number, "The angle from 0 to 180 with this cosine, degrees.",
-             [](Operands a, Operands, std::span<double> r) { r[0] = degrees(std::acos(a[0])); }},
+             [](Operands a, Operands, std::span<double> r) { r[0] = degrees(pipeline::acos(a[0])); }},
             {"atan2", T::TwoNumbers, "The angle from -180 to 180 of the point with this y and x, degrees.",
-             [](Operands a, Operands b, std::span<double> r) { r[0] = degrees(std::atan2(a[0], b[0])); }},
+             [](Operands a, Operands b, std::span<double> r) { r[0] = degrees(pipeline::atan2(a[0], b[0])); }},
             {"mod", T::TwoNumbers,
              "What is left of the first after whole multiples of the second; its sign is the second's.",
              [](Operands a, Operands b, std::span<double> r) { r[0] = a[0] - b[0] * std::floor(a[0] / b[0]); }},

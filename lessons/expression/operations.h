@@ -1,7 +1,6 @@
 #pragma once
-#include <cmath>
-
 #include "lessons/expression/expression.h"
+#include "pipeline/core/elementary.h"
 
 namespace lessons {
 
@@ -15,7 +14,7 @@ void withOperation(Node::Kind kind, Use use) {
         case Kind::Subtract: return use([](double a, double b) { return a - b; });
         case Kind::Multiply: return use([](double a, double b) { return a * b; });
         case Kind::Divide: return use([](double a, double b) { return a / b; });
-        case Kind::Power: return use([](double a, double b) { return std::pow(a, b); });
+        case Kind::Power: return use([](double a, double b) { return pipeline::pow(a, b); });
         case Kind::Less: return use([](double a, double b) { return double(a < b); });
         case Kind::LessEqual: return use([](double a, double b) { return double(a <= b); });
         case Kind::Greater: return use([](double a, double b) { return double(a > b); });
