@@ -116,9 +116,11 @@ BufferStatistics channelStatistics(const AnyBuffer& buffer, ShownChannel channel
     if (channel == ShownChannel::All || buffer.channels() == 1) return statistics(buffer);
     double min = INFINITY, max = -INFINITY;
     const auto channels = std::size_t(buffer.channels());
+    const std::vector<bool> with = pipeline::verticesWithPosition(buffer);
     std::visit(
         [&](const auto& numbers) {
             for (std::size_t i = std::size_t(index(channel)); i < numbers.size(); i += channels) {
+                if (!with.empty() && !with[i / channels]) continue;
                 const double value = double(numbers[i]);
                 found.nan += std::isnan(value);
                 found.infinite += std::isinf(value);
@@ -181,6 +183,7 @@ std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<Any
         for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = numbers.flat(i) >= 0;
         return drawn;
     }
+    if (info.id == pipeline::BufferId::VerticesScreen) return pipeline::verticesWithPosition(buffer);
     if (!std::isinf(info.neutral)) return {};
     std::vector<bool> drawn(buffer.count());
     for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = buffer.flat(i) != info.neutral;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "pipeline/run/frame_data.h"
 #include "pipeline/stages/cull.h"
 
 namespace app {
@@ -16,7 +17,7 @@ namespace {
 struct ProjectedVertices {
     std::vector<QPointF> places;
     std::vector<double> distances;
-    std::vector<bool> isPlaced;  // false: behind the eye, or not transformed yet
+    std::vector<bool> isPlaced;  // false: nearer than the near plane, without a position, or not transformed yet
     std::optional<pipeline::AnyBuffer> verdicts;
 
     bool arePlaced(const pipeline::Topology::Corners& corners) const {
@@ -34,11 +35,16 @@ struct ProjectedVertices {
 struct Source {
     std::shared_ptr<const pipeline::Topology> topology;
     std::optional<pipeline::AnyBuffer> screen, view, verdicts;
+    double nearest;  // z_view
 };
 
 Source sourceOf(const pipeline::Frame& frame) {
+    const auto nearest = [](const auto& data) {
+        const bool cuts = data.transform && data.transform->view.perspective;
+        return cuts ? data.transform->view.near : -INFINITY;
+    };
     return {frame.sharedTopology(), frame.buffer({BufferId::VerticesScreen}), frame.buffer({BufferId::VerticesView}),
-            frame.buffer({BufferId::PolygonsVerdict})};
+            frame.buffer({BufferId::PolygonsVerdict}), pipeline::readStages(frame, nearest)};
 }
 
 // Without vertices where the frame has not placed them yet.
@@ -49,14 +55,10 @@ ProjectedVertices projectVertices(const Source& source) {
     const std::size_t count = source.screen->rows();
     projected.places.reserve(count);
     projected.distances.reserve(count);
-    projected.isPlaced.reserve(count);
     std::visit(
         [&](const auto& v) {
-            for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t i = 0; i < count; ++i)
                 projected.places.emplace_back(double(v[3 * i]), double(v[3 * i + 1]));
-                // The buffer says so with three zeros, see screenPlaces.
-                projected.isPlaced.push_back(v[3 * i] != 0 || v[3 * i + 1] != 0 || v[3 * i + 2] != 0);
-            }
         },
         source.screen->data);
     std::visit(
@@ -64,6 +66,10 @@ ProjectedVertices projectVertices(const Source& source) {
             for (std::size_t i = 0; i < count; ++i) projected.distances.push_back(double(v[3 * i + 2]));
         },
         source.view->data);
+    // What lies between the eye and the near plane is cut off, and may be as far off the picture as numbers reach.
+    projected.isPlaced = pipeline::verticesWithPosition(*source.screen);
+    for (std::size_t i = 0; i < count; ++i)
+        if (projected.distances[i] < source.nearest) projected.isPlaced[i] = false;
     return projected;
 }
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "pipeline/stages/transform.h"
+
 namespace pipeline {
 
 std::size_t AnyBuffer::rows() const {
@@ -94,9 +96,27 @@ void addStatistics(std::span<const T> numbers, BufferStatistics& result) {
 
 }  // namespace
 
+std::vector<bool> verticesWithPosition(const AnyBuffer& buffer) {
+    if (buffer.info->id != BufferId::VerticesScreen) return {};
+    std::vector<bool> with(buffer.rows());
+    for (std::size_t i = 0; i < with.size(); ++i)
+        with[i] = hasScreenPosition(Vec3d(buffer.flat(3 * i), buffer.flat(3 * i + 1), buffer.flat(3 * i + 2)));
+    return with;
+}
+
 BufferStatistics statistics(const AnyBuffer& buffer) {
     BufferStatistics result;
-    std::visit([&](const auto& numbers) { addStatistics(numbers, result); }, buffer.data);
+    const std::vector<bool> with = verticesWithPosition(buffer);
+    result.withoutPosition = std::size_t(std::ranges::count(with, false));
+    std::visit(
+        [&](const auto& numbers) {
+            if (result.withoutPosition == 0) return addStatistics(numbers, result);
+            std::vector<typename std::decay_t<decltype(numbers)>::value_type> positions;
+            for (std::size_t i = 0; i < numbers.size(); ++i)
+                if (with[i / 3]) positions.push_back(numbers[i]);
+            addStatistics(std::span<const typename decltype(positions)::value_type>(positions), result);
+        },
+        buffer.data);
     return result;
 }
 

@@ -32,10 +32,15 @@ struct AnyBuffer {
     const char* dtype() const;         // "float32", "float64", "int32", "uint8"
 };
 
-// What a buffer holds. Minimum and maximum are of the finite numbers, 0 where there are none.
+// Per vertex whether vertices.screen holds a position for it; empty of any other buffer.
+std::vector<bool> verticesWithPosition(const AnyBuffer& buffer);
+
+// What a buffer holds. Minimum and maximum are of the finite numbers, 0 where there are none. Vertices without a position
+// in vertices.screen are counted, and their numbers are not.
 struct BufferStatistics {
     double min = 0, max = 0;
     std::size_t finite = 0, nan = 0, infinite = 0, negative = 0;
+    std::size_t withoutPosition = 0;
 };
 BufferStatistics statistics(const AnyBuffer& buffer);
 

@@ -27,7 +27,10 @@ constexpr std::array<BufferInfo, kBufferCount> kTable{{
     {B::VerticesView, "vertices.view", S::Transform, D::Vertex, E::Real, 3, false, "world units", "view",
      "Vertices as the viewer sees them: x right, y up, z away.", P::Direction, 0},
     {B::VerticesScreen, "vertices.screen", S::Transform, D::Vertex, E::Real, 3, false, "pixels, pixels, depth",
-     "screen", "Vertices in the picture: x right, y down, and the depth as stored.", P::Direction, 0},
+     "screen",
+     "Vertices in the picture: x right, y down, and the depth as stored; -1e30 three times for a vertex without a "
+     "position: not in front of the eye, or too far off the picture.",
+     P::Direction, 0},
 
     {B::PolygonsVerdict, "polygons.verdict", S::Cull, D::Polygon, E::UInt8, 1, false, "", "",
      "Why each polygon goes on or does not.", P::Verdict, 0},

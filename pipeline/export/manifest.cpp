@@ -50,18 +50,20 @@ Json describe(const WrittenBuffer& written) {
         }
         files.push_back(entry);
     }
-    return {{"name", buffer.name.text()},
-            {"stage", isDerived(info.id) ? Json() : Json(stageInfo(info.stage).name)},
-            {"meaning", written.meaning.empty() ? std::string(info.meaning) : written.meaning},
-            {"shape", buffer.shape},
-            {"dtype", buffer.dtype()},
-            {"unit", info.unit},
-            {"space", info.space},
-            {"minimum", found.finite > 0 ? Json(found.min) : Json()},
-            {"maximum", found.finite > 0 ? Json(found.max) : Json()},
-            {"non_finite", found.nan + found.infinite},
-            {"nan", found.nan},
-            {"files", files}};
+    Json entry{{"name", buffer.name.text()},
+               {"stage", isDerived(info.id) ? Json() : Json(stageInfo(info.stage).name)},
+               {"meaning", written.meaning.empty() ? std::string(info.meaning) : written.meaning},
+               {"shape", buffer.shape},
+               {"dtype", buffer.dtype()},
+               {"unit", info.unit},
+               {"space", info.space},
+               {"minimum", found.finite > 0 ? Json(found.min) : Json()},
+               {"maximum", found.finite > 0 ? Json(found.max) : Json()},
+               {"non_finite", found.nan + found.infinite},
+               {"nan", found.nan},
+               {"files", files}};
+    if (info.id == BufferId::VerticesScreen) entry["without_position"] = found.withoutPosition;
+    return entry;
 }
 
 Json absent(const Frame& frame, const std::vector<BufferName>& asked) {

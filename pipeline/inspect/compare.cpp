@@ -152,8 +152,11 @@ std::string whyNotComparable(const AnyBuffer& a, const AnyBuffer& b) {
 }
 
 BufferDifference compareBuffers(const AnyBuffer& a, const AnyBuffer& b, int channel, DifferenceMetric metric,
-                                const std::vector<bool>& drawnA, const std::vector<bool>& drawnB,
+                                const std::vector<bool>& pixelsA, const std::vector<bool>& pixelsB,
                                 const CompareControl& control) {
+    const std::vector<bool> verticesA = verticesWithPosition(a), verticesB = verticesWithPosition(b);
+    const std::vector<bool>& drawnA = verticesA.empty() ? pixelsA : verticesA;
+    const std::vector<bool>& drawnB = verticesB.empty() ? pixelsB : verticesB;
     const auto channels = std::size_t(a.channels());
     const std::size_t elements = a.count() / channels;
     auto data = std::make_shared<DifferenceData>(DifferenceData{infoOf(*a.info, metric), {}});

@@ -123,6 +123,9 @@ void addVertices(const FramePtr& frame, SceneTable& table) {
     table.rows = frame->topology().vertexCount();
     table.meaning = "Arrays of vertices: w_pts, v_pts and s_pts of Object[i].";
     table.facts = viewingFacts(frame->scene());
+    if (const auto screen = frame->buffer({BufferId::VerticesScreen}))
+        if (const std::size_t without = statistics(*screen).withoutPosition; without > 0)
+            table.facts.push_back({"", "vertices without a position in the picture", "", std::int64_t(without)});
     auto& columns = table.columns;
     columns.push_back(rowNumber("", "vertex", "The vertex, counted over all objects as in the buffers."));
     columns.push_back(count("i", "object", "The object that it belongs to.",

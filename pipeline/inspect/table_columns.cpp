@@ -76,11 +76,13 @@ void addBuffer(const FramePtr& frame, BufferId id, std::array<std::string, 3> le
     const BufferInfo& info = bufferInfo(id);
     // Shared by the three columns; it keeps the frame's data alive.
     const auto buffer = std::make_shared<const std::optional<AnyBuffer>>(frame->buffer({id}));
+    const auto with =
+        std::make_shared<const std::vector<bool>>(*buffer ? verticesWithPosition(**buffer) : std::vector<bool>());
     for (std::size_t c = 0; c < 3; ++c)
         columns.push_back(
             {lecture[c], fmt::format("{}{}", info.name, parts[c]), unitOf(info, c), std::string(info.meaning), decimals,
-             *buffer ? std::string() : frame->whyAbsent({id}), [frame, id, buffer, c](std::size_t row) -> Cell {
-                 if (!*buffer || !isEvaluated(*frame, id, row)) return {};
+             *buffer ? std::string() : frame->whyAbsent({id}), [frame, id, buffer, with, c](std::size_t row) -> Cell {
+                 if (!*buffer || !isEvaluated(*frame, id, row) || (!with->empty() && !(*with)[row])) return {};
                  return std::visit(
                      [i = 3 * row + c](const auto& numbers) -> Cell {
                          if constexpr (std::floating_point<typename std::decay_t<decltype(numbers)>::value_type>)

@@ -32,7 +32,8 @@ void addSettings(const FramePtr& frame, SettingGroup group, std::vector<TableCol
                  const std::function<bool(std::string_view key)>& keeps);
 
 // One column a channel of a buffer: lecture 1's names for the three, and what is added to the buffer's. Empty where
-// shading evaluated nothing: the 0 that its buffer holds there is no intensity.
+// shading evaluated nothing: the 0 that its buffer holds there is no intensity; and for a vertex without a position in the
+// picture.
 void addBuffer(const FramePtr& frame, BufferId buffer, std::array<std::string, 3> lecture,
                std::array<std::string, 3> parts, int decimals, std::vector<TableColumn>& columns);
 

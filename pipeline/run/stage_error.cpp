@@ -28,17 +28,16 @@ Vec3d vectorAt(const AnyBuffer& buffer, std::size_t i) {
     return {buffer.value(0, i, 0), buffer.value(0, i, 1), buffer.value(0, i, 2)};
 }
 
-// visit(ours, theirs), but where one of them is (0, 0, 0): a vertex that has no place on the screen, a direction that is
-// not defined. Next to a plane or to 0 one precision may have what the other has not.
-template <class Visit>
-void forEachInBoth(const AnyBuffer& a, const AnyBuffer& b, Visit visit) {
+// visit(ours, theirs) where both are there: next to a plane or to 0 one precision may have what the other has not.
+template <class IsThere, class Visit>
+void forEachInBoth(const AnyBuffer& a, const AnyBuffer& b, IsThere isThere, Visit visit) {
     for (std::size_t i = 0; i < a.rows(); ++i)
-        if (const Vec3d p = vectorAt(a, i), q = vectorAt(b, i); p != Vec3d(0) && q != Vec3d(0)) visit(p, q);
+        if (const Vec3d p = vectorAt(a, i), q = vectorAt(b, i); isThere(p) && isThere(q)) visit(p, q);
 }
 
 StageError transformError(const AnyBuffer& a, const AnyBuffer& b) {
     double largest = 0;
-    forEachInBoth(a, b,
+    forEachInBoth(a, b, hasScreenPosition<double>,
                   [&](Vec3d p, Vec3d q) { largest = std::max(largest, glm::distance(glm::dvec2(p), glm::dvec2(q))); });
     return {largest, fmt::format("{:.1e} px", largest)};
 }
@@ -52,7 +51,8 @@ StageError cullError(const AnyBuffer& a, const AnyBuffer& b) {
 
 StageError normalsError(const AnyBuffer& a, const AnyBuffer& b) {
     double largest = 0;
-    forEachInBoth(a, b, [&](Vec3d n, Vec3d m) { largest = std::max(largest, angleBetween(n, m)); });
+    const auto isDirection = [](Vec3d v) { return v != Vec3d(0); };
+    forEachInBoth(a, b, isDirection, [&](Vec3d n, Vec3d m) { largest = std::max(largest, angleBetween(n, m)); });
     return {largest, fmt::format("{:.1e} rad", largest)};
 }
 

@@ -117,15 +117,14 @@ std::vector<Vec3<Real>> screenPlaces(const TransformOutput<Real>& in) {
     const View& view = in.view;
     const Vec2<Real> scale(view.scale), centre(view.centre);
     const DepthCode depth(view, in.depthFormat);
-    std::vector<Vec3<Real>> places(in.world.size(), Vec3<Real>(0));
+    std::vector<Vec3<Real>> places(in.world.size(), Vec3<Real>(Real(kNoScreenPosition)));
     for (std::size_t i = 0; i < in.done; ++i) {
         const Vec3<Real> v = in.viewSpace(i);
-        if (view.perspective && v.z < Real(view.near)) continue;
+        if (view.perspective && !(v.z > 0)) continue;
         const Real spread = view.perspective ? v.z : Real(1);
         const AtLeastDouble<Real> z(v.z);
         const Vec3<Real> screen{centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread,
                                 depth.format == DepthFormat::Linear ? v.z : Real(depth.encode(z, 1 / z))};
-        // Too far off the picture for Real to say where: no place on the screen either.
         if (isfinite(screen.x) && isfinite(screen.y)) places[i] = screen;
     }
     return places;

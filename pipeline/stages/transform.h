@@ -71,8 +71,20 @@ void transform(const TransformInputs& inputs, std::size_t object, std::size_t be
 // Per vertex: its place in view space; (0, 0, 0) for one that is not done. Found when somebody looks.
 template <class Real>
 std::vector<Vec3<Real>> viewPlaces(const TransformOutput<Real>& in);
-// Per vertex: x, y in pixels, depth as stored. (0, 0, 0) for a vertex that is nearer than the near plane, or whose place
-// is too far off for Real: it has no place on the screen, and no infinity may stand in for one. Found when somebody looks: no stage reads it.
+// Stands three times where a vertex has no position in the picture: in perspective one that is not in front of the eye
+// (z_view <= 0), in any projection one whose position Real cannot hold, and one that is not done.
+inline constexpr double kNoScreenPosition = -1e30;
+// Of any arithmetic's buffer, also read as another: float rounds the number.
+template <class Real>
+constexpr bool hasScreenPosition(Vec3<Real> screen) {
+    constexpr double kRounding = 0x1p-20;
+    const auto isFilled = [](Real x) {
+        return x >= Real(kNoScreenPosition * (1 + kRounding)) && x <= Real(kNoScreenPosition * (1 - kRounding));
+    };
+    return !(isFilled(screen.x) && isFilled(screen.y) && isFilled(screen.z));
+}
+// Per vertex: x, y in pixels, depth as stored, also of one that the near or far plane cuts off; or kNoScreenPosition.
+// Computed when somebody looks: no stage reads it.
 template <class Real>
 std::vector<Vec3<Real>> screenPlaces(const TransformOutput<Real>& in);
 

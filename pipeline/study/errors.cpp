@@ -6,6 +6,7 @@
 
 #include "pipeline/core/numerics.h"
 #include "pipeline/illumination/illumination.h"
+#include "pipeline/stages/transform.h"
 #include "pipeline/study/error_rows.h"
 
 namespace pipeline {
@@ -150,8 +151,7 @@ void addScreen(const std::vector<double>& a, const std::vector<double>& b, Error
     double largest = 0;
     for (std::size_t i = 0; 3 * i < a.size(); ++i) {
         const Vec3d p = vectorAt(a, i), q = vectorAt(b, i);
-        // (0, 0, 0): a vertex that has no place on the screen.
-        if (p != Vec3d(0) && q != Vec3d(0)) largest = std::max(largest, std::hypot(p.x - q.x, p.y - q.y));
+        if (hasScreenPosition(p) && hasScreenPosition(q)) largest = std::max(largest, std::hypot(p.x - q.x, p.y - q.y));
     }
     rows.put({BufferId::VerticesScreen}, "largest", "pixels", ErrorKind::Arithmetic, largest);
 }

@@ -267,9 +267,61 @@ TEST(Transform, AVertexBehindTheEyeHasNoPlaceOnTheScreen) {
     for (std::size_t i = 0; i < 5; ++i) {
         if (view.value(0, i, 2) > 0) continue;
         ++behind;
-        for (int c = 0; c < 3; ++c) EXPECT_EQ(screen.value(0, i, c), 0);
+        for (int c = 0; c < 3; ++c) EXPECT_EQ(screen.value(0, i, c), double(-1e30f));
     }
     EXPECT_GT(behind, 0);
+    EXPECT_EQ(statistics(screen).withoutPosition, std::size_t(behind));
+    EXPECT_GT(statistics(screen).min, -1e10);
+}
+
+// Vertices at z_view = 1/4 (before the near plane), 4, 16 (beyond the far plane), 0 and -1. With fov 90 and 64 pixels a
+// unit at z_view = 1 is 32 pixels long, so x = y = 1/8 is seen at 32 +- 4 / z_view. All are powers of two: no rounding.
+TEST(Transform, AVertexThatAPlaneCutsOffIsProjectedLikeAnyOther) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 64;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, 0, 0}, scene.camera.target = {0, 0, -1}, scene.camera.up = {0, 1, 0};
+    scene.camera.fovY = 90, scene.camera.near = 1, scene.camera.far = 8;
+    const double h = 0.125;
+    scene.objects.push_back(
+        {"fan",
+         test::mesh({{h, h, -0.25}, {h, h, -4}, {h, h, -16}, {h, h, 0}, {h, h, 1}}, {{0, 1, 2}, {2, 3, 4}}),
+         {},
+         {}});
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+        scene.settings.precision = precision;
+        const AnyBuffer screen = *test::frameOf(scene)->buffer({BufferId::VerticesScreen});
+        const double z[] = {0.25, 4, 16};
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_EQ(screen.value(0, i, 0), 32 + 4 / z[i]) << i;
+            EXPECT_EQ(screen.value(0, i, 1), 32 - 4 / z[i]) << i;
+            EXPECT_EQ(screen.value(0, i, 2), z[i]) << i;
+        }
+        for (std::size_t i = 3; i < 5; ++i)
+            for (int c = 0; c < 3; ++c)
+                EXPECT_EQ(screen.value(0, i, c), precision == Precision::Float ? double(-1e30f) : -1e30) << i;
+        EXPECT_EQ(statistics(screen).withoutPosition, 2u);
+        EXPECT_EQ(statistics(screen).min, 0.25);
+    }
+}
+
+// 2^-140 before the eye, 2^-4 beside it: 32 2^136 pixels are more than float holds, 3.4 2^126, and not more than double.
+TEST(Transform, AVertexWhosePositionFloatCannotHoldHasNone) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 64;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, 0, 0}, scene.camera.target = {0, 0, -1}, scene.camera.up = {0, 1, 0};
+    scene.camera.fovY = 90, scene.camera.near = 1, scene.camera.far = 8;
+    scene.objects.push_back(
+        {"triangle", test::mesh({{0.0625, 0, -0x1p-140}, {1, 1, -4}, {-1, 1, -4}}, {{0, 1, 2}}), {}, {}});
+    const auto without = [&](Precision precision) {
+        scene.settings.precision = precision;
+        const BufferStatistics found = statistics(*test::frameOf(scene)->buffer({BufferId::VerticesScreen}));
+        EXPECT_EQ(found.infinite, 0u);
+        return found.withoutPosition;
+    };
+    EXPECT_EQ(without(Precision::Float), 1u);
+    EXPECT_EQ(without(Precision::Double), 0u);
 }
 
 }  // namespace
