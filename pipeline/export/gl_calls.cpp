@@ -156,12 +156,14 @@ bool isFan(const Mesh& mesh, std::size_t polygon) {
 template <class Real>
 class Polygons {
 public:
+    // flat: one normal for all corners of a polygon.
     Polygons(const FrameData<Real>& data, const Topology& topology, std::size_t object, bool flat, Calls& calls)
         : m_normals(*data.normals),
           m_mesh(*topology.meshes[object]),
           m_firstVertex(topology.firstVertex[object]),
           m_firstPolygon(topology.firstPolygon[object]),
           m_flat(flat),
+          m_byFirstVertex(data.keys.shading.firstVertexNormal && !m_mesh.normals.empty()),
           m_calls(calls) {
         const ObjectMatrix matrix = makeObjectMatrix(data.keys.transform.transforms[object]);
         m_objectFromWorldNormal = glm::transpose(matrix.linear);
@@ -177,7 +179,10 @@ public:
 private:
     void addOutline(std::string_view kind, std::size_t polygon, std::span<const std::uint32_t> corners) {
         m_calls.add("glBegin", {kind});
-        if (m_flat) addNormal(m_normals.polygon[m_firstPolygon + polygon]);
+        // A piece of a polygon need not have its first corner, whose normal lights all of it.
+        if (m_flat)
+            addNormal(m_byFirstVertex ? m_normals.vertex[m_firstVertex + m_mesh.polygon(polygon)[0]]
+                                      : m_normals.polygon[m_firstPolygon + polygon]);
         for (const std::uint32_t corner : corners) {
             if (!m_flat) addNormal(m_normals.vertex[m_firstVertex + corner]);
             m_calls.vector("glVertex3d", m_mesh.positions[corner]);
@@ -189,7 +194,7 @@ private:
     const NormalsOutput<Real>& m_normals;
     const Mesh& m_mesh;
     std::size_t m_firstVertex, m_firstPolygon;
-    bool m_flat;
+    bool m_flat, m_byFirstVertex;
     Calls& m_calls;
     glm::dmat3 m_objectFromWorldNormal;
 };
@@ -266,8 +271,11 @@ template <class Real>
 Result<std::vector<GlCall>> callsOf(const Scene& scene, const FrameData<Real>& data) {
     const bool flat = scene.settings.shading == Shading::Flat;
     const bool any = data.transform && data.transform->topology->polygonCount() > 0;
+    const bool givesAll =
+        flat && data.keys.shading.firstVertexNormal &&
+        std::ranges::all_of(scene.objects, [](const Object& object) { return !object.mesh->normals.empty(); });
     if (!data.transform || !data.normals ||
-        (any && (flat ? data.normals->polygon.empty() : data.normals->vertex.empty())))
+        (any && (flat && !givesAll ? data.normals->polygon.empty() : data.normals->vertex.empty())))
         return Error{{}, fmt::format("OpenGL needs the normals, which this run did not compute"), {}};
     Calls calls;
     addPicture(scene.settings, calls);

@@ -18,6 +18,12 @@ struct Illumination {
 };
 Illumination illuminationOf(const Settings& settings);
 
+// Whether a polygon whose mesh gives normals is lit with that of its first vertex, as glShadeModel(GL_FLAT) lights
+// GL_POLYGON: the OpenGL graphics system 1.5, section 2.14.7.
+constexpr bool lightsFirstVertex(const Settings& settings) {
+    return settings.model == Model::OpenGl && settings.normalWeight == NormalWeight::Given;
+}
+
 // A scene's lights, those of OpenGL's model that stand in eye space (x right, y up, z towards the
 // viewer) brought to world space.
 std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view);

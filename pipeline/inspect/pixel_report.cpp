@@ -154,8 +154,10 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
     switch (inputs.shading) {
         case Shading::Flat: {
             const Surface<Real> at = polygonSurface(inputs, sources, shown);
-            const char* where =
-                inputs.illumination.model == Model::OpenGl ? "at the first vertex " : "at the mean of the vertices ";
+            const char* where = inputs.illumination.model != Model::OpenGl ? "at the mean of the vertices "
+                                : takesFirstVertexNormal(inputs, sources, shown)
+                                    ? "with the normal of the first vertex, at "
+                                    : "at the first vertex ";
             report.evaluations.push_back(
                 evaluate(inputs, at, material, where + placeText(Vec3d(at.position)), 1, report.shadow));
             break;

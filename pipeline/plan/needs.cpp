@@ -80,11 +80,11 @@ struct Decision {
     Need polygonNormals(const Needs& needs) const {
         if (has(BufferId::PolygonsNormal) || (needs.vertexNormals && needs.normalSums)) return {};
         if (const std::string why = unread(); !why.empty()) return unless(Rule::PolygonNormals, why);
-        if (needs.polygonTerms) return {};
+        if (needs.polygonTerms && !allLitByFirstVertex(scene)) return {};
         if (outlines()) return {kOutlines, {}};
         // Which side of a polygon a light meets is asked of every light that casts a shadow, with or without a buffer.
         const bool facing = model() != Model::OpenGl && std::ranges::any_of(scene.lights, &Light::castsShadow);
-        const bool read = scene.settings.shading == Shading::Flat || facing;
+        const bool read = (scene.settings.shading == Shading::Flat && !allLitByFirstVertex(scene)) || facing;
         std::string why;
         if (!read)
             why = "Every vertex has a normal of its own, and there are no shadows.";
@@ -117,8 +117,8 @@ struct Decision {
         if (const std::string why = unread(); !why.empty() && !has(BufferId::VerticesNormal))
             return unless(Rule::VertexNormals, why);
         if (outlines() && !has(BufferId::VerticesNormal) && !vertexTerms()) return {kOutlines, {}};
-        const bool read =
-            scene.settings.shading != Shading::Flat || has(BufferId::VerticesNormal) || bool(vertexTerms());
+        const bool read = scene.settings.shading != Shading::Flat || has(BufferId::VerticesNormal) ||
+                          bool(vertexTerms()) || (polygonTerms() && anyLitByFirstVertex(scene));
         return unless(Rule::VertexNormals, read ? "" : "Flat shading needs polygon normals only.");
     }
     Need polygonTerms() const {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/core/numerics.h"
+#include "pipeline/illumination/illumination.h"
 #include "pipeline/stages/transform.h"
 
 namespace pipeline {
@@ -35,6 +36,17 @@ std::vector<bool> objectsOfOwnNormals(const Scene& scene) {
             object.mesh->facts.ownNormals &&
             keepsEveryDirection(normalMatrix(makeObjectMatrix(object.transform), scene.settings.forms.normalMatrix)));
     return own;
+}
+
+namespace {
+bool givesNormals(const Object& object) { return !object.mesh->normals.empty(); }
+}  // namespace
+
+bool allLitByFirstVertex(const Scene& scene) {
+    return lightsFirstVertex(scene.settings) && std::ranges::all_of(scene.objects, givesNormals);
+}
+bool anyLitByFirstVertex(const Scene& scene) {
+    return lightsFirstVertex(scene.settings) && std::ranges::any_of(scene.objects, givesNormals);
 }
 
 }  // namespace pipeline

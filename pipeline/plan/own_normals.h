@@ -10,4 +10,8 @@ namespace pipeline {
 // normals around the vertex would stand in. Empty where the setting normals asks for no given normals.
 std::vector<bool> objectsOfOwnNormals(const Scene& scene);
 
+// Whether the polygons of all objects, or of any, are lit with the given normal of their first vertex in flat shading.
+bool allLitByFirstVertex(const Scene& scene);
+bool anyLitByFirstVertex(const Scene& scene);
+
 }  // namespace pipeline

@@ -48,9 +48,9 @@ Remark whyNoneIsDrawn(const Scene& scene, const Counts& counts, std::size_t all)
         return {"", are("without area in the picture: seen edge-on, too small, or without area in the mesh. Look from "
                         "another direction, or come nearer.")};
     if (of(Verdict::OutsideNear) == all)
-        return {"camera.near",
-                are(scene.camera.near > 0 ? "before the near plane. Set camera.near=0, which chooses it from the scene."
-                                          : "behind the eye. Move the camera back, or turn it round.")};
+        return {"camera.near", are(scene.camera.near != 0
+                                       ? "before the near plane. Set camera.near=0, which chooses it from the scene."
+                                       : "behind the eye. Move the camera back, or turn it round.")};
     if (of(Verdict::OutsideFar) == all)
         return {"camera.far", are("behind the far plane. Set camera.far=0, which chooses it from the scene.")};
     if (beside == all) {

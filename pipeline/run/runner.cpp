@@ -76,6 +76,7 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
     if (needs.layers)
         keys.shading.layers = {true, bool(needs.layerSort), settings.translucency,
                                settings.visibility == Visibility::ZBuffer, keys.zBuffer.translucent};
+    keys.shading.firstVertexNormal = lightsFirstVertex(settings);
     keys.shading.samples = settings.antialiasing;
     keys.shading.samplePattern = settings.antialiasingPattern;
     for (const Object& object : scene.objects) {

@@ -40,7 +40,11 @@ void checkRanges(const Scene& scene, Errors& errors) {
 }
 
 void checkCamera(const Camera& camera, Errors& errors) {
-    if (camera.near > 0 && camera.far > 0 && camera.near >= camera.far)
+    for (const auto& [key, plane] : {std::pair("camera.near", camera.near), {"camera.far", camera.far}})
+        if (plane < 0 && camera.projection == ProjectionKind::Perspective)
+            refuse(errors, {key, "camera.projection"}, fmt::format("{} is {}", key, shortestText(plane)),
+                   "a distance above 0 in perspective, or 0 for one that is chosen");
+    if (camera.near != 0 && camera.far != 0 && camera.near >= camera.far)
         refuse(errors, {"camera.near", "camera.far"}, fmt::format("camera.near is {}", shortestText(camera.near)),
                fmt::format("less than camera.far, which is {}", shortestText(camera.far)));
 }

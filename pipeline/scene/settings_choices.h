@@ -52,7 +52,7 @@ inline constexpr Range kFraction{-1000, 1000, 0, 1};
 inline constexpr Range kIntensity{-kFar, kFar, 0, 200};
 inline constexpr Range kAngle{-kTurns, kTurns, -180, 180};
 inline constexpr Range kScale{-kFar, kFar, 0.1, 5};
-inline constexpr Range kPlane{0, kFar, 0, 2000};
+inline constexpr Range kPlane{-kFar, kFar, 0, 2000};
 inline constexpr Range kSide{1, 16384, 16, 4096};
 
 }  // namespace pipeline::settings_choices

@@ -93,11 +93,13 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         {kNearest, kFar, 0.1, 1000}, {}, onlyLookAtOrthographic),
     row<OfCamera, &C::near>(
         {"camera.near", "Near plane", "world units",
-         "Distance of the near plane along the viewing direction; 0 takes it from the scene's bounds."},
+         "Distance of the near plane along the viewing direction; 0 takes it from the scene's bounds. Orthographic it "
+         "may be below 0, behind the eye."},
         kPlane),
     row<OfCamera, &C::far>(
         {"camera.far", "Far plane", "world units",
-         "Distance of the far plane along the viewing direction; 0 takes it from the scene's bounds."},
+         "Distance of the far plane along the viewing direction; 0 takes it from the scene's bounds. Orthographic it "
+         "may be below 0, behind the eye."},
         kPlane),
 
     choice<OfShading, &S::shading>({"shading", "Shading", "", "Where the illumination model is evaluated."}, kShading,

@@ -36,7 +36,7 @@ Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<R
         for (std::size_t i = 1; i < corners.size(); ++i) sum += world[corners[i]] - at;
         at += sum / Real(corners.size());
     }
-    const Vec3<Real> normal = in.normals.polygon[polygon];
+    const Vec3<Real> normal = flatNormal(inputs, in, polygon);
     return {at, showsBack(inputs, in, polygon) ? -normal : normal, viewVector(inputs, in.transform.view, at)};
 }
 

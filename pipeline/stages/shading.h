@@ -71,6 +71,7 @@ struct ShadingInputs {
     LayerInputs layers{};
     int samples = 1;  // along a side of a pixel; above 1 the frame buffer shows their mean
     SamplePattern samplePattern = SamplePattern::Grid;
+    bool firstVertexNormal = false;  // lightsFirstVertex
     bool operator==(const ShadingInputs&) const = default;
 };
 
@@ -141,6 +142,18 @@ struct ShadingSources {
         return normals.polygon.empty() ? pipeline::polygonNormal(transform, polygon) : normals.polygon[polygon];
     }
 };
+
+// Whether flat shading lights a polygon with its first vertex' given normal instead of its own.
+template <class Real>
+bool takesFirstVertexNormal(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t polygon) {
+    const Topology& topology = *in.transform.topology;
+    return inputs.firstVertexNormal && !topology.meshes[topology.objectOfPolygon(polygon)]->normals.empty();
+}
+template <class Real>
+Vec3<Real> flatNormal(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t polygon) {
+    if (!takesFirstVertexNormal(inputs, in, polygon)) return in.normals.polygon[polygon];
+    return in.normals.vertex[in.transform.topology->corners(polygon)[0]];
+}
 
 // Whether a polygon is lit from behind: two-sided lighting turns its normal round.
 template <class Real>

@@ -123,7 +123,12 @@ View makeView(const Scene& scene) {
     if (camera.far != 0) view.far = camera.far;
     // Where the whole scene lies beyond the plane that is given, the chosen one would lie there too: nothing is seen
     // whichever it is, so long as near stays below far. Factors of two keep a scaled scene's bits.
-    if (!(view.near < view.far)) camera.far == 0 ? view.far = 2 * view.near : view.near = view.far / 2;
+    if (!(view.near < view.far)) {
+        if (camera.far == 0)
+            view.far = view.near > 0 ? 2 * view.near : view.near / 2;
+        else
+            view.near = view.far > 0 ? view.far / 2 : 2 * view.far;
+    }
     return view;
 }
 

@@ -158,10 +158,14 @@ PolygonShading<Real> makePolygonShading(const Scene& scene, const RayScene<Real>
         const Mesh& mesh = *scene.objects[o].mesh;
         const RayObject<Real>& object = rays.objects[o];
         if (!object.isThere) continue;
+        const bool ofFirstVertex = lighting.model == Model::OpenGl && !mesh.normals.empty() &&
+                                   scene.settings.normalWeight == NormalWeight::Given;
         if (out.shading == Shading::Flat) {
+            if (ofFirstVertex) out.vertexNormals[o] = vertexNormals(mesh, scene.settings.normalWeight, object);
             for (std::size_t p = 0; p < mesh.polygonCount(); ++p) {
-                const LitPoint<Real> at{placeOf(lighting.model, object.positions, mesh.polygon(p)),
-                                        object.polygonNormals[p]};
+                const LitPoint<Real> at{
+                    placeOf(lighting.model, object.positions, mesh.polygon(p)),
+                    ofFirstVertex ? out.vertexNormals[o][mesh.polygon(p)[0]] : object.polygonNormals[p]};
                 evaluate(lighting, lighting.material(int(o), false), at, out.front[o]);
                 if (lighting.twoSided)
                     evaluate(lighting, lighting.material(int(o), true), {at.position, -at.N}, out.back[o]);
@@ -195,7 +199,9 @@ ShadedPoint<Real> shadePolygon(const Scene& scene, const RayScene<Real>& rays, c
     };
 
     ShadedPoint<Real> out{at.normal, {}};
-    if (polygons.shading != Shading::Flat)
+    if (polygons.shading == Shading::Flat && !polygons.vertexNormals[o].empty())
+        out.normal = polygons.vertexNormals[o][scene.objects[o].mesh->polygon(triangle.polygon)[0]];
+    else if (polygons.shading != Shading::Flat)
         out.normal = unit(mean([&](std::uint32_t vertex) { return polygons.vertexNormals[o][vertex]; }));
     if (turned) out.normal = -out.normal;
     if (polygons.shading == Shading::Phong) {

@@ -67,6 +67,21 @@ Scene panesBeforeBall() {
     return scene;
 }
 
+// Every vertex with a normal of its own, far from that of its polygons; of length 1 to a few units.
+void giveNormals(Scene& scene) {
+    scene.settings.normalWeight = NormalWeight::Given;
+    for (Object& object : scene.objects) {
+        Mesh mesh = *object.mesh;
+        mesh.normals.clear();
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            const double k = double(i);
+            mesh.normals.push_back(glm::normalize(mesh.positions[i]) +
+                                   0.6 * Vec3d(std::sin(7 * k), std::cos(5 * k), std::sin(3 * k)));
+        }
+        object.mesh = makeMesh(std::move(mesh));
+    }
+}
+
 }  // namespace
 
 Scene lectureCube() {
@@ -85,9 +100,24 @@ std::vector<NamedScene> featureScenes() {
     add("CubeFlat", lectureCube(), [](Scene& s) { s.settings.shading = Shading::Flat; });
     add("Point", ball(), [](Scene&) {});
     add("PointFlat", ball(), [](Scene& s) { s.settings.shading = Shading::Flat; });
+    // A polygon is lit with the normal of its first vertex, not with its own.
+    add("GivenNormalsFlat", ball(), [](Scene& s) { s.settings.shading = Shading::Flat, giveNormals(s); });
+    add("GivenNormalsSmooth", ball(), [](Scene& s) { giveNormals(s); });
+    add("GivenNormalsFlatMirrored", ball(), [](Scene& s) {
+        s.settings.shading = Shading::Flat, giveNormals(s);
+        s.objects[0].transform.scale = {1, -0.8, 1.1};
+    });
+    add("GivenNormalsFlatTwoSided", openBox(), [](Scene& s) { s.settings.shading = Shading::Flat, giveNormals(s); });
     add("Directional", ball(), [](Scene& s) { s.lights[0].kind = LightKind::AtInfinity; });
     add("LocalViewer", ball(), [](Scene& s) { s.settings.localViewer = true; });
     add("Orthographic", ball(), [](Scene& s) { s.camera.projection = ProjectionKind::Orthographic; });
+    add("OrthographicNearBehindTheEye", ball(), [](Scene& s) {
+        s.camera.projection = ProjectionKind::Orthographic;
+        s.camera.near = -3;
+        s.objects.push_back(s.objects[0]);
+        s.objects[1].transform.translation = {0.9, 0.4, 1.5};  // around the eye and behind it
+        s.objects[1].transform.scale = Vec3d(0.5);
+    });
     add("OrthographicLocalViewer", ball(), [](Scene& s) {
         s.camera.projection = ProjectionKind::Orthographic;
         s.settings.localViewer = true;

@@ -44,6 +44,19 @@ TEST(GlCalls, AreThoseOfTheLecture) {
     EXPECT_EQ(std::ranges::count(lines, "glEnd();"), 6);
 }
 
+// An L, whose pieces OpenGL is given one by one: not each of them has corner 0, and each is lit with its normal.
+TEST(GlCalls, EveryPieceOfAFlatPolygonHasTheNormalOfItsFirstVertex) {
+    Scene scene = lectureCube();
+    scene.settings.normalWeight = NormalWeight::Given;
+    Mesh own = *test::mesh({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}});
+    for (std::size_t i = 0; i < 6; ++i) own.normals.push_back(i == 0 ? Vec3d(0, 0.6, 0.8) : Vec3d(0, 0, 1));
+    scene.objects = {{"L", makeMesh(std::move(own)), {}, {}}};
+    const auto lines = linesOf(scene);
+    EXPECT_EQ(std::ranges::count(lines, "glBegin(GL_POLYGON);"), 4);
+    EXPECT_EQ(std::ranges::count_if(lines, [](const std::string& l) { return l.starts_with("glNormal3d(0, 0.6"); }), 4);
+    EXPECT_EQ(std::ranges::count_if(lines, [](const std::string& l) { return l.starts_with("glNormal3d"); }), 4);
+}
+
 TEST(GlCalls, SetTheAmbientLightThatOpenGlHasByItself) {
     Scene scene = lectureCube();
     scene.ambient.intensity.reset();

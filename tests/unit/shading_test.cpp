@@ -144,6 +144,31 @@ TEST(Shading, FlatHasOneValueAPolygon) {
     EXPECT_GT(covered, 1000);
 }
 
+// The normal of vertex 0 is 0.8 along L: 0.5·0.8. The polygon's own, 1 along L, would give 0.5; so it does where normals
+// are computed, and in the other models.
+TEST(Shading, OpenGlsFlatShadingTakesTheGivenNormalOfTheFirstVertex) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 9;
+    scene.settings.precision = Precision::Double;
+    scene.settings.model = Model::OpenGl, scene.settings.shading = Shading::Flat;
+    scene.settings.normalWeight = NormalWeight::Given;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0, 0, 5}, scene.camera.up = {0, 1, 0};
+    Mesh mesh = *test::mesh({{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}, {{0, 1, 2, 3}});
+    mesh.normals = {{0.6, 0, 0.8}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    scene.objects.push_back({"square", makeMesh(std::move(mesh)), {}, {Vec3d(0.5), Vec3d(0), 8, Vec3d(0)}});
+    scene.lights.push_back({LightKind::AtInfinity, {0, 0, 1}, 1, Vec3d(1), false});
+    scene.ambient.intensity = 0;
+    const auto intensity = [&] { return test::frameOf(scene)->buffer({BufferId::Intensity})->value(4, 4); };
+    EXPECT_NEAR(intensity(), 0.4, 1e-15);
+    const AnyBuffer N = *test::frameOf(scene)->buffer({BufferId::Normal});
+    EXPECT_NEAR(N.value(4, 4, 0), 0.6, 1e-15);
+    scene.settings.normalWeight = NormalWeight::Mean;
+    EXPECT_NEAR(intensity(), 0.5, 1e-15);
+    scene.settings.normalWeight = NormalWeight::Given, scene.settings.model = Model::BlinnPhong;
+    EXPECT_NEAR(intensity(), 0.5, 1e-15);
+}
+
 // A pixel's intensity is the mean of its triangle's vertices, weighted by the barycentrics.
 TEST(Shading, GouraudInterpolatesTheVerticesIntensities) {
     Scene scene = litSphere(Shading::Gouraud);

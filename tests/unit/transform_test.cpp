@@ -4,6 +4,7 @@
 
 #include "pipeline/core/angles.h"
 #include "pipeline/scene/scene_remarks.h"
+#include "pipeline/scene/settings_table.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
@@ -136,6 +137,26 @@ TEST(View, AChosenPlaneStaysBeyondTheOneThatIsGiven) {
                 EXPECT_EQ(statistics(*frame->buffer({id})).nan, 0u);
         }
     }
+}
+
+// glOrtho takes any two planes, glFrustum none behind the eye.
+TEST(View, OfAnOrthographicCameraThePlanesMayLieBehindTheEye) {
+    Scene scene = test::pyramid();
+    scene.camera.projection = ProjectionKind::Orthographic;
+    for (const auto& [near, far] :
+         {std::pair(-50.0, 2000.0), {-50.0, 0.0}, {-300.0, -200.0}, {-5000.0, -20.0}, {0.0, -20.0}}) {
+        scene.camera.near = near, scene.camera.far = far;
+        EXPECT_TRUE(checkScene(scene).empty()) << near;
+        const View view = makeView(scene);
+        EXPECT_LT(view.near, view.far);
+        EXPECT_TRUE(near == 0 || view.near == near) << near;
+        EXPECT_TRUE(far == 0 || view.far == far) << near << ", " << far;
+    }
+    scene.camera.near = -20, scene.camera.far = -50;
+    EXPECT_FALSE(checkScene(scene).empty());
+    scene.camera.far = 0, scene.camera.projection = ProjectionKind::Perspective;
+    EXPECT_EQ(format(checkScene(scene)),
+              "camera.near is -20, expected a distance above 0 in perspective, or 0 for one that is chosen\n");
 }
 
 // 5.3 in float lies 1.9e-7 beyond 5.3: a flat scene leaves no room between its planes but that for rounding.
