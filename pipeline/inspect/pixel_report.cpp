@@ -189,7 +189,7 @@ void explainShadows(const Scene& scene, const FrameData<Real>& data, const std::
         for (Evaluation& e : report.evaluations) {
             if (!(e.lights[k].nDotL > 0)) continue;
             if (why.empty())
-                why = whyShadowed(scene, data, k, report.position, std::uint32_t(report.polygon), report.back, stop);
+                why = whyShadowed(scene, data, k, report.position, std::uint32_t(report.triangle), report.back, stop);
             e.lights[k].note = why;
         }
     }
@@ -318,6 +318,7 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, bool fragmen
     report.polygon = int(topology.polygonOf(triangle));
     report.object = int(topology.objectOfPolygon(std::size_t(report.polygon)));
     for (std::size_t i = 0; i < 3; ++i) report.vertices[i] = int(topology.triangles[triangle].vertices[i]);
+    report.triangle = int(triangle);
     report.barycentric = Vec3d(b);
     report.zView = double(data.zBuffer->zView->pixels[at]);
     const bool storesDepth = data.keys.zBuffer.visibility == Visibility::ZBuffer && !data.zBuffer->depth.empty();
@@ -338,8 +339,7 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, bool fragmen
     report.back = showsBack(data.keys.shading, data.shadingSources(), std::size_t(report.polygon));
     const std::size_t lights = data.keys.shading.lights.size();
     for (std::size_t k = 0; k < lights; ++k)
-        report.shadow.push_back(
-            double(shadowAt(data.keys.shading, data.shadingSources(), k, std::uint32_t(report.polygon), position)));
+        report.shadow.push_back(double(shadowAt(data.keys.shading, data.shadingSources(), k, triangle, position)));
     if (data.keys.shading.illumination.model != Model::OpenGl)
         for (std::size_t k = 0; k < lights; ++k)
             report.shadowPlaces.push_back(data.keys.shading.parts.lights[k]

@@ -88,6 +88,7 @@ struct PixelReport {
     bool covered = false;
     bool outline = false;                     // visibility none: a polygon's outline, not shaded
     int polygon = -1, object = -1;            // over all objects; object's index
+    int triangle = -1;                        // of the polygon, index into Topology::triangles
     bool back = false;                        // lit from behind, with the back material
     std::array<int, 3> vertices{-1, -1, -1};  // of the triangle, over all objects
     Vec3d barycentric{0.0};

@@ -22,9 +22,9 @@ std::optional<double> meets(Vec3d from, Vec3d way, Vec3d a, Vec3d b, Vec3d c) {
 }
 
 template <class Real>
-bool facesLight(const FrameData<Real>& data, std::size_t light, Vec3d position, std::uint32_t polygon, bool back) {
+bool facesLight(const FrameData<Real>& data, std::size_t light, Vec3d position, std::size_t triangle, bool back) {
     const Light& from = data.keys.shading.lights[light];
-    const Vec3d front(data.shadingSources().polygonNormal(polygon));
+    const Vec3d front(data.shadingSources().planeNormal(triangle));
     const Vec3d way = from.kind == LightKind::AtInfinity ? from.position : from.position - position;
     return glm::dot(back ? -front : front, way) > 0;
 }
@@ -50,7 +50,7 @@ std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t 
         const auto t = meets(position, way, Vec3d(in.world[v[0]]), Vec3d(in.world[v[1]]), Vec3d(in.world[v[2]]));
         if (!t || *t <= farthest || !(atInfinity || *t < 1)) continue;
         if (cull != ShadowCull::None &&
-            facesLight(data, light, position + *t * way, here, false) != (cull == ShadowCull::Back))
+            facesLight(data, light, position + *t * way, i, false) != (cull == ShadowCull::Back))
             continue;
         farthest = *t;
         last = here;
@@ -60,10 +60,11 @@ std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t 
 
 template <class Real>
 std::string whyShadowed(const Scene& scene, const FrameData<Real>& data, std::size_t light, Vec3d position,
-                        std::uint32_t polygon, bool back, const std::stop_token& stop) {
-    if (!facesLight(data, light, position, polygon, back))
+                        std::uint32_t triangle, bool back, const std::stop_token& stop) {
+    const std::uint32_t polygon = data.transform->topology->polygonOf(triangle);
+    if (!facesLight(data, light, position, triangle, back))
         return fmt::format("Polygon {} faces away from light {}: only the ambient term counts.", polygon, light);
-    const auto compared = shadowComparison(data, light, polygon, Vec3<Real>(position));
+    const auto compared = shadowComparison(data, light, triangle, Vec3<Real>(position));
     const std::string numbers = compared ? " (" + *compared + ")" : std::string();
     if (const auto blocker = blockerOf(data, light, position, polygon, stop)) {
         const std::string& object = scene.objects[data.transform->topology->objectOfPolygon(*blocker)].name;
@@ -81,7 +82,7 @@ std::vector<int> blockersOf(const Frame& frame, const PixelReport& report) {
         for (std::size_t k = 0; k < blockers.size(); ++k) {
             if (report.shadow[k] != 0 || data.keys.shading.lights[k].kind == LightKind::Area) continue;
             const auto polygon = std::uint32_t(report.polygon);
-            if (!facesLight(data, k, report.position, polygon, report.back)) continue;
+            if (!facesLight(data, k, report.position, std::size_t(report.triangle), report.back)) continue;
             if (const auto found = blockerOf(data, k, report.position, polygon)) blockers[k] = int(*found);
         }
     });

@@ -22,10 +22,10 @@ std::optional<std::uint32_t> blockerOf(const FrameData<Real>& data, std::size_t 
 // The same for each light that does not reach the pixel of a report; -1 where nothing stands before it.
 std::vector<int> blockersOf(const Frame& frame, const PixelReport& report);
 
-// Why S of a light is 0 at a point whose N·L is above 0, one sentence with the two depths compared. back: the polygon is
-// lit from behind.
+// Why S of a light is 0 at a point whose N·L is above 0, one sentence with the two depths compared. triangle: index into
+// Topology::triangles; back: it is lit from behind.
 template <class Real>
 std::string whyShadowed(const Scene& scene, const FrameData<Real>& data, std::size_t light, Vec3d position,
-                        std::uint32_t polygon, bool back, const std::stop_token& stop = {});
+                        std::uint32_t triangle, bool back, const std::stop_token& stop = {});
 
 }  // namespace pipeline

@@ -59,10 +59,10 @@ ShadowDepths compare(const LightView<Real>& light, const ShadowSettings& setting
 }
 
 template <class Real>
-Vec3<Real> litNormal(const FrameData<Real>& data, std::uint32_t polygon) {
+Vec3<Real> litNormal(const FrameData<Real>& data, std::uint32_t triangle) {
     const ShadingSources<Real> in = data.shadingSources();
-    const Vec3<Real> front = in.polygonNormal(polygon);
-    return showsBack(data.keys.shading, in, polygon) ? -front : front;
+    const Vec3<Real> front = in.planeNormal(triangle);
+    return showsBack(data.keys.shading, in, in.transform.topology->polygonOf(triangle)) ? -front : front;
 }
 
 bool isMean(const ShadingInputs& inputs, std::size_t light) {
@@ -77,10 +77,10 @@ bool looksUp(const FrameData<Real>& data, std::size_t light) {
 }  // namespace
 
 template <class Real>
-std::optional<ShadowDepths> shadowDepths(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
+std::optional<ShadowDepths> shadowDepths(const FrameData<Real>& data, std::size_t light, std::uint32_t triangle,
                                          Vec3<Real> position) {
     const ShadingInputs& inputs = data.keys.shading;
-    const Vec3<Real> normal = litNormal(data, polygon);
+    const Vec3<Real> normal = litNormal(data, triangle);
     if (isMean(inputs, light) || !looksUp(data, light) ||
         !(glm::dot(normal, towardsLight(inputs.lights[light], position)) > 0))
         return std::nullopt;
@@ -88,9 +88,9 @@ std::optional<ShadowDepths> shadowDepths(const FrameData<Real>& data, std::size_
 }
 
 template <class Real>
-std::optional<std::string> shadowComparison(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
+std::optional<std::string> shadowComparison(const FrameData<Real>& data, std::size_t light, std::uint32_t triangle,
                                             Vec3<Real> position) {
-    const auto depths = shadowDepths(data, light, polygon, position);
+    const auto depths = shadowDepths(data, light, triangle, position);
     return depths ? std::optional(comparisonOf(*depths)) : std::nullopt;
 }
 
@@ -102,13 +102,12 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
     // Without a shadow nobody has asked which way polygons face.
     if (std::ranges::none_of(inputs.lights, &Light::castsShadow)) return events;
     const ShadingSources<Real> sources = data.shadingSources();
-    const std::uint32_t polygon = data.transform->topology->polygonOf(triangle);
     const Vec3<Real> position = worldAt(data, triangle, pixel);
-    const Vec3<Real> normal = litNormal(data, polygon);
+    const Vec3<Real> normal = litNormal(data, triangle);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
         const Light& light = inputs.lights[k];
         if (!light.castsShadow) continue;
-        const double factor = double(shadowAt(inputs, sources, k, polygon, position));
+        const double factor = double(shadowAt(inputs, sources, k, triangle, position));
         std::string text;
         if (isMean(inputs, k)) {
             text = shadowPlace(light, factor);

@@ -18,10 +18,10 @@ std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t
 // What is said of a light that adds nothing, for which nobody looks.
 inline constexpr const char* kNotLookedFor = "not looked for: the light adds nothing";
 
-// The two depths that say whether a point of a polygon is lit, in the same numbers: "z' 2.000000 > Z'[12][44] 0.000000 +
+// The two depths that say whether a point of a triangle is lit, in the same numbers: "z' 2.000000 > Z'[12][44] 0.000000 +
 // 0.02". Nothing where it faces away, where a light has no shadow buffer, and where S is a mean of several answers.
 template <class Real>
-std::optional<std::string> shadowComparison(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
+std::optional<std::string> shadowComparison(const FrameData<Real>& data, std::size_t light, std::uint32_t triangle,
                                             Vec3<Real> position);
 
 // The numbers of the same.
@@ -31,7 +31,7 @@ struct ShadowDepths {
     bool shadowed;
 };
 template <class Real>
-std::optional<ShadowDepths> shadowDepths(const FrameData<Real>& data, std::size_t light, std::uint32_t polygon,
+std::optional<ShadowDepths> shadowDepths(const FrameData<Real>& data, std::size_t light, std::uint32_t triangle,
                                          Vec3<Real> position);
 
 }  // namespace pipeline

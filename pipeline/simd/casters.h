@@ -17,9 +17,9 @@ namespace pipeline::HWY_NAMESPACE {
 // The lights as casters of shadows.
 struct Casters {
     std::vector<ShadowLight> lights;                 // per light
-    std::vector<PolygonBias> biases;                 // of those that have one for whole polygons
+    std::vector<PolygonBias> biases;                 // of those that have one for whole triangles
     std::vector<std::optional<std::size_t>> biasOf;  // per light, which of them is its
-    bool facing = false;                             // whether others ask for the polygons' normals
+    bool facing = false;                             // whether others ask for the normals of planes
 
     Casters(const ShadingInputs& inputs, const ShadingSources<float>& in) {
         for (std::size_t k = 0; k < inputs.lights.size(); ++k) {

@@ -56,12 +56,11 @@ HWY_INLINE bool areSmall(const std::uint32_t* names, Mask seen) {
 // The triangles that the pixels of a vector see, each its own and none of the others, and their weights there, with the
 // bits of SeenTriangle's. Where nothing is seen, any triangle of them.
 struct SeenInPixels {
-    HWY_ALIGN std::uint32_t vertices[3][16], polygon[16];
+    HWY_ALIGN std::uint32_t id[16], vertices[3][16], polygon[16];
     Shares weights;
 
     // seen: at least one.
     HWY_INLINE SeenInPixels(const SeenIn& in, const VectorPlace& place, const std::uint32_t* names, Mask seen) {
-        HWY_ALIGN std::uint32_t id[16];
         const auto some = hn::Set(U(), names[hn::FindKnownFirstTrue(F(), seen)]);
         hn::Store(hn::IfThenElse(hn::RebindMask(U(), seen), hn::Load(U(), names), some), U(), id);
         // The fourth number is the next triangle's; behind the last one there is none.

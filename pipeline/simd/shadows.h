@@ -46,7 +46,7 @@ struct SeenByLight {
 };
 
 // What the pixels of a row look up on a face of a light: where the nearest that there is to their texel stands in the
-// blocks, how far away they are and the bias of their polygon. Of orthographic views the texel may lie beyond the buffer:
+// blocks, how far away they are and the bias of their triangle. Of orthographic views the texel may lie beyond the buffer:
 // filtering asks for its column and row; without any it is nearer than everything.
 struct LookUps {
     Row x, y, z, bias;
@@ -207,13 +207,13 @@ public:
     }
     bool casts() const { return m_casts; }
     bool looksUp() const { return !m_faces.empty(); }
-    // Its bias where that is the same all over a polygon.
+    // Its bias where that is the same all over a triangle.
     std::optional<PolygonBias> polygonBias() const {
         if (!m_casts || !m_atInfinity || m_places.size() != 1) return {};
         return PolygonBias{m_settings, m_places[0], looksUp() ? &m_faces[0] : nullptr};
     }
 
-    // What the pixels of a row will look up, of those whose polygons do not all face away: well before they do.
+    // What the pixels of a row will look up, of those whose triangles do not all face away: well before they do.
     template <class A>
     HWY_NOINLINE void prepare(const SurfaceRow& row, const Row& bias, LookUps& out) const {
         if (!looksUp()) return;
@@ -225,7 +225,7 @@ public:
                                       out);
         }
     }
-    // S of the pixels of vector i of a row, from the bias of their polygons: shadowAt.
+    // S of the pixels of vector i of a row, from the bias of their triangles: shadowAt.
     HWY_INLINE Floats factorByPolygon(const LookUps& lookUps, const Row& bias, std::size_t i) const {
         const Floats of = load(bias, i);
         Floats share = all(1);
@@ -274,7 +274,7 @@ public:
     }
 
 private:
-    // Where polygons with these normals face a place: n·L > 0, L normalised as the stage's own text does it.
+    // Where planes with these normals face a place: n·L > 0, L normalised as the stage's own text does it.
     template <class A>
     HWY_INLINE Mask isFaced(Vec3<float> from, Floats3 position, Floats3 normal, Mask wanted) const {
         const Floats3 place = all(from);

@@ -37,8 +37,8 @@ struct SurfaceRow {
     Row3 N;                                         // unit, of Phong shading
     Row3 position;                                  // where it is asked for
     Row3 weights;                                   // of Gouraud shading
-    Row3 facing;                                    // the polygon's normal, where it is asked for
-    std::vector<Row> bias;                          // its bias, of each light that has one for whole polygons
+    Row3 facing;                                    // the normal of the triangle's plane, where it is asked for
+    std::vector<Row> bias;                          // its bias, of each light that has one for whole triangles
 
     HWY_INLINE Mask seenAt(std::size_t i) const { return maskOf(seen[i / hn::Lanes(F())]); }
 };
@@ -64,7 +64,7 @@ struct SeenSurface {
     std::uint32_t id;  // index into Topology::triangles
     std::int32_t polygon, object;
     Corners normals, positions;
-    Vec3<float> facing;  // the polygon's normal
+    Vec3<float> facing;  // of its plane
     // Whether `normals` are those of pixels: at firstPixel, and what a step to the right and one down add.
     bool isPlane;
     Vec2<float> firstPixel;
@@ -75,7 +75,7 @@ struct SeenSurface {
 template <class A>
 class Surfaces {
 public:
-    // biases: of the lights that have one for whole polygons. facing: whether others ask for the polygons' normals.
+    // biases: of the lights that have one for whole triangles. facing: whether others ask for the planes' normals.
     Surfaces(const ShadingInputs& inputs, const ShadingSources<float>& in, Tile tile,
              std::span<const PolygonBias> biases, bool facing)
         : m_inputs(inputs),
@@ -244,7 +244,7 @@ private:
         store(A::unit(interpolate(cornersOf(m_in.normals.vertex)), seen), out.N, i);
         const auto polygonOf = [&](std::size_t l) { return std::size_t(in.polygon[l]); };
         const bool asksFacing = m_facing || !m_biases.empty();
-        const bool findsFacing = asksFacing && m_in.normals.polygon.empty();
+        const bool findsFacing = asksFacing && (m_in.normals.polygon.empty() || !topology.polygons.empty());
         Floats3 facing = all(Vec3<float>(0));
         if (asksFacing && !findsFacing) facing = loadThrees(m_in.normals.polygon, polygonOf);
         if (kPositions || findsFacing) {
@@ -253,7 +253,7 @@ private:
             if (findsFacing) {
                 const Floats3 sum = areaVectors(m_in.transform, m_mirrors, world.toSecond, world.toThird, polygonOf);
                 facing = Exact::unit(sum, seen);
-                replaceSmall(seen, sum, facing, [&](std::size_t l) { return m_in.polygonNormal(polygonOf(l)); });
+                replaceSmall(seen, sum, facing, [&](std::size_t l) { return m_in.planeNormal(in.id[l]); });
             }
         }
         if (m_facing) store(facing, out.facing, i);
@@ -301,7 +301,7 @@ private:
         seen.polygon = std::int32_t(polygon);
         if (m_tellsObjects) seen.object = std::int32_t(m_in.transform.topology->objectOfPolygon(polygon));
         if (m_positioned) seen.positions.become(m_in.transform.world, triangle.vertices);
-        if (m_facing || !m_biases.empty()) seen.facing = m_in.polygonNormal(polygon);
+        if (m_facing || !m_biases.empty()) seen.facing = m_in.planeNormal(seen.id);
         for (std::size_t k = 0; k < m_biases.size(); ++k)
             biasOf(seen, k) = hn::GetLane(m_biases[k].template of<A>(all(seen.facing)));
         if (!m_perPixel) return;

@@ -22,11 +22,11 @@ Vec3<Real> scaled(Vec3<Real> v, int exponent) {
 }
 
 // Twice a polygon's area along its normal, by the right-hand rule, of edges times 2^-scale.
-template <class Real>
-Vec3<Real> areaVector(PolygonNormalForm form, std::span<const Vec3<Real>> world, const Topology::Corners& corners,
+template <class Real, class Corners>
+Vec3<Real> areaVector(PolygonNormalForm form, std::span<const Vec3<Real>> world, const Corners& corners,
                       int scale = 0) {
     Vec3<Real> sum(0);
-    const std::size_t n = corners.size();
+    const std::size_t n = std::size(corners);
     if (form == PolygonNormalForm::FromOrigin) {
         for (std::size_t i = 0; i < n; ++i) sum += glm::cross(world[corners[i]], world[corners[(i + 1) % n]]);
         return sum;
@@ -45,19 +45,25 @@ Vec3<Real> areaVector(PolygonNormalForm form, const TransformOutput<Real>& in, s
     return in.mirrored[in.topology->objectOfPolygon(polygon)] ? -sum : sum;
 }
 
-// Along a polygon's normal, outward, of any length.
-template <class Real>
-Vec3<Real> alongNormal(PolygonNormalForm form, const TransformOutput<Real>& in, std::size_t polygon) {
-    const Vec3<Real> sum = areaVector(form, in, polygon);
+// Along the normal of a polygon or triangle, by the right-hand rule, of any length.
+template <class Real, class Corners>
+Vec3<Real> alongNormal(PolygonNormalForm form, std::span<const Vec3<Real>> world, const Corners& corners) {
+    const Vec3<Real> sum = areaVector<Real>(form, world, corners);
     if (form == PolygonNormalForm::FromOrigin || !(largestComponent(sum) < smallestArea<Real>())) return sum;
-    const Topology::Corners corners = in.topology->corners(polygon);
     Real longest = 0;
-    for (std::size_t i = 1; i < corners.size(); ++i)
-        longest = std::max(longest, largestComponent(in.world[corners[i]] - in.world[corners[0]]));
+    for (std::size_t i = 1; i < std::size(corners); ++i)
+        longest = std::max(longest, largestComponent(world[corners[i]] - world[corners[0]]));
     if (!(longest > 0)) return sum;
     int exponent;
     frexp(longest, &exponent);
-    return areaVector(form, in, polygon, exponent);
+    return areaVector<Real>(form, world, corners, exponent);
+}
+
+// Of a polygon of the scene, outward.
+template <class Real>
+Vec3<Real> alongNormal(PolygonNormalForm form, const TransformOutput<Real>& in, std::size_t polygon) {
+    const Vec3<Real> sum = alongNormal<Real>(form, in.world, in.topology->corners(polygon));
+    return in.mirrored[in.topology->objectOfPolygon(polygon)] ? -sum : sum;
 }
 
 }  // namespace pipeline

@@ -51,6 +51,14 @@ Vec3<Real> polygonNormal(const TransformOutput<Real>& in, std::size_t polygon) {
 }
 
 template <class Real>
+Vec3<Real> triangleNormal(const TransformOutput<Real>& in, std::size_t triangle) {
+    const Topology& topology = *in.topology;
+    const auto& v = topology.triangles[triangle].vertices;
+    const Vec3<Real> sum = alongNormal<Real>(PolygonNormalForm::Newell, in.world, v);
+    return normalized(in.mirrored[topology.objectOfPolygon(topology.polygonOf(triangle))] ? -sum : sum);
+}
+
+template <class Real>
 void polygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in, std::size_t begin, std::size_t end,
                     NormalsOutput<Real>& out) {
     for (std::size_t polygon = begin; polygon < end; ++polygon) {
@@ -161,6 +169,7 @@ void replaceVanishing(const TransformOutput<Real>& in, std::size_t object, Norma
 #define SHADESCOPE_INSTANTIATE(Real)                                                                              \
     template NormalsOutput<Real> prepareNormals(const NormalsInputs&, const TransformOutput<Real>&);              \
     template Vec3<Real> polygonNormal(const TransformOutput<Real>&, std::size_t);                                 \
+    template Vec3<Real> triangleNormal(const TransformOutput<Real>&, std::size_t);                                \
     template void polygonNormals(const NormalsInputs&, const TransformOutput<Real>&, std::size_t, std::size_t,    \
                                  NormalsOutput<Real>&);                                                           \
     template void sumAroundVertices(const NormalsInputs&, const TransformOutput<Real>&, std::size_t,              \

@@ -46,6 +46,11 @@ void polygonNormals(const NormalsInputs& inputs, const TransformOutput<Real>& in
 template <class Real>
 Vec3<Real> polygonNormal(const TransformOutput<Real>& in, std::size_t polygon);
 
+// Of the plane of one triangle, outward: that in which it is drawn, also where the polygon it is cut from is not planar;
+// (0, 0, 0) without area.
+template <class Real>
+Vec3<Real> triangleNormal(const TransformOutput<Real>& in, std::size_t triangle);
+
 // The vertices of one object, in three steps. First the sums over the polygons around each: of the unit normals
 // (lecture 1), or weighted by area or by the angle at the vertex; 0 where no more is left than rounding may leave.
 template <class Real>

@@ -142,7 +142,7 @@ Vec3<Real> shade(const ShadingInputs& inputs, const ShadingSources<Real>& in, co
         const LightSample<Real>& s = scratch.samples[k];
         const bool idle = s.diffuse == Vec3<Real>(0) && s.specular == Vec3<Real>(0);
         const bool lookUp = inputs.parts.idleLookups || wanted.everyShadow || !idle;
-        const Real shadow = lookUp ? shadowAt(inputs, in, k, shown, pixel.surface.position) : Real(1);
+        const Real shadow = lookUp ? shadowAt(inputs, in, k, id, pixel.surface.position) : Real(1);
         if (in.shadow && !in.shadow->lights[k].empty()) ++(lookUp ? counts.lookups : counts.idleLookups);
         const Vec3<Real> diffuse = shadow * s.diffuse, specular = shadow * s.specular;
         intensity += diffuse;

@@ -140,13 +140,13 @@ void prepareElements(const ShadingInputs& inputs, const ShadingSources<Real>& in
 }
 
 template <class Real>
-Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t k, std::uint32_t polygon,
+Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t k, std::uint32_t triangle,
               Vec3<Real> position) {
     const Light& light = inputs.lights[k];
     // OpenGL has no shadows: only the normal it is given says what a light reaches.
     if (inputs.illumination.model == Model::OpenGl || !light.castsShadow) return 1;
-    const Vec3<Real> front = in.polygonNormal(polygon);
-    const Vec3<Real> normal = showsBack(inputs, in, polygon) ? -front : front;
+    const Vec3<Real> front = in.planeNormal(triangle);
+    const Vec3<Real> normal = showsBack(inputs, in, in.transform.topology->polygonOf(triangle)) ? -front : front;
     const bool looksUp = in.shadow && !in.shadow->lights[k].empty();
     const SampleGrid grid = sampleGrid(light);
     const AreaSides sides = sidesOf(light);

@@ -141,6 +141,13 @@ struct ShadingSources {
     Vec3<Real> polygonNormal(std::size_t polygon) const {
         return normals.polygon.empty() ? pipeline::polygonNormal(transform, polygon) : normals.polygon[polygon];
     }
+    // Of the plane that a triangle is drawn in, which shadows go by: the polygon's may be another.
+    Vec3<Real> planeNormal(std::size_t triangle) const {
+        const Topology& topology = *transform.topology;
+        if (topology.polygons.empty()) return polygonNormal(triangle);
+        const Vec3<Real> normal = triangleNormal(transform, triangle);
+        return normal != Vec3<Real>(0) ? normal : polygonNormal(topology.polygonOf(triangle));
+    }
 };
 
 // Whether flat shading lights a polygon with its first vertex' given normal instead of its own.
@@ -227,7 +234,7 @@ ShadingInputs withAllVectors(ShadingInputs inputs);
 // shine like point lights. A polygon that faces away from a casting light, or from a sample of one,
 // shadows itself, whatever its interpolated normal says: no look-up.
 template <class Real>
-Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t k, std::uint32_t polygon,
+Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t k, std::uint32_t triangle,
               Vec3<Real> position);
 
 // round(255 · clamp(I / I_max, 0, 1)); 0 where I_max is 0 or I is not a number.

@@ -45,7 +45,7 @@ void bindShadows(const FrameData<Real>& data, const PixelReport& report, Binding
     for (std::size_t k = 0; k < report.shadow.size(); ++k) {
         Bindings& turn = isNew ? lights.emplace_back() : lights[k];
         if (isNew) turn.whole("light", std::int64_t(k)), turn.number("S", report.shadow[k]);
-        const auto found = shadowDepths(data, k, std::uint32_t(report.polygon), Vec3<Real>(report.position));
+        const auto found = shadowDepths(data, k, std::uint32_t(report.triangle), Vec3<Real>(report.position));
         turn.tests["looked up"] = found.has_value();
         if (!found) continue;
         turn.tests["in shadow"] = found->shadowed;

@@ -184,7 +184,7 @@ Real lightSeen(const RayScene<Real>& scene, const RayLighting<Real>& lighting, s
     const RayLight<Real>& light = lighting.lights[k];
     if (!light.castsShadow) return 1;
     const auto isLit = [&](Vec3<Real> direction, Real end, const Blockers* among = nullptr) {
-        return glm::dot(at.normal, direction) > 0 &&
+        return glm::dot(at.plane, direction) > 0 &&
                !isBlocked(scene, at, Ray<Real>{at.position, direction}, end, among);
     };
     if (light.kind == LightKind::AtInfinity) return isLit(light.place, kInfinity<Real>) ? Real(1) : Real(0);
@@ -198,7 +198,7 @@ Real lightSeen(const RayScene<Real>& scene, const RayLighting<Real>& lighting, s
         return light.place + (u - Real(0.5)) * light.width + (v - Real(0.5)) * light.height;
     };
     const std::array<Vec3<Real>, 4> corners{placeAt(0, 0), placeAt(1, 0), placeAt(1, 1), placeAt(0, 1)};
-    const auto isFaced = [&](Vec3<Real> corner) { return glm::dot(at.normal, corner - at.position) > 0; };
+    const auto isFaced = [&](Vec3<Real> corner) { return glm::dot(at.plane, corner - at.position) > 0; };
     if (std::ranges::none_of(corners, isFaced)) return 0;
     const Blockers among = blockersBefore(scene, at, corners);
     if (among.empty() && std::ranges::all_of(corners, isFaced)) return 1;

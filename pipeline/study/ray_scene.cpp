@@ -67,6 +67,7 @@ void place(const Object& object, bool polygons, RayObject<Real>& out) {
     const Vec3d scale = object.transform.scale;
     const bool mirrors = (scale.x < 0) != ((scale.y < 0) != (scale.z < 0));
     out.normals = mirrors ? -cofactor : cofactor;
+    out.mirrors = mirrors;
     out.isShape = object.shape && !polygons;
     if (out.isShape) {
         out.kind = object.shape->kind;
@@ -106,13 +107,13 @@ Ray<Real> inObject(const RayObject<Real>& object, const Ray<Real>& ray) {
     return {object.toObject * (ray.origin - object.translation), object.toObject * ray.direction};
 }
 
-// A triangle can block a ray that leaves the point, for all that its object and polygon say.
+// A triangle can block a ray that leaves the point, for all that its object says, and whether it is the point's own.
 template <class Real>
 bool mayBlock(const RayScene<Real>& scene, const SurfacePoint<Real>& from, std::uint32_t i) {
     const RayTriangle<Real>& triangle = scene.triangles[i];
     if (int(triangle.object) != from.object) return true;
     if (scene.objects[triangle.object].isConvex) return false;
-    return from.triangle == ~0u || triangle.polygon != scene.triangles[from.triangle].polygon;
+    return i != from.triangle;
 }
 
 template <class Real>
@@ -250,6 +251,13 @@ SurfacePoint<Real> firstSeen(const RayScene<Real>& scene, const Ray<Real>& ray) 
         }
     }
     if (seen.object < 0) return seen;
+    seen.plane = seen.normal;
+    if (seen.triangle != ~0u) {
+        const auto& corners = scene.triangles[seen.triangle].corners;
+        const Vec3<Real> across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const RayObject<Real>& object = scene.objects[std::size_t(seen.object)];
+        if (across != Vec3<Real>(0)) seen.plane = unit(object.mirrors ? -across : across);
+    }
     seen.position = ray.at(seen.t);
     // The coordinates that go into t and the position are at most this large; some ten roundings each.
     const Real size = std::max({largest(ray.origin), largest(seen.t * ray.direction), largest(seen.position)});
@@ -262,7 +270,7 @@ Blockers blockersBefore(const RayScene<Real>& scene, const SurfacePoint<Real>& f
                         const std::array<Vec3<Real>, 4>& corners) {
     // Planes through the point that have the area on their positive side; and the surface's own.
     std::array<Vec3<Real>, 5> inside{};
-    inside[4] = from.normal;
+    inside[4] = from.plane;
     for (std::size_t i = 0; i < 4; ++i) {
         const Vec3<Real> normal = unit(glm::cross(corners[i] - from.position, corners[(i + 1) % 4] - from.position));
         inside[i] = glm::dot(normal, corners[(i + 2) % 4] - from.position) < 0 ? -normal : normal;
@@ -305,7 +313,7 @@ template <class Real>
 bool isBlocked(const RayScene<Real>& scene, const SurfacePoint<Real>& from, const Ray<Real>& ray, Real end,
                const Blockers* among) {
     // So far along the ray the point may lie behind its own surface.
-    const Real begin = from.rounding / glm::dot(from.normal, ray.direction);
+    const Real begin = from.rounding / glm::dot(from.plane, ray.direction);
     // One by one up to as many triangles as the tree would look at.
     constexpr std::size_t kFew = 24;
     if (!among || among->triangles.size() > kFew) {

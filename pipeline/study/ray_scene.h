@@ -43,6 +43,7 @@ struct SurfacePoint {
     std::uint32_t triangle = ~0u;       // index into RayScene::triangles; ~0u on a shape's own surface
     Vec3<Real> weights{0};              // of its corners, linear in space
     Real rounding = 0;                  // bound on the error of the position, world units
+    Vec3<Real> plane{0};                // as the normal, of the plane of the triangle that was met
 };
 
 template <class Real>
@@ -56,6 +57,7 @@ struct RayObject {
     Vec3<Real> middle{0}, half{0};           // of a shape's box, world space
     std::vector<Vec3<Real>> positions;       // per vertex, world space
     std::vector<Vec3<Real>> polygonNormals;  // unit, outward; (0, 0, 0) without area
+    bool mirrors = false;                    // toWorld does
 };
 
 template <class Real>
@@ -97,8 +99,8 @@ Blockers blockersBefore(const RayScene<Real>& scene, const SurfacePoint<Real>& f
                         const std::array<Vec3<Real>, 4>& corners);
 
 // Whether something stands between a surface point and the place at t = end of a ray that leaves it on the side that
-// its normal points to. What is convex does not shadow itself, nor does a polygon; beyond that only what the rounding
-// of the position may be is left out. among: null for everything.
+// its plane's normal points to. What is convex does not shadow itself, nor does a triangle; beyond that only what the
+// rounding of the position may be is left out. among: null for everything.
 template <class Real>
 bool isBlocked(const RayScene<Real>& scene, const SurfacePoint<Real>& from, const Ray<Real>& ray, Real end,
                const Blockers* among = nullptr);

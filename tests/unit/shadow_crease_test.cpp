@@ -1,13 +1,51 @@
-// Shadow buffers where polygons meet in a crease that rises towards the light.
+// Shadow buffers where polygons are not planar, and where they meet in a crease that rises towards the light.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "pipeline/illumination/texel_test.h"
+#include "pipeline/study/shadow_verdict.h"
 #include "tests/support/scenes.h"
 
 namespace pipeline {
 namespace {
+
+ShadowVerdicts judge(const Scene& scene) {
+    const FramePtr frame = test::frameOf(scene, setOf({BufferId::Shadow, BufferId::Position}));
+    return judgeShadows(*frame, exactShadows(scene, 0, 1).value()).value();
+}
+std::size_t count(const ShadowVerdicts& found, ShadowVerdict verdict) { return found.counts[std::size_t(verdict)]; }
+
+// A saddle as one quad, or as the two triangles of the fan that it is drawn as.
+Scene saddle(bool asTriangles) {
+    Scene scene;
+    scene.settings.width = scene.settings.height = 128;
+    scene.settings.cull = CullMode::None;
+    scene.camera.kind = CameraKind::LookAt;
+    scene.camera.eye = {0.4, -1.2, 2}, scene.camera.target = {0.5, 0.5, 0.1}, scene.camera.fovY = 40;
+    std::vector<std::vector<std::uint32_t>> polygons{{0, 1, 2, 3}};
+    if (asTriangles) polygons = {{0, 1, 2}, {0, 2, 3}};
+    scene.objects.push_back({"saddle", test::mesh({{0, 0, 0}, {1, 0, 0.3}, {1, 1, 0}, {0, 1, 0.3}}, polygons), {}, {}});
+    scene.lights.push_back({LightKind::AtInfinity, {5, 2, 6}, 100, Vec3d(1), true});
+    return scene;
+}
+
+// One normal for both planes would leave a bias that is too small for the steeper of them.
+TEST(ShadowCrease, APolygonThatIsNotPlanarIsShadowedLikeTheTrianglesItIsDrawnAs) {
+    for (const Precision precision : {Precision::Float, Precision::Double})
+        for (const LightKind kind : {LightKind::AtInfinity, LightKind::Point})
+            for (const int size : {64, 256, 1024}) {
+                Scene quad = saddle(false), triangles = saddle(true);
+                for (Scene* scene : {&quad, &triangles}) {
+                    scene->settings.precision = precision, scene->settings.shadowSize = size;
+                    scene->lights[0].kind = kind;
+                }
+                const ShadowVerdicts found = judge(quad), expected = judge(triangles);
+                EXPECT_GT(count(found, ShadowVerdict::Lit), 1000u);
+                EXPECT_EQ(count(found, ShadowVerdict::Acne), 0u) << size;
+                EXPECT_EQ(found.verdicts.pixels, expected.verdicts.pixels) << size;
+            }
+}
 
 // A wall that leans towards the light on a ground, both as large as many texels. The light sees every point of both: z
 // grows from the wall's top to the crease, and from there on along the ground. Turned, so that no texels lie along it.
