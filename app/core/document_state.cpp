@@ -51,6 +51,7 @@ Result<WindowState> stateOf(const Document& document, const fs::path& folder) {
     state.stage = document.stage();
     state.place = document.stepper().place();
     state.step = document.stepper().level();
+    state.algorithm = document.stepper().showsAlgorithm();
     if (const auto pixel = document.pixel()) state.pixel = {pixel->x, pixel->y};
     state.channel = document.channel();
     state.condition = document.derived().text().toStdString();
@@ -84,6 +85,7 @@ void showPlace(Document& document, const WindowState& state) {
     Stepper& stepper = document.stepper();
     stepper.setPlaying(false);
     stepper.setLevel(state.step);
+    stepper.setShowsAlgorithm(state.algorithm);
     if (!state.bookmarks.empty()) stepper.setBookmarks(state.bookmarks);
     document.setStage(state.stage);
     if (state.place) stepper.goTo(*state.place);

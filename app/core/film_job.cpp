@@ -27,7 +27,8 @@ Result<FilmSummary> write(std::shared_ptr<const pipeline::Scene> scene, const Fi
                                         steps.momentOf(order.to),
                                         std::size_t(order.pictures),
                                         order.milliseconds,
-                                        order.captions};
+                                        order.captions,
+                                        order.algorithm};
     if (request.to < request.from)
         return pipeline::Error{{}, "the film ends before it begins", "a later place for its end"};
     return writeFilm(steps, request, order.target, progress);
@@ -51,6 +52,7 @@ QString filmCommand(const pipeline::Scene& scene, const QStringList& changes, co
     if (order.to != usual.to) words << "--to" << shellWord(toQString(text(order.to)));
     words << "--pictures" << QString::number(order.pictures);
     if (pipeline::isGif(order.target)) words << "--milliseconds" << QString::number(order.milliseconds);
+    if (order.algorithm) words << "--algorithm";
     if (!order.captions) words << "--no-captions";
     words << changes;
     return words.join(' ') + " -o " + shellWord(toQString(order.target.string()));

@@ -14,6 +14,7 @@ struct FilmOrder {
     pipeline::Place from, to;
     int pictures = 120, milliseconds = 100;
     bool captions = true;
+    bool algorithm = false;
     std::filesystem::path target;  // a file that ends in .gif, or a folder
 };
 // From before the first step of the buffer's stage to its end.

@@ -136,6 +136,10 @@ void Stepper::setLevel(Level level) {
     emit changed();
 }
 
+void Stepper::setShowsAlgorithm(bool shows) {
+    if (std::exchange(m_showsAlgorithm, shows) != shows) emit changed();
+}
+
 void Stepper::setPlaying(bool playing) {
     if (playing == isPlaying() || (playing && !m_whole)) return;
     if (playing) {

@@ -54,6 +54,9 @@ public:
     void setStop(const QObject* who, std::optional<pipeline::Moment> moment);
     // Play waits where it is, while `who` looks for its stop.
     void setHeld(const QObject* who, bool held);
+    // The stage's algorithm is shown beside the step: in the clean view, and in the window as a panel.
+    bool showsAlgorithm() const { return m_showsAlgorithm; }
+    void setShowsAlgorithm(bool shows);
     double speed() const { return m_speed; }  // 0.25 to 16
     void setSpeed(double speed);
 
@@ -67,7 +70,7 @@ public:
 
 signals:
     void busyChanged(bool busy);
-    void changed();                               // the place, the steps, level, speed, bookmarks, or whether it plays
+    void changed();                               // anything of the above
     void shown(const pipeline::FramePtr& frame);  // the state at the place
     void left();                                  // the whole frame is to be shown again
     void stageReached(pipeline::StageId stage);
@@ -87,6 +90,7 @@ private:
     std::optional<pipeline::Place> m_place;
     pipeline::StageId m_stage = pipeline::StageId::Shading;
     Level m_level = Level::Polygon;
+    bool m_showsAlgorithm = false;
     double m_speed = 1, m_due = 0;  // steps that are due while it plays
     std::vector<pipeline::Place> m_bookmarks;
     std::map<const QObject*, pipeline::Moment> m_stops;

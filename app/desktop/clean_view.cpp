@@ -22,6 +22,8 @@
 #include "app/desktop/pen_layer.h"
 #include "app/desktop/view_area.h"
 #include "app/desktop/work_bar.h"
+#include "app/panels/algorithm_panel.h"
+#include "app/panels/algorithm_view.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/math_view.h"
 
@@ -31,6 +33,8 @@ namespace {
 constexpr int kKeyMs = 1200, kCursorMs = 2000;
 constexpr int kFailedMs = 4000, kHintMs = 6000, kKeysMs = 20000;
 constexpr int kMomentMs = 1000;
+constexpr int kMostLines = 11;            // of an algorithm
+constexpr double kAlgorithmWidth = 0.63;  // of the view's
 
 }  // namespace
 
@@ -46,7 +50,15 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     setAutoFillBackground(true);
     auto* column = new QVBoxLayout(this);
     m_views = new ViewArea(document, this, ViewDress::Bare);
-    column->addWidget(m_views, 1);
+    m_algorithm = new AlgorithmView(this);
+    m_algorithm->setLetters(20.8, 17.6);  // 38 and 32 px in 1080 lines
+    m_algorithm->setMostLines(kMostLines);
+    m_algorithm->setShowsLoop(true);
+    m_algorithm->setFocusPolicy(Qt::NoFocus);
+    auto* beside = new QHBoxLayout;
+    beside->addWidget(m_views, 1);
+    beside->addWidget(m_algorithm, 0, Qt::AlignTop);
+    column->addLayout(beside, 1);
     column->addWidget(makeEquation());
     m_caption = new CaptionLine(this);
     column->addWidget(m_caption);
@@ -72,7 +84,11 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     connect(&document, &Document::channelChanged, this, &CleanView::showEquation);
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &CleanView::showEquation);
     connect(&document, &Document::stageChanged, this, &CleanView::showCaption);
-    connect(&document.stepper(), &Stepper::changed, this, &CleanView::showCaption);
+    connect(&document.stepper(), &Stepper::changed, this, [this] {
+        showCaption();
+        showAlgorithm();
+        showEquation();
+    });
     // The list of errors stands in the window behind.
     const auto tell = [this](const QString& words) {
         m_caption->setKey(words);
@@ -96,6 +112,7 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     });
     followTheme(this, [this] { applyTheme(); });
     qApp->installEventFilter(this);
+    showAlgorithm();
     showEquation();
     showCaption();
     m_cursorTime.start();
@@ -172,6 +189,7 @@ void CleanView::showKeys() {
            "Ctrl+→, Ctrl+←   next stage, the one before\n"
            "B, W   black, white\n"
            "P, O   pen, spotlight\n"
+           "A   algorithm\n"
            "1, 2   one view, all views\n"
            "F4   swap the screens\n"
            "Esc   leaves"));
@@ -202,7 +220,7 @@ pipeline::Errors CleanView::lookAt(const WindowState& state) { return m_views->l
 void CleanView::showEquation() {
     const auto& inspected = m_document.inspection().newest();
     const bool shows = inspected && inspected->report.covered && inspected->frame->buffer({pipeline::BufferId::Color});
-    m_equationRow->setVisible(shows);
+    m_equationRow->setVisible(shows && m_algorithm->isHidden());
     if (!shows) return;
     const pipeline::PixelReport& report = inspected->report;
     std::vector<pipeline::EquationLine> lines;
@@ -221,6 +239,14 @@ void CleanView::showEquation() {
     QPixmap swatch(m_swatch->size());
     swatch.fill(QColor(c.r, c.g, c.b));
     m_swatch->setPixmap(swatch);
+}
+
+void CleanView::showAlgorithm() {
+    auto state =
+        m_document.stepper().showsAlgorithm() ? algorithmState(m_document.stepper(), m_document.stage()) : std::nullopt;
+    m_algorithm->setVisible(state.has_value());
+    m_algorithm->setState(std::move(state));
+    m_algorithm->setFixedWidth(int(kAlgorithmWidth * width()));
 }
 
 QString CleanView::caption() const { return m_caption->sentence(); }
@@ -250,6 +276,7 @@ bool CleanView::takeKey(int key) {
             m_pen->pointAt(mapFromGlobal(QCursor::pos()));
             m_pen->setSpotlight(!m_pen->hasSpotlight());
             break;
+        case Qt::Key_A: m_document.stepper().setShowsAlgorithm(!m_document.stepper().showsAlgorithm()); break;
         case Qt::Key_1: m_views->setAlone(true); break;
         case Qt::Key_2: m_views->setAlone(false); break;
         case Qt::Key_F4: emit swapAsked(); break;
@@ -311,7 +338,7 @@ bool CleanView::eventFilter(QObject* watched, QEvent* event) {
     if (isTextField(QApplication::focusWidget()) && key.key() != Qt::Key_F4)
         return QWidget::eventFilter(watched, event);
     const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    constexpr std::array kOwn{Qt::Key_B, Qt::Key_Period, Qt::Key_W,  Qt::Key_P,      Qt::Key_O,
+    constexpr std::array kOwn{Qt::Key_B, Qt::Key_Period, Qt::Key_W,  Qt::Key_P,      Qt::Key_O, Qt::Key_A,
                               Qt::Key_1, Qt::Key_2,      Qt::Key_F4, Qt::Key_Escape, Qt::Key_H};
     const bool own = plain && std::ranges::find(kOwn, key.key()) != kOwn.end();
     if (event->type() == QEvent::ShortcutOverride) {
@@ -324,6 +351,7 @@ bool CleanView::eventFilter(QObject* watched, QEvent* event) {
 
 void CleanView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    showAlgorithm();
     placeWork();
     m_pen->setGeometry(rect());
     m_pen->raise();

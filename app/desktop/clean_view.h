@@ -10,6 +10,7 @@ class QLabel;
 
 namespace app {
 
+class AlgorithmView;
 class CaptionLine;
 class MathView;
 class OpeningBar;
@@ -17,9 +18,9 @@ class PenLayer;
 class SceneOpener;
 class ViewArea;
 
-// What an audience sees: the views as the window has them, the equation of the picked pixel, and a line of words; nothing
-// else. It shows the document, as the window does. Keys: B black, W white, P pen, O spotlight, 1 the active view alone, 2
-// all views, Esc stops what takes long, takes back what covers the views, then leaves.
+// What an audience sees: the views as the window has them, the equation of the picked pixel or the algorithm of the step,
+// and a line of words; nothing else. It shows the document, as the window does. Keys: B black, W white, P pen, O spotlight, A algorithm, 1 the active view
+// alone, 2 all views, Esc stops what takes long, takes back what covers the views, then leaves.
 class CleanView : public QWidget {
     Q_OBJECT
 public:
@@ -50,6 +51,7 @@ private:
     QWidget* makeEquation();
     void makeWork();
     void showEquation();
+    void showAlgorithm();
     void showCaption();
     void showKey(const QKeyEvent& key);
     void wakeCursor();
@@ -61,6 +63,7 @@ private:
     Document& m_document;
     CueModel& m_cues;
     ViewArea* m_views;
+    AlgorithmView* m_algorithm;  // beside the views
     QWidget* m_equationRow;
     MathView* m_math;
     QLabel *m_swatch, *m_value;

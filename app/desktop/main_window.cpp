@@ -157,7 +157,8 @@ void MainWindow::makeDocks() {
         addAction(toggle);
         m_rail->addAction(toggle);
     }
-    tabCues();
+    tabDocks();
+    followAlgorithm();
     m_docks.front()->addButton((*m_actions)[ActionId::Undo], "undo");
     m_docks.front()->addButton((*m_actions)[ActionId::Redo], "redo");
     auto* tree = findChild<SceneTree*>();

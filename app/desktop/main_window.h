@@ -150,7 +150,8 @@ private:
     void applyLayout(const char* arrangement, bool thumbnails);
     void applyKeptLayout(const QString& name);
     void keepThisLayout();
-    void tabCues();
+    void tabDocks();
+    void followAlgorithm();
     void showOneLeftDock(PanelDock* shown);
 
     Document m_document;

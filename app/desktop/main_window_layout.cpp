@@ -13,6 +13,7 @@
 #include "app/desktop/layout_store.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/panel_dock.h"
+#include "app/desktop/presentation.h"
 #include "app/desktop/status_line.h"
 #include "app/desktop/view_area.h"
 #include "app/panels/save_dialog.h"
@@ -138,15 +139,30 @@ void MainWindow::makeRoomToRead() {
     resizeDocks(column, heights, Qt::Vertical);
 }
 
-// The cues have the lesson's place: who gives a talk takes no lesson.
-void MainWindow::tabCues() {
-    PanelDock *lesson = nullptr, *cues = nullptr;
-    for (PanelDock* dock : m_docks) {
-        if (dock->objectName() == "lesson") lesson = dock;
-        if (dock->objectName() == "cues") cues = dock;
+// Panels that share a place, the first in front: the cues have the lesson's, for who gives a talk takes no lesson.
+void MainWindow::tabDocks() {
+    for (const auto& [front, behind] : {std::pair("lesson", "cues"), std::pair("inspector", "algorithm")}) {
+        auto* const dock = findChild<PanelDock*>(front);
+        tabifyDockWidget(dock, findChild<PanelDock*>(behind));
+        dock->raise();
     }
-    tabifyDockWidget(lesson, cues);
-    lesson->raise();
+}
+
+// Whether the algorithm is in front is a part of what the window shows, which a session or a cue brings back.
+void MainWindow::followAlgorithm() {
+    auto *const dock = findChild<PanelDock*>("algorithm"), *const inspector = findChild<PanelDock*>("inspector");
+    Stepper& stepper = m_document.stepper();
+    connect(dock, &QDockWidget::visibilityChanged, this, [this, &stepper](bool isInFront) {
+        if (isVisible() && m_width && !m_presentation->isOn()) stepper.setShowsAlgorithm(isInFront);
+    });
+    connect(&stepper, &Stepper::changed, this, [this, &stepper, dock, inspector, shown = false]() mutable {
+        if (!m_width || m_presentation->isOn() ||
+            std::exchange(shown, stepper.showsAlgorithm()) == stepper.showsAlgorithm())
+            return;
+        if (shown == dock->isInFront()) return;
+        PanelDock* const front = shown ? dock : inspector;
+        front->show(), front->raise();
+    });
 }
 
 void MainWindow::resetLayout() {
@@ -160,7 +176,7 @@ void MainWindow::resetLayout() {
                                : Qt::BottomDockWidgetArea,
                       dock);
     }
-    tabCues();
+    tabDocks();
     m_views->setArrangement("one");
     fitWidth(true);
 }

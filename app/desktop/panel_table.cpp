@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/panels/algorithm_panel.h"
 #include "app/panels/cue_panel.h"
 #include "app/panels/inspector_panel.h"
 #include "app/panels/lesson_panel.h"
@@ -27,6 +28,7 @@ std::span<const PanelRow> panelTable() {
         {"lesson", "Lesson", "book", "Ctrl+Alt+3", Qt::LeftDockWidgetArea, make<LessonPanel>},
         {"cues", "Cues", "film", "Ctrl+Alt+6", Qt::LeftDockWidgetArea, make<CuePanel>},
         {"inspector", "Inspector", "inspector", "Ctrl+Alt+4", Qt::RightDockWidgetArea, make<InspectorPanel>},
+        {"algorithm", "Algorithm", "book", "Ctrl+Alt+8", Qt::RightDockWidgetArea, make<AlgorithmPanel>},
         {"tables", "Tables", "grid", "Ctrl+Alt+5", Qt::BottomDockWidgetArea, make<TablesPanel>},
         {"scanline", "Section along a row", "histogram", "Ctrl+Alt+7", Qt::BottomDockWidgetArea, make<ScanlinePanel>},
     });

@@ -75,6 +75,9 @@ QWidget* FilmDialog::makeFields(const pipeline::BufferName& buffer) {
     form->addRow(tr("Length"), m_pictures);
     form->addRow(tr("Speed"), m_milliseconds);
     form->addRow(QString(), m_captions);
+    m_algorithm = new QCheckBox(tr("The algorithm below each picture, at its line"), fields);
+    connect(m_algorithm, &QCheckBox::toggled, this, &FilmDialog::showOrder);
+    form->addRow(QString(), m_algorithm);
     const QString base = QFileInfo(toQString(m_document.scene().name)).completeBaseName();
     const QString place = tr("File, or folder for PNG files");
     form->addRow(place, makeTarget("filmTarget", place, QDir::home().filePath(base + "-film.gif")));
@@ -98,6 +101,7 @@ FilmOrder FilmDialog::order() const {
     order.pictures = m_pictures->value();
     order.milliseconds = m_milliseconds->value();
     order.captions = m_captions->isChecked();
+    order.algorithm = m_algorithm->isChecked();
     order.target = target();
     return order;
 }

@@ -30,7 +30,7 @@ private:
     ChangedSettings m_changes;
     QComboBox *m_buffer, *m_level, *m_end;
     QSpinBox *m_pictures, *m_milliseconds;
-    QCheckBox* m_captions;
+    QCheckBox *m_captions, *m_algorithm;
     std::filesystem::path m_mayReplace;  // what is there: it was asked for
 };
 

@@ -24,7 +24,7 @@ constexpr std::size_t kMaxViews = 16, kMaxList = 10000;
 
 const KnownKeys kKeys{"scene", "set",      "scene_text",  "stage",     "place",     "step",
                       "pixel", "equation", "arrangement", "view",      "bookmarks", "view3d",
-                      "pins",  "selected", "linked",      "condition", "mix"};
+                      "pins",  "selected", "linked",      "condition", "mix",       "algorithm"};
 const KnownKeys kViewKeys{"buffer", "channel",    "range",   "overlays", "counts", "against", "compare", "wipe",
                           "metric", "difference", "flipped", "region",   "zoom",   "center",  "size"};
 constexpr std::array<string_view, 2> kCounts{"linear", "logarithmic"};
@@ -61,6 +61,7 @@ public:
             if (const auto i = m_values.choice(*node, m_path + "stage", stages)) state.stage = pipeline::kStages[*i];
         if (const auto* node = table.get("step"))
             if (const auto i = m_values.choice(*node, m_path + "step", steps)) state.step = pipeline::StepLevel(*i);
+        state.algorithm = flag(table, "algorithm", m_path).value_or(false);
         if (const auto* node = table.get("equation"))
             if (const auto i = m_values.choice(*node, m_path + "equation", kEquationChannels)) state.channel = int(*i);
         if (const auto* node = table.get("place")) state.place = place(*node, m_path + "place");

@@ -80,6 +80,7 @@ std::string stateText(const WindowState& state, const std::string& prefix) {
     out.line("stage", tomlString(stageInfo(state.stage).name));
     if (state.place) out.line("place", tomlString(text(*state.place)));
     out.line("step", tomlString(name(state.step)));
+    if (state.algorithm) out.line("algorithm", "true");
     if (state.pixel) out.line("pixel", fmt::format("[{}, {}]", (*state.pixel)[0], (*state.pixel)[1]));
     if (!state.pins.empty()) {
         std::vector<std::string> pins;

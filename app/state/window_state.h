@@ -94,6 +94,7 @@ struct WindowState {
     pipeline::StageId stage = pipeline::StageId::Shading;
     std::optional<pipeline::Place> place = {};  // inside the frame; nothing: at its end
     pipeline::StepLevel step = pipeline::StepLevel::Polygon;
+    bool algorithm = false;                        // of the stage, beside the step
     std::optional<std::array<int, 2>> pixel = {};  // x, y; row 0 on top
     int channel = 2;                               // of the equation: 0 r, 1 g, 2 b
     std::string condition = {};                    // the text of the buffers `condition` and `expression`

@@ -10,6 +10,7 @@
 #include "app/desktop/panel_dock.h"
 #include "app/desktop/presentation.h"
 #include "app/desktop/view_area.h"
+#include "app/panels/algorithm_view.h"
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_compare.h"
 #include "app/panels/buffer_view.h"
@@ -46,6 +47,22 @@ TEST_F(WindowTalk, PanelsHaveTheirSizesAgainAfterwards) {
     window.presentation().end();
     EXPECT_TRUE(QTest::qWaitFor([&] { return places() == before; }, 5000));
     EXPECT_EQ(places(), before);
+}
+
+// In place of the equation; in the window behind it is the panel that comes to the front.
+TEST_F(WindowTalk, AShowsTheAlgorithmWithTheLineOfTheStep) {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return document().stepper().steps() != nullptr; }, 30000));
+    CleanView& view = present();
+    auto* algorithm = view.findChild<AlgorithmView*>();
+    EXPECT_FALSE(algorithm->isVisible());
+    EXPECT_TRUE(view.takeKey(Qt::Key_A));
+    document().stepper().goTo(*pipeline::parsePlace("z-buffer/polygon=2/row=270/x=258/line=5"));
+    EXPECT_TRUE(algorithm->isVisible());
+    EXPECT_FALSE(algorithm->currentRect().isEmpty());
+    EXPECT_TRUE(view.caption().contains("line 5")) << view.caption().toStdString();
+    EXPECT_TRUE(window.state({})->algorithm);
+    EXPECT_TRUE(view.takeKey(Qt::Key_A));
+    EXPECT_FALSE(algorithm->isVisible());
 }
 
 // Both sides bear a name, which the buffer's own would cover; the words stand beside the choices.

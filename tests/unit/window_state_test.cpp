@@ -20,7 +20,8 @@ WindowState rich() {
     state.set = {"camera.theta=50", "shading=phong"};
     state.stage = pipeline::StageId::ZBuffer;
     state.place = *pipeline::parsePlace("z-buffer/polygon=2/row=270/x=258");
-    state.step = pipeline::StepLevel::Pixel;
+    state.step = pipeline::StepLevel::Line;
+    state.algorithm = true;
     state.pixel = {268, 281};
     state.channel = 0;
     state.arrangement = "four";

@@ -1,0 +1,71 @@
+#pragma once
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "pipeline/steps/algorithm.h"
+
+namespace app {
+
+// An algorithm with the line that a step is at: numbers, code, values at the right end. The comparison of a branch has a
+// line of its own below it. Arrow keys ask for the line before and after, Ctrl+click for the one that is clicked.
+class AlgorithmView : public QWidget {
+    Q_OBJECT
+public:
+    explicit AlgorithmView(QWidget* parent = nullptr);
+
+    void setState(std::optional<pipeline::AlgorithmState> state);
+    const std::optional<pipeline::AlgorithmState>& state() const { return m_state; }
+    const std::vector<pipeline::AlgorithmRow>& rows() const { return m_rows; }
+    // Points at font scale 1. Letters become smaller, down to `least`, where the longest line would not fit.
+    void setLetters(double size, double least);
+    void setShowsLoop(bool shows);  // below the lines: where the innermost loop is
+    void setMostLines(int lines);   // with more of them those around the current one; 0: all
+    QRect currentRect() const;      // empty where no line is lit
+
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    void stepAsked(int direction);
+    void lineAsked(int number);  // from 1
+    void copyAsked(pipeline::AlgorithmFormat format);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Placed {
+        std::size_t row;
+        QRect rect;
+        int line = 0;              // height of one line of text
+        bool valuesBelow = false;  // else at the right end of the code
+    };
+    struct Sheet {
+        QFont code, words;
+        int numbers = 0, indent = 0;  // widths, pixels
+        std::vector<Placed> placed;
+        std::size_t above = 0, below = 0;  // lines that are not shown
+        QRect loop;                        // empty where none is shown
+        int height = 0;
+    };
+    Sheet layOut(int width) const;
+    void paintRow(QPainter& painter, const Sheet& sheet, const Placed& placed) const;
+    void paintLoop(QPainter& painter, const Sheet& sheet) const;
+    void paintValues(QPainter& painter, const Sheet& sheet, const Placed& placed) const;
+    QString valuesOf(const pipeline::AlgorithmRow& row) const;
+
+    std::optional<pipeline::AlgorithmState> m_state;
+    std::vector<pipeline::AlgorithmRow> m_rows;
+    double m_letters = 13, m_least = 9;
+    int m_most = 0;
+    bool m_showsLoop = false;
+};
+
+}  // namespace app

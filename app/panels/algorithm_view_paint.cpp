@@ -1,0 +1,130 @@
+// How an AlgorithmView paints its lines.
+#include <QPainter>
+#include <algorithm>
+
+#include "app/core/text.h"
+#include "app/core/theme.h"
+#include "app/panels/algorithm_view.h"
+#include "app/panels/code_words.h"
+
+namespace app {
+
+using pipeline::AlgorithmRow;
+using pipeline::LineStatus;
+
+namespace {
+
+bool isGrey(LineStatus status) {
+    return status == LineStatus::NotTaken || status == LineStatus::LeftOut || status == LineStatus::Elsewhere;
+}
+
+}  // namespace
+
+void AlgorithmView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme& theme = Theme::current();
+    const Sheet sheet = layOut(width());
+    for (const Placed& placed : sheet.placed) paintRow(painter, sheet, placed);
+    painter.setFont(sheet.words);
+    painter.setPen(theme.colors().text2);
+    const auto say = [&](std::size_t count, const QString& where, int y) {
+        if (count > 0)
+            painter.drawText(QRect(sheet.numbers, y, width() - sheet.numbers, sheet.placed.front().line),
+                             Qt::AlignVCenter, where.arg(count));
+    };
+    if (!sheet.placed.empty()) {
+        say(sheet.above, tr("%1 lines above"), 0);
+        say(sheet.below, tr("%1 lines below"), sheet.height - sheet.placed.front().line);
+    }
+    if (!sheet.loop.isEmpty()) paintLoop(painter, sheet);
+    if (!hasFocus()) return;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.colors().focus, 2));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), theme.px(4), theme.px(4));
+}
+
+// From the first value to the last, with a handle where it is.
+void AlgorithmView::paintLoop(QPainter& painter, const Sheet& sheet) const {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    const auto& range = *innermostLoop(m_rows)->range;
+    const QString name = toQString(range.name), first = QString::number(range.first),
+                  last = QString::number(range.last);
+    const int gap = theme.px(8);
+    QRect bar = sheet.loop;
+    painter.setFont(sheet.words);
+    painter.setPen(c.text2);
+    painter.drawText(bar, Qt::AlignLeft | Qt::AlignVCenter, name);
+    bar.setLeft(bar.left() + painter.fontMetrics().horizontalAdvance(name) + gap);
+    painter.setFont(sheet.code);
+    painter.setPen(c.text);
+    painter.drawText(bar, Qt::AlignLeft | Qt::AlignVCenter, first);
+    painter.drawText(bar, Qt::AlignRight | Qt::AlignVCenter, last);
+    bar.setLeft(bar.left() + painter.fontMetrics().horizontalAdvance(first) + gap);
+    bar.setRight(bar.right() - painter.fontMetrics().horizontalAdvance(last) - gap);
+    const double share = (double(range.at - range.first) + 0.5) / (double(range.last - range.first) + 1);
+    const int thick = theme.px(5), x = bar.left() + int(share * bar.width());
+    const QRect track(bar.left(), bar.center().y() - thick / 2, bar.width(), thick);
+    painter.fillRect(track, c.hover);
+    painter.fillRect(QRect(track.topLeft(), QSize(x - track.left(), thick)), c.accent);
+    painter.fillRect(QRect(x - theme.px(2), track.top() - thick, theme.px(4), 3 * thick), c.accent);
+}
+
+void AlgorithmView::paintRow(QPainter& painter, const Sheet& sheet, const Placed& placed) const {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    const AlgorithmRow& row = m_rows[placed.row];
+    const bool isNow = row.status == LineStatus::Now;
+    if (isNow) {
+        painter.fillRect(placed.rect, c.tint);
+        painter.fillRect(QRect(placed.rect.topLeft(), QSize(theme.px(4), placed.rect.height())), c.accent);
+    }
+    if (row.status == LineStatus::LeftOut) painter.fillRect(placed.rect, QBrush(c.hatch, Qt::BDiagPattern));
+    QRect line(placed.rect.topLeft(), QSize(placed.rect.width(), placed.line));
+    painter.setFont(sheet.code);
+    painter.setPen(isNow ? c.accent : c.text2);
+    painter.drawText(QRect(0, line.y(), sheet.numbers - theme.px(8), line.height()), Qt::AlignRight | Qt::AlignVCenter,
+                     QString::number(row.number));
+    painter.setPen(isGrey(row.status) ? c.text3 : c.text);
+    int x = sheet.numbers + row.indent * sheet.indent;
+    for (const auto& [part, isWord] : wordsOf(toQString(row.text))) {
+        painter.setFont(isWord ? bold(sheet.code) : sheet.code);
+        const int room = width() - x;
+        painter.drawText(QRect(x, line.y(), room, line.height()), Qt::AlignVCenter,
+                         QFontMetrics(painter.font()).elidedText(part, Qt::ElideRight, room));
+        x += QFontMetrics(painter.font()).horizontalAdvance(part);
+    }
+    paintValues(painter, sheet, placed);
+}
+
+void AlgorithmView::paintValues(QPainter& painter, const Sheet& sheet, const Placed& placed) const {
+    const Theme& theme = Theme::current();
+    const ThemeColors& c = theme.colors();
+    const AlgorithmRow& row = m_rows[placed.row];
+    const QString values = valuesOf(row);
+    const bool isNow = row.status == LineStatus::Now, isBranch = isNow && row.taken;
+    const int edge = theme.px(8);
+    QRect where(placed.rect.x(), placed.rect.bottom() + 1 - placed.line, placed.rect.width() - edge, placed.line);
+    const bool isNumbers = !row.valuesText.empty() && (!row.taken || isBranch);
+    painter.setFont(isNumbers ? bold(sheet.code) : sheet.words);
+    painter.setPen(isGrey(row.status) ? c.text3 : isNumbers ? c.text : c.text2);
+    if (!isBranch) {
+        if (placed.valuesBelow) where.setLeft(sheet.numbers);
+        painter.drawText(where, Qt::AlignRight | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(values, Qt::ElideRight, where.width()));
+        return;
+    }
+    // The comparison, then which way it goes, with a mark that does without colour.
+    const QString way = (*row.taken ? QStringLiteral("● ") : QStringLiteral("– ")) + toQString(row.remark);
+    const int wayWidth = QFontMetrics(sheet.words).horizontalAdvance(way) + theme.px(4);
+    where.setLeft(sheet.numbers + std::min(row.indent, 2) * sheet.indent);
+    const int room = std::max(0, where.width() - wayWidth - edge);
+    const QString shown = painter.fontMetrics().elidedText(values, Qt::ElideRight, room);
+    painter.drawText(where, Qt::AlignLeft | Qt::AlignVCenter, shown);
+    painter.setFont(sheet.words);
+    painter.setPen(*row.taken ? c.run : c.text2);
+    painter.drawText(where, Qt::AlignRight | Qt::AlignVCenter, way);
+}
+
+}  // namespace app

@@ -1,0 +1,35 @@
+#include "app/panels/code_words.h"
+
+#include <QFontMetrics>
+#include <QRegularExpression>
+
+namespace app {
+
+// The words of the lectures' language, which are set bold, and what is between them.
+std::vector<std::pair<QString, bool>> wordsOf(const QString& code) {
+    static const QRegularExpression language(QStringLiteral("\\b(for each|for all|if|then)\\b"));
+    std::vector<std::pair<QString, bool>> parts;
+    qsizetype begin = 0;
+    for (auto found = language.globalMatch(code); found.hasNext();) {
+        const QRegularExpressionMatch word = found.next();
+        if (word.capturedStart() > begin) parts.emplace_back(code.mid(begin, word.capturedStart() - begin), false);
+        parts.emplace_back(word.captured(), true);
+        begin = word.capturedEnd();
+    }
+    if (begin < code.size()) parts.emplace_back(code.mid(begin), false);
+    return parts;
+}
+
+QFont bold(QFont font) {
+    font.setWeight(QFont::Bold);
+    return font;
+}
+
+int codeWidth(const QFont& font, const QString& code) {
+    int width = 0;
+    for (const auto& [part, isWord] : wordsOf(code))
+        width += QFontMetrics(isWord ? bold(font) : font).horizontalAdvance(part);
+    return width;
+}
+
+}  // namespace app
