@@ -77,11 +77,11 @@ void removeAt(Place& place) noexcept {
     }
 }
 
-constexpr std::size_t kNone = places.size();
+constexpr std::size_t kNoPlace = places.size();
 
 }  // namespace
 
-HiddenFolder::HiddenFolder(const std::filesystem::path& folder, std::size_t made) : m_place(kNone) {
+HiddenFolder::HiddenFolder(const std::filesystem::path& folder, std::size_t made) : m_place(kNoPlace) {
     const std::string& path = folder.native();
     if (path.size() >= places[0].path.size()) return;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -95,10 +95,10 @@ HiddenFolder::HiddenFolder(const std::filesystem::path& folder, std::size_t made
     }
 }
 
-HiddenFolder::HiddenFolder(HiddenFolder&& other) noexcept : m_place(std::exchange(other.m_place, kNone)) {}
+HiddenFolder::HiddenFolder(HiddenFolder&& other) noexcept : m_place(std::exchange(other.m_place, kNoPlace)) {}
 
 HiddenFolder::~HiddenFolder() {
-    if (m_place == kNone) return;
+    if (m_place == kNoPlace) return;
     places[m_place].filled = false;
     places[m_place].taken = false;
 }

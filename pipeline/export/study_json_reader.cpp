@@ -155,9 +155,9 @@ StudyPoint readPoint(const Value& value) {
         [&](const std::string& what, const Value& v) { point.counters[what] = v.whole(0, 9e15); });
     value["errors"].eachElement([&](const Value& row) { point.errors.push_back(readError(row)); });
     value["blame"].eachElement([&](const Value& blame) {
-        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-        point.blame.push_back({blame["stage"].stage(), blame["error"].numberOrNull(0).value_or(kNone),
-                               blame["share"].numberOrNull().value_or(kNone)});
+        constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+        point.blame.push_back({blame["stage"].stage(), blame["error"].numberOrNull(0).value_or(kNotKnown),
+                               blame["share"].numberOrNull().value_or(kNotKnown)});
     });
     point.frame = readTimes(value["frame"]);
     value["stages"].eachMember([&](const std::string& stage, const Value& times) {

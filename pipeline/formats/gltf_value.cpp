@@ -15,7 +15,7 @@
 namespace pipeline {
 namespace {
 
-using Json = nlohmann::json;
+using GltfJson = nlohmann::json;
 
 constexpr std::size_t kMaxDepth = 64, kMaxValues = std::size_t{1} << 22;
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;  // "glTF", "JSON", "BIN"
@@ -96,7 +96,7 @@ Result<Chunks> chunksOf(const SourceText& source) {
 
 // A whole number, however it is written: JSON has no integers, and 12, 12.0 and 1.2e1 are the same number (RFC 8259,
 // section 6).
-std::optional<std::uint64_t> wholeNumber(const Json& value) {
+std::optional<std::uint64_t> wholeNumber(const GltfJson& value) {
     if (value.is_number_unsigned()) return value.get<std::uint64_t>();
     if (!value.is_number()) return {};
     const double number = value.get<double>();
@@ -106,7 +106,7 @@ std::optional<std::uint64_t> wholeNumber(const Json& value) {
 }
 
 // A value for a message, short whatever it is.
-std::string shown(const Json& value) {
+std::string shown(const GltfJson& value) {
     if (value.is_string()) return quotedInput(value.get_ref<const std::string&>());
     if (value.is_object()) return "an object";
     if (value.is_array()) return fmt::format("an array of {}", value.size());
@@ -127,8 +127,8 @@ Result<GltfFile> parseGltf(const SourceText& source) {
     StopCheck check(source.progress.stop);
     const char* const begin = chunks.json.data();
     GltfFile file{source.name, meshFileOf(source),
-                  Json::parse(StoppableIterator(begin, &check), StoppableIterator(begin + chunks.json.size(), &check),
-                              nullptr, false),
+                  GltfJson::parse(StoppableIterator(begin, &check),
+                                  StoppableIterator(begin + chunks.json.size(), &check), nullptr, false),
                   chunks.binary};
     if (source.progress.stop.stop_requested()) return readingStopped(source.name);
     file.check = check;

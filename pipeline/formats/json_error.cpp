@@ -7,10 +7,10 @@
 namespace pipeline {
 namespace {
 
-using Json = nlohmann::json;
+using GltfJson = nlohmann::json;
 
 // Where the parser stops; it has no other way to say so without an exception.
-class PlaceOfError : public nlohmann::json_sax<Json> {
+class PlaceOfError : public nlohmann::json_sax<GltfJson> {
 public:
     std::size_t bytesRead = 0;
 
@@ -26,7 +26,7 @@ public:
     bool end_object() override { return true; }
     bool start_array(std::size_t) override { return true; }
     bool end_array() override { return true; }
-    bool parse_error(std::size_t position, const std::string&, const Json::exception&) override {
+    bool parse_error(std::size_t position, const std::string&, const GltfJson::exception&) override {
         bytesRead = position;
         return false;
     }
@@ -36,7 +36,7 @@ public:
 
 std::size_t jsonErrorAt(std::string_view text) {
     PlaceOfError place;
-    Json::sax_parse(text, &place);
+    GltfJson::sax_parse(text, &place);
     return place.bytesRead == 0 ? text.size() : std::min(place.bytesRead - 1, text.size());
 }
 

@@ -48,7 +48,7 @@ private:
         return word == "Kd" || word == "Ka" || word == "Ks" || word == "Ke" || word == "Ns" || word == "d" ||
                word == "Tr" || isPicture(word);
     }
-    void count(Tally& tally) { tally.add(m_file, m_scanner.line()); }
+    void count(CaseTally& tally) { tally.add(m_file, m_scanner.line()); }
 
     void begin() {
         m_materials.push_back({std::string(m_scanner.rest()), Material{}});

@@ -17,7 +17,7 @@ struct NamedMaterial {
 
 // What files of materials have and the reader leaves out or treats otherwise.
 struct MtlTallies {
-    Tally wrongNumbers, beforeFirst, otherColors, halos, pictures, blackPictures, opacityTr;
+    CaseTally wrongNumbers, beforeFirst, otherColors, halos, pictures, blackPictures, opacityTr;
     void say(std::vector<Remark>& remarks) const;
 };
 

@@ -48,7 +48,7 @@ struct ObjGroup {
 
 // What the file has and the reader leaves out or treats otherwise.
 struct ObjTallies {
-    Tally badNormals, unknownNormals, fewCorners, vertexColors, points, lines, freeForms, calls, unknownStatements,
+    CaseTally badNormals, unknownNormals, fewCorners, vertexColors, points, lines, freeForms, calls, unknownStatements,
         furtherGroups;
     std::string firstUnknown;
 };

@@ -101,7 +101,7 @@ private:
             countUnknown(word);
     }
 
-    void count(Tally& tally) { tally.add(m_source.name, m_scanner.line()); }
+    void count(CaseTally& tally) { tally.add(m_source.name, m_scanner.line()); }
     void countUnknown(std::string_view word) {
         if (m_file.tallies.firstUnknown.empty()) m_file.tallies.firstUnknown = quotedInput(word);
         count(m_file.tallies.unknownStatements);

@@ -76,7 +76,7 @@ private:
 };
 
 // faces: the vertex of each corner stands where its position stood. leftOut: counts the polygons without area.
-void addPolygons(ObjFaces faces, Mesh& mesh, const std::string& file, Tally& leftOut, StopCheck& check) {
+void addPolygons(ObjFaces faces, Mesh& mesh, const std::string& file, CaseTally& leftOut, StopCheck& check) {
     mesh.reservePolygons(faces.count(), faces.positions.size());
     mesh.polygonPlaces.reserve(faces.count());
     std::vector<std::uint32_t> corners;
@@ -113,8 +113,8 @@ std::vector<Mesh> meshesOf(ObjFile& file, const std::string& name, StopCheck& ch
 }
 
 // Groups of which some corners have normals and others none, counted at the first face that lacks one.
-Tally mixedNormals(const ObjFile& file, const std::string& name) {
-    Tally mixed;
+CaseTally mixedNormals(const ObjFile& file, const std::string& name) {
+    CaseTally mixed;
     for (const ObjGroup& group : file.groups) {
         const ObjFaces& faces = group.faces;
         const auto none = std::ranges::find(faces.normals, kNoNormal);
@@ -128,8 +128,8 @@ Tally mixedNormals(const ObjFile& file, const std::string& name) {
 }
 
 // Faces whose material no file gives. Where a file of materials is missing, that has been said.
-Tally unknownMaterials(const ObjFile& file, const ObjMaterials& materials, const std::string& name) {
-    Tally unknown;
+CaseTally unknownMaterials(const ObjFile& file, const ObjMaterials& materials, const std::string& name) {
+    CaseTally unknown;
     if (materials.someMissing()) return unknown;
     for (const ObjGroup& group : file.groups)
         if (!group.material.empty() && group.faces.count() > 0 && !materials.find(group.material))
@@ -137,7 +137,7 @@ Tally unknownMaterials(const ObjFile& file, const ObjMaterials& materials, const
     return unknown;
 }
 
-void say(const ObjTallies& of, const Tally& mixed, const Tally& unknown, std::vector<Remark>& remarks) {
+void say(const ObjTallies& of, const CaseTally& mixed, const CaseTally& unknown, std::vector<Remark>& remarks) {
     unknown.say("face", "with a material that no material file gives", "shown with the default material", remarks);
     remarkOnLeftOut(of.fewCorners.count(), of.fewCorners.about(), remarks);
     of.badNormals.say("normal", "without a direction", "taken as missing", remarks);
@@ -163,7 +163,7 @@ Result<LoadedModel> readObj(const SourceText& source, const FileLoader& load) {
     if (!errors.empty()) return errors;
     std::map<std::size_t, int> groupsOf;
     for (const ObjGroup& group : file.groups) groupsOf[group.object] += group.faces.count() > 0;
-    const Tally mixed = mixedNormals(file, source.name), unknown = unknownMaterials(file, materials, source.name);
+    const CaseTally mixed = mixedNormals(file, source.name), unknown = unknownMaterials(file, materials, source.name);
     StopCheck check(source.progress.stop);
     smoothNormals(file, check);
     if (check.stopped(0)) return readingStopped(source.name);

@@ -9,7 +9,7 @@
 namespace pipeline {
 
 // The cases of one kind that a reader met beside the geometry and went on: how many, and where the first is.
-class Tally {
+class CaseTally {
 public:
     // line: from 1.
     void add(std::string_view file, int line, std::size_t count = 1) {

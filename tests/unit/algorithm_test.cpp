@@ -14,7 +14,7 @@
 namespace pipeline {
 namespace {
 
-Moment at(const Steps& steps, std::string_view place) { return steps.momentOf(*parsePlace(place)); }
+Moment momentAt(const Steps& steps, std::string_view place) { return steps.momentOf(*parsePlace(place)); }
 
 const AlgorithmValue* valueOf(const AlgorithmState& state, std::string_view name) {
     const Visit& visit = state.walk.visits[*state.visit];
@@ -22,7 +22,7 @@ const AlgorithmValue* valueOf(const AlgorithmState& state, std::string_view name
     return value == visit.values.end() ? nullptr : &*value;
 }
 
-Scene uncutPyramid() {
+Scene unculledPyramid() {
     Scene scene = test::pyramid();
     scene.settings.cull = CullMode::None;
     return scene;
@@ -30,14 +30,14 @@ Scene uncutPyramid() {
 
 // The depth of one polygon alone at a pixel: of a frame in which the others are not.
 double depthAlone(const std::vector<std::uint32_t>& polygon, glm::ivec2 pixel) {
-    Scene scene = uncutPyramid();
+    Scene scene = unculledPyramid();
     scene.objects[0].mesh = test::mesh(scene.objects[0].mesh->positions, {polygon});
     return test::frameOf(scene)->buffer({BufferId::ZView})->value(std::size_t(pixel.x), std::size_t(pixel.y));
 }
 
 TEST(Algorithm, SetpixelComparesADepthWithWhatAnotherPolygonHasStored) {
-    const Steps steps(test::frameOf(uncutPyramid()));
-    const auto state = *steps.algorithmAt(at(steps, "z-buffer/polygon=1/row=270/x=250/line=5"));
+    const Steps steps(test::frameOf(unculledPyramid()));
+    const auto state = *steps.algorithmAt(momentAt(steps, "z-buffer/polygon=1/row=270/x=250/line=5"));
     EXPECT_EQ(state.walk.algorithm.lines[4].text, "if(z < zbuffer(x, y)) then");
     EXPECT_EQ(valueOf(state, "z")->numbers[0], depthAlone({1, 2, 4}, {250, 270}));
     EXPECT_EQ(valueOf(state, "zbuffer(x, y)")->numbers[0], depthAlone({0, 1, 4}, {250, 270}));
@@ -49,9 +49,9 @@ TEST(Algorithm, SetpixelComparesADepthWithWhatAnotherPolygonHasStored) {
 }
 
 TEST(Algorithm, ABranchThatIsNotTakenPassesNoneOfItsLines) {
-    const Steps steps(test::frameOf(uncutPyramid()));
+    const Steps steps(test::frameOf(unculledPyramid()));
     // The base, polygon 4, is drawn last and lies behind the faces that are turned to the eye.
-    const Moment test = at(steps, "z-buffer/polygon=4/row=290/x=247/line=5");
+    const Moment test = momentAt(steps, "z-buffer/polygon=4/row=290/x=247/line=5");
     const auto state = *steps.algorithmAt(test);
     EXPECT_EQ(state.walk.visits[*state.visit].taken, false);
     EXPECT_EQ(rowsOf(state)[5].status, LineStatus::NotTaken);
@@ -60,8 +60,8 @@ TEST(Algorithm, ABranchThatIsNotTakenPassesNoneOfItsLines) {
 
 // Lines are about to write: buffers change at the end of the step, and only there.
 TEST(Algorithm, BuffersAtALineAreThoseBeforeItsStepAndTheEndOfTheStepIsNext) {
-    const Steps steps(test::frameOf(uncutPyramid()));
-    const Moment writes = at(steps, "z-buffer/polygon=1/row=270/x=250/line=6");
+    const Steps steps(test::frameOf(unculledPyramid()));
+    const Moment writes = momentAt(steps, "z-buffer/polygon=1/row=270/x=250/line=6");
     const auto zAt = [&](Moment moment) { return steps.frameAt(moment)->buffer({BufferId::ZView})->value(250, 270); };
     const double before = depthAlone({0, 1, 4}, {250, 270}), after = depthAlone({1, 2, 4}, {250, 270});
     EXPECT_EQ(zAt(writes), before);
@@ -75,9 +75,9 @@ TEST(Algorithm, BuffersAtALineAreThoseBeforeItsStepAndTheEndOfTheStepIsNext) {
 }
 
 TEST(Algorithm, ALineOfAPlaceIsFoundAgainAndOneThatTheStepDoesNotPassIsNotThere) {
-    const Steps steps(test::frameOf(uncutPyramid()));
+    const Steps steps(test::frameOf(unculledPyramid()));
     const char* const place = "z-buffer/polygon=1/row=270/x=250/line=6";
-    EXPECT_EQ(text(steps.placeOf(at(steps, place))), place);
+    EXPECT_EQ(text(steps.placeOf(momentAt(steps, place))), place);
     EXPECT_TRUE(steps.comesTo(*parsePlace(place)));
     EXPECT_FALSE(steps.comesTo(*parsePlace("z-buffer/polygon=4/row=290/x=247/line=6")));
     EXPECT_FALSE(parsePlace("z-buffer/line=5"));
@@ -86,10 +86,10 @@ TEST(Algorithm, ALineOfAPlaceIsFoundAgainAndOneThatTheStepDoesNotPassIsNotThere)
 }
 
 TEST(Algorithm, AFormatWhoseNearIsLargerComparesTheOtherWayRound) {
-    Scene scene = uncutPyramid();
+    Scene scene = unculledPyramid();
     scene.settings.depthFormat = DepthFormat::Reversed;
     const Steps steps(test::frameOf(scene));
-    const auto state = *steps.algorithmAt(at(steps, "z-buffer/polygon=1/row=270/x=250/line=5"));
+    const auto state = *steps.algorithmAt(momentAt(steps, "z-buffer/polygon=1/row=270/x=250/line=5"));
     EXPECT_EQ(state.walk.algorithm.lines[0].text, "zbuffer(x, y) = 0 for all x, y");
     EXPECT_EQ(state.walk.algorithm.lines[4].text, "if(z > zbuffer(x, y)) then");
     EXPECT_GT(valueOf(state, "z")->numbers[0], valueOf(state, "zbuffer(x, y)")->numbers[0]);
@@ -145,8 +145,8 @@ TEST(Algorithm, EveryStageAndEveryAlternativeHasATextOfAFewLines) {
 }
 
 TEST(Algorithm, IsWrittenAsTextWithTheLineMarkedAndAsLatex) {
-    const Steps steps(test::frameOf(uncutPyramid()));
-    const auto state = *steps.algorithmAt(at(steps, "z-buffer/polygon=1/row=270/x=250/line=5"));
+    const Steps steps(test::frameOf(unculledPyramid()));
+    const auto state = *steps.algorithmAt(momentAt(steps, "z-buffer/polygon=1/row=270/x=250/line=5"));
     const std::string plain = algorithmText(state, AlgorithmFormat::Text);
     EXPECT_NE(plain.find("\n>  5      if(z < zbuffer(x, y)) then   z = 671.9340"), std::string::npos) << plain;
     const std::string latex = algorithmText(state, AlgorithmFormat::Latex);

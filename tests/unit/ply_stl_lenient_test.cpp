@@ -37,7 +37,7 @@ std::vector<Triangle> trianglesOf(const LoadedModel& model) {
 }
 
 template <class T>
-std::string bytesOf(std::initializer_list<T> values) {
+std::string listBytes(std::initializer_list<T> values) {
     std::string bytes(values.size() * sizeof(T), '\0');
     std::memcpy(bytes.data(), std::data(values), bytes.size());
     return bytes;
@@ -54,8 +54,8 @@ TEST(PlyLenient, TriangleStripsAreRead) {
     EXPECT_EQ(trianglesOf(modelOf(text, ".ply")), expected);
     EXPECT_EQ(remarksOf(modelOf(text, ".ply")), Texts{});
     const std::string binary = "ply\nformat binary_little_endian 1.0\n" + kVertices + kStrips +
-                               bytesOf<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0, 1, 2, 0}) +
-                               bytesOf<std::int32_t>({9, 0, 1, 2, 3, 4, -1, 1, 4, 5});
+                               listBytes<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0, 1, 2, 0}) +
+                               listBytes<std::int32_t>({9, 0, 1, 2, 3, 4, -1, 1, 4, 5});
     EXPECT_EQ(trianglesOf(modelOf(binary, ".ply")), expected);
     // A corner that is repeated goes on elsewhere: two triangles of no area, which are no loss.
     const std::string bridge =
@@ -100,8 +100,8 @@ TEST(PlyLenient, NormalsWithoutADirectionRefuseNothing) {
         "property float nx\nproperty float ny\nproperty float nz\nelement face 1\nproperty list uchar int "
         "vertex_indices\n"
         "end_header\n" +
-        bytesOf<float>({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 1, 0, 0, 0, 1}) +
-        '\3' + bytesOf<std::int32_t>({0, 1, 2});
+        listBytes<float>({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 1, 0, 0, 0, 1}) +
+        '\3' + listBytes<std::int32_t>({0, 1, 2});
     const LoadedModel model = modelOf(text, ".ply");
     EXPECT_EQ(trianglesOf(model).size(), 1u);
     EXPECT_TRUE(model.objects.at(0).mesh->normals.empty());
@@ -120,10 +120,10 @@ TEST(PlyLenient, NormalsWithoutADirectionRefuseNothing) {
 
 std::string binaryStl(std::uint32_t announced, int facets, std::uint16_t attributes = 0) {
     std::string bytes(80, ' ');
-    bytes += bytesOf<std::uint32_t>({announced});
+    bytes += listBytes<std::uint32_t>({announced});
     for (int i = 0; i < facets; ++i) {
         const float x = float(i);
-        bytes += bytesOf<float>({0, 0, 1, x, 0, 0, x + 1, 0, 0, x, 1, 0}) + bytesOf<std::uint16_t>({attributes});
+        bytes += listBytes<float>({0, 0, 1, x, 0, 0, x + 1, 0, 0, x, 1, 0}) + listBytes<std::uint16_t>({attributes});
     }
     return bytes;
 }

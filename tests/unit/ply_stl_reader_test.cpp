@@ -41,14 +41,14 @@ std::vector<std::uint32_t> polygon(const Object& object, std::size_t i) {
 }
 
 template <class T>
-std::string bytesOf(T value, bool reversed = false) {
+std::string valueBytes(T value, bool reversed = false) {
     std::string bytes(sizeof(T), '\0');
     std::memcpy(bytes.data(), &value, sizeof(T));
     return reversed ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
 }
 
 using Indices = std::vector<std::uint32_t>;
-const std::vector<Vec3d> kSquare{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const std::vector<Vec3d> kSquareCorners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 std::string plyHeader(std::string_view form) {
     return fmt::format(
@@ -60,10 +60,10 @@ const std::string kPlyData = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
 std::string binaryPly(bool big) {
     std::string text = plyHeader(big ? "binary_big_endian" : "binary_little_endian");
-    for (const Vec3d& p : kSquare)
-        for (int axis = 0; axis < 3; ++axis) text += bytesOf(static_cast<float>(p[axis]), big);
+    for (const Vec3d& p : kSquareCorners)
+        for (int axis = 0; axis < 3; ++axis) text += valueBytes(static_cast<float>(p[axis]), big);
     text += '\4';
-    for (const std::int32_t index : {0, 1, 2, 3}) text += bytesOf(index, big);
+    for (const std::int32_t index : {0, 1, 2, 3}) text += valueBytes(index, big);
     return text;
 }
 
@@ -76,7 +76,7 @@ TEST(PlyReader, QuadInAllThreeForms) {
     for (const std::string& text : {plyHeader("ascii") + kPlyData, binaryPly(false), binaryPly(true)}) {
         const auto objects = objectsOf(text, ".ply");
         ASSERT_EQ(objects.size(), 1u);
-        EXPECT_EQ(objects[0].mesh->positions, kSquare);
+        EXPECT_EQ(objects[0].mesh->positions, kSquareCorners);
         ASSERT_EQ(objects[0].mesh->polygonCount(), 1u);
         EXPECT_EQ(polygon(objects[0], 0), (Indices{0, 1, 2, 3}));
         EXPECT_TRUE(objects[0].mesh->normals.empty());
@@ -112,7 +112,7 @@ TEST(PlyReader, IndexOutOfRange) {
             errorsOf(withReplaced(plyHeader("ascii") + kPlyData, "4 0 1 2 3", fmt::format("3 0 1 {}", index)), ".ply"),
             fmt::format("m:15:7: found \"{}\", expected a vertex index from 0 to 3\n", index));
     std::string binary = binaryPly(false);
-    binary.replace(binary.size() - 4, 4, bytesOf(std::int32_t{-1}));
+    binary.replace(binary.size() - 4, 4, valueBytes(std::int32_t{-1}));
     // The header has 185 bytes, then come 4 * 12 + 1 + 3 * 4.
     ASSERT_EQ(plyHeader("binary_little_endian").size(), 185u);
     EXPECT_EQ(errorsOf(binary, ".ply"), "m: found -1 at byte 246, expected a vertex index from 0 to 3\n");
@@ -124,7 +124,7 @@ TEST(PlyReader, CoordinateThatIsNone) {
     EXPECT_EQ(errorsOf(withReplaced(plyHeader("ascii") + kPlyData, "1 1 0\n", "1 nan 0\n"), ".ply"),
               "m:13:3: found \"nan\", expected a number\n");
     std::string binary = binaryPly(false);
-    binary.replace(185 + 12, 4, bytesOf(std::numeric_limits<float>::quiet_NaN()));
+    binary.replace(185 + 12, 4, valueBytes(std::numeric_limits<float>::quiet_NaN()));
     EXPECT_EQ(errorsOf(binary, ".ply"),
               "m: found nan at byte 197, expected a coordinate of vertex 1, a number from -1e9 to 1e9\n");
 }
@@ -172,11 +172,11 @@ TEST(PlyReader, SaysWhatItLeavesOut) {
 
 std::string binaryStl(const std::vector<std::array<Vec3d, 3>>& facets, std::uint32_t announced) {
     std::string text(80, ' ');
-    text += bytesOf(announced);
+    text += valueBytes(announced);
     for (const auto& facet : facets) {
         text += std::string(12, '\0');
         for (const Vec3d& p : facet)
-            for (int axis = 0; axis < 3; ++axis) text += bytesOf(static_cast<float>(p[axis]));
+            for (int axis = 0; axis < 3; ++axis) text += valueBytes(static_cast<float>(p[axis]));
         text += std::string(2, '\0');
     }
     return text;
