@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -29,16 +30,19 @@ TEST(Manual, TheTableOfNotionsNamesScenesThatAreThere) {
     EXPECT_GT(named.size(), 14u);
 }
 
-// The targets of "](…)" in a page, without what follows a #; addresses on the net left out.
+// The targets of "](…)" in a page, without what follows a #; addresses on the net and code left out.
 std::vector<std::filesystem::path> linksOf(const std::filesystem::path& page) {
     std::ifstream file(page);
     EXPECT_TRUE(file) << page;
     std::vector<std::filesystem::path> links;
-    for (std::string line; std::getline(file, line);)
+    const std::regex code("`[^`]*`");
+    for (std::string text; std::getline(file, text);) {
+        const std::string line = std::regex_replace(text, code, "");
         for (std::size_t at = line.find("]("); at != line.npos; at = line.find("](", at + 1)) {
             const std::string target = line.substr(at + 2, line.find_first_of(")#", at) - at - 2);
             if (!target.empty() && target.find("://") == target.npos) links.push_back(page.parent_path() / target);
         }
+    }
     return links;
 }
 

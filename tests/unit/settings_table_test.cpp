@@ -16,7 +16,7 @@ Scene twoLights() {
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.addPolygon(std::array{0u, 1u, 2u});
     Scene scene;
-    scene.objects.push_back({"triangle", std::make_shared<const Mesh>(mesh), {}, {}});
+    scene.objects.push_back({"triangle", makeMesh(mesh), {}, {}});
     scene.lights.resize(2);
     return scene;
 }
