@@ -92,7 +92,7 @@ std::size_t notBlack(const FramePtr& frame) {
     return count;
 }
 Finding runNoMaximum(Trial& trial) {
-    trial.demand(saysSomethingAbout(nothingReflected(), "material.0.kr"), "nothing is said about it");
+    trial.demand(saysSomethingAbout(nothingReflected(), "model"), "nothing is said about it");
     Scene infinite = nothingReflected();
     infinite.lights[0].intensity = std::numeric_limits<double>::infinity();
     trial.demand(!checkScene(infinite).empty(), "an infinite intensity is not refused");

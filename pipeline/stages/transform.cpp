@@ -125,7 +125,8 @@ std::vector<Vec3<Real>> screenPlaces(const TransformOutput<Real>& in) {
         const AtLeastDouble<Real> z(v.z);
         const Vec3<Real> screen{centre.x + scale.x * v.x / spread, centre.y - scale.y * v.y / spread,
                                 depth.format == DepthFormat::Linear ? v.z : Real(depth.encode(z, 1 / z))};
-        if (isfinite(screen.x) && isfinite(screen.y)) places[i] = screen;
+        // Where near and far planes leave no depth there is no position either.
+        if (isfinite(screen.x) && isfinite(screen.y) && isfinite(screen.z)) places[i] = screen;
     }
     return places;
 }

@@ -1,4 +1,5 @@
 // A thousand scenes, each turned about z by a right angle with its camera and lights, and each mirrored.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +46,8 @@ std::string firstNotTurned(const Frame& plain, const Frame& other) {
         for (std::size_t i = 0; i < a.count(); ++i) {
             double should = a.flat(i);
             if (isInWorldSpace(a.name.id) && i % 3 < 2) should = i % 3 == 0 ? -a.flat(i + 1) : a.flat(i - 1);
-            if (b->flat(i) != should) return a.name.text() + " number " + std::to_string(i);
+            if (b->flat(i) != should)
+                return fmt::format("{} number {}: {} and {}", a.name.text(), i, b->flat(i), should);
         }
     }
     return {};
