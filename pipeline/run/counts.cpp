@@ -25,10 +25,12 @@ std::string countsOf(StageId stage, const FrameData<Real>& data) {
             return fmt::format("{} {}", topology.vertexCount(), topology.vertexCount() == 1 ? "vertex" : "vertices");
         case StageId::Cull: return fmt::format("{} of {} polygons kept", keptOf(*data.cull), topology.polygonCount());
         case StageId::Normals: {
-            std::string text = data.keys.normals.polygonNormals ? plural(data.normals->polygon.size(), "polygon normal")
-                                                                : "polygon normals left out";
-            text += data.normals->vertex.empty() ? "; vertex normals left out"
-                                                 : "; " + plural(data.normals->vertex.size(), "vertex normal");
+            std::string text = data.keys.normals.polygonNormals
+                                   ? plural(std::int64_t(data.normals->polygon.size()), "polygon normal")
+                                   : "polygon normals left out";
+            text += data.normals->vertex.empty()
+                        ? "; vertex normals left out"
+                        : "; " + plural(std::int64_t(data.normals->vertex.size()), "vertex normal");
             if (const std::size_t n = data.normals->vanishing; n > 0)
                 text += fmt::format("; {} without a mean, the first polygon's instead", n);
             return text;
