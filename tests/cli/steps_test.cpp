@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run_program.h"
@@ -11,7 +13,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-using test::run;
+using test::has, test::run;
 
 TEST(ExportAt, WritesTheStateInsideAStageAndNamesItInTheManifest) {
     const test::TemporaryFolder folder;
@@ -257,6 +259,30 @@ TEST(Film, RefusesWhatCannotBeFilmed) {
     EXPECT_EQ(derived.err, "shadescope film: mix is derived from a finished frame and cannot be filmed\n");
     EXPECT_NE(run({"bench", "pyramid", "--buffers", "z_ndc"}).err.find("z_ndc is derived"), std::string::npos);
     EXPECT_FALSE(fs::exists(folder / "film.gif"));
+}
+
+// The inspector's ledger and the algorithm's line tell the same comparison of the same fragment.
+TEST(InspectStep, ComparesTheDepthsThatTheInspectorLists) {
+    const std::string file = "pyramid";
+    for (const auto& [x, y] : {std::pair{250, 270}, {247, 290}, {262, 262}}) {
+        const auto seen = run({"inspect", file, "--set", "cull=none", "--pixel", fmt::format("{},{}", x, y), "--json"});
+        ASSERT_EQ(seen.status, 0) << seen.err;
+        const auto fragments = nlohmann::json::parse(seen.out)["fragments"];
+        ASSERT_GE(fragments.size(), 2u) << x << ' ' << y;
+        for (const auto& fragment : fragments) {
+            const std::string place =
+                fmt::format("z-buffer/polygon={}/row={}/x={}/line=5", fragment["polygon"].get<int>(), y, x);
+            const auto step = run({"inspect", file, "--set", "cull=none", "--step", place});
+            ASSERT_EQ(step.status, 0) << step.err;
+            // "671.9340 < 742.3430"
+            const std::string text = fragment["text"].get<std::string>();
+            const std::string z = text.substr(0, text.find(' '));
+            EXPECT_TRUE(has(step.out, fmt::format("z = {} < zbuffer({}, {})", z, x, y))) << place << '\n' << step.out;
+            const bool taken = text.find(" < ") != text.npos;
+            EXPECT_TRUE(has(step.out, taken ? "true, taken" : "false, not taken")) << place << '\n' << step.out;
+        }
+    }
+    EXPECT_EQ(run({"inspect", file, "--step", "z-bufer"}).status, 2);
 }
 
 }  // namespace
