@@ -74,6 +74,67 @@ TEST_P(AlgorithmOf, TheLineOfADepthTestHasTheBuffersValuesAndTheInspectorsVerdic
     }
 }
 
+// The values of the other stages are the numbers of their buffers, bit for bit.
+TEST_P(AlgorithmOf, TheValuesOfAStepAreThoseOfTheBuffers) {
+    const FramePtr whole = test::frameOf(sceneOf(GetParam()));
+    const Steps steps(whole);
+    const auto row = [&](BufferId id, double i) {
+        const AnyBuffer buffer = *whole->buffer({id});
+        return Vec3d(buffer.value(0, std::size_t(i), 0), buffer.value(0, std::size_t(i), 1),
+                     buffer.value(0, std::size_t(i), 2));
+    };
+    const auto isEqual = [](const AlgorithmValue& value, const Vec3d& expected) {
+        return value.numbers.size() == 3 && Vec3d(value.numbers[0], value.numbers[1], value.numbers[2]) == expected;
+    };
+    int compared = 0;
+    for (const std::int64_t tick : ticksOf(steps, StageId::Transform)) {
+        const Walk walk = steps.algorithmAt({StageId::Transform, tick + 1})->walk;
+        const AlgorithmValue* const world = findValue(walk, "xw, yw, zw");
+        ASSERT_TRUE(world);
+        ASSERT_TRUE(isEqual(*world, row(BufferId::VerticesWorld, double(tick)))) << tick;
+        ++compared;
+        if (const AlgorithmValue* const x = findValue(walk, "xs")) {
+            ASSERT_EQ(x->numbers[0], row(BufferId::VerticesScreen, double(tick)).x) << tick;
+        }
+    }
+    const AnyBuffer verdicts = *whole->buffer({BufferId::PolygonsVerdict});
+    for (const std::int64_t tick : ticksOf(steps, StageId::Cull)) {
+        const Walk walk = steps.algorithmAt({StageId::Cull, tick + 1})->walk;
+        ASSERT_EQ(findValue(walk, "visibility")->text, name(Verdict(verdicts.flat(std::size_t(tick))))) << tick;
+        ++compared;
+    }
+    for (const std::int64_t tick : ticksOf(steps, StageId::Normals)) {
+        const Walk walk = steps.algorithmAt({StageId::Normals, tick + 1})->walk;
+        const AlgorithmValue *const normal = findValue(walk, "n"), *const polygon = findValue(walk, "polygon");
+        if (!normal || !polygon) continue;  // a vertex' normal
+        ASSERT_TRUE(isEqual(*normal, row(BufferId::PolygonsNormal, polygon->numbers[0]))) << tick;
+        ++compared;
+    }
+    const AnyBuffer color = *whole->buffer({BufferId::Color}), lit = *whole->buffer({BufferId::NDotL, 0});
+    const AnyBuffer normals = *whole->buffer({BufferId::Normal});
+    const bool isPhong = whole->scene().settings.shading == Shading::Phong;
+    for (const std::int64_t tick : ticksOf(steps, StageId::Shading)) {
+        const Moment after{StageId::Shading, tick + 1};
+        const auto pixel = steps.pixelOf(after);
+        if (!pixel) continue;
+        const Walk walk = steps.algorithmAt(after)->walk;
+        const auto at = [&](const AnyBuffer& buffer, int channel) {
+            return buffer.value(std::size_t(pixel->x), std::size_t(pixel->y), channel);
+        };
+        const auto vectorAt = [&](const AnyBuffer& buffer) {
+            return Vec3d(at(buffer, 0), at(buffer, 1), at(buffer, 2));
+        };
+        if (const AlgorithmValue* const stored = findValue(walk, "FB")) {
+            ASSERT_TRUE(isEqual(*stored, vectorAt(color))) << text(steps.placeOf(after));
+            ++compared;
+        }
+        if (!isPhong) continue;
+        ASSERT_TRUE(isEqual(*findValue(walk, "N"), vectorAt(normals))) << text(steps.placeOf(after));
+        ASSERT_EQ(findValue(walk, "N·L")->numbers[0], at(lit, 0)) << text(steps.placeOf(after));
+    }
+    EXPECT_GT(compared, 0);
+}
+
 // Every line of a frame forth, and back the same moments.
 TEST_P(AlgorithmOf, BackByLineIsTheInverseOfForth) {
     const Steps steps(test::frameOf(sceneOf(GetParam())));
