@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "app/cli/frame_argument.h"
-#include "app/derived/derived_buffer.h"
-#include "app/state/shown_words.h"
-#include "app/state/state_text.h"
+#include "lessons/derived_buffer.h"
+#include "lessons/state/shown_words.h"
+#include "lessons/state/state_text.h"
 #include "pipeline/core/text.h"
 #include "pipeline/inspect/term_mix.h"
 #include "pipeline/scene/key_places.h"
@@ -27,7 +27,7 @@ namespace {
 
 class CueCheck {
 public:
-    CueCheck(const WindowState& state, const Scene& scene, const std::filesystem::path& folder)
+    CueCheck(const lessons::WindowState& state, const Scene& scene, const std::filesystem::path& folder)
         : m_state(state), m_scene(scene), m_folder(folder) {}
 
     Errors errors() {
@@ -60,7 +60,7 @@ private:
     // One text for both: a view says which of the two is meant.
     void checkCondition() {
         if (m_state.condition.empty()) return;
-        const DerivedRecipe recipe{m_state.condition, {}};
+        const lessons::DerivedRecipe recipe{m_state.condition, {}};
         const auto condition = buffersFor({BufferId::Condition}, recipe, m_scene);
         if (!condition && !buffersFor({BufferId::Expression}, recipe, m_scene)) take("condition", condition);
     }
@@ -73,13 +73,14 @@ private:
              fmt::format("x from 0 to {} and y from 0 to {}", width - 1, height - 1));
     }
 
-    void checkSelected(const Selected& thing) {
+    void checkSelected(const lessons::Selection& thing) {
         std::size_t polygons = 0, vertices = 0;
         for (const pipeline::Object& object : m_scene.objects)
             polygons += object.mesh->polygonCount(), vertices += object.mesh->positions.size();
-        // In the order of Selected::Kind.
+        // In the order of Selection::Kind.
         const std::array counts{m_scene.objects.size(), polygons, vertices, m_scene.lights.size()};
-        checkNumber("selected", kSelectedKinds[std::size_t(thing.kind)], thing.index, counts[std::size_t(thing.kind)]);
+        checkNumber("selected", lessons::kSelectedKinds[std::size_t(thing.kind)], thing.index,
+                    counts[std::size_t(thing.kind)]);
     }
     void checkNumber(const std::string& key, std::string_view what, std::size_t number, std::size_t count) {
         if (number >= count)
@@ -87,7 +88,7 @@ private:
                  count == 0 ? "a scene that has one" : fmt::format("a number from 0 to {}", count - 1));
     }
 
-    void checkView(const BufferShown& view, const std::string& key) {
+    void checkView(const lessons::BufferShown& view, const std::string& key) {
         if (const auto name = pipeline::findAnyBuffer(view.buffer)) checkLight(key + "buffer", *name);
         for (std::size_t i = 0; i < view.overlays.size(); ++i)
             checkOverlay(fmt::format("{}overlays.{}", key, i), view.overlays[i]);
@@ -97,11 +98,11 @@ private:
         if (const auto none = noSuchLight(m_scene, name)) add(key, {*none});
     }
     void checkOverlay(const std::string& key, const std::string& overlay) {
-        if (std::ranges::find(kOverlayNames, overlay) != kOverlayNames.end()) return;
+        if (std::ranges::find(lessons::kOverlayNames, overlay) != lessons::kOverlayNames.end()) return;
         const auto derived = pipeline::findDerived(overlay);
         if (derived && derived->id == BufferId::ShadowVerdict) return checkLight(key, *derived);
         if (derived && derived->id == BufferId::Condition) return;
-        std::vector<std::string> names(kOverlayNames.begin(), kOverlayNames.end());
+        std::vector<std::string> names(lessons::kOverlayNames.begin(), lessons::kOverlayNames.end());
         names.insert(names.end(), {"shadow_verdict.0", "condition"});
         fail(key, fmt::format("no overlay {}; {}", inQuotes(overlay), pipeline::insteadOf(overlay, names)));
     }
@@ -122,17 +123,17 @@ private:
         fail(key, "found " + inQuotes(with), "before, previous stage, buffer NAME, setting KEY=VALUE or file FILE");
     }
 
-    void checkSpace(const SpaceShown& shown, const std::string& key) {
-        const auto space = parseSpace(shown.space);
+    void checkSpace(const lessons::SpaceShown& shown, const std::string& key) {
+        const auto space = lessons::parseSpace(shown.space);
         if (!space)
-            fail(key + "space", "no space " + inQuotes(shown.space), kSpaceExpected);
-        else if (kSpaceNames[space->space] == "light")
+            fail(key + "space", "no space " + inQuotes(shown.space), lessons::kSpaceExpected);
+        else if (lessons::kSpaceNames[space->space] == "light")
             checkNumber(key + "space", "light", std::size_t(space->light), m_scene.lights.size());
         for (const auto& [name, value] : shown.options) {
-            const auto option = std::ranges::find(kSpaceOptions, name, &SpaceOption::name);
+            const auto option = std::ranges::find(lessons::kSpaceOptions, name, &lessons::SpaceOption::name);
             std::vector<std::string> names;
-            for (const SpaceOption& one : kSpaceOptions) names.emplace_back(one.name);
-            if (option == kSpaceOptions.end())
+            for (const lessons::SpaceOption& one : lessons::kSpaceOptions) names.emplace_back(one.name);
+            if (option == lessons::kSpaceOptions.end())
                 fail(key + "options." + name,
                      fmt::format("no option {}; {}", inQuotes(name), pipeline::insteadOf(name, names)));
             else if (!(value >= option->min && value <= option->max))
@@ -141,7 +142,7 @@ private:
         }
     }
 
-    const WindowState& m_state;
+    const lessons::WindowState& m_state;
     const Scene& m_scene;
     const std::filesystem::path& m_folder;
     Errors m_errors;
@@ -149,7 +150,7 @@ private:
 
 }  // namespace
 
-Errors checkCue(const WindowState& state, const Scene& scene, const std::filesystem::path& folder) {
+Errors checkCue(const lessons::WindowState& state, const Scene& scene, const std::filesystem::path& folder) {
     return CueCheck(state, scene, folder).errors();
 }
 

@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <string>
 
-#include "app/derived/derived_buffer.h"
+#include "lessons/derived_buffer.h"
 #include "pipeline/core/result.h"
 #include "pipeline/export/export_frame.h"
 
@@ -27,7 +27,7 @@ pipeline::Errors noShadowVerdicts(const pipeline::Scene& scene);
 // Errors: what is wrong with the words, or why the scene has no such buffer, or a run until `until`, if it ends early.
 struct DerivedWanted {
     std::vector<pipeline::BufferName> names;
-    DerivedRecipe recipe;
+    lessons::DerivedRecipe recipe;
     pipeline::BufferSet buffers;  // that a frame must hold for them
 };
 pipeline::Result<DerivedWanted> derivedWanted(const DerivedArgument& argument,

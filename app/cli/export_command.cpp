@@ -9,7 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/scene_argument.h"
-#include "app/state/cue_list.h"
+#include "lessons/state/cue_list.h"
 #include "pipeline/core/text.h"
 #include "pipeline/export/export_frame.h"
 #include "pipeline/export/exporter.h"
@@ -106,13 +106,13 @@ bool takeCue(ExportOptions& options, int& status) {
         status = why;
         return false;
     };
-    const auto named = parseCueName(options.cue);
+    const auto named = lessons::parseCueName(options.cue);
     if (!named) return refuse(named.errors(), kWrongUsage);
-    const auto list = readCueFile(named->file);
+    const auto list = lessons::readCueFile(named->file);
     if (!list) return refuse(list.errors(), kBadInput);
     const auto found = findCue(*list, named->name);
     if (!found) return refuse(found.errors(), kWrongUsage);
-    const WindowState& state = list->cues[*found].state;
+    const lessons::WindowState& state = list->cues[*found].state;
     options.scene.state = state;
     options.scene.folder = named->file.parent_path();
     if (options.at.empty() && options.frame.until.empty() && state.place) options.at = text(*state.place);
@@ -127,8 +127,8 @@ bool takeCue(ExportOptions& options, int& status) {
 pipeline::Errors takeViews(ExportOptions& options, const pipeline::Scene& scene,
                            std::optional<pipeline::StageId> until) {
     using B = pipeline::BufferId;
-    const WindowState& state = *options.scene.state;
-    const DerivedRecipe recipe{options.derived.where.empty() ? state.condition : options.derived.where, {}};
+    const lessons::WindowState& state = *options.scene.state;
+    const lessons::DerivedRecipe recipe{options.derived.where.empty() ? state.condition : options.derived.where, {}};
     const auto whyNot = [&](const pipeline::BufferName& name) -> std::optional<pipeline::Error> {
         if (!until) return std::nullopt;
         if (!isDerived(name.id)) return comesTooLate(name, bufferInfo(name.id).stage, *until);
@@ -164,7 +164,7 @@ pipeline::Errors takeViews(ExportOptions& options, const pipeline::Scene& scene,
 // What a picture opens again beside its scene: the cue, or place and pixel.
 std::string stateToCarry(const ExportOptions& options, const std::optional<pipeline::Place>& at,
                          const std::optional<glm::ivec2>& pixel) {
-    WindowState state = options.scene.state.value_or(WindowState());
+    lessons::WindowState state = options.scene.state.value_or(lessons::WindowState());
     state.scene.clear(), state.set.clear(), state.sceneText.clear();
     if (!options.derived.where.empty()) state.condition = options.derived.where;
     if (!options.derived.mix.empty()) state.mix = options.derived.mix;

@@ -10,7 +10,7 @@
 #include "app/cli/cue_check.h"
 #include "app/cli/message.h"
 #include "app/cli/out_of_memory.h"
-#include "app/state/state_scene.h"
+#include "lessons/state/state_scene.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/no_memory.h"
 #include "pipeline/plan/memory_limit.h"
@@ -73,7 +73,7 @@ std::shared_ptr<const Scene> loadScene(const SceneArgument& argument, const pipe
     };
     const pipeline::ReadProgress progress{{}, stop};
     auto read = argument.state ? sceneOf(*argument.state, argument.folder, progress)
-                               : readNamedScene(argument.scene, {}, progress);
+                               : lessons::readNamedScene(argument.scene, {}, progress);
     if (stop.stop_requested()) {
         tell("Cancelled.\n");
         status = kInterrupted;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 #include "pipeline/core/result.h"
 #include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
@@ -20,10 +20,10 @@ namespace app {
 // What every command on a scene takes: SCENE, --set, --size, --no-leave-out.
 struct SceneArgument {
     std::string scene;
-    std::vector<std::string> set;           // KEY=VALUE, applied in order
-    std::string size;                       // WxH; empty: the scene's
-    bool noLeaveOut = false;                // everything runs
-    std::optional<WindowState> state = {};  // what it shows in place of `scene`, its files from `folder`
+    std::vector<std::string> set;                    // KEY=VALUE, applied in order
+    std::string size;                                // WxH; empty: the scene's
+    bool noLeaveOut = false;                         // everything runs
+    std::optional<lessons::WindowState> state = {};  // what it shows in place of `scene`, its files from `folder`
     std::filesystem::path folder = {};
     enum class Need { Always, Maybe };
 };

@@ -7,9 +7,9 @@
 #include "app/core/document_state.h"
 #include "app/core/text.h"
 #include "app/core/write_file.h"
-#include "app/state/cue_list.h"
-#include "app/state/cue_text.h"
-#include "app/state/state_scene.h"
+#include "lessons/state/cue_list.h"
+#include "lessons/state/cue_text.h"
+#include "lessons/state/state_scene.h"
 
 namespace app {
 
@@ -67,14 +67,15 @@ bool CueModel::readAgain() {
         emit notRead(errors);
         return false;
     }
-    const auto again = std::ranges::find(m_list.cues, shown, &Cue::name);
+    const auto again = std::ranges::find(m_list.cues, shown, &lessons::Cue::name);
     if (again != m_list.cues.end()) setCurrent(int(again - m_list.cues.begin()));
     return true;
 }
 
 pipeline::Errors CueModel::read(const QString& file) {
-    const auto text = readCueText(file.toStdString());
-    const auto list = text ? readCues(*text, file.toStdString()) : pipeline::Result<CueList>(text.errors());
+    const auto text = lessons::readCueText(file.toStdString());
+    const auto list =
+        text ? lessons::readCues(*text, file.toStdString()) : pipeline::Result<lessons::CueList>(text.errors());
     if (!list) return list.errors();
     m_soon.stop();
     beginResetModel();
@@ -90,9 +91,10 @@ pipeline::Errors CueModel::read(const QString& file) {
 
 bool CueModel::saveAs(const QString& file) {
     const fs::path from = folder(), to = QFileInfo(file).absolutePath().toStdString();
-    CueList moved = m_list;
-    for (Cue& cue : moved.cues)
-        if (!cue.state.scene.empty()) cue.state.scene = sceneName(sceneFile(cue.state.scene, from), to);
+    lessons::CueList moved = m_list;
+    for (lessons::Cue& cue : moved.cues)
+        if (!cue.state.scene.empty())
+            cue.state.scene = lessons::sceneName(lessons::sceneFile(cue.state.scene, from), to);
     if (!writeTo(QFileInfo(file).absoluteFilePath(), moved)) return false;
     m_list = std::move(moved);
     m_file = QFileInfo(file).absoluteFilePath();
@@ -104,7 +106,7 @@ bool CueModel::saveAs(const QString& file) {
 // The cues that were in the own list stay, in a file beside it.
 void CueModel::clear() {
     if (isUnsaved() && !write()) return;
-    const auto own = readCueFile(m_ownFile.toStdString());
+    const auto own = lessons::readCueFile(m_ownFile.toStdString());
     if (QFileInfo::exists(m_ownFile) && !(own && own->cues.empty())) {
         const QString aside = freeFile(m_ownFile);
         if (!QFile::rename(m_ownFile, aside))
@@ -134,11 +136,11 @@ bool CueModel::write() {
 // Or written. A file that is gone has nothing to lose.
 bool CueModel::isAsRead() const {
     if (!QFileInfo::exists(m_file)) return true;
-    const auto text = readCueText(m_file.toStdString());
+    const auto text = lessons::readCueText(m_file.toStdString());
     return text && *text == m_text;
 }
 
-bool CueModel::writeTo(const QString& file, const CueList& list) {
+bool CueModel::writeTo(const QString& file, const lessons::CueList& list) {
     QDir().mkpath(QFileInfo(file).path());
     const std::string text = cueText(list, m_text, m_written);
     if (const auto errors = writeFile(file, text); !errors.empty()) {
@@ -155,7 +157,7 @@ void CueModel::setMinutes(int minutes) {
     emit changed();
 }
 
-int CueModel::add(Cue cue) {
+int CueModel::add(lessons::Cue cue) {
     const int row = m_current + 1;
     cue.name = freeName(m_list, cue.name);
     beginInsertRows({}, row, row);
@@ -166,7 +168,7 @@ int CueModel::add(Cue cue) {
     return row;
 }
 
-void CueModel::setState(int i, const WindowState& state) {
+void CueModel::setState(int i, const lessons::WindowState& state) {
     m_list.cues[std::size_t(i)].state = state;
     writeSoon();
     tell(i);
@@ -253,7 +255,7 @@ int CueModel::rowCount(const QModelIndex& parent) const { return parent.isValid(
 
 QVariant CueModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= size()) return {};
-    const Cue& one = cue(index.row());
+    const lessons::Cue& one = cue(index.row());
     switch (role) {
         case Qt::DisplayRole: return QStringLiteral("%1  %2").arg(index.row() + 1).arg(toQString(one.name));
         case Qt::EditRole: return toQString(one.name);

@@ -3,7 +3,7 @@
 #include <QString>
 #include <QTimer>
 
-#include "app/state/cue_list.h"
+#include "lessons/state/cue_list.h"
 
 namespace app {
 
@@ -20,13 +20,13 @@ public:
     ~CueModel() override;
 
     const pipeline::Errors& unread() const { return m_unread; }
-    const CueList& list() const { return m_list; }
+    const lessons::CueList& list() const { return m_list; }
     const QString& file() const { return m_file; }
     std::filesystem::path folder() const;  // from which scenes are named
     int size() const { return int(m_list.cues.size()); }
-    const Cue& cue(int i) const { return m_list.cues[std::size_t(i)]; }
+    const lessons::Cue& cue(int i) const { return m_list.cues[std::size_t(i)]; }
     int current() const { return m_current; }  // the cue shown last; -1: none
-    const Cue* currentCue() const { return m_current < 0 ? nullptr : &cue(m_current); }
+    const lessons::Cue* currentCue() const { return m_current < 0 ? nullptr : &cue(m_current); }
     void setCurrent(int i);
 
     // When the file cannot be read, or the list before cannot be written, that one stays; notRead() or notWritten() tells
@@ -41,8 +41,8 @@ public:
     void clear();  // an empty list in the file of the beginning; likewise
     void setMinutes(int minutes);
 
-    int add(Cue cue);  // after the current one, under a free name; gives its row and makes it current
-    void setState(int i, const WindowState& state);
+    int add(lessons::Cue cue);  // after the current one, under a free name; gives its row and makes it current
+    void setState(int i, const lessons::WindowState& state);
     bool rename(int i, const QString& name);  // not to nothing, nor to the name of another
     void setCaption(int i, const QString& caption);
     void setNote(int i, const QString& note);
@@ -68,17 +68,17 @@ private:
     void writeSoon() { m_soon.start(); }
     pipeline::Errors read(const QString& file);
     bool isAsRead() const;
-    bool writeTo(const QString& file, const CueList& list);
+    bool writeTo(const QString& file, const lessons::CueList& list);
     void tell(int i);
 
     QString m_ownFile, m_file;
     pipeline::Errors m_unread;
-    CueList m_list;
+    lessons::CueList m_list;
     int m_current = -1;
     QTimer m_soon;
-    std::optional<std::pair<int, Cue>> m_removed;
+    std::optional<std::pair<int, lessons::Cue>> m_removed;
     std::string m_text;  // of the file, with what someone has written into it by hand; m_written is the list in it
-    CueList m_written;
+    lessons::CueList m_written;
 };
 
 }  // namespace app

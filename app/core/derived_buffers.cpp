@@ -26,7 +26,9 @@ void DerivedBuffers::setText(const QString& text) {
     settle();
 }
 
-DerivedRecipe DerivedBuffers::recipe() const { return {m_text.trimmed().toStdString(), m_document.mixer().mix()}; }
+lessons::DerivedRecipe DerivedBuffers::recipe() const {
+    return {m_text.trimmed().toStdString(), m_document.mixer().mix()};
+}
 
 void DerivedBuffers::want(const QObject* who, std::vector<BufferName> names) {
     const auto known = m_wanted.find(who);
@@ -75,7 +77,7 @@ DerivedJob* DerivedBuffers::find(const BufferName& name) const {
     return job == m_jobs.end() ? nullptr : job->second.get();
 }
 
-const DerivedBuffer* DerivedBuffers::made(const BufferName& name) const {
+const lessons::DerivedBuffer* DerivedBuffers::made(const BufferName& name) const {
     const DerivedJob* job = find(name);
     const pipeline::FramePtr& frame = m_document.frame();
     if (!job || !job->made() || !frame) return nullptr;

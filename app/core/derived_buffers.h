@@ -17,14 +17,14 @@ public:
 
     const QString& text() const { return m_text; }
     void setText(const QString& text);
-    DerivedRecipe recipe() const;
+    lessons::DerivedRecipe recipe() const;
 
     // What `who` looks at. What nobody does is not made. Forgotten with `who`.
     void want(const QObject* who, std::vector<pipeline::BufferName> names);
     // Null where nobody wants it.
     DerivedJob* find(const pipeline::BufferName& name) const;
     // Made of the newest frame's size, or null.
-    const DerivedBuffer* made(const pipeline::BufferName& name) const;
+    const lessons::DerivedBuffer* made(const pipeline::BufferName& name) const;
     // Why a view cannot show it now, with what is on its way; empty where it can.
     QString whyNot(const pipeline::BufferName& name) const;
 

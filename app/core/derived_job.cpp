@@ -13,14 +13,15 @@ bool castsRays(const pipeline::BufferName& name) { return name.id == BufferId::S
 }  // namespace
 
 DerivedJob::DerivedJob(QObject* parent)
-    : QObject(parent), m_rays(std::make_shared<std::shared_ptr<const KnownRays>>()) {
+    : QObject(parent), m_rays(std::make_shared<std::shared_ptr<const lessons::KnownRays>>()) {
     connect(&m_job, &BackgroundJob::progressed, this, [this](double share) {
         m_share = share;
         emit changed();
     });
 }
 
-void DerivedJob::ask(const pipeline::FramePtr& frame, const pipeline::BufferName& name, const DerivedRecipe& recipe) {
+void DerivedJob::ask(const pipeline::FramePtr& frame, const pipeline::BufferName& name,
+                     const lessons::DerivedRecipe& recipe) {
     Question question{frame, name, recipe};
     if (question == m_asked) return;
     // What shows another thing is worse than nothing.
@@ -51,7 +52,7 @@ void DerivedJob::start() {
             if (made && made->rays) *cell = made->rays;
             return made;
         },
-        [this](const pipeline::Result<DerivedBuffer>& made) {
+        [this](const pipeline::Result<lessons::DerivedBuffer>& made) {
             if (!made) return refuse(toQString(made.errors().front().found));
             m_made = *made;
             emit changed();

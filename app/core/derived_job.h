@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/core/background_job.h"
-#include "app/derived/derived_buffer.h"
+#include "lessons/derived_buffer.h"
 
 namespace app {
 
@@ -14,13 +14,13 @@ public:
     explicit DerivedJob(QObject* parent = nullptr);
 
     // What was asked last costs nothing. Rays that run go on where they are those of the new frame too.
-    void ask(const pipeline::FramePtr& frame, const pipeline::BufferName& name, const DerivedRecipe& recipe);
+    void ask(const pipeline::FramePtr& frame, const pipeline::BufferName& name, const lessons::DerivedRecipe& recipe);
     void cancel();  // what runs, until ask() asks something else
     void retry();   // what was cancelled
     void forget();
 
     // The newest that has come; it may lag behind the frame. Nothing before the first, and where there is none.
-    const std::optional<DerivedBuffer>& made() const { return m_made; }
+    const std::optional<lessons::DerivedBuffer>& made() const { return m_made; }
     // Why there is none, one sentence. Empty where there is one, or it is on its way.
     const QString& why() const { return m_why; }
     const pipeline::Errors& errors() const { return m_errors; }  // what is wrong with the recipe
@@ -35,20 +35,20 @@ private:
     struct Question {
         pipeline::FramePtr frame;
         pipeline::BufferName name{pipeline::BufferId::Mix};
-        DerivedRecipe recipe;
+        lessons::DerivedRecipe recipe;
         bool operator==(const Question&) const = default;
     };
     void start();
     void refuse(const QString& why, pipeline::Errors errors = {});
 
     std::optional<Question> m_asked;
-    std::optional<DerivedBuffer> m_made;
+    std::optional<lessons::DerivedBuffer> m_made;
     QString m_why;
     pipeline::Errors m_errors;
     bool m_cancelled = false;
     double m_share = 0;
     // The newest rays: only the thread of the job looks into it.
-    std::shared_ptr<std::shared_ptr<const KnownRays>> m_rays;
+    std::shared_ptr<std::shared_ptr<const lessons::KnownRays>> m_rays;
     BackgroundJob m_job;
 };
 

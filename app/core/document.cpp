@@ -263,7 +263,7 @@ void Document::pick(std::optional<glm::ivec2> pixel) {
     emit pixelChanged();
 }
 
-void Document::select(std::optional<Selection> selection) {
+void Document::select(std::optional<lessons::Selection> selection) {
     if (selection && !(hasScene() && isIn(*m_scene, *selection))) selection.reset();
     if (selection == m_selection) return;
     m_selection = selection;

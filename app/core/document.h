@@ -12,9 +12,9 @@
 
 #include "app/core/frame_worker.h"
 #include "app/core/opened_scene.h"
-#include "app/core/selection.h"
 #include "app/core/stepper.h"
 #include "app/core/work_list.h"
+#include "lessons/state/selection.h"
 #include "pipeline/core/result.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/settings_table.h"
@@ -59,7 +59,7 @@ public:
     // What the frame on show has there.
     PixelInspection& inspection() { return *m_inspection; }
     // What is selected beside the pixel; picking a pixel forgets it.
-    const std::optional<Selection>& selection() const { return m_selection; }
+    const std::optional<lessons::Selection>& selection() const { return m_selection; }
     std::optional<glm::ivec2> hovered() const { return m_hovered; }
     int channel() const { return m_channel; }  // 0 r, 1 g, 2 b: for the equation
     // The buffer or setting that a part of the equation under the cursor stands for; empty where there is none.
@@ -111,8 +111,8 @@ public:
     void setStage(pipeline::StageId stage);  // leaves the inside of a stage
     void nextStage();
     void previousStage();
-    void pick(std::optional<glm::ivec2> pixel);       // clamped to the picture
-    void select(std::optional<Selection> selection);  // nothing where the scene has no such thing
+    void pick(std::optional<glm::ivec2> pixel);                // clamped to the picture
+    void select(std::optional<lessons::Selection> selection);  // nothing where the scene has no such thing
     void hover(std::optional<glm::ivec2> pixel);
     void setChannel(int channel);
     void point(const QString& refers);
@@ -167,7 +167,7 @@ private:
     Stepper m_stepper;
     pipeline::StageId m_stage = pipeline::StageId::Shading;
     std::optional<glm::ivec2> m_pixel, m_hovered;
-    std::optional<Selection> m_selection;
+    std::optional<lessons::Selection> m_selection;
     int m_channel = 2;
     QString m_pointed;
     FrameCheck m_check;

@@ -4,7 +4,7 @@
 #include "app/core/mix_model.h"
 #include "app/core/pinned_pixels.h"
 #include "app/core/text.h"
-#include "app/state/state_scene.h"
+#include "lessons/state/state_scene.h"
 #include "pipeline/formats/toml_writer.h"
 
 namespace app {
@@ -18,10 +18,10 @@ fs::path toPath(const QString& file) { return file.toStdString(); }
 
 }  // namespace
 
-bool isOpen(const Document& document, const WindowState& state, const fs::path& folder) {
+bool isOpen(const Document& document, const lessons::WindowState& state, const fs::path& folder) {
     std::error_code ignored;
     return !state.scene.empty() && document.kept().scene &&
-           fs::equivalent(sceneFile(state.scene, folder), toPath(document.kept().file), ignored);
+           fs::equivalent(lessons::sceneFile(state.scene, folder), toPath(document.kept().file), ignored);
 }
 
 namespace {
@@ -42,10 +42,10 @@ QString nameOf(SceneChanges changes) {
 
 }  // namespace
 
-Result<WindowState> stateOf(const Document& document, const fs::path& folder) {
-    WindowState state;
+Result<lessons::WindowState> stateOf(const Document& document, const fs::path& folder) {
+    lessons::WindowState state;
     const KeptScene& kept = document.kept();
-    if (!kept.file.isEmpty()) state.scene = sceneName(toPath(kept.file), folder);
+    if (!kept.file.isEmpty()) state.scene = lessons::sceneName(toPath(kept.file), folder);
     const pipeline::Errors errors = describeScene(state, document.scene(), kept.scene.get());
     if (!errors.empty()) return errors;
     state.stage = document.stage();
@@ -58,11 +58,11 @@ Result<WindowState> stateOf(const Document& document, const fs::path& folder) {
     state.mix = mixText(document.mixer().mix());
     state.bookmarks = document.stepper().bookmarks();
     if (const PinnedPixels* pins = PinnedPixels::find(document)) state.pins = pins->all();
-    if (const auto& thing = document.selection()) state.selected = Selected{Selected::Kind(thing->kind), thing->index};
+    state.selected = document.selection();
     return state;
 }
 
-void show(Document& document, const OpenedScene& opened, const WindowState& state, SceneChanges changes,
+void show(Document& document, const OpenedScene& opened, const lessons::WindowState& state, SceneChanges changes,
           Document::Looks looks) {
     const KeptScene& kept = opened.kept;
     const bool isOpen = kept.scene && kept.scene == document.kept().scene;
@@ -81,7 +81,7 @@ void show(Document& document, const OpenedScene& opened, const WindowState& stat
     showPlace(document, state);
 }
 
-void showPlace(Document& document, const WindowState& state) {
+void showPlace(Document& document, const lessons::WindowState& state) {
     Stepper& stepper = document.stepper();
     stepper.setPlaying(false);
     stepper.setLevel(state.step);
@@ -95,11 +95,10 @@ void showPlace(Document& document, const WindowState& state) {
     mix ? document.mixer().set(*mix) : document.mixer().reset();  // of lights that the scene no longer has
     document.pick(state.pixel ? std::optional(glm::ivec2((*state.pixel)[0], (*state.pixel)[1])) : std::nullopt);
     PinnedPixels::of(document).set(state.pins);
-    const auto& thing = state.selected;
-    document.select(thing ? std::optional(Selection{Selection::Kind(thing->kind), thing->index}) : std::nullopt);
+    document.select(state.selected);
 }
 
-QString placeText(const WindowState& state) {
+QString placeText(const lessons::WindowState& state) {
     QString words = toQString(state.place ? text(*state.place) : std::string(stageInfo(state.stage).name));
     if (state.pixel) words += Document::tr(" · pixel %1, %2").arg((*state.pixel)[0]).arg((*state.pixel)[1]);
     return words;

@@ -12,7 +12,7 @@ using pipeline::ExportSummary;
 using Exported = pipeline::Result<ExportSummary>;
 
 Exported runExport(std::shared_ptr<const pipeline::Scene> scene, const pipeline::FramePtr& before,
-                   pipeline::ExportRequest request, const DerivedRecipe& recipe, const WriteMore& more,
+                   pipeline::ExportRequest request, const lessons::DerivedRecipe& recipe, const WriteMore& more,
                    const std::stop_token& stop, const pipeline::ExportProgress& progress) {
     const ExportSummary cancelled{.cancelled = true, .files = {}};
     pipeline::FrameRequest wanted{.wanted = {}, .stop = stop};
@@ -43,7 +43,7 @@ Exported runExport(std::shared_ptr<const pipeline::Scene> scene, const pipeline:
 }  // namespace
 
 ExportJob::ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::FramePtr before,
-                     pipeline::ExportRequest request, DerivedRecipe recipe, WriteMore more, QObject* parent)
+                     pipeline::ExportRequest request, lessons::DerivedRecipe recipe, WriteMore more, QObject* parent)
     : ThreadJob(parent) {
     start([this, scene = std::move(scene), before = std::move(before), request = std::move(request),
            recipe = std::move(recipe), more = std::move(more)](const std::stop_token& stop, const auto& later) {

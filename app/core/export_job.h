@@ -1,6 +1,6 @@
 #pragma once
 #include "app/core/thread_job.h"
-#include "app/derived/derived_buffer.h"
+#include "lessons/derived_buffer.h"
 #include "pipeline/export/export_frame.h"
 
 namespace app {
@@ -17,7 +17,7 @@ public:
     // `before` may be null; what it holds is reused. Derived buffers that the request names are made after the recipe.
     // `more` may be empty.
     ExportJob(std::shared_ptr<const pipeline::Scene> scene, pipeline::FramePtr before, pipeline::ExportRequest request,
-              DerivedRecipe recipe, WriteMore more, QObject* parent = nullptr);
+              lessons::DerivedRecipe recipe, WriteMore more, QObject* parent = nullptr);
 
 signals:
     void progressed(double share, const QString& file);

@@ -23,7 +23,7 @@ std::uint64_t bytesOf(const pipeline::BufferName& name, const pipeline::Scene& s
 
 }  // namespace
 
-std::vector<ExportRow> exportRows(const pipeline::Frame& frame, const DerivedRecipe& recipe) {
+std::vector<ExportRow> exportRows(const pipeline::Frame& frame, const lessons::DerivedRecipe& recipe) {
     std::vector<ExportRow> rows;
     for (const pipeline::BufferName& name : pipeline::allBuffers(frame.scene().lights.size())) {
         ExportRow row{.name = name, .whyNot = {}};
@@ -71,7 +71,7 @@ QString sceneWord(const pipeline::Scene& scene) {
 }
 
 QString exportCommand(const pipeline::Scene& scene, const QStringList& changes, const pipeline::ExportRequest& request,
-                      const DerivedRecipe& recipe, bool allBuffers) {
+                      const lessons::DerivedRecipe& recipe, bool allBuffers) {
     QStringList words{"shadescope", "export", sceneWord(scene), "-o", shellWord(toQString(request.folder.string()))};
     QStringList formats, buffers;
     bool anyDerived = false, needsText = false, needsMix = false;

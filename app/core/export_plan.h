@@ -3,7 +3,7 @@
 #include <QStringList>
 #include <vector>
 
-#include "app/derived/derived_buffer.h"
+#include "lessons/derived_buffer.h"
 #include "pipeline/export/export_frame.h"
 
 namespace app {
@@ -16,7 +16,7 @@ struct ExportRow {
 };
 
 // Every buffer that the frame's scene can have, in the order of the stages, then the derived ones.
-std::vector<ExportRow> exportRows(const pipeline::Frame& frame, const DerivedRecipe& recipe);
+std::vector<ExportRow> exportRows(const pipeline::Frame& frame, const lessons::DerivedRecipe& recipe);
 
 // "0.9 MB", "60 B".
 QString sizeText(std::uint64_t bytes);
@@ -30,7 +30,7 @@ QString sceneWord(const pipeline::Scene& scene);
 // The command line that writes the same files, with the words of ChangedSettings; buffers are named only where they are
 // not `allBuffers`, the names an export takes by itself, the recipe where a derived buffer needs it.
 QString exportCommand(const pipeline::Scene& scene, const QStringList& changes, const pipeline::ExportRequest& request,
-                      const DerivedRecipe& recipe, bool allBuffers);
+                      const lessons::DerivedRecipe& recipe, bool allBuffers);
 
 // The files of the request's derived buffers, which no frame holds, at the size of the scene's picture.
 std::vector<pipeline::PlannedFile> plannedDerived(const pipeline::Scene& scene, const pipeline::ExportRequest& request);

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "app/core/text.h"
-#include "app/state/state_scene.h"
+#include "lessons/state/state_scene.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/formats/png_scene.h"
 #include "pipeline/formats/scene_reader.h"
@@ -28,9 +28,10 @@ Result<std::string> headOf(const QString& file) {
 }
 
 // A text stands for a file that is not there.
-bool hasFile(const WindowState& state, const fs::path& folder) {
+bool hasFile(const lessons::WindowState& state, const fs::path& folder) {
     std::error_code ignored;
-    return !state.scene.empty() && (state.sceneText.empty() || fs::exists(sceneFile(state.scene, folder), ignored));
+    return !state.scene.empty() &&
+           (state.sceneText.empty() || fs::exists(lessons::sceneFile(state.scene, folder), ignored));
 }
 
 std::optional<pipeline::StageId> stageShownBy(const QString& picture) {
@@ -50,13 +51,13 @@ bool isSame(const pipeline::Mesh& a, const pipeline::Mesh& b) {
 
 }  // namespace
 
-Result<std::optional<WindowState>> stateInPicture(const QString& file) {
+Result<std::optional<lessons::WindowState>> stateInPicture(const QString& file) {
     const auto head = headOf(file);
     const std::string text = head ? pipeline::carriedState(*head) : std::string();
-    if (text.empty()) return std::optional<WindowState>();
-    const auto state = readState(text, file.toStdString());
+    if (text.empty()) return std::optional<lessons::WindowState>();
+    const auto state = lessons::readState(text, file.toStdString());
     if (!state) return state.errors();
-    WindowState shown = *state;
+    lessons::WindowState shown = *state;
     if (const std::string buffer = pipeline::shownBuffer(*head);
         pipeline::findAnyBuffer(buffer) && !shown.views.empty() && shown.views.front().buffer != buffer)
         shown.views.front() = {buffer};
@@ -88,15 +89,15 @@ Result<OpenedScene> readSceneAgain(const KeptScene& kept, const pipeline::ReadPr
     return again;
 }
 
-Result<OpenedScene> readStateScene(const WindowState& state, const fs::path& folder, const KeptScene& open,
+Result<OpenedScene> readStateScene(const lessons::WindowState& state, const fs::path& folder, const KeptScene& open,
                                    const pipeline::ReadProgress& progress) {
     OpenedScene opened;
     opened.kept = open;
     if (!open.scene && hasFile(state, folder)) {
-        Result<Scene> original = readNamedScene(state.scene, folder, progress);
+        Result<Scene> original = lessons::readNamedScene(state.scene, folder, progress);
         if (!original) return original.errors();
         std::error_code ignored;
-        opened.kept = {toQString(fs::absolute(sceneFile(state.scene, folder), ignored).string()),
+        opened.kept = {toQString(fs::absolute(lessons::sceneFile(state.scene, folder), ignored).string()),
                        std::make_shared<const Scene>(std::move(original).value())};
     }
     if (!opened.kept.scene && state.sceneText.empty())

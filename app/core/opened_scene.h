@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 #include "pipeline/formats/read_progress.h"
 #include "pipeline/plan/stage.h"
 #include "pipeline/scene/scene.h"
@@ -24,7 +24,7 @@ struct OpenedScene {
     KeptScene kept;
     std::optional<pipeline::StageId> stage;  // of the buffer that a picture shows
     // What the window showed when a picture was made; nothing for any other file. Errors: it is no state.
-    pipeline::Result<std::optional<WindowState>> carried = std::optional<WindowState>();
+    pipeline::Result<std::optional<lessons::WindowState>> carried = std::optional<lessons::WindowState>();
 };
 
 // Reads a scene file, or a picture that carries its scene.
@@ -34,10 +34,10 @@ pipeline::Result<OpenedScene> readSceneFile(const QString& file, const pipeline:
 pipeline::Result<OpenedScene> readSceneAgain(const KeptScene& kept, const pipeline::ReadProgress& progress = {});
 
 // Reads the scene of a state, named from `folder`. open: of the file that the state names, where that is open already.
-pipeline::Result<OpenedScene> readStateScene(const WindowState& state, const std::filesystem::path& folder,
+pipeline::Result<OpenedScene> readStateScene(const lessons::WindowState& state, const std::filesystem::path& folder,
                                              const KeptScene& open, const pipeline::ReadProgress& progress = {});
 
 // The state that a slide, or a picture of a buffer, carries; nothing where it carries none. Errors: it is no state.
-pipeline::Result<std::optional<WindowState>> stateInPicture(const QString& file);
+pipeline::Result<std::optional<lessons::WindowState>> stateInPicture(const QString& file);
 
 }  // namespace app

@@ -132,7 +132,7 @@ ScenePtr otherScene(const OtherSource& source, const ScenePtr& scene, const Scen
 }
 
 std::vector<OtherChoice> otherChoices(const pipeline::Frame& frame, const BufferName& shown, bool hasBefore,
-                                      const DerivedRecipe& recipe) {
+                                      const lessons::DerivedRecipe& recipe) {
     const Scene& scene = frame.scene();
     std::vector<OtherChoice> choices;
     choices.push_back({{}, "Before the last change", {.kind = Kind::Before}});

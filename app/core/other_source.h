@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/derived/derived_buffer.h"
+#include "lessons/derived_buffer.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -55,6 +55,6 @@ struct OtherChoice {
 // All but files. Another buffer can be picked where it has the same shape as `shown`; another
 // pipeline for every choice and switch that has an effect in the scene. recipe: of derived buffers.
 std::vector<OtherChoice> otherChoices(const pipeline::Frame& frame, const pipeline::BufferName& shown, bool hasBefore,
-                                      const DerivedRecipe& recipe);
+                                      const lessons::DerivedRecipe& recipe);
 
 }  // namespace app

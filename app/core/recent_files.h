@@ -11,7 +11,7 @@ struct RecentFile {
     QDateTime when;  // opened last
     QString where =
         {};  // "z-buffer/polygon=2 · pixel 268, 281": where the window stood when it was closed; may be empty
-    QString state = {};  // the same as TOML: app/state/window_state.h
+    QString state = {};  // the same as TOML: lessons/state/window_state.h
 };
 
 inline constexpr int kMaxRecentFiles = 8;

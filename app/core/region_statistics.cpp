@@ -52,12 +52,12 @@ RegionStatistics regionStatistics(const pipeline::AnyBuffer& buffer, const Regio
     return result;
 }
 
-QString regionText(const pipeline::AnyBuffer& buffer, const Region& region, ShownChannel channel,
+QString regionText(const pipeline::AnyBuffer& buffer, const Region& region, lessons::ShownChannel channel,
                    const QStringList& names) {
     std::vector<RegionStatistics> columns;
     QStringList head{toQString(buffer.name.text())};
     for (int c = 0; c < buffer.channels(); ++c) {
-        if (channel != ShownChannel::All && c != index(channel)) continue;
+        if (channel != lessons::ShownChannel::All && c != index(channel)) continue;
         columns.push_back(regionStatistics(buffer, region, c));
         head << (c < names.size() ? names[c] : QString());
     }

@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-#include "app/state/shown_channel.h"
+#include "lessons/state/shown_channel.h"
 #include "pipeline/buffers/any_buffer.h"
 
 namespace app {
@@ -33,7 +33,7 @@ RegionStatistics regionStatistics(const pipeline::AnyBuffer& buffer, const Regio
 
 // All of them, one line a number, one column a channel; tabs between the columns, as tables are pasted.
 // All channels: every one that the buffer has, by `names`.
-QString regionText(const pipeline::AnyBuffer& buffer, const Region& region, ShownChannel channel,
+QString regionText(const pipeline::AnyBuffer& buffer, const Region& region, lessons::ShownChannel channel,
                    const QStringList& names);
 
 }  // namespace app

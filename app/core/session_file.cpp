@@ -39,7 +39,8 @@ SessionFile::Left SessionFile::take() {
     if (const Left ended = leave(); !ended.errors.empty()) return ended;
     if (!QFile::exists(m_file)) return {};
     const auto text = pipeline::readFile(m_file.toStdString(), pipeline::kMaxTomlBytes);
-    const auto state = text ? readState(*text, m_file.toStdString()) : pipeline::Result<WindowState>(text.errors());
+    const auto state =
+        text ? lessons::readState(*text, m_file.toStdString()) : pipeline::Result<lessons::WindowState>(text.errors());
     if (!state) return {{}, state.errors(), setAside(m_file)};
     QFile::rename(m_file, m_tried);
     return {*state, {}, {}};
@@ -62,7 +63,7 @@ void SessionFile::keepPrevious() {
     QFile::rename(m_file, m_previous);
 }
 
-bool SessionFile::write(const WindowState& state) {
+bool SessionFile::write(const lessons::WindowState& state) {
     keepPrevious();
     QDir().mkpath(QFileInfo(m_file).path());
     return writeFile(m_file, toToml(state)).empty();

@@ -2,7 +2,7 @@
 #include <QString>
 #include <optional>
 
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 
 namespace app {
 
@@ -17,16 +17,16 @@ public:
     static void setWanted(bool wanted);
 
     struct Left {
-        std::optional<WindowState> state;
+        std::optional<lessons::WindowState> state;
         pipeline::Errors errors;  // why there is none although there was a file
         QString aside;            // where that file is now; else empty
     };
     Left take();
-    Left leave();                          // restores none; one that ended the program while it was restored goes aside
-    bool isTried() const;                  // it is being restored
-    void settle();                         // it has been
-    void giveBack();                       // it has not, and may be tried again
-    bool write(const WindowState& state);  // whole or not at all
+    Left leave();          // restores none; one that ended the program while it was restored goes aside
+    bool isTried() const;  // it is being restored
+    void settle();         // it has been
+    void giveBack();       // it has not, and may be tried again
+    bool write(const lessons::WindowState& state);  // whole or not at all
     void remove();
     const QString& file() const { return m_file; }
 

@@ -214,7 +214,7 @@ bool CleanView::stopWork() {
     return true;
 }
 
-pipeline::Errors CleanView::lookAt(const WindowState& state) { return m_views->lookAt(state); }
+pipeline::Errors CleanView::lookAt(const lessons::WindowState& state) { return m_views->lookAt(state); }
 
 // The lines of the equation itself: symbols, numbers, result. A lecture has no room for where they come from.
 void CleanView::showEquation() {
@@ -254,7 +254,7 @@ QString CleanView::shownKey() const { return m_caption->key(); }
 
 void CleanView::showCaption() {
     const auto& stage = stageInfo(m_document.stage());
-    const Cue* cue = m_cues.currentCue();
+    const lessons::Cue* cue = m_cues.currentCue();
     QString sentence = cue ? toQString(cue->caption.empty() ? cue->name : cue->caption) : toQString(stage.summary);
     const Stepper& stepper = m_document.stepper();
     const bool moved = cue && stepper.place() != cue->state.place;

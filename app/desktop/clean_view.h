@@ -27,7 +27,7 @@ public:
     CleanView(Document& document, CueModel& cues, const SceneOpener& opener);
     ~CleanView() override;
 
-    pipeline::Errors lookAt(const WindowState& state);  // the views of a state, as they stand in the window
+    pipeline::Errors lookAt(const lessons::WindowState& state);  // the views of a state, as they stand in the window
     ViewArea& views() { return *m_views; }
     PenLayer& pen() { return *m_pen; }
     QString caption() const;

@@ -9,7 +9,7 @@
 
 #include "app/core/number_format.h"
 #include "app/core/theme.h"
-#include "app/state/view_tree.h"
+#include "lessons/state/view_tree.h"
 
 namespace app {
 namespace {
@@ -30,16 +30,16 @@ QString withSizes(const QString& arrangement, const QByteArray& sizes) {
     QList<int> columns, buffers;
     QDataStream stream(sizes);
     stream >> columns >> buffers;
-    auto tree = arrangementNamed(arrangement.toStdString());
+    auto tree = lessons::arrangementNamed(arrangement.toStdString());
     if (sizes.isEmpty() || stream.status() != QDataStream::Ok || !tree) return arrangement;
-    const auto weigh = [](ViewTree& all, const QList<int>& weights) {
+    const auto weigh = [](lessons::ViewTree& all, const QList<int>& weights) {
         for (qsizetype i = 0; i < std::min(weights.size(), qsizetype(all.parts.size())); ++i)
             all.parts[std::size_t(i)].weight = std::max(1, weights[i]);
     };
     if (arrangement == "compare") weigh(*tree, buffers);
     if (arrangement == "one" || arrangement == "two") weigh(*tree, columns);
     if (arrangement == "two") weigh(tree->parts.front(), buffers);
-    return QString::fromStdString(arrangementText(*tree));
+    return QString::fromStdString(lessons::arrangementText(*tree));
 }
 
 constexpr const char* kThemeNames[]{"dark", "light", "projector"};

@@ -9,8 +9,8 @@
 #include "app/cli/cli.h"
 #include "app/cli/message.h"
 #include "app/cli/out_of_memory.h"
-#include "app/state/cue_list.h"
-#include "app/state/state_scene.h"
+#include "lessons/state/cue_list.h"
+#include "lessons/state/state_scene.h"
 #include "pipeline/core/memory.h"
 #include "pipeline/core/text.h"
 #ifdef SHADESCOPE_WINDOW
@@ -49,7 +49,7 @@ void tellOfQt(QtMsgType kind, const QMessageLogContext& context, const QString& 
     app::tell("{}\n", qFormatLogMessage(kind, context, message).toStdString());
 }
 
-int openWindow(int argc, char** argv, const std::string& file, const app::CueName& cue, bool session) {
+int openWindow(int argc, char** argv, const std::string& file, const lessons::CueName& cue, bool session) {
     qInstallMessageHandler(tellOfQt);
     if (!hasDisplay()) return refuse("there is no display for the window; the commands need none");
     app::onlyThrowWhenOutOfMemory();
@@ -60,7 +60,7 @@ int openWindow(int argc, char** argv, const std::string& file, const app::CueNam
                            .session = session});
 }
 #else
-int openWindow(int, char**, const std::string&, const app::CueName&, bool) {
+int openWindow(int, char**, const std::string&, const lessons::CueName&, bool) {
     app::tell("shadescope: this build has no window\n\n{}", app::helpText(makeHost()));
     return app::kWrongUsage;
 }
@@ -69,9 +69,9 @@ int openWindow(int, char**, const std::string&, const app::CueName&, bool) {
 // "present FILE" and "present FILE:CUE".
 int present(int argc, char** argv, bool session) {
     if (argc != 3) return refuse("present takes one cue list: present FILE, or present FILE:CUE");
-    const auto named = app::parseCueName(argv[2]);
-    const app::CueName cue = named ? *named : app::CueName{argv[2], {}};
-    const auto list = app::readCueFile(cue.file);
+    const auto named = lessons::parseCueName(argv[2]);
+    const lessons::CueName cue = named ? *named : lessons::CueName{argv[2], {}};
+    const auto list = lessons::readCueFile(cue.file);
     const auto found = !list              ? pipeline::Result<std::size_t>(list.errors())
                        : cue.name.empty() ? pipeline::Result<std::size_t>(0)
                                           : findCue(*list, cue.name);
@@ -93,7 +93,7 @@ int runProgram(int argc, char** argv) {
     if (first.starts_with("--")) return refuse("there is no option " + pipeline::inQuotes(first));
     const bool file = !first.empty() && first[0] != '-';  // "-platform" and the like are for Qt
     std::error_code ignored;
-    const std::string scene = file ? app::sceneFile(first, {}).string() : "";
+    const std::string scene = file ? lessons::sceneFile(first, {}).string() : "";
     if (file && first.find_first_of("./") == first.npos && !std::filesystem::exists(scene, ignored))
         return refuse("there is no file and no command " + pipeline::inQuotes(first) + "; the nearest command is " +
                       app::nearestCommand(first));

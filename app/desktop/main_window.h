@@ -56,9 +56,9 @@ public:
     bool openRecent(const QString& file);  // where the window stood when it was left
     SceneOpener& opener() { return *m_opener; }
     // What the window shows, its scene named from `folder`; nothing on the start page, or where the scene is too large.
-    std::optional<WindowState> state(const std::filesystem::path& folder) const;
+    std::optional<lessons::WindowState> state(const std::filesystem::path& folder) const;
     // Asks nothing.
-    void showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes,
+    void showState(const lessons::WindowState& state, const std::filesystem::path& folder, SceneChanges changes,
                    const Then& then = {});
     // Opens a list and shows the cue, the first where none is named. False where there is no such list or cue.
     bool openCues(const QString& file, const QString& name = {}, const Then& then = {});
@@ -121,8 +121,8 @@ private:
                    std::function<void(const OpenedScene&)> take);
     void cancelOpening();
     void showCarriedState(const OpenedScene& picture);
-    void lookAt(const WindowState& state);
-    Document::Looks looksTo(const WindowState& next);
+    void lookAt(const lessons::WindowState& state);
+    Document::Looks looksTo(const lessons::WindowState& next);
     void copyState();
     void pasteState();
     void exportSlide();
@@ -130,7 +130,7 @@ private:
     // main_window_cues.cpp: cues, and presenting
     void connectCues();
     void enableCueActions();
-    std::optional<WindowState> cueState() const;
+    std::optional<lessons::WindowState> cueState() const;
     void keepCue();
     bool saveCuesAs();  // false: not saved
     bool mayLeaveCues();

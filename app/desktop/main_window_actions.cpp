@@ -111,8 +111,8 @@ void MainWindow::connectActions() {
         m_pages->addAction(actions[id]);
     }
     on(A::TwoBufferViews, [this](bool shown) { m_views->setSecond(shown); });
-    on(A::SplitRight, [this] { m_views->splitView(m_views->active(), ViewTree::Kind::Row); });
-    on(A::SplitBelow, [this] { m_views->splitView(m_views->active(), ViewTree::Kind::Column); });
+    on(A::SplitRight, [this] { m_views->splitView(m_views->active(), lessons::ViewTree::Kind::Row); });
+    on(A::SplitBelow, [this] { m_views->splitView(m_views->active(), lessons::ViewTree::Kind::Column); });
     on(A::TurnView, [this] { m_views->turnView(m_views->active()); });
     on(A::CloseView, [this] { m_views->closeView(m_views->active()); });
     on(A::EvenViews, [this] { m_views->makeEven(); });

@@ -31,7 +31,7 @@ constexpr std::array kKeys{
     A::GreenChannel, A::BlueChannel, A::Bookmark1, A::Bookmark2,  A::Bookmark3,      A::Bookmark4,
     A::Bookmark5,    A::Bookmark6,   A::Bookmark7, A::Bookmark8,  A::Bookmark9,      A::OriginalSize};
 
-QString cueFilter() { return MainWindow::tr("Cue lists (*%1)").arg(kCueEnding); }
+QString cueFilter() { return MainWindow::tr("Cue lists (*%1)").arg(lessons::kCueEnding); }
 
 }  // namespace
 
@@ -106,7 +106,7 @@ void MainWindow::enableCueActions() {
 }
 
 // A cue is a place of a talk, not of someone's work: it has no bookmarks.
-std::optional<WindowState> MainWindow::cueState() const {
+std::optional<lessons::WindowState> MainWindow::cueState() const {
     auto now = state(m_cues->model().folder());
     if (now) now->bookmarks.clear();
     return now;
@@ -130,7 +130,7 @@ void MainWindow::raiseCues() {
 void MainWindow::goToCue(int cue, const Then& then) {
     CueModel& model = m_cues->model();
     if (cue < 0 || cue >= model.size()) return;
-    const WindowState state = model.cue(cue).state;
+    const lessons::WindowState state = model.cue(cue).state;
     // A talk is not stopped by a question. Within a file the changes stay, as steps of undo.
     if (!m_presentation->isOn() && !isOpen(m_document, state, model.folder()) && !mayLeaveScene()) return;
     showState(state, model.folder(), SceneChanges::Given, [this, state, cue, then] {
@@ -144,7 +144,8 @@ void MainWindow::goToCue(int cue, const Then& then) {
 
 bool MainWindow::saveCuesAs() {
     CueModel& model = m_cues->model();
-    const QString file = askWhereToSave(this, tr("Save the cue list"), model.file(), cueFilter(), kCueEnding + 1);
+    const QString file =
+        askWhereToSave(this, tr("Save the cue list"), model.file(), cueFilter(), lessons::kCueEnding + 1);
     return !file.isEmpty() && model.saveAs(file);
 }
 

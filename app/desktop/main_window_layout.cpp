@@ -251,11 +251,11 @@ void MainWindow::enableViewActions() {
     const auto enable = [&](A id, const QString& whyNot) {
         m_actions->setEnabled(id, scene && whyNot.isEmpty(), scene ? whyNot : tr("Open a scene first."));
     };
-    const ViewLeaf active = m_views->active();
-    enable(A::SplitRight, m_views->whyNotSplit(active, ViewTree::Kind::Row));
-    enable(A::SplitBelow, m_views->whyNotSplit(active, ViewTree::Kind::Column));
+    const lessons::ViewLeaf active = m_views->active();
+    enable(A::SplitRight, m_views->whyNotSplit(active, lessons::ViewTree::Kind::Row));
+    enable(A::SplitBelow, m_views->whyNotSplit(active, lessons::ViewTree::Kind::Column));
     enable(A::CloseView, m_views->whyNotClose(active));
-    const bool alone = m_views->tree().kind == ViewTree::Kind::Leaf;
+    const bool alone = m_views->tree().kind == lessons::ViewTree::Kind::Leaf;
     enable(A::EvenViews, isEven(m_views->tree()) ? tr("They are equal.") : QString());
     for (const A id : {A::NextView, A::PreviousView}) enable(id, alone ? tr("It is the only view.") : QString());
     enable(A::TurnView, {});

@@ -20,20 +20,20 @@
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
 #include "app/panels/film_dialog.h"
-#include "app/state/cue_list.h"
-#include "app/state/state_scene.h"
 #include "lessons/library.h"
+#include "lessons/state/cue_list.h"
+#include "lessons/state/state_scene.h"
 #include "pipeline/formats/toml_writer.h"
 
 namespace app {
 
 bool MainWindow::showsScene() const { return m_width.has_value() && m_document.hasScene(); }
 
-std::optional<WindowState> MainWindow::state(const std::filesystem::path& folder) const {
+std::optional<lessons::WindowState> MainWindow::state(const std::filesystem::path& folder) const {
     if (!showsScene()) return {};
     auto state = stateOf(m_document, folder);
     if (!state) return {};  // a scene too large to be kept
-    WindowState whole = std::move(state).value();
+    lessons::WindowState whole = std::move(state).value();
     m_views->fill(whole);
     nameFilesFrom(whole, folder);
     return whole;
@@ -62,7 +62,7 @@ void MainWindow::cancelOpening() {
 }
 
 bool MainWindow::openFile(const QString& file, const Then& then) {
-    if (file.endsWith(kCueEnding, Qt::CaseInsensitive)) return openCues(file, {}, then);
+    if (file.endsWith(lessons::kCueEnding, Qt::CaseInsensitive)) return openCues(file, {}, then);
     if (const auto lesson = lessons::lessonAt(file.toStdString()); !lesson.empty()) {
         const bool opened = openLessonAt(lesson);
         if (opened && then) then();
@@ -105,14 +105,14 @@ void MainWindow::takeFileChange() {
                              .arg(QFileInfo(m_document.kept().file).fileName()));
 }
 
-void MainWindow::showState(const WindowState& state, const std::filesystem::path& folder, SceneChanges changes,
+void MainWindow::showState(const lessons::WindowState& state, const std::filesystem::path& folder, SceneChanges changes,
                            const Then& then) {
     const KeptScene open = isOpen(m_document, state, folder) ? m_document.kept() : KeptScene();
     const auto read = [state, folder, open](const pipeline::ReadProgress& progress) {
         return readStateScene(state, folder, open, progress);
     };
     openScene(QFileInfo(toQString(state.scene)).fileName(), read, [=, this](const OpenedScene& opened) {
-        WindowState found = state;
+        lessons::WindowState found = state;
         findFilesFrom(found, folder);
         app::show(m_document, opened, state, changes,
                   changes == SceneChanges::Pasted ? looksTo(found) : Document::Looks());
@@ -123,16 +123,16 @@ void MainWindow::showState(const WindowState& state, const std::filesystem::path
 }
 
 // From what the window shows now; none where that cannot be kept.
-Document::Looks MainWindow::looksTo(const WindowState& next) {
+Document::Looks MainWindow::looksTo(const lessons::WindowState& next) {
     const auto now = state({});
     if (!now) return {};
-    const auto show = [this](const WindowState& state) {
+    const auto show = [this](const lessons::WindowState& state) {
         return [this, state] { showPlace(m_document, state), lookAt(state); };
     };
     return {show(*now), show(next)};
 }
 
-void MainWindow::lookAt(const WindowState& state) {
+void MainWindow::lookAt(const lessons::WindowState& state) {
     if (const pipeline::Errors errors = m_views->lookAt(state); !errors.empty())
         m_errors->report(tr("Not all of it could be shown."), errors);
 }
@@ -188,9 +188,9 @@ void MainWindow::copyState() {
 // Without a scene it is a place in the scene on show.
 void MainWindow::pasteState() {
     const std::string text = QApplication::clipboard()->text().trimmed().toStdString();
-    const auto read = text.empty() ? pipeline::Result<WindowState>(pipeline::Error{
+    const auto read = text.empty() ? pipeline::Result<lessons::WindowState>(pipeline::Error{
                                          {"clipboard", 1, 1}, "no text", "what Ctrl+C in a view has copied"})
-                                   : readState(text, "clipboard");
+                                   : lessons::readState(text, "clipboard");
     if (!read) return m_errors->report(tr("This is no state of a window. Nothing has changed."), read.errors());
     m_errors->hide();
     const auto tell = [this, place = placeText(*read)] {
@@ -234,7 +234,7 @@ bool MainWindow::openRecent(const QString& file) {
         if (recent.file == file) text = recent.state;
     return openFile(file, [this, text] {
         if (text.isEmpty()) return;
-        const auto state = readState(text.toStdString(), "recent");
+        const auto state = lessons::readState(text.toStdString(), "recent");
         // One of another version is not read; the file is open all the same.
         if (state) showState(*state, {}, SceneChanges::Given);
     });

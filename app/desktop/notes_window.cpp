@@ -13,7 +13,7 @@
 #include "app/panels/follow_theme.h"
 #include "app/panels/state_picture.h"
 #include "app/panels/surface.h"
-#include "app/state/state_scene.h"
+#include "lessons/state/state_scene.h"
 
 namespace app {
 namespace {
@@ -151,8 +151,8 @@ QString NotesWindow::timer() const { return m_timer->text(); }
 QString NotesWindow::notes() const { return m_notes->text(); }
 
 void NotesWindow::showCue() {
-    const Cue* cue = m_cues.currentCue();
-    const auto stage = [](const Cue& one) { return toQString(stageInfo(one.state.stage).label); };
+    const lessons::Cue* cue = m_cues.currentCue();
+    const auto stage = [](const lessons::Cue& one) { return toQString(stageInfo(one.state.stage).label); };
     m_nowTitle->setText(tr("What they see   ") + place() + (cue ? ", " + stage(*cue) : QString()));
     m_notes->setText(!cue                ? tr("PgDn begins with the first cue.")
                      : cue->note.empty() ? tr("No notes for this cue.")
@@ -172,7 +172,7 @@ void NotesWindow::computeNext() {
         showImage(m_next, {});
         return m_job.forget();
     }
-    const Cue& cue = m_cues.cue(next);
+    const lessons::Cue& cue = m_cues.cue(next);
     m_nextTitle->setText(tr("Next   cue %1: %2").arg(next + 1).arg(toQString(cue.name)));
     m_job.ask(
         [state = cue.state, folder = m_cues.folder()](const BackgroundJob::Control& control) -> QImage {

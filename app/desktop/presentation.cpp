@@ -40,7 +40,7 @@ void Presentation::restoreScales() {
 
 Presentation::~Presentation() { end(); }
 
-void Presentation::begin(const WindowState& state, const QList<QAction*>& keys, bool withNotes) {
+void Presentation::begin(const lessons::WindowState& state, const QList<QAction*>& keys, bool withNotes) {
     if (isOn()) return;
     m_swapped = false;
     m_clean = std::make_unique<CleanView>(m_document, m_cues, m_opener);
@@ -92,7 +92,7 @@ void Presentation::end() {
     emit ended();
 }
 
-pipeline::Errors Presentation::lookAt(const WindowState& state) {
+pipeline::Errors Presentation::lookAt(const lessons::WindowState& state) {
     return isOn() ? m_clean->lookAt(state) : pipeline::Errors();
 }
 

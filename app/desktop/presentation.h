@@ -28,9 +28,9 @@ public:
 
     bool isOn() const { return m_clean != nullptr; }
     // keys: actions whose keys work in the clean view and in the notes.
-    void begin(const WindowState& state, const QList<QAction*>& keys, bool withNotes);
+    void begin(const lessons::WindowState& state, const QList<QAction*>& keys, bool withNotes);
     void end();
-    pipeline::Errors lookAt(const WindowState& state);
+    pipeline::Errors lookAt(const lessons::WindowState& state);
     CleanView* cleanView() { return m_clean.get(); }
     NotesWindow* notes() { return m_notes.get(); }
 

@@ -4,7 +4,7 @@
 
 namespace app {
 
-Session::Session(Document& document, const QString& folder, std::function<std::optional<WindowState>()> state,
+Session::Session(Document& document, const QString& folder, std::function<std::optional<lessons::WindowState>()> state,
                  QObject* parent)
     : QObject(parent), m_document(document), m_file(folder), m_state(std::move(state)) {
     m_soon.setSingleShot(true);

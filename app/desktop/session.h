@@ -15,7 +15,7 @@ class Session : public QObject {
     Q_OBJECT
 public:
     // state: what the window shows now; nothing where it shows no scene.
-    Session(Document& document, const QString& folder, std::function<std::optional<WindowState>()> state,
+    Session(Document& document, const QString& folder, std::function<std::optional<lessons::WindowState>()> state,
             QObject* parent);
 
     SessionFile& file() { return m_file; }
@@ -35,7 +35,7 @@ public:
 private:
     Document& m_document;
     SessionFile m_file;
-    std::function<std::optional<WindowState>()> m_state;
+    std::function<std::optional<lessons::WindowState>()> m_state;
     QTimer m_soon;
     bool m_toldOfFailure = false;
 };

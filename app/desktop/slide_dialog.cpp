@@ -35,7 +35,7 @@ constexpr int kViewRole = Qt::UserRole + 1;  // of a buffer view: which of them
 
 }  // namespace
 
-SlideDialog::SlideDialog(const Document& document, ViewArea& views, WindowState state, QWidget* parent)
+SlideDialog::SlideDialog(const Document& document, ViewArea& views, lessons::WindowState state, QWidget* parent)
     : QDialog(parent), m_document(document), m_views(views), m_state(std::move(state)) {
     setObjectName("slideDialog");
     setWindowTitle(tr("Picture for a slide"));

@@ -19,7 +19,7 @@ class SlideDialog : public QDialog {
     Q_OBJECT
 public:
     // state: what the window shows; goes into the file.
-    SlideDialog(const Document& document, ViewArea& views, WindowState state, QWidget* parent = nullptr);
+    SlideDialog(const Document& document, ViewArea& views, lessons::WindowState state, QWidget* parent = nullptr);
 
     SlideRequest request() const;
     void save(const QString& file);  // away from the window; what comes of it stands in the dialog
@@ -42,7 +42,7 @@ private:
 
     const Document& m_document;
     ViewArea& m_views;
-    WindowState m_state;
+    lessons::WindowState m_state;
     QComboBox *m_what, *m_sizes;
     QSpinBox *m_width, *m_height;
     QCheckBox *m_transparent, *m_caption, *m_marks;

@@ -39,7 +39,7 @@ std::vector<Part> partsOf(const SlideRequest& request) {
 }
 
 Result<QImage> bufferPicture(const SlideContent& content, QSize size, const std::stop_token& stop) {
-    const WindowState& state = content.state;
+    const lessons::WindowState& state = content.state;
     const std::size_t view = content.request.view;
     if (view >= state.views.size()) return Error{{}, "there is no such buffer view any more", {}};
     const auto known = [&](const pipeline::BufferName& name) {
@@ -75,13 +75,14 @@ Result<SlideContent> slideContent(const Document& document, const ViewArea& view
     SlideContent content;
     content.request = request;
     content.frame = document.frame();
-    WindowState& state = content.state;
+    lessons::WindowState& state = content.state;
     views.fill(state);
     if (const auto pixel = document.pixel()) state.pixel = {pixel->x, pixel->y};
     state.condition = document.derived().text().toStdString();
     state.mix = mixText(document.mixer().mix());
     for (const pipeline::BufferName& name : pipeline::allDerived(document.frame()->scene().lights.size()))
-        if (const DerivedBuffer* made = document.derived().made(name)) content.derived.emplace(name.text(), *made);
+        if (const lessons::DerivedBuffer* made = document.derived().made(name))
+            content.derived.emplace(name.text(), *made);
     const std::vector<BufferView*> shown = views.shownBuffers();
     if (request.view < shown.size() && shown[request.view]->compare().showsOther())
         content.compared = shown[request.view]->canvas()->pictures();
@@ -127,11 +128,11 @@ Result<QImage> slidePicture(const Document& document, const ViewArea& views, con
     return content ? drawSlide(*content, {}) : content.errors();
 }
 
-std::string slidePng(const QImage& image, const pipeline::Scene& scene, const WindowState& state) {
+std::string slidePng(const QImage& image, const pipeline::Scene& scene, const lessons::WindowState& state) {
     std::vector<pipeline::PngText> texts;
     const auto text = toTomlScene(scene);
     if (text && text->size() <= pipeline::kMaxCarriedScene) {
-        WindowState carried = state;  // the scene stands beside it
+        lessons::WindowState carried = state;  // the scene stands beside it
         carried.scene.clear(), carried.set.clear(), carried.sceneText.clear();
         texts = {{pipeline::kSceneChunk, *text}, {pipeline::kStateChunk, toToml(carried)}};
     }

@@ -5,10 +5,10 @@
 
 #include "app/core/background_job.h"
 #include "app/core/document.h"
-#include "app/derived/derived_buffer.h"
 #include "app/panels/wipe.h"
-#include "app/state/window_state.h"
 #include "app/view3d/offscreen.h"
+#include "lessons/derived_buffer.h"
+#include "lessons/state/window_state.h"
 
 namespace app {
 
@@ -29,9 +29,9 @@ struct SlideRequest {
 struct SlideContent {
     SlideRequest request;
     pipeline::FramePtr frame;
-    WindowState state;
-    std::map<std::string, DerivedBuffer> derived;  // those that are there, by name
-    std::optional<CanvasPictures> compared;        // what the buffer view shows of a comparison
+    lessons::WindowState state;
+    std::map<std::string, lessons::DerivedBuffer> derived;  // those that are there, by name
+    std::optional<CanvasPictures> compared;                 // what the buffer view shows of a comparison
     std::optional<SpacePicture> space;
     QString stage, words;  // of the caption
 };
@@ -44,6 +44,6 @@ pipeline::Result<QImage> drawSlide(const SlideContent& content, const Background
 pipeline::Result<QImage> slidePicture(const Document& document, const ViewArea& views, const SlideRequest& request);
 
 // A PNG file that carries the scene and what the window shows, so that it opens them again.
-std::string slidePng(const QImage& image, const pipeline::Scene& scene, const WindowState& state);
+std::string slidePng(const QImage& image, const pipeline::Scene& scene, const lessons::WindowState& state);
 
 }  // namespace app

@@ -17,7 +17,7 @@ std::optional<pipeline::Moment> aim(const Document& document) {
     // From the end of the frame, from the beginning.
     const pipeline::Moment from = document.stepper().isInside() ? *document.stepper().moment() : steps->first();
     if (const auto& selection = document.selection()) {
-        using Kind = Selection::Kind;
+        using Kind = lessons::Selection::Kind;
         using Thing = pipeline::Steps::Thing;
         if (selection->kind == Kind::Light) return std::nullopt;
         const Thing thing = selection->kind == Kind::Object    ? Thing::Object
@@ -68,7 +68,7 @@ void enableStepActions(Actions& actions, const Document& document, bool hasScene
     enable(A::FirstStep, !first, Document::tr("Already at the first step."));
     enable(A::LastStep, stepper.isInside(), Document::tr("The whole frame is on show."));
     const bool selected =
-        document.pixel() || (document.selection() && document.selection()->kind != Selection::Kind::Light);
+        document.pixel() || (document.selection() && document.selection()->kind != lessons::Selection::Kind::Light);
     enable(A::RunToSelection, selected, Document::tr("Pick a pixel, or select a polygon, an object or a vertex."));
     enable(A::Bookmark, stepper.isInside(), Document::tr("The whole frame is on show; step inside it first."));
     actions[A::Bookmark]->setChecked(stepper.bookmarkHere() >= 0);

@@ -23,7 +23,7 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
       m_document(document),
       m_middle(new QWidget(this)),
       m_thumbnails(new ThumbnailStrip(document)),
-      m_tree(*arrangementNamed("one")),
+      m_tree(*lessons::arrangementNamed("one")),
       m_dress(dress) {
     setObjectName("viewArea");
     auto* middle = new QVBoxLayout(m_middle);
@@ -54,8 +54,8 @@ ViewArea::ViewArea(Document& document, QWidget* parent, ViewDress dress)
 
 std::vector<BufferView*> ViewArea::inOrder() const {
     std::vector<BufferView*> views;
-    for (const ViewLeaf leaf : leavesOf(m_tree))
-        if (leaf.kind == ViewLeaf::Kind::Buffer)
+    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
+        if (leaf.kind == lessons::ViewLeaf::Kind::Buffer)
             if (const auto found = m_buffers.find(leaf.number); found != m_buffers.end())
                 views.push_back(found->second);
     for (const auto& [number, view] : m_buffers)
@@ -99,27 +99,27 @@ void ViewArea::showBuffers(const QStringList& names) {
 
 std::vector<BufferView*> ViewArea::shownBuffers() const {
     std::vector<BufferView*> shown;
-    for (const ViewLeaf leaf : leavesOf(m_tree))
-        if (leaf.kind == ViewLeaf::Kind::Buffer) shown.push_back(m_buffers.at(leaf.number));
+    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
+        if (leaf.kind == lessons::ViewLeaf::Kind::Buffer) shown.push_back(m_buffers.at(leaf.number));
     if (shown.empty()) shown.push_back(&first());
     return shown;
 }
 
-void ViewArea::fill(WindowState& state) const {
+void ViewArea::fill(lessons::WindowState& state) const {
     state.arrangement = arrangement();
     state.linked = m_linked;
     state.views.clear();
     state.spaces.clear();
-    for (const ViewLeaf leaf : leavesOf(m_tree))
-        if (leaf.kind == ViewLeaf::Kind::Space) state.spaces.push_back(m_spaces.at(leaf.number)->state());
+    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
+        if (leaf.kind == lessons::ViewLeaf::Kind::Space) state.spaces.push_back(m_spaces.at(leaf.number)->state());
     for (const BufferView* view : shownBuffers()) state.views.push_back(view->state());
     if (state.spaces.empty()) state.spaces.push_back(view3d().state());
 }
 
-pipeline::Errors ViewArea::lookAt(const WindowState& state) {
+pipeline::Errors ViewArea::lookAt(const lessons::WindowState& state) {
     pipeline::Errors errors;
     const auto add = [&](const pipeline::Errors& more) { errors.insert(errors.end(), more.begin(), more.end()); };
-    const auto wanted = arrangementOf(state.arrangement);
+    const auto wanted = lessons::arrangementOf(state.arrangement);
     if (!wanted) add(wanted.errors());
     setArrangement(wanted ? state.arrangement : "one");
     m_linked = state.linked;
@@ -127,8 +127,8 @@ pipeline::Errors ViewArea::lookAt(const WindowState& state) {
     for (std::size_t i = 0; i < std::min(buffers.size(), state.views.size()); ++i)
         add(buffers[i]->lookAt(state.views[i]));
     std::size_t next = 0;
-    for (const ViewLeaf leaf : leavesOf(m_tree))
-        if (leaf.kind == ViewLeaf::Kind::Space && next < state.spaces.size())
+    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
+        if (leaf.kind == lessons::ViewLeaf::Kind::Space && next < state.spaces.size())
             add(m_spaces.at(leaf.number)->lookAt(state.spaces[next++]));
     if (next == 0 && !state.spaces.empty()) add(view3d().lookAt(state.spaces.front()));
     m_leadsSoon = false;  // each stands where the state says
@@ -137,7 +137,7 @@ pipeline::Errors ViewArea::lookAt(const WindowState& state) {
 }
 
 bool ViewArea::hasSecond() const {
-    return std::ranges::count(leavesOf(m_tree), ViewLeaf::Kind::Buffer, &ViewLeaf::kind) > 1;
+    return std::ranges::count(leavesOf(m_tree), lessons::ViewLeaf::Kind::Buffer, &lessons::ViewLeaf::kind) > 1;
 }
 
 void ViewArea::setSecond(bool shown) {
@@ -147,22 +147,22 @@ void ViewArea::setSecond(bool shown) {
 BufferView& ViewArea::first() const { return *inOrder().front(); }
 
 BufferView& ViewArea::second() {
-    if (m_buffers.size() < 2) bufferView(freeNumber(m_tree, ViewLeaf::Kind::Buffer));
+    if (m_buffers.size() < 2) bufferView(freeNumber(m_tree, lessons::ViewLeaf::Kind::Buffer));
     return *inOrder()[1];
 }
 
 BufferView& ViewArea::activeBuffer() const {
-    const ViewLeaf leaf = active();
-    return leaf.kind == ViewLeaf::Kind::Buffer ? *m_buffers.at(leaf.number) : first();
+    const lessons::ViewLeaf leaf = active();
+    return leaf.kind == lessons::ViewLeaf::Kind::Buffer ? *m_buffers.at(leaf.number) : first();
 }
 
 View3dPanel& ViewArea::view3d() const {
-    for (const ViewLeaf leaf : leavesOf(m_tree))
-        if (leaf.kind == ViewLeaf::Kind::Space) return *m_spaces.at(leaf.number);
+    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
+        if (leaf.kind == lessons::ViewLeaf::Kind::Space) return *m_spaces.at(leaf.number);
     return *m_spaces.begin()->second;
 }
 
-LinkedPicture ViewArea::pictureIn(BufferView& view) const {
+lessons::LinkedPicture ViewArea::pictureIn(BufferView& view) const {
     const QSize size = view.canvas()->content().size;
     if (view.parentWidget()->isHidden()) return {};
     return {size.width(), size.height(), bufferInfo(view.buffer().id).domain == pipeline::Domain::Texel};

@@ -5,9 +5,9 @@
 
 #include "app/core/document.h"
 #include "app/panels/focus_watch.h"
-#include "app/state/linked_views.h"
-#include "app/state/view_tree.h"
-#include "app/state/window_state.h"
+#include "lessons/state/linked_views.h"
+#include "lessons/state/view_tree.h"
+#include "lessons/state/window_state.h"
 
 class QMenu;
 
@@ -34,8 +34,8 @@ public:
     void showBuffers(const QStringList& names);
 
     // How the views stand; where there is no room for all of them the last ones are not shown.
-    const ViewTree& tree() const { return m_tree; }
-    std::string arrangement() const { return arrangementText(m_tree); }
+    const lessons::ViewTree& tree() const { return m_tree; }
+    std::string arrangement() const { return lessons::arrangementText(m_tree); }
     bool setArrangement(const std::string& nameOrText);  // false where it is neither
     bool hasSecond() const;                              // buffer view
     void setSecond(bool shown);                          // between "one" and "two"
@@ -48,23 +48,23 @@ public:
     void setLinked(bool linked);
 
     // The view that the keys go to, or went to last.
-    ViewLeaf active() const;
-    void goTo(ViewLeaf leaf);
+    lessons::ViewLeaf active() const;
+    void goTo(lessons::ViewLeaf leaf);
     void focusBuffer();       // the keys go to the active buffer view, else to the first
     void goToNext(int step);  // 1 the next one, −1 the one before
     // A new view beside it, or below it, with a buffer that explains the stage.
-    void splitView(ViewLeaf leaf, ViewTree::Kind direction);
-    void closeView(ViewLeaf leaf);
-    void turnView(ViewLeaf leaf);  // a buffer view into a 3D view, and back
+    void splitView(lessons::ViewLeaf leaf, lessons::ViewTree::Kind direction);
+    void closeView(lessons::ViewLeaf leaf);
+    void turnView(lessons::ViewLeaf leaf);  // a buffer view into a 3D view, and back
     // Empty where it can be done.
-    QString whyNotSplit(ViewLeaf leaf, ViewTree::Kind direction) const;
-    QString whyNotClose(ViewLeaf leaf) const;
+    QString whyNotSplit(lessons::ViewLeaf leaf, lessons::ViewTree::Kind direction) const;
+    QString whyNotClose(lessons::ViewLeaf leaf) const;
 
     bool hasThumbnails() const;
     void setThumbnails(bool shown);
     // What the views show: into a state, and as a state has it. Errors: what there is not.
-    void fill(WindowState& state) const;
-    pipeline::Errors lookAt(const WindowState& state);
+    void fill(lessons::WindowState& state) const;
+    pipeline::Errors lookAt(const lessons::WindowState& state);
 
     // The first ones on show, else those that were there first.
     BufferView& first() const;
@@ -72,7 +72,7 @@ public:
     std::vector<BufferView*> shownBuffers() const;  // in the order of a state; at least one
     BufferView& activeBuffer() const;               // the active view, or the first one where that is no buffer view
     View3dPanel& view3d() const;
-    QWidget* frameOf(ViewLeaf leaf) const;  // null where there is no such view
+    QWidget* frameOf(lessons::ViewLeaf leaf) const;  // null where there is no such view
 
 signals:
     void changed();    // the arrangement, or which view is active
@@ -87,23 +87,23 @@ private:
     std::vector<BufferView*> inOrder() const;  // those on show, then the others
     BufferView& bufferView(int number);        // made when first asked for
     View3dPanel& spaceView(int number);
-    QWidget* viewOf(ViewLeaf leaf) const;
-    LinkedPicture pictureIn(BufferView& view) const;
+    QWidget* viewOf(lessons::ViewLeaf leaf) const;
+    lessons::LinkedPicture pictureIn(BufferView& view) const;
     void lead(BufferView& view);  // the others stand where it does
     void join(BufferView& view);  // stands where another one does
     void leadSoon();
     void agreeSoon();  // on one zoom, where a state has one for views that have become larger by different factors
-    QWidget* framed(QWidget* view, ViewLeaf leaf);
-    void addMenu(QMenu* menu, ViewLeaf leaf);
-    void setTree(ViewTree tree);
+    QWidget* framed(QWidget* view, lessons::ViewLeaf leaf);
+    void addMenu(QMenu* menu, lessons::ViewLeaf leaf);
+    void setTree(lessons::ViewTree tree);
     void layOut();
-    QWidget* build(const ViewTree& tree);
-    void setShares(QWidget* part, const ViewTree& tree);
-    void readShares(const QWidget* part, ViewTree& tree) const;
+    QWidget* build(const lessons::ViewTree& tree);
+    void setShares(QWidget* part, const lessons::ViewTree& tree);
+    void readShares(const QWidget* part, lessons::ViewTree& tree) const;
     void takeShares();
     void takeFocus(const QWidget* now);
-    ViewSize room() const;
-    ViewSize leastView() const;
+    lessons::ViewSize room() const;
+    lessons::ViewSize leastView() const;
     int gap() const;
 
     Document& m_document;
@@ -112,9 +112,9 @@ private:
     QWidget* m_middle;
     QWidget* m_root = nullptr;  // what fills it: a splitter, or the frame of a single view
     ThumbnailStrip* m_thumbnails;
-    ViewTree m_tree;   // as it was asked for
-    ViewTree m_shown;  // what of it there is room for
-    ViewLeaf m_active;
+    lessons::ViewTree m_tree;   // as it was asked for
+    lessons::ViewTree m_shown;  // what of it there is room for
+    lessons::ViewLeaf m_active;
     ViewDress m_dress;
     bool m_laysOut = false, m_leadsSoon = false, m_agreesSoon = false, m_alone = false;
     std::optional<bool> m_linked;  // nothing: as the arrangement has it

@@ -22,19 +22,19 @@
 
 namespace app {
 
-using Kind = ViewTree::Kind;
+using Kind = lessons::ViewTree::Kind;
 
-ViewSize ViewArea::room() const { return {m_middle->width(), m_middle->height()}; }
+lessons::ViewSize ViewArea::room() const { return {m_middle->width(), m_middle->height()}; }
 int ViewArea::gap() const { return Theme::current().px(8); }
 
 // A header, a foot, and a picture to be seen between them.
-ViewSize ViewArea::leastView() const {
+lessons::ViewSize ViewArea::leastView() const {
     const Theme& theme = Theme::current();
     return {std::max(282, theme.px(250)), std::max(222, theme.px(100))};
 }
 
-QWidget* ViewArea::framed(QWidget* view, ViewLeaf leaf) {
-    const bool isSpace = leaf.kind == ViewLeaf::Kind::Space;
+QWidget* ViewArea::framed(QWidget* view, lessons::ViewLeaf leaf) {
+    const bool isSpace = leaf.kind == lessons::ViewLeaf::Kind::Space;
     const QString number = leaf.number > (isSpace ? 0 : 1) ? QString::number(leaf.number + 1) : QString();
     const QString name = isSpace ? "view3d" : leaf.number == 0 ? "first" : number.isEmpty() ? "second" : "buffer";
     auto* frame = new QFrame(m_middle);
@@ -52,7 +52,7 @@ QWidget* ViewArea::framed(QWidget* view, ViewLeaf leaf) {
 BufferView& ViewArea::bufferView(int number) {
     BufferView*& view = m_buffers[number];
     if (view) return *view;
-    const ViewLeaf leaf{ViewLeaf::Kind::Buffer, number};
+    const lessons::ViewLeaf leaf{lessons::ViewLeaf::Kind::Buffer, number};
     view = new BufferView(m_document);
     framed(view, leaf);
     view->setBare(m_dress == ViewDress::Bare);
@@ -74,7 +74,7 @@ BufferView& ViewArea::bufferView(int number) {
 View3dPanel& ViewArea::spaceView(int number) {
     View3dPanel*& view = m_spaces[number];
     if (view) return *view;
-    const ViewLeaf leaf{ViewLeaf::Kind::Space, number};
+    const lessons::ViewLeaf leaf{lessons::ViewLeaf::Kind::Space, number};
     view = new View3dPanel(m_document);
     framed(view, leaf);
     view->setBare(m_dress == ViewDress::Bare);
@@ -82,8 +82,8 @@ View3dPanel& ViewArea::spaceView(int number) {
     return *view;
 }
 
-QWidget* ViewArea::viewOf(ViewLeaf leaf) const {
-    if (leaf.kind == ViewLeaf::Kind::Space) {
+QWidget* ViewArea::viewOf(lessons::ViewLeaf leaf) const {
+    if (leaf.kind == lessons::ViewLeaf::Kind::Space) {
         const auto found = m_spaces.find(leaf.number);
         return found == m_spaces.end() ? nullptr : found->second;
     }
@@ -91,32 +91,32 @@ QWidget* ViewArea::viewOf(ViewLeaf leaf) const {
     return found == m_buffers.end() ? nullptr : found->second;
 }
 
-QWidget* ViewArea::frameOf(ViewLeaf leaf) const {
+QWidget* ViewArea::frameOf(lessons::ViewLeaf leaf) const {
     QWidget* view = viewOf(leaf);
     return view ? view->parentWidget() : nullptr;
 }
 
 bool ViewArea::setArrangement(const std::string& nameOrText) {
-    auto wanted = arrangementOf(nameOrText);
+    auto wanted = lessons::arrangementOf(nameOrText);
     if (!wanted) return false;
-    ViewTree tree = std::move(wanted).value();
+    lessons::ViewTree tree = std::move(wanted).value();
     // The views that are there go on, those on show first.
     std::vector<int> buffers, spaces;
     const auto add = [](std::vector<int>& numbers, int number) {
         if (std::ranges::count(numbers, number) == 0) numbers.push_back(number);
     };
-    for (const ViewLeaf leaf : leavesOf(m_tree))
-        add(leaf.kind == ViewLeaf::Kind::Buffer ? buffers : spaces, leaf.number);
+    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
+        add(leaf.kind == lessons::ViewLeaf::Kind::Buffer ? buffers : spaces, leaf.number);
     for (const auto& [number, view] : m_buffers) add(buffers, number);
     for (const auto& [number, view] : m_spaces) add(spaces, number);
-    renumber(tree, ViewLeaf::Kind::Buffer, buffers);
-    renumber(tree, ViewLeaf::Kind::Space, spaces);
+    renumber(tree, lessons::ViewLeaf::Kind::Buffer, buffers);
+    renumber(tree, lessons::ViewLeaf::Kind::Space, spaces);
     if (arrangementName(tree) != arrangementName(m_tree)) m_linked.reset();
     setTree(std::move(tree));
     return true;
 }
 
-void ViewArea::setTree(ViewTree tree) {
+void ViewArea::setTree(lessons::ViewTree tree) {
     const bool wasLinked = isLinked();
     m_tree = std::move(tree);
     m_alone = false;
@@ -126,8 +126,8 @@ void ViewArea::setTree(ViewTree tree) {
 }
 
 void ViewArea::makeEven() {
-    ViewTree tree = m_tree;
-    app::makeEven(tree);
+    lessons::ViewTree tree = m_tree;
+    lessons::makeEven(tree);
     setTree(std::move(tree));
 }
 
@@ -142,11 +142,11 @@ void ViewArea::layOut() {
     if (m_laysOut) return;  // a frame that moves may give the middle another size for a moment
     const QScopedValueRollback guard(m_laysOut, true);
     bufferView(0), spaceView(0);
-    for (const ViewLeaf leaf : leavesOf(m_tree))
-        leaf.kind == ViewLeaf::Kind::Buffer ? void(bufferView(leaf.number)) : void(spaceView(leaf.number));
+    for (const lessons::ViewLeaf leaf : leavesOf(m_tree))
+        leaf.kind == lessons::ViewLeaf::Kind::Buffer ? void(bufferView(leaf.number)) : void(spaceView(leaf.number));
     const bool isLaidOut = m_middle->isVisible();
-    const ViewTree whole = m_alone ? ViewTree{Kind::Leaf, active()} : m_tree;
-    ViewTree shown = isLaidOut ? fitted(whole, room(), leastView(), gap()) : whole;
+    const lessons::ViewTree whole = m_alone ? lessons::ViewTree{Kind::Leaf, active()} : m_tree;
+    lessons::ViewTree shown = isLaidOut ? fitted(whole, room(), leastView(), gap()) : whole;
     if (m_root && haveSameViews(shown, m_shown)) {
         m_shown = std::move(shown);
         return setShares(m_root, m_shown);
@@ -162,7 +162,7 @@ void ViewArea::layOut() {
     if (qobject_cast<EvenSplitter*>(m_root)) delete m_root;
     m_root = build(m_shown);
     m_middle->layout()->addWidget(m_root);
-    for (const ViewLeaf leaf : leavesOf(m_shown)) frameOf(leaf)->show();
+    for (const lessons::ViewLeaf leaf : leavesOf(m_shown)) frameOf(leaf)->show();
     m_root->show();
     for (const QWidget* frame : frames) followThemeAgain(*frame);
     setShares(m_root, m_shown);
@@ -170,27 +170,27 @@ void ViewArea::layOut() {
     if (focus && focus->isVisible() && m_middle->isAncestorOf(focus)) focus->setFocus();
 }
 
-QWidget* ViewArea::build(const ViewTree& tree) {
+QWidget* ViewArea::build(const lessons::ViewTree& tree) {
     if (tree.kind == Kind::Leaf) return frameOf(tree.leaf);
     auto* splitter = new EvenSplitter(tree.kind == Kind::Row ? Qt::Horizontal : Qt::Vertical, m_middle);
     splitter->setChildrenCollapsible(false);
     splitter->setHandleWidth(gap());
     splitter->setMinimumSize(1, 1);  // the window does not grow for views: those without room are not shown
-    for (const ViewTree& part : tree.parts) splitter->addWidget(build(part));
+    for (const lessons::ViewTree& part : tree.parts) splitter->addWidget(build(part));
     connect(splitter, &EvenSplitter::sharesChanged, this, &ViewArea::takeShares);
     return splitter;
 }
 
-void ViewArea::setShares(QWidget* part, const ViewTree& tree) {
+void ViewArea::setShares(QWidget* part, const lessons::ViewTree& tree) {
     auto* splitter = qobject_cast<EvenSplitter*>(part);
     if (!splitter) return;
     QList<int> shares;
-    for (const ViewTree& one : tree.parts) shares << one.weight;
+    for (const lessons::ViewTree& one : tree.parts) shares << one.weight;
     splitter->setShares(shares);
     for (int i = 0; i < splitter->count(); ++i) setShares(splitter->widget(i), tree.parts[std::size_t(i)]);
 }
 
-void ViewArea::readShares(const QWidget* part, ViewTree& tree) const {
+void ViewArea::readShares(const QWidget* part, lessons::ViewTree& tree) const {
     const auto* splitter = qobject_cast<const EvenSplitter*>(part);
     for (int i = 0; splitter && i < splitter->count(); ++i) {
         tree.parts[std::size_t(i)].weight = splitter->shares()[i];
@@ -212,26 +212,28 @@ bool ViewArea::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-ViewLeaf ViewArea::active() const { return contains(m_shown, m_active) ? m_active : leavesOf(m_shown).front(); }
+lessons::ViewLeaf ViewArea::active() const {
+    return contains(m_shown, m_active) ? m_active : leavesOf(m_shown).front();
+}
 
 void ViewArea::takeFocus(const QWidget* now) {
-    for (const ViewLeaf leaf : leavesOf(m_shown)) {
+    for (const lessons::ViewLeaf leaf : leavesOf(m_shown)) {
         QWidget* frame = frameOf(leaf);
         const bool isActive = now && frame->isAncestorOf(now);
-        if (leaf.kind == ViewLeaf::Kind::Space && frame->property("active").toBool() != isActive) {
+        if (leaf.kind == lessons::ViewLeaf::Kind::Space && frame->property("active").toBool() != isActive) {
             frame->setProperty("active", isActive);
             frame->style()->polish(frame);
         }
         if (!isActive || leaf == m_active) continue;
         m_active = leaf;
-        if (leaf.kind == ViewLeaf::Kind::Buffer) m_thumbnails->setCurrent(activeBuffer().buffer());
+        if (leaf.kind == lessons::ViewLeaf::Kind::Buffer) m_thumbnails->setCurrent(activeBuffer().buffer());
         emit changed();
     }
 }
 
-void ViewArea::goTo(ViewLeaf leaf) {
+void ViewArea::goTo(lessons::ViewLeaf leaf) {
     if (!contains(m_shown, leaf)) return;
-    if (leaf.kind == ViewLeaf::Kind::Buffer)
+    if (leaf.kind == lessons::ViewLeaf::Kind::Buffer)
         m_buffers.at(leaf.number)->takeKeys();
     else
         m_spaces.at(leaf.number)->setFocus(Qt::ShortcutFocusReason);
@@ -248,16 +250,16 @@ void ViewArea::goToNext(int step) {
     goTo(isThere ? neighbour(m_shown, active(), step) : active());
 }
 
-void ViewArea::splitView(ViewLeaf leaf, Kind direction) {
+void ViewArea::splitView(lessons::ViewLeaf leaf, Kind direction) {
     if (!whyNotSplit(leaf, direction).isEmpty()) return;
-    const ViewLeaf added{ViewLeaf::Kind::Buffer, freeNumber(m_tree, ViewLeaf::Kind::Buffer)};
-    ViewTree tree = m_tree;
+    const lessons::ViewLeaf added{lessons::ViewLeaf::Kind::Buffer, freeNumber(m_tree, lessons::ViewLeaf::Kind::Buffer)};
+    lessons::ViewTree tree = m_tree;
     split(tree, leaf, direction, added);
     BufferView& view = bufferView(added.number);
     // What no other view shows.
     std::vector<pipeline::BufferName> taken;
-    for (const ViewLeaf other : leavesOf(m_tree))
-        if (other.kind == ViewLeaf::Kind::Buffer) taken.push_back(m_buffers.at(other.number)->buffer());
+    for (const lessons::ViewLeaf other : leavesOf(m_tree))
+        if (other.kind == lessons::ViewLeaf::Kind::Buffer) taken.push_back(m_buffers.at(other.number)->buffer());
     if (m_document.hasScene())
         for (const auto& name : usefulBuffers(m_document.stage(), m_document.scene(), m_document.stepper().isInside()))
             if (std::ranges::count(taken, name) == 0) {
@@ -268,13 +270,13 @@ void ViewArea::splitView(ViewLeaf leaf, Kind direction) {
     goTo(added);
 }
 
-void ViewArea::closeView(ViewLeaf leaf) {
-    ViewTree tree = m_tree;
-    if (!app::close(tree, leaf)) return;
+void ViewArea::closeView(lessons::ViewLeaf leaf) {
+    lessons::ViewTree tree = m_tree;
+    if (!lessons::close(tree, leaf)) return;
     QWidget* frame = frameOf(leaf);
     setTree(std::move(tree));
     if (leaf.number > 0) {  // the first ones are what the others begin with
-        if (leaf.kind == ViewLeaf::Kind::Buffer)
+        if (leaf.kind == lessons::ViewLeaf::Kind::Buffer)
             m_buffers.erase(leaf.number);
         else
             m_spaces.erase(leaf.number);
@@ -283,32 +285,34 @@ void ViewArea::closeView(ViewLeaf leaf) {
     goTo(active());
 }
 
-void ViewArea::turnView(ViewLeaf leaf) {
-    const auto kind = leaf.kind == ViewLeaf::Kind::Buffer ? ViewLeaf::Kind::Space : ViewLeaf::Kind::Buffer;
-    const ViewLeaf other{kind, freeNumber(m_tree, kind)};
-    ViewTree tree = m_tree;
+void ViewArea::turnView(lessons::ViewLeaf leaf) {
+    const auto kind =
+        leaf.kind == lessons::ViewLeaf::Kind::Buffer ? lessons::ViewLeaf::Kind::Space : lessons::ViewLeaf::Kind::Buffer;
+    const lessons::ViewLeaf other{kind, freeNumber(m_tree, kind)};
+    lessons::ViewTree tree = m_tree;
     if (!replace(tree, leaf, other)) return;
     setTree(std::move(tree));
     goTo(other);
 }
 
-QString ViewArea::whyNotSplit(ViewLeaf leaf, Kind direction) const {
-    ViewTree tree = m_tree;
-    if (!split(tree, leaf, direction, {ViewLeaf::Kind::Buffer, freeNumber(m_tree, ViewLeaf::Kind::Buffer)}))
-        return tr("There are %1 views, as many as there can be.").arg(kMostViews);
+QString ViewArea::whyNotSplit(lessons::ViewLeaf leaf, Kind direction) const {
+    lessons::ViewTree tree = m_tree;
+    if (!split(tree, leaf, direction,
+               {lessons::ViewLeaf::Kind::Buffer, freeNumber(m_tree, lessons::ViewLeaf::Kind::Buffer)}))
+        return tr("There are %1 views, as many as there can be.").arg(lessons::kMostViews);
     if (fitted(tree, room(), leastView(), gap()) == tree) return {};
     return tr("There is no room: a view needs %1 by %2 pixels.").arg(leastView().width).arg(leastView().height);
 }
 
-QString ViewArea::whyNotClose(ViewLeaf leaf) const {
-    ViewTree tree = m_tree;
-    return app::close(tree, leaf) ? QString() : tr("It is the only view.");
+QString ViewArea::whyNotClose(lessons::ViewLeaf leaf) const {
+    lessons::ViewTree tree = m_tree;
+    return lessons::close(tree, leaf) ? QString() : tr("It is the only view.");
 }
 
-void ViewArea::addMenu(QMenu* menu, ViewLeaf leaf) {
+void ViewArea::addMenu(QMenu* menu, lessons::ViewLeaf leaf) {
     menu->setToolTipsVisible(true);
     menu->addSeparator();
-    const bool isBuffer = leaf.kind == ViewLeaf::Kind::Buffer;
+    const bool isBuffer = leaf.kind == lessons::ViewLeaf::Kind::Buffer;
     if (isBuffer) {
         menu->addAction(tr("Save this buffer…"), this, [this, leaf] {
             goTo(leaf);

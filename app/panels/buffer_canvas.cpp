@@ -58,14 +58,14 @@ void BufferCanvas::fit(bool whole) {
     placeFocus();
 }
 
-std::optional<BufferShown::Zoom> BufferCanvas::part() const {
+std::optional<lessons::BufferShown::Zoom> BufferCanvas::part() const {
     if (m_part) return m_part;
     if (m_fits || m_content.size.isEmpty()) return {};
     const QPointF center = toShown(m_placement.toPicture(QRectF(rect()).center()));
-    return BufferShown::Zoom{m_placement.zoom, {center.x(), center.y()}, {double(width()), double(height())}};
+    return lessons::BufferShown::Zoom{m_placement.zoom, {center.x(), center.y()}, {double(width()), double(height())}};
 }
 
-void BufferCanvas::showPart(const std::optional<BufferShown::Zoom>& part) {
+void BufferCanvas::showPart(const std::optional<lessons::BufferShown::Zoom>& part) {
     if (!part) return fit();
     m_part = part;
     m_fits = false;

@@ -3,7 +3,7 @@
 
 #include "app/panels/canvas_base.h"
 #include "app/panels/wipe.h"
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 
 namespace app {
 
@@ -53,8 +53,8 @@ public:
     double zoom() const;
     // The part in view, of pictures in the size of the one on show or the next one; nothing: as much as fits. A part stays
     // in view when the view changes its size, until the user zooms or moves.
-    std::optional<BufferShown::Zoom> part() const;
-    void showPart(const std::optional<BufferShown::Zoom>& part);
+    std::optional<lessons::BufferShown::Zoom> part() const;
+    void showPart(const std::optional<lessons::BufferShown::Zoom>& part);
     // Where it stands, of the picture as it is given, so that another view of the same size can stand there too: what fits
     // where it fits, else the same zoom around the same point.
     struct Look {
@@ -117,8 +117,8 @@ private:
     Wipe m_wipe;
     CanvasBase m_base, m_otherBase;
     Placement m_placement;
-    QRectF m_focus;                           // what fits
-    std::optional<BufferShown::Zoom> m_part;  // as it was asked for
+    QRectF m_focus;                                    // what fits
+    std::optional<lessons::BufferShown::Zoom> m_part;  // as it was asked for
     bool m_fits = true, m_showEdges = false, m_flipped = false, m_measures = false;
     QPointF m_pressed, m_dragFrom;
     bool m_drags = false, m_wipes = false;

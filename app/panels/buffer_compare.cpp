@@ -131,7 +131,7 @@ std::optional<AnyBuffer> BufferCompare::findOther(const FramePtr& frame, const A
 std::optional<AnyBuffer> BufferCompare::findDerived(const BufferName& name, bool isOwn) {
     DerivedBuffers& derived = m_document.derived();
     if (isOwn) {
-        const DerivedBuffer* made = derived.made(name);
+        const lessons::DerivedBuffer* made = derived.made(name);
         if (!made) m_why = derived.whyNot(name);
         return made ? std::optional(made->buffer) : std::nullopt;
     }
@@ -239,8 +239,8 @@ void BufferCompare::goToWorst() {
     const auto columns = m_found->values.columns();
     switch (m_found->values.info->domain) {
         case Domain::Pixel: return m_document.pick(glm::ivec2(worst % columns, worst / columns));
-        case Domain::Polygon: return m_document.select(Selection{Selection::Kind::Polygon, worst});
-        case Domain::Vertex: return m_document.select(Selection{Selection::Kind::Vertex, worst});
+        case Domain::Polygon: return m_document.select(lessons::Selection{lessons::Selection::Kind::Polygon, worst});
+        case Domain::Vertex: return m_document.select(lessons::Selection{lessons::Selection::Kind::Vertex, worst});
         case Domain::Texel: break;
     }
 }

@@ -11,7 +11,7 @@
 #include "app/panels/compare_bar.h"
 #include "app/panels/show_job.h"
 #include "app/panels/wipe.h"
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 
 class QMenu;
 
@@ -39,8 +39,8 @@ public:
     void setMetric(pipeline::DifferenceMetric metric);
     // What B is and how the two are shown, and the same again; nothing: no B. "Before the last change" is kept as the
     // setting that the change has changed, where it is one: later it is another change. Errors: no such B.
-    std::optional<BufferShown::Compared> state() const;
-    pipeline::Errors lookAt(const std::optional<BufferShown::Compared>& state);
+    std::optional<lessons::BufferShown::Compared> state() const;
+    pipeline::Errors lookAt(const std::optional<lessons::BufferShown::Compared>& state);
     void holdOther(bool held);     // shows B meanwhile
     void holdPrevious(bool held);  // shows the stage before meanwhile, whatever B is
     void goToWorst();
@@ -103,7 +103,7 @@ private:
     std::optional<pipeline::AnyBuffer> m_a, m_b, m_file;
     std::optional<pipeline::BufferDifference> m_found;
     pipeline::FramePtr m_foundFrame;  // that m_found is of, which may lag behind
-    ShownChannel m_channel = ShownChannel::All;
+    lessons::ShownChannel m_channel = lessons::ShownChannel::All;
     QString m_nameA, m_nameB;
     QString m_why;  // why there is no B, or no difference
 };

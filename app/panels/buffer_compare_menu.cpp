@@ -7,7 +7,7 @@
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "app/panels/buffer_compare.h"
-#include "app/state/state_text.h"
+#include "lessons/state/state_text.h"
 
 namespace app {
 
@@ -73,19 +73,19 @@ void BufferCompare::fillMenu(QMenu& menu, const BufferName& shown) {
     if (!m_source) nothing->setToolTip(tr("Nothing is compared."));
 }
 
-std::optional<BufferShown::Compared> BufferCompare::state() const {
+std::optional<lessons::BufferShown::Compared> BufferCompare::state() const {
     if (!m_source) return {};
     OtherSource source = *m_source;
     const auto change = m_document.lastChange();
     if (source.kind == OtherSource::Kind::Before && change)
         source = {.kind = OtherSource::Kind::Setting, .setting = change->setting, .value = change->before};
-    BufferShown::Compared state{keyOf(source), std::string(kCompareModes[std::size_t(m_mode)]), m_share,
-                                std::string(pipeline::metricTable()[std::size_t(m_metric)].name)};
+    lessons::BufferShown::Compared state{keyOf(source), std::string(lessons::kCompareModes[std::size_t(m_mode)]),
+                                         m_share, std::string(pipeline::metricTable()[std::size_t(m_metric)].name)};
     if (m_range) state.range = {m_range->first, m_range->last};
     return state;
 }
 
-pipeline::Errors BufferCompare::lookAt(const std::optional<BufferShown::Compared>& state) {
+pipeline::Errors BufferCompare::lookAt(const std::optional<lessons::BufferShown::Compared>& state) {
     if (!state || !m_document.hasScene()) {
         compareWith(std::nullopt);
         return {};
@@ -101,8 +101,9 @@ pipeline::Errors BufferCompare::lookAt(const std::optional<BufferShown::Compared
     compareWith(*source);
     if (state->range && (*state->range)[0] != (*state->range)[1])
         m_range = pipeline::PaletteRange{(*state->range)[0], (*state->range)[1]};
-    const auto mode = std::ranges::find(kCompareModes, state->mode);
-    const auto wanted = mode == kCompareModes.end() ? CompareMode::Wipe : CompareMode(mode - kCompareModes.begin());
+    const auto mode = std::ranges::find(lessons::kCompareModes, state->mode);
+    const auto wanted =
+        mode == lessons::kCompareModes.end() ? CompareMode::Wipe : CompareMode(mode - lessons::kCompareModes.begin());
     m_mode = CompareMode::A;
     setMode(wanted);
     return {};

@@ -43,7 +43,7 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
         m_channels[c]->setCheckable(true);
         row->addWidget(m_channels[c]);
         connect(m_channels[c], &QToolButton::clicked, this,
-                [this, c](bool on) { emit channelChosen(on ? ShownChannel(c) : ShownChannel::All); });
+                [this, c](bool on) { emit channelChosen(on ? lessons::ShownChannel(c) : lessons::ShownChannel::All); });
     }
     m_luminance = new QToolButton(this);
     m_luminance->setObjectName("luminance");
@@ -53,8 +53,9 @@ BufferHeader::BufferHeader(const Document& document, QWidget* parent)
     m_luminance->setToolTip(
         tr("Show the luminance (L), 0.2126 r + 0.7152 g + 0.0722 b of the light (Rec. 709); C shows the colours"));
     row->addWidget(m_luminance);
-    connect(m_luminance, &QToolButton::clicked, this,
-            [this](bool on) { emit channelChosen(on ? ShownChannel::Luminance : ShownChannel::All); });
+    connect(m_luminance, &QToolButton::clicked, this, [this](bool on) {
+        emit channelChosen(on ? lessons::ShownChannel::Luminance : lessons::ShownChannel::All);
+    });
     m_fit = button("fit", tr("Fit"), tr("Show what is drawn; again for all of the picture (F)"));
     m_original = new QToolButton(this);
     m_original->setText("1:1");
@@ -129,7 +130,7 @@ QToolButton* BufferHeader::button(const QString& iconName, const QString& name, 
     return made;
 }
 
-void BufferHeader::show(const pipeline::BufferName& name, ShownChannel channel) {
+void BufferHeader::show(const pipeline::BufferName& name, lessons::ShownChannel channel) {
     const pipeline::BufferInfo& info = bufferInfo(name.id);
     m_chooser->setName(name);
     m_caption->setText(
@@ -139,12 +140,12 @@ void BufferHeader::show(const pipeline::BufferName& name, ShownChannel channel) 
     m_channelCount = info.channels;
     for (int c = 0; c < names.size(); ++c) {
         m_channels[c]->setText(names[c]);
-        m_channels[c]->setChecked(ShownChannel(c) == channel);
+        m_channels[c]->setChecked(lessons::ShownChannel(c) == channel);
         m_channels[c]->setAccessibleName(tr("Channel %1 alone").arg(names[c]));
         m_channels[c]->setToolTip(tr("Show %1 alone (%2); C shows all").arg(names[c]).arg(QString("RGB")[c]));
     }
     m_hasLuminance = hasLuminance(info);
-    m_luminance->setChecked(channel == ShownChannel::Luminance);
+    m_luminance->setChecked(channel == lessons::ShownChannel::Luminance);
     arrange();
 }
 

@@ -18,7 +18,7 @@ class BufferHeader : public QWidget {
 public:
     explicit BufferHeader(const Document& document, QWidget* parent = nullptr);
 
-    void show(const pipeline::BufferName& name, ShownChannel channel);
+    void show(const pipeline::BufferName& name, lessons::ShownChannel channel);
     void setZoom(double zoom);  // screen pixels per picture pixel; 0: there is no picture
     void setToggles(bool overlays, bool loupe);
     void setFlipped(bool flipped);
@@ -29,7 +29,7 @@ public:
     QMenu* menu() { return m_menu; }             // of the last button; the window adds what it can do with the view
 
 signals:
-    void channelChosen(ShownChannel channel);
+    void channelChosen(lessons::ShownChannel channel);
     void fitChosen();
     void originalChosen();               // one to one
     void overlayMenuOpens(QMenu* menu);  // it is to be filled

@@ -94,8 +94,8 @@ void fillColor(QImage& image, std::span<const T> numbers, PaletteRange range, co
 
 bool isVector(const BufferInfo& info) { return info.palette == Palette::Direction && info.unit.empty(); }
 
-Palette shownPalette(const BufferInfo& info, ShownChannel channel) {
-    if (info.channels == 1 || channel == ShownChannel::All) return info.palette;
+Palette shownPalette(const BufferInfo& info, lessons::ShownChannel channel) {
+    if (info.channels == 1 || channel == lessons::ShownChannel::All) return info.palette;
     if (info.palette == Palette::Direction) return Palette::Diverging;
     return info.element == Element::UInt8 ? Palette::Color : Palette::Sequential;
 }
@@ -104,16 +104,16 @@ bool standsOnShapes(const BufferInfo& info) {
     return info.domain == pipeline::Domain::Vertex || info.domain == pipeline::Domain::Polygon;
 }
 
-bool hasRange(const BufferInfo& info, ShownChannel channel) {
+bool hasRange(const BufferInfo& info, lessons::ShownChannel channel) {
     const Palette palette = shownPalette(info, channel);
     return palette == Palette::Sequential || palette == Palette::Diverging ||
            (palette == Palette::Color && info.element == Element::Real);
 }
 
-BufferStatistics channelStatistics(const AnyBuffer& buffer, ShownChannel channel) {
+BufferStatistics channelStatistics(const AnyBuffer& buffer, lessons::ShownChannel channel) {
     BufferStatistics found;
     if (buffer.info->element == Element::UInt8 && buffer.info->palette == Palette::Color) return found;
-    if (channel == ShownChannel::All || buffer.channels() == 1) return statistics(buffer);
+    if (channel == lessons::ShownChannel::All || buffer.channels() == 1) return statistics(buffer);
     double min = INFINITY, max = -INFINITY;
     const auto channels = std::size_t(buffer.channels());
     const std::vector<bool> with = pipeline::verticesWithPosition(buffer);
@@ -139,9 +139,10 @@ BufferStatistics channelStatistics(const AnyBuffer& buffer, ShownChannel channel
     return found;
 }
 
-PaletteRange fittingRange(const AnyBuffer& buffer, ShownChannel channel, const BufferStatistics& found,
+PaletteRange fittingRange(const AnyBuffer& buffer, lessons::ShownChannel channel, const BufferStatistics& found,
                           pipeline::DepthFormat format) {
-    if (channel == ShownChannel::All || buffer.channels() == 1) return pipeline::fittingRange(buffer, found, format);
+    if (channel == lessons::ShownChannel::All || buffer.channels() == 1)
+        return pipeline::fittingRange(buffer, found, format);
     switch (shownPalette(*buffer.info, channel)) {
         case Palette::Diverging: {
             const double end = isVector(*buffer.info) ? 1 : std::max(std::abs(found.min), std::abs(found.max));
@@ -152,8 +153,9 @@ PaletteRange fittingRange(const AnyBuffer& buffer, ShownChannel channel, const B
     }
 }
 
-bool isColorPicture(const BufferInfo& info, ShownChannel channel) {
-    return info.palette == Palette::Color && info.stage == pipeline::StageId::Shading && channel == ShownChannel::All;
+bool isColorPicture(const BufferInfo& info, lessons::ShownChannel channel) {
+    return info.palette == Palette::Color && info.stage == pipeline::StageId::Shading &&
+           channel == lessons::ShownChannel::All;
 }
 
 std::optional<AnyBuffer> polygonsUnder(const Frame& frame, const BufferInfo& info) {
@@ -173,7 +175,7 @@ std::optional<AnyBuffer> polygonsUnder(const Frame& frame, const BufferInfo& inf
 }
 
 std::vector<bool> drawnElements(const AnyBuffer& buffer, const std::optional<AnyBuffer>& polygonId,
-                                ShownChannel channel) {
+                                lessons::ShownChannel channel) {
     const BufferInfo& info = *buffer.info;
     if (isColorPicture(info, channel)) return {};
     if (info.domain == Domain::Pixel && polygonId) {
@@ -195,7 +197,7 @@ QImage bufferImage(const AnyBuffer& buffer, const BufferLook& look, const std::v
     std::visit(
         [&](const auto& numbers) {
             const auto channels = std::size_t(buffer.channels());
-            if (channels == 3 && look.channel == ShownChannel::All)
+            if (channels == 3 && look.channel == lessons::ShownChannel::All)
                 fillColor(image, numbers, look.range, drawn);
             else
                 fillScalar(image, numbers, channels, std::size_t(firstOf(look.channel)),
@@ -211,7 +213,7 @@ std::vector<int> histogram(const AnyBuffer& buffer, const BufferLook& look, cons
     const double length = look.range.last - look.range.first;
     if (length == 0) return counts;
     const auto begin = std::size_t(firstOf(look.channel));
-    const std::size_t end = look.channel == ShownChannel::All ? channels : begin + 1;
+    const std::size_t end = look.channel == lessons::ShownChannel::All ? channels : begin + 1;
     const auto outside = std::size_t(bins);  // a bin beyond the others
     counts.push_back(0);
     const auto binOf = [&](double value) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/state/shown_channel.h"
+#include "lessons/state/shown_channel.h"
 #include "pipeline/buffers/palette.h"
 #include "pipeline/run/frame.h"
 
@@ -12,25 +12,25 @@ namespace app {
 
 // How a buffer is shown: never what it holds.
 struct BufferLook {
-    ShownChannel channel = ShownChannel::All;
+    lessons::ShownChannel channel = lessons::ShownChannel::All;
     pipeline::PaletteRange range;
     bool operator==(const BufferLook&) const = default;
 };
 
 // The palette of a channel: one alone of a colour is grey, of a direction diverging, of an
 // intensity a scale.
-pipeline::Palette shownPalette(const pipeline::BufferInfo& info, ShownChannel channel);
+pipeline::Palette shownPalette(const pipeline::BufferInfo& info, lessons::ShownChannel channel);
 // Unit vectors, whose numbers lie between -1 and 1.
 bool isVector(const pipeline::BufferInfo& info);
 // Stands on polygons or vertices, and has no pixels of its own.
 bool standsOnShapes(const pipeline::BufferInfo& info);
 // Values become colours by a range that can be chosen; 8-bit colours, directions and names do not.
-bool hasRange(const pipeline::BufferInfo& info, ShownChannel channel);
+bool hasRange(const pipeline::BufferInfo& info, lessons::ShownChannel channel);
 
 // Numbers of one channel, or of all of them. Bytes that are colours are not looked at.
-pipeline::BufferStatistics channelStatistics(const pipeline::AnyBuffer& buffer, ShownChannel channel);
+pipeline::BufferStatistics channelStatistics(const pipeline::AnyBuffer& buffer, lessons::ShownChannel channel);
 // The range that shows all of it; found: channelStatistics of the same.
-pipeline::PaletteRange fittingRange(const pipeline::AnyBuffer& buffer, ShownChannel channel,
+pipeline::PaletteRange fittingRange(const pipeline::AnyBuffer& buffer, lessons::ShownChannel channel,
                                     const pipeline::BufferStatistics& found, pipeline::DepthFormat format);
 
 // The polygon at each pixel of a buffer of a frame, for drawnElements; none where the frame, inside a step, has not shaded
@@ -38,11 +38,11 @@ pipeline::PaletteRange fittingRange(const pipeline::AnyBuffer& buffer, ShownChan
 std::optional<pipeline::AnyBuffer> polygonsUnder(const pipeline::Frame& frame, const pipeline::BufferInfo& info);
 
 // A picture in colours has its black background; any other one is nothing where nothing was drawn.
-bool isColorPicture(const pipeline::BufferInfo& info, ShownChannel channel);
+bool isColorPicture(const pipeline::BufferInfo& info, lessons::ShownChannel channel);
 // Which elements of a picture hold something. Empty: all of them.
 // polygonId: polygonsUnder of the same frame.
 std::vector<bool> drawnElements(const pipeline::AnyBuffer& buffer, const std::optional<pipeline::AnyBuffer>& polygonId,
-                                ShownChannel channel);
+                                lessons::ShownChannel channel);
 
 // One pixel per element; transparent where nothing was drawn.
 QImage bufferImage(const pipeline::AnyBuffer& buffer, const BufferLook& look, const std::vector<bool>& drawn);
@@ -55,7 +55,7 @@ std::vector<int> histogram(const pipeline::AnyBuffer& buffer, const BufferLook& 
 // (by leaving out decimals).
 QString valueText(const pipeline::AnyBuffer& buffer, double value, int characters = 0);
 // All channels of an element, or the one that is shown.
-QStringList elementText(const pipeline::AnyBuffer& buffer, std::size_t x, std::size_t y, ShownChannel channel,
+QStringList elementText(const pipeline::AnyBuffer& buffer, std::size_t x, std::size_t y, lessons::ShownChannel channel,
                         int characters = 0);
 
 }  // namespace app

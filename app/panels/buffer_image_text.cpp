@@ -68,10 +68,11 @@ QString valueText(const AnyBuffer& buffer, double value, int characters) {
     return number(value, std::max(0, decimals));
 }
 
-QStringList elementText(const AnyBuffer& buffer, std::size_t x, std::size_t y, ShownChannel channel, int characters) {
+QStringList elementText(const AnyBuffer& buffer, std::size_t x, std::size_t y, lessons::ShownChannel channel,
+                        int characters) {
     QStringList texts;
     for (int c = 0; c < buffer.channels(); ++c)
-        if (channel == ShownChannel::All || index(channel) == c)
+        if (channel == lessons::ShownChannel::All || index(channel) == c)
             texts << valueText(buffer, buffer.value(x, y, c), characters);
     return texts;
 }

@@ -123,14 +123,14 @@ void BufferView::setBuffer(const BufferName& name) {
     if (isOther) emit bufferChanged(name);
 }
 
-ShownChannel BufferView::channel() const {
+lessons::ShownChannel BufferView::channel() const {
     const auto found = m_kept.find(m_name.text());
-    return found == m_kept.end() ? ShownChannel::All : found->second.channel;
+    return found == m_kept.end() ? lessons::ShownChannel::All : found->second.channel;
 }
 
-void BufferView::setChannel(ShownChannel channel) {
+void BufferView::setChannel(lessons::ShownChannel channel) {
     const pipeline::BufferInfo& info = bufferInfo(m_name.id);
-    if (info.channels == 1 || (channel == ShownChannel::Luminance && !hasLuminance(info))) return;
+    if (info.channels == 1 || (channel == lessons::ShownChannel::Luminance && !hasLuminance(info))) return;
     kept().channel = channel;
     kept().range.reset();  // that of another channel means nothing
     m_header->show(m_name, channel);

@@ -7,7 +7,7 @@
 #include "app/core/region_statistics.h"
 #include "app/panels/focus_watch.h"
 #include "app/panels/show_job.h"
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 
 class QLabel;
 class QPushButton;
@@ -36,8 +36,8 @@ public:
 
     const pipeline::BufferName& buffer() const { return m_name; }
     void setBuffer(const pipeline::BufferName& name);
-    void setChannel(ShownChannel channel);
-    ShownChannel channel() const;
+    void setChannel(lessons::ShownChannel channel);
+    lessons::ShownChannel channel() const;
     void autofit(bool keep);  // keep: the range follows every frame
     void setRange(pipeline::PaletteRange range);
     void setLogCounts(bool logarithmic);  // the axis of the histogram
@@ -47,8 +47,8 @@ public:
     void setShowLoupe(bool show);
     void setBare(bool bare);  // without the header, the buffer's name over the picture
     // How the buffer is looked at, and the same again. Errors: what there is not, left out.
-    BufferShown state() const;
-    pipeline::Errors lookAt(const BufferShown& state);
+    lessons::BufferShown state() const;
+    pipeline::Errors lookAt(const lessons::BufferShown& state);
     BufferCanvas* canvas() { return m_canvas; }
     BufferCompare& compare() { return *m_compare; }
     ConditionBar& condition() { return *m_condition; }
@@ -73,7 +73,7 @@ protected:
 private:
     // How a buffer was last looked at, kept while another one is shown.
     struct Kept {
-        ShownChannel channel = ShownChannel::All;
+        lessons::ShownChannel channel = lessons::ShownChannel::All;
         std::optional<pipeline::PaletteRange> range;  // nothing: fits every frame
         bool forced = false;                          // computed although the scene has no use for it
         bool logCounts = true;                        // the axis of the histogram

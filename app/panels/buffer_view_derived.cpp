@@ -56,7 +56,7 @@ void BufferView::takeOffer() {
 
 std::optional<ShowRequest> BufferView::request(const pipeline::FramePtr& frame) {
     const bool isOwn = !pipeline::isDerived(m_name.id);
-    const DerivedBuffer* derived = isOwn ? nullptr : m_document.derived().made(m_name);
+    const lessons::DerivedBuffer* derived = isOwn ? nullptr : m_document.derived().made(m_name);
     auto buffer = isOwn ? frame->buffer(m_name) : derived ? std::optional(derived->buffer) : std::nullopt;
     if (!buffer) {
         isOwn ? tellAbsent(*frame) : tellWhyNotDerived();
@@ -68,7 +68,7 @@ std::optional<ShowRequest> BufferView::request(const pipeline::FramePtr& frame) 
     request.overlays = m_overlays;
     if (derived) request.hatches = derived->verdicts;
     if (isMixed()) {  // the picture that the terms make as they are mixed stands where the frame buffer would
-        const DerivedBuffer* mix = m_document.derived().made(kMix);
+        const lessons::DerivedBuffer* mix = m_document.derived().made(kMix);
         if (mix && mix->buffer.shape == request.buffer.shape) request.mix = mix->buffer;
     }
     layOver(request);

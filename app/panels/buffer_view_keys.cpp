@@ -25,11 +25,11 @@ void BufferView::keyPressEvent(QKeyEvent* event) {
     if (event->key() >= Qt::Key_1 && event->key() <= Qt::Key_9) return goToPin(event->key() - Qt::Key_0);
     switch (event->key()) {
         case Qt::Key_N: return autofit(event->modifiers() & Qt::ShiftModifier);
-        case Qt::Key_R: return setChannel(ShownChannel::First);
-        case Qt::Key_G: return setChannel(ShownChannel::Second);
-        case Qt::Key_B: return setChannel(ShownChannel::Third);
-        case Qt::Key_C: return setChannel(ShownChannel::All);
-        case Qt::Key_L: return shift ? setLogCounts(!kept().logCounts) : setChannel(ShownChannel::Luminance);
+        case Qt::Key_R: return setChannel(lessons::ShownChannel::First);
+        case Qt::Key_G: return setChannel(lessons::ShownChannel::Second);
+        case Qt::Key_B: return setChannel(lessons::ShownChannel::Third);
+        case Qt::Key_C: return setChannel(lessons::ShownChannel::All);
+        case Qt::Key_L: return shift ? setLogCounts(!kept().logCounts) : setChannel(lessons::ShownChannel::Luminance);
         case Qt::Key_F: return m_canvas->toggleFit();
         case Qt::Key_Z: return setShowLoupe(!m_loupe->isVisibleTo(m_canvas));
         case Qt::Key_Shift: return m_compare->holdOther(true);

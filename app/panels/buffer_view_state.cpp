@@ -34,8 +34,8 @@ void BufferView::setLogCounts(bool logarithmic) {
     refresh();
 }
 
-BufferShown BufferView::state() const {
-    BufferShown state{m_name.text(), channel()};
+lessons::BufferShown BufferView::state() const {
+    lessons::BufferShown state{m_name.text(), channel()};
     const auto kept = m_kept.find(m_name.text());
     // Where all values are one, as where nothing is seen, there is no range to keep.
     const auto range = kept != m_kept.end() ? kept->second.range : std::nullopt;
@@ -58,7 +58,7 @@ BufferShown BufferView::state() const {
     return state;
 }
 
-pipeline::Errors BufferView::lookAt(const BufferShown& state) {
+pipeline::Errors BufferView::lookAt(const lessons::BufferShown& state) {
     pipeline::Errors errors;
     const auto name = pipeline::findAnyBuffer(state.buffer);
     if (!name) return {{{}, "there is no buffer \"" + state.buffer + '"'}};

@@ -128,7 +128,7 @@ void ConditionBar::setText(const QString& text) { m_text->setText(text); }
 QString ConditionBar::said() const { return m_said->text(); }
 
 std::shared_ptr<const lessons::ConditionMask> ConditionBar::mask() const {
-    const DerivedBuffer* made = m_condition && !isHidden() ? m_document.derived().made(kMask) : nullptr;
+    const lessons::DerivedBuffer* made = m_condition && !isHidden() ? m_document.derived().made(kMask) : nullptr;
     return made ? made->mask : nullptr;
 }
 

@@ -58,7 +58,7 @@ public:
 
 CuePanel::CuePanel(Document& document, QWidget* parent)
     : QWidget(parent),
-      m_model(new CueModel(SessionFile::usualFolder() + "/talk" + kCueEnding, this)),
+      m_model(new CueModel(SessionFile::usualFolder() + "/talk" + lessons::kCueEnding, this)),
       m_list(new QListView(this)) {
     Q_UNUSED(document)
     setObjectName("cues");
@@ -182,7 +182,7 @@ void CuePanel::showCurrent() {
     m_putBack->setVisible(m_model->canPutBack());
     m_title->setText(QFileInfo(m_model->file()).fileName());
     m_title->setToolTip(m_model->file());
-    const Cue* cue = m_model->currentCue();
+    const lessons::Cue* cue = m_model->currentCue();
     m_editor->setVisible(cue != nullptr);
     if (!cue) return;
     const QModelIndex row = m_model->index(m_model->current());

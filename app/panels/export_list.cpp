@@ -36,7 +36,7 @@ ExportList::ExportList(QWidget* parent) : QTreeWidget(parent) {
     connect(this, &QTreeWidget::itemChanged, this, &ExportList::follow);
 }
 
-void ExportList::setFrame(const pipeline::Frame& frame, const DerivedRecipe& recipe) {
+void ExportList::setFrame(const pipeline::Frame& frame, const lessons::DerivedRecipe& recipe) {
     std::vector<pipeline::BufferName> known, checked;
     for (const Entry& entry : m_entries) {
         if (entry.isThere()) known.push_back(entry.row.name);

@@ -13,7 +13,7 @@ public:
     explicit ExportList(QWidget* parent = nullptr);
 
     // What the user has checked or unchecked stays so; derived buffers are checked by hand.
-    void setFrame(const pipeline::Frame& frame, const DerivedRecipe& recipe);
+    void setFrame(const pipeline::Frame& frame, const lessons::DerivedRecipe& recipe);
     void setScale(double scale);                                  // of the pixels, as the files will have them
     void chooseAll();                                             // what the frame has
     void choose(const std::vector<pipeline::BufferName>& names);  // these alone

@@ -37,11 +37,11 @@ InspectorPanel::InspectorPanel(Document& document, QWidget* parent) : QWidget(pa
     connect(&document, &Document::channelChanged, this, &InspectorPanel::refresh);
     connect(&NumberStyle::current(), &NumberStyle::changed, this, &InspectorPanel::refresh);
     connect(m_fragments, &FragmentsSection::polygonAsked, this, [this](std::uint32_t polygon) {
-        m_document.select(Selection{Selection::Kind::Polygon, polygon});
+        m_document.select(lessons::Selection{lessons::Selection::Kind::Polygon, polygon});
     });
     connect(&document, &Document::selectionChanged, this, [this] {
         const auto& thing = m_document.selection();
-        const bool isPolygon = thing && thing->kind == Selection::Kind::Polygon;
+        const bool isPolygon = thing && thing->kind == lessons::Selection::Kind::Polygon;
         m_fragments->setSelected(isPolygon ? std::optional(std::uint32_t(thing->index)) : std::nullopt);
     });
     followTheme(this, [this] { styleHeader(); });

@@ -104,7 +104,7 @@ QString depthTest(const Frame& frame, QSize size, std::vector<QImage>& images) {
 }
 
 // NaN and infinities have colours of their own already: they get a frame of marks, negative ones a hatch.
-QString strange(const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn, ShownChannel channel,
+QString strange(const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn, lessons::ShownChannel channel,
                 pipeline::ProjectionKind projection, CanvasContent& content) {
     auto found = pipeline::strangeNumbers(buffer, index(channel), drawn, projection);
     if (found.nan + found.infinite + found.negative == 0) return {};

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/panels/shown_buffer.h"
-#include "app/state/shown_words.h"
+#include "lessons/state/shown_words.h"
 
 namespace app {
 
@@ -13,8 +13,8 @@ enum class OverlayId : unsigned char { Edges, EdgeFunctions, Verdict, Fragments,
 inline constexpr std::size_t kOverlayCount = 7;
 using OverlaySet = std::bitset<kOverlayCount>;
 constexpr std::size_t index(OverlayId id) { return static_cast<std::size_t>(id); }
-static_assert(kOverlayNames.size() == kOverlayCount);
-constexpr std::string_view keyOf(OverlayId id) { return kOverlayNames[index(id)]; }  // in files
+static_assert(lessons::kOverlayNames.size() == kOverlayCount);
+constexpr std::string_view keyOf(OverlayId id) { return lessons::kOverlayNames[index(id)]; }  // in files
 
 struct OverlayInfo {
     OverlayId id;

@@ -164,8 +164,8 @@ QRectF focusOn(QRectF around, QSize picture) {
     return focus.isEmpty() ? QRectF() : focus.adjusted(-air, -air, air, air);
 }
 
-std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const Selection& selection) {
-    using Kind = Selection::Kind;
+std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const lessons::Selection& selection) {
+    using Kind = lessons::Selection::Kind;
     if (selection.kind == Kind::Light || !isIn(frame.scene(), selection)) return {};
     const ProjectedVertices vertices = projectVertices(sourceOf(frame));
     const pipeline::Topology& topology = frame.topology();

@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "app/core/selection.h"
+#include "lessons/state/selection.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/topology.h"
 
@@ -45,6 +45,6 @@ QRectF focusOn(QRectF around, QSize picture);
 
 // Where the selected thing stands in the picture: a polygon's outline, a rectangle around an
 // object's polygons that go on, a vertex as a single point; nothing for what has no place on the screen.
-std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const Selection& selection);
+std::vector<QPolygonF> outlinesOf(const pipeline::Frame& frame, const lessons::Selection& selection);
 
 }  // namespace app

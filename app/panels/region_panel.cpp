@@ -69,7 +69,8 @@ RegionPanel::RegionPanel(QWidget* parent) : QFrame(parent), m_table(new QLabel(t
     hide();
 }
 
-void RegionPanel::show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region, ShownChannel channel) {
+void RegionPanel::show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region,
+                       lessons::ShownChannel channel) {
     setVisible(region.has_value());
     if (!region) {
         m_job.forget();

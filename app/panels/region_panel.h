@@ -17,7 +17,7 @@ public:
     explicit RegionPanel(QWidget* parent);
 
     // Nothing hides it. The statistics of a large region come a little later, and a bar says so.
-    void show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region, ShownChannel channel);
+    void show(const pipeline::AnyBuffer& buffer, const std::optional<Region>& region, lessons::ShownChannel channel);
     const QString& text() const { return m_text; }  // as it is copied
 
 signals:
@@ -28,7 +28,7 @@ private:
     struct Question {
         pipeline::AnyBuffer buffer;
         Region region;
-        ShownChannel channel = ShownChannel::All;
+        lessons::ShownChannel channel = lessons::ShownChannel::All;
         NumberFormat numbers;
     };
     void take(const QString& text);

@@ -102,8 +102,8 @@ QSize SceneTree::sizeHint() const {
 void SceneTree::followSelection() {
     const auto& selection = m_document.selection();
     if (!selection) return;
-    const bool isLight = selection->kind == Selection::Kind::Light;
-    if (!isLight && selection->kind != Selection::Kind::Object) return;
+    const bool isLight = selection->kind == lessons::Selection::Kind::Light;
+    if (!isLight && selection->kind != lessons::Selection::Kind::Object) return;
     const SceneItem item{isLight ? SceneItem::Kind::Light : SceneItem::Kind::Object, selection->index};
     const auto row = std::ranges::find(m_rows, item, &OutlineRow::item);
     if (row != m_rows.end()) setCurrentRow(int(row - m_rows.begin()));

@@ -63,7 +63,7 @@ void ShadowOverlay::fillMenu(QMenu& menu, const QString& whyNot) {
 }
 
 std::shared_ptr<const pipeline::ShadowVerdicts> ShadowOverlay::verdicts() const {
-    const DerivedBuffer* made = m_light ? m_document.derived().made(name()) : nullptr;
+    const lessons::DerivedBuffer* made = m_light ? m_document.derived().made(name()) : nullptr;
     return made ? made->verdicts : nullptr;
 }
 

@@ -16,14 +16,14 @@ namespace {
 
 QColor colorOf(const AnyBuffer& buffer, std::size_t row, const BufferLook& look) {
     const pipeline::Color8 c =
-        buffer.channels() == 3 && look.channel == ShownChannel::All
+        buffer.channels() == 3 && look.channel == lessons::ShownChannel::All
             ? elementColor(buffer, 0, row, look.range)
             : paletteColor(shownPalette(*buffer.info, look.channel), buffer.value(0, row, firstOf(look.channel)),
                            look.range.first, look.range.last);
     return {c.r, c.g, c.b};
 }
 
-QString rowText(const AnyBuffer& buffer, std::size_t row, ShownChannel channel) {
+QString rowText(const AnyBuffer& buffer, std::size_t row, lessons::ShownChannel channel) {
     const QStringList values = elementText(buffer, 0, row, channel);
     return values.size() == 1 ? values[0] : '(' + values.join(", ") + ')';
 }

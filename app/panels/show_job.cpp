@@ -37,8 +37,9 @@ ShownOther showOther(const ShowRequest& request, const ShownBuffer& a, const std
     ShownOther other{isLuminance ? luminanceOf(b.buffer) : b.buffer, {}, {}, {}, {}};
     other.whyNotComparable = whyNotComparable(a.buffer, other.buffer);
     const bool isComparable = other.whyNotComparable.empty();
-    const ShownChannel channel = a.look.channel, channelB = isComparable ? channel : ShownChannel::All;
-    const auto drawnOf = [](const pipeline::Frame& frame, const AnyBuffer& buffer, ShownChannel shown) {
+    const lessons::ShownChannel channel = a.look.channel,
+                                channelB = isComparable ? channel : lessons::ShownChannel::All;
+    const auto drawnOf = [](const pipeline::Frame& frame, const AnyBuffer& buffer, lessons::ShownChannel shown) {
         return drawnElements(buffer, polygonsUnder(frame, *buffer.info), shown);
     };
     other.drawnA = drawnOf(*request.frame, a.buffer, channel);

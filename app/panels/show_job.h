@@ -24,7 +24,7 @@ struct ShowRequest {
     pipeline::FramePtr frame;
     pipeline::AnyBuffer buffer;                // of the frame, or derived from it
     std::optional<pipeline::AnyBuffer> mix{};  // in its place, with its range
-    ShownChannel channel = ShownChannel::All;
+    lessons::ShownChannel channel = lessons::ShownChannel::All;
     std::optional<pipeline::PaletteRange> range{};  // nothing: one that shows all
     OverlaySet overlays{};
     std::shared_ptr<const pipeline::ShadowVerdicts> hatches{};  // of a buffer that is a map of them

@@ -34,7 +34,7 @@ struct Findings {
     bool any() const { return drawn > 0; }
 };
 
-Findings look(const AnyBuffer& buffer, const std::vector<bool>& drawn, ShownChannel channel) {
+Findings look(const AnyBuffer& buffer, const std::vector<bool>& drawn, lessons::ShownChannel channel) {
     Findings found;
     const auto channels = std::size_t(buffer.channels());
     if (isColorPicture(*buffer.info, channel) && buffer.info->element == Element::UInt8) {
@@ -83,7 +83,7 @@ QString noticeOf(const Findings& found, bool countsDistinct) {
 bool isDrawn(const QImage& image, QPoint pixel) { return image.isNull() || qAlpha(image.pixel(pixel)) != 0; }
 
 // Values in a pixel, then which polygon it shows and how many fragments came.
-std::function<QStringList(int, int)> textOf(const AnyBuffer& buffer, ShownChannel channel,
+std::function<QStringList(int, int)> textOf(const AnyBuffer& buffer, lessons::ShownChannel channel,
                                             const std::optional<AnyBuffer>& polygons,
                                             const std::optional<AnyBuffer>& overdraw, const QImage& image) {
     return [=](int x, int y) {
@@ -163,12 +163,12 @@ QStringList channelNames(const BufferInfo& info) {
     return {"x", "y", "z"};
 }
 
-QString captionOf(const BufferInfo& info, ShownChannel channel) {
+QString captionOf(const BufferInfo& info, lessons::ShownChannel channel) {
     static const QStringList colors{"red", "green", "blue"};
     const bool isColor = info.palette == Palette::Color && info.id != BufferId::Barycentric;
-    if (channel == ShownChannel::Luminance)
+    if (channel == lessons::ShownChannel::Luminance)
         return info.unit == "intensity" ? "luminance, before scaling" : "luminance, 1 is white";
-    const bool isAll = channel == ShownChannel::All;
+    const bool isAll = channel == lessons::ShownChannel::All;
     const QString alone = isAll ? QString() : (isColor ? colors : channelNames(info))[index(channel)];
     if (info.element == Element::UInt8 && isColor) return isAll ? "sRGB, row 0 on top" : alone + ", row 0 on top";
     if (info.unit == "intensity") return (isAll ? QString("red green blue") : alone) + ", before scaling";
@@ -177,25 +177,25 @@ QString captionOf(const BufferInfo& info, ShownChannel channel) {
     return alone.isEmpty() ? meaning : alone + ", " + meaning;
 }
 
-std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name, ShownChannel channel,
+std::optional<ShownBuffer> showBuffer(const Frame& frame, const BufferName& name, lessons::ShownChannel channel,
                                       std::optional<PaletteRange> range) {
     const auto buffer = frame.buffer(name);
     if (!buffer) return {};
     const BufferInfo& info = *buffer->info;
-    const bool isLuminance = channel == ShownChannel::Luminance && hasLuminance(info);
-    if ((index(channel) >= info.channels && !isLuminance) || info.channels == 1) channel = ShownChannel::All;
+    const bool isLuminance = channel == lessons::ShownChannel::Luminance && hasLuminance(info);
+    if ((index(channel) >= info.channels && !isLuminance) || info.channels == 1) channel = lessons::ShownChannel::All;
     return showBuffer(frame, *buffer, drawnElements(*buffer, polygonsUnder(frame, info), channel), channel, range);
 }
 
 ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::vector<bool>& drawn,
-                       ShownChannel channel, std::optional<PaletteRange> range, const std::stop_token& stop) {
-    if (channel == ShownChannel::Luminance && hasLuminance(*buffer.info)) {
-        ShownBuffer shown = showBuffer(frame, luminanceOf(buffer), drawn, ShownChannel::All, range, stop);
+                       lessons::ShownChannel channel, std::optional<PaletteRange> range, const std::stop_token& stop) {
+    if (channel == lessons::ShownChannel::Luminance && hasLuminance(*buffer.info)) {
+        ShownBuffer shown = showBuffer(frame, luminanceOf(buffer), drawn, lessons::ShownChannel::All, range, stop);
         shown.source = buffer;
         return shown;
     }
     const BufferInfo& info = *buffer.info;
-    if (index(channel) >= info.channels || info.channels == 1) channel = ShownChannel::All;
+    if (index(channel) >= info.channels || info.channels == 1) channel = lessons::ShownChannel::All;
     const auto polygons = info.domain == Domain::Pixel ? frame.buffer({BufferId::PolygonId}) : std::nullopt;
     ShownBuffer shown;
     shown.buffer = shown.source = buffer;
@@ -225,7 +225,7 @@ ShownBuffer showBuffer(const Frame& frame, const AnyBuffer& buffer, const std::v
 
     if (stop.stop_requested()) return shown;
     const Findings found = look(buffer, drawn, channel);
-    const bool isScalar = info.channels == 1 || channel != ShownChannel::All;
+    const bool isScalar = info.channels == 1 || channel != lessons::ShownChannel::All;
     shown.notice = noticeOf(found, isScalar && info.element == Element::Real && !standsOnShapes(info));
     if ((!drawn.empty() && !found.any()) || isGroundAlone(frame, buffer, polygons)) shown.empty = whyNothing(frame);
     shown.description = descriptionOf(buffer, content.size, found);

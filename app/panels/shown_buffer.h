@@ -34,19 +34,19 @@ struct ShownBuffer {
 };
 
 // What is shown, in words: "blue, before scaling".
-QString captionOf(const pipeline::BufferInfo& info, ShownChannel channel);
+QString captionOf(const pipeline::BufferInfo& info, lessons::ShownChannel channel);
 // The channels' own names: r g b, x y z, or the three weights.
 QStringList channelNames(const pipeline::BufferInfo& info);
 
 // range: the user's; nothing for one that shows all. Gives
 // nothing where the frame has no such buffer.
 std::optional<ShownBuffer> showBuffer(const pipeline::Frame& frame, const pipeline::BufferName& name,
-                                      ShownChannel channel, std::optional<pipeline::PaletteRange> range);
+                                      lessons::ShownChannel channel, std::optional<pipeline::PaletteRange> range);
 
 // A buffer that belongs to the picture of a frame without being one of its own: the other side of a
 // comparison, or their difference. drawn: which elements hold something; empty: all. Incomplete when it is stopped.
 ShownBuffer showBuffer(const pipeline::Frame& frame, const pipeline::AnyBuffer& buffer, const std::vector<bool>& drawn,
-                       ShownChannel channel, std::optional<pipeline::PaletteRange> range,
+                       lessons::ShownChannel channel, std::optional<pipeline::PaletteRange> range,
                        const std::stop_token& stop = {});
 
 }  // namespace app

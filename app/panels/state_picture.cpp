@@ -4,32 +4,32 @@
 #include <cmath>
 
 #include "app/core/theme.h"
-#include "app/derived/derived_buffer.h"
 #include "app/panels/canvas_flip.h"
 #include "app/panels/condition_bar.h"
 #include "app/panels/overlays.h"
 #include "app/panels/shadow_overlay.h"
+#include "lessons/derived_buffer.h"
 #include "pipeline/run/runner.h"
 #include "pipeline/steps/steps.h"
 
 namespace app {
 namespace {
 
-OverlaySet overlaysOf(const BufferShown& view) {
+OverlaySet overlaysOf(const lessons::BufferShown& view) {
     OverlaySet set;
     for (const OverlayInfo& overlay : overlayTable())
         if (std::ranges::find(view.overlays, keyOf(overlay.id)) != view.overlays.end()) set.set(index(overlay.id));
     return set;
 }
 
-DerivedRecipe recipeOf(const WindowState& state, const pipeline::Scene& scene) {
-    DerivedRecipe recipe{.text = state.condition};
+lessons::DerivedRecipe recipeOf(const lessons::WindowState& state, const pipeline::Scene& scene) {
+    lessons::DerivedRecipe recipe{.text = state.condition};
     if (const auto mix = pipeline::parseMix(state.mix, scene.lights.size())) recipe.mix = *mix;
     return recipe;
 }
 
 // What a view shows that no frame holds: its buffer, and what is laid over it.
-std::vector<pipeline::BufferName> derivedIn(const BufferShown& view) {
+std::vector<pipeline::BufferName> derivedIn(const lessons::BufferShown& view) {
     std::vector<pipeline::BufferName> names;
     if (const auto name = pipeline::findDerived(view.buffer)) names.push_back(*name);
     for (const std::string& overlay : view.overlays)
@@ -40,13 +40,13 @@ std::vector<pipeline::BufferName> derivedIn(const BufferShown& view) {
 // Where derived buffers of a frame come from.
 struct Maker {
     const pipeline::Frame& frame;
-    DerivedRecipe recipe;
+    lessons::DerivedRecipe recipe;
     const PictureLook& look;
     const std::stop_token& stop;
 
-    std::optional<DerivedBuffer> operator()(const pipeline::BufferName& name) const {
+    std::optional<lessons::DerivedBuffer> operator()(const pipeline::BufferName& name) const {
         if (look.known) {
-            const DerivedBuffer* known = look.known(name);
+            const lessons::DerivedBuffer* known = look.known(name);
             return known ? std::optional(*known) : std::nullopt;
         }
         if (!buffersFor(name, recipe, frame.scene())) return {};
@@ -56,7 +56,8 @@ struct Maker {
 };
 
 // The buffer of a view, whoever holds it.
-std::optional<ShownBuffer> shownIn(const Maker& make, const pipeline::BufferName& name, const BufferShown& view) {
+std::optional<ShownBuffer> shownIn(const Maker& make, const pipeline::BufferName& name,
+                                   const lessons::BufferShown& view) {
     const auto range =
         view.range ? std::optional(pipeline::PaletteRange{(*view.range)[0], (*view.range)[1]}) : std::nullopt;
     const bool isMixed = name.id == pipeline::BufferId::Color && !pipeline::isPlain(make.recipe.mix);
@@ -70,7 +71,7 @@ std::optional<ShownBuffer> shownIn(const Maker& make, const pipeline::BufferName
     return shown;
 }
 
-void layOver(const Maker& make, const BufferShown& view, CanvasContent& content) {
+void layOver(const Maker& make, const lessons::BufferShown& view, CanvasContent& content) {
     for (const std::string& overlay : view.overlays) {
         const auto name = pipeline::findDerived(overlay);
         const auto derived = name ? make(*name) : std::nullopt;
@@ -97,14 +98,14 @@ void clearBackground(const pipeline::Frame& frame, QImage& image) {
 
 // How much larger than on the screen, where the view fits its picture into a usual height. What is drawn over pixels of
 // a certain size is that of the view, and lines and letters grow with it.
-double growthOf(const BufferShown& view, QSize size) {
+double growthOf(const lessons::BufferShown& view, QSize size) {
     constexpr double kUsualHeight = 600;
     if (!view.zoom) return size.height() / kUsualHeight;
     return std::min(size.width() / view.zoom->view[0], size.height() / view.zoom->view[1]);
 }
 
 // content: as it is painted.
-Placement placementOf(const CanvasContent& content, const BufferShown& view, QSize size) {
+Placement placementOf(const CanvasContent& content, const lessons::BufferShown& view, QSize size) {
     const QPointF middle(size.width() / 2.0, size.height() / 2.0);
     if (view.zoom) {
         const double zoom = view.zoom->factor * growthOf(view, size);
@@ -118,13 +119,13 @@ Placement placementOf(const CanvasContent& content, const BufferShown& view, QSi
     return {middle - focus.center() * zoom, zoom};
 }
 
-CanvasContent turnedFor(CanvasContent content, const BufferShown& view, const PictureLook& look) {
+CanvasContent turnedFor(CanvasContent content, const lessons::BufferShown& view, const PictureLook& look) {
     content.hasGround = !look.transparent;
     return view.flipped ? upsideDown(content) : content;
 }
 
 // As on the screen, larger; marks but the picked pixel are left out.
-QImage painted(const CanvasPictures& pictures, const BufferShown& view, const PictureLook& look,
+QImage painted(const CanvasPictures& pictures, const lessons::BufferShown& view, const PictureLook& look,
                const std::optional<QPoint>& picked, bool showsEdges, const std::stop_token& stop) {
     const CanvasContent a = turnedFor(pictures.a, view, look);
     QImage image(look.size, QImage::Format_ARGB32_Premultiplied);
@@ -153,11 +154,11 @@ QImage painted(const CanvasPictures& pictures, const BufferShown& view, const Pi
 
 }  // namespace
 
-pipeline::FramePtr frameOf(const WindowState& state, std::shared_ptr<const pipeline::Scene> scene,
+pipeline::FramePtr frameOf(const lessons::WindowState& state, std::shared_ptr<const pipeline::Scene> scene,
                            std::stop_token stop) {
     pipeline::FrameRequest request{
         .wanted = pipeline::setOf({pipeline::BufferId::Color, pipeline::BufferId::PolygonId}), .stop = stop};
-    for (const BufferShown& view : state.views) {
+    for (const lessons::BufferShown& view : state.views) {
         if (const auto name = pipeline::findBuffer(view.buffer)) request.wanted.set(index(name->id));
         for (const pipeline::BufferName& name : derivedIn(view))
             if (const auto needed = buffersFor(name, recipeOf(state, *scene), *scene)) request.wanted |= *needed;
@@ -169,7 +170,7 @@ pipeline::FramePtr frameOf(const WindowState& state, std::shared_ptr<const pipel
     return steps.frameAt(steps.momentOf(*state.place), 0, stop);
 }
 
-QImage pictureOf(const pipeline::Frame& frame, const WindowState& state, const BufferShown& view,
+QImage pictureOf(const pipeline::Frame& frame, const lessons::WindowState& state, const lessons::BufferShown& view,
                  const PictureLook& look, const std::stop_token& stop) {
     const auto name = pipeline::findAnyBuffer(view.buffer);
     if (!name) return {};

@@ -33,7 +33,7 @@ TablePage::TablePage(Document& document, pipeline::TableId table, QWidget* paren
     connect(&document, &Document::selectionChanged, this, &TablePage::markRows);
     connect(&document, &Document::pixelChanged, this, &TablePage::markRows);
     connect(&document, &Document::hoverChanged, this, [this] {
-        if (m_shown && isVisible()) m_model->setPointed(rowsOf(*m_shown, m_table, {}, m_document.hovered()));
+        if (m_shown && isVisible()) m_model->setPointed(lessons::rowsOf(*m_shown, m_table, {}, m_document.hovered()));
     });
     connect(m_view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& now) { choose(now.row()); });
@@ -138,7 +138,7 @@ void TablePage::fitColumns() {
 
 void TablePage::markRows() {
     if (!m_shown || !isVisible()) return;
-    const auto rows = rowsOf(*m_shown, m_table, m_document.selection(), m_document.pixel());
+    const auto rows = lessons::rowsOf(*m_shown, m_table, m_document.selection(), m_document.pixel());
     m_marks = true;
     QItemSelection chosen;
     for (const std::uint32_t row : rows) {
@@ -161,7 +161,7 @@ void TablePage::markRows() {
 
 void TablePage::choose(int place) {
     if (m_marks || place < 0 || place >= m_model->rowCount()) return;
-    m_document.select(selectionOf(m_table, m_model->rowAt(place)));
+    m_document.select(lessons::selectionOf(m_table, m_model->rowAt(place)));
 }
 
 std::vector<int> TablePage::chosenPlaces() const {

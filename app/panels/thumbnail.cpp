@@ -34,7 +34,7 @@ QImage sampledImage(const AnyBuffer& buffer, const BufferLook& look, const QRect
     const auto at = [](double place, std::size_t count) {
         return std::min(std::size_t(std::max(0.0, place)), count - 1);
     };
-    const bool isPicture = isColorPicture(info, ShownChannel::All),
+    const bool isPicture = isColorPicture(info, lessons::ShownChannel::All),
                onPixels = info.domain == Domain::Pixel && polygonId;
     QImage image(sampled, QImage::Format_ARGB32_Premultiplied);
     for (int y = 0; y < sampled.height(); ++y) {
@@ -57,7 +57,7 @@ QImage thumbnail(const pipeline::Frame& frame, const AnyBuffer& buffer, QSize si
                  const std::optional<AnyBuffer>& polygonId, double pixelRatio) {
     const BufferInfo& info = *buffer.info;
     const pipeline::Settings& settings = frame.scene().settings;
-    constexpr auto kAll = ShownChannel::All;
+    constexpr auto kAll = lessons::ShownChannel::All;
     const BufferLook look{kAll, fittingRange(buffer, kAll, channelStatistics(buffer, kAll), settings.depthFormat)};
     const bool onPicture = info.domain != Domain::Texel;
     const QSize whole =

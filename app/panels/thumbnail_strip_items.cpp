@@ -97,7 +97,7 @@ void ThumbnailStrip::refresh() {
             item.why = toQString(frame->whyAbsent(item.name));
             continue;
         }
-        const DerivedBuffer* made = isDerived ? m_document.derived().made(item.name) : nullptr;
+        const lessons::DerivedBuffer* made = isDerived ? m_document.derived().made(item.name) : nullptr;
         wanted.push_back({item.name,
                           made        ? std::optional(made->buffer)
                           : isDerived ? std::nullopt

@@ -100,16 +100,17 @@ void WhySection::go(std::size_t row) {
     }
     m_document.setStage(m_rows[row].stage);
     emit bufferAsked({m_rows[row].buffer});
-    using Kind = Selection::Kind;
-    if (row == 3 && m_polygon) m_document.select(Selection{Kind::Polygon, *m_polygon});
-    if (row == 5 && m_object) m_document.select(Selection{Kind::Object, *m_object});
+    using Kind = lessons::Selection::Kind;
+    if (row == 3 && m_polygon) m_document.select(lessons::Selection{Kind::Polygon, *m_polygon});
+    if (row == 5 && m_object) m_document.select(lessons::Selection{Kind::Object, *m_object});
 }
 
 // To the light's buffer, with what stands before the light selected.
 void WhySection::goToShadow(int light) {
     m_document.setStage(StageId::ShadowBuffer);
     emit bufferAsked({BufferId::ShadowBuffer, light});
-    m_document.select(Selection{Selection::Kind::Polygon, std::size_t(m_blockers[std::size_t(light)])});
+    m_document.select(
+        lessons::Selection{lessons::Selection::Kind::Polygon, std::size_t(m_blockers[std::size_t(light)])});
 }
 
 // "vertex:3", "shadow:0" or "file".
@@ -120,7 +121,8 @@ void WhySection::follow(const QString& link) {
     }
     if (link.startsWith("shadow:")) return goToShadow(link.section(':', 1).toInt());
     go(4);
-    m_document.select(Selection{Selection::Kind::Vertex, std::size_t(link.section(':', 1).toULongLong())});
+    m_document.select(
+        lessons::Selection{lessons::Selection::Kind::Vertex, std::size_t(link.section(':', 1).toULongLong())});
 }
 
 // "of polygon 6 of box before light 0": a link for each light that something stands before.

@@ -4,8 +4,8 @@
 
 #include "app/core/background_job.h"
 #include "app/core/document.h"
-#include "app/state/window_state.h"
 #include "app/view3d/scene_view.h"
+#include "lessons/state/window_state.h"
 
 class QLabel;
 class QMenu;
@@ -29,8 +29,8 @@ public:
 
     // How the view is looked at, and the same again; before the first frame of a scene, once it is there. Errors: what the
     // view does not have, left out.
-    SpaceShown state() const;
-    pipeline::Errors lookAt(const SpaceShown& state);
+    lessons::SpaceShown state() const;
+    pipeline::Errors lookAt(const lessons::SpaceShown& state);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -60,14 +60,14 @@ private:
     void wantBuffers();
     void observeWork();
     void showWanted();
-    void takeCamera(const std::optional<SpaceShown::Camera>& camera);
+    void takeCamera(const std::optional<lessons::SpaceShown::Camera>& camera);
     bool misses();
     void takeFrame();
     // What content is made of.
     struct Made {
         pipeline::FramePtr frame;
         std::optional<glm::ivec2> pixel;
-        std::optional<Selection> selection;
+        std::optional<lessons::Selection> selection;
     };
     // In the world, and in the space that was on show when it was begun; that one null in the world.
     struct Built {
@@ -96,8 +96,8 @@ private:
     struct Wanted {
         ViewOptions options;
         SpaceId space;
-        std::optional<SpaceShown::Camera> camera;
-        SpaceShown asked;
+        std::optional<lessons::SpaceShown::Camera> camera;
+        lessons::SpaceShown asked;
     };
     std::optional<Wanted> m_wanted;  // once the scene's first frame is there
     Made m_made;                     // of the content on show

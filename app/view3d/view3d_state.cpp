@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "app/core/text.h"
-#include "app/state/shown_words.h"
 #include "app/view3d/overlay.h"
 #include "app/view3d/point_drawing.h"
 #include "app/view3d/view3d_panel.h"
+#include "lessons/state/shown_words.h"
 
 namespace app {
 namespace {
@@ -68,20 +68,20 @@ constexpr auto kOptions = std::to_array<OptionRow>({
     vector<Code::H>("vector_h"),
 });
 constexpr bool haveSameNames() {
-    return std::ranges::equal(kOptions, kSpaceOptions, {}, &OptionRow::name, &SpaceOption::name);
+    return std::ranges::equal(kOptions, lessons::kSpaceOptions, {}, &OptionRow::name, &lessons::SpaceOption::name);
 }
 static_assert(haveSameNames());
-static_assert(kSpaceOptions[2].max == kSparsestNormals);
+static_assert(lessons::kSpaceOptions[2].max == kSparsestNormals);
 
 std::string keyOf(SpaceId id) {
-    const std::string name(kSpaceNames[std::size_t(id.space)]);
+    const std::string name(lessons::kSpaceNames[std::size_t(id.space)]);
     if (id.space != ViewSpace::Light) return name;
     const std::string light = name + ' ' + std::to_string(id.light);
-    return id.face < 0 ? light : light + ' ' + std::string(kFaceNames[std::size_t(id.face)]);
+    return id.face < 0 ? light : light + ' ' + std::string(lessons::kFaceNames[std::size_t(id.face)]);
 }
 
 std::optional<SpaceId> spaceNamed(std::string_view name) {
-    const auto words = parseSpace(name);
+    const auto words = lessons::parseSpace(name);
     return words ? std::optional(SpaceId{ViewSpace(words->space), words->light, words->face}) : std::nullopt;
 }
 
@@ -104,9 +104,9 @@ pipeline::Result<SpacePicture> SceneView::picture(QSize size, bool transparent) 
     return SpacePicture{shown(), m_options, camera, shot};
 }
 
-SpaceShown View3dPanel::state() const {
+lessons::SpaceShown View3dPanel::state() const {
     if (m_wanted) return m_wanted->asked;
-    SpaceShown state;
+    lessons::SpaceShown state;
     state.space = keyOf(m_view->space());
     for (const OptionRow& row : kOptions) {
         const double value = row.get(m_view->options());
@@ -118,7 +118,7 @@ SpaceShown View3dPanel::state() const {
     return state;
 }
 
-pipeline::Errors View3dPanel::lookAt(const SpaceShown& state) {
+pipeline::Errors View3dPanel::lookAt(const lessons::SpaceShown& state) {
     pipeline::Errors errors;
     ViewOptions options;
     for (const auto& [name, value] : state.options) {
@@ -127,14 +127,14 @@ pipeline::Errors View3dPanel::lookAt(const SpaceShown& state) {
             errors.push_back({{}, "the 3D view has no option \"" + name + '"'});
             continue;
         }
-        const SpaceOption& range = kSpaceOptions[std::size_t(row - kOptions.begin())];
+        const lessons::SpaceOption& range = lessons::kSpaceOptions[std::size_t(row - kOptions.begin())];
         if (!(value >= range.min && value <= range.max))
             errors.push_back({{}, "the option \"" + name + "\" of the 3D view is out of its range"});
         else
             row->set(options, value);
     }
     const auto space = spaceNamed(state.space);
-    if (!space) errors.push_back({{}, "the 3D view has no space \"" + state.space + '"', kSpaceExpected});
+    if (!space) errors.push_back({{}, "the 3D view has no space \"" + state.space + '"', lessons::kSpaceExpected});
     m_wanted = Wanted{options, space.value_or(SpaceId()), state.camera, state};
     if (!m_newScene) showWanted();
     return errors;
@@ -153,7 +153,7 @@ void View3dPanel::showWanted() {
     takeCamera(wanted->camera);
 }
 
-void View3dPanel::takeCamera(const std::optional<SpaceShown::Camera>& camera) {
+void View3dPanel::takeCamera(const std::optional<lessons::SpaceShown::Camera>& camera) {
     if (!camera) return m_view->frameAnew();
     const auto& c = *camera;
     m_view->setCamera({c.target, c.distance, c.right, c.up, c.forward, c.fov, c.orthographic});

@@ -180,7 +180,8 @@ ViewContent withReport(const ViewContent& content, const Frame& frame, const pip
     return result;
 }
 
-ViewContent withSelection(const ViewContent& content, const Frame& frame, const std::optional<Selection>& selection) {
+ViewContent withSelection(const ViewContent& content, const Frame& frame,
+                          const std::optional<lessons::Selection>& selection) {
     ViewContent result = content;
     result.markedLoop.clear();
     result.markedBox.reset();
@@ -188,14 +189,14 @@ ViewContent withSelection(const ViewContent& content, const Frame& frame, const 
     const ViewMesh& mesh = *content.mesh;
     if (!selection || mesh.positions.empty() || !isIn(frame.scene(), *selection)) return result;
     switch (selection->kind) {
-        case Selection::Kind::Polygon: {
+        case lessons::Selection::Kind::Polygon: {
             const auto corners = frame.topology().corners(selection->index);
             for (std::size_t i = 0; i < corners.size(); ++i) result.markedLoop.push_back(corners[i]);
             break;
         }
-        case Selection::Kind::Object: result.markedBox = mesh.objects[selection->index].box; break;
-        case Selection::Kind::Vertex: result.markedVertex = mesh.positions[selection->index]; break;
-        case Selection::Kind::Light: break;
+        case lessons::Selection::Kind::Object: result.markedBox = mesh.objects[selection->index].box; break;
+        case lessons::Selection::Kind::Vertex: result.markedVertex = mesh.positions[selection->index]; break;
+        case lessons::Selection::Kind::Light: break;
     }
     return result;
 }

@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/selection.h"
 #include "app/view3d/coarse_mesh.h"
 #include "app/view3d/light_frustum.h"
 #include "app/view3d/orbit_camera.h"
 #include "app/view3d/view_options.h"
 #include "app/view3d/view_picture.h"
 #include "app/view3d/view_space.h"
+#include "lessons/state/selection.h"
 #include "pipeline/inspect/bounds.h"
 #include "pipeline/inspect/formula.h"
 #include "pipeline/inspect/pixel_report.h"
@@ -158,7 +158,7 @@ ViewContent withPixel(const ViewContent& content, const pipeline::Frame& frame, 
                       const std::stop_token& stop = {});
 // The same content with another thing marked.
 ViewContent withSelection(const ViewContent& content, const pipeline::Frame& frame,
-                          const std::optional<Selection>& selection);
+                          const std::optional<lessons::Selection>& selection);
 // Those that this scene's shading leaves; vertex normals beside them where the view shows them.
 pipeline::BufferSet contentBuffers(const pipeline::Scene& scene, bool vertexNormals);
 

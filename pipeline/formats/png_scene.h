@@ -15,7 +15,7 @@ Result<Scene> readPngScene(const SourceText& source, const FileLoader& load);
 // The name of the buffer that a picture shows; empty where it does not say.
 std::string shownBuffer(std::string_view png);
 
-// What the window showed, as TOML: app/state/window_state.h; empty where the picture does not say.
+// What the window showed, as TOML: lessons/state/window_state.h; empty where the picture does not say.
 std::string carriedState(std::string_view png);
 
 }  // namespace pipeline

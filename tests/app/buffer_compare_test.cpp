@@ -121,7 +121,7 @@ TEST_F(BufferCompareTest, EachSideSaysWhichValueItHas) {
 TEST_F(BufferCompareTest, LuminanceIsComparedWithLuminance) {
     compareWith(setting("shading", kPhong));
     compare.setMode(CompareMode::Difference);
-    view.setChannel(app::ShownChannel::Luminance);
+    view.setChannel(lessons::ShownChannel::Luminance);
     ASSERT_TRUE(found());
     const auto a = app::luminanceOf(*test::frameOf(ball(pipeline::Shading::Gouraud))->buffer({BufferId::Color}));
     const auto b = app::luminanceOf(*test::frameOf(ball(pipeline::Shading::Phong))->buffer({BufferId::Color}));

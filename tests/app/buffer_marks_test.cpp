@@ -111,7 +111,7 @@ TEST(RegionStatistics, CountsWhatIsThere) {
 }
 
 TEST(RegionStatistics, AreWrittenWithTheWindowsMinus) {
-    EXPECT_TRUE(app::regionText(numbers(), {{3, 1}, {0, 0}}, app::ShownChannel::All, {}).contains("minimum\t−1\n"));
+    EXPECT_TRUE(app::regionText(numbers(), {{3, 1}, {0, 0}}, lessons::ShownChannel::All, {}).contains("minimum\t−1\n"));
 }
 
 // A mean of squares less the square of the mean would lose this spread of 1 in 10^9 altogether in float.

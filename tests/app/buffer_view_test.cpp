@@ -215,11 +215,11 @@ TEST_F(BufferViewTest, ALeftOutBufferTellsWhyAndIsComputedWhenAskedFor) {
 TEST_F(BufferViewTest, RangeAndChannelAreKeptPerBuffer) {
     view.setRange({600, 700});
     show({BufferId::Specular, 0});
-    view.setChannel(app::ShownChannel::Third);
+    view.setChannel(lessons::ShownChannel::Third);
     show({BufferId::ZView});
     EXPECT_EQ(view.shown()->look.range, (pipeline::PaletteRange{600, 700}));
     show({BufferId::Specular, 0});
-    EXPECT_EQ(view.channel(), app::ShownChannel::Third);
+    EXPECT_EQ(view.channel(), lessons::ShownChannel::Third);
     // Blue of the specular term alone: 3 polygons are seen, with 3 values.
     EXPECT_TRUE(view.shown()->notice.contains("3 distinct values")) << view.shown()->notice.toStdString();
     show({BufferId::ZView});
@@ -320,7 +320,7 @@ TEST_F(BufferViewTest, TheAxisOfTheCountsIsKeptPerBuffer) {
 TEST_F(BufferViewTest, FlipAndRegionAreKeptInItsState) {
     view.setFlipped(true);
     view.setRegion(app::Region{{200, 300}, {260, 290}});
-    const app::BufferShown state = view.state();
+    const lessons::BufferShown state = view.state();
     EXPECT_TRUE(state.flipped);
     EXPECT_EQ(state.region, (std::array<int, 4>{200, 290, 260, 300}));
     view.setFlipped(false);

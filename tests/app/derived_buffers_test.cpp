@@ -62,7 +62,7 @@ TEST_F(DerivedBuffersTest, VerdictsHaveNamesALegendAndAReadout) {
     ASSERT_FALSE(view.shown()->legend.empty());
     EXPECT_TRUE(view.shown()->legend[0].text.startsWith("lit, "));
     EXPECT_TRUE(std::ranges::any_of(view.shown()->legend, [](const auto& e) { return e.text.startsWith("acne, "); }));
-    EXPECT_EQ(app::elementText(view.shown()->buffer, 0, 0, app::ShownChannel::All), QStringList{"none"})
+    EXPECT_EQ(app::elementText(view.shown()->buffer, 0, 0, lessons::ShownChannel::All), QStringList{"none"})
         << "the background";
     // Without a light that casts a shadow there is none, and the view says so.
     document.change(*pipeline::findSetting(document.scene(), "light.0.shadow"), 0);
@@ -179,11 +179,11 @@ TEST_F(DerivedBuffersTest, StatesRememberTextMixAndVeil) {
     view.condition().setText("x < 80");
     document.mixer().set(*pipeline::parseMix("ambient=solo,diffuse.0=2", 1));
     view.setBuffer(kVerdicts);
-    app::WindowState state = *app::stateOf(document, {});
+    lessons::WindowState state = *app::stateOf(document, {});
     state.views = {view.state()};
     EXPECT_EQ(state.condition, "x < 80");
     EXPECT_EQ(state.mix, "ambient=solo,diffuse.0=2");
-    const auto read = app::readState(toToml(state), "state.toml");
+    const auto read = lessons::readState(toToml(state), "state.toml");
     ASSERT_TRUE(read);
     EXPECT_EQ(*read, state);
 
@@ -201,9 +201,9 @@ TEST_F(DerivedBuffersTest, StatesRememberTextMixAndVeil) {
 
 // A state's picture is that of the view: the half for which the condition holds is white.
 TEST_F(DerivedBuffersTest, APictureOfAStateShowsIt) {
-    app::WindowState state;
+    lessons::WindowState state;
     state.condition = "y < 60";
-    state.views = {app::BufferShown{.buffer = "condition"}};
+    state.views = {lessons::BufferShown{.buffer = "condition"}};
     const auto frame = app::frameOf(state, document.frame()->sharedScene());
     const QImage image = app::pictureOf(*frame, state, state.views[0], {.size = {160, 120}, .marks = false});
     ASSERT_FALSE(image.isNull());

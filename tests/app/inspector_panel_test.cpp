@@ -262,13 +262,13 @@ TEST_F(InspectorPanelTest, ARowOfTheFragmentsSelectsItsPolygon) {
         const auto& r = *panel.report();
         return std::size_t(i < r.fragments.size() ? r.fragments[i].polygon : r.culled[i - r.fragments.size()].polygon);
     };
-    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, polygonAt(0)}));
+    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, polygonAt(0)}));
     EXPECT_TRUE(document.pixel()) << "the pixel stays picked";
     if (rows->rows().size() < 2) return;
     rows->setFocus();
     QTest::keyClick(rows, Qt::Key_Down);
     QTest::keyClick(rows, Qt::Key_Return);
-    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, polygonAt(1)}));
+    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, polygonAt(1)}));
 }
 
 TEST_F(InspectorPanelTest, PolygonVerticesAndObjectAreJumps) {
@@ -276,15 +276,15 @@ TEST_F(InspectorPanelTest, PolygonVerticesAndObjectAreJumps) {
     const auto buttons = why->findChildren<QToolButton*>();
     ASSERT_EQ(buttons.size(), 7);
     buttons[3]->click();
-    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, 2}));
+    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 2}));
     EXPECT_EQ(document.stage(), pipeline::StageId::Cull);
     const int vertex = panel.report()->vertices[1];
     for (auto* label : why->findChildren<QLabel*>())
         if (label->text().contains("vertex:")) emit label->linkActivated(QString("vertex:%1").arg(vertex));
-    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Vertex, std::size_t(vertex)}));
+    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Vertex, std::size_t(vertex)}));
     EXPECT_EQ(document.stage(), pipeline::StageId::Transform);
     buttons[5]->click();
-    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Object, 0}));
+    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Object, 0}));
 }
 
 // Below the box stands its top, polygon 7, nearest to the light.
@@ -306,7 +306,7 @@ TEST_F(InspectorPanelTest, TheShadowIsAJumpToWhatCastsIt) {
     shadow->click();
     ASSERT_EQ(buffers.size(), 1);
     EXPECT_EQ(buffers[0][0].value<pipeline::BufferName>(), (pipeline::BufferName{pipeline::BufferId::ShadowBuffer, 0}));
-    EXPECT_EQ(document.selection(), (app::Selection{app::Selection::Kind::Polygon, 7}));
+    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 7}));
     EXPECT_EQ(document.stage(), pipeline::StageId::ShadowBuffer);
 }
 

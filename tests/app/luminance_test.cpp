@@ -47,13 +47,13 @@ TEST_F(LuminanceTest, LuminanceIsOneNumberInPlaceOfThree) {
     document.pick(glm::ivec2(268, 281));
     EXPECT_FALSE(view.shown()->scale.histogram.empty()) << "it has a range and a histogram";
     EXPECT_EQ(qAlpha(view.canvas()->content().image.pixel(QPoint(5, 5))), 0);
-    EXPECT_EQ(view.state().channel, ShownChannel::Luminance);
+    EXPECT_EQ(view.state().channel, lessons::ShownChannel::Luminance);
 
     QTest::keyClick(view.canvas(), Qt::Key_C);
     EXPECT_EQ(view.shown()->buffer.shape, diffuse.shape);
     show({BufferId::Normal});
     QTest::keyClick(view.canvas(), Qt::Key_L);
-    EXPECT_EQ(view.channel(), ShownChannel::All) << "a direction has no luminance";
+    EXPECT_EQ(view.channel(), lessons::ShownChannel::All) << "a direction has no luminance";
 }
 
 TEST_F(LuminanceTest, EveryPixelOfLightHasTheColourThatAnExportGivesIt) {

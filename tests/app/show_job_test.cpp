@@ -74,7 +74,7 @@ TEST(ShowJob, InsideShadingAPixelThatIsNotShadedYetIsNotDrawn) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && document.stepper().steps(); }, 30000));
     // How many values its histogram counts.
     const auto drawn = [&](BufferId id) {
-        const auto shown = app::showBuffer(*document.frame(), {id, 0}, app::ShownChannel::All, {});
+        const auto shown = app::showBuffer(*document.frame(), {id, 0}, lessons::ShownChannel::All, {});
         return std::accumulate(shown->scale.histogram.begin(), shown->scale.histogram.end(), 0);
     };
     const auto whole = drawn(BufferId::Shadow);
@@ -166,7 +166,7 @@ TEST(ShowJob, AAndBOfAComparisonAreOfOneFrame) {
         const auto frame = std::ranges::find_if(frames, ofA);
         ASSERT_NE(frame, frames.end());
         ASSERT_EQ(view.canvas()->wipe().share, 0) << "B fills the view";
-        const auto b = app::showBuffer(**frame, kOther, app::ShownChannel::All, {});
+        const auto b = app::showBuffer(**frame, kOther, lessons::ShownChannel::All, {});
         EXPECT_EQ(view.canvas()->seen().image, b->content.image) << i;
         seen += *frame != frames.front();
     }
@@ -240,7 +240,7 @@ TEST_F(DepthView, WhatIsSelectedAmongManyPolygonsIsMarkedWithoutWaitingForIt) {
     document.setScene(test::manyPolygons());
     const auto& marked = view.canvas()->content().marked;
     ASSERT_TRUE(QTest::qWaitFor([&] { return !document.busy() && view.shown(); }, 20000));
-    document.select(app::Selection{app::Selection::Kind::Object, 0});
+    document.select(lessons::Selection{lessons::Selection::Kind::Object, 0});
     EXPECT_TRUE(marked.empty()) << "the window does not wait for it";
     const auto outlines = app::outlinesOf(*document.frame(), *document.selection());
     ASSERT_EQ(outlines.size(), 1u);
@@ -248,7 +248,7 @@ TEST_F(DepthView, WhatIsSelectedAmongManyPolygonsIsMarkedWithoutWaitingForIt) {
     document.select({});
     EXPECT_TRUE(marked.empty());
     // Given up before it was found.
-    document.select(app::Selection{app::Selection::Kind::Object, 0});
+    document.select(lessons::Selection{lessons::Selection::Kind::Object, 0});
     document.select({});
     QTest::qWait(200);
     EXPECT_TRUE(marked.empty());

@@ -98,7 +98,7 @@ TEST(ShownBuffer, CountsEveryInfinity) {
     buffer.shape = {2, 5};
     buffer.data = std::span<const float>(*numbers);
     buffer.owner = numbers;
-    const auto shown = app::showBuffer(*frame, buffer, {}, app::ShownChannel::All, {});
+    const auto shown = app::showBuffer(*frame, buffer, {}, lessons::ShownChannel::All, {});
     EXPECT_EQ(shown.notice, "2 distinct values, 1 NaN, 7 infinite");
 }
 

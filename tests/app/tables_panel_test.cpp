@@ -15,8 +15,8 @@
 namespace {
 
 using app::Document;
-using app::Selection;
 using app::TablePage;
+using lessons::Selection;
 using pipeline::TableFormat;
 using pipeline::TableId;
 
@@ -73,7 +73,7 @@ TEST_F(TablesPanelTest, FollowsEveryChangeOfTheFrame) {
 TEST_F(TablesPanelTest, AClickedRowIsSelectedEverywhere) {
     QSignalSpy selected(&document, &Document::selectionChanged);
     click(polygons(), 3);
-    EXPECT_EQ(document.selection(), (Selection{Selection::Kind::Polygon, 3}));
+    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 3}));
     EXPECT_EQ(selected.size(), 1);
     EXPECT_EQ(chosen(show(TableId::Vertices)), (std::vector{0, 3, 4})) << "the corners of Back";
     EXPECT_EQ(chosen(show(TableId::Objects)), std::vector{0});
@@ -100,7 +100,8 @@ TEST_F(TablesPanelTest, WhatIsUnderTheCursorElsewhereStandsOut) {
     click(polygons(), 0);
     document.hover(glm::ivec2(268, 281));
     EXPECT_EQ(pointed(polygons()), std::vector{2});
-    EXPECT_EQ(document.selection(), (Selection{Selection::Kind::Polygon, 0})) << "hovering changes nothing";
+    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 0}))
+        << "hovering changes nothing";
     document.hover(std::nullopt);
     EXPECT_TRUE(pointed(polygons()).empty());
     TablePage& vertices = show(TableId::Vertices);
@@ -116,9 +117,9 @@ TEST_F(TablesPanelTest, SortsByValueAndKeepsWhatIsSelected) {
     for (int place = 0; place < 5; ++place) order << text(polygons(), place, "polygon");
     EXPECT_EQ(order.join(' '), "4 0 3 1 2");
     EXPECT_EQ(chosen(polygons()), std::vector{2});
-    EXPECT_EQ(document.selection(), (Selection{Selection::Kind::Polygon, 3}));
+    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 3}));
     click(polygons(), 0);
-    EXPECT_EQ(document.selection(), (Selection{Selection::Kind::Polygon, 4}));
+    EXPECT_EQ(document.selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 4}));
     // The order holds when the frame changes.
     document.change(*pipeline::findSetting(document.scene(), "object.0.sx"), 1.9);
     QTest::qWait(300);
@@ -173,6 +174,6 @@ TEST_F(TablesPanelTest, AnotherSceneTakesTheSelectionAway) {
     document.setScene(scene);
     EXPECT_FALSE(document.selection());
     EXPECT_TRUE(QTest::qWaitFor([&] { return document.frame() && polygons().model().rowCount() == 0; }, 10000));
-    document.select(Selection{Selection::Kind::Polygon, 0});
+    document.select(lessons::Selection{lessons::Selection::Kind::Polygon, 0});
     EXPECT_FALSE(document.selection()) << "there is no such polygon";
 }

@@ -80,9 +80,9 @@ TEST(View3dAids, OutsideShowsTheWholeFrustumInEveryProjection) {
 TEST(View3dAids, MarksWhatIsSelected) {
     const pipeline::FramePtr frame = test::frameOf(test::pyramid());
     const ViewContent content = app::contentOf(*frame, kRightFace);
-    using Kind = app::Selection::Kind;
+    using Kind = lessons::Selection::Kind;
     const auto marked = [&](Kind kind, std::size_t index) {
-        return app::withSelection(content, *frame, app::Selection{kind, index});
+        return app::withSelection(content, *frame, lessons::Selection{kind, index});
     };
     EXPECT_EQ(marked(Kind::Polygon, 0).outlinedLoop(), (std::vector<std::uint32_t>{0, 1, 4}));
     expectNear(*marked(Kind::Vertex, 4).markedVertex, {335, 75, 150}, 1e-4);

@@ -92,7 +92,7 @@ TEST_F(View3dBeside, TheWindowDoesNotWaitForALargeMeshToBeMoved) {
     panel.setSpace({ViewSpace::World});
     QTest::qWait(300);
     EXPECT_EQ(view.space().space, ViewSpace::World);
-    app::SpaceShown asked;
+    lessons::SpaceShown asked;
     asked.space = "screen";
     asked.camera.emplace();
     asked.camera->distance = 77;

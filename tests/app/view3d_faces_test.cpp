@@ -28,7 +28,7 @@ TEST_F(View3dFaces, KeysGoFromFaceToFaceOfAPointLight) {
     QTest::keyClick(&view, Qt::Key_F, Qt::ShiftModifier);
     QTest::keyClick(&view, Qt::Key_F, Qt::ShiftModifier);
     EXPECT_EQ(face->text(), "face +z");
-    app::SpaceShown state;
+    lessons::SpaceShown state;
     state.space = "light 0 -y";
     EXPECT_TRUE(panel.lookAt(state).empty());
     EXPECT_EQ(face->text(), "face −y");

@@ -61,7 +61,7 @@ TEST_F(View3dHeader, ACameraAskedForInALightsSpaceIsThereOnceTheSpaceIs) {
     scene.objects.push_back(scene.objects[0]);  // two: one may shadow the other
     scene.objects[1].transform.translation = {150, 0, 0};
     document.edit(scene, "another one", app::Document::Change::Done);
-    app::SpaceShown asked;
+    lessons::SpaceShown asked;
     asked.space = "light 0";
     asked.camera.emplace();
     asked.camera->distance = 77;

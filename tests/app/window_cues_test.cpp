@@ -96,7 +96,7 @@ TEST_F(WindowCues, TheListIsAFileThatOpensAgain) {
     EXPECT_FALSE(model().rename(0, "Two polygons")) << "names are told apart";
     model().setNote(1, "Ask first.");
     model().write();
-    const auto list = readCueFile(folder.filePath("talk.cues").toStdString());
+    const auto list = lessons::readCueFile(folder.filePath("talk.cues").toStdString());
     ASSERT_TRUE(list) << format(list.errors());
     ASSERT_EQ(list->cues.size(), 3u);
     EXPECT_EQ(list->cues[1].name, "Two polygons");
@@ -122,7 +122,7 @@ TEST_F(WindowCues, ANewListPutsTheOwnOneAside) {
     EXPECT_EQ(model().file(), own);
     EXPECT_EQ(model().size(), 0);
     ASSERT_EQ(asides.size(), 1);
-    const auto kept = readCueFile(asides.front().toStdString());
+    const auto kept = lessons::readCueFile(asides.front().toStdString());
     ASSERT_TRUE(kept) << format(kept.errors());
     EXPECT_EQ(kept->cues.size(), 3u);
     model().clear();
@@ -168,7 +168,7 @@ TEST_F(WindowCues, NotesAreWrittenToTheCueOnShow) {
 
 TEST_F(WindowCues, ACueWhoseSceneIsGoneLeavesEverythingAsItIs) {
     makeThree();
-    Cue cue = model().cue(0);
+    lessons::Cue cue = model().cue(0);
     cue.state.scene = "gone.scene";
     model().setCurrent(2);
     model().add(cue);
@@ -305,21 +305,21 @@ TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
     // What the audience's views show, and the pictures of those that are buffers.
     const auto seen = [&](int cue) {
         settle();
-        WindowState state;
+        lessons::WindowState state;
         view.views().fill(state);
         EXPECT_EQ(state.arrangement, model().cue(cue).state.arrangement);
         EXPECT_EQ(state.linked, model().cue(cue).state.linked);
         const auto& kept = model().cue(cue).state.views;
         EXPECT_EQ(state.views.size(), kept.size());
         for (std::size_t i = 0; i < std::min(state.views.size(), kept.size()); ++i) {
-            BufferShown shown = state.views[i];
+            lessons::BufferShown shown = state.views[i];
             shown.zoom = kept[i].zoom;  // of views of other sizes
             EXPECT_EQ(shown, kept[i]);
         }
         std::vector<QImage> pictures;
-        for (const ViewLeaf leaf : leavesOf(view.views().tree())) {
+        for (const lessons::ViewLeaf leaf : leavesOf(view.views().tree())) {
             EXPECT_TRUE(view.views().frameOf(leaf)->isVisible());
-            if (leaf.kind == ViewLeaf::Kind::Buffer)
+            if (leaf.kind == lessons::ViewLeaf::Kind::Buffer)
                 pictures.push_back(view.views().frameOf(leaf)->findChild<BufferCanvas*>()->grab().toImage());
         }
         return pictures;
@@ -340,7 +340,8 @@ TEST_F(WindowCues, PresentingShowsTheViewsAsTheyStandForthAndBack) {
         EXPECT_EQ(seen(cue), first[std::size_t(cue)]) << cue;
     }
     QTest::keyClick(&view, Qt::Key_1);
-    const auto shown = [&](int buffer) { return view.views().frameOf({ViewLeaf::Kind::Buffer, buffer})->isVisible(); };
+    using Kind = lessons::ViewLeaf::Kind;
+    const auto shown = [&](int buffer) { return view.views().frameOf({Kind::Buffer, buffer})->isVisible(); };
     EXPECT_TRUE(shown(0) && !shown(1));
     QTest::keyClick(&view, Qt::Key_2);
     EXPECT_TRUE(shown(0) && shown(1));

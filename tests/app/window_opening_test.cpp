@@ -254,7 +254,7 @@ TEST_F(WindowOpening, PresentingBeginsOnceTheCueIsThere) {
 }
 
 TEST_F(WindowOpening, ASessionThatIsStillBeingReadIsThereForTheNextStart) {
-    WindowState state;
+    lessons::WindowState state;
     state.scene = writeModel("ring.obj", 100000).toStdString();
     SessionFile file(folder.path());
     ASSERT_TRUE(file.write(state));

@@ -66,7 +66,7 @@ TEST_F(WindowPick, ARowOfATableIsMarkedInEveryView) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return page.model().rowCount() == 5; }));
     const QPoint row = page.view().visualRect(page.model().index(1, 0)).center();
     QTest::mouseClick(page.view().viewport(), Qt::LeftButton, Qt::NoModifier, row);
-    ASSERT_EQ(document().selection(), (Selection{Selection::Kind::Polygon, 1}));
+    ASSERT_EQ(document().selection(), (lessons::Selection{lessons::Selection::Kind::Polygon, 1}));
     ASSERT_EQ(canvas()->content().marked.size(), 1u);
     EXPECT_EQ(canvas()->content().marked[0].size(), 3);
     // Vertex 1 of the pyramid stands at (226.67, 286.67) in the picture.

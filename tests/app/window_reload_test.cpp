@@ -10,7 +10,7 @@
 #include "app/panels/buffer_canvas.h"
 #include "app/panels/buffer_view.h"
 #include "app/panels/error_list.h"
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 #include "tests/app/window_fixture.h"
 
 namespace app {

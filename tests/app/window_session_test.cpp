@@ -44,7 +44,7 @@ protected:
     std::string keptScene(const char* name) {
         QFile in(folder.filePath(name));
         const QByteArray text = in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
-        const auto state = readState(text.toStdString(), name);
+        const auto state = lessons::readState(text.toStdString(), name);
         return state ? state->scene : std::string();
     }
     void waitForState() {
@@ -238,7 +238,7 @@ TEST_F(WindowSession, ABrokenSessionIsReportedAndLeftAside) {
 }
 
 TEST_F(WindowSession, ASessionThatEndedTheProgramIsNotTriedAgain) {
-    WindowState state;
+    lessons::WindowState state;
     state.scene = "pyramid";
     SessionFile file(folder.path());
     ASSERT_TRUE(file.write(state));
@@ -252,7 +252,7 @@ TEST_F(WindowSession, ASessionThatEndedTheProgramIsNotTriedAgain) {
 
 // Started with a file that cannot be read, or whose own scene is gone.
 TEST_F(WindowSession, WhereNothingWasShownTheLastSessionStays) {
-    WindowState state;
+    lessons::WindowState state;
     state.scene = "pyramid";
     ASSERT_TRUE(SessionFile(folder.path()).write(state));
     window.startSession(folder.path(), false);
@@ -272,7 +272,7 @@ TEST_F(WindowSession, WhereNothingWasShownTheLastSessionStays) {
 }
 
 TEST_F(WindowSession, ASessionThatEndedTheProgramIsLeftAsideBeforeAFileToo) {
-    WindowState state;
+    lessons::WindowState state;
     state.scene = "two_pyramids";
     SessionFile file(folder.path());
     ASSERT_TRUE(file.write(state));
@@ -283,7 +283,7 @@ TEST_F(WindowSession, ASessionThatEndedTheProgramIsLeftAsideBeforeAFileToo) {
 }
 
 TEST_F(WindowSession, ASessionThatWasNotRestoredIsKeptBesideTheNew) {
-    WindowState state;
+    lessons::WindowState state;
     state.scene = "two_pyramids";
     state.set = {"camera.theta=47.25"};
     ASSERT_TRUE(SessionFile(folder.path()).write(state));
@@ -308,7 +308,7 @@ TEST_F(WindowSession, ItIsWrittenWhileTheWorkGoesOn) {
 }
 
 TEST_F(WindowSession, ARestoredOneIsNeverWithoutAFile) {
-    WindowState state;
+    lessons::WindowState state;
     state.scene = "pyramid";
     state.set = {"camera.theta=47.25"};
     ASSERT_TRUE(SessionFile(folder.path()).write(state));
@@ -338,7 +338,7 @@ TEST_F(WindowSession, ThatItCannotBeWrittenIsSaidOnce) {
 
 TEST_F(WindowSession, SwitchedOffItBeginsOnTheStartPageAndLeavesNothing) {
     SessionFile::setWanted(false);
-    WindowState state;
+    lessons::WindowState state;
     state.scene = "pyramid";
     SessionFile file(folder.path());
     ASSERT_TRUE(file.write(state));
@@ -355,7 +355,7 @@ TEST_F(WindowSession, AnotherArrangementOfViewsAloneIsKeptSoon) {
     const auto kept = [&] {
         QFile in(file.file());
         const QByteArray text = in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
-        const auto state = readState(text.toStdString(), "session");
+        const auto state = lessons::readState(text.toStdString(), "session");
         return state ? state->arrangement : std::string();
     };
     EXPECT_TRUE(QTest::qWaitFor([&] { return kept() == "one"; }, 20000)) << "after the scene was opened";

@@ -141,7 +141,8 @@ TEST_F(WindowSlide, TheFileOpensTheSceneAndTheState) {
     EXPECT_EQ(document().scene().camera.theta, 47.25);
     auto again = window.state({});
     ASSERT_TRUE(again);
-    WindowState expected = *shown;  // the scene comes with the picture, not from the file that it was read from
+    lessons::WindowState expected =
+        *shown;  // the scene comes with the picture, not from the file that it was read from
     again->scene = expected.scene, again->set = expected.set, again->sceneText = expected.sceneText;
     EXPECT_EQ(toToml(*again), toToml(expected));
 }

@@ -36,12 +36,12 @@ protected:
         press("Ctrl+Shift+1");
     }
     ViewArea& views() { return window.views(); }
-    QRect placeOf(ViewLeaf leaf) {
+    QRect placeOf(lessons::ViewLeaf leaf) {
         QWidget* frame = views().frameOf(leaf);
         return QRect(frame->mapTo(&views(), QPoint(0, 0)), frame->size());
     }
-    static constexpr ViewLeaf buffer(int number) { return {ViewLeaf::Kind::Buffer, number}; }
-    static constexpr ViewLeaf space(int number) { return {ViewLeaf::Kind::Space, number}; }
+    static constexpr lessons::ViewLeaf buffer(int number) { return {lessons::ViewLeaf::Kind::Buffer, number}; }
+    static constexpr lessons::ViewLeaf space(int number) { return {lessons::ViewLeaf::Kind::Space, number}; }
 };
 
 TEST_F(WindowViews, FourShowWhatExplainsTheStage) {
@@ -52,7 +52,7 @@ TEST_F(WindowViews, FourShowWhatExplainsTheStage) {
     EXPECT_NEAR(placeOf(buffer(0)).width(), placeOf(space(0)).width(), 2);
     EXPECT_NEAR(placeOf(buffer(0)).height(), placeOf(space(0)).height(), 2);
     document().setStage(pipeline::StageId::ZBuffer);
-    WindowState state;
+    lessons::WindowState state;
     views().fill(state);
     ASSERT_EQ(state.views.size(), 3u);
     EXPECT_EQ(state.views[0].buffer, "z_view");
@@ -84,7 +84,7 @@ TEST_F(WindowViews, AViewIsSplitTurnedAndClosedByKeys) {
 TEST_F(WindowViews, KeysGoFromViewToView) {
     press("Ctrl+Shift+6");
     canvas()->setFocus();
-    for (const ViewLeaf next : {buffer(1), buffer(2), space(0), buffer(0)}) {
+    for (const lessons::ViewLeaf next : {buffer(1), buffer(2), space(0), buffer(0)}) {
         press("Ctrl+Tab");
         EXPECT_EQ(views().active(), next);
         EXPECT_TRUE(views().frameOf(next)->isAncestorOf(QApplication::focusWidget()));
@@ -156,7 +156,7 @@ TEST_F(WindowViews, SizesComeBackToThePixel) {
     ASSERT_TRUE(state);
     const auto places = [&] {
         std::vector<QRect> all;
-        for (const ViewLeaf leaf : leavesOf(views().tree())) all.push_back(placeOf(leaf));
+        for (const lessons::ViewLeaf leaf : leavesOf(views().tree())) all.push_back(placeOf(leaf));
         return all;
     };
     const std::vector<QRect> before = places();
@@ -175,15 +175,15 @@ TEST_F(WindowViews, EachViewIsItsOwnInAState) {
     canvas()->setFocus();
     press("Ctrl+Alt+D");
     EXPECT_EQ(views().arrangement(), "3d | 3d");
-    WindowState state;
+    lessons::WindowState state;
     views().fill(state);
     ASSERT_EQ(state.spaces.size(), 2u);
     state.spaces[0].space = "eye", state.spaces[1].space = "clip";
     state.arrangement = "buffer | 3d | 3d";
-    state.views = {{"normal", ShownChannel::Third}};
+    state.views = {{"normal", lessons::ShownChannel::Third}};
     EXPECT_TRUE(views().lookAt(state).empty());
     EXPECT_TRUE(waitForFrame());
-    WindowState again;
+    lessons::WindowState again;
     views().fill(again);
     EXPECT_EQ(again.spaces[0].space, "eye");
     EXPECT_EQ(again.spaces[1].space, "clip");
@@ -311,7 +311,7 @@ TEST_F(WindowViews, AStateHasMarksAndComparisons) {
     views().first().setFocus();
     PinnedPixels::of(document()).toggle({10, 20});
     PinnedPixels::of(document()).toggle({268, 281});
-    document().select(Selection{Selection::Kind::Polygon, 2});
+    document().select(lessons::Selection{lessons::Selection::Kind::Polygon, 2});
     document().change(*findSetting(document().scene(), "camera.theta"), 41);
     ASSERT_TRUE(waitForFrame());
     BufferCompare& compare = views().first().compare();
@@ -341,7 +341,7 @@ TEST_F(WindowViews, AStateHasMarksAndComparisons) {
     // The change that "before" meant is kept with it: later the last change is another one.
     const std::string with = window.state({})->views[0].compared->with;
     EXPECT_TRUE(with.starts_with("setting camera.theta=") && with != "setting camera.theta=41") << with;
-    WindowState wrong = *window.state({});
+    lessons::WindowState wrong = *window.state({});
     wrong.views[0].compared->with = "setting shadin=flat";
     EXPECT_EQ(views().lookAt(wrong).size(), 1u);
     EXPECT_FALSE(compare.source());

@@ -9,7 +9,7 @@ using Breaches = std::vector<std::string>;
 
 // A project's own header is included by its path from the root, and is there.
 Breaches unrootedIncludes(const SourceTree& tree);
-// Arrows point one way: app -> lessons -> pipeline_io -> pipeline, and within app
+// Arrows point one way: app -> lessons -> lessons/state -> pipeline_io -> pipeline, and within app
 // desktop -> panels -> view3d -> core. app/cli is built without Qt and includes none of these.
 // Nothing but tests includes tests.
 Breaches includesPointingBack(const SourceTree& tree);

@@ -52,6 +52,8 @@ TEST(Architecture, IncludesPointOneWay) {
               "pipeline/run/runner.cpp:1:");
     expectOne(includesPointingBack({{"pipeline/export/npy.cpp", {"#include \"lessons/lesson.h\""}}}),
               "pipeline/export/npy.cpp:1:");
+    expectOne(includesPointingBack({{"lessons/state/cue_list.h", {"#include \"lessons/lesson.h\""}}}),
+              "lessons/state/cue_list.h:1:");
     expectOne(includesPointingBack({{"app/core/document.h", {"// ", "#include \"app/panels/plan_panel.h\""}}}),
               "app/core/document.h:2:");
     expectOne(includesPointingBack({{"app/cli/export.cpp", {"#include \"app/core/document.h\""}}}),

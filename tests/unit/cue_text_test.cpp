@@ -1,11 +1,11 @@
 // What someone has written into a cue list by hand stays when the program writes it.
-#include "app/state/cue_text.h"
+#include "lessons/state/cue_text.h"
 
 #include <gtest/gtest.h>
 
-#include "app/state/toml_lines.h"
+#include "lessons/state/toml_lines.h"
 
-namespace app {
+namespace lessons {
 namespace {
 
 // No program writes a list like this.
@@ -144,4 +144,4 @@ TEST(CueText, WhatIsWrittenInAnotherWayStaysRight) {
 }
 
 }  // namespace
-}  // namespace app
+}  // namespace lessons

@@ -1,11 +1,11 @@
 // Arrangements of views: split, closed, named, as text, and in a room that is too small.
-#include "app/state/view_tree.h"
+#include "lessons/state/view_tree.h"
 
 #include <gtest/gtest.h>
 
-#include "app/state/linked_views.h"
+#include "lessons/state/linked_views.h"
 
-namespace app {
+namespace lessons {
 namespace {
 
 using Kind = ViewTree::Kind;
@@ -166,4 +166,4 @@ TEST(ViewTree, WhereHeightIsMissingTheViewBesideStays) {
 }
 
 }  // namespace
-}  // namespace app
+}  // namespace lessons

@@ -1,16 +1,16 @@
 // What the window shows as text: there and back the same, and what is wrong is told with its place.
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 
 #include <gtest/gtest.h>
 
-#include "app/state/cue_list.h"
-#include "app/state/state_scene.h"
+#include "lessons/state/cue_list.h"
+#include "lessons/state/state_scene.h"
 #include "pipeline/formats/scene_reader.h"
 #include "pipeline/scene/settings_table.h"
 #include "tests/support/files.h"
 #include "tests/support/scenes.h"
 
-namespace app {
+namespace lessons {
 namespace {
 
 // Everything other than it begins, with numbers that have no short decimals.
@@ -32,7 +32,7 @@ WindowState rich() {
     view.compared = {"setting shading=gouraud", "difference", 0.25, "RAE", std::array{-1e-3, 1.0 / 3}};
     state.views[0] = view, state.views[1].compared.emplace();
     state.pins = {{1, {268, 281}}, {9, {0, 0}}};
-    state.selected = Selected{Selected::Kind::Polygon, 12};
+    state.selected = Selection{Selection::Kind::Polygon, 12};
     state.linked = false;
     state.spaces[0].space = "point";
     SpaceShown::Camera camera;
@@ -256,4 +256,4 @@ TEST(WindowState, AFramedModelIsKeptAsSettings) {
 }
 
 }  // namespace
-}  // namespace app
+}  // namespace lessons

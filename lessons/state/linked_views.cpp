@@ -1,6 +1,6 @@
-#include "app/state/linked_views.h"
+#include "lessons/state/linked_views.h"
 
-namespace app {
+namespace lessons {
 
 bool areLinked(const ViewTree& tree, std::optional<bool> chosen) { return chosen.value_or(linksViews(tree)); }
 
@@ -9,4 +9,4 @@ bool moveTogether(const LinkedPicture& a, const LinkedPicture& b) {
     return isThere && a.columns == b.columns && a.rows == b.rows && !a.texels && !b.texels;
 }
 
-}  // namespace app
+}  // namespace lessons

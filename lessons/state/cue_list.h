@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 
-namespace app {
+namespace lessons {
 
 // One thing to show in a talk, as the window shows it, with what to say.
 struct Cue {
@@ -45,4 +45,4 @@ pipeline::Result<CueName> parseCueName(std::string_view text);
 // A name that no other cue of the list has: "Shading", "Shading 2".
 std::string freeName(const CueList& list, const std::string& wanted);
 
-}  // namespace app
+}  // namespace lessons

@@ -6,7 +6,7 @@
 
 #include "pipeline/inspect/scene_tables.h"
 
-namespace app {
+namespace lessons {
 
 // A thing of the scene that every view marks, beside the picked pixel. Polygons and vertices are
 // counted over all objects, as in the buffers.
@@ -31,4 +31,4 @@ std::optional<std::size_t> polygonAt(const pipeline::Frame& frame, glm::ivec2 pi
 std::vector<std::uint32_t> rowsOf(const pipeline::Frame& frame, pipeline::TableId table,
                                   const std::optional<Selection>& selection, std::optional<glm::ivec2> pixel);
 
-}  // namespace app
+}  // namespace lessons

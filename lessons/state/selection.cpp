@@ -1,17 +1,17 @@
-#include "app/core/selection.h"
+#include "lessons/state/selection.h"
 
 #include <algorithm>
 
 #include "pipeline/scene/topology.h"
 
-namespace app {
+namespace lessons {
 
 using pipeline::TableId;
-using Kind = Selection::Kind;
 
 namespace {
 
-std::size_t countOf(const pipeline::Scene& scene, Kind kind) {
+std::size_t countOf(const pipeline::Scene& scene, Selection::Kind kind) {
+    using Kind = Selection::Kind;
     std::size_t count = 0;
     switch (kind) {
         case Kind::Object: return scene.objects.size();
@@ -41,6 +41,7 @@ bool isIn(const pipeline::Scene& scene, const Selection& selection) {
 }
 
 Selection selectionOf(TableId table, std::size_t row) {
+    using Kind = Selection::Kind;
     switch (table) {
         case TableId::Objects: return {Kind::Object, row};
         case TableId::Polygons: return {Kind::Polygon, row};
@@ -62,6 +63,7 @@ std::optional<std::size_t> polygonAt(const pipeline::Frame& frame, glm::ivec2 pi
 
 std::vector<std::uint32_t> rowsOf(const pipeline::Frame& frame, TableId table,
                                   const std::optional<Selection>& selection, std::optional<glm::ivec2> pixel) {
+    using Kind = Selection::Kind;
     std::optional<Selection> shown = selection;
     if (!shown && pixel)
         if (const auto polygon = polygonAt(frame, *pixel)) shown = Selection{Kind::Polygon, *polygon};
@@ -76,4 +78,4 @@ std::vector<std::uint32_t> rowsOf(const pipeline::Frame& frame, TableId table,
     return {};
 }
 
-}  // namespace app
+}  // namespace lessons

@@ -1,11 +1,11 @@
-#include "app/state/cue_text.h"
+#include "lessons/state/cue_text.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "app/state/toml_lines.h"
+#include "lessons/state/toml_lines.h"
 
-namespace app {
+namespace lessons {
 namespace {
 
 using Kind = TomlItem::Kind;
@@ -191,4 +191,4 @@ std::string cueText(const CueList& list, std::string_view text, const CueList& b
     return isRight(written) ? written : plain;
 }
 
-}  // namespace app
+}  // namespace lessons

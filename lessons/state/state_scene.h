@@ -2,11 +2,11 @@
 #include <filesystem>
 #include <string>
 
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 #include "pipeline/formats/read_progress.h"
 #include "pipeline/scene/scene.h"
 
-namespace app {
+namespace lessons {
 
 // A scene by its file, looked for from `folder`, or by the name of a built-in scene; a file goes before a built-in
 // scene of the same name. Empty `folder`: the current one.
@@ -32,4 +32,4 @@ pipeline::Result<pipeline::Scene> sceneOf(const WindowState& state, const std::f
 // Errors: the text is too large; `set` and `sceneText` are empty then.
 pipeline::Errors describeScene(WindowState& state, const pipeline::Scene& scene, const pipeline::Scene* original);
 
-}  // namespace app
+}  // namespace lessons

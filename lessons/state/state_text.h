@@ -3,11 +3,11 @@
 #include <string>
 #include <string_view>
 
-#include "app/state/window_state.h"
+#include "lessons/state/window_state.h"
 #include "pipeline/formats/toml_values.h"
 
 // A state as a part of a TOML file.
-namespace app {
+namespace lessons {
 
 // The kinds of what is selected, in files: "polygon 3".
 inline constexpr std::array<std::string_view, 4> kSelectedKinds{"object", "polygon", "vertex", "light"};
@@ -27,4 +27,4 @@ using KnownKeys = std::vector<std::string>;
 WindowState readStateTable(const toml::table& table, const std::string& path, const KnownKeys& others,
                            pipeline::TomlValues& values);
 
-}  // namespace app
+}  // namespace lessons

@@ -4,13 +4,13 @@
 #include <charconv>
 #include <cmath>
 
-#include "app/state/state_text.h"
-#include "app/state/view_tree.h"
+#include "lessons/state/state_text.h"
+#include "lessons/state/view_tree.h"
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/core/text.h"
 #include "pipeline/inspect/compare.h"
 
-namespace app {
+namespace lessons {
 
 using pipeline::Place;
 using pipeline::StageId;
@@ -187,12 +187,12 @@ private:
             }
         return pins;
     }
-    std::optional<Selected> readSelected(const toml::node& node) {
+    std::optional<Selection> readSelected(const toml::node& node) {
         const auto words = m_values.text(node, m_path + "selected");
         if (!words) return {};
         for (std::size_t i = 0; i < kSelectedKinds.size(); ++i) {
             if (!words->starts_with(std::string(kSelectedKinds[i]) + ' ')) continue;
-            Selected thing{Selected::Kind(i)};
+            Selection thing{Selection::Kind(i)};
             const char *begin = words->data() + kSelectedKinds[i].size() + 1, *last = words->data() + words->size();
             const auto [end, error] = std::from_chars(begin, last, thing.index);
             if (error == std::errc() && end == last && begin != last) return thing;
@@ -338,4 +338,4 @@ pipeline::Result<WindowState> readState(std::string_view text, const std::string
     return state;
 }
 
-}  // namespace app
+}  // namespace lessons

@@ -7,7 +7,7 @@
 
 #include "pipeline/core/result.h"
 
-namespace app {
+namespace lessons {
 
 // One of the views that stand in the middle of the window: a buffer view or a 3D view, each kind numbered from 0.
 struct ViewLeaf {
@@ -80,4 +80,4 @@ ViewSize smallest(const ViewTree& tree, ViewSize least, int gap);
 // What of the tree is shown in `room`: the last views go, until the others have `least`. The first one always stays.
 ViewTree fitted(ViewTree tree, ViewSize room, ViewSize least, int gap);
 
-}  // namespace app
+}  // namespace lessons

@@ -8,7 +8,7 @@
 #include "pipeline/inspect/term_mix.h"
 #include "pipeline/study/shadow_verdict.h"
 
-namespace app {
+namespace lessons {
 
 // What the derived buffers of a frame are made after.
 struct DerivedRecipe {
@@ -35,7 +35,7 @@ struct DerivedBuffer {
     std::size_t clamped = 0;                                     // of `mix`: pixels of which a channel is above I_max
     std::shared_ptr<const pipeline::ShadowVerdicts> verdicts{};  // of `shadow_verdict.k`
     std::shared_ptr<const KnownRays> rays{};                     // likewise
-    std::shared_ptr<const lessons::ConditionMask> mask{};        // of `condition`
+    std::shared_ptr<const ConditionMask> mask{};                 // of `condition`
 };
 
 struct DerivedControl {
@@ -48,4 +48,4 @@ struct DerivedControl {
 pipeline::Result<DerivedBuffer> derive(const pipeline::BufferName& name, const DerivedRecipe& recipe,
                                        const pipeline::Frame& frame, const DerivedControl& control = {});
 
-}  // namespace app
+}  // namespace lessons

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace app {
+namespace lessons {
 
 // One thing of a TOML file, with the line or lines that it stands in.
 struct TomlItem {
@@ -23,4 +23,4 @@ std::vector<TomlItem> tomlItems(std::string_view file);
 // The entry with another value; its comments stay, those within the old value above it.
 TomlItem withValue(const TomlItem& entry, const std::string& value);
 
-}  // namespace app
+}  // namespace lessons

@@ -2,9 +2,9 @@
 #include <string>
 #include <string_view>
 
-#include "app/state/cue_list.h"
+#include "lessons/state/cue_list.h"
 
-namespace app {
+namespace lessons {
 
 // The list as TOML that still has what someone has written into its file by hand: comments, blank lines, the order of the
 // keys and what is left out. text: the file, from which `before` was read. Cues that have not changed stay as they were
@@ -12,4 +12,4 @@ namespace app {
 // go with it. readCues gives `list` again.
 std::string cueText(const CueList& list, std::string_view text, const CueList& before);
 
-}  // namespace app
+}  // namespace lessons

@@ -8,13 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/state/shown_channel.h"
+#include "lessons/state/selection.h"
+#include "lessons/state/shown_channel.h"
 #include "pipeline/core/real.h"
 #include "pipeline/core/result.h"
 #include "pipeline/plan/stage.h"
 #include "pipeline/steps/moment.h"
 
-namespace app {
+namespace lessons {
 
 // How one buffer is looked at.
 struct BufferShown {
@@ -62,14 +63,6 @@ struct SpaceShown {
     bool operator==(const SpaceShown&) const = default;
 };
 
-// A thing of the scene that is selected, counted over all objects.
-struct Selected {
-    enum class Kind : unsigned char { Object, Polygon, Vertex, Light };
-    Kind kind = Kind::Object;
-    std::size_t index = 0;
-    bool operator==(const Selected&) const = default;
-};
-
 // Where the values of a state stand in the file that it was read from: "set.1", "view.0.buffer". States that show the
 // same are equal wherever they come from.
 class StatePlaces {
@@ -100,7 +93,7 @@ struct WindowState {
     std::string condition = {};                    // the text of the buffers `condition` and `expression`
     std::string mix = {};                          // of the terms, as parseMix reads it; empty: every term as it is
     std::map<int, std::array<int, 2>> pins = {};   // the pinned pixels by their numbers, 1 to 9
-    std::optional<Selected> selected = {};
+    std::optional<Selection> selected = {};
     std::string arrangement = "one";  // of the views: as arrangementOf reads it
     std::optional<bool> linked = {};  // buffer views zoom and move together; nothing: as linksViews has it
     std::vector<BufferShown> views{BufferShown()};  // in the order of the arrangement; at least one
@@ -116,4 +109,4 @@ std::string toToml(const WindowState& state);
 // Errors name `file` with line and column.
 pipeline::Result<WindowState> readState(std::string_view text, const std::string& file);
 
-}  // namespace app
+}  // namespace lessons

@@ -1,17 +1,17 @@
-#include "app/state/cue_list.h"
+#include "lessons/state/cue_list.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 
-#include "app/state/state_text.h"
+#include "lessons/state/state_text.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/scene_folder.h"
 #include "pipeline/formats/toml_scene.h"
 #include "pipeline/formats/toml_writer.h"
 
-namespace app {
+namespace lessons {
 
 using pipeline::Error;
 using pipeline::Result;
@@ -120,4 +120,4 @@ std::string freeName(const CueList& list, const std::string& wanted) {
     return name;
 }
 
-}  // namespace app
+}  // namespace lessons

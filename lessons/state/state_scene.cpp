@@ -1,4 +1,4 @@
-#include "app/state/state_scene.h"
+#include "lessons/state/state_scene.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "pipeline/scene/key_places.h"
 #include "pipeline/scene/settings_table.h"
 
-namespace app {
+namespace lessons {
 
 namespace fs = std::filesystem;
 using pipeline::BuiltInScene;
@@ -140,4 +140,4 @@ Errors describeScene(WindowState& state, const Scene& scene, const Scene* origin
     return {};
 }
 
-}  // namespace app
+}  // namespace lessons

@@ -1,8 +1,8 @@
-#include "app/state/toml_lines.h"
+#include "lessons/state/toml_lines.h"
 
 #include <algorithm>
 
-namespace app {
+namespace lessons {
 namespace {
 
 std::string_view trimmed(std::string_view words) {
@@ -130,4 +130,4 @@ TomlItem withValue(const TomlItem& entry, const std::string& value) {
     return changed;
 }
 
-}  // namespace app
+}  // namespace lessons

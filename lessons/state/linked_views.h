@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
-#include "app/state/view_tree.h"
+#include "lessons/state/view_tree.h"
 
-namespace app {
+namespace lessons {
 
 // Whether buffer views zoom and move together. chosen: by the user; nothing: as the arrangement has it.
 bool areLinked(const ViewTree& tree, std::optional<bool> chosen);
@@ -16,4 +16,4 @@ struct LinkedPicture {
 // Whether the same place of the one is the same place of the other, so that they can move together.
 bool moveTogether(const LinkedPicture& a, const LinkedPicture& b);
 
-}  // namespace app
+}  // namespace lessons

@@ -1,4 +1,4 @@
-#include "app/state/view_tree.h"
+#include "lessons/state/view_tree.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "pipeline/core/text.h"
 
-namespace app {
+namespace lessons {
 
 using Kind = ViewTree::Kind;
 
@@ -235,4 +235,4 @@ ViewTree fitted(ViewTree tree, ViewSize room, ViewSize least, int gap) {
     return tree;
 }
 
-}  // namespace app
+}  // namespace lessons

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <charconv>
 
-#include "app/state/view_tree.h"
+#include "lessons/state/view_tree.h"
 #include "pipeline/core/text.h"
 
-namespace app {
+namespace lessons {
 
 using Kind = ViewTree::Kind;
 using pipeline::Error;
@@ -117,4 +117,4 @@ std::string text(const ViewTree& tree) { return write(tree); }
 
 pipeline::Result<ViewTree> parseViewTree(std::string_view text) { return Parser(text).whole(); }
 
-}  // namespace app
+}  // namespace lessons

@@ -1,10 +1,10 @@
-#include "app/state/shown_words.h"
+#include "lessons/state/shown_words.h"
 
 #include <algorithm>
 #include <charconv>
 #include <string>
 
-namespace app {
+namespace lessons {
 
 std::optional<SpaceWords> parseSpace(std::string_view words) {
     constexpr std::string_view kLight = "light ";
@@ -26,4 +26,4 @@ std::optional<SpaceWords> parseSpace(std::string_view words) {
     return whole ? std::optional(light) : std::nullopt;
 }
 
-}  // namespace app
+}  // namespace lessons

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/state/state_text.h"
+#include "lessons/state/state_text.h"
 #include "pipeline/formats/toml_writer.h"
 
-namespace app {
+namespace lessons {
 
 using pipeline::tomlNumber;
 using pipeline::tomlString;
@@ -112,4 +112,4 @@ std::string stateText(const WindowState& state, const std::string& prefix) {
 
 std::string toToml(const WindowState& state) { return stateText(state, ""); }
 
-}  // namespace app
+}  // namespace lessons

@@ -4,7 +4,7 @@
 #include <string_view>
 
 // The words for what views show, in files, in the order of the enumerators that they stand for.
-namespace app {
+namespace lessons {
 
 inline constexpr std::array<std::string_view, 7> kOverlayNames{"edges",        "edge_functions", "verdict", "fragments",
                                                                "polygon_size", "depth_test",     "strange"};
@@ -50,4 +50,4 @@ inline constexpr std::array<SpaceOption, 23> kSpaceOptions{{{"normals", 0, 2},
                                                             {"vector_r"},
                                                             {"vector_h"}}};
 
-}  // namespace app
+}  // namespace lessons

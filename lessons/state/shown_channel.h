@@ -2,7 +2,7 @@
 #include <array>
 #include <string_view>
 
-namespace app {
+namespace lessons {
 
 // Which of its numbers a view shows of a buffer: all as a colour or a direction, one alone, or the luminance that is made
 // of red, green and blue and shown in their place.
@@ -16,4 +16,4 @@ constexpr int index(ShownChannel channel) { return static_cast<int>(channel); }
 // The one that is shown alone; the first where all are.
 constexpr int firstOf(ShownChannel channel) { return channel == ShownChannel::All ? 0 : index(channel); }
 
-}  // namespace app
+}  // namespace lessons

@@ -1,4 +1,4 @@
-#include "app/derived/derived_buffer.h"
+#include "lessons/derived_buffer.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "pipeline/stages/view.h"
 
-namespace app {
+namespace lessons {
 
 using pipeline::BufferId;
 using pipeline::BufferName;
@@ -72,7 +72,7 @@ Result<DerivedBuffer> makeCondition(const BufferName& name, const DerivedRecipe&
     }
     auto mask = maskOf(*condition, {.frame = frame, .stop = control.stop});
     if (!mask) return mask.errors();
-    const auto found = std::make_shared<const lessons::ConditionMask>(std::move(mask).value());
+    const auto found = std::make_shared<const ConditionMask>(std::move(mask).value());
     return DerivedBuffer{
         .buffer = bufferOf(*found), .meaning = fmt::format("1 where {} holds, else 0.", recipe.text), .mask = found};
 }
@@ -142,4 +142,4 @@ Result<DerivedBuffer> derive(const BufferName& name, const DerivedRecipe& recipe
     }
 }
 
-}  // namespace app
+}  // namespace lessons
