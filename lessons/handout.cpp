@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/handout_figure.h"
+#include "lessons/judge.h"
 #include "lessons/prose_html.h"
 #include "pipeline/core/version.h"
 #include "pipeline/export/file_hash.h"
@@ -62,12 +63,12 @@ std::string headingOf(const Page& page, std::size_t number) {
 
 // The equation that the window shows beside the page: of the picked pixel, in the page's channel.
 std::string equationHtml(const Page& page, const pipeline::Frame& frame, const std::stop_token& stop) {
-    if (page.state.stage != pipeline::StageId::Shading || !page.state.pixel) return {};
+    if (page.first.state.stage != pipeline::StageId::Shading || !page.first.state.pixel) return {};
     static constexpr const char* kChannels[]{"red", "green", "blue"};
-    const glm::ivec2 pixel = *page.state.pixel;
+    const glm::ivec2 pixel = *page.first.state.pixel;
     std::string html;
     for (const pipeline::EquationLine& line :
-         equation(frame.scene(), inspectPixel(frame, pixel, stop), page.state.channel)) {
+         equation(frame.scene(), inspectPixel(frame, pixel, stop), page.first.state.channel)) {
         const bool goesOn = line.role == "numbers" || line.role == "result";
         html += goesOn ? "<p class=more>" : "<p>";
         html += toHtml(line.formula);
@@ -76,7 +77,7 @@ std::string equationHtml(const Page& page, const pipeline::Frame& frame, const s
     }
     if (html.empty()) return {};
     return fmt::format("<div class=equation><p class=remark>Pixel {}, {} (the ring), {}:</p>\n{}</div>\n", pixel.x,
-                       pixel.y, kChannels[page.state.channel], html);
+                       pixel.y, kChannels[page.first.state.channel], html);
 }
 
 // Takes up the pages, and what could not be filled in.
@@ -86,11 +87,12 @@ public:
 
     void add(const Page& page, std::size_t number, const pipeline::Frame& frame, const std::stop_token& stop) {
         m_pages += "<section>\n" + headingOf(page, number) + "\n<div class=pictures>\n";
-        const pipeline::Tile part = partToShow(frame, page.state.buffers, page.state.pixel);
-        for (const pipeline::BufferName& buffer : page.state.buffers)
-            m_pages += figureHtml(frame, buffer, part, page.state.pixel);
+        const PageState& state = page.first.state;
+        const pipeline::Tile part = partToShow(frame, state.buffers, state.pixel);
+        for (const pipeline::BufferName& buffer : state.buffers)
+            m_pages += figureHtml(frame, buffer, part, state.pixel);
         m_page = &page;
-        m_pages += "</div>\n" + html(page.text, frame) + equationHtml(page, frame, stop);
+        m_pages += "</div>\n" + html(page.first.paper, frame) + equationHtml(page, frame, stop);
         if (page.question) ask(page, number, frame);
         m_pages += "</section>\n";
     }
@@ -119,7 +121,7 @@ private:
     }
     std::string html(const Prose& prose, const pipeline::Frame& frame) {
         pipeline::Errors leftOut;
-        std::string html = proseHtml(filled(prose, frame, m_errors), m_pictures, leftOut);
+        std::string html = proseHtml(filled(prose, {.frame = frame}, m_errors), m_pictures, leftOut);
         for (pipeline::Error& one : leftOut) {
             if (m_leftOutCount++ >= pipeline::kMaxErrors) continue;
             one.where = m_page->where;
@@ -133,18 +135,16 @@ private:
         const Question& question = *page.question;
         const std::string asked = html(question.text, frame);
         m_pages += "<div class=question>" + asked + "<p>" + blank("Answer") + "</p></div>\n";
-        if (!question.hint.empty())
-            m_hints +=
-                fmt::format("<div class=hint><b>{}</b><div>{}</div></div>\n", number + 1, html(question.hint, frame));
-        const auto answer = answerOf(page, frame);
+        std::string hints;
+        for (const Prose& hint : question.hints) hints += html(hint, frame);
+        if (!hints.empty()) m_hints += fmt::format("<div class=hint><b>{}</b><div>{}</div></div>\n", number + 1, hints);
+        const auto answer = answerText(question, {.frame = frame});
         if (!answer) {
             m_errors.insert(m_errors.end(), answer.errors().begin(), answer.errors().end());
             return;
         }
-        std::string said = pipeline::withMinus(fmt::format("{:.6g}", *answer));
-        if (question.tolerance > 0) said += fmt::format(" ± {:.6g}", question.tolerance);
-        m_answers +=
-            "<section>\n" + headingOf(page, number) + '\n' + asked + element("p class=answer", said) + "\n</section>\n";
+        m_answers += "<section>\n" + headingOf(page, number) + '\n' + asked + element("p class=answer", *answer) +
+                     "\n</section>\n";
     }
 
     const Lesson& m_lesson;
@@ -160,9 +160,9 @@ private:
 pipeline::Result<Handout> makeHandout(const Lesson& lesson, const std::stop_token& stop,
                                       const HandoutProgress& progress) {
     Writer writer(lesson);
-    const bool all = runPages(lesson, stop, [&](const Page& page, std::size_t number, const pipeline::Frame& frame) {
+    const bool all = runPages(lesson, stop, [&](const Page& page, std::size_t number, const PageFrames& frames) {
         if (progress) progress(number);
-        writer.add(page, number, frame, stop);
+        writer.add(page, number, *frames.first, stop);
     });
     if (!all) return pipeline::Error{{}, "stopped", {}};
     return writer.finish();

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -7,53 +8,19 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/prose.h"
+#include "lessons/question.h"
 #include "pipeline/core/result.h"
 #include "pipeline/core/stop.h"
 #include "pipeline/run/frame.h"
 #include "pipeline/scene/scene.h"
 
-// A lesson is a folder with a file lesson.md, and with scene files where it brings its own. The
-// file is a header and pages. No code: whoever can write Markdown can write one.
-//
-//   title: The pyramid from its file to its last pixel
-//   lecture: Lecture 1
-//   summary: One sentence for the list of lessons.
-//   scene: pyramid               a scene that comes with the program, or a scene file in the folder
-//   set: shading = flat          a setting for all pages; may be repeated
-//   let: third = 1 / 3           a name for an expression, on all pages; may be repeated
-//
-//   # What the highlight adds    begins a page
-//   stage: shading               the stage on show; shading unless given
-//   buffers: color, specular.0   what the views show, in their order; color unless given
-//   pixel: 268, 281              the picked pixel, x and y; none unless given
-//   channel: b                   r, g or b: of which the equation speaks; b unless given
-//   set: material.0.n = 4        as above, for this page; pages do not inherit from one another
-//   let: c = buffer(n_dot_l.0, 268, 281)   likewise; may use the names before it
-//   scene: box.scene             another scene for this page
-//
-//   The text, in Markdown, with {buffer(specular.0, 268, 281, b) : 3} for numbers (see prose.h).
-//
-//   question: By how much …?     ends the text; these keys come last, in this order or another
-//   answer: buffer(specular.0, 268, 281, b)    an expression (see expression.h), one number
-//   tolerance: 0.001             how far off a typed answer may be; 0 unless given
-//   hint: …
-//   right: …                     said after Check; holes are filled from what the window shows then,
-//   wrong: …                     so that they can speak of the reader's own settings, and {answer} is the answer
-//
-// question, hint, right and wrong go on in the lines below up to the next key. Everything is
-// checked when the file is read: an unknown name is an error with its line and the nearest name.
+// A lesson is a folder with a file lesson.md, and with scene files where it brings its own. The file is a header and
+// pages; resources/manual/write-a-lesson.md has its syntax. No code: whoever can write Markdown can write one.
+// Everything is checked when the file is read: an unknown name is an error with its line and the nearest name.
 
 namespace lessons {
 
-struct Question {
-    Prose text;
-    Expression answer;
-    double tolerance = 0;
-    Prose hint, right, wrong;  // may be empty
-};
-
-// What the window is set to when a page opens.
+// What the window is set to when a page opens, or its second half.
 struct PageState {
     pipeline::Scene scene;  // settings applied; has passed checkScene
     pipeline::StageId stage = pipeline::StageId::Shading;
@@ -62,11 +29,30 @@ struct PageState {
     int channel = 2;                            // 0 r, 1 g, 2 b
 };
 
+// What a page is about before or after its question is settled.
+struct Half {
+    PageState state;
+    Prose text;   // in the window
+    Prose paper;  // in a handout: differs where paragraphs begin with "screen:" or "paper:"
+};
+
+// Parts of the window that may tell an answer.
+enum class Part : std::uint8_t { Inspector, Equation, Counts, Plan, Algorithm, Timeline, Scene, Settings };
+inline constexpr std::array<std::string_view, 8> kPartNames{"inspector", "equation", "counts", "plan",
+                                                            "algorithm", "timeline", "scene",  "settings"};
+
 struct Page {
     std::string heading;
-    PageState state;
-    Prose text;
+    Half first;
     std::optional<Question> question;
+    // Shown and given out once the question is settled. It begins as the first half, with what it says itself changed.
+    // Only a page with a question has one.
+    std::optional<Half> then;
+    // `hides`: what the author names beside the buffers that the answer is read from; see hiddenOn (hidden.h).
+    std::vector<pipeline::BufferName> hiddenBuffers;
+    std::vector<Part> hiddenParts;
+    // `panels`: parts of the window that this page needs, in their usual place.
+    std::vector<Part> panels;
     pipeline::SourceLocation where;  // of the heading
 };
 
@@ -74,7 +60,11 @@ struct Lesson {
     std::string name;              // of its folder
     std::filesystem::path folder;  // where its pictures are; empty where it was read from a text
     std::string title, lecture, summary;
-    std::vector<Page> pages;  // at least one
+    int minutes = 0;                   // how long it takes; 0 where it does not say
+    std::vector<std::string> can;      // what a reader can do after it, each the end of "You can now"
+    std::vector<std::string> notions;  // of resources/manual/lectures.md
+    std::string next;                  // the name of the lesson after it; may be empty
+    std::vector<Page> pages;           // at least one
 };
 
 // Reads the lesson in a folder. Up to kMaxErrors errors, FILE:LINE:COLUMN each.
@@ -84,16 +74,17 @@ pipeline::Result<Lesson> readLesson(const std::filesystem::path& folder, const p
 using SceneSource = std::function<pipeline::Result<pipeline::Scene>(std::string_view name)>;
 pipeline::Result<Lesson> parseLesson(std::string_view text, const std::string& file, const SceneSource& sceneNamed);
 
-// A frame of the page's scene asked for with this has everything the page shows and speaks of.
+// A frame of the first half's scene asked for with this has everything that the first half shows and says, and what it
+// takes to judge an answer and speak about it. That of the second half likewise; the page must have one.
 pipeline::FrameRequest requestFor(const Page& page);
+pipeline::FrameRequest requestForThen(const Page& page);
 
-// visit(page, number, frame) for every page with that frame; false where it was stopped before all were visited.
-using PageVisit = std::function<void(const Page& page, std::size_t number, const pipeline::Frame& frame)>;
+// Frames of both halves; `then` is null where the page has no second half.
+struct PageFrames {
+    pipeline::FramePtr first, then;
+};
+// visit(page, number, frames) for every page; false where it was stopped before all were visited.
+using PageVisit = std::function<void(const Page& page, std::size_t number, const PageFrames& frames)>;
 bool runPages(const Lesson& lesson, const std::stop_token& stop, const PageVisit& visit);
-
-// The answer to the page's question, from a frame of requestFor(page). The page must have a question.
-pipeline::Result<double> answerOf(const Page& page, const pipeline::Frame& frame);
-// Whether somebody typed the answer. What is not a number is not right.
-bool isRight(double answer, std::string_view typed, double tolerance);
 
 }  // namespace lessons

@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
+#include <cmath>
 #include <map>
 
 #include "lessons/lesson.h"
-#include "lessons/text_position.h"
+#include "lessons/lesson_text.h"
+#include "lessons/question_reader.h"
 #include "pipeline/core/printable.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/scene_folder.h"
@@ -22,53 +23,23 @@ using pipeline::Errors;
 using pipeline::inQuotes;
 using pipeline::Result;
 using pipeline::SourceLocation;
-
-constexpr std::array<std::string_view, 6> kHeaderKeys{"title", "lecture", "summary", "scene", "set", "let"};
-constexpr std::array<std::string_view, 7> kPageKeys{"stage", "buffers", "pixel", "channel", "set", "let", "scene"};
-constexpr std::array<std::string_view, 2> kRepeatedKeys{"set", "let"};
-constexpr std::array<std::string_view, 6> kQuestionKeys{"question", "answer", "tolerance", "hint", "right", "wrong"};
 using Keys = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 10> kHeaderKeys{"title", "lecture", "minutes", "notions", "summary",
+                                                       "can",   "next",    "scene",   "set",     "let"};
+constexpr std::array<std::string_view, 9> kPageKeys{"stage", "buffers", "pixel", "channel", "set",
+                                                    "let",   "scene",   "hides", "panels"};
+constexpr std::array<std::string_view, 6> kThenKeys{"stage", "buffers", "pixel", "channel", "set", "let"};
+constexpr std::array<std::string_view, 3> kRepeatedKeys{"set", "let", "can"};
+// Paragraphs for the window or for paper alone; the first one is no key.
+constexpr std::string_view kScreenMark = "screen: ", kPaperMark = "paper: ";
+constexpr std::array<std::string_view, 2> kMarkWords{"screen", "paper"};
 constexpr std::size_t kMaxLessonBytes = std::size_t{1} << 20;
+constexpr double kMostMinutes = 600;
 
-// "key: value" with the lines that carry it on.
-struct Entry {
-    std::string_view key;
-    SourceLocation where;
-    std::vector<Line> value;  // at least one
-    const Line& line() const { return value.front(); }
-};
-
-Line trimmed(Line line) {
-    const auto first = std::min(line.text.find_first_not_of(" \t"), line.text.size());
-    const SourceLocation where = advanced(line.where, line.text.substr(0, first));
-    const std::string_view text = line.text.substr(first);
-    return {text.substr(0, text.find_last_not_of(" \t") + 1), where};
-}
-bool isBlank(const Line& line) { return trimmed(line).text.empty(); }
 bool isHeading(const Line& line) { return line.text.starts_with("# "); }
-
-// A line of the form "word: value", or nothing.
-std::optional<Entry> entryIn(const Line& line) {
-    const auto end = std::ranges::find_if(line.text, [](char c) { return c < 'a' || c > 'z'; });
-    const std::size_t length = std::size_t(end - line.text.begin());
-    if (length == 0 || length == line.text.size() || line.text[length] != ':') return {};
-    const std::size_t value = length + 1;
-    return Entry{line.text.substr(0, length),
-                 line.where,
-                 {trimmed({line.text.substr(value), advanced(line.where, line.text.substr(0, value))})}};
-}
-
-std::vector<Line> linesOf(std::string_view text, const std::string& file) {
-    std::vector<Line> lines;
-    while (!text.empty()) {
-        const auto end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        lines.push_back({line, {file, int(lines.size()) + 1, 1}});
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
+bool isThen(const Line& line) { return trimmed(line).text == "## then"; }
+bool has(Keys keys, std::string_view key) { return std::ranges::find(keys, key) != keys.end(); }
 
 // Turns the lines of one file into a lesson, collecting what is wrong on the way.
 class Reader {
@@ -80,103 +51,88 @@ public:
         Lesson lesson;
         header(lesson);
         if (m_at == m_lines.size()) {
-            fail({m_file, int(m_lines.size()), 0}, "the file has no page", "a line \"# HEADING\"");
+            m_complaints.add({m_file, int(m_lines.size()), 0}, "the file has no page", "a line \"# HEADING\"");
         }
         while (m_at < m_lines.size()) lesson.pages.push_back(page());
-        if (m_errors.size() > pipeline::kMaxErrors) m_errors.resize(pipeline::kMaxErrors);
-        if (!m_errors.empty()) return m_errors;
+        if (!m_complaints.empty()) return m_complaints.take();
         return lesson;
     }
 
 private:
-    void fail(const SourceLocation& where, std::string found, std::string expected = {}) {
-        m_errors.push_back({where, std::move(found), std::move(expected)});
-    }
-    // Errors of the pipeline know no place in this file; those of a scene file know their own.
-    void fail(const SourceLocation& where, Errors errors) {
-        for (Error& error : errors) {
-            if (error.where.line == 0) error.where = where;
-            m_errors.push_back(std::move(error));
-        }
-    }
-    void failUnknown(const SourceLocation& where, std::string_view kind, std::string_view name,
-                     std::vector<std::string> known) {
-        fail(where, "no " + std::string(kind) + ' ' + inQuotes(name) + "; " + pipeline::insteadOf(name, known));
-    }
+    bool isEnd(const Line& line) const { return isHeading(line) || isThen(line); }
 
     // The entries from here up to a line that is neither blank nor an entry, or begins one of
     // `others`. A line that looks like an entry has to be one.
     std::vector<Entry> entries(Keys keys, Keys others = {}) {
         std::vector<Entry> found;
-        for (; m_at < m_lines.size() && !isHeading(m_lines[m_at]); ++m_at) {
+        for (; m_at < m_lines.size() && !isEnd(m_lines[m_at]); ++m_at) {
             if (isBlank(m_lines[m_at])) continue;
             const auto entry = entryIn(m_lines[m_at]);
-            if (!entry || std::ranges::find(others, entry->key) != others.end()) break;
-            if (known(*entry, keys, found)) found.push_back(*entry);
+            if (!entry || has(others, entry->key) || has(kMarkWords, entry->key)) break;
+            if (isKnown(*entry, {keys, kRepeatedKeys, {}}, found, m_complaints)) found.push_back(*entry);
         }
         return found;
-    }
-    bool known(const Entry& entry, Keys keys, const std::vector<Entry>& before) {
-        if (std::ranges::find(keys, entry.key) == keys.end()) {
-            failUnknown(entry.where, "key", entry.key, {keys.begin(), keys.end()});
-            return false;
-        }
-        if (std::ranges::find(kRepeatedKeys, entry.key) == kRepeatedKeys.end() &&
-            std::ranges::find(before, entry.key, &Entry::key) != before.end())
-            fail(entry.where, "found " + inQuotes(entry.key) + " a second time", "it once");
-        if (!entry.line().text.empty()) return true;
-        fail(entry.line().where, "found nothing", "what " + inQuotes(entry.key) + " is");
-        return false;
     }
 
     void header(Lesson& lesson) {
         m_header = entries(kHeaderKeys);
         for (; m_at < m_lines.size() && !isHeading(m_lines[m_at]); ++m_at)
             if (!isBlank(m_lines[m_at]))
-                fail(m_lines[m_at].where, "found " + inQuotes(m_lines[m_at].text), "\"key: value\" or \"# HEADING\"");
+                m_complaints.add(m_lines[m_at].where, "found " + inQuotes(m_lines[m_at].text),
+                                 "\"key: value\" or \"# HEADING\"");
         for (const auto& [key, text] :
              {std::pair{"title", &lesson.title}, {"lecture", &lesson.lecture}, {"summary", &lesson.summary}})
             if (const Entry* entry = find(m_header, key))
                 *text = entry->line().text;
             else
-                fail({m_file, 1, 1}, "no " + std::string(key) + " in the header", inQuotes(std::string(key) + ": …"));
+                m_complaints.add({m_file, 1, 1}, "no " + std::string(key) + " in the header",
+                                 inQuotes(std::string(key) + ": …"));
+        if (const Entry* entry = find(m_header, "next")) lesson.next = entry->line().text;
+        for (const Entry& entry : m_header)
+            if (entry.key == "can") lesson.can.emplace_back(entry.line().text);
+        if (const Entry* entry = find(m_header, "notions"))
+            for (const Line& notion : separated(entry->line(), ";")) lesson.notions.emplace_back(notion.text);
+        if (const Entry* entry = find(m_header, "minutes")) {
+            const auto minutes = numberIn(entry->line().text);
+            if (minutes && *minutes >= 1 && *minutes <= kMostMinutes && *minutes == std::trunc(*minutes))
+                lesson.minutes = int(*minutes);
+            else
+                m_complaints.add(entry->line().where, "found " + inQuotes(entry->line().text),
+                                 "a whole number of minutes from 1 to 600");
+        }
     }
 
-    static const Entry* find(const std::vector<Entry>& entries, std::string_view key) {
-        const auto found = std::ranges::find(entries, key, &Entry::key);
-        return found == entries.end() ? nullptr : &*found;
-    }
-
-    // The scene that `entries` or else the header names, with the settings of both.
+    // The scene that `entries` or else the header names.
     std::optional<pipeline::Scene> sceneOf(const std::vector<Entry>& entries, const SourceLocation& page) {
         const Entry* entry = find(entries, "scene");
         if (!entry) entry = find(m_header, "scene");
         if (!entry) {
-            fail(page, "no scene for this page", "\"scene: …\" in the header");
+            m_complaints.add(page, "no scene for this page", "\"scene: …\" in the header");
             return {};
         }
         const std::string name(entry->line().text);
         auto known = m_scenes.find(name);
         if (known == m_scenes.end()) {  // pages of one scene share its meshes, and say once what is wrong with it
             auto scene = m_sceneNamed(name);
-            if (!scene) fail(entry->line().where, scene.errors());
+            if (!scene) m_complaints.add(entry->line().where, scene.errors());
             known = m_scenes.emplace(name, scene ? std::optional(std::move(scene).value()) : std::nullopt).first;
         }
-        std::optional<pipeline::Scene> scene = known->second;
-        if (!scene) return {};
-        const std::vector<Entry>* const lists[] = {&m_header, &entries};
+        return known->second;
+    }
+    // With the settings of these lists, one after the other; checked.
+    void set(pipeline::Scene& scene, std::initializer_list<const std::vector<Entry>*> lists,
+             const SourceLocation& where) {
         for (const std::vector<Entry>* list : lists)
             for (const Entry& set : *list) {
                 if (set.key != "set") continue;
-                auto changed = pipeline::withSetting(*scene, set.line().text);
+                auto changed = pipeline::withSetting(scene, set.line().text);
                 if (changed)
                     scene = std::move(changed).value();
-                else if (list == &entries || !m_headerChecked)
-                    fail(set.line().where, changed.errors());
+                else if (list != &m_header || !m_headerChecked)
+                    m_complaints.add(set.line().where, changed.errors());
             }
         m_headerChecked = true;
-        fail(page, pipeline::checkSceneAndMemory(*scene));
-        return scene;
+        m_complaints.add(where, pipeline::checkSceneAndMemory(scene));
     }
 
     Page page() {
@@ -187,40 +143,65 @@ private:
         const std::vector<Entry> settings = entries(kPageKeys, kQuestionKeys);
         const std::vector<Line> text = textLines();
         const std::vector<Entry> question = questionEntries();
-        const auto scene = sceneOf(settings, page.where);
+        const std::optional<SourceLocation> then =
+            m_at < m_lines.size() && isThen(m_lines[m_at]) ? std::optional(m_lines[m_at].where) : std::nullopt;
+        std::vector<Entry> thenSettings;
+        std::vector<Line> thenText;
+        if (then) {
+            ++m_at;
+            thenSettings = entries(kThenKeys);
+            thenText = textLines();
+            for (; m_at < m_lines.size() && !isHeading(m_lines[m_at]); ++m_at)
+                if (!isBlank(m_lines[m_at]))
+                    m_complaints.add(m_lines[m_at].where,
+                                     "found " + inQuotes(m_lines[m_at].text) + " after \"## then\"",
+                                     "the next page: the question stands before \"## then\"");
+        }
+
+        auto scene = sceneOf(settings, page.where);
         if (!scene) return page;  // names can only be checked against a scene
-        page.state.scene = *scene;
-        for (const Entry& entry : settings) apply(entry, page.state);
-        if (page.state.buffers.empty()) page.state.buffers.push_back({pipeline::BufferId::Color});
-        if (text.empty()) fail(page.where, "this page has no text", "Markdown below its keys");
-        const Names names = namesFrom(settings, *scene);
-        page.text = prose(text, {*scene, &names});
-        if (!question.empty()) page.question = questionFrom(question, *scene, names);
+        set(*scene, {&m_header, &settings}, page.where);
+        page.first.state.scene = *scene;
+        for (const Entry& entry : settings) apply(entry, page);
+        if (page.first.state.buffers.empty()) page.first.state.buffers.push_back({pipeline::BufferId::Color});
+        Names names;
+        addNames(names, m_header, *scene);
+        addNames(names, settings, *scene);
+        if (text.empty()) m_complaints.add(page.where, "this page has no text", "Markdown below its keys");
+        setText(page.first, text, names);
+        if (!question.empty()) page.question = questionFrom(question, *scene, names, m_complaints);
+        if (!then) return page;
+
+        if (question.empty()) m_complaints.add(*then, "found \"## then\" without a question before it");
+        Half half{page.first.state, {}, {}};
+        set(half.state.scene, {&thenSettings}, *then);
+        if (half.state.scene != page.first.state.scene) names.erase("answer");  // it is a number of the first half
+        for (const Entry& entry : thenSettings) apply(entry, half.state);
+        if (thenText.empty()) m_complaints.add(*then, "this half has no text", "Markdown below its keys");
+        addNames(names, thenSettings, half.state.scene);
+        setText(half, thenText, names);
+        page.then = std::move(half);
         return page;
     }
 
-    // What the header and the page let names stand for; each may use those before it.
-    Names namesFrom(const std::vector<Entry>& page, const pipeline::Scene& scene) {
-        Names names;
-        for (const std::vector<Entry>* list : {&std::as_const(m_header), &page})
-            for (const Entry& entry : *list)
-                if (entry.key == "let") let(entry.line(), scene, names);
-        return names;
+    // What these entries let names stand for; each may use those before it.
+    void addNames(Names& names, const std::vector<Entry>& entries, const pipeline::Scene& scene) {
+        for (const Entry& entry : entries)
+            if (entry.key == "let") let(entry.line(), scene, names);
     }
     void let(const Line& line, const pipeline::Scene& scene, Names& names) {
-        const std::size_t sign = line.text.find('=');
-        if (sign == line.text.npos) return fail(line.where, "found " + inQuotes(line.text), "NAME = EXPRESSION");
-        const std::string name(trimmed({line.text.substr(0, sign), {}}).text);
+        const auto sides = splitAt(line, "=");
+        if (!sides) return m_complaints.add(line.where, "found " + inQuotes(line.text), "NAME = EXPRESSION");
+        const std::string name(sides->first.text);
         if (const std::string why = whyNoName(name); !why.empty())
-            return fail(line.where, "found the name " + inQuotes(name) + ": " + why);
-        auto expression = parseExpression(line.text.substr(sign + 1),
-                                          advanced(line.where, line.text.substr(0, sign + 1)), {scene, &names});
-        if (!expression) return fail({}, expression.errors());
+            return m_complaints.add(line.where, "found the name " + inQuotes(name) + ": " + why);
+        auto expression = parseExpression(sides->second.text, sides->second.where, {scene, &names});
+        if (!expression) return m_complaints.add({}, expression.errors());
         if (!names.try_emplace(name, std::move(expression).value()).second)
-            fail(line.where, "found the name " + inQuotes(name) + " a second time", "another name");
+            m_complaints.add(line.where, "found the name " + inQuotes(name) + " a second time", "another name");
     }
 
-    // The Markdown of a page, without blank lines around it.
+    // The Markdown of a half, without blank lines around it.
     std::vector<Line> textLines() {
         std::vector<Line> lines;
         bool fenced = false;
@@ -228,29 +209,73 @@ private:
             const Line& line = m_lines[m_at];
             if (line.text.starts_with("```")) fenced = !fenced;
             const auto entry = fenced ? std::nullopt : entryIn(line);
-            if (entry && std::ranges::find(kQuestionKeys, entry->key) != kQuestionKeys.end()) break;
-            if (!fenced && isHeading(line)) break;
+            if (entry && !has(kMarkWords, entry->key) && has(kQuestionKeys, entry->key)) break;
+            if (!fenced && isEnd(line)) break;
             if (!lines.empty() || !isBlank(line)) lines.push_back(line);
         }
         while (!lines.empty() && isBlank(lines.back())) lines.pop_back();
         return lines;
     }
+    // Paragraphs that begin with one of the marks are for the window or for paper alone.
+    void setText(Half& half, const std::vector<Line>& lines, const Names& names) {
+        std::vector<Line> screen, paper;
+        bool onScreen = true, onPaper = true, begins = true;
+        for (Line line : lines) {
+            if (isBlank(line)) {
+                begins = true;
+            } else if (std::exchange(begins, false)) {
+                onScreen = !line.text.starts_with(kPaperMark);
+                onPaper = !line.text.starts_with(kScreenMark);
+                const std::string_view mark = !onPaper ? kScreenMark : !onScreen ? kPaperMark : "";
+                line = {line.text.substr(mark.size()), advanced(line.where, mark)};
+            }
+            if (onScreen) screen.push_back(line);
+            if (onPaper) paper.push_back(line);
+        }
+        const Scope scope{half.state.scene, &names};
+        half.text = m_complaints.valueOf(parseProse(screen, scope));
+        if (auto read = parseProse(paper, scope)) half.paper = std::move(read).value();  // its errors are said already
+    }
 
     std::vector<Entry> questionEntries() {
         std::vector<Entry> found;
-        for (; m_at < m_lines.size() && !isHeading(m_lines[m_at]); ++m_at) {
+        for (; m_at < m_lines.size() && !isEnd(m_lines[m_at]); ++m_at) {
             const Line& line = m_lines[m_at];
             const auto entry = entryIn(line);
             if (entry) {
-                if (known(*entry, kQuestionKeys, found)) found.push_back(*entry);
+                if (isKnown(*entry, questionKeys(), found, m_complaints)) found.push_back(*entry);
             } else if (!isBlank(line) && !found.empty()) {
-                if (found.back().key == "answer" || found.back().key == "tolerance")
-                    fail(line.where, "found " + inQuotes(line.text), "a key such as \"hint:\"");
-                else
+                if (goesOn(found.back().key))
                     found.back().value.push_back(trimmed(line));
+                else
+                    m_complaints.add(line.where, "found " + inQuotes(line.text), "a key such as \"hint:\"");
             }
         }
         return found;
+    }
+
+    void apply(const Entry& entry, Page& page) {
+        if (entry.key == "hides")
+            for (const Line& word : separated(entry.line())) hide(word, page);
+        else if (entry.key == "panels")
+            for (const Line& word : separated(entry.line())) {
+                if (const auto part = partNamed(word.text))
+                    page.panels.push_back(*part);
+                else
+                    m_complaints.addUnknown(word.where, "panel", word.text, {kPartNames.begin(), kPartNames.end()});
+            }
+        else
+            apply(entry, page.first.state);
+    }
+    static std::optional<Part> partNamed(std::string_view word) {
+        const auto found = std::ranges::find(kPartNames, word);
+        return found == kPartNames.end() ? std::nullopt : std::optional(Part(found - kPartNames.begin()));
+    }
+    void hide(const Line& word, Page& page) {
+        if (const auto part = partNamed(word.text))
+            page.hiddenParts.push_back(*part);
+        else if (const auto name = bufferNamed(word, page.first.state.scene))
+            page.hiddenBuffers.push_back(*name);
     }
 
     void apply(const Entry& entry, PageState& state) {
@@ -260,7 +285,7 @@ private:
             } else {
                 std::vector<std::string> names;
                 for (const pipeline::StageId id : pipeline::kStages) names.emplace_back(pipeline::stageInfo(id).name);
-                failUnknown(entry.line().where, "stage", entry.line().text, names);
+                m_complaints.addUnknown(entry.line().where, "stage", entry.line().text, names);
             }
         }
         if (entry.key == "channel") {
@@ -268,32 +293,27 @@ private:
             if (entry.line().text.size() == 1 && channel != std::string_view::npos)
                 state.channel = int(channel);
             else
-                fail(entry.line().where, "found " + inQuotes(entry.line().text), "r, g or b");
+                m_complaints.add(entry.line().where, "found " + inQuotes(entry.line().text), "r, g or b");
         }
         if (entry.key == "pixel") pixel(entry.line(), state);
-        if (entry.key == "buffers")
-            for (const Line& name : commaSeparated(entry.line())) buffer(name, state);
-    }
-    static std::vector<Line> commaSeparated(const Line& line) {
-        std::vector<Line> parts;
-        for (Line rest = line;;) {
-            const auto end = rest.text.find(',');
-            parts.push_back(trimmed({rest.text.substr(0, end), rest.where}));
-            if (end == std::string_view::npos) return parts;
-            rest = {rest.text.substr(end + 1), advanced(rest.where, rest.text.substr(0, end + 1))};
+        if (entry.key == "buffers") {
+            state.buffers.clear();
+            for (const Line& name : separated(entry.line()))
+                if (const auto buffer = bufferNamed(name, state.scene)) state.buffers.push_back(*buffer);
         }
     }
-    void buffer(const Line& name, PageState& state) {
+    std::optional<pipeline::BufferName> bufferNamed(const Line& name, const pipeline::Scene& scene) {
         const auto buffer = pipeline::findBuffer(name.text);
+        if (buffer && buffer->light < int(scene.lights.size())) return buffer;
         if (!buffer)
-            fail(name.where, "no buffer " + inQuotes(name.text) + "; " + pipeline::insteadOfBuffer(name.text));
-        else if (buffer->light >= int(state.scene.lights.size()))
-            fail(name.where, "no buffer " + inQuotes(name.text), "a light that the scene has");
+            m_complaints.add(name.where,
+                             "no buffer " + inQuotes(name.text) + "; " + pipeline::insteadOfBuffer(name.text));
         else
-            state.buffers.push_back(*buffer);
+            m_complaints.add(name.where, "no buffer " + inQuotes(name.text), "a light that the scene has");
+        return {};
     }
     void pixel(const Line& line, PageState& state) {
-        const std::vector<Line> parts = commaSeparated(line);
+        const std::vector<Line> parts = separated(line);
         const glm::ivec2 size{state.scene.settings.width, state.scene.settings.height};
         glm::ivec2 pixel{0};
         bool good = parts.size() == 2;
@@ -305,44 +325,9 @@ private:
         if (good)
             state.pixel = pixel;
         else
-            fail(line.where, "found the pixel " + inQuotes(line.text),
-                 "\"x, y\", x from 0 to " + std::to_string(size.x - 1) + ", y from 0 to " + std::to_string(size.y - 1));
-    }
-
-    Prose prose(std::span<const Line> lines, const Scope& scope) {
-        auto prose = parseProse(lines, scope);
-        if (prose) return std::move(prose).value();
-        fail({}, prose.errors());
-        return {};
-    }
-
-    std::optional<Question> questionFrom(const std::vector<Entry>& entries, const pipeline::Scene& scene, Names names) {
-        Question question;
-        const Entry* const asked = find(entries, "question");
-        const Entry* const answer = find(entries, "answer");
-        if (!asked || !answer) {
-            fail(entries.front().where, std::string("no \"") + (asked ? "answer" : "question") + "\" here",
-                 "both a question and its answer");
-            return {};
-        }
-        auto expression = parseExpression(answer->line().text, answer->line().where, {scene, &names});
-        for (const auto& [key, text] : {std::pair{"question", &question.text}, {"hint", &question.hint}})
-            if (const Entry* entry = find(entries, key)) *text = prose(entry->value, {scene, &names});
-        if (expression)
-            names.insert_or_assign("answer", question.answer = std::move(expression).value());
-        else
-            fail({}, expression.errors());
-        // What is said after an answer may speak of it.
-        for (const auto& [key, text] : {std::pair{"right", &question.right}, {"wrong", &question.wrong}})
-            if (const Entry* entry = find(entries, key)) *text = prose(entry->value, {scene, &names});
-        if (const Entry* entry = find(entries, "tolerance")) {
-            const auto tolerance = numberIn(entry->line().text);
-            if (tolerance && *tolerance >= 0)
-                question.tolerance = *tolerance;
-            else
-                fail(entry->line().where, "found " + inQuotes(entry->line().text), "a number from 0 on");
-        }
-        return question;
+            m_complaints.add(
+                line.where, "found the pixel " + inQuotes(line.text),
+                "\"x, y\", x from 0 to " + std::to_string(size.x - 1) + ", y from 0 to " + std::to_string(size.y - 1));
     }
 
     std::vector<Line> m_lines;
@@ -352,7 +337,7 @@ private:
     std::vector<Entry> m_header;
     bool m_headerChecked = false;
     std::map<std::string, std::optional<pipeline::Scene>> m_scenes;
-    Errors m_errors;
+    Complaints m_complaints;
 };
 
 // A scene that comes with the program, or a file in the lesson's folder.

@@ -66,12 +66,14 @@ pipeline::Result<Prose> parseProse(std::span<const Line> lines, const Scope& sco
     return prose;
 }
 
-pipeline::Result<std::string> filled(const Prose& prose, const pipeline::Frame& frame) {
+pipeline::Result<std::string> filled(const Prose& prose, const Context& context) {
     std::string text = prose.pieces.empty() ? std::string() : prose.pieces.front();
     pipeline::Errors errors;
     ChangedFrames changed;
+    Context own = context;
+    if (!own.changed) own.changed = &changed;
     for (std::size_t i = 0; i < prose.holes.size(); ++i) {
-        const auto value = evaluate(prose.holes[i].expression, {.frame = frame, .changed = &changed});
+        const auto value = evaluate(prose.holes[i].expression, own);
         if (value)
             text += toText(*value, prose.holes[i].digits) + prose.pieces[i + 1];
         else
@@ -81,8 +83,12 @@ pipeline::Result<std::string> filled(const Prose& prose, const pipeline::Frame& 
     return text;
 }
 
-std::string filled(const Prose& prose, const pipeline::Frame& frame, pipeline::Errors& errors) {
-    auto text = filled(prose, frame);
+pipeline::Result<std::string> filled(const Prose& prose, const pipeline::Frame& frame) {
+    return filled(prose, Context{.frame = frame});
+}
+
+std::string filled(const Prose& prose, const Context& context, pipeline::Errors& errors) {
+    auto text = filled(prose, context);
     if (text) return std::move(text).value();
     errors.insert(errors.end(), text.errors().begin(), text.errors().end());
     return {};

@@ -29,10 +29,11 @@ struct Line {
 // Lines end with a newline but for the last. Up to kMaxErrors errors.
 pipeline::Result<Prose> parseProse(std::span<const Line> lines, const Scope& scope);
 
-// Errors name the hole that the frame cannot fill.
+// Errors name the hole that the frame cannot fill, or say "stopped".
+pipeline::Result<std::string> filled(const Prose& prose, const Context& context);
 pipeline::Result<std::string> filled(const Prose& prose, const pipeline::Frame& frame);
-// The same for who fills in several: errors are added, and the text is empty then.
-std::string filled(const Prose& prose, const pipeline::Frame& frame, pipeline::Errors& errors);
+// For several texts: errors are added, and the text is empty then.
+std::string filled(const Prose& prose, const Context& context, pipeline::Errors& errors);
 // With an ellipsis in each hole: for the moment before the frame is there.
 std::string withGaps(const Prose& prose);
 

@@ -8,6 +8,7 @@
 #include "app/cli/progress_printer.h"
 #include "app/cli/scene_argument.h"
 #include "lessons/handout.h"
+#include "lessons/judge.h"
 #include "lessons/library.h"
 #include "pipeline/export/json.h"
 
@@ -39,24 +40,39 @@ int listLessons(bool json) {
     return library.errors.empty() ? kDone : kBadInput;
 }
 
-// A page with its numbers filled in.
-Json pageJson(const lessons::Page& page, const pipeline::Frame& frame, pipeline::Errors& errors) {
-    Json json{{"heading", page.heading},
-              {"stage", pipeline::stageInfo(page.state.stage).name},
+// Half a page with its numbers filled in.
+Json halfJson(const lessons::Half& half, const lessons::Context& context, pipeline::Errors& errors) {
+    Json json{{"stage", pipeline::stageInfo(half.state.stage).name},
               {"buffers", Json::array()},
               {"pixel", nullptr},
-              {"text", filled(page.text, frame, errors)},
-              {"question", nullptr}};
-    for (const pipeline::BufferName& buffer : page.state.buffers) json["buffers"].push_back(buffer.text());
-    if (const auto pixel = page.state.pixel) json["pixel"] = {pixel->x, pixel->y};
-    if (const auto& question = page.question) {
-        const auto answer = answerOf(page, frame);
-        if (!answer) errors.insert(errors.end(), answer.errors().begin(), answer.errors().end());
-        json["question"] = {{"text", filled(question->text, frame, errors)},
-                            {"answer", answer ? Json(*answer) : Json()},
-                            {"tolerance", question->tolerance},
-                            {"hint", filled(question->hint, frame, errors)}};
-    }
+              {"text", filled(half.text, context, errors)}};
+    for (const pipeline::BufferName& buffer : half.state.buffers) json["buffers"].push_back(buffer.text());
+    if (const auto pixel = half.state.pixel) json["pixel"] = {pixel->x, pixel->y};
+    return json;
+}
+
+Json questionJson(const lessons::Question& question, const lessons::Context& context, pipeline::Errors& errors) {
+    const auto text = answerText(question, context);
+    if (!text) errors.insert(errors.end(), text.errors().begin(), text.errors().end());
+    Json answer = text ? Json(*text) : Json();
+    const auto* number = std::get_if<lessons::NumberQuestion>(&question.kind);
+    if (const auto value = number ? evaluate(number->answer, context) : lessons::Value(); text && number && value)
+        answer = value->numbers.front();
+    Json json{{"kind", kindName(question)}, {"text", filled(question.text, context, errors)},
+              {"answer", answer},           {"points", question.points},
+              {"hints", Json::array()},     {"works", filled(question.works, context, errors)}};
+    for (const lessons::Prose& hint : question.hints) json["hints"].push_back(filled(hint, context, errors));
+    for (const lessons::Option& option : optionsOf(question))
+        json["options"].push_back(filled(option.text, context, errors));
+    return json;
+}
+
+Json pageJson(const lessons::Page& page, const lessons::PageFrames& frames, pipeline::Errors& errors) {
+    const lessons::Context context{.frame = *frames.first};
+    Json json = halfJson(page.first, context, errors);
+    json["heading"] = page.heading;
+    json["question"] = page.question ? questionJson(*page.question, context, errors) : Json();
+    json["then"] = page.then ? halfJson(*page.then, {.frame = *frames.then}, errors) : Json();
     return json;
 }
 
@@ -65,7 +81,10 @@ void printPages(const lessons::Lesson& lesson, const Json& pages) {
     say("# {}\n\n{}\n", lesson.title, lesson.summary);
     for (const Json& page : pages) {
         say("\n## {}\n\n{}\n", page["heading"].get<std::string>(), page["text"].get<std::string>());
-        if (!page["question"].is_null()) say("\n{}\n", page["question"]["text"].get<std::string>());
+        const Json& question = page["question"];
+        if (!question.is_null()) say("\n{}\n", question["text"].get<std::string>());
+        if (question.contains("options"))
+            for (const Json& option : question["options"]) say("\n- {}\n", option.get<std::string>());
     }
 }
 
@@ -82,10 +101,10 @@ int showLesson(const std::string& name, bool asJson) {
     }
     Json pages = Json::array();
     pipeline::Errors errors;
-    const bool all =
-        runPages(*lesson, interrupt.token(), [&](const lessons::Page& page, std::size_t, const pipeline::Frame& frame) {
-            pages.push_back(pageJson(page, frame, errors));
-        });
+    const bool all = runPages(*lesson, interrupt.token(),
+                              [&](const lessons::Page& page, std::size_t, const lessons::PageFrames& frames) {
+                                  pages.push_back(pageJson(page, frames, errors));
+                              });
     if (!all) {
         tell("Cancelled.\n");
         return kInterrupted;

@@ -120,7 +120,9 @@ QWidget* LessonPanel::makePage() {
     connect(handout, &HandoutButton::failed, m_errors, &ErrorList::report);
     connect(m_question, &QuestionCard::answered, this, &LessonPanel::check);
     connect(m_question, &QuestionCard::hintAsked, this, [this] {
-        const auto hint = lessons::filled(current().question->hint, *m_pageFrame);
+        const auto hint = m_attempt->hintsSeen() < m_attempt->hintCount()
+                              ? m_attempt->nextHint({.frame = *m_pageFrame})
+                              : m_attempt->hint(m_attempt->hintCount() - 1, {.frame = *m_pageFrame});
         m_question->say(hint ? toQString(*hint) : toQString(format(hint.errors())), QuestionCard::Comment::Hint);
     });
     followTheme(page, [this, all, top, column] {
@@ -180,10 +182,12 @@ void LessonPanel::showPage(int page) {
     m_previous->setToolTip(page > 0 ? tr("Previous page") : tr("Already at the first page."));
     m_next->setToolTip(page + 1 < pages ? tr("Next page") : tr("Already at the last page."));
     m_heading->setProse(toQString(current().heading), ProseView::Tone::Heading);
-    m_text->setProse(toQString(withGaps(current().text)));
+    m_text->setProse(toQString(withGaps(current().first.text)));
     m_question->setVisible(current().question.has_value());
+    m_attempt.reset();
     if (const auto& question = current().question) {
-        m_question->ask(toQString(withGaps(question->text)), !question->hint.empty());
+        m_attempt.emplace(*question);
+        m_question->ask(toQString(withGaps(question->text)), !question->hints.empty());
         m_question->setReady(false);
     }
     m_scroll->verticalScrollBar()->setValue(0);
@@ -192,13 +196,13 @@ void LessonPanel::showPage(int page) {
 
 // Within one scene a page is a step of undo.
 static bool isOpen(const Document& document, const lessons::Page& page) {
-    return document.hasScene() && document.scene().file == page.state.scene.file;
+    return document.hasScene() && document.scene().file == page.first.state.scene.file;
 }
 
 bool LessonPanel::mayShow(const lessons::Page& page) const { return isOpen(m_document, page) || m_mayLeave(); }
 
 void LessonPanel::setWindow() {
-    const lessons::PageState& state = current().state;
+    const lessons::PageState& state = current().first.state;
     if (!isOpen(m_document, current()))
         m_document.setScene(state.scene);
     else
@@ -214,8 +218,8 @@ void LessonPanel::setWindow() {
 
 void LessonPanel::takeFrame() {
     const pipeline::FramePtr& frame = m_document.wholeFrame();
-    if (!m_lesson || m_pageFrame || !frame || frame->scene() != current().state.scene) return;
-    const auto text = lessons::filled(current().text, *frame);
+    if (!m_lesson || m_pageFrame || !frame || frame->scene() != current().first.state.scene) return;
+    const auto text = lessons::filled(current().first.text, *frame);
     const auto question = current().question ? lessons::filled(current().question->text, *frame) : std::string();
     if (!text || !question) {
         // While a frame is under way, this one may only lack the buffers that the page has asked for.
@@ -231,19 +235,14 @@ void LessonPanel::takeFrame() {
 }
 
 void LessonPanel::check(const QString& typed) {
-    const lessons::Question& question = *current().question;
-    const auto answer = lessons::answerOf(current(), *m_pageFrame);
-    if (!answer) {
-        m_errors->report(tr("This question has no answer here."), answer.errors());
+    if (m_attempt->isSettled()) m_attempt.emplace(*current().question);
+    const auto verdict = m_attempt->check(lessons::Typed{typed.toStdString()}, {.frame = *m_pageFrame});
+    if (!verdict) {
+        m_errors->report(tr("This question has no answer here."), verdict.errors());
         return;
     }
-    const bool right = lessons::isRight(*answer, typed.toStdString(), question.tolerance);
-    const lessons::Prose& said = right ? question.right : question.wrong;
-    // Spoken about what the window shows, or about the page where that has not what it takes.
-    auto text = lessons::filled(said, m_document.wholeFrame() ? *m_document.wholeFrame() : *m_pageFrame);
-    if (!text) text = lessons::filled(said, *m_pageFrame);
-    if (said.empty() || !text) text = (right ? tr("Right.") : tr("Not yet.")).toStdString();
-    m_question->say(toQString(*text), right ? QuestionCard::Comment::Right : QuestionCard::Comment::NotYet);
+    m_question->say(toQString(verdict->said), verdict->mark == lessons::Mark::Right ? QuestionCard::Comment::Right
+                                                                                    : QuestionCard::Comment::NotYet);
 }
 
 }  // namespace app

@@ -5,6 +5,7 @@
 
 #include "app/core/document.h"
 #include "app/panels/lesson_shelf.h"
+#include "lessons/attempt.h"
 
 class QLabel;
 class QListView;
@@ -66,7 +67,8 @@ private:
 
     const lessons::Lesson* m_lesson = nullptr;  // of the shelf
     int m_page = 0;
-    pipeline::FramePtr m_pageFrame;  // of the page's own scene; null until it is there
+    std::optional<lessons::Attempt> m_attempt;  // at the page's question
+    pipeline::FramePtr m_pageFrame;             // of the page's own scene; null until it is there
 };
 
 }  // namespace app

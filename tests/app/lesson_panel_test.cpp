@@ -133,18 +133,16 @@ TEST_F(LessonPanelTest, AnswersAreCheckedAgainstThePagesOwnFrame) {
     ASSERT_TRUE(panel->open("pyramid"));
     goTo(8);  // 40·0.3974^n ≥ 175/255 holds up to n = 4.405
     answer("7");
-    EXPECT_EQ(comment(), "○ Not yet: with n = 8 the term is 0.025, one step needs 0.686.");
-    answer("4");
-    EXPECT_TRUE(comment().startsWith("● Right. In the window, n = 8 makes the term 0.025")) << comment().toStdString();
+    EXPECT_TRUE(comment().contains("with n = 8 the term is 0.025, one step needs 0.686.")) << comment().toStdString();
 
-    // The reader turns the exponent: the comment follows, the answer does not.
+    // The reader turns the exponent: what judges and what is said stay those of the page.
     const auto exponent = pipeline::findSetting(document.scene(), "material.0.n");
     ASSERT_TRUE(exponent);
     QSignalSpy ready(&document, &Document::frameReady);
     document.change(*exponent, 7);
     ASSERT_TRUE(ready.wait());
     answer("7");
-    EXPECT_EQ(comment(), "○ Not yet: with n = 7 the term is 0.063, one step needs 0.686.");  // 40·0.3974^7
+    EXPECT_TRUE(comment().contains("with n = 8 the term is 0.025")) << comment().toStdString();
     answer("4");
     EXPECT_TRUE(comment().startsWith("● Right.")) << comment().toStdString();
 }

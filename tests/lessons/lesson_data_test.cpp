@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lessons/judge.h"
 #include "lessons/library.h"
 #include "pipeline/illumination/illumination.h"
 #include "tests/lessons/pyramid_scene.h"
@@ -22,36 +23,45 @@ TEST(Lessons, EveryPageIsTrue) {
     for (const Lesson& lesson : allLessons().lessons)
         for (const Page& page : lesson.pages) {
             SCOPED_TRACE(lesson.name + ", " + page.heading);
-            EXPECT_EQ(format(pipeline::checkScene(page.state.scene)), "");
+            EXPECT_EQ(format(pipeline::checkScene(page.first.state.scene)), "");
             pipeline::FrameRequest request = requestFor(page);
             request.wanted.set(index(pipeline::BufferId::PolygonId));
-            const pipeline::FramePtr frame = frameOf(page.state.scene, request);
+            const pipeline::FramePtr frame = frameOf(page.first.state.scene, request);
             ASSERT_TRUE(frame);
-            for (const pipeline::BufferName& buffer : page.state.buffers)
+            for (const pipeline::BufferName& buffer : page.first.state.buffers)
                 EXPECT_TRUE(frame->buffer(buffer)) << buffer.text() << ": " << frame->whyAbsent(buffer);
-            if (const auto pixel = page.state.pixel) {
+            if (const auto pixel = page.first.state.pixel) {
                 const auto polygons = frame->buffer({pipeline::BufferId::PolygonId});
                 ASSERT_TRUE(polygons);
                 EXPECT_GE(polygons->value(std::size_t(pixel->x), std::size_t(pixel->y)), 0) << "nothing is drawn there";
             }
-            const auto text = filled(page.text, *frame);
+            const auto text = filled(page.first.text, *frame);
             EXPECT_TRUE(text) << textOf(text);
             if (!page.question) continue;
 
-            for (const Prose* prose :
-                 {&page.question->text, &page.question->hint, &page.question->right, &page.question->wrong}) {
-                const auto filledIn = filled(*prose, *frame);
+            const Context context{.frame = *frame};
+            for (const Prose* prose : textsOf(*page.question)) {
+                const auto filledIn = filled(*prose, context);
                 EXPECT_TRUE(filledIn) << textOf(filledIn);
             }
-            const auto answer = answerOf(page, *frame);
-            ASSERT_TRUE(answer) << format(answer.errors());
-            EXPECT_TRUE(std::isfinite(*answer));
-            const double tolerance = page.question->tolerance;
-            if (*answer != std::trunc(*answer)) {
-                EXPECT_GT(tolerance, 0) << "nobody types all digits of " << *answer;
+            for (const Expression* expression : expressionsOf(*page.question)) {
+                const auto value = evaluate(*expression, context);
+                EXPECT_TRUE(value) << expression->text << ": " << format(value ? pipeline::Errors() : value.errors());
             }
-            EXPECT_TRUE(isRight(*answer, std::to_string(*answer), tolerance + 1e-6));
-            EXPECT_FALSE(isRight(*answer, std::to_string(*answer + 2 * tolerance + 1), tolerance));
+            const auto* number = std::get_if<NumberQuestion>(&page.question->kind);
+            if (!number) continue;
+            const double answer = evaluate(number->answer, context)->numbers[0];
+            if (answer != std::trunc(answer)) {
+                EXPECT_GT(number->tolerance, 0) << "nobody types all digits of " << answer;
+            }
+            const auto markOf = [&](double typed) {
+                const auto verdict = judge(*page.question, Typed{std::to_string(typed)}, context);
+                return verdict ? verdict->mark : Mark::Again;
+            };
+            if (answer == std::trunc(answer) || number->tolerance > 1e-6) {
+                EXPECT_EQ(markOf(answer), Mark::Right);
+            }
+            EXPECT_NE(markOf(answer + 2 * toleranceOf(*number, answer) + 1), Mark::Right);
         }
 }
 
@@ -61,10 +71,10 @@ TEST(Lessons, NoPageShowsADifferenceThatNobodySees) {
     for (const Lesson& lesson : allLessons().lessons)
         for (const Page& page : lesson.pages) {
             SCOPED_TRACE(lesson.name + ", " + page.heading);
-            const pipeline::FramePtr frame = frameOf(page.state.scene, requestFor(page));
+            const pipeline::FramePtr frame = frameOf(page.first.state.scene, requestFor(page));
             ASSERT_TRUE(frame);
-            const double step = pipeline::maximumIntensity(page.state.scene) / 255;
-            for (const pipeline::BufferName& name : page.state.buffers) {
+            const double step = pipeline::maximumIntensity(page.first.state.scene) / 255;
+            for (const pipeline::BufferName& name : page.first.state.buffers) {
                 const auto buffer = frame->buffer(name);
                 if (buffer->info->unit != "intensity") continue;
                 const pipeline::BufferStatistics found = pipeline::statistics(*buffer);
@@ -88,13 +98,14 @@ protected:
         m_lesson = *lesson;
     }
     double answer(std::size_t page) const {
-        const auto answer = answerOf(m_lesson.pages[page],
-                                     *frameOf(m_lesson.pages[page].state.scene, requestFor(m_lesson.pages[page])));
-        return answer ? *answer : NAN;
+        const Page& asked = m_lesson.pages[page];
+        const auto frame = frameOf(asked.first.state.scene, requestFor(asked));
+        const auto answer = evaluate(std::get<NumberQuestion>(asked.question->kind).answer, {.frame = *frame});
+        return answer ? answer->numbers[0] : NAN;
     }
     std::string text(std::size_t page) const {
-        return textOf(filled(m_lesson.pages[page].text,
-                             *frameOf(m_lesson.pages[page].state.scene, requestFor(m_lesson.pages[page]))));
+        return textOf(filled(m_lesson.pages[page].first.text,
+                             *frameOf(m_lesson.pages[page].first.state.scene, requestFor(m_lesson.pages[page]))));
     }
     Lesson m_lesson;
 };
@@ -171,7 +182,7 @@ TEST_F(PyramidLesson, QuotedLinesStandInTheFiles) {
     const std::filesystem::path scene = pipeline::builtInScenes().front().file;
     const std::string files[]{contents(scene), contents(scene.parent_path() / "pyramid.des")};
     for (std::size_t page = 0; page < 2; ++page) {
-        const std::string words = withGaps(m_lesson.pages[page].text);
+        const std::string words = withGaps(m_lesson.pages[page].first.text);
         int quotes = 0;
         for (std::size_t start, end = 0; (start = words.find('`', end)) != std::string::npos;) {
             end = words.find('`', start + 1);

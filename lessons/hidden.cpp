@@ -1,0 +1,50 @@
+#include "lessons/hidden.h"
+
+#include <algorithm>
+
+namespace lessons {
+
+namespace {
+
+bool before(const pipeline::BufferName& a, const pipeline::BufferName& b) {
+    return std::pair(a.id, a.light) < std::pair(b.id, b.light);
+}
+
+// The buffers that a formula reads in the frame of its page.
+void gather(const Node& node, std::vector<pipeline::BufferName>& into) {
+    if (node.buffer) into.push_back(*node.buffer);
+    if (!node.changes.empty()) return;  // of another frame
+    for (const Node& operand : node.operands) gather(operand, into);
+}
+
+}  // namespace
+
+bool Hidden::hides(const pipeline::BufferName& buffer) const {
+    return std::ranges::find(buffers, buffer) != buffers.end();
+}
+bool Hidden::hides(Part part) const { return std::ranges::find(parts, part) != parts.end(); }
+
+Hidden hiddenOn(const Page& page, bool settled) {
+    Hidden hidden;
+    if (settled || !page.question) return hidden;
+    hidden.thenHalf = page.then.has_value();
+    const Question& question = *page.question;
+    if (const auto* number = std::get_if<NumberQuestion>(&question.kind)) gather(number->answer.root, hidden.buffers);
+    if (const auto* click = std::get_if<ClickQuestion>(&question.kind)) gather(click->holds.root, hidden.buffers);
+    for (const Option& option : optionsOf(question)) gather(option.holds.root, hidden.buffers);
+    std::erase_if(hidden.buffers, [&](const pipeline::BufferName& name) {
+        return std::ranges::find(page.first.state.buffers, name) != page.first.state.buffers.end();
+    });
+    hidden.buffers.insert(hidden.buffers.end(), page.hiddenBuffers.begin(), page.hiddenBuffers.end());
+    std::ranges::sort(hidden.buffers, before);
+    const auto same = std::ranges::unique(hidden.buffers);
+    hidden.buffers.erase(same.begin(), same.end());
+    hidden.parts = page.hiddenParts;
+    if (std::ranges::find(page.panels, Part::Inspector) == page.panels.end()) hidden.parts.push_back(Part::Inspector);
+    std::ranges::sort(hidden.parts);
+    const auto twice = std::ranges::unique(hidden.parts);
+    hidden.parts.erase(twice.begin(), twice.end());
+    return hidden;
+}
+
+}  // namespace lessons

@@ -1,0 +1,229 @@
+#include "lessons/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "lessons/known_mistakes.h"
+#include "lessons/lesson_text.h"
+#include "lessons/misconceptions.h"
+#include "pipeline/core/text.h"
+
+namespace lessons {
+
+namespace {
+
+using pipeline::Errors;
+using pipeline::Result;
+using Kind = Node::Kind;
+
+template <class... Ts>
+struct Overloaded : Ts... {
+    using Ts::operator()...;
+};
+
+Result<double> numberOf(const Expression& expression, const Context& context) {
+    const auto value = evaluate(expression, context);
+    if (!value) return value.errors();
+    return value->numbers.front();
+}
+
+// The text filled in, in its own paragraph behind what is there.
+void append(std::string& text, std::string_view more) {
+    if (!text.empty() && !more.empty()) text += "\n\n";
+    text += more;
+}
+
+// What is said about an answer, from the frame that it was judged by.
+class Judge {
+public:
+    Judge(const Question& question, const Context& context) : m_question(question), m_context(context) {}
+
+    Result<Verdict> judge(const Given& given) {
+        const auto verdict = std::visit(
+            Overloaded{[&](const NumberQuestion& number) { return typed(number, std::get_if<Typed>(&given)); },
+                       [&](const ChoiceQuestion& choice) { return chosen(choice, std::get_if<Chosen>(&given)); },
+                       [&](const SeveralQuestion& several) { return chosen(several, std::get_if<Chosen>(&given)); },
+                       [&](const ClickQuestion& click) { return picked(click, std::get_if<Pick>(&given)); },
+                       [&](const UntilQuestion& until) { return reached(until); }},
+            m_question.kind);
+        if (!m_errors.empty()) return m_errors;
+        return verdict;
+    }
+
+private:
+    std::string said(const Prose& prose) {
+        auto text = filled(prose, m_context);
+        if (text) return std::move(text).value();
+        m_errors.insert(m_errors.end(), text.errors().begin(), text.errors().end());
+        return {};
+    }
+    double number(const Expression& expression) {
+        const auto value = numberOf(expression, m_context);
+        if (value) return *value;
+        m_errors.insert(m_errors.end(), value.errors().begin(), value.errors().end());
+        return NAN;
+    }
+    bool holds(const Expression& expression) { return number(expression) == 1; }
+
+    Verdict again(std::string text) { return {Mark::Again, {}, {}, std::move(text)}; }
+    Verdict right(std::string text = {}) {
+        append(text, said(m_question.right));
+        return {Mark::Right, {}, {}, text.empty() ? "Right." : text};
+    }
+    Verdict wrong(std::string text, std::string_view mistake = {}) {
+        if (!mistake.empty()) {
+            const Misconception* row = findMisconception(mistake);
+            return {Mark::Known, std::string(mistake), row ? row->name : std::string(), text};
+        }
+        append(text, said(m_question.wrong));
+        return {Mark::NotYet, {}, {}, text.empty() ? "Not yet." : text};
+    }
+
+    Verdict typed(const NumberQuestion& question, const Typed* given) {
+        const auto typed = typedNumber(given ? given->text : "", question.unit);
+        if (!typed)
+            return again(fmt::format("{}. Type {}.", typed.errors().front().found, typed.errors().front().expected));
+        const double answer = number(question.answer), tolerance = toleranceOf(question, answer);
+        if (std::abs(typed->value - answer) <= tolerance) return right(otherForm(given->text, *typed));
+        // Of several mistakes that are near, the nearest.
+        const Mistake* meant = nullptr;
+        double least = INFINITY;
+        for (const Mistake& mistake : question.mistakes) {
+            const double value = number(mistake.value), off = std::abs(typed->value - value);
+            if (off < least && isMeant(*typed, value, toleranceOf(question, value))) least = off, meant = &mistake;
+        }
+        if (meant) return wrong(said(meant->said), meant->id);
+        if (hasTooFewDigits(*typed, answer)) return again("Right so far. Give more digits.");
+        if (const auto known = knownMistake(*typed, answer, tolerance, question.unit))
+            return wrong(known->said, known->id);
+        if (typed->value * answer < 0) return wrong("Not yet: the sign is the other one, and the size differs.");
+        return wrong(typed->value > answer ? "Not yet: too large." : "Not yet: too small.");
+    }
+    // What a number in another form is as a decimal.
+    static std::string otherForm(std::string_view text, const TypedNumber& typed) {
+        if (typed.form == TypedNumber::Form::Decimal) return {};
+        const std::string decimal = toText({{typed.value}, {}});
+        return fmt::format("Right: {} is {}{}.", pipeline::inQuotes(text),
+                           numberIn(decimal) == typed.value ? "" : "about ", decimal);
+    }
+
+    Verdict chosen(const ChoiceQuestion& question, const Chosen* given) {
+        if (!given || given->options.size() != 1 || given->options[0] >= question.options.size())
+            return again("Choose one option.");
+        const Option& option = question.options[given->options[0]];
+        if (holds(option.holds)) return right(said(option.said));
+        return wrong(said(option.said), option.mistake);
+    }
+
+    Verdict chosen(const SeveralQuestion& question, const Chosen* given) {
+        if (!given || given->options.empty()) return again("Choose at least one option.");
+        std::size_t found = 0, missing = 0, wrongly = 0;
+        const Option* named = nullptr;  // the first that does not hold
+        for (std::size_t i = 0; i < question.options.size(); ++i) {
+            const bool isChosen = std::ranges::find(given->options, i) != given->options.end();
+            const bool isRight = holds(question.options[i].holds);
+            found += isChosen && isRight;
+            missing += !isChosen && isRight;
+            wrongly += isChosen && !isRight;
+            if (isChosen && !isRight && (!named || named->mistake.empty())) named = &question.options[i];
+        }
+        if (missing == 0 && wrongly == 0) return right();
+        if (found == 0 && found + missing + wrongly == question.options.size() && question.opposite)
+            return wrong(said(question.opposite->said), question.opposite->id);
+        std::string text =
+            fmt::format("{} of {} {} right.", found, given->options.size(), given->options.size() == 1 ? "is" : "are");
+        if (missing > 0) text += fmt::format(" {} {} missing.", missing, missing == 1 ? "is" : "are");
+        if (named) append(text, said(named->said));
+        return wrong(text, named ? named->mistake : std::string());
+    }
+
+    Verdict picked(const ClickQuestion& question, const Pick* given) {
+        const Pick none;
+        const Pick& pick = given ? *given : none;
+        if (!isThere(question.kind, pick)) return again(fmt::format("Click a {} first.", name(question.kind)));
+        m_context.pick = &pick;
+        if (holds(question.holds)) return right();
+        for (const Mistake& mistake : question.mistakes)
+            if (holds(mistake.value)) return wrong(said(mistake.said), mistake.id);
+        return wrong(question.near ? distanceText(question, pick) : std::string());
+    }
+    static bool isThere(ThingKind kind, const Pick& pick) {
+        switch (kind) {
+            case ThingKind::Pixel: return pick.x && pick.y;
+            case ThingKind::Polygon: return pick.polygon.has_value();
+            case ThingKind::Vertex: return pick.vertex.has_value();
+            case ThingKind::Object: return pick.object.has_value();
+            case ThingKind::Light: return pick.light.has_value();
+        }
+        return false;
+    }
+    // "18 px too far to the left and 4 px too high"; rows run down.
+    std::string distanceText(const ClickQuestion& question, const Pick& pick) {
+        const auto place = evaluate(*question.near, m_context);
+        if (!place) {
+            m_errors.insert(m_errors.end(), place.errors().begin(), place.errors().end());
+            return {};
+        }
+        const double right = *pick.x - place->numbers[0], down = *pick.y - place->numbers[1];
+        std::vector<std::string> parts;
+        const auto part = [&](double off, std::string_view less, std::string_view more) {
+            if (std::round(std::abs(off)) >= 1)
+                parts.push_back(fmt::format("{:.0f} px too {}", std::abs(off), off < 0 ? less : more));
+        };
+        part(right, "far to the left", "far to the right");
+        part(down, "high", "low");
+        return fmt::format("Not yet: {}.", listed(parts));
+    }
+
+    Verdict reached(const UntilQuestion& question) {
+        if (holds(question.holds)) return right();
+        const auto gauge = gaugeOf(question, m_context);
+        return wrong(gauge && *gauge ? fmt::format("Not yet: {}.", (*gauge)->said) : std::string());
+    }
+
+    const Question& m_question;
+    Context m_context;
+    Errors m_errors;
+};
+
+}  // namespace
+
+double toleranceOf(const NumberQuestion& number, double answer) {
+    return number.relative ? number.tolerance * std::abs(answer) : number.tolerance;
+}
+
+Result<Verdict> judge(const Question& question, const Given& given, const Context& context) {
+    return Judge(question, context).judge(given);
+}
+
+Result<std::vector<std::size_t>> holdingOptions(std::span<const Option> options, const Context& context) {
+    std::vector<std::size_t> holding;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const auto holds = numberOf(options[i].holds, context);
+        if (!holds) return holds.errors();
+        if (*holds == 1) holding.push_back(i);
+    }
+    return holding;
+}
+
+Result<std::optional<Gauge>> gaugeOf(const UntilQuestion& until, const Context& context) {
+    const Node& root = until.holds.root;
+    const bool compares = root.kind == Kind::Less || root.kind == Kind::LessEqual || root.kind == Kind::Greater ||
+                          root.kind == Kind::GreaterEqual;
+    if (!compares || root.operands[0].size != 1 || root.operands[1].size != 1) return std::optional<Gauge>();
+    const auto side = [&](std::size_t i) { return numberOf(Expression{{}, root.operands[i], {}, 0}, context); };
+    const auto value = side(0), needed = side(1), holds = numberOf(until.holds, context);
+    for (const auto* part : {&value, &needed, &holds})
+        if (!*part) return part->errors();
+    Gauge gauge{*value, *needed, {}, *holds == 1, {}};
+    gauge.comparison = root.kind == Kind::Less        ? "<"
+                       : root.kind == Kind::LessEqual ? "≤"
+                       : root.kind == Kind::Greater   ? ">"
+                                                      : "≥";
+    gauge.said = fmt::format("{}, needed {} {}", toText({{*value}, {}}), gauge.comparison, toText({{*needed}, {}}));
+    return std::optional(gauge);
+}
+
+}  // namespace lessons

@@ -1,0 +1,69 @@
+#include "lessons/question.h"
+
+#include <array>
+
+namespace lessons {
+
+std::string_view name(ThingKind kind) {
+    static constexpr std::array<std::string_view, 5> kNames{"pixel", "polygon", "vertex", "object", "light"};
+    return kNames[std::size_t(kind)];
+}
+
+std::size_t countOf(ThingKind kind, const pipeline::Scene& scene) {
+    std::size_t count = kind == ThingKind::Object ? scene.objects.size() : 0;
+    if (kind == ThingKind::Light) count = scene.lights.size();
+    for (const pipeline::Object& object : scene.objects) {
+        if (kind == ThingKind::Vertex) count += object.mesh->positions.size();
+        if (kind == ThingKind::Polygon) count += object.mesh->polygonCount();
+    }
+    return count;
+}
+
+std::string_view kindName(const Question& question) {
+    static constexpr std::array<std::string_view, 5> kNames{"number", "choice", "several", "click", "until"};
+    return kNames[question.kind.index()];
+}
+
+std::span<const Option> optionsOf(const Question& question) {
+    if (const auto* choice = std::get_if<ChoiceQuestion>(&question.kind)) return choice->options;
+    if (const auto* several = std::get_if<SeveralQuestion>(&question.kind)) return several->options;
+    return {};
+}
+
+std::span<const Mistake> mistakesOf(const Question& question) {
+    if (const auto* number = std::get_if<NumberQuestion>(&question.kind)) return number->mistakes;
+    if (const auto* click = std::get_if<ClickQuestion>(&question.kind)) return click->mistakes;
+    return {};
+}
+
+std::vector<const Prose*> textsOf(const Question& question) {
+    std::vector<const Prose*> texts{&question.text, &question.paper, &question.works, &question.right, &question.wrong};
+    for (const Prose& hint : question.hints) texts.push_back(&hint);
+    for (const Mistake& mistake : mistakesOf(question)) texts.push_back(&mistake.said);
+    for (const Option& option : optionsOf(question)) {
+        texts.push_back(&option.text);
+        texts.push_back(&option.said);
+    }
+    if (const auto* several = std::get_if<SeveralQuestion>(&question.kind); several && several->opposite)
+        texts.push_back(&several->opposite->said);
+    return texts;
+}
+
+std::vector<const Expression*> expressionsOf(const Question& question) {
+    std::vector<const Expression*> all;
+    if (const auto* number = std::get_if<NumberQuestion>(&question.kind)) all.push_back(&number->answer);
+    if (const auto* click = std::get_if<ClickQuestion>(&question.kind)) {
+        all.push_back(&click->holds);
+        if (click->near) all.push_back(&*click->near);
+    }
+    if (const auto* until = std::get_if<UntilQuestion>(&question.kind)) {
+        all.push_back(&until->holds);
+        for (const UntilQuestion::Setting& setting : until->answer)
+            if (setting.number) all.push_back(&*setting.number);
+    }
+    for (const Mistake& mistake : mistakesOf(question)) all.push_back(&mistake.value);
+    for (const Option& option : optionsOf(question)) all.push_back(&option.holds);
+    return all;
+}
+
+}  // namespace lessons

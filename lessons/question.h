@@ -1,0 +1,107 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lessons/prose.h"
+
+// The questions of a lesson as data. lessons/attempt.h asks them, resources/manual/write-a-lesson.md has their syntax.
+
+namespace lessons {
+
+// A wrong answer that a known misconception gives.
+struct Mistake {
+    std::string id;    // a row of lessons/misconceptions.md
+    Expression value;  // of a number: what somebody answers then; of a click: true for what somebody picks then
+    Prose said;        // what happens instead; never the answer
+    pipeline::SourceLocation where;
+};
+
+// Something that can be clicked.
+enum class ThingKind : std::uint8_t { Pixel, Polygon, Vertex, Object, Light };
+std::string_view name(ThingKind kind);
+// How many a scene has; of pixels none.
+std::size_t countOf(ThingKind kind, const pipeline::Scene& scene);
+struct Thing {
+    ThingKind kind = ThingKind::Polygon;
+    std::size_t index = 0;  // over all objects; of a light its number; of a pixel not used
+    bool operator==(const Thing&) const = default;
+};
+
+struct NumberQuestion {
+    Expression answer;  // one number
+    // How far off an answer may be: absolute, or relative to the answer's magnitude.
+    double tolerance = 0;
+    bool relative = false;
+    std::string unit;  // "px", "°"; may be empty
+    std::vector<Mistake> mistakes;
+};
+
+struct Option {
+    Prose text;
+    Expression holds;            // a condition
+    Prose said;                  // to somebody who has chosen it; may be empty
+    std::string mistake;         // id of the misconception behind a wrong option; may be empty
+    std::optional<Thing> thing;  // of the scene: a click on it toggles the option
+    pipeline::SourceLocation where;
+};
+
+// One option holds.
+struct ChoiceQuestion {
+    std::vector<Option> options;  // 2 to 9
+};
+
+// Any number of options hold, at least one and not all.
+struct SeveralQuestion {
+    std::vector<Option> options;      // 2 to 9
+    std::optional<Mistake> opposite;  // said where exactly the others were chosen; its value is not used
+};
+
+struct ClickQuestion {
+    ThingKind kind = ThingKind::Pixel;
+    Expression holds;  // a condition over pick.x, pick.polygon, …
+    // Of a pixel where the question names a place: x and y of it, pixels, and how far off a click may be.
+    std::optional<Expression> near;
+    double within = 0;  // px
+    std::vector<Mistake> mistakes;
+};
+
+// The reader changes settings until a condition holds in the reader's own frame.
+struct UntilQuestion {
+    Expression holds;
+    std::vector<std::string> free;  // keys of the settings that may be changed
+    // Values with which the condition holds, one for each of these keys: for Show me, for paper, for the check.
+    struct Setting {
+        std::string key;
+        std::string word;                  // of a choice or a switch
+        std::optional<Expression> number;  // of any other setting
+    };
+    std::vector<Setting> answer;
+};
+
+struct Question {
+    Prose text;
+    Prose paper;               // the question as paper asks it; empty: as text
+    std::vector<Prose> hints;  // each says more; the last one has all operands
+    Prose works;               // the way of working, a step a line; may be empty
+    Prose right, wrong;        // may be empty
+    double points = 1;         // of a right first answer without a hint
+    std::variant<NumberQuestion, ChoiceQuestion, SeveralQuestion, ClickQuestion, UntilQuestion> kind;
+    pipeline::SourceLocation where;
+};
+
+// "number", "choice", "several", "click", "until".
+std::string_view kindName(const Question& question);
+// The options of a choice or several, else none.
+std::span<const Option> optionsOf(const Question& question);
+// The named mistakes of a number or click, else none.
+std::span<const Mistake> mistakesOf(const Question& question);
+
+// All texts of a question, those of its options and mistakes too.
+std::vector<const Prose*> textsOf(const Question& question);
+// All expressions that are evaluated to judge an answer.
+std::vector<const Expression*> expressionsOf(const Question& question);
+
+}  // namespace lessons

@@ -1,0 +1,182 @@
+#include "lessons/attempt.h"
+#include "lessons/hidden.h"
+#include "lessons/lesson.h"
+#include "lessons/misconceptions.h"
+#include "tests/lessons/pyramid_scene.h"
+
+namespace lessons {
+namespace {
+
+pipeline::Result<Lesson> questionLesson(std::string_view pages) {
+    return parseLesson("title: T\nlecture: L\nsummary: S\nscene: pyramid\n" + std::string(pages), "lesson.md",
+                       [](std::string_view) -> pipeline::Result<pipeline::Scene> { return pyramidScene(); });
+}
+Page questionPage(std::string_view page) {
+    const auto lesson = questionLesson(page);
+    EXPECT_TRUE(lesson) << format(lesson ? pipeline::Errors() : lesson.errors());
+    return lesson ? lesson->pages.front() : Page();
+}
+std::string questionErrors(std::string_view page) {
+    const auto lesson = questionLesson(page);
+    return lesson ? "" : format(lesson.errors());
+}
+
+TEST(QuestionReader, ReadsANumberWithItsMistakesHintsAndSecondHalf) {
+    const Page page = questionPage(
+        "# One\n"
+        "hides: vertices.screen, counts\n"
+        "panels: settings\n"
+        "\n"
+        "Text.\n"
+        "\n"
+        "screen: Turn the view.\n"
+        "\n"
+        "paper: Turn the sheet.\n"
+        "\n"
+        "question: Which row?\n"
+        "answer: floor(buffer(vertices.screen, 2, y))\n"
+        "tolerance: 2 %\n"
+        "unit: px\n"
+        "mistake y-up: 480 - buffer(vertices.screen, 2, y)\n"
+        "  You counted\n"
+        "  from the bottom.\n"
+        "hint: One.\n"
+        "hint: Two.\n"
+        "works: 1 + 1\n"
+        "= {answer}\n"
+        "points: 2\n"
+        "\n"
+        "## then\n"
+        "stage: cull\n"
+        "set: cull = none\n"
+        "\n"
+        "It is there.\n");
+    ASSERT_TRUE(page.question);
+    const Question& question = *page.question;
+    const auto& number = std::get<NumberQuestion>(question.kind);
+    EXPECT_EQ(number.tolerance, 0.02);
+    EXPECT_TRUE(number.relative);
+    EXPECT_EQ(number.unit, "px");
+    ASSERT_EQ(number.mistakes.size(), 1u);
+    EXPECT_EQ(number.mistakes[0].id, "y-up");
+    EXPECT_EQ(withGaps(number.mistakes[0].said), "You counted\nfrom the bottom.");
+    EXPECT_EQ(question.hints.size(), 2u);
+    EXPECT_EQ(withGaps(question.works), "1 + 1\n= …");
+    EXPECT_EQ(question.points, 2);
+    EXPECT_EQ(withGaps(page.first.text), "Text.\n\nTurn the view.\n");
+    EXPECT_EQ(withGaps(page.first.paper), "Text.\n\nTurn the sheet.");
+    ASSERT_TRUE(page.then);
+    EXPECT_EQ(withGaps(page.then->text), "It is there.");
+    EXPECT_EQ(page.then->state.stage, pipeline::StageId::Cull);
+    EXPECT_EQ(page.then->state.buffers, page.first.state.buffers) << "it begins as the first half";
+    EXPECT_EQ(page.first.state.scene.settings.cull, pipeline::CullMode::Back);
+    EXPECT_EQ(page.then->state.scene.settings.cull, pipeline::CullMode::None);
+    EXPECT_EQ(page.panels, std::vector<Part>{Part::Settings});
+}
+
+TEST(QuestionReader, ReadsChoicesSeveralClicksAndUntil) {
+    const Page choice = questionPage(
+        "# One\n"
+        "Text.\n"
+        "question: Is it kept?\n"
+        "choice: Yes. | if verdict(1) = kept | Right, it is.\n"
+        "choice cull-sign: No. | if verdict(1) = back-facing | It shows\n"
+        "  its front.\n");
+    const auto& options = std::get<ChoiceQuestion>(choice.question->kind).options;
+    ASSERT_EQ(options.size(), 2u);
+    EXPECT_EQ(withGaps(options[0].text), "Yes.");
+    EXPECT_EQ(withGaps(options[1].said), "It shows\nits front.");
+    EXPECT_EQ(options[1].mistake, "cull-sign");
+
+    const Page several = questionPage(
+        "# One\n"
+        "Text.\n"
+        "question: Which?\n"
+        "several: Left | if verdict(0) = back-facing | polygon 0\n"
+        "several hidden-for-back: Back | if verdict(3) = back-facing | polygon 3 | It is thin.\n"
+        "mistake cull-sign: opposite\n"
+        "  The others.\n");
+    const auto& question = std::get<SeveralQuestion>(several.question->kind);
+    EXPECT_EQ(question.options[1].thing, (Thing{ThingKind::Polygon, 3}));
+    ASSERT_TRUE(question.opposite);
+    EXPECT_EQ(question.opposite->id, "cull-sign");
+
+    const Page click =
+        questionPage("# One\nText.\nquestion: Where?\nclick: pixel\nnear: at_largest(n_dot_l.0) within 6 px\n");
+    EXPECT_EQ(std::get<ClickQuestion>(click.question->kind).within, 6);
+    const Page polygon = questionPage(
+        "# One\nText.\nquestion: Which?\nclick: polygon\nanswer: verdict(pick.polygon) = kept\n"
+        "mistake cull-sign: verdict(pick.polygon) = back-facing\n  No.\n");
+    EXPECT_EQ(std::get<ClickQuestion>(polygon.question->kind).kind, ThingKind::Polygon);
+
+    const Page until = questionPage(
+        "# One\nText.\nquestion: Turn n.\nuntil: buffer(specular.0, 268, 281, b) >= 0.5\n"
+        "free: material.0.n\nanswer: material.0.n = 2 + 2\n");
+    EXPECT_EQ(std::get<UntilQuestion>(until.question->kind).free, std::vector<std::string>{"material.0.n"});
+}
+
+struct WrongQuestion {
+    const char* page;
+    const char* errors;
+};
+
+TEST(QuestionReader, AnswersWhatIsWrongWithLineAndColumn) {
+    const WrongQuestion cases[]{
+        {"# One\nText.\nquestion: Q?\nanswer: 1\nmistake y-upp: 2\n  No.\n",
+         "lesson.md:9:1: no row in lessons/misconceptions.md for the mistake \"y-upp\"; the nearest is \"y-up\"\n"},
+        {"# One\nText.\nquestion: Q?\nanswer: 1\nmistake y-up: 2\n",
+         "lesson.md:9:1: found a mistake without its sentence, expected what is said, on the next line\n"},
+        {"# One\nText.\nquestion: Q?\nanswer: verdict(0)\n",
+         "lesson.md:8:9: found \"verdict(0)\", expected one number\n"},
+        {"# One\nText.\nquestion: Q?\nchoice: A | if 1 = 1\n",
+         "lesson.md:8:1: found 1 option, expected 2 to 9 lines with \"choice\"\n"},
+        {"# One\nText.\nquestion: Q?\nchoice: A | if 1 = 1\nchoice: B | no\n",
+         "lesson.md:9:1: found an option without its condition, expected TEXT | if CONDITION | what is said\n"},
+        {"# One\nText.\nquestion: Q?\nanswer: 1\nfree: material.0.n\n",
+         "lesson.md:9:1: found \"free\" in a question of kind number, expected it in one of kind until\n"},
+        {"# One\nText.\nquestion: Q?\nclick: face\nanswer: pick.x > 1\n",
+         "lesson.md:8:8: found \"face\", expected pixel, polygon, vertex, object or light\n"},
+        {"# One\nText.\n## then\nMore.\n", "lesson.md:7:1: found \"## then\" without a question before it\n"},
+        {"# One\nhides: dept\n\nText.\n", "lesson.md:6:8: no buffer \"dept\"; the nearest is \"depth\"\n"},
+        {"# One\nText.\nquestion: Q?\nanswer: 1\n## then\nMore.\nquestion: R?\n",
+         "lesson.md:11:1: found \"question: R?\" after \"## then\", expected the next page: the question stands before "
+         "\"## "
+         "then\"\n"},
+    };
+    for (const WrongQuestion& wrong : cases) EXPECT_EQ(questionErrors(wrong.page), wrong.errors) << wrong.page;
+}
+
+// What the answer is read from is hidden without a word of the author, unless the question is about what is shown.
+TEST(Hidden, IsWhatTheAnswerIsReadFromAndWhatThePageNames) {
+    const Page page = questionPage(
+        "# One\nhides: polygons.verdict, counts\n\nText.\nquestion: Q?\nanswer: buffer(vertices.screen, 2, y)\n## "
+        "then\nMore.\n");
+    const Hidden hidden = hiddenOn(page, false);
+    EXPECT_TRUE(hidden.hides({pipeline::BufferId::VerticesScreen}));
+    EXPECT_TRUE(hidden.hides({pipeline::BufferId::PolygonsVerdict}));
+    EXPECT_TRUE(hidden.hides(Part::Counts));
+    EXPECT_TRUE(hidden.hides(Part::Inspector));
+    EXPECT_FALSE(hidden.hides({pipeline::BufferId::Color}));
+    EXPECT_TRUE(hidden.thenHalf);
+    EXPECT_EQ(hidden.count(), 4u);
+    EXPECT_EQ(hiddenOn(page, true).count(), 0u);
+
+    const Page shown = questionPage(
+        "# One\nbuffers: n_dot_l.0\npanels: inspector\n\nText.\nquestion: Q?\nanswer: acos(buffer(n_dot_l.0, 268, "
+        "281))\n");
+    EXPECT_EQ(hiddenOn(shown, false).count(), 0u);
+}
+
+TEST(Misconceptions, AreOneTableWithoutFaults) {
+    EXPECT_EQ(format(misconceptions().errors), "");
+    EXPECT_GT(misconceptions().rows.size(), 100u);
+    for (const char* general : {"sign", "twice", "half", "radians", "degrees", "cos-for-angle", "power-of-ten"})
+        EXPECT_TRUE(findMisconception(general)) << general;
+    EXPECT_EQ(findMisconception("no such"), nullptr);
+    EXPECT_EQ(parseMisconceptions("| id | name |\n|---|---|\n| a | b | | | |\n| a | c | | | |\n| d |\n", "m.md")
+                  .errors.size(),
+              2u);
+}
+
+}  // namespace
+}  // namespace lessons
