@@ -133,8 +133,10 @@ void declareCheck(CLI::App& program, const CliHost&, int& status) {
     CLI::App* command = program.add_subcommand(
         "check", "Run the stiff and extreme cases: what a naive formula gives, what this program gives, and the bound");
     command->add_option("--case", options->cases, "This case alone; can be given more than once")->type_name("ID");
-    command->add_option("--group", options->groups,
-                        "The cases of a group: geometry, camera, raster, depth, shading, shadow or limits");
+    command
+        ->add_option("--group", options->groups,
+                     "The cases of a group: geometry, camera, raster, depth, shading, shadow or limits")
+        ->type_name("GROUP");
     command->add_flag("--list", options->list, "List the cases and run none");
     command->add_flag("--json", options->json, "Print JSON");
     declareThreads(*command, options->threads);

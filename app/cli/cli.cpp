@@ -38,6 +38,8 @@ constexpr const char* kFooter =
     "SCENE is a scene file, or the name of a scene that comes with the program: pyramid.\n"
     "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input,\n4 could not write, or not enough memory.";
 
+}  // namespace
+
 void declareProgram(CLI::App& program, const CliHost& host, int& status) {
     program.name("shadescope");
     program.description(
@@ -54,6 +56,8 @@ void declareProgram(CLI::App& program, const CliHost& host, int& status) {
     program.footer(kFooter);
     for (const Command& command : kCommands) command.declare(program, host, status);
 }
+
+namespace {
 
 int couldNotWrite(int error) {
     tell("standard output: could not write: {}\n", std::generic_category().message(error));

@@ -16,6 +16,9 @@ struct Command {
     void (*declare)(CLI::App& program, const CliHost& host, int& status);
 };
 
+// All of them, and what the program itself takes.
+void declareProgram(CLI::App& program, const CliHost& host, int& status);
+
 void declareExport(CLI::App& program, const CliHost& host, int& status);
 void declarePlan(CLI::App& program, const CliHost& host, int& status);
 void declareInspect(CLI::App& program, const CliHost& host, int& status);

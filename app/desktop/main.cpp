@@ -13,6 +13,7 @@
 #include "lessons/state/state_scene.h"
 #include "pipeline/core/memory.h"
 #include "pipeline/core/text.h"
+#include "pipeline/formats/built_in_scenes.h"
 #ifdef SHADESCOPE_WINDOW
 #include "app/desktop/window_main.h"
 #include "app/view3d/offscreen.h"
@@ -80,7 +81,15 @@ int present(int argc, char** argv, bool session) {
     return app::kBadInput;
 }
 
+// The window's texts and a plot's are drawn in fonts that an unpacked folder brings along; see resources/packaging.
+void useOwnFonts() {
+    const std::filesystem::path fonts = pipeline::resourceFolder() / "fonts" / "fonts.conf";
+    std::error_code ignored;
+    if (std::filesystem::exists(fonts, ignored)) setenv("FONTCONFIG_FILE", fonts.c_str(), 0);
+}
+
 int runProgram(int argc, char** argv) {
+    useOwnFonts();
     app::keepStandardFiles();
     app::tellOfFullFiles();
     pipeline::keepFreedMemory();

@@ -4,7 +4,12 @@ include(GNUInstallDirs)
 install(TARGETS shadescope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY resources/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope)
 install(DIRECTORY lessons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope/lessons
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.scene" PATTERN "*.toml" PATTERN "*.des")
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.scene" PATTERN "*.toml" PATTERN "*.des" PATTERN "*.png"
+  PATTERN expression EXCLUDE PATTERN state EXCLUDE)
+set(commands ${PROJECT_BINARY_DIR}/resources/manual)
+install(FILES ${commands}/shadescope.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME shadescope)
+install(FILES ${commands}/_shadescope DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${commands}/shadescope.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 if(SHADESCOPE_WINDOW)
   install(DIRECTORY resources/manual resources/pictures DESTINATION ${CMAKE_INSTALL_DATADIR}/shadescope
     FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
