@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <string_view>
@@ -56,14 +57,27 @@ void handleFailure() {
     std::abort();
 }
 
+void handleSignal(int) { ::_exit(sayOutOfMemory()); }
+
+// What a library raises that does not look at what malloc gives it, or looks and gives up.
+constexpr int kSignalsOfStart[]{SIGABRT, SIGSEGV};
+
 }  // namespace
 
 void endWhenOutOfMemory() {
     std::set_new_handler(handleFailure);
     std::set_terminate(handleUncaught);
+#ifndef __SANITIZE_ADDRESS__  // which has handlers of its own
+    for (const int signal : kSignalsOfStart) std::signal(signal, handleSignal);
+#endif
 }
 
-void throwWhenOutOfMemory() { mayThrow = true; }
+void throwWhenOutOfMemory() {
+    mayThrow = true;
+#ifndef __SANITIZE_ADDRESS__
+    for (const int signal : kSignalsOfStart) std::signal(signal, SIG_DFL);
+#endif
+}
 
 bool hasThrownOutOfMemory() { return hasThrown; }
 

@@ -4,10 +4,11 @@
 namespace app {
 
 // Until throwWhenOutOfMemory: an allocation that fails writes one fixed sentence to standard error and ends the program
-// with status 4. For the time before main, in which nothing has been done yet and nobody could catch an exception.
+// with status 4. For the time before main, in which nothing has been done yet and nobody could catch an exception. So
+// does a library that aborts or crashes while it starts: libraries of the window do so when malloc fails.
 void endWhenOutOfMemory();
 
-// From here on what is too large throws std::bad_alloc, which main and the jobs of the window answer with a message.
+// For the beginning of main: what is too large throws std::bad_alloc, which main and the jobs of the window answer with a message.
 // Where not even a little is to be had the way to a message would need what is not there, and the program ends as
 // above. Hidden folders that it leaves are removed by the next run into theirs.
 void throwWhenOutOfMemory();

@@ -64,11 +64,12 @@ void removeContents(int folder, int levels) noexcept {
 void removeAt(Place& place) noexcept {
     char* const path = place.path.data();
     const int folder = ::open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-    if (folder < 0) return;
-    constexpr int kLevels = 3;
-    removeContents(folder, kLevels);
-    ::close(folder);
-    ::rmdir(path);
+    if (folder >= 0) {
+        constexpr int kLevels = 3;
+        removeContents(folder, kLevels);
+        ::close(folder);
+        ::rmdir(path);
+    }
     for (std::size_t i = 0; i < place.made; ++i) {
         char* const last = std::strrchr(path, '/');
         if (!last || last == path) return;
@@ -96,6 +97,10 @@ HiddenFolder::HiddenFolder(const std::filesystem::path& folder, std::size_t made
 }
 
 HiddenFolder::HiddenFolder(HiddenFolder&& other) noexcept : m_place(std::exchange(other.m_place, kNoPlace)) {}
+
+void HiddenFolder::addParent() noexcept {
+    if (m_place != kNoPlace) ++places[m_place].made;
+}
 
 HiddenFolder::~HiddenFolder() {
     if (m_place == kNoPlace) return;

@@ -22,16 +22,6 @@ namespace {
 
 Error folderError(const fs::path& folder, const std::error_code& error) { return writeError(folder, error.value()); }
 
-// A new hidden folder in `parent`.
-fs::path makeHidden(const fs::path& parent, std::error_code& error) {
-    for (int attempt = 0; attempt < 100; ++attempt) {
-        const fs::path folder = parent / hiddenName(attempt);
-        if (fs::create_directory(folder, error) || error) return folder;
-    }
-    error = std::make_error_code(std::errc::file_exists);
-    return {};
-}
-
 // A lock on a folder that its holder's end frees, also an end by force; below 0: none.
 int lockFolder(const fs::path& folder, int how) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
@@ -118,21 +108,32 @@ bool Staging::makeFolder(std::error_code& error) {
     std::vector<fs::path> missing;  // innermost first
     for (fs::path p = parent; !fs::exists(p, error) && !error && p.has_relative_path(); p = p.parent_path())
         missing.push_back(p);
+    // What needs memory comes before the first folder is made: if there is none, no empty folder is left.
+    m_made.reserve(m_made.size() + missing.size());
+    fs::path folder = parent / hiddenName(0);
+    m_kept.emplace(folder, m_made.size());
     for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
         const bool made = fs::create_directory(*p, error);
-        if (made) m_made.push_back(*p);
         // Another process may have been first, with a folder or with a file.
         if (!made && !error && !fs::is_directory(*p, error) && !error)
             error = std::make_error_code(std::errc::file_exists);
         if (error) return false;
+        if (!made) continue;
+        m_made.push_back(std::move(*p));
+        m_kept->addParent();
     }
-    const fs::path folder = makeHidden(parent, error);
-    if (!error) {
-        m_folder = folder;
-        m_own = lockFolder(folder, LOCK_EX | LOCK_NB);
+    constexpr int kMostNames = 100;
+    bool made = fs::create_directory(folder, error);
+    for (int number = 1; !made && !error && number < kMostNames; ++number) {
+        folder = parent / hiddenName(number);
         m_kept.emplace(folder, m_made.size());
+        made = fs::create_directory(folder, error);
     }
-    return !error;
+    if (!made && !error) error = std::make_error_code(std::errc::file_exists);
+    if (error) return false;
+    m_folder = std::move(folder);
+    m_own = lockFolder(m_folder, LOCK_EX | LOCK_NB);
+    return true;
 }
 
 Staging::Staging(Staging&& other) noexcept

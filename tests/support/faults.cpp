@@ -2,6 +2,7 @@
 //   SHADESCOPE_TEST_KILL_AT=N        ends it before its N-th change of a folder, counted from 1: rename, unlink, mkdir
 //   SHADESCOPE_TEST_FAIL_AT=N        its N-th allocation fails; with SHADESCOPE_TEST_FAIL_TIMES=M so do the next, M in all
 //   SHADESCOPE_TEST_FAIL_FROM=N      its N-th allocation fails, and so do all after it
+//   SHADESCOPE_TEST_ABORT=1          aborts before main, as a library that cannot begin
 //   SHADESCOPE_TEST_COUNTS=FILE      writes how many changes and allocations there were
 // Counts in all threads together; nothing here allocates.
 #include <dlfcn.h>
@@ -45,6 +46,10 @@ bool isReady() {
     wanted.failTimes = std::max(1L, read("SHADESCOPE_TEST_FAIL_TIMES"));
     wanted.failFrom = read("SHADESCOPE_TEST_FAIL_FROM");
     return wanted.isRead = true;
+}
+
+__attribute__((constructor)) void abortAtStart() {
+    if (std::getenv("SHADESCOPE_TEST_ABORT")) std::abort();
 }
 
 __attribute__((destructor)) void tellCounts() {
