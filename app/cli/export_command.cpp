@@ -100,7 +100,7 @@ std::vector<pipeline::BufferName> takeDerived(std::vector<std::string>& names) {
 
 // The cue's scene, place and pixel, where the other options do not say otherwise. False: the reasons went to standard
 // error.
-bool takeCue(ExportOptions& options, int& status) {
+bool takeCue(ExportOptions& options, const pipeline::Stop& stop, int& status) {
     const auto refuse = [&](const pipeline::Errors& errors, int why) {
         printErrors(errors);
         status = why;
@@ -108,7 +108,12 @@ bool takeCue(ExportOptions& options, int& status) {
     };
     const auto named = lessons::parseCueName(options.cue);
     if (!named) return refuse(named.errors(), kWrongUsage);
-    const auto list = lessons::readCueFile(named->file);
+    const auto list = lessons::readCueFile(named->file, stop);
+    if (stop.stop_requested()) {
+        tell("Cancelled.\n");
+        status = kInterrupted;
+        return false;
+    }
     if (!list) return refuse(list.errors(), kBadInput);
     const auto found = findCue(*list, named->name);
     if (!found) return refuse(found.errors(), kWrongUsage);
@@ -181,7 +186,7 @@ int runExport(ExportOptions options, const CliHost& host) {
     }
     const Interrupt interrupt;
     int status = kDone;
-    if (!options.cue.empty() && !takeCue(options, status)) return status;
+    if (!options.cue.empty() && !takeCue(options, interrupt.token(), status)) return status;
     const auto scene = loadScene(options.scene, interrupt.token(), status);
     if (!scene) return status;
     if (const std::string why = refused(*scene, options.formats); !why.empty()) {

@@ -29,17 +29,19 @@ fs::path partFile(const fs::path& folder, const StudyRequest& request) {
     return folder / fileName(request, ".part.json");
 }
 
-Result<StudyReport> readStudy(const fs::path& file) {
+Result<StudyReport> readStudy(const fs::path& file, const pipeline::Stop& stop) {
     const auto text = pipeline::readFile(file);
-    if (text) return pipeline::studyFromJson(*text, file.string());
+    if (text) return pipeline::studyFromJson(*text, file.string(), stop);
     return pipeline::namedAt({file.string()}, text.errors());
 }
 
-Result<std::optional<StudyReport>> resumed(const fs::path& folder, const StudyRequest& request) {
+Result<std::optional<StudyReport>> resumed(const fs::path& folder, const StudyRequest& request,
+                                           const pipeline::Stop& stop) {
     const fs::path file = partFile(folder, request);
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return std::optional<StudyReport>();
-    const auto found = readStudy(file);
+    const auto found = readStudy(file, stop);
+    if (stop.stop_requested()) return pipeline::readingStopped(file.string());
     if (!found) {
         pipeline::Errors errors = found.errors();
         for (Error& error : errors)

@@ -17,11 +17,12 @@ namespace app {
 std::filesystem::path studyFile(const std::filesystem::path& folder, const pipeline::StudyRequest& request);
 std::filesystem::path partFile(const std::filesystem::path& folder, const pipeline::StudyRequest& request);
 
-pipeline::Result<pipeline::StudyReport> readStudy(const std::filesystem::path& file);
+pipeline::Result<pipeline::StudyReport> readStudy(const std::filesystem::path& file, const pipeline::Stop& stop = {});
 
 // How far an interrupted study has come: nothing where there is no such file. Of another study: an error.
 pipeline::Result<std::optional<pipeline::StudyReport>> resumed(const std::filesystem::path& folder,
-                                                               const pipeline::StudyRequest& request);
+                                                               const pipeline::StudyRequest& request,
+                                                               const pipeline::Stop& stop = {});
 
 // Files appear whole or not at all.
 pipeline::Result<std::monostate> writeJson(const pipeline::StudyReport& report, const std::filesystem::path& file);

@@ -68,7 +68,11 @@ struct Run {
         report = beginStudy(job.request);
         report.processes = job.processes;
         if (job.restart) return true;
-        auto before = resumed(job.folder, job.request);
+        auto before = resumed(job.folder, job.request, interrupt.token());
+        if (interrupt.asked()) {  // what the folder holds stays as it is
+            status = studyCancelled(job);
+            return false;
+        }
         if (!before) {
             printErrors(before.errors());
             status = kBadInput;
@@ -118,8 +122,8 @@ struct Run {
                 status = kCouldNotWrite;
                 return false;
             }
-            auto measured =
-                *ended == kDone ? readStudy(times) : pipeline::Error{{}, "a process that took times ended early", {}};
+            auto measured = *ended == kDone ? readStudy(times, interrupt.token())
+                                            : pipeline::Error{{}, "a process that took times ended early", {}};
             std::error_code ignored;
             fs::remove(times, ignored);
             if (interrupt.asked() || *ended == kInterrupted) return cancelled();

@@ -34,9 +34,9 @@ bool hasFile(const lessons::WindowState& state, const fs::path& folder) {
            (state.sceneText.empty() || fs::exists(lessons::sceneFile(state.scene, folder), ignored));
 }
 
-std::optional<pipeline::StageId> stageShownBy(const QString& picture) {
+std::optional<pipeline::StageId> stageShownBy(const QString& picture, const pipeline::Stop& stop) {
     const auto head = headOf(picture);
-    const auto name = head ? pipeline::findAnyBuffer(pipeline::shownBuffer(*head)) : std::nullopt;
+    const auto name = head ? pipeline::findAnyBuffer(pipeline::shownBuffer(*head, stop)) : std::nullopt;
     return name ? std::optional(pipeline::bufferInfo(name->id).stage) : std::nullopt;
 }
 
@@ -51,14 +51,14 @@ bool isSame(const pipeline::Mesh& a, const pipeline::Mesh& b) {
 
 }  // namespace
 
-Result<std::optional<lessons::WindowState>> stateInPicture(const QString& file) {
+Result<std::optional<lessons::WindowState>> stateInPicture(const QString& file, const pipeline::Stop& stop) {
     const auto head = headOf(file);
-    const std::string text = head ? pipeline::carriedState(*head) : std::string();
+    const std::string text = head ? pipeline::carriedState(*head, stop) : std::string();
     if (text.empty()) return std::optional<lessons::WindowState>();
     const auto state = lessons::readState(text, file.toStdString());
     if (!state) return state.errors();
     lessons::WindowState shown = *state;
-    if (const std::string buffer = pipeline::shownBuffer(*head);
+    if (const std::string buffer = pipeline::shownBuffer(*head, stop);
         pipeline::findAnyBuffer(buffer) && !shown.views.empty() && shown.views.front().buffer != buffer)
         shown.views.front() = {buffer};
     return std::optional(shown);
@@ -72,8 +72,8 @@ Result<OpenedScene> readSceneFile(const QString& file, const pipeline::ReadProgr
     opened.scene = std::move(scene).value();
     opened.kept = {QFileInfo(file).absoluteFilePath(), std::make_shared<const Scene>(opened.scene)};
     if (isPicture(file)) {
-        opened.stage = stageShownBy(file);
-        opened.carried = stateInPicture(file);
+        opened.stage = stageShownBy(file, progress.stop);
+        opened.carried = stateInPicture(file, progress.stop);
     }
     return opened;
 }

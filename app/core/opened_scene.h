@@ -38,6 +38,7 @@ pipeline::Result<OpenedScene> readStateScene(const lessons::WindowState& state, 
                                              const KeptScene& open, const pipeline::ReadProgress& progress = {});
 
 // The state that a slide, or a picture of a buffer, carries; nothing where it carries none. Errors: it is no state.
-pipeline::Result<std::optional<lessons::WindowState>> stateInPicture(const QString& file);
+pipeline::Result<std::optional<lessons::WindowState>> stateInPicture(const QString& file,
+                                                                     const pipeline::Stop& stop = {});
 
 }  // namespace app

@@ -38,8 +38,8 @@ std::string toToml(const CueList& list) {
     return text;
 }
 
-Result<CueList> readCues(std::string_view text, const std::string& file) {
-    const auto table = pipeline::parseToml({text, file});
+Result<CueList> readCues(std::string_view text, const std::string& file, const pipeline::Stop& stop) {
+    const auto table = pipeline::parseToml({text, file, {{}, stop}});
     if (!table) return table.errors();
     TomlValues values(file);
     CueList list;
@@ -78,9 +78,9 @@ Result<std::string> readCueText(const std::filesystem::path& file) {
     return errors;
 }
 
-Result<CueList> readCueFile(const std::filesystem::path& file) {
+Result<CueList> readCueFile(const std::filesystem::path& file, const pipeline::Stop& stop) {
     const auto text = readCueText(file);
-    return text ? readCues(*text, file.string()) : Result<CueList>(text.errors());
+    return text ? readCues(*text, file.string(), stop) : Result<CueList>(text.errors());
 }
 
 Result<std::size_t> findCue(const CueList& list, std::string_view name) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lessons/state/window_state.h"
+#include "pipeline/core/stop.h"
 
 namespace lessons {
 
@@ -28,9 +29,9 @@ inline constexpr char kCueEnding[] = ".cues";
 
 // A cue list as TOML: [[cue]] with name, caption, note, and the keys of a state. Scenes are named from the file's folder.
 std::string toToml(const CueList& list);
-pipeline::Result<CueList> readCues(std::string_view text, const std::string& file);
+pipeline::Result<CueList> readCues(std::string_view text, const std::string& file, const pipeline::Stop& stop = {});
 pipeline::Result<std::string> readCueText(const std::filesystem::path& file);  // the file as it is
-pipeline::Result<CueList> readCueFile(const std::filesystem::path& file);
+pipeline::Result<CueList> readCueFile(const std::filesystem::path& file, const pipeline::Stop& stop = {});
 
 // By its name, or by its number from 1 where no cue has that name. Errors name the nearest.
 pipeline::Result<std::size_t> findCue(const CueList& list, std::string_view name);

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "pipeline/core/result.h"
+#include "pipeline/core/stop.h"
 #include "pipeline/export/json.h"
 #include "pipeline/study/study.h"
 
@@ -22,6 +23,7 @@ std::string studyFileText(const StudyReport& report, const Json& contents = {});
 //   - every point has a value for each axis, which is one of the axis's values,
 //   - the points stand in order of their numbers, which tell their values (the last axis fastest),
 //   - sizes and counts are within what the program itself can write; times are not below 0.
-Result<StudyReport> studyFromJson(std::string_view text, const std::string& file);
+// Where it is stopped there is an error that says so.
+Result<StudyReport> studyFromJson(std::string_view text, const std::string& file, const Stop& stop = {});
 
 }  // namespace pipeline

@@ -7,6 +7,8 @@
 #include "pipeline/core/text.h"
 #include "pipeline/export/study_json.h"
 #include "pipeline/formats/json_error.h"
+#include "pipeline/formats/read_progress.h"
+#include "pipeline/formats/stoppable_text.h"
 #include "pipeline/study/sweep.h"
 
 namespace pipeline {
@@ -216,10 +218,13 @@ void checkPoint(const Value& value, const StudyReport& report) {
 
 }  // namespace
 
-Result<StudyReport> studyFromJson(std::string_view text, const std::string& file) {
-    const Json json = Json::parse(text, nullptr, false);
+Result<StudyReport> studyFromJson(std::string_view text, const std::string& file, const Stop& stop) {
+    StopCheck check(stop);
+    const Json json = Json::parse(StoppableIterator(text.data(), &check),
+                                  StoppableIterator(text.data() + text.size(), &check), nullptr, false);
+    if (stop.stop_requested()) return readingStopped(file);
     if (json.is_discarded()) {
-        const TextPosition place = positionOf(text, jsonErrorAt(text));
+        const TextPosition place = positionOf(text, jsonErrorAt(text, stop));
         return Error{{file, place.line, place.column}, "this is not JSON", "a study that the program wrote"};
     }
     Errors errors;
@@ -231,10 +236,14 @@ Result<StudyReport> studyFromJson(std::string_view text, const std::string& file
 
     StudyReport report;
     readHead(root, report);
+    constexpr std::size_t kValuesOfPoint = 100;  // about as many as the program writes for each
+    bool isStopped = false;
     root["points"].eachElement([&](const Value& value) {
+        if (isStopped = isStopped || check.stopped(kValuesOfPoint); isStopped) return;
         report.points.push_back(readPoint(value));
         checkPoint(value, report);
     });
+    if (stop.stop_requested()) return readingStopped(file);
     if (!errors.empty()) return errors;
     return report;
 }

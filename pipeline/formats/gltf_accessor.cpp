@@ -15,13 +15,15 @@ namespace {
 
 constexpr std::string_view kData = "data:", kBase64 = ";base64,";
 
-std::optional<std::string> decodeBase64(std::string_view text) {
+// Ends early where the reading is stopped.
+std::optional<std::string> decodeBase64(std::string_view text, StopCheck& check) {
     while (text.ends_with('=')) text.remove_suffix(1);
     std::string bytes;
     bytes.reserve(text.size() / 4 * 3 + 3);
     std::uint32_t bits = 0;
     int count = 0;
     for (const char c : text) {
+        if (check.stopped()) break;
         constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
         const std::size_t digit = kDigits.find(c);
         if (digit == kDigits.npos) return {};
@@ -106,7 +108,9 @@ std::optional<std::string_view> GltfBuffers::load(const GltfValue& buffer) {
         std::string& content = m_contents[buffer.pointer()];
         if (uri->starts_with(kData)) {
             const std::size_t base64 = uri->find(kBase64);
-            auto decoded = base64 == uri->npos ? std::nullopt : decodeBase64(uri->substr(base64 + kBase64.size()));
+            StopCheck& check = buffer.file().check;
+            auto decoded =
+                base64 == uri->npos ? std::nullopt : decodeBase64(uri->substr(base64 + kBase64.size()), check);
             if (!decoded) {
                 uriValue.fail(fmt::format("{} is a data: URI that is not base64", uriValue.pointer()),
                               "data:application/octet-stream;base64,…");

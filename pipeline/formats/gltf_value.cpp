@@ -133,7 +133,7 @@ Result<GltfFile> parseGltf(const SourceText& source) {
     if (source.progress.stop.stop_requested()) return readingStopped(source.name);
     file.check = check;
     if (file.json.is_discarded()) {
-        const std::size_t byte = jsonErrorAt(chunks.json);
+        const std::size_t byte = jsonErrorAt(chunks.json, source.progress.stop);
         const bool atEnd = byte == chunks.json.size();
         return notJson(source, chunks.json, byte, atEnd ? "the JSON ends too early" : "this is not JSON",
                        "a glTF file");

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "pipeline/formats/stoppable_text.h"
+
 namespace pipeline {
 namespace {
 
@@ -34,9 +36,11 @@ public:
 
 }  // namespace
 
-std::size_t jsonErrorAt(std::string_view text) {
+std::size_t jsonErrorAt(std::string_view text, const Stop& stop) {
     PlaceOfError place;
-    GltfJson::sax_parse(text, &place);
+    StopCheck check(stop);
+    GltfJson::sax_parse(StoppableIterator(text.data(), &check), StoppableIterator(text.data() + text.size(), &check),
+                        &place);
     return place.bytesRead == 0 ? text.size() : std::min(place.bytesRead - 1, text.size());
 }
 

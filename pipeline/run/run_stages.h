@@ -74,7 +74,8 @@ template <class Real>
 std::shared_ptr<const ShadowBufferOutput<Real>> runShadowBuffer(const ShadowBufferInputs& inputs,
                                                                 const TransformOutput<Real>& in, Threads& threads) {
     ShadowPreparation<Real> by;
-    if constexpr (std::is_same_v<Real, float>) by = {boundsInVectors, largestInVectors, false};
+    if constexpr (std::is_same_v<Real, float>) by = {boundsInVectors, largestInVectors};
+    by.makesRoom = false;  // drawShadows does, face by face: there may be thousands, and a stop among them
     auto out = std::make_shared<ShadowBufferOutput<Real>>(prepareShadowBuffer(inputs, in, by));
     for (std::vector<LightView<Real>>& samples : out->lights) drawShadows<Real>(in, inputs.cull, {}, samples, threads);
     return out;

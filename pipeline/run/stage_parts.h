@@ -19,6 +19,7 @@ namespace pipeline {
 
 // Enough work for one piece that handing it out does not show.
 inline constexpr std::size_t kVertexGrain = 4096, kPolygonGrain = 1024, kTileGrain = 1, kSampleGrain = 1;
+inline constexpr std::size_t kPixelGrain = 65536;
 
 // Polygons [0, count).
 template <class Real>
@@ -133,6 +134,14 @@ template <class Real>
 void drawShadowFace(const TransformOutput<Real>& in, ShadowCull cull, std::span<const std::uint8_t> drawn,
                     LightView<Real>& light, std::size_t number, EmptyFace&, Threads& threads) {
     const View& face = light.faces[number];
+    if (light.depth[number]->empty()) {
+        Buffer2D<Real> depth(face.size);
+        threads.forRange(depth.pixels.size(), kPixelGrain, [&](std::size_t begin, std::size_t end) {
+            std::fill_n(depth.pixels.begin() + std::ptrdiff_t(begin), end - begin,
+                        std::numeric_limits<Real>::infinity());
+        });
+        light.depth[number] = std::move(depth);
+    }
     const TriangleBins<Real> bins = binForLight(in, face, cull, drawn);
     threads.forRange(bins.bins.size(), kTileGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tile = begin; tile < end; ++tile) shadowBuffer(face, bins, tile, *light.depth[number]);

@@ -59,10 +59,19 @@ View fitAtInfinity(Vec3d towardsLight, int size, const TransformOutput<Real>& in
     return view;
 }
 
+// Around all vertices, world space.
 template <class Real>
-std::vector<View> sixFaces(Vec3d position, int size, const TransformOutput<Real>& in) {
+Bounds boundsInWorld(const TransformOutput<Real>& in) {
+    Bounds bounds;
+    for (const Vec3<Real>& world : in.world) bounds.add(Vec3d(world));
+    return bounds;
+}
+
+// Rounding keeps the order of numbers, so that the corners of the bounds have the farthest vertex' very distance.
+std::vector<View> sixFaces(Vec3d position, int size, const Bounds& world) {
     double farthest = 0;
-    for (const Vec3<Real>& world : in.world) farthest = std::max(farthest, largestComponent(Vec3d(world) - position));
+    if (world.low.x <= world.high.x)
+        farthest = std::max(largestComponent(world.low - position), largestComponent(world.high - position));
     if (farthest == 0) farthest = 1;
     std::vector<View> faces;
     for (const Vec3d axis : {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)}) {
@@ -97,12 +106,14 @@ ShadowBufferOutput<Real> prepareShadowBuffer(const ShadowBufferInputs& inputs, c
     ShadowBufferOutput<Real> out;
     out.lights.resize(inputs.casters.size());
     const Real farthest = by.largest(in.world);
+    const auto isPoint = [](const auto& caster) { return caster.kind != LightKind::AtInfinity; };
+    const Bounds world = std::ranges::any_of(inputs.casters, isPoint) ? boundsInWorld(in) : Bounds();
     for (std::size_t k = 0; k < inputs.casters.size(); ++k) {
         for (const Vec3d place : inputs.casters[k].places) {
             LightView<Real>& light = out.lights[k].emplace_back();
             light.faces = inputs.casters[k].kind == LightKind::AtInfinity
                               ? std::vector<View>{fitAtInfinity(place, inputs.size, in, by)}
-                              : sixFaces(place, inputs.size, in);
+                              : sixFaces(place, inputs.size, world);
             light.depth.resize(light.faces.size()), light.blocks.resize(light.faces.size());
             for (std::size_t i = 0; i < light.faces.size() && by.makesRoom; ++i)
                 light.depth[i] = Buffer2D<Real>(light.faces[i].size, std::numeric_limits<Real>::infinity());

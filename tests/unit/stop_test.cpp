@@ -1,0 +1,141 @@
+// Texts and pictures that are read beside models and scenes, and shadow buffers before the first of them is drawn: how
+// often each looks at a stop, and that it ends there.
+#include "pipeline/core/stop.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "lessons/state/cue_list.h"
+#include "pipeline/export/study_json.h"
+#include "pipeline/formats/model_reader.h"
+#include "pipeline/formats/png_scene.h"
+#include "pipeline/run/stage_parts.h"
+#include "tests/support/gltf_files.h"
+#include "tests/support/looks.h"
+#include "tests/support/studies.h"
+
+namespace pipeline {
+namespace {
+
+using test::Looks;
+
+constexpr std::size_t kLong = 200'000;  // bytes, at least
+
+const FileLoader kNoFile = [](std::string_view) -> Result<NamedFile> { return Error{{}, "no file", {}}; };
+
+std::string manyCues() {
+    std::string text;
+    while (text.size() < kLong)
+        text += fmt::format("[[cue]]\nname = \"{}\"\nscene = \"pyramid\"\nnote = \"{:400}\"\n", text.size(), "x");
+    return text;
+}
+
+std::string longStudy() {
+    StudyReport report = test::sphereStudy();
+    report.axes.resize(1);
+    report.axes[0].key = "exponent", report.axes[0].values.clear();
+    report.points.clear();
+    for (std::size_t i = 0; i < 1000; ++i) {
+        report.axes[0].values.push_back(std::to_string(i + 1));
+        report.points.push_back(test::studyPoint(i, {std::to_string(i + 1)}, 1, 0.01));
+    }
+    return studyFileText(report);
+}
+
+// Texts that stand before the pixels. libpng reads on where the checksum of one is wrong.
+std::string pictureOfTexts() {
+    const auto number = [](std::size_t n) { return std::string{char(n >> 24), char(n >> 16), char(n >> 8), char(n)}; };
+    std::string png = "\x89PNG\r\n\x1a\n";
+    png += number(13) + "IHDR" + number(1) + number(1) + std::string("\x08\0\0\0\0", 5) + "\x3a\x7e\x9b\x55";
+    while (png.size() < kLong) png += number(4000) + "tEXt" + std::string(4000, 'a') + number(0);
+    return png;
+}
+
+// One triangle, in a buffer that goes on behind it.
+std::string longDataUri() {
+    const std::string bytes = test::bytesOf<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) + std::string(kLong, '\0');
+    test::Parts parts = test::squareParts();
+    parts["buffers"] = fmt::format(R"([{{"byteLength": {}, "uri": "{}"}}])", bytes.size(), test::dataUri(bytes));
+    parts["bufferViews"] = R"([{"buffer": 0, "byteLength": 36}])";
+    parts["accessors"] = R"([{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}])";
+    parts["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0}}]}])";
+    return test::fileOf(parts);
+}
+
+template <class T>
+std::string whatIsWrong(const Result<T>& read) {
+    return read ? "" : format(read.errors());
+}
+
+// Reads it; gives what is wrong.
+struct LongText {
+    const char* name;
+    std::string (*text)();
+    std::string (*read)(const std::string& text);
+    double passes;  // over the text, each of which looks
+};
+const std::vector<LongText> kTexts{
+    {"cues", manyCues, [](const auto& text) { return whatIsWrong(lessons::readCues(text, "f", Looks::stop())); }, 3},
+    {"study", longStudy, [](const auto& text) { return whatIsWrong(studyFromJson(text, "f", Looks::stop())); }, 1},
+    {"png", pictureOfTexts,
+     [](const auto& text) {
+         const std::string found = whatIsWrong(readPngScene({text, "f", {{}, Looks::stop()}}, kNoFile));
+         return found.find("carries no scene") == found.npos ? found : "";
+     },
+     1},
+    {"gltf", longDataUri,
+     [](const auto& text) {
+         return whatIsWrong(readModel({text, "f", {{}, Looks::stop()}}, ".gltf", kNoFile));
+     },
+     3},
+};
+
+class StopInAText : public testing::TestWithParam<LongText> {};
+
+// A look comes at least every 4096 bytes of every pass; after a stop a few more looks may find it again.
+TEST_P(StopInAText, IsSeenAtTheNextLook) {
+    const std::string text = GetParam().text();
+    ASSERT_GE(text.size(), kLong);
+    const Looks whole;
+    EXPECT_EQ(GetParam().read(text), "");
+    const std::size_t looks = Looks::count();
+    EXPECT_GE(double(Looks::items()), 0.9 * GetParam().passes * double(text.size())) << "up to each pass' last look";
+    EXPECT_LE(Looks::most(), 2 * StopCheck::kItemsPerLook);
+    for (std::size_t part = 0; part <= 8; ++part) {
+        const std::size_t at = 1 + part * (looks - 1) / 8;
+        const Looks stopping(at);
+        EXPECT_EQ(GetParam().read(text), "f: reading was stopped\n") << at << " of " << looks;
+        EXPECT_LE(Looks::count(), at + 10);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, StopInAText, testing::ValuesIn(kTexts),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+// An area light may have thousands of faces: room for one is made when it is drawn.
+TEST(StopInShadowBuffers, LeavesNoRoomForFacesThatAreNotDrawn) {
+    ShadowBufferInputs inputs;
+    inputs.size = 64;
+    inputs.casters.push_back({LightKind::Point, {Vec3d(1, 2, 3), Vec3d(3, 2, 1)}});
+    TransformOutput<double> in;
+    in.topology = std::make_shared<const Topology>();
+    in.world.makeOwn(100);
+    std::ranges::fill(in.world.own(), Vec3d(1, 1, 1));
+    ShadowPreparation<double> by;
+    by.makesRoom = false;
+    for (const bool isStopped : {true, false}) {
+        std::stop_source stop;
+        if (isStopped) stop.request_stop();
+        Threads threads(1, stop.get_token());
+        auto out = prepareShadowBuffer(inputs, in, by);
+        drawShadows<double>(in, ShadowCull::None, {}, out.lights[0], threads);
+        for (const LightView<double>& sample : out.lights[0])
+            for (const auto& depth : sample.depth) EXPECT_EQ(depth->pixels.size(), isStopped ? 0u : 64u * 64u);
+    }
+}
+
+}  // namespace
+}  // namespace pipeline
