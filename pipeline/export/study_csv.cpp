@@ -3,22 +3,14 @@
 #include <cmath>
 #include <set>
 
+#include "pipeline/core/csv.h"
 #include "pipeline/core/text.h"
 
 namespace pipeline {
 
 namespace {
 
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + '"';
-}
-
+std::string field(const std::string& text) { return csvField(text); }
 std::string field(std::optional<double> value) { return value && std::isfinite(*value) ? shortestText(*value) : ""; }
 
 // Fields with a comma before each.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "pipeline/core/csv.h"
 #include "pipeline/core/text.h"
 #include "pipeline/inspect/formula_parts.h"
 
@@ -24,13 +25,6 @@ std::size_t width(std::string_view text) {
 std::string padded(const std::string& text, std::size_t to, bool right) {
     const std::string blank(to - std::min(to, width(text)), ' ');
     return right ? blank + text : text + blank;
-}
-
-std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == text.npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
 }
 
 // Letters that would end a cell or start a style; a line break ends the row.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "pipeline/core/csv.h"
 #include "pipeline/export/table_json.h"
 #include "pipeline/inspect/table_text.h"
 #include "tests/support/scenes.h"
@@ -188,6 +189,14 @@ SceneTable smallTable() {
 
 TEST(TableText, CsvIsExactAndQuoted) {
     EXPECT_EQ(written(smallTable(), TableFormat::Csv), "num_pts,name,x\n0,\"a|b, \"\"50 %\"\"\",-0.1\n1,,-0.1\n");
+}
+
+// A spreadsheet calculates what begins like a formula, also in quotes; numbers may begin with a sign.
+TEST(TableText, CsvHoldsNoFormulas) {
+    for (const char* text : {"=1+1", "@sum(a)", "+cmd", "-x", "=", "-"})
+        EXPECT_EQ(csvField(text), "'" + std::string(text));
+    EXPECT_EQ(csvField("=\"a\",b"), "\"'=\"\"a\"\",b\"");
+    for (const char* text : {"-1", "-1e-30", "-inf", "a=b", "", "1-2"}) EXPECT_EQ(csvField(text), text);
 }
 
 TEST(TableText, MarkdownKeepsItsCells) {
