@@ -11,6 +11,7 @@
 #include "pipeline/formats/model_reader.h"
 #include "pipeline/formats/no_memory.h"
 #include "pipeline/formats/text_scanner.h"
+#include "pipeline/scene/alike_remarks.h"
 #include "pipeline/scene/settings_table.h"
 
 namespace pipeline {
@@ -59,21 +60,22 @@ bool isTurned(const Mesh& mesh, std::size_t polygon) {
 }
 
 // Of given normals, which are computed with as they are.
-void remarkOnNormals(const Object& object, std::vector<Remark>& remarks) {
+void remarkOnNormals(const Object& object, AlikeRemarks& remarks) {
     const Mesh& mesh = *object.mesh;
     if (mesh.normals.empty()) return;
     if (!mesh.facts.ownNormals)  // else none is 0
         if (const auto zero = std::ranges::count_if(mesh.normals, [](const Vec3d& n) { return n == Vec3d(0); });
             zero > 0)
-            remarks.push_back(
-                {object.name,
-                 fmt::format("{} of the {} normals that {} gives {} length 0. The normals of the polygons "
-                             "around the vertex take the place of such a normal.",
-                             zero, mesh.normals.size(), inQuotes(object.name), zero == 1 ? "has" : "have")});
+            remarks.add("zero", inQuotes(object.name),
+                        {object.name,
+                         fmt::format("{} of the {} normals that {} gives {} length 0. The normals of the polygons "
+                                     "around the vertex take the place of such a normal.",
+                                     zero, mesh.normals.size(), inQuotes(object.name), zero == 1 ? "has" : "have")});
     std::int64_t turned = 0;
     for (std::size_t i = 0; i < mesh.polygonCount(); ++i) turned += isTurned(mesh, i);
     if (turned > 0)
-        remarks.push_back(
+        remarks.add(
+            "turned", inQuotes(object.name),
             {object.name,
              fmt::format("The given normals of {} of {} point against the winding: with normal_weight = given the side "
                          "that is seen is lit from behind. Turn the normals or the order of the vertices round, or "
@@ -95,7 +97,9 @@ Result<Scene> readScene(const std::filesystem::path& file, const ReadProgress& p
         scene.file = name;
         const Errors errors = checkScene(scene);
         if (!errors.empty()) return inFile(errors, name);
-        for (const Object& object : scene.objects) remarkOnNormals(object, scene.remarks);
+        AlikeRemarks ofNormals;
+        for (const Object& object : scene.objects) remarkOnNormals(object, ofNormals);
+        ofNormals.moveTo(scene.remarks);
         return scene;
     } catch (const std::bad_alloc&) {
         return noMemoryToRead({name, 0, 0}, "scene");

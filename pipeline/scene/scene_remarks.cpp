@@ -13,6 +13,7 @@
 #include "pipeline/core/text.h"
 #include "pipeline/illumination/illumination.h"
 #include "pipeline/plan/black.h"
+#include "pipeline/scene/alike_remarks.h"
 #include "pipeline/scene/opacity.h"
 #include "pipeline/stages/transform.h"
 
@@ -27,7 +28,9 @@ public:
         ofCamera();
         ofChosenNearPlane();
         ofLights();
+        m_alike.moveTo(m_list);
         for (std::size_t i = 0; i < m_scene.objects.size(); ++i) ofObject(i);
+        m_alike.moveTo(m_list);
         ofNearPlane();
         if (m_scene.objects.empty())
             add("object", "The scene has no object: every pixel is background.");
@@ -43,6 +46,10 @@ public:
 
 private:
     void add(std::string about, std::string text) { m_list.push_back({std::move(about), std::move(text)}); }
+    // Of one light or object among many; kind and name: as AlikeRemarks has them.
+    void addOf(std::string_view kind, const std::string& name, std::string about, std::string text) {
+        m_alike.add(kind, name, {std::move(about), std::move(text)});
+    }
 
     void ofBlack() {
         const Remark why = whyBlack(m_scene);
@@ -113,7 +120,8 @@ private:
         for (std::size_t k = 0; k < m_scene.lights.size(); ++k) {
             const Light& light = m_scene.lights[k];
             const std::string key = fmt::format("light.{}", k), name = fmt::format("light {}", k);
-            if (light.intensity < 0) add(key + ".intensity", negative("The intensity of " + name, light.intensity));
+            if (light.intensity < 0)
+                addOf("intensity", name, key + ".intensity", negative("The intensity of " + name, light.intensity));
             ofColor(key, {"red", "green", "blue"}, name, light.color);
             if (m_scene.settings.model == Model::OpenGl) ofOpenGl(light, key, name);
         }
@@ -131,11 +139,12 @@ private:
         for (int c = 0; c < 3; ++c) {
             if (color[c] >= 0 && color[c] <= 1) continue;
             const bool below = color[c] < 0;
-            add(fmt::format("{}.{}", key, parts[std::size_t(c)]),
-                fmt::format("The {} part of {} is {}, {}. Computed as written.", parts[std::size_t(c)], of,
-                            shortestText(color[c]),
-                            below ? "below 0: it takes light of that colour away"
-                                  : "above 1: the light is stronger than its intensity"));
+            addOf(fmt::format("{} {}", parts[std::size_t(c)], below), of,
+                  fmt::format("{}.{}", key, parts[std::size_t(c)]),
+                  fmt::format("The {} part of {} is {}, {}. Computed as written.", parts[std::size_t(c)], of,
+                              shortestText(color[c]),
+                              below ? "below 0: it takes light of that colour away"
+                                    : "above 1: the light is stronger than its intensity"));
             return;
         }
     }
@@ -143,13 +152,13 @@ private:
     void ofOpenGl(const Light& light, const std::string& key, const std::string& name) {
         const OpenGlLight& gl = light.gl;
         if (light.kind != LightKind::AtInfinity && gl.constant == 0 && gl.linear == 0 && gl.quadratic == 0)
-            add(key + ".constant",
-                fmt::format("The attenuation of {} divides by 0 everywhere: the light adds nothing.", name));
+            addOf("constant", name, key + ".constant",
+                  fmt::format("The attenuation of {} divides by 0 everywhere: the light adds nothing.", name));
         ofColor(key, {"ambient_red", "ambient_green", "ambient_blue"}, name, gl.ambient);
         ofColor(key, {"specular_red", "specular_green", "specular_blue"}, name, gl.specular);
         if (gl.spotCutoff == 0)
-            add(key + ".spot_cutoff",
-                fmt::format("The spot of {} is a cone of 0 degrees: it lights its axis alone.", name));
+            addOf("spot_cutoff", name, key + ".spot_cutoff",
+                  fmt::format("The spot of {} is a cone of 0 degrees: it lights its axis alone.", name));
     }
 
     void ofObject(std::size_t i) {
@@ -158,21 +167,25 @@ private:
         ofMaterial(i, object.material, false);
         if (object.backMaterial && illuminationOf(m_scene.settings).twoSided) ofMaterial(i, *object.backMaterial, true);
         const MeshFacts& facts = object.mesh->facts;
+        const std::string name = inQuotes(object.name);
         if (facts.nonPlanar > 0)
-            add(object.name, fmt::format("{} not planar. Each such polygon is drawn as the triangles that it is split "
-                                         "into, with one normal, the sum of theirs.",
-                                         polygonsAre(object, facts.nonPlanar)));
+            addOf("nonplanar", name, object.name,
+                  fmt::format("{} not planar. Each such polygon is drawn as the triangles that it is split "
+                              "into, with one normal, the sum of theirs.",
+                              polygonsAre(object, facts.nonPlanar)));
         if (facts.concave > facts.unsplit)
-            add(object.name,
-                fmt::format("{} concave. Each such polygon is split into triangles that cover no more than it.",
-                            polygonsAre(object, facts.concave - facts.unsplit)));
+            addOf("concave", name, object.name,
+                  fmt::format("{} concave. Each such polygon is split into triangles that cover no more than it.",
+                              polygonsAre(object, facts.concave - facts.unsplit)));
         if (facts.unsplit > 0)
-            add(object.name, fmt::format("{} concave and not split: the outline crosses itself, or takes too long. The "
-                                         "triangles of such a polygon overlap and may cover more than it.",
-                                         polygonsAre(object, facts.unsplit)));
+            addOf("unsplit", name, object.name,
+                  fmt::format("{} concave and not split: the outline crosses itself, or takes too long. The "
+                              "triangles of such a polygon overlap and may cover more than it.",
+                              polygonsAre(object, facts.unsplit)));
         if (facts.degenerate > 0)
-            add(object.name, fmt::format("{} without area. Nothing of such a polygon is drawn.",
-                                         polygonsAre(object, facts.degenerate)));
+            addOf("degenerate", name, object.name,
+                  fmt::format("{} without area. Nothing of such a polygon is drawn.",
+                              polygonsAre(object, facts.degenerate)));
         ofDistance(object);
     }
 
@@ -199,11 +212,11 @@ private:
         // Rounded as the mesh gives them, and once more where they stand in the world.
         const double of = std::min(share(facts.low, facts.high), share(low, high));
         if (!(of < kLeast) || facts.low == facts.high) return;
-        add(object.name,
-            fmt::format("{} is {} times as far from the origin as it is large: float rounds its vertices to "
-                        "{} steps along its size. Move it to the origin, or set precision to double.",
-                        inQuotes(object.name), shortestText(std::round(1 / of)),
-                        shortestText(std::max(1.0, std::round(of * 0x1p24)))));
+        addOf("distance", inQuotes(object.name), object.name,
+              fmt::format("{} is {} times as far from the origin as it is large: float rounds its vertices to "
+                          "{} steps along its size. Move it to the origin, or set precision to double.",
+                          inQuotes(object.name), shortestText(std::round(1 / of)),
+                          shortestText(std::max(1.0, std::round(of * 0x1p24)))));
     }
 
     // A plane that is given hides what is before it without a trace.
@@ -245,16 +258,19 @@ private:
         const int zeros = (scale.x == 0) + (scale.y == 0) + (scale.z == 0);
         const char axis = scale.x == 0 ? 'x' : scale.y == 0 ? 'y' : 'z';
         if (zeros == 1)
-            add(key + axis, fmt::format("The scale of {} is 0 along {}: it is flat. Polygons across the plane have no "
-                                        "area, and nothing of them is drawn.",
-                                        name, axis));
+            addOf("flat", name, key + axis,
+                  fmt::format("The scale of {} is 0 along {}: it is flat. Polygons across the plane have no "
+                              "area, and nothing of them is drawn.",
+                              name, axis));
         else if (zeros > 1)
-            add(key + axis, fmt::format("The scale of {} is 0 along {} axes: nothing of it is drawn.", name, zeros));
+            addOf("gone", name, key + axis,
+                  fmt::format("The scale of {} is 0 along {} axes: nothing of it is drawn.", name, zeros));
         else if ((scale.x < 0) != ((scale.y < 0) != (scale.z < 0)))
-            add(key + (scale.x < 0   ? 'x'
-                       : scale.y < 0 ? 'y'
-                                     : 'z'),
-                fmt::format("{} is mirrored: its outside stays outside.", name));
+            addOf("mirrored", name,
+                  key + (scale.x < 0   ? 'x'
+                         : scale.y < 0 ? 'y'
+                                       : 'z'),
+                  fmt::format("{} is mirrored: its outside stays outside.", name));
     }
 
     // One remark a coefficient, about its first strange part.
@@ -266,11 +282,12 @@ private:
         const auto ofCoefficient = [&](std::string_view symbol, std::string_view rest, Vec3d value) {
             for (int c = 0; c < 3; ++c) {
                 if (value[c] >= 0 && value[c] <= 1) continue;
-                add(fmt::format("{}{}{}", key, rest, "rgb"[c]),
-                    fmt::format("{} of the {}material of {} is {}, {}. Computed as written.", symbol, side, name,
-                                shortestText(value[c]),
-                                value[c] < 0 ? "below 0: it takes light away"
-                                             : "above 1: it gives more light than it receives"));
+                addOf(fmt::format("{}{} {}", side, symbol, value[c] < 0), name,
+                      fmt::format("{}{}{}", key, rest, "rgb"[c]),
+                      fmt::format("{} of the {}material of {} is {}, {}. Computed as written.", symbol, side, name,
+                                  shortestText(value[c]),
+                                  value[c] < 0 ? "below 0: it takes light away"
+                                               : "above 1: it gives more light than it receives"));
                 return;
             }
         };
@@ -279,15 +296,18 @@ private:
         if (model != Model::Phong) ofCoefficient("k_a", "ka", material.ambient);
         if (model == Model::OpenGl) ofCoefficient("The emission", "ke", material.emission);
         if (material.alpha < 0 || material.alpha > 1)
-            add(key + "alpha", fmt::format("α of the {}material of {} is {}, beyond [0, 1]: it acts as {}.", side, name,
-                                           shortestText(material.alpha), material.alpha < 0 ? 0 : 1));
+            addOf(fmt::format("{}alpha {}", side, material.alpha < 0), name, key + "alpha",
+                  fmt::format("α of the {}material of {} is {}, beyond [0, 1]: it acts as {}.", side, name,
+                              shortestText(material.alpha), material.alpha < 0 ? 0 : 1));
         if (material.exponent == 0 && material.specular != Vec3d(0))
-            add(key + "n", fmt::format("n of the {}material of {} is 0: the highlight is as bright wherever it counts.",
-                                       side, name));
+            addOf(side + "n", name, key + "n",
+                  fmt::format("n of the {}material of {} is 0: the highlight is as bright wherever it counts.", side,
+                              name));
     }
 
     const Scene& m_scene;
     std::vector<Remark> m_list;
+    AlikeRemarks m_alike;
 };
 
 }  // namespace

@@ -342,15 +342,31 @@ TEST(SceneRemarks, CountTheObjectsBeforeTheNearPlane) {
 
 TEST(SceneRemarks, OfTheReadersComeFirstAndManyAreCounted) {
     Scene scene = square();
-    scene.remarks.push_back({"m.gltf", "Cameras are not read."});
-    Object mirrored = scene.objects[0];
-    mirrored.transform.scale.x = -1;
-    scene.objects.resize(100, mirrored);
+    for (int i = 0; i < 99; ++i) scene.remarks.push_back({"m.gltf", std::to_string(i) + " cameras are not read."});
+    scene.objects[0].transform.scale.x = -1;
     const std::vector<Remark> remarks = sceneRemarks(scene);
     ASSERT_EQ(remarks.size(), kMaxRemarks);
     EXPECT_EQ(remarks[0], scene.remarks[0]);
-    // 1 + 99 in all, 63 of them listed.
+    // 99 + 1 in all, 63 of them listed.
     EXPECT_EQ(remarks.back(), (Remark{"", "37 more remarks are not listed."}));
+}
+
+// Of 55 objects 54 are mirrored, two of them with a scale of 0, which is another remark.
+TEST(SceneRemarks, AlikeForManyObjectsAreOneWithTheFirstNames) {
+    Scene scene = square();
+    for (int i = 1; i < 55; ++i) {
+        scene.objects.push_back(scene.objects[0]);
+        scene.objects.back().name = "o" + std::to_string(i);
+    }
+    for (std::size_t i = 1; i < 55; ++i) scene.objects[i].transform.scale.x = i < 53 ? -1 : 0;
+    const std::vector<Remark> expected{
+        {"object.1.sx",
+         "\"o1\" is mirrored: its outside stays outside. The same holds for 51 more (\"o2\", \"o3\", \"o4\", …)."},
+        {"object.53.sx",
+         "The scale of \"o53\" is 0 along x: it is flat. Polygons across the plane have no area, and nothing of them "
+         "is "
+         "drawn. The same holds for 1 more (\"o54\")."}};
+    EXPECT_EQ(sceneRemarks(scene), expected);
 }
 
 }  // namespace
