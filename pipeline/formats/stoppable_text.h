@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <streambuf>
@@ -19,10 +20,10 @@ protected:
         m_at += static_cast<std::size_t>(egptr() - eback());
         const std::size_t size = std::min(StopCheck::kItemsPerLook, m_text.size() - m_at);
         if (m_check.stopped(size) || size == 0) return traits_type::eof();
-        // The parser only reads; the library's type knows no const.
-        char* const begin = const_cast<char*>(m_text.data()) + m_at;  // NOLINT(cppcoreguidelines-pro-type-const-cast)
-        setg(begin, begin, begin + size);
-        return traits_type::to_int_type(*begin);
+        // Copied, for a streambuf wants bytes that may be written to.
+        std::copy_n(m_text.begin() + static_cast<std::ptrdiff_t>(m_at), size, m_piece.begin());
+        setg(m_piece.data(), m_piece.data(), m_piece.data() + size);
+        return traits_type::to_int_type(m_piece[0]);
     }
     pos_type seekoff(off_type off, std::ios_base::seekdir from, std::ios_base::openmode mode) override {
         const auto here = static_cast<off_type>(m_at) + (gptr() - eback());
@@ -39,6 +40,7 @@ protected:
 private:
     std::string_view m_text;
     StopCheck m_check;
+    std::array<char, StopCheck::kItemsPerLook> m_piece{};
     std::size_t m_at = 0;  // of the text, where the bytes at hand begin
 };
 
