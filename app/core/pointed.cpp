@@ -8,6 +8,7 @@
 #include "app/core/numbers.h"
 #include "app/core/text.h"
 #include "pipeline/buffers/buffer_table.h"
+#include "pipeline/illumination/illumination.h"
 
 namespace app {
 
@@ -52,36 +53,20 @@ QString symbolOf(const pipeline::SettingRef& setting) {
 }
 
 QString maximumText(const pipeline::Scene& scene, double iMax) {
-    if (scene.settings.model != pipeline::Model::Phong)
+    if (pipeline::modelFacts(scene.settings.model).white == pipeline::White::One)
         return "I_max, the intensity that 255 stands for: 1 in this model, whose colours go from 0 to 1.";
-    double diffuse = 0, specular = 0;
-    for (const pipeline::Object& object : scene.objects)
-        for (int c = 0; c < 3; ++c) {
-            diffuse = std::max(diffuse, object.material.diffuse[c]);
-            specular = std::max(specular, object.material.specular[c]);
-        }
-    QStringList most;
-    double sum = 0;
-    for (int c = 0; c < 3; ++c) {  // the channel in which it is largest
-        const double ambient = std::max(0.0, scene.ambient.lightIn(scene.settings.model)[c]);
-        QStringList terms{QStringLiteral("%1·%2").arg(fullPrecision(diffuse), fullPrecision(ambient))};
-        double total = diffuse * ambient;
-        for (const pipeline::Light& light : scene.lights) {
-            const double intensity = std::max(0.0, light.intensity * light.color[c]);
-            total += intensity * (diffuse + specular);
-            terms << QStringLiteral("%1·(%2 + %3)")
-                         .arg(fullPrecision(intensity), fullPrecision(diffuse), fullPrecision(specular));
-        }
-        if (most.isEmpty() || total > sum) most = terms, sum = total;
-    }
+    const pipeline::MaximumIntensity most = pipeline::maximumIntensityInParts(scene);
+    QStringList terms{QStringLiteral("%1·%2").arg(fullPrecision(most.diffuse), fullPrecision(most.ambient))};
+    for (const double light : most.lights)
+        terms << QStringLiteral("%1·(%2 + %3)")
+                     .arg(fullPrecision(light), fullPrecision(most.diffuse), fullPrecision(most.specular));
     const QString is = QStringLiteral(
         "I_max, the intensity that 255 stands for: the most that the scene's lights and materials can give, every dot "
         "product being 1. It follows from the scene and has no setting: "
         "max k_d · I_a + Σ I_k (max k_d + max k_s)");
-    // Objects that are wholly transparent count for nothing: the sum is told where it is the one that was taken.
     constexpr std::size_t kMostLights = 4;
-    const bool tells = std::abs(sum - iMax) <= 1e-12 * sum && scene.lights.size() <= kMostLights;
-    return is + (tells ? " = " + most.join(" + ") : QString()) + " = " + fullPrecision(iMax) + '.';
+    const bool tells = scene.lights.size() <= kMostLights;
+    return is + (tells ? " = " + terms.join(" + ") : QString()) + " = " + fullPrecision(iMax) + '.';
 }
 
 }  // namespace app

@@ -96,14 +96,14 @@ bool isDark(const pipeline::Scene& scene, const BufferName& name) {
         return std::ranges::all_of(scene.objects,
                                    [&](const pipeline::Object& o) { return part(o.material) == pipeline::Vec3d(0); });
     };
-    const bool isGl = scene.settings.model == pipeline::Model::OpenGl;
+    const bool isGl = pipeline::modelFacts(scene.settings.model).found.glLights;
     if (name.id == BufferId::Ambient) return !isGl && scene.ambient.intensityIn(scene.settings.model) == 0;
     if (name.id != BufferId::Specular && name.id != BufferId::Diffuse) return false;
     const pipeline::Light& light = scene.lights[std::size_t(name.light)];
     if (!pipeline::whyDark(light, scene.settings.model).empty()) return true;
     if (name.id == BufferId::Diffuse) return none([](const pipeline::Material& m) { return m.diffuse; });
-    return none([](const pipeline::Material& m) { return m.specular; }) ||
-           (isGl && light.gl.specular == pipeline::Vec3d(0));
+    const auto isDull = [&](const pipeline::Object& o) { return !pipeline::shines(scene.settings.model, o.material); };
+    return std::ranges::all_of(scene.objects, isDull) || (isGl && light.gl.specular == pipeline::Vec3d(0));
 }
 
 }  // namespace

@@ -53,14 +53,7 @@ QString settingsText(const pipeline::Scene& before, const pipeline::Scene& now) 
     return EquationSection::tr(", with %1").arg(settings.join(", "));
 }
 
-QString modelName(pipeline::Model model) {
-    switch (model) {
-        case pipeline::Model::Phong: return QStringLiteral("Phong (L1)");
-        case pipeline::Model::BlinnPhong: return QStringLiteral("Blinn–Phong");
-        case pipeline::Model::OpenGl: return QStringLiteral("OpenGL");
-    }
-    return {};
-}
+QString modelName(pipeline::Model model) { return toQString(pipeline::modelFacts(model).label); }
 
 // Where the terms were evaluated is said at the end, below the vectors, when it is said once.
 void moveRemarkDown(std::vector<EquationLine>& lines) {

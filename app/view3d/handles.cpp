@@ -76,8 +76,8 @@ Handle directionHandle(Handle::Kind kind, std::size_t index, Vec3d at, Vec3d cen
 // Where a light that is somewhere shines to; nothing where that is all around.
 std::optional<Vec3d> facingOf(const pipeline::Scene& scene, const pipeline::Light& light) {
     if (light.kind == pipeline::LightKind::Area) return light.area.facing;
-    const bool isSpot = scene.settings.model == pipeline::Model::OpenGl && light.kind == pipeline::LightKind::Point &&
-                        light.gl.spotCutoff < 180;
+    const bool isSpot = pipeline::modelFacts(scene.settings.model).found.glLights &&
+                        light.kind == pipeline::LightKind::Point && light.gl.spotCutoff < 180;
     return isSpot ? std::optional(light.gl.spotDirection) : std::nullopt;
 }
 
@@ -87,8 +87,8 @@ void addLights(const pipeline::Scene& scene, const ViewContent& shown, std::vect
         const auto k = std::size_t(mark.light);
         if (k >= scene.lights.size()) continue;
         // One that stands in eye space moves with the camera.
-        const bool withEye =
-            scene.settings.model == pipeline::Model::OpenGl && scene.lights[k].gl.space == pipeline::LightSpace::Eye;
+        const bool withEye = pipeline::modelFacts(scene.settings.model).found.glLights &&
+                             scene.lights[k].gl.space == pipeline::LightSpace::Eye;
         if (withEye || (shown.map.space == ViewSpace::Light && shown.map.light == mark.light)) continue;
         const std::string name = "light " + std::to_string(k);
         const auto toWorld = [&](Vec3d p) { return shown.map.toWorld(p); };

@@ -90,12 +90,11 @@ void addVectors(const pipeline::PixelReport& report, ViewContent& content) {
 
 void addLobes(const pipeline::Scene& scene, const pipeline::PixelReport& report, ViewContent& content) {
     const pipeline::Object& object = scene.objects[std::size_t(report.object)];
-    const pipeline::Material& material = report.back && object.backMaterial ? *object.backMaterial : object.material;
-    if (material.specular == Vec3d(0.0)) return;
-    const pipeline::Illumination illumination = pipeline::illuminationOf(scene.settings);
-    const bool halfway = pipeline::usesHalfway(illumination.model, material);
-    const bool factored = halfway && illumination.model != pipeline::Model::OpenGl;
-    const double exponent = material.exponent * (factored ? illumination.exponentFactor : 1);
+    const pipeline::Material& material = pipeline::effectiveMaterial(object, scene.settings, report.back);
+    const pipeline::Model model = scene.settings.model;
+    if (material.specular == Vec3d(0.0) || pipeline::modelFacts(model).lobe == pipeline::Lobe::None) return;
+    const bool halfway = pipeline::usesHalfway(model, material);
+    const double exponent = pipeline::effectiveExponent(model, scene.settings.exponentFactor, material);
     for (const pipeline::Evaluation& at : report.evaluations)
         for (const pipeline::LightReport& light : at.lights) {
             const Vec3d axis = halfway ? light.H : light.R, probe = halfway ? at.N : at.V;

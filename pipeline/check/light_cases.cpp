@@ -9,6 +9,7 @@
 #include "pipeline/check/case.h"
 #include "pipeline/check/scenes.h"
 #include "pipeline/illumination/illumination.h"
+#include "pipeline/illumination/opengl.h"
 #include "pipeline/scene/scene_remarks.h"
 #include "pipeline/scene/settings_table.h"
 #include "pipeline/scene/shape.h"

@@ -16,7 +16,11 @@ namespace pipeline::check {
 using Long = long double;
 using Long3 = glm::vec<3, Long>;
 
-inline constexpr std::array kModels{Model::Phong, Model::BlinnPhong, Model::OpenGl};
+inline constexpr auto kModels = [] {
+    std::array<Model, kModelCount> all{};
+    for (std::size_t i = 0; i < kModelCount; ++i) all[i] = Model(i);
+    return all;
+}();
 
 using Polygons = std::vector<std::vector<std::uint32_t>>;
 using Corners = std::array<Vec3d, 3>;

@@ -111,7 +111,7 @@ void addLighting(const Scene& scene, Calls& calls) {
     calls.add("glShadeModel", {scene.settings.shading == Shading::Flat ? "GL_FLAT" : "GL_SMOOTH"});
     calls.enable("GL_LIGHTING", true);
     calls.enable("GL_NORMALIZE", true);
-    calls.color("glLightModelfv", {"GL_LIGHT_MODEL_AMBIENT"}, scene.ambient.lightIn(Model::OpenGl));
+    calls.color("glLightModelfv", {"GL_LIGHT_MODEL_AMBIENT"}, scene.ambient.lightIn(scene.settings.model));
     calls.add("glLightModeli", {"GL_LIGHT_MODEL_LOCAL_VIEWER", truth(scene.settings.localViewer)});
     calls.add("glLightModeli", {"GL_LIGHT_MODEL_TWO_SIDE", truth(scene.settings.twoSided)});
     for (std::size_t k = 0; k < scene.lights.size(); ++k) addLight(scene.lights[k], k, calls);
@@ -300,8 +300,11 @@ bool drawsPieces(const Mesh& mesh) {
 
 }  // namespace
 
+// The one model that fixed functions evaluate.
+constexpr Model kModelOfCalls = Model::OpenGl;
+
 std::string glRefuses(const Scene& scene) {
-    if (scene.settings.model != Model::OpenGl)
+    if (scene.settings.model != kModelOfCalls)
         return "OpenGL's calls draw the illumination model opengl alone: set model to opengl";
     if (scene.settings.shading == Shading::Phong)
         return "OpenGL 1.x shades flat or smooth, not per pixel: set shading to flat or gouraud";

@@ -9,11 +9,11 @@
 namespace pipeline {
 
 Illumination illuminationOf(const Settings& settings) {
-    const bool openGl = settings.model == Model::OpenGl;
+    const ModelFacts& model = modelFacts(settings.model);
     return {settings.model,
-            openGl ? 1.0 : settings.exponentFactor,
-            openGl && settings.localViewer,
-            openGl && settings.twoSided,
+            model.exponentFactor ? settings.exponentFactor : 1.0,
+            model.viewer == Viewer::Setting && settings.localViewer,
+            lightsBacks(settings),
             {}};
 }
 
@@ -38,7 +38,7 @@ std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view) {
         if (light.kind == LightKind::AtInfinity) light.position = inRange(light.position);
         light.gl.spotDirection = inRange(light.gl.spotDirection);
     }
-    if (scene.settings.model != Model::OpenGl) return lights;
+    if (!modelFacts(scene.settings.model).found.glLights) return lights;
     const auto turned = [&](Vec3d v) { return v.x * view.right + v.y * view.up - v.z * view.forward; };
     for (Light& light : lights) {
         if (light.gl.space == LightSpace::World) continue;
@@ -49,10 +49,11 @@ std::vector<Light> lightsInWorldSpace(const Scene& scene, const View& view) {
     return lights;
 }
 
-double maximumIntensity(Model model, const std::vector<Material>& materials, const std::vector<Light>& lights,
-                        const AmbientLight& ambient, const std::vector<std::uint8_t>& transparent) {
-    if (model != Model::Phong) return 1;
-    // What is below 0 makes nothing brighter, and counts as 0.
+namespace {
+
+MaximumIntensity inParts(Model model, const std::vector<Material>& materials, const std::vector<Light>& lights,
+                         const AmbientLight& ambient, const std::vector<std::uint8_t>& transparent) {
+    if (modelFacts(model).white == White::One) return {};
     const auto most = [](Vec3d v) { return std::max({0.0, v.x, v.y, v.z}); };
     double diffuse = 0, specular = 0;
     for (std::size_t i = 0; i < materials.size(); ++i) {
@@ -62,19 +63,33 @@ double maximumIntensity(Model model, const std::vector<Material>& materials, con
     }
     // Colour by colour: a red and a green light never add up in one of them.
     const Vec3d ambientLight = ambient.lightIn(model);
-    double maximum = 0;
+    MaximumIntensity maximum{0, diffuse, specular, 0, {}};
     for (int c = 0; c < 3; ++c) {
         double sum = diffuse * std::max(0.0, ambientLight[c]);
         for (const Light& light : lights) sum += std::max(0.0, light.intensity * light.color[c]) * (diffuse + specular);
-        maximum = std::max(maximum, sum);
+        if (c > 0 && !(sum > maximum.value)) continue;
+        maximum.value = std::max(maximum.value, sum), maximum.ambient = std::max(0.0, ambientLight[c]);
+        maximum.lights.clear();
+        for (const Light& light : lights) maximum.lights.push_back(std::max(0.0, light.intensity * light.color[c]));
     }
     return maximum;
 }
 
-double maximumIntensity(const Scene& scene) {
+std::vector<Material> materialsOf(const Scene& scene) {
     std::vector<Material> materials;
     for (const Object& object : scene.objects) materials.push_back(object.material);
-    return maximumIntensity(scene.settings.model, materials, scene.lights, scene.ambient, transparentObjects(scene));
+    return materials;
 }
+
+}  // namespace
+
+double maximumIntensity(Model model, const std::vector<Material>& materials, const std::vector<Light>& lights,
+                        const AmbientLight& ambient, const std::vector<std::uint8_t>& transparent) {
+    return inParts(model, materials, lights, ambient, transparent).value;
+}
+MaximumIntensity maximumIntensityInParts(const Scene& scene) {
+    return inParts(scene.settings.model, materialsOf(scene), scene.lights, scene.ambient, transparentObjects(scene));
+}
+double maximumIntensity(const Scene& scene) { return maximumIntensityInParts(scene).value; }
 
 }  // namespace pipeline

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -40,7 +41,8 @@ struct LightSample {
     Real nDotL, rDotV, nDotH;  // −1..1, not clamped
     Real specularPower;        // (R·V)^n or (N·H)^s, 0 where it does not count
     Power power = Power::None;
-    Real fading = 1;  // OpenGL: attenuation times spot, else 1
+    Real fading = 1;                           // OpenGL: attenuation times spot, else 1
+    std::array<Real, kMostFactors> factors{};  // of the model's own, in the order of its row
     // What the light adds, before its shadow factor. A specular term of 0 is +0: one that is left out is.
     Vec3<Real> ambient, diffuse, specular;
 };

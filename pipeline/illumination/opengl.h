@@ -1,7 +1,7 @@
 #pragma once
 #include "pipeline/core/angles.h"
 #include "pipeline/core/elementary.h"
-#include "pipeline/illumination/light_sample.h"
+#include "pipeline/illumination/model_table.h"
 
 namespace pipeline {
 
@@ -32,20 +32,19 @@ Real spotFactor(const Light& light, Vec3<Real> L) {
 }
 
 // The specular part counts where N·L > 0, whatever N·H is; with exponent 0 it is then 1.
-// attenuated: false where the light's attenuation is known to be 1 everywhere.
 template <class Real>
-void addOpenGl(const Light& light, const Material& material, const Surface<Real>& at, const LightDetail& detail,
-               bool attenuated, LightSample<Real>& s) {
+void addOpenGl(const LitSurface<Real>& in, LightSample<Real>& s) {
+    const auto& [light, material, at, detail, exponent, halfway, attenuated] = in;
     s.fading = (attenuated ? attenuation(light, at.position) : Real(1)) * spotFactor(light, s.L);
     const Real strength = s.fading * Real(light.intensity);
     s.ambient = strength * Vec3<Real>(light.gl.ambient) * Vec3<Real>(material.ambient);
     if (!(s.nDotL > 0)) return;
     s.diffuse = strength * Vec3<Real>(light.color) * Vec3<Real>(material.diffuse) * s.nDotL;
     if (!detail.dull && material.specular == Vec3d(0)) return;
-    if (material.exponent == 0)
+    if (exponent == 0)
         s.specularPower = 1;
     else
-        raise(at.N, s.H, Real(material.exponent), detail, s);
+        raise(at.N, s.H, Real(exponent), detail, s);
     const Vec3<Real> reflected = strength * Vec3<Real>(light.gl.specular) * Vec3<Real>(material.specular);
     s.specular = reflected * s.specularPower + Real(0);  // never -0
 }

@@ -4,77 +4,24 @@
 #include <numbers>
 
 #include "pipeline/core/elementary.h"
+#include "pipeline/inspect/equation_terms.h"
 #include "pipeline/inspect/formula_parts.h"
-#include "pipeline/inspect/pixel_report.h"
 
 namespace pipeline {
 namespace {
 
-constexpr const char* kChannels[]{"r", "g", "b"};
-constexpr const char* kColors[]{"red", "green", "blue"};
+struct Writer : EquationTerms {
+    std::vector<EquationLine> lines{};
 
-struct Writer {
-    const Scene& scene;
-    const PixelReport& report;
-    int c;
-    const NumberText& chosen;
-    std::vector<EquationLine> lines;
-
-    const Material& material() const {
-        const Object& object = scene.objects[std::size_t(report.object)];
-        return report.back && object.backMaterial ? *object.backMaterial : object.material;
-    }
-    Model model() const { return scene.settings.model; }
-    bool halfway() const { return usesHalfway(model(), material()); }  // (N·H)^n, not (R·V)^n
-    double exponent() const {
-        return material().exponent * (halfway() && model() != Model::OpenGl ? scene.settings.exponentFactor : 1);
-    }
-    double ambientCoefficient() const {
-        return model() == Model::Phong ? material().diffuse[c] : material().ambient[c];
-    }
-    double specularIntensity(std::size_t k) const {
-        const Light& light = scene.lights[k];
-        return light.intensity * light.gl.specular[c];
-    }
-    std::string materialKey(std::string_view name) const { return fmt::format("material.{}.{}", report.object, name); }
-    // What was computed, as chosen, else with so many decimals.
-    Formula number(double value, int decimals, std::string refers = {}) const {
-        const auto own = chosen ? chosen(value) : std::nullopt;
-        return own ? numeral(*own, std::move(refers)) : text(fixed(value, decimals), std::move(refers));
-    }
-    // The lecture writes exact 0, 1 and −1 without decimals.
-    Formula wholeOr(double value, int decimals) const {
-        return number(value, value == 0 || value == 1 || value == -1 ? 0 : decimals);
-    }
-    Formula components(Vec3d v) const {
-        return row({text("("), wholeOr(v.x, 3), text(","), wholeOr(v.y, 3), text(","), wholeOr(v.z, 3), text(")")});
-    }
-    // L, R, N·L carry the light's index only where there are several.
-    Formula indexed(VectorCode code, std::string_view buffer, int light) const {
-        Formula v = vector(code, fmt::format("{}.{}", buffer, light));
-        return scene.lights.size() > 1 ? script(std::move(v), text(std::to_string(light)), row({})) : v;
-    }
-    Formula dot(Formula a, Formula b) const {
-        return row({text("("), std::move(a), text("·"), std::move(b), text(")")});
-    }
-    Formula L(int k) const { return indexed(VectorCode::L, "light_vector", k); }
-    Formula R(int k) const { return indexed(VectorCode::R, "reflection_vector", k); }
-    Formula H(int k) const { return indexed(VectorCode::H, "halfway_vector", k); }
-    Formula N() const { return vector(VectorCode::N, "normal"); }
-    Formula V() const { return vector(VectorCode::V, "view_vector"); }
     // Under layers it is the opaque surface's, which has no buffer; C is what the layers make of it.
-    Formula intensity() const { return sub("I", kChannels[c], report.layers.empty() ? "intensity" : ""); }
+    Formula intensity() const { return sub("I", channel(), report.layers.empty() ? "intensity" : ""); }
     // What the frame buffer scales.
-    Formula shown() const { return report.antialiased ? sub("A", kChannels[c], "antialiased") : composed(); }
-    Formula composed() const { return report.layers.empty() ? intensity() : sub("C", kChannels[c], "intensity"); }
+    Formula shown() const { return report.antialiased ? sub("A", channel(), "antialiased") : composed(); }
+    Formula composed() const { return report.layers.empty() ? intensity() : sub("C", channel(), "intensity"); }
 
     void add(std::string role, std::vector<Formula> parts, std::string remark = {}) {
         lines.push_back({std::move(role), row(std::move(parts)), std::move(remark)});
     }
-
-    double lightIntensity(std::size_t k) const { return scene.lights[k].intensity * scene.lights[k].color[c]; }
-    double ambientIntensity() const { return scene.ambient.lightIn(model())[c]; }
-    bool hasSpecular() const { return material().specular[c] != 0; }
 
     void symbols(std::string remark);
     void numbers(const Evaluation& e);
@@ -90,80 +37,22 @@ struct Writer {
 // Blinn-Phong:  I_b = k_a I_a + S_0 I_0 [ k_b (N·L) + k_s (N·H)^n ]
 // OpenGL:       I_b = k_e + k_a I_a + F_0 [ k_a a_0 + S_0 ( d_0 k_b (N·L) + s_0 k_s (N·H)^n ) ]
 void Writer::symbols(std::string remark) {
-    const std::string channel = kChannels[c], kd = materialKey("k" + channel);
-    const bool phong = model() == Model::Phong, gl = model() == Model::OpenGl;
-    const Formula ka = phong ? sub("k", channel, kd) : sub("k", "a", materialKey("ka" + channel));
     std::vector<Formula> parts{intensity(), text("=")};
-    if (gl) parts.insert(parts.end(), {sub("k", "e", "emission"), text("+")});
-    parts.insert(parts.end(), {ka, sub("I", "a", "ambient.intensity")});
-    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        const std::string index = std::to_string(k), light = "light." + index + ".";
-        const Formula highlight =
-            power(halfway() ? dot(N(), H(int(k))) : dot(R(int(k)), V()), symbol("n", materialKey("n")));
-        const Formula ks = sub("k", "s", materialKey(phong ? "ks" : "ks" + channel));
-        parts.push_back(text("+"));
-        if (gl) {
-            parts.insert(parts.end(),
-                         {sub("F", index), text("["), ka, sub("a", index, light + "ambient_" + kColors[c]), text("+"),
-                          sub("S", index, "shadow." + index), text("("), sub("d", index, light + "intensity"),
-                          sub("k", channel, kd), dot(N(), L(int(k))), text("+"),
-                          sub("s", index, light + "specular_" + kColors[c]), ks, highlight, text(")"), text("]")});
-            continue;
-        }
-        parts.insert(parts.end(), {sub("S", index, "shadow." + index), sub("I", index, light + "intensity"), text("["),
-                                   sub("k", channel, kd), dot(N(), L(int(k))), text("+"), ks, highlight, text("]")});
-    }
+    EquationTerms::symbols(parts);
     add("symbols", std::move(parts), std::move(remark));
 }
 
-// = 0.9·50 + 1·100 [ 0.9·0.7746 + 0.4·0.3974^8 ]; what a clamp or a factor 0 removes is struck.
+// = 0.9·50 + 1·100 [ 0.9·0.7746 + 0.4·0.3974^8 ]
 void Writer::numbers(const Evaluation& e) {
-    const std::string kd = shortest(material().diffuse[c]), ks = shortest(material().specular[c]);
-    const bool gl = model() == Model::OpenGl;
-    const std::string ka = shortest(ambientCoefficient());
     std::vector<Formula> parts{text("=")};
-    if (gl) parts.insert(parts.end(), {text(shortest(material().emission[c])), text("+")});
-    parts.push_back(text(ka + "·" + shortest(ambientIntensity())));
-    for (const LightReport& light : e.lights) {
-        const auto k = std::size_t(light.light);
-        // Lit or not is no measure; a share of texels or samples is, with as many digits as the dot products.
-        const bool isShare = light.shadow != 0 && light.shadow != 1;
-        const std::string factor = fmt::format("shadow.{}", k);
-        Formula shadow = isShare ? number(light.shadow, 4, factor) : text(shortest(light.shadow), factor);
-        if (light.shadow == 0) shadow = struck(shadow);
-        parts.push_back(text("+"));
-        if (gl) {
-            const double own = scene.lights[k].intensity * scene.lights[k].gl.ambient[c];
-            parts.insert(parts.end(),
-                         {number(light.fading, 4), text("["), text(ka + "·" + shortest(own)), text("+"),
-                          std::move(shadow), text("("), text(shortest(lightIntensity(k)) + "·" + kd + "·")});
-        } else {
-            parts.insert(parts.end(),
-                         {std::move(shadow), text("·" + shortest(lightIntensity(k))), text("["), text(kd + "·")});
-        }
-        Formula cosine = number(light.nDotL, 4, fmt::format("n_dot_l.{}", k));
-        if (light.nDotL > 0)
-            parts.push_back(cosine);
-        else
-            parts.insert(parts.end(), {struck(cosine), text("0")});
-        parts.push_back(text("+"));
-        parts.push_back(text(gl ? shortest(specularIntensity(k)) + "·" + ks + "·" : ks + "·"));
-        const double lobe = halfway() ? light.nDotH : light.rDotV;
-        Formula mirror = number(lobe, 4, fmt::format("{}.{}", halfway() ? "n_dot_h" : "r_dot_v", k));
-        if (light.nDotL > 0 && (lobe > 0 || (gl && exponent() == 0)))
-            parts.push_back(power(std::move(mirror), text(shortest(exponent()), materialKey("n"))));
-        else
-            parts.insert(parts.end(), {struck(mirror), text("0")});
-        if (gl) parts.push_back(text(")"));
-        parts.push_back(text("]"));
-    }
+    EquationTerms::numbers(e, parts);
     add("numbers", std::move(parts));
 }
 
 // = 45.000 + 69.714 + 0.025 = 114.739
 void Writer::result(const Evaluation& e) {
     std::vector<Formula> parts{text("=")};
-    if (model() == Model::OpenGl) parts.insert(parts.end(), {number(e.emission[c], 3, "emission"), text("+")});
+    if (model().found.emission) parts.insert(parts.end(), {number(e.emission[c], 3, "emission"), text("+")});
     parts.push_back(number(e.ambient[c], 3, "ambient"));
     for (const LightReport& light : e.lights) {
         parts.insert(parts.end(), {text("+"), number(light.diffuse[c], 3, fmt::format("diffuse.{}", light.light))});
@@ -185,11 +74,20 @@ void Writer::rows(const Evaluation& e) {
             {N(), text("·"), L(k), text("="), components(e.N), text("·"), components(light.L), text("="),
              number(light.nDotL, 4)},
             degrees(light.nDotL));
-        if (!hasSpecular() || !(light.nDotL > 0)) {
-            if (!light.note.empty()) add("note", {text(light.note)});
-            continue;
+        const bool shining = material().specular[c] != 0 || !model().dullWithoutKs;
+        const VectorsRead& specular = model().specularReads(halfway());
+        const auto isRead = [&](bool VectorsRead::*vector) {
+            return model().found.diffuse.*vector || (shining && specular.*vector);
+        };
+        if (light.nDotL > 0 && isRead(&VectorsRead::R)) {
+            add("row",
+                {R(k), text("="), text("2"), dot(N(), L(k)), N(), text("−"), L(k), text("="), components(light.R)});
+            add("row",
+                {R(k), text("·"), V(), text("="), components(light.R), text("·"), components(e.V), text("="),
+                 number(light.rDotV, 4)},
+                degrees(light.rDotV));
         }
-        if (halfway()) {
+        if (light.nDotL > 0 && isRead(&VectorsRead::H)) {
             add("row", {H(k), text("="),
                         fraction(row({L(k), text("+"), V()}), row({text("|"), L(k), text("+"), V(), text("|")})),
                         text("="), components(light.H)});
@@ -197,14 +95,14 @@ void Writer::rows(const Evaluation& e) {
                 {N(), text("·"), H(k), text("="), components(e.N), text("·"), components(light.H), text("="),
                  number(light.nDotH, 4)},
                 degrees(light.nDotH));
-            if (!light.note.empty()) add("note", {text(light.note)});
-            continue;
         }
-        add("row", {R(k), text("="), text("2"), dot(N(), L(k)), N(), text("−"), L(k), text("="), components(light.R)});
-        add("row",
-            {R(k), text("·"), V(), text("="), components(light.R), text("·"), components(e.V), text("="),
-             number(light.rDotV, 4)},
-            degrees(light.rDotV));
+        for (std::size_t i = 0; light.nDotL > 0 && i < model().factors.size(); ++i) {
+            const ModelFactor& factor = model().factors[i];
+            const Term of{Term::Kind::Leaf, Quantity::Factor, double(i)};
+            add("row",
+                {symbolsOf(of, k), text("="), symbolsOf(factor.definition, k), text("="), numbersOf(of, e, &light)},
+                std::string(factor.meaning));
+        }
         if (!light.note.empty()) add("note", {text(light.note)});
     }
 }
@@ -235,7 +133,7 @@ void Writer::frameBuffer() {
     layers();
     samples();
     const Formula value = text(std::to_string(int(report.color[c])), "color");
-    Formula name = script(text("FB"), text(kChannels[c]), row({}), "color");
+    Formula name = script(text("FB"), text(channel()), row({}), "color");
     if (!(report.iMax > 0)) {
         add("frame buffer", {std::move(name), text("="), value}, "I_max is 0: the picture is black");
         return;
@@ -277,7 +175,7 @@ void Writer::weighted() {
 
 std::vector<EquationLine> equation(const Scene& scene, const PixelReport& report, int channel,
                                    const NumberText& chosen) {
-    Writer writer{scene, report, channel, chosen, {}};
+    Writer writer{{scene, report, channel, chosen}};
     if (report.evaluations.empty()) {
         if (!report.layers.empty()) writer.frameBuffer();  // of the layers alone
         return writer.lines;

@@ -58,6 +58,7 @@ LightReport reportLight(std::size_t k, const Light& light, const LightSample<Rea
                   double(s.nDotH),
                   double(s.specularPower),
                   double(s.fading),
+                  {},
                   double(shadow),
                   Vec3d(s.ambient),
                   Vec3d(shadow * s.diffuse),
@@ -65,6 +66,7 @@ LightReport reportLight(std::size_t k, const Light& light, const LightSample<Rea
                   Vec3d(s.diffuse),
                   Vec3d(s.specular),
                   {}};
+    for (std::size_t i = 0; i < r.factors.size(); ++i) r.factors[i] = double(s.factors[i]);
     if (!(s.nDotL > 0))
         r.note = fmt::format("N·L is not above 0, so light {} adds {} here.", k,
                              s.ambient == Vec3<Real>(0) ? "nothing" : "only its ambient part");
@@ -88,13 +90,13 @@ Vec3<Real> sumOf(const Evaluation& e, Vec3d LightReport::*diffuse, Vec3d LightRe
     return sum;
 }
 
-// OpenGL clamps the colours of polygons and vertices, which know no shadows: the terms shrink alike.
+// Where the model clamps the colours of polygons and vertices their terms shrink alike.
 template <class Real>
 void clampTerms(Evaluation& e) {
     const Vec3<Real> total = sumOf<Real>(e, &LightReport::unshadowedDiffuse, &LightReport::unshadowedSpecular);
     for (int c = 0; c < 3; ++c) {
         if (total[c] >= 0 && total[c] <= 1) continue;
-        const Real share = total[c] > 1 ? 1 / total[c] : Real(0);
+        const Real share = clampingFactor(total[c]);
         const auto shrink = [&](Vec3d& term) { term[c] = double(Real(term[c]) * share); };
         shrink(e.emission), shrink(e.ambient);
         for (LightReport& light : e.lights) {
@@ -115,11 +117,13 @@ Evaluation evaluate(const ShadingInputs& inputs, const Surface<Real>& at, const 
     Vec3<Real> ambient = Vec3<Real>(0) + ambientTerm<Real>(model, inputs.ambient, material);
     for (std::size_t k = 0; k < inputs.lights.size(); ++k) {
         const LightSample<Real> sample = sampleLight(inputs.illumination, inputs.lights[k], material, at);
-        e.lights.push_back(reportLight(k, inputs.lights[k], sample, !usesHalfway(model, material), Real(shadow[k])));
+        e.lights.push_back(reportLight(k, inputs.lights[k], sample,
+                                       modelFacts(model).specularReads(usesHalfway(model, material)).R,
+                                       Real(shadow[k])));
         ambient += sample.ambient;
     }
     e.ambient = Vec3d(ambient);
-    if (model == Model::OpenGl && inputs.shading != Shading::Phong) clampTerms<Real>(e);
+    if (modelFacts(model).clamps && inputs.shading != Shading::Phong) clampTerms<Real>(e);
     e.intensity = Vec3d(sumOf<Real>(e, &LightReport::diffuse, &LightReport::specular));
     return e;
 }
@@ -154,7 +158,7 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
     switch (inputs.shading) {
         case Shading::Flat: {
             const Surface<Real> at = polygonSurface(inputs, sources, shown);
-            const char* where = inputs.illumination.model != Model::OpenGl ? "at the mean of the vertices "
+            const char* where = !modelFacts(inputs.illumination.model).firstVertex ? "at the mean of the vertices "
                                 : takesFirstVertexNormal(inputs, sources, shown)
                                     ? "with the normal of the first vertex, at "
                                     : "at the first vertex ";
@@ -182,7 +186,7 @@ void evaluateAll(const FrameData<Real>& data, std::uint32_t triangleId, Vec3<Rea
 // Which polygon stands before a light that does not reach the pixel.
 template <class Real>
 void explainShadows(const Scene& scene, const FrameData<Real>& data, const std::stop_token& stop, PixelReport& report) {
-    if (data.keys.shading.illumination.model == Model::OpenGl) return;
+    if (!modelFacts(data.keys.shading.illumination.model).shadows) return;
     for (std::size_t k = 0; k < report.shadow.size(); ++k) {
         if (report.shadow[k] != 0 || data.keys.shading.lights[k].kind == LightKind::Area) continue;
         std::string why;  // the same for every vertex that the pixel is interpolated from
@@ -340,7 +344,7 @@ void fill(const FrameData<Real>& data, const std::stop_token& stop, bool fragmen
     const std::size_t lights = data.keys.shading.lights.size();
     for (std::size_t k = 0; k < lights; ++k)
         report.shadow.push_back(double(shadowAt(data.keys.shading, data.shadingSources(), k, triangle, position)));
-    if (data.keys.shading.illumination.model != Model::OpenGl)
+    if (modelFacts(data.keys.shading.illumination.model).shadows)
         for (std::size_t k = 0; k < lights; ++k)
             report.shadowPlaces.push_back(data.keys.shading.parts.lights[k]
                                               ? shadowPlace(data.keys.shading.lights[k], report.shadow[k])

@@ -61,6 +61,7 @@ struct LightReport {
     double nDotL, rDotV, nDotH;                   // before clamping
     double specularPower;                         // (R·V)^n or (N·H)^n after clamping, 0 where it does not count
     double fading;                                // OpenGL: attenuation times spot, else 1
+    std::array<double, kMostFactors> factors;     // of the model's own, in the order of its row
     double shadow;                                // S
     Vec3d ambient;                                // OpenGL: the light's own ambient part, else 0
     Vec3d diffuse, specular;                      // what they add to the intensity, S included

@@ -77,7 +77,7 @@ std::string whyShadowed(const Scene& scene, const FrameData<Real>& data, std::si
 
 std::vector<int> blockersOf(const Frame& frame, const PixelReport& report) {
     std::vector<int> blockers(report.shadow.size(), -1);
-    if (frame.scene().settings.model == Model::OpenGl) return blockers;
+    if (!modelFacts(frame.scene().settings.model).shadows) return blockers;
     readStages(frame, [&](const auto& data) {
         for (std::size_t k = 0; k < blockers.size(); ++k) {
             if (report.shadow[k] != 0 || data.keys.shading.lights[k].kind == LightKind::Area) continue;

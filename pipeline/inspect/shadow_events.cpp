@@ -98,7 +98,7 @@ template <class Real>
 std::vector<std::string> shadowEvents(const FrameData<Real>& data, std::uint32_t triangle, glm::ivec2 pixel) {
     const ShadingInputs& inputs = data.keys.shading;
     std::vector<std::string> events;
-    if (!data.shading || inputs.outlines || inputs.illumination.model == Model::OpenGl) return events;
+    if (!data.shading || inputs.outlines || !modelFacts(inputs.illumination.model).shadows) return events;
     // Without a shadow nobody has asked which way polygons face.
     if (std::ranges::none_of(inputs.lights, &Light::castsShadow)) return events;
     const ShadingSources<Real> sources = data.shadingSources();

@@ -130,7 +130,6 @@ int depthDecimals(const Frame& frame) {
     return frame.scene().settings.depthFormat == DepthFormat::Linear ? lengthDecimals(frame) + 1 : 7;
 }
 
-// Between 0 and 1 in OpenGL's model, up to some hundreds in lecture 1's.
-int intensityDecimals(const Frame& frame) { return frame.scene().settings.model == Model::OpenGl ? 4 : 3; }
+int intensityDecimals(const Frame& frame) { return modelFacts(frame.scene().settings.model).decimals; }
 
 }  // namespace pipeline::table_columns

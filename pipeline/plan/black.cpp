@@ -43,19 +43,21 @@ Remark whyBlack(const Scene& scene) {
         return {"material.0.alpha",
                 "Every object is wholly transparent (α = 0): set material.0.alpha=1, and so for each "
                 "object."};
-    if (any([&](const Material& m) { return isThere(m.emission); }) && model != Model::OpenGl)
+    const ModelFacts& facts = modelFacts(model);
+    if (any([&](const Material& m) { return isThere(m.emission); }) && !facts.found.emission)
         return {"model",
                 "The materials give off light, which this illumination model does not read: set model=opengl."};
     const bool hasDiffuse = any([](const Material& m) { return isThere(m.diffuse); });
     const bool hasAmbient = any([](const Material& m) { return isThere(m.ambient); });
-    if (hasAmbient && !hasDiffuse && model == Model::Phong)
+    if (hasAmbient && !hasDiffuse && !facts.found.ownAmbient)
         return {
             "model",
-            "The materials reflect ambient light by k_a, which Phong's model does not read: it takes k_d, which is 0. "
-            "Set model=blinn-phong."};
-    if (!hasDiffuse && !hasAmbient && !any([](const Material& m) { return isThere(m.specular); }))
+            fmt::format("The materials reflect ambient light by k_a, which {} does not read: it takes k_d, which is 0. "
+                        "Set model=blinn-phong.",
+                        facts.name)};
+    if (!hasDiffuse && !hasAmbient && !any([&](const Material& m) { return shines(model, m); }))
         return {"material.0.kr", "All coefficients of the materials are 0: set k_d, as material.0.kr."};
-    if (isThere(scene.ambient.lightIn(model)) && (hasAmbient || model == Model::Phong))
+    if (isThere(scene.ambient.lightIn(model)) && (hasAmbient || !facts.found.ownAmbient))
         return {
             "ambient.intensity",
             fmt::format("The intensities are below 1/510 of I_max, {}: set larger coefficients, or ambient.intensity.",

@@ -1,5 +1,7 @@
 #include "pipeline/plan/lit_scene.h"
 
+#include <fmt/format.h>
+
 #include "pipeline/scene/opacity.h"
 
 namespace pipeline {
@@ -19,18 +21,31 @@ std::optional<Scene> withoutTransparent(const Scene& scene, BufferSet wanted) {
     return rest;
 }
 
+bool anySpecularReads(const Scene& scene, bool VectorsRead::*vector) {
+    return anyMaterial(scene, [&](const Material& m) {
+        return modelFacts(scene.settings.model).specularReads(usesHalfway(scene.settings.model, m)).*vector;
+    });
+}
+
+std::string onlyIn(bool ModelFacts::Found::*fact, std::string_view what) {
+    return fmt::format("Only {} has {}.", namesOfModels([&](const ModelFacts& model) { return model.found.*fact; }),
+                       what);
+}
+
 std::string whyDark(const Light& light, Model model) {
     if (light.intensity == 0) return "Its intensity is 0.";
     if (light.color != Vec3d(0)) return {};
-    if (model != Model::OpenGl) return "Its colour is black.";
+    if (!modelFacts(model).found.glLights) return "Its colour is black.";
     const bool black = light.gl.ambient == Vec3d(0) && light.gl.specular == Vec3d(0);
     return black ? "All its colours are black." : "";
 }
 
 bool isReflected(const Scene& scene, const Light& light) {
-    const bool isGl = scene.settings.model == Model::OpenGl;
+    const ModelFacts& model = modelFacts(scene.settings.model);
+    const bool isGl = model.found.glLights;
     return anyMaterial(scene, [&](const Material& m) {
-        return anyProduct(light.color, m.diffuse) || anyProduct(isGl ? light.gl.specular : light.color, m.specular) ||
+        const Vec3d specular = model.dullWithoutKs ? m.specular : Vec3d(1);
+        return anyProduct(light.color, m.diffuse) || anyProduct(isGl ? light.gl.specular : light.color, specular) ||
                (isGl && anyProduct(light.gl.ambient, m.ambient));
     });
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "pipeline/buffers/buffer_table.h"
 #include "pipeline/scene/scene.h"
@@ -17,11 +18,16 @@ std::optional<Scene> withoutTransparent(const Scene& scene, BufferSet wanted);
 // Whether a condition holds for any material, of fronts, and of backs where they have their own.
 template <class Condition>
 bool anyMaterial(const Scene& scene, Condition holds) {
-    const bool backs = scene.settings.model == Model::OpenGl && scene.settings.twoSided;
+    const bool backs = lightsBacks(scene.settings);
     return std::ranges::any_of(scene.objects, [&](const Object& o) {
         return holds(o.material) || (backs && o.backMaterial && holds(*o.backMaterial));
     });
 }
+
+// Whether the specular term of any material reads a vector.
+bool anySpecularReads(const Scene& scene, bool VectorsRead::*vector);
+// "Only OpenGL's model has attenuation."
+std::string onlyIn(bool ModelFacts::Found::*fact, std::string_view what);
 
 // Why a light sends out nothing; empty where it does.
 std::string whyDark(const Light& light, Model model);

@@ -11,20 +11,14 @@
 #include "pipeline/plan/own_normals.h"
 #include "pipeline/plan/shadow_reach.h"
 #include "pipeline/scene/topology.h"
+#include "pipeline/simd/model_kernels.h"
 
 namespace pipeline {
 namespace {
 
-constexpr const char* kNoShadowsInOpenGl = "OpenGL's model knows no shadows.";
 constexpr const char* kOutlines = "Outlines are not shaded.";
 constexpr const char* kOnlyR = "The specular terms are Phong's, of R and not of H.";
-constexpr const char* kOnlyH = "The specular terms are Blinn's, of H and not of R.";
-
-// Whether a material's specular term reads H; or, of the other kind, R.
-bool anyLobe(const Scene& scene, bool halfway) {
-    return anyMaterial(scene, [&](const Material& m) { return usesHalfway(scene.settings.model, m) == halfway; });
-}
-bool shines(const Material& material) { return material.specular != Vec3d(0); }
+constexpr const char* kOnlyH = "The specular terms are of H and not of R.";
 
 bool anyWanted(BufferSet wanted, std::initializer_list<BufferId> ids) {
     return std::ranges::any_of(ids, [&](BufferId id) { return wanted[index(id)]; });
@@ -56,7 +50,7 @@ struct Decision {
         return &drawn == &scene ? all : ofDrawn;
     }
     bool has(BufferId id) const { return wanted[index(id)]; }
-    Model model() const { return scene.settings.model; }
+    const ModelFacts& model() const { return modelFacts(scene.settings.model); }
     bool outlines() const { return scene.settings.visibility == Visibility::None; }
 
     Need modelTransform() const { return unless(Rule::ModelTransform, whyPlacesStay(scene)); }
@@ -65,7 +59,7 @@ struct Decision {
         return unless(Rule::ModelTransform, whyNormalsStay(scene));
     }
     Need cull() const {
-        const bool facing = model() == Model::OpenGl && scene.settings.twoSided;  // which side is lit
+        const bool facing = lightsBacks(scene.settings);  // which side is lit
         if (scene.settings.cull != CullMode::None || facing || has(BufferId::PolygonsVerdict)) return {};
         const std::size_t count = polygonCount(scene);
         const std::string all = count == 1 ? "The only polygon goes on." : fmt::format("All {} polygons go on.", count);
@@ -83,7 +77,7 @@ struct Decision {
         if (needs.polygonTerms && !allLitByFirstVertex(scene)) return {};
         if (outlines()) return {kOutlines, {}};
         // Which side of a polygon a light meets is asked of every light that casts a shadow, with or without a buffer.
-        const bool facing = model() != Model::OpenGl && std::ranges::any_of(scene.lights, &Light::castsShadow);
+        const bool facing = model().shadows && std::ranges::any_of(scene.lights, &Light::castsShadow);
         const bool read = (scene.settings.shading == Shading::Flat && !allLitByFirstVertex(scene)) || facing;
         std::string why;
         if (!read)
@@ -139,20 +133,22 @@ struct Decision {
     }
     // Whether it adds anything.
     Need adding(const Light& light) const {
-        if (const std::string why = whyDark(light, model()); !why.empty()) return unless(Rule::DarkLight, why);
+        if (const std::string why = whyDark(light, scene.settings.model); !why.empty())
+            return unless(Rule::DarkLight, why);
         if (isReflected(drawn, light)) return {};
         return unless(Rule::Unreflected,
                       ofAll("No material reflects any of it.", "No material that is drawn reflects any of it."));
     }
     Need specular(const Need& light) const {
         if (!light) return light;
-        if (anyMaterial(drawn, shines)) return {};
+        if (model().light.specular.empty()) return {"The illumination model has no specular term.", {}};
+        if (anyMaterial(drawn, [&](const Material& m) { return shines(scene.settings.model, m); })) return {};
         return unless(Rule::Specular,
                       ofAll("k_s is 0 in every material.", "k_s is 0 in every material that is drawn."));
     }
     Need attenuation(const Light& light, const Need& counts) const {
         if (!counts) return counts;
-        if (model() != Model::OpenGl) return {"Only OpenGL's model has attenuation.", {}};
+        if (!model().found.glLights) return {onlyIn(&ModelFacts::Found::glLights, "attenuation"), {}};
         if (light.kind == LightKind::AtInfinity) return {"A light at infinity is as bright everywhere.", {}};
         const bool one = light.gl.constant == 1 && light.gl.linear == 0 && light.gl.quadratic == 0;
         return unless(Rule::Attenuation, one ? "It is 1 at every distance." : "");
@@ -161,7 +157,7 @@ struct Decision {
         if (!light.castsShadow) return {"It casts no shadow.", {}};
         if (has(BufferId::ShadowBuffer)) return {};
         if (outlines()) return {kOutlines, {}};
-        if (model() == Model::OpenGl) return {kNoShadowsInOpenGl, {}};
+        if (const Fact& shadows = model().shadows; !shadows) return {std::string(shadows.whyNot), {}};
         if (!counts) return counts;
         if (Need adds = adding(light); !adds && !has(BufferId::Shadow)) return adds;
         if (drawn.objects.empty()) return {ofAll("The scene has no object.", "Every object has alpha 0."), {}};
@@ -195,27 +191,31 @@ struct Decision {
     Need viewVector(bool specular) const {
         if (has(BufferId::ViewVector) || anyWanted(wanted, {BufferId::RDotV, BufferId::NDotH, BufferId::HalfwayVector}))
             return {};
-        return unless(Rule::ViewVector, specular ? "" : "No specular term reads it.");
+        const bool read = specular || model().found.diffuse.V;
+        return unless(Rule::ViewVector, read ? "" : "No specular term reads it.");
     }
     Need position(const Needs& needs) const {
         const bool perPixel = scene.settings.shading == Shading::Phong;
         const auto near = [](const Light& l) { return l.kind != LightKind::AtInfinity; };
         const bool read =
             anyWanted(wanted, {BufferId::Position}) || bool(needs.shadowBuffers) ||
-            (model() == Model::OpenGl && bool(needs.viewVector)) ||
+            (model().viewer == Viewer::Setting && bool(needs.viewVector)) ||
             std::ranges::any_of(scene.lights, [&](const Light& l) { return near(l) && (perPixel || l.castsShadow); });
         return unless(Rule::Position, read ? "" : "No light and nobody reads it.");
     }
-    // R and H: what the model does not read, and in a scene without specular terms neither.
-    Need direction(bool ofModel, bool specular, std::initializer_list<BufferId> readers, const char* other) const {
-        if (anyWanted(wanted, readers) || (ofModel && specular)) return {};
-        return unless(Rule::Directions, ofModel || drawn.objects.empty() ? "No specular term reads it." : other);
+    // R and H: also what the model reads is left out of a scene without specular terms.
+    Need direction(bool VectorsRead::*vector, bool specular, std::initializer_list<BufferId> readers,
+                   const char* other) const {
+        const bool ofModel = anySpecularReads(drawn, vector);
+        if (anyWanted(wanted, readers) || (ofModel && specular) || model().found.diffuse.*vector) return {};
+        const bool none = ofModel || drawn.objects.empty() || model().light.specular.empty();
+        return unless(Rule::Directions, none ? "No specular term reads it." : other);
     }
     Need reflection(bool specular) const {
-        return direction(anyLobe(drawn, false), specular, {BufferId::ReflectionVector, BufferId::RDotV}, kOnlyH);
+        return direction(&VectorsRead::R, specular, {BufferId::ReflectionVector, BufferId::RDotV}, kOnlyH);
     }
     Need halfway(bool specular) const {
-        return direction(anyLobe(drawn, true), specular, {BufferId::HalfwayVector, BufferId::NDotH}, kOnlyR);
+        return direction(&VectorsRead::H, specular, {BufferId::HalfwayVector, BufferId::NDotH}, kOnlyR);
     }
     Need depthTest() const {
         if (outlines()) return {"Outlines are drawn one over the other: no depths are compared.", {}};
@@ -252,9 +252,9 @@ struct Decision {
             return {"It interpolates normals in perspective alone.", {}};
         if (settings.shading == Shading::Gouraud && settings.interpolation == Interpolation::Scanline)
             return {"It does not interpolate along rows.", {}};
-        if (model() == Model::OpenGl && settings.shading == Shading::Phong)
-            return {"In OpenGL's model it shades by polygon or by vertex alone.", {}};
-        if (model() == Model::OpenGl && settings.twoSided) return {"It lights one side alone.", {}};
+        if (std::string why = whyNoKernel(settings.model); !why.empty() && settings.shading == Shading::Phong)
+            return {std::move(why), {}};
+        if (lightsBacks(settings)) return {"It lights one side alone.", {}};
         if (settings.forms.power != PowerForm::Log1p || settings.forms.unit != UnitForm::Scaled)
             return {"It has the stable forms of formulas alone.", {}};
         if (settings.shading == Shading::Phong) return {};
@@ -343,7 +343,7 @@ Needs needsOf(const Scene& scene, BufferSet wanted, StageId until) {
 namespace {
 
 std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
-    const Model model = scene.settings.model;
+    const ModelFacts& model = modelFacts(scene.settings.model);
     const bool lights = !scene.lights.empty();
     const BufferInfo& info = bufferInfo(id);
     if (info.perLight && !lights) return "The scene has no light.";
@@ -362,17 +362,17 @@ std::string whyUseless(const Scene& scene, const Needs& needs, BufferId id) {
         case BufferId::VerticesIntensity: return needs.vertexTerms.notBecause;
         case BufferId::Depth: return needs.depthTest.notBecause;
         case BufferId::HalfwayVector:
-        case BufferId::NDotH: return anyLobe(scene, true) ? "" : kOnlyR;
+        case BufferId::NDotH: return anySpecularReads(scene, &VectorsRead::H) ? "" : kOnlyR;
         case BufferId::ReflectionVector:
-        case BufferId::RDotV: return anyLobe(scene, false) ? "" : kOnlyH;
+        case BufferId::RDotV: return anySpecularReads(scene, &VectorsRead::R) ? "" : kOnlyH;
         case BufferId::Translucent:
         case BufferId::Transmittance:
         case BufferId::Layers: return whyNoLayers(scene);
         case BufferId::Antialiased:
             return scene.settings.antialiasing > 1 ? "" : "Off in this scene: antialiasing = 1. It is the intensity.";
-        case BufferId::Emission: return model == Model::OpenGl ? "" : "Only OpenGL's model has emission.";
+        case BufferId::Emission: return model.found.emission ? "" : onlyIn(&ModelFacts::Found::emission, "emission");
         case BufferId::Shadow:
-            if (model == Model::OpenGl) return kNoShadowsInOpenGl;
+            if (!model.shadows) return std::string(model.shadows.whyNot);
             if (std::ranges::none_of(scene.lights, &Light::castsShadow)) return "No light casts a shadow.";
             for (std::size_t k = 0; k < scene.lights.size(); ++k)
                 if (scene.lights[k].castsShadow && needs.light[k]) return {};

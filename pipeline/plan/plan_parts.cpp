@@ -80,7 +80,6 @@ void hiddenPart(Parts& out, std::string part, Rule rule, bool evaluatesAll, std:
 
 void shadingParts(Parts& out) {
     const Needs& needs = out.needs;
-    const Model model = out.scene.settings.model;
     out.add("polygon terms", needs.polygonTerms, "Flat shading reads them, or they are asked for.",
             "a pass over the polygons");
     out.add("vertex terms", needs.vertexTerms, "Gouraud shading reads them, or they are asked for.",
@@ -99,12 +98,14 @@ void shadingParts(Parts& out) {
         hiddenPart(out, "hidden vertices", Rule::HiddenVertices, needs.hiddenVertices,
                    "Not those all of whose polygons are hidden.", "Also those all of whose polygons are hidden.");
     out.add("ambient term", needs.ambient, "There is ambient light.", "a product a point");
+    const char* why = modelFacts(out.scene.settings.model).dullWithoutKs
+                          ? "A material has a k_s other than 0."
+                          : "The illumination model has one for every material.";
     for (std::size_t k = 0; k < needs.light.size(); ++k) {
         out.add(fmt::format("light {}", k), needs.light[k], "It shines, or what it adds is asked for.",
                 "an evaluation a point");
-        out.add(fmt::format("specular of light {}", k), needs.specular[k], "A material has a k_s other than 0.",
-                "a power a point");
-        if (model == Model::OpenGl)
+        out.add(fmt::format("specular of light {}", k), needs.specular[k], why, "a power a point");
+        if (modelFacts(out.scene.settings.model).found.glLights)
             out.add(fmt::format("attenuation of light {}", k), needs.attenuation[k], "It is not 1 at every distance.",
                     "a distance and a division a point");
     }
@@ -122,8 +123,8 @@ void shadingParts(Parts& out) {
     }
     out.add("V at a pixel", needs.viewVector, "A specular term reads it, or it is asked for.",
             "a normalisation a pixel");
-    out.add("position at a pixel", needs.position,
-            "A light, a shadow or V in OpenGL's model reads it, or it is asked for.", "an interpolation a pixel");
+    out.add("position at a pixel", needs.position, "A light, a shadow or V reads it, or it is asked for.",
+            "an interpolation a pixel");
     if (needs.shadowBuffers)
         out.within("shadow look-up", Rule::ShadowLookup, "Not where the terms that it would multiply are 0.",
                    "At every pixel.");

@@ -84,8 +84,9 @@ StageKeys stageKeys(const Scene& scene, const Needs& needs, std::shared_ptr<cons
         keys.shading.backMaterials.push_back(object.backMaterial.value_or(object.material));
     }
     keys.shading.lights = lightsInWorldSpace(scene, keys.transform.view);
-    // OpenGL's model clamps its intensities; elsewhere than in pixels a vertex's terms are interpolated one by one.
-    const bool sums = settings.shading == Shading::Phong && settings.model != Model::OpenGl;
+    // What the contrast is found of: terms of light by its colour, summed up in pixels; elsewhere a vertex's terms are
+    // interpolated one by one.
+    const bool sums = settings.shading == Shading::Phong && !modelFacts(settings.model).found.glLights;
     if (sums && needs.rules[index(Rule::VanishingPower)] && !needs.buffers[index(BufferId::Specular)])
         keys.shading.illumination.detail.logContrast = logContrast(keys.shading);
     const std::vector<Light>& lights = keys.shading.lights;

@@ -118,7 +118,10 @@ void chooseIllumination(Scene& scene) {
     scene.ambient.intensity = 50;
     const bool emits = any([](const Material& m) { return m.emission != Vec3d(0); });
     if (!emits && !any(isMostlyAmbient)) return;
-    scene.settings.model = emits ? Model::OpenGl : Model::BlinnPhong;
+    // The first of the table that reads it.
+    const auto found = std::ranges::find_if(
+        modelTable(), [&](const ModelFacts& model) { return emits ? model.found.emission : model.found.ownAmbient; });
+    scene.settings.model = Model(found - modelTable().begin());
     scene.lights[0].intensity = 0.6;
     scene.ambient.intensity = 0.4;
     scene.remarks.push_back({"model", emits

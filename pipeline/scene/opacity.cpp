@@ -3,26 +3,17 @@
 #include <algorithm>
 
 namespace pipeline {
-namespace {
-
-const Material& backOf(const Object& object, const Settings& settings) {
-    const bool own = settings.model == Model::OpenGl && settings.twoSided && object.backMaterial;
-    return own ? *object.backMaterial : object.material;
-}
-
-}  // namespace
-
 double opacity(const Material& material) { return std::clamp(material.alpha, 0.0, 1.0); }
 
 bool isTransparent(const Object& object, const Settings& settings) {
-    return opacity(object.material) == 0 && opacity(backOf(object, settings)) == 0;
+    return opacity(object.material) == 0 && opacity(effectiveMaterial(object, settings, true)) == 0;
 }
 
 std::vector<TranslucentSides> translucentSides(const Scene& scene) {
     std::vector<TranslucentSides> sides;
     bool any = false;
     for (const Object& object : scene.objects) {
-        sides.push_back({opacity(object.material) < 1, opacity(backOf(object, scene.settings)) < 1});
+        sides.push_back({opacity(object.material) < 1, opacity(effectiveMaterial(object, scene.settings, true)) < 1});
         any = any || ((sides.back().front || sides.back().back) && !isTransparent(object, scene.settings));
     }
     if (!any) sides.clear();

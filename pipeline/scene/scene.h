@@ -7,6 +7,7 @@
 
 #include "pipeline/core/real.h"
 #include "pipeline/scene/mesh.h"
+#include "pipeline/scene/model_facts.h"
 #include "pipeline/scene/remark.h"
 #include "pipeline/scene/settings.h"
 #include "pipeline/scene/shape.h"
@@ -38,7 +39,7 @@ struct ObjectTransform {
 };
 
 // Which lobe the specular term of a material has: that of the scene's model, or Phong's or Blinn's
-// whatever the model, to have both in one picture. OpenGL's model always has its own.
+// whatever the model, to have both in one picture. Some models always have their own: ModelFacts::choosesLobe.
 enum class Highlight : std::uint8_t { OfModel, Phong, BlinnPhong };
 
 // Reflection coefficients are fractions, 0 to 1 in nature; more or less than that is computed as written.
@@ -55,8 +56,23 @@ struct Material {
 
 // Whether the specular term is (N·H)^n, else (R·V)^n.
 inline bool usesHalfway(Model model, const Material& material) {
-    if (model == Model::OpenGl || material.highlight == Highlight::BlinnPhong) return true;
-    return model == Model::BlinnPhong && material.highlight == Highlight::OfModel;
+    const ModelFacts& facts = modelFacts(model);
+    if (facts.choosesLobe && material.highlight != Highlight::OfModel)
+        return material.highlight == Highlight::BlinnPhong;
+    return facts.lobe == Lobe::Halfway;
+}
+// Whether there is a specular term.
+inline bool shines(Model model, const Material& material) {
+    return material.specular != Vec3d(0) || !modelFacts(model).dullWithoutKs;
+}
+// n as the specular term takes it; exponentFactor: the setting.
+inline double effectiveExponent(Model model, double exponentFactor, const Material& material) {
+    const bool factored = modelFacts(model).exponentFactor && usesHalfway(model, material);
+    return (factored ? exponentFactor : 1.0) * material.exponent;
+}
+// The reflection coefficient of ambient light.
+inline const Vec3d& ambientCoefficient(Model model, const Material& material) {
+    return modelFacts(model).found.ownAmbient ? material.ambient : material.diffuse;
 }
 
 struct Object {
@@ -68,6 +84,13 @@ struct Object {
     std::optional<Shape> shape{};            // what `mesh` was made of; nothing for one read from a file
     bool operator==(const Object&) const = default;
 };
+
+// Whether back faces are lit with their normal turned round.
+inline bool lightsBacks(const Settings& settings) { return modelFacts(settings.model).twoSided && settings.twoSided; }
+// What a side of an object is made of.
+inline const Material& effectiveMaterial(const Object& object, const Settings& settings, bool back) {
+    return back && lightsBacks(settings) && object.backMaterial ? *object.backMaterial : object.material;
+}
 
 enum class LightKind : std::uint8_t { AtInfinity, Point, Area };
 
@@ -109,7 +132,7 @@ struct AmbientLight {
     Vec3d color{1.0};
 
     // What OpenGL begins with, GL_LIGHT_MODEL_AMBIENT, holds in its model until a scene says otherwise.
-    double intensityIn(Model model) const { return intensity.value_or(model == Model::OpenGl ? 0.2 : 0.0); }
+    double intensityIn(Model model) const { return intensity.value_or(modelFacts(model).ambientByDefault); }
     Vec3d lightIn(Model model) const { return intensityIn(model) * color; }
     bool operator==(const AmbientLight&) const = default;
 };

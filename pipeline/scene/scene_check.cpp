@@ -62,16 +62,16 @@ void checkLights(const Scene& scene, Errors& errors) {
                    "a direction that is not zero");
 }
 
-// What OpenGL refuses.
-void checkOpenGl(const Scene& scene, Errors& errors) {
-    if (scene.settings.model != Model::OpenGl) return;
+// What the model refuses.
+void checkModel(const Scene& scene, Errors& errors) {
+    const ModelFacts& model = modelFacts(scene.settings.model);
     constexpr std::string_view kSpot[] = {"spot_x", "spot_y", "spot_z", "spot_cutoff"};
     const auto withModel = [&](std::vector<std::string> keys, std::string found, std::string expected) {
         keys.emplace_back(tableOf(keys.front()));
         keys.emplace_back("model");
         refuse(errors, std::move(keys), std::move(found), std::move(expected));
     };
-    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    for (std::size_t k = 0; model.found.glLights && k < scene.lights.size(); ++k) {
         const OpenGlLight& gl = scene.lights[k].gl;
         const std::string cutoff = fmt::format("light.{}.spot_cutoff", k);
         if (gl.spotCutoff > 90 && gl.spotCutoff != 180)
@@ -81,12 +81,13 @@ void checkOpenGl(const Scene& scene, Errors& errors) {
             withModel(keysOf("light", k, kSpot), fmt::format("the spot of light {} points nowhere", k),
                       "a direction that is not zero");
     }
-    if (scene.lights.size() > 8)
-        withModel({"light.8"}, fmt::format("{} lights", scene.lights.size()), "at most 8 in OpenGL's model");
+    if (model.mostLights && scene.lights.size() > std::size_t(*model.mostLights))
+        withModel({fmt::format("light.{}", *model.mostLights)}, fmt::format("{} lights", scene.lights.size()),
+                  fmt::format("at most {} in {}", *model.mostLights, model.name));
     const auto checkExponent = [&](const std::string& key, const Material& material) {
-        if (material.exponent > 128)
+        if (model.mostExponent && material.exponent > *model.mostExponent)
             withModel({key}, fmt::format("{} is {}", key, shortestText(material.exponent)),
-                      "at most 128 in OpenGL's model");
+                      fmt::format("at most {} in {}", shortestText(*model.mostExponent), model.name));
     };
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         checkExponent(fmt::format("material.{}.n", i), scene.objects[i].material);
@@ -119,7 +120,7 @@ Errors checkScene(const Scene& scene) {
     checkRanges(scene, errors);
     checkCamera(scene.camera, errors);
     checkLights(scene, errors);
-    checkOpenGl(scene, errors);
+    checkModel(scene, errors);
     checkExtent(scene, errors);
     if (errors.size() > kMaxErrors) errors.resize(kMaxErrors);
     return errors;

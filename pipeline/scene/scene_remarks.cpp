@@ -123,7 +123,7 @@ private:
             if (light.intensity < 0)
                 addOf("intensity", name, key + ".intensity", negative("The intensity of " + name, light.intensity));
             ofColor(key, {"red", "green", "blue"}, name, light.color);
-            if (m_scene.settings.model == Model::OpenGl) ofOpenGl(light, key, name);
+            if (modelFacts(m_scene.settings.model).found.glLights) ofOpenGl(light, key, name);
         }
     }
 
@@ -165,7 +165,7 @@ private:
         const Object& object = m_scene.objects[i];
         ofTransform(i);
         ofMaterial(i, object.material, false);
-        if (object.backMaterial && illuminationOf(m_scene.settings).twoSided) ofMaterial(i, *object.backMaterial, true);
+        if (object.backMaterial && lightsBacks(m_scene.settings)) ofMaterial(i, *object.backMaterial, true);
         const MeshFacts& facts = object.mesh->facts;
         const std::string name = inQuotes(object.name);
         if (facts.nonPlanar > 0)
@@ -277,7 +277,7 @@ private:
     void ofMaterial(std::size_t i, const Material& material, bool back) {
         const std::string key = fmt::format("{}.{}.", back ? "back_material" : "material", i),
                           side = back ? "back " : "";
-        const Model model = m_scene.settings.model;
+        const ModelFacts& model = modelFacts(m_scene.settings.model);
         const std::string name = inQuotes(m_scene.objects[i].name);
         const auto ofCoefficient = [&](std::string_view symbol, std::string_view rest, Vec3d value) {
             for (int c = 0; c < 3; ++c) {
@@ -293,8 +293,8 @@ private:
         };
         ofCoefficient("k_d", "k", material.diffuse);
         ofCoefficient("k_s", "ks", material.specular);
-        if (model != Model::Phong) ofCoefficient("k_a", "ka", material.ambient);
-        if (model == Model::OpenGl) ofCoefficient("The emission", "ke", material.emission);
+        if (model.found.ownAmbient) ofCoefficient("k_a", "ka", material.ambient);
+        if (model.found.emission) ofCoefficient("The emission", "ke", material.emission);
         if (material.alpha < 0 || material.alpha > 1)
             addOf(fmt::format("{}alpha {}", side, material.alpha < 0), name, key + "alpha",
                   fmt::format("α of the {}material of {} is {}, beyond [0, 1]: it acts as {}.", side, name,

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "pipeline/core/forms.h"
@@ -21,8 +22,9 @@ enum class CullMode : std::uint8_t { None, Back };
 enum class Shading : std::uint8_t { Flat, Gouraud, Phong };
 // What intensities and normals are interpolated with; pipeline/stages/vertex_weights.h.
 enum class Interpolation : std::uint8_t { Perspective, Affine, Scanline };
-// The illumination models of the two lectures.
+// The illumination models; pipeline/scene/model_facts.h says what is known of each.
 enum class Model : std::uint8_t { Phong, BlinnPhong, OpenGl };
+inline constexpr std::size_t kModelCount = 3;
 // Given: the mesh's own normals where it has them, else Mean.
 enum class NormalWeight : std::uint8_t { Mean, Area, Angle, Given };
 // How z_view becomes the number that the z-buffer stores and compares.

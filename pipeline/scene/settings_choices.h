@@ -16,7 +16,6 @@ inline constexpr std::array<std::string_view, 2> kCull{"none", "back"};
 inline constexpr std::array<std::string_view, 3> kShading{"flat", "gouraud", "phong"};
 inline constexpr std::array<std::string_view, 3> kInterpolation{"perspective", "affine", "scanline"};
 inline constexpr std::array<std::string_view, 4> kNormalWeight{"mean", "area", "angle", "given"};
-inline constexpr std::array<std::string_view, 3> kModel{"phong", "blinn-phong", "opengl"};
 inline constexpr std::array<std::string_view, 3> kHighlight{"model", "phong", "blinn-phong"};
 inline constexpr std::array<std::string_view, 2> kLightSpace{"world", "eye"};
 inline constexpr std::array<std::string_view, 9> kDepthFormat{"linear",  "float", "reversed",      "fixed16", "fixed24",

@@ -1,6 +1,7 @@
 #include "pipeline/scene/settings_idle.h"
 
 #include <algorithm>
+#include <string>
 
 #include "pipeline/scene/opacity.h"
 
@@ -10,6 +11,13 @@ namespace {
 
 bool spherical(const Scene& scene) { return scene.camera.kind == CameraKind::Spherical; }
 bool orthographic(const Scene& scene) { return scene.camera.projection == ProjectionKind::Orthographic; }
+const ModelFacts& model(const Scene& scene) { return modelFacts(scene.settings.model); }
+// "Only OpenGL's model reads it.", where this one does not.
+template <class Reads>
+std::string_view onlyWhere(const Scene& scene, Reads reads) {
+    static const std::string kOnly = "Only " + namesOfModels(reads) + " reads it.";
+    return reads(model(scene)) ? std::string_view() : kOnly;
+}
 bool noShadow(const Scene& scene) { return std::ranges::none_of(scene.lights, &Light::castsShadow); }
 
 }  // namespace
@@ -50,7 +58,7 @@ std::string_view onlyTranslucent(const Scene& scene) {
 }
 std::string_view onlyShadow(const Scene& scene) {
     if (!notOutlines(scene).empty()) return notOutlines(scene);
-    if (scene.settings.model == Model::OpenGl) return "OpenGL's model knows no shadows.";
+    if (const Fact& shadows = model(scene).shadows; !shadows) return shadows.whyNot;
     return noShadow(scene) ? "No light casts a shadow." : "";
 }
 std::string_view onlyArea(const Scene& scene) {
@@ -63,38 +71,49 @@ std::string_view onlyBias(const Scene& scene) {
     return scene.settings.shadowBias == ShadowBias::Automatic ? "Bias is automatic; choose constant to change it." : "";
 }
 std::string_view onlySpecular(const Scene& scene) {
-    const auto isDull = [](const Material& material) { return material.specular == Vec3d(0.0); };
+    const auto isDull = [&](const Material& material) { return !shines(scene.settings.model, material); };
     const bool dull = std::ranges::all_of(scene.objects, [&](const Object& object) {
         return isDull(object.material) && (!object.backMaterial || isDull(*object.backMaterial));
     });
     return dull ? "k_s is 0 in every material." : "";
 }
 
+std::string_view onlyPower(const Scene& scene) {
+    if (model(scene).lobe == Lobe::None) return "The specular term of this model is no power.";
+    return onlySpecular(scene);
+}
 std::string_view onlyShapes(const Scene& scene) {
     const bool none =
         std::ranges::none_of(scene.objects, [](const Object& object) { return object.shape.has_value(); });
     return none ? "No object is a built-in shape." : "";
 }
-std::string_view onlyBlinnPhong(const Scene& scene) {
-    if (scene.settings.model == Model::OpenGl) return "OpenGL's model takes the exponent as it is.";
+std::string_view onlyFactored(const Scene& scene) {
+    if (const Fact& factor = model(scene).exponentFactor; !factor) return factor.whyNot;
     const bool any = std::ranges::any_of(
         scene.objects, [&](const Object& object) { return usesHalfway(scene.settings.model, object.material); });
-    return any || scene.settings.model == Model::BlinnPhong ? "" : "Only Blinn–Phong's highlight reads it.";
+    return any || model(scene).lobe == Lobe::Halfway ? "" : "Only Blinn–Phong's highlight reads it.";
 }
-std::string_view notInOpenGl(const Scene& scene) {
-    return scene.settings.model == Model::OpenGl ? "OpenGL's model has a highlight of its own." : "";
+std::string_view onlyChosenLobe(const Scene& scene) { return model(scene).choosesLobe.whyNot; }
+std::string_view onlyViewer(const Scene& scene) {
+    return onlyWhere(scene, [](const ModelFacts& facts) { return facts.viewer == Viewer::Setting; });
 }
-std::string_view onlyOpenGl(const Scene& scene) {
-    return scene.settings.model == Model::OpenGl ? "" : "Only OpenGL's model reads it.";
+std::string_view onlyTwoSided(const Scene& scene) {
+    return onlyWhere(scene, [](const ModelFacts& facts) { return facts.twoSided; });
+}
+std::string_view onlyEmission(const Scene& scene) {
+    return onlyWhere(scene, [](const ModelFacts& facts) { return facts.found.emission; });
+}
+std::string_view onlyGlLights(const Scene& scene) {
+    return onlyWhere(scene, [](const ModelFacts& facts) { return facts.found.glLights; });
 }
 std::string_view onlyFading(const Scene& scene) {
-    if (scene.settings.model != Model::OpenGl) return onlyOpenGl(scene);
+    if (!onlyGlLights(scene).empty()) return onlyGlLights(scene);
     const bool point =
         std::ranges::any_of(scene.lights, [](const Light& l) { return l.kind != LightKind::AtInfinity; });
     return point ? "" : "No light stands at a point: nothing fades with distance.";
 }
-std::string_view notInPhong(const Scene& scene) {
-    return scene.settings.model == Model::Phong ? "Phong's model reflects ambient light by k_r, k_g and k_b." : "";
+std::string_view onlyOwnAmbient(const Scene& scene) {
+    return model(scene).found.ownAmbient ? "" : "This model reflects ambient light by k_r, k_g and k_b.";
 }
 std::string_view onlyFloat(const Scene& scene) {
     return scene.settings.precision == Precision::Float ? "" : "Fast arithmetic computes in float alone.";

@@ -109,17 +109,17 @@ constexpr auto kSceneTable = std::to_array<Setting>({
          "What intensities or normals are linear over: the polygon in space, the triangle in the picture, or the "
          "polygon's edges and then the row between them."},
         kInterpolation, notFlat),
-    choice<OfShading, &S::model>({"model", "Model", "", "The illumination model that is evaluated."}, kModel),
+    choice<OfShading, &S::model>({"model", "Model", "", "The illumination model that is evaluated."}, kModelWords),
     row<OfShading, &S::exponentFactor>(
         {"exponent_factor", "Exponent factor", "",
          "What Blinn–Phong multiplies the exponent by; 4 gives a highlight about as wide as Phong's."},
-        {0, 1000, 1, 8}, {}, onlyBlinnPhong),
+        {0, 1000, 1, 8}, {}, onlyFactored),
     row<OfShading, &S::localViewer>(
         {"local_viewer", "Local viewer", "", "Whether V points to the eye; if not, it points along the viewing axis."},
-        {0, 1, 0, 1}, kSwitch, onlyOpenGl),
+        {0, 1, 0, 1}, kSwitch, onlyViewer),
     row<OfShading, &S::twoSided>(
         {"two_sided", "Two-sided lighting", "", "Whether back faces are lit with their normal turned round."},
-        {0, 1, 0, 1}, kSwitch, onlyOpenGl),
+        {0, 1, 0, 1}, kSwitch, onlyTwoSided),
     choice<OfShading, &S::normalWeight>(
         {"normal_weight", "Vertex normals", "", "How the polygons around a vertex are weighted in its normal."},
         kNormalWeight, onlyVertexNormals),
@@ -161,7 +161,7 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         {"numerics.power", "Specular power", "",
          "How the power of the specular term is computed: exp(n log1p(-q)), pow, repeated squaring, exp2(n log2), "
          "Schlick's fraction, or exp(n (x - 1))."},
-        kPowerForm, onlySpecular),
+        kPowerForm, onlyPower),
     choice<OfForms, &F::unit>(
         {"numerics.normalize", "Normalisation", "",
          "How normals, V, L and H are brought to length 1: scaled first, by the square root alone, or by a guess of "
@@ -229,17 +229,17 @@ constexpr auto kSceneTable = std::to_array<Setting>({
          "Sample points along each side of an area light, each with shadow buffers of its own; 1 is a hard shadow."},
         {1, 16, 1, 8}, {}, onlyArea),
     component<OfOpenGlLight, &G::ambient, 0>(
-        {"light.#.ambient_red", "Ambient red", "", "Its own part of the ambient light."}, kFraction, onlyOpenGl),
+        {"light.#.ambient_red", "Ambient red", "", "Its own part of the ambient light."}, kFraction, onlyGlLights),
     component<OfOpenGlLight, &G::ambient, 1>(
-        {"light.#.ambient_green", "Ambient green", "", "Its own part of the ambient light."}, kFraction, onlyOpenGl),
+        {"light.#.ambient_green", "Ambient green", "", "Its own part of the ambient light."}, kFraction, onlyGlLights),
     component<OfOpenGlLight, &G::ambient, 2>(
-        {"light.#.ambient_blue", "Ambient blue", "", "Its own part of the ambient light."}, kFraction, onlyOpenGl),
+        {"light.#.ambient_blue", "Ambient blue", "", "Its own part of the ambient light."}, kFraction, onlyGlLights),
     component<OfOpenGlLight, &G::specular, 0>(
-        {"light.#.specular_red", "Specular red", "", "Colour of its specular part."}, kFraction, onlyOpenGl),
+        {"light.#.specular_red", "Specular red", "", "Colour of its specular part."}, kFraction, onlyGlLights),
     component<OfOpenGlLight, &G::specular, 1>(
-        {"light.#.specular_green", "Specular green", "", "Colour of its specular part."}, kFraction, onlyOpenGl),
+        {"light.#.specular_green", "Specular green", "", "Colour of its specular part."}, kFraction, onlyGlLights),
     component<OfOpenGlLight, &G::specular, 2>(
-        {"light.#.specular_blue", "Specular blue", "", "Colour of its specular part."}, kFraction, onlyOpenGl),
+        {"light.#.specular_blue", "Specular blue", "", "Colour of its specular part."}, kFraction, onlyGlLights),
     row<OfOpenGlLight, &G::constant>({"light.#.constant", "Constant attenuation", "", "c of 1 / (c + l d + q d²)."},
                                      kFading, {}, onlyFading),
     row<OfOpenGlLight, &G::linear>(
@@ -249,20 +249,20 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         {"light.#.quadratic", "Quadratic attenuation", "1 / world units²", "q of 1 / (c + l d + q d²)."}, kFading, {},
         onlyFading),
     component<OfOpenGlLight, &G::spotDirection, 0>(
-        {"light.#.spot_x", "Spot direction x", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyOpenGl),
+        {"light.#.spot_x", "Spot direction x", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyGlLights),
     component<OfOpenGlLight, &G::spotDirection, 1>(
-        {"light.#.spot_y", "Spot direction y", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyOpenGl),
+        {"light.#.spot_y", "Spot direction y", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyGlLights),
     component<OfOpenGlLight, &G::spotDirection, 2>(
-        {"light.#.spot_z", "Spot direction z", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyOpenGl),
+        {"light.#.spot_z", "Spot direction z", "", "Where the spot points to."}, {-kFar, kFar, -1, 1}, onlyGlLights),
     row<OfOpenGlLight, &G::spotCutoff>(
         {"light.#.spot_cutoff", "Spot cut-off", "degrees", "Half the angle of the spot's cone; 180 is no spot."},
-        {0, 180, 0, 90}, {}, onlyOpenGl),
+        {0, 180, 0, 90}, {}, onlyGlLights),
     row<OfOpenGlLight, &G::spotExponent>(
         {"light.#.spot_exponent", "Spot exponent", "", "How much the spot fades towards its edge."}, {0, 128, 0, 128},
-        {}, onlyOpenGl),
+        {}, onlyGlLights),
     choice<OfOpenGlLight, &G::space>(
         {"light.#.space", "Space", "", "Whether the light stands in the world or moves with the eye."}, kLightSpace,
-        onlyOpenGl),
+        onlyGlLights),
 
     choice<OfObject, &ObjectTransform::up>(
         {"object.#.up", "Up axis", "",
@@ -305,7 +305,7 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         onlySpecular),
     choice<OfMaterial, &Material::highlight>({"material.#.highlight", "Highlight", "",
                                               "The specular term: that of the illumination model, (R·V)^n or (N·H)^n."},
-                                             kHighlight, notInOpenGl),
+                                             kHighlight, onlyChosenLobe),
     component<OfMaterial, &Material::specular, 0>(
         {"material.#.ksr", "k_s red", "", "Fraction of light of this colour reflected in the highlight."}, kFraction,
         neverIdle),
@@ -317,24 +317,24 @@ constexpr auto kSceneTable = std::to_array<Setting>({
         neverIdle),
     component<OfMaterial, &Material::ambient, 0>(
         {"material.#.kar", "k_a red", "", "Fraction of ambient light of this colour that is reflected."}, kFraction,
-        notInPhong),
+        onlyOwnAmbient),
     component<OfMaterial, &Material::ambient, 1>(
         {"material.#.kag", "k_a green", "", "Fraction of ambient light of this colour that is reflected."}, kFraction,
-        notInPhong),
+        onlyOwnAmbient),
     component<OfMaterial, &Material::ambient, 2>(
         {"material.#.kab", "k_a blue", "", "Fraction of ambient light of this colour that is reflected."}, kFraction,
-        notInPhong),
+        onlyOwnAmbient),
     row<OfMaterial, &Material::alpha>(
         {"material.#.alpha", "α opacity", "",
          "How much the surface hides: 1 all that is behind it, 0 nothing, as if the object were not there; a value "
          "beyond [0, 1] acts as the nearer of the two."},
         {-kFar, kFar, 0, 1}),
     component<OfMaterial, &Material::emission, 0>(
-        {"material.#.ker", "Emission red", "", "What the material gives off by itself."}, kFraction, onlyOpenGl),
+        {"material.#.ker", "Emission red", "", "What the material gives off by itself."}, kFraction, onlyEmission),
     component<OfMaterial, &Material::emission, 1>(
-        {"material.#.keg", "Emission green", "", "What the material gives off by itself."}, kFraction, onlyOpenGl),
+        {"material.#.keg", "Emission green", "", "What the material gives off by itself."}, kFraction, onlyEmission),
     component<OfMaterial, &Material::emission, 2>(
-        {"material.#.keb", "Emission blue", "", "What the material gives off by itself."}, kFraction, onlyOpenGl),
+        {"material.#.keb", "Emission blue", "", "What the material gives off by itself."}, kFraction, onlyEmission),
 
     row<OfLeavingOut, &S::leaveOut>({"leave_out", "Leave out what is not needed", "",
                                      "Whether the plan leaves out what cannot change the picture."},

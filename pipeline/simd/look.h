@@ -30,9 +30,9 @@ struct Look {
 
     Look(const ShadingInputs& inputs, const Material& material) : base(baseTerms<float>(inputs, material)) {
         const bool halfway = usesHalfway(inputs.illumination.model, material);
-        if (material.specular != Vec3d(0) || inputs.illumination.detail.dull)
+        if (shines(inputs.illumination.model, material) || inputs.illumination.detail.dull)
             highlight = halfway ? SpecularForm::Halfway : SpecularForm::Reflection;
-        exponent = float((halfway ? inputs.illumination.exponentFactor : 1.0) * material.exponent);
+        exponent = float(effectiveExponent(inputs.illumination.model, inputs.illumination.exponentFactor, material));
         for (const Light& light : inputs.lights) {
             const Vec3<float> shining(light.intensity * light.color);
             lights.push_back({shining * Vec3<float>(material.diffuse), shining * Vec3<float>(material.specular)});

@@ -189,7 +189,7 @@ class ShadowLight {
 public:
     ShadowLight(const ShadingInputs& inputs, const ShadingSources<float>& in, std::size_t k)
         : m_settings(inputs.shadow),
-          m_casts(inputs.lights[k].castsShadow && inputs.illumination.model != Model::OpenGl),
+          m_casts(inputs.lights[k].castsShadow && modelFacts(inputs.illumination.model).shadows),
           m_atInfinity(inputs.lights[k].kind == LightKind::AtInfinity) {
         if (in.shadow)
             for (const LightView<float>& place : in.shadow->lights[k])

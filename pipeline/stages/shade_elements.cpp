@@ -24,7 +24,7 @@ void clampElement(std::size_t place, std::size_t lights, typename ShadingOutput<
     for (int c = 0; c < 3; ++c) {
         Real& total = out.intensity[place][c];
         if (total >= 0 && total <= 1) continue;
-        const Real share = total > 1 ? 1 / total : Real(0);
+        const Real share = clampingFactor(total);
         out.base[place].emission[c] *= share;
         out.base[place].ambient[c] *= share;
         for (std::size_t k = 0; k < lights; ++k) {
@@ -38,7 +38,6 @@ void clampElement(std::size_t place, std::size_t lights, typename ShadingOutput<
 template <class Real>
 void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Material& material, std::size_t place,
                   typename ShadingOutput<Real>::Elements& out, ShadingCounts& counts) {
-    const Model model = inputs.illumination.model;
     const std::size_t lights = inputs.lights.size();
     BaseTerms<Real> base = baseTerms<Real>(inputs, material);
     for (std::size_t k = 0; k < lights; ++k) {
@@ -56,7 +55,7 @@ void shadeElement(const ShadingInputs& inputs, const Surface<Real>& at, const Ma
         intensity += out.terms[place * lights + k].specular;
     }
     out.intensity[place] = intensity;
-    if (model == Model::OpenGl) clampElement<Real>(place, lights, out);
+    if (modelFacts(inputs.illumination.model).clamps) clampElement<Real>(place, lights, out);
 }
 
 }  // namespace

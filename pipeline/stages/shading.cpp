@@ -12,15 +12,14 @@ namespace pipeline {
 
 namespace {
 
-// OpenGL's infinite viewer looks along the viewing axis from everywhere.
 template <class Real>
 Vec3<Real> viewVector(const ShadingInputs& inputs, const View& view, Vec3<Real> position) {
-    if (inputs.illumination.model == Model::OpenGl && !inputs.illumination.localViewer)
-        return -Vec3<Real>(view.forward);
-    // OpenGL's local viewer stands at the eye also where the view is orthographic.
     const UnitForm unit = inputs.illumination.detail.unit;
-    if (inputs.illumination.model == Model::OpenGl) return normalized(Vec3<Real>(view.eye) - position, unit);
-    return towardsEye(view, position, unit);
+    if (modelFacts(inputs.illumination.model).viewer == Viewer::Camera) return towardsEye(view, position, unit);
+    // OpenGL's infinite viewer looks along the viewing axis from everywhere, and its local viewer is at the eye also where
+    // the view is orthographic.
+    if (!inputs.illumination.localViewer) return -Vec3<Real>(view.forward);
+    return normalized(Vec3<Real>(view.eye) - position, unit);
 }
 
 }  // namespace
@@ -31,7 +30,7 @@ Surface<Real> polygonSurface(const ShadingInputs& inputs, const ShadingSources<R
     const Topology::Corners corners = in.transform.topology->corners(polygon);
     // Relative to the first corner, so that the mean keeps its digits far from the origin.
     Vec3<Real> at = world[corners[0]];
-    if (inputs.illumination.model != Model::OpenGl) {
+    if (!modelFacts(inputs.illumination.model).firstVertex) {
         Vec3<Real> sum(0);
         for (std::size_t i = 1; i < corners.size(); ++i) sum += world[corners[i]] - at;
         at += sum / Real(corners.size());
@@ -61,7 +60,7 @@ Surface<Real> pixelSurface(const ShadingInputs& inputs, const ShadingSources<Rea
                          inputs.illumination.detail.unit);
     Vec3<Real> V(0);
     if (inputs.parts.viewVector)
-        V = inputs.illumination.model == Model::OpenGl
+        V = modelFacts(inputs.illumination.model).viewer == Viewer::Setting
                 ? viewVector(inputs, in.transform.view, position)
                 : towardsEye<Real>(in.transform.view, pixel, inputs.illumination.detail.unit);
     return {position, showsBack(inputs, in, polygon) ? -normal : normal, V};
@@ -143,8 +142,8 @@ template <class Real>
 Real shadowAt(const ShadingInputs& inputs, const ShadingSources<Real>& in, std::size_t k, std::uint32_t triangle,
               Vec3<Real> position) {
     const Light& light = inputs.lights[k];
-    // OpenGL has no shadows: only the normal it is given says what a light reaches.
-    if (inputs.illumination.model == Model::OpenGl || !light.castsShadow) return 1;
+    // Without shadows only the normal says what a light reaches.
+    if (!modelFacts(inputs.illumination.model).shadows || !light.castsShadow) return 1;
     const Vec3<Real> front = in.planeNormal(triangle);
     const Vec3<Real> normal = showsBack(inputs, in, in.transform.topology->polygonOf(triangle)) ? -front : front;
     const bool looksUp = in.shadow && !in.shadow->lights[k].empty();

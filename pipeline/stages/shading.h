@@ -92,7 +92,7 @@ using Incidences = std::vector<std::shared_ptr<const Incidence>>;  // per tile
 template <class Real>
 struct ShadingOutput {
     double iMax = 0;  // the intensity that 255 stands for
-    // Per polygon and per vertex; empty when not asked for. OpenGL clamps these intensities to
+    // Per polygon and per vertex; empty when not asked for. Some models clamp these intensities to
     // [0, 1]; the terms of one that is clamped are scaled alike, so that they still sum to it.
     struct Elements {
         // Per polygon or vertex, where it stands in the lists below: at 0, which stays black, what is not evaluated. Empty

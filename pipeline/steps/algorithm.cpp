@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "pipeline/illumination/illumination.h"
 #include "pipeline/scene/area_light.h"
 #include "pipeline/scene/settings_table.h"
 
@@ -31,7 +30,15 @@ bool hasMeans(const Scene& scene) {
            });
 }
 
+// The models whose terms have lines of their own; of others the values are shown.
+constexpr std::array kWrittenModels{Model::Phong, Model::BlinnPhong, Model::OpenGl};
+
+std::string_view formulaOf(Model model) {
+    return std::ranges::find(kWrittenModels, model) == kWrittenModels.end() ? "other" : modelFacts(model).word;
+}
+
 std::string_view highlightOf(const Scene& scene) {
+    if (modelFacts(scene.settings.model).lobe == Lobe::None) return "none";
     const auto halfway = std::size_t(std::ranges::count_if(
         scene.objects, [&](const Object& object) { return usesHalfway(scene.settings.model, object.material); }));
     return halfway == 0 ? "R" : halfway == scene.objects.size() ? "H" : "R or H";
@@ -51,6 +58,16 @@ constexpr std::array kSceneFacts{
                   return kind != ElementKind::Polygon || scene.settings.shading == Shading::Phong ? "here" : "before";
               }},
     SceneFact{"highlight", [](const Scene& scene, ElementKind) { return highlightOf(scene); }},
+    SceneFact{"formula", [](const Scene& scene, ElementKind) { return formulaOf(scene.settings.model); }},
+    // Whether the illumination model has shadows, and whether it clamps what it evaluates.
+    SceneFact{"shadows",
+              [](const Scene& scene, ElementKind) -> std::string_view {
+                  return modelFacts(scene.settings.model).shadows ? "on" : "off";
+              }},
+    SceneFact{"clamped",
+              [](const Scene& scene, ElementKind) -> std::string_view {
+                  return modelFacts(scene.settings.model).clamps ? "on" : "off";
+              }},
     // Whether S is one comparison or a mean of several.
     SceneFact{
         "shadow",

@@ -46,7 +46,7 @@ private:
 }  // namespace
 
 std::vector<StageBlame> blame(const Scene& scene, const Picture& ours, const Picture& reference) {
-    const bool twoSided = scene.settings.model == Model::OpenGl && scene.settings.twoSided;
+    const bool twoSided = lightsBacks(scene.settings);
     const bool hasBacks =
         std::ranges::any_of(scene.objects, [](const Object& o) { return o.backMaterial.has_value(); });
     const std::size_t lights = scene.lights.size();

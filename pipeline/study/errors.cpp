@@ -78,7 +78,7 @@ void addShadows(const Scene& scene, const Picture& ours, const Picture& referenc
                 ErrorRows& rows) {
     for (std::size_t k = 0; k < std::min(ours.shadow.size(), reference.shadow.size()); ++k) {
         const Light& light = scene.lights[k];
-        const bool counts = light.castsShadow && light.intensity != 0 && scene.settings.model != Model::OpenGl;
+        const bool counts = light.castsShadow && light.intensity != 0 && modelFacts(scene.settings.model).shadows;
         if (!counts || ours.shadow[k].empty()) continue;
         double falsely = 0, leak = 0, largest = 0, count = 0;
         for (std::size_t i = 0; i < same.size(); ++i) {

@@ -22,7 +22,7 @@ bool hasHighlight(const Scene& scene) {
 }
 // The first light with a shadow of its own to be wrong about.
 std::optional<std::size_t> castingLight(const Scene& scene) {
-    if (scene.settings.model == Model::OpenGl) return {};
+    if (!modelFacts(scene.settings.model).shadows) return {};
     const auto found = std::ranges::find_if(scene.lights, [&](const Light& light) {
         return light.castsShadow && whyDark(light, scene.settings.model).empty();
     });
@@ -30,10 +30,13 @@ std::optional<std::size_t> castingLight(const Scene& scene) {
     return static_cast<std::size_t>(found - scene.lights.begin());
 }
 
-bool isGl(const Scene& scene) { return scene.settings.model == Model::OpenGl; }
-
 constexpr const char* kPieces = "object.#.tessellation=4..64*2";
-constexpr const char* kGlExponents = "material.#.n=1..128*2";  // OpenGL refuses what is above 128
+
+// Exponents up to the largest of these that the model takes.
+std::string exponents(const Scene& scene, const char* all) {
+    const auto most = modelFacts(scene.settings.model).mostExponent;
+    return most ? fmt::format("material.#.n=1..{}*2", shortestText(*most)) : all;
+}
 
 using Texts = std::vector<std::string>;
 
@@ -66,13 +69,13 @@ Texts shadowSweep(const Scene& scene) {
 
 Texts specularSweep(const Scene& scene) {
     if (!hasHighlight(scene)) return {};
-    return {"shading=gouraud,phong", isGl(scene) ? kGlExponents : "material.#.n=1..4096*4"};
+    return {"shading=gouraud,phong", exponents(scene, "material.#.n=1..4096*4")};
 }
 
 Texts powerSweep(const Scene& scene) {
     if (!hasHighlight(scene)) return {};
-    return {"numerics.power=log1p,pow,squaring,exp2,schlick,gaussian",
-            isGl(scene) ? kGlExponents : "material.#.n=1..65536*4", "shading=phong"};
+    return {"numerics.power=log1p,pow,squaring,exp2,schlick,gaussian", exponents(scene, "material.#.n=1..65536*4"),
+            "shading=phong"};
 }
 
 Texts normalizeSweep(const Scene& scene) {

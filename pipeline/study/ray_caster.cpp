@@ -129,6 +129,7 @@ std::string whyNoRays(const Scene& scene, RaySurfaces surfaces) {
         return "the painter's algorithm orders whole polygons: what it shows is not always what is nearest";
     if (scene.settings.visibility == Visibility::None) return "without hidden surfaces there is nothing that is seen";
     if (!translucentSides(scene).empty()) return "rays stop at the first surface, which here is translucent";
+    if (std::string why = whyNoRayModel(scene.settings.model); !why.empty()) return why;
     for (const Object& object : scene.objects)
         if (surfaces == RaySurfaces::Exact && !isTransparent(object, scene.settings))
             if (std::string why = whyNoSurface(object); !why.empty()) return why;

@@ -1,11 +1,16 @@
 #include "pipeline/study/ray_light.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
 namespace pipeline::rays {
 namespace {
 
 template <class Real>
 Vec3<Real> viewVector(const RayLighting<Real>& lighting, Vec3<Real> position) {
-    if (lighting.model != Model::OpenGl) return lighting.camera.fromSurface(position);
+    if (modelFacts(lighting.model).viewer == Viewer::Camera) return lighting.camera.fromSurface(position);
     // Its local viewer is the eye, also where the view is orthographic.
     return lighting.infiniteViewer ? -lighting.camera.forward : unit(lighting.camera.eye - position);
 }
@@ -26,7 +31,8 @@ Real fading(const RayLight<Real>& light, Vec3<Real> position, Vec3<Real> L) {
 }
 
 template <class Real>
-RayLight<Real> makeLight(const Light& light, const RayCamera<Real>& camera, bool openGl) {
+RayLight<Real> makeLight(const Light& light, const RayCamera<Real>& camera, const ModelFacts& model) {
+    const bool openGl = model.found.glLights;
     RayLight<Real> out;
     const auto turned = [&](Vec3d v) {
         if (!openGl || light.gl.space == LightSpace::World) return Vec3<Real>(v);
@@ -47,7 +53,7 @@ RayLight<Real> makeLight(const Light& light, const RayCamera<Real>& camera, bool
     }
     const Real intensity = Real(light.intensity);
     out.color = out.specular = intensity * Vec3<Real>(light.color);
-    out.castsShadow = light.castsShadow && !openGl;
+    out.castsShadow = light.castsShadow && model.shadows;
     if (!openGl) return out;
     out.specular = intensity * Vec3<Real>(light.gl.specular);
     out.ambient = intensity * Vec3<Real>(light.gl.ambient);
@@ -115,13 +121,13 @@ RayLighting<Real> makeLighting(const Scene& scene) {
     RayLighting<Real> out;
     const Settings& settings = scene.settings;
     out.model = settings.model;
-    const bool openGl = out.model == Model::OpenGl;
-    if (!openGl) out.exponentFactor = Real(settings.exponentFactor);
-    out.infiniteViewer = openGl && !settings.localViewer;
-    out.twoSided = openGl && settings.twoSided;
+    const ModelFacts& model = modelFacts(out.model);
+    if (model.exponentFactor) out.exponentFactor = Real(settings.exponentFactor);
+    out.infiniteViewer = model.viewer == Viewer::Setting && !settings.localViewer;
+    out.twoSided = lightsBacks(settings);
     out.ambient = Real(scene.ambient.intensityIn(out.model)) * Vec3<Real>(scene.ambient.color);
     out.camera = makeCamera<Real>(scene);
-    for (const Light& light : scene.lights) out.lights.push_back(makeLight<Real>(light, out.camera, openGl));
+    for (const Light& light : scene.lights) out.lights.push_back(makeLight<Real>(light, out.camera, model));
     for (const Object& object : scene.objects) {
         out.materials.push_back(object.material);
         out.backMaterials.push_back(object.backMaterial.value_or(object.material));
@@ -136,13 +142,60 @@ Vec3<Real> towards(const RayLight<Real>& light, Vec3<Real> position) {
 
 template <class Real>
 Vec3<Real> unshadowed(const RayLighting<Real>& lighting, const Material& material, const LitPoint<Real>& at) {
-    if (lighting.model == Model::Phong) return lighting.ambient * Vec3<Real>(material.diffuse);
-    Vec3<Real> sum = lighting.ambient * Vec3<Real>(material.ambient);
-    if (lighting.model != Model::OpenGl) return sum;
-    sum += Vec3<Real>(material.emission);
+    const ModelFacts::Found& found = modelFacts(lighting.model).found;
+    Vec3<Real> sum = lighting.ambient * Vec3<Real>(found.ownAmbient ? material.ambient : material.diffuse);
+    if (found.emission) sum += Vec3<Real>(material.emission);
+    if (!found.glLights) return sum;
     for (const RayLight<Real>& light : lighting.lights)
         sum += fading(light, at.position, towards(light, at.position)) * light.ambient * Vec3<Real>(material.ambient);
     return sum;
+}
+
+namespace {
+
+// Unit L and V at a point, and N·L, above 0.
+template <class Real>
+struct Directions {
+    Vec3<Real> N, L, V;
+    Real facing;
+};
+
+// k_d (N·L) + k_s (R·V)^n, or (N·H)^n as the material says.
+template <class Real>
+Vec3<Real> ofPower(const RayLighting<Real>& lighting, const RayLight<Real>& light, const Material& material,
+                   const Directions<Real>& at) {
+    const bool halfway = usesHalfway(lighting.model, material);
+    const Real cosine = halfway ? glm::dot(at.N, unit(at.L + at.V)) : glm::dot(Real(2) * at.facing * at.N - at.L, at.V);
+    const Real exponent = Real(material.exponent);
+    const Real power = cosine > 0 ? std::pow(cosine, halfway ? lighting.exponentFactor * exponent : exponent) : Real(0);
+    return light.color * Vec3<Real>(material.diffuse) * at.facing +
+           light.specular * Vec3<Real>(material.specular) * power;
+}
+
+// The same with N·H; n = 0 is 1 whatever N·H is.
+template <class Real>
+Vec3<Real> ofOpenGl(const RayLighting<Real>& lighting, const RayLight<Real>& light, const Material& material,
+                    const Directions<Real>& at) {
+    if (material.exponent != 0) return ofPower(lighting, light, material, at);
+    return light.color * Vec3<Real>(material.diffuse) * at.facing + light.specular * Vec3<Real>(material.specular);
+}
+
+template <class Real>
+struct RayModel {
+    Model model;
+    Vec3<Real> (*reflected)(const RayLighting<Real>&, const RayLight<Real>&, const Material&, const Directions<Real>&);
+};
+// The models that rays evaluate.
+template <class Real>
+constexpr std::array kRayModels{RayModel<Real>{Model::Phong, ofPower<Real>},
+                                RayModel<Real>{Model::BlinnPhong, ofPower<Real>},
+                                RayModel<Real>{Model::OpenGl, ofOpenGl<Real>}};
+
+}  // namespace
+
+std::string whyNoRayModel(Model model) {
+    if (std::ranges::find(kRayModels<double>, model, &RayModel<double>::model) != kRayModels<double>.end()) return {};
+    return fmt::format("rays have no formula of their own for {}", modelFacts(model).name);
 }
 
 template <class Real>
@@ -152,21 +205,9 @@ Vec3<Real> bracket(const RayLighting<Real>& lighting, std::size_t k, const Mater
     const Vec3<Real> L = towards(light, at.position), V = viewVector(lighting, at.position);
     const Real facing = glm::dot(at.N, L);
     if (!(facing > 0)) return Vec3<Real>(0);
-    const bool openGl = lighting.model == Model::OpenGl;
-    Real cosine;
-    if (usesHalfway(lighting.model, material))
-        cosine = glm::dot(at.N, unit(L + V));
-    else
-        cosine = glm::dot(Real(2) * facing * at.N - L, V);
-    Real power = 0;
-    const Real exponent = Real(material.exponent);
-    if (openGl && exponent == 0)
-        power = 1;
-    else if (cosine > 0)
-        power = std::pow(cosine, usesHalfway(lighting.model, material) ? lighting.exponentFactor * exponent : exponent);
-    const Vec3<Real> reflected =
-        light.color * Vec3<Real>(material.diffuse) * facing + light.specular * Vec3<Real>(material.specular) * power;
-    return openGl ? fading(light, at.position, L) * reflected : reflected;
+    const auto model = std::ranges::find(kRayModels<Real>, lighting.model, &RayModel<Real>::model);
+    const Vec3<Real> reflected = model->reflected(lighting, light, material, {at.N, L, V, facing});
+    return modelFacts(lighting.model).found.glLights ? fading(light, at.position, L) * reflected : reflected;
 }
 
 template <class Real>

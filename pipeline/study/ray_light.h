@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string>
 
 #include "pipeline/study/ray_scene.h"
 
@@ -9,6 +10,9 @@ namespace pipeline::rays {
 //   Phong        k_d I_a + Σ S I [k_d (N·L) + k_s (R·V)^n]; B. T. Phong, CACM 1975
 //   Blinn-Phong  k_a c_a + Σ S c (k_d (N·L) + k_s (H·N)^s); J. Blinn, SIGGRAPH 1977
 //   OpenGL       emission, attenuation, spots, ambient parts; M. Segal and K. Akeley, the OpenGL specification 1.5, 2.14.1
+
+// Why rays cannot evaluate a model, as part of a sentence; empty where they can.
+std::string whyNoRayModel(Model model);
 
 template <class Real>
 struct RayLight {
@@ -27,7 +31,7 @@ struct RayLight {
 template <class Real>
 struct RayLighting {
     Model model{};
-    Real exponentFactor = 1;
+    Real exponentFactor = 1;  // of (N·H)^n
     bool infiniteViewer = false, twoSided = false;
     Vec3<Real> ambient{0};
     std::vector<RayLight<Real>> lights;

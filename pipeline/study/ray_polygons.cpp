@@ -45,11 +45,11 @@ std::vector<Vec3<Real>> vertexNormals(const Mesh& mesh, NormalWeight weight, con
     return sums;
 }
 
-// Where flat shading evaluates a polygon: at the mean of its vertices, in OpenGL's model at the first of them.
+// Where flat shading evaluates a polygon: at the mean of its vertices, or at the first of them.
 template <class Real>
 Vec3<Real> placeOf(Model model, const std::vector<Vec3<Real>>& positions, std::span<const std::uint32_t> corners) {
     const Vec3<Real> first = positions[corners[0]];
-    if (model == Model::OpenGl) return first;
+    if (modelFacts(model).firstVertex) return first;
     Vec3<Real> sum(0);
     for (const std::uint32_t corner : corners) sum += positions[corner] - first;
     return first + sum / Real(corners.size());
@@ -61,7 +61,7 @@ void evaluate(const RayLighting<Real>& lighting, const Material& material, const
     Vec3<Real> base = unshadowed(lighting, material, at);
     const std::size_t begin = out.brackets.size();
     for (std::size_t k = 0; k < lighting.lights.size(); ++k) out.brackets.push_back(bracket(lighting, k, material, at));
-    if (lighting.model == Model::OpenGl) {
+    if (modelFacts(lighting.model).clamps) {
         // Colours of vertices are clamped. There are no shadows, so the sum is all that is ever needed.
         for (std::size_t i = begin; i < out.brackets.size(); ++i) {
             base += out.brackets[i];
@@ -158,7 +158,7 @@ PolygonShading<Real> makePolygonShading(const Scene& scene, const RayScene<Real>
         const Mesh& mesh = *scene.objects[o].mesh;
         const RayObject<Real>& object = rays.objects[o];
         if (!object.isThere) continue;
-        const bool ofFirstVertex = lighting.model == Model::OpenGl && !mesh.normals.empty() &&
+        const bool ofFirstVertex = modelFacts(lighting.model).firstVertex && !mesh.normals.empty() &&
                                    scene.settings.normalWeight == NormalWeight::Given;
         if (out.shading == Shading::Flat) {
             if (ofFirstVertex) out.vertexNormals[o] = vertexNormals(mesh, scene.settings.normalWeight, object);

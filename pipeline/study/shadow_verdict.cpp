@@ -28,7 +28,7 @@ std::span<const ShadowVerdictInfo, kShadowVerdictCount> shadowVerdictTable() {
 }
 
 std::string whyNoShadowVerdicts(const Scene& scene, std::size_t light) {
-    if (scene.settings.model == Model::OpenGl) return "OpenGL's model has no shadows.";
+    if (const Fact& shadows = modelFacts(scene.settings.model).shadows; !shadows) return std::string(shadows.whyNot);
     if (light >= scene.lights.size()) return fmt::format("The scene has no light {}.", light);
     if (!scene.lights[light].castsShadow) return fmt::format("Light {} casts no shadow.", light);
     const std::string why = whyNoRays(scene, RaySurfaces::Polygons);

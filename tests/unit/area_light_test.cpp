@@ -80,7 +80,7 @@ TEST(AreaLight, InOpenGlsModelIsAPoint) {
                                     *test::frameOf(area, setOf({BufferId::Color, BufferId::Intensity})),
                                     setOf({BufferId::Color, BufferId::Intensity})),
               "");
-    EXPECT_EQ(findSetting(area, "light.0.width")->setting->idle(area), "OpenGL's model knows no shadows.");
+    EXPECT_EQ(findSetting(area, "light.0.width")->setting->idle(area), "OpenGL's model has no shadows.");
     EXPECT_EQ(findSetting(area, "light.0.linear")->setting->idle(area), "");
     EXPECT_TRUE(inspectPixel(*test::frameOf(area), {320, 240}).shadowPlaces.empty());
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "pipeline/illumination/opengl.h"
 #include "pipeline/run/frame_data.h"
 #include "tests/support/scenes.h"
 
