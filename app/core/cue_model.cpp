@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/core/document_state.h"
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/core/write_file.h"
 #include "lessons/state/cue_list.h"
@@ -257,14 +258,14 @@ QVariant CueModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= size()) return {};
     const lessons::Cue& one = cue(index.row());
     switch (role) {
-        case Qt::DisplayRole: return QStringLiteral("%1  %2").arg(index.row() + 1).arg(toQString(one.name));
+        case Qt::DisplayRole: return QStringLiteral("%1  %2").arg(index.row() + 1).arg(onOneLine(one.name));
         case Qt::EditRole: return toQString(one.name);
         case Qt::ToolTipRole:
         case PlaceRole: return placeText(one.state);
         case CurrentRole: return index.row() == m_current;
         case Qt::AccessibleTextRole: {
             const QString text =
-                tr("Cue %1, %2, %3").arg(index.row() + 1).arg(toQString(one.name), placeText(one.state));
+                tr("Cue %1, %2, %3").arg(index.row() + 1).arg(onOneLine(one.name), placeText(one.state));
             return index.row() == m_current ? text + tr(", on show") : text;
         }
         default: return {};

@@ -10,8 +10,8 @@
 #include "app/core/mix_model.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/scene_step.h"
+#include "app/core/shown_name.h"
 #include "app/core/stage_status.h"
-#include "app/core/text.h"
 #include "app/core/write_file.h"
 #include "pipeline/core/text.h"
 #include "pipeline/formats/toml_writer.h"
@@ -103,7 +103,7 @@ bool Document::reload(const OpenedScene& again) {
     };
     if (keys(again.scene) != keys(*m_scene)) return false;
     m_kept = again.kept;
-    replace(again.scene, tr("reading %1 again").arg(QFileInfo(m_kept.file).fileName()));
+    replace(again.scene, tr("reading %1 again").arg(shownName(m_kept.file)));
     m_undo.setClean();
     emit keptChanged();
     return true;
@@ -118,7 +118,7 @@ bool Document::save(const QString& file) {
     m_kept = {QFileInfo(file).absoluteFilePath(), m_scene};
     m_undo.setClean();
     emit keptChanged();
-    emit said(tr("The scene is saved as %1.").arg(QFileInfo(file).fileName()));
+    emit said(tr("The scene is saved as %1.").arg(shownName(file)));
     return true;
 }
 

@@ -1,8 +1,8 @@
 #include "app/core/other_source.h"
 
-#include <QFileInfo>
 #include <algorithm>
 
+#include "app/core/shown_name.h"
 #include "app/core/stage_buffer.h"
 #include "app/core/text.h"
 #include "pipeline/plan/memory_limit.h"
@@ -59,7 +59,7 @@ QString nameOf(const OtherSource& source) {
             const auto text = toQString(formatSetting(source.setting, source.value));
             return QString("%1 (%2)").arg(text, toQString(source.setting.setting->label).toLower());
         }
-        case Kind::File: return QFileInfo(source.file).fileName();
+        case Kind::File: return shownName(source.file);
     }
     return {};
 }

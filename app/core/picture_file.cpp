@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <QFile>
 #include <QImageReader>
 #include <QRegularExpression>
 #include <cstring>
 
 #include "pipeline/export/exr_file.h"
+#include "pipeline/formats/scene_folder.h"
+#include "pipeline/scene/key_places.h"
 
 namespace app {
 
@@ -32,9 +33,11 @@ void take(AnyBuffer& buffer, const QByteArray& bytes, std::size_t count) {
 // "numpy.lib.format", NumPy reference: 6 bytes of magic, 2 of version, the length of the header in
 // 2 bytes (4 from version 2 on), the header as a Python dictionary, the numbers.
 Result<AnyBuffer> readNpy(const QString& file, const AnyBuffer& like) {
-    QFile in(file);
-    if (!in.open(QIODevice::ReadOnly)) return wrong(file, in.errorString().toStdString());
-    const QByteArray bytes = in.readAll();
+    // A buffer as large as a picture may be, in the widest type, and a header.
+    constexpr std::size_t kMost = (std::size_t{1} << 30) + (std::size_t{1} << 16);
+    const auto text = pipeline::readFile(file.toStdString(), kMost);
+    if (!text) return pipeline::namedAt({file.toStdString()}, text.errors());
+    const auto bytes = QByteArray::fromRawData(text->data(), qsizetype(text->size()));
     const auto byte = [&](qsizetype i) { return qsizetype(static_cast<unsigned char>(bytes[i])); };
     if (bytes.size() < 12 || !bytes.startsWith("\x93NUMPY")) return wrong(file, "no NumPy array");
     const bool isFirst = byte(6) == 1;

@@ -4,6 +4,8 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "app/core/shown_name.h"
+
 namespace app {
 
 std::vector<RecentFile> recentFiles() {
@@ -39,7 +41,7 @@ void writeRecentFiles(const std::vector<RecentFile>& files) {
 
 QStringList recentNames(const std::vector<RecentFile>& files) {
     QStringList names, all;
-    for (const RecentFile& recent : files) names += QFileInfo(recent.file).fileName();
+    for (const RecentFile& recent : files) names += shownName(recent.file);
     for (qsizetype i = 0; i < names.size(); ++i)
         all += names.count(names[i]) == 1
                    ? names[i]

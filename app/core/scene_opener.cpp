@@ -1,8 +1,8 @@
 #include "app/core/scene_opener.h"
 
-#include <QFileInfo>
 #include <QScopedValueRollback>
 
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 
 namespace app {
@@ -26,7 +26,7 @@ void SceneOpener::open(const QString& name, Read read, Take take) {
         QMetaObject::invokeMethod(
             this,
             [this, reading, file] {
-                if (reading == m_reading) m_name = QFileInfo(toQString(file)).fileName();
+                if (reading == m_reading) m_name = shownName(toQString(file));
             },
             Qt::QueuedConnection);
     };

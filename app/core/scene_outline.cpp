@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "app/core/numbers.h"
-#include "app/core/text.h"
+#include "app/core/shown_name.h"
 
 namespace app {
 namespace {
@@ -47,15 +47,15 @@ std::vector<OutlineRow> outline(const Scene& scene) {
     using Kind = SceneItem::Kind;
     std::vector<OutlineRow> rows;
     rows.push_back({{Kind::Scene, 0},
-                    toQString(scene.name),
+                    onOneLine(scene.name),
                     QStringLiteral("%1 × %2").arg(scene.settings.width).arg(scene.settings.height)});
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const pipeline::Object& object = scene.objects[i];
         rows.push_back({{Kind::Object, i},
-                        toQString(object.name),
+                        onOneLine(object.name),
                         plural(object.mesh->positions.size(), "vertex", "vertices") + ", " +
                             plural(object.mesh->polygonCount(), "polygon", "polygons")});
-        rows.push_back({{Kind::Material, i}, QStringLiteral("material %1").arg(i), "of " + toQString(object.name)});
+        rows.push_back({{Kind::Material, i}, QStringLiteral("material %1").arg(i), "of " + onOneLine(object.name)});
     }
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const pipeline::Light& light = scene.lights[i];

@@ -1,6 +1,6 @@
 #include "app/core/study_images.h"
 
-#include "app/core/text.h"
+#include "app/core/shown_name.h"
 #include "pipeline/export/study_pictures.h"
 
 namespace app {
@@ -22,7 +22,7 @@ QImage toImage(const pipeline::Buffer2D<pipeline::Color8>& picture) {
 SettingPictures toPictures(const pipeline::PointPictures& shown) {
     const pipeline::ComparedPictures compared = comparedPictures(shown);
     return {toImage(compared.image), toImage(compared.reference), toImage(compared.error),
-            shown.reference ? toQString(shown.reference->name) : QString("There is no reference of the true surfaces."),
+            shown.reference ? onOneLine(shown.reference->name) : QString("There is no reference of the true surfaces."),
             compared.largest};
 }
 

@@ -5,6 +5,7 @@
 #include <QFont>
 
 #include "app/core/number_format.h"
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 
@@ -36,7 +37,7 @@ QString shownText(const TableColumn& column, const Cell& cell) {
     const auto* real = std::get_if<double>(&cell);
     if (single || real)
         if (const auto chosen = chosenText(single ? double(*single) : *real)) return *chosen;
-    return toQString(readableText(column, cell));
+    return onOneLine(readableText(column, cell));
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ QVariant TableModel::data(const QModelIndex& index, int role) const {
                                                                              : QVariant();
         case Qt::ToolTipRole: {
             const Cell cell = column.cell(rowAt(index.row()));
-            const QString value = toQString(pipeline::exactText(cell));
+            const QString value = onOneLine(pipeline::exactText(cell));
             if (value.isEmpty()) return toQString(column.whyEmpty);
             return value + (column.unit.empty() ? QString() : ' ' + toQString(column.unit));
         }

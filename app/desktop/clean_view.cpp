@@ -2,7 +2,6 @@
 
 #include <QAbstractSpinBox>
 #include <QApplication>
-#include <QFileInfo>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -16,6 +15,7 @@
 #include "app/core/number_format.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/scene_opener.h"
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/desktop/caption_line.h"
 #include "app/desktop/opening_bar.h"
@@ -96,13 +96,13 @@ CleanView::CleanView(Document& document, CueModel& cues, const SceneOpener& open
     };
     connect(&document, &Document::failed, this, [tell](const pipeline::Errors& errors) {
         if (errors.empty()) return;
-        const QString file = QFileInfo(toQString(errors.front().where.file)).fileName();
+        const QString file = shownName(toQString(errors.front().where.file));
         tell(file.isEmpty() ? toQString(errors.front().found) : tr("%1 could not be read").arg(file));
     });
     connect(&document, &Document::outOfMemory, this, [tell] { tell(tr("not enough memory for this frame")); });
     connect(&MemoryNotice::instance(), &MemoryNotice::gaveUp, this, [tell] { tell(tr("not enough memory")); });
     const auto tellNotWritten = [tell](const QString& file) {
-        tell(tr("%1 could not be written").arg(QFileInfo(file).fileName()));
+        tell(tr("%1 could not be written").arg(shownName(file)));
     };
     connect(&document, &Document::notWritten, this, tellNotWritten);
     connect(&cues, &CueModel::notWritten, this, tellNotWritten);

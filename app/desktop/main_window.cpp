@@ -20,6 +20,7 @@
 #include "app/core/memory_notice.h"
 #include "app/core/pixel_inspection.h"
 #include "app/core/scene_opener.h"
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/command_palette.h"
@@ -218,7 +219,7 @@ void MainWindow::connectDocument() {
     m_file->setParent(this);
     connect(m_file, &FileWatch::changed, this, &MainWindow::takeFileChange);
     connect(&m_document, &Document::failed, this, [this](const pipeline::Errors& errors) {
-        const QString file = errors.empty() ? QString() : QFileInfo(toQString(errors.front().where.file)).fileName();
+        const QString file = errors.empty() ? QString() : shownName(toQString(errors.front().where.file));
         if (file.isEmpty()) return m_errors->report(tr("That cannot be done. Nothing has changed."), errors);
         const QString still = m_document.hasScene() ? tr(" The scene before is still open.") : QString();
         m_errors->report(tr("%1 could not be read.").arg(file) + still, errors);
@@ -233,7 +234,7 @@ void MainWindow::connectDocument() {
             {{{}, "not enough memory; a smaller picture and fewer buffers need less", {}}});
     });
     connect(&m_document, &Document::notWritten, this, [this](const QString& file, const pipeline::Errors& errors) {
-        m_errors->report(tr("%1 could not be written. Nothing has changed.").arg(QFileInfo(file).fileName()), errors);
+        m_errors->report(tr("%1 could not be written. Nothing has changed.").arg(shownName(file)), errors);
     });
 }
 
@@ -276,7 +277,7 @@ void MainWindow::showLesson() {
 
 void MainWindow::showTitle() {
     const bool shown = m_document.hasScene() && m_pages->currentWidget() == m_views;
-    const QString name = shown ? toQString(m_document.scene().name) : QString();
+    const QString name = shown ? onOneLine(m_document.scene().name) : QString();
     const QString edited = shown && m_document.isEdited() ? tr(" · edited") : QString();
     const QString written = shown && m_file && m_file->hasChanged() ? tr(" · its file has changed (F5)") : QString();
     m_title->setText(name + edited + written);

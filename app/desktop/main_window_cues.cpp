@@ -1,10 +1,10 @@
 // Cues and presenting, in the MainWindow.
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QGuiApplication>
 #include <QLayout>
 
 #include "app/core/scene_opener.h"
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/keep_changes.h"
@@ -56,18 +56,17 @@ void MainWindow::connectCues() {
         m_errors->report(tr("The cue list before is still open."), errors);
     });
     connect(&m_cues->model(), &CueModel::notWritten, this, [this](const QString& file, const pipeline::Errors& errors) {
-        m_errors->report(tr("%1 could not be written. The cues are still here.").arg(QFileInfo(file).fileName()),
-                         errors);
+        m_errors->report(tr("%1 could not be written. The cues are still here.").arg(shownName(file)), errors);
     });
     connect(&m_cues->model(), &CueModel::putAside, this, [this](const QString& file) {
-        emit m_document.said(tr("A new list. The cues before are kept in %1.").arg(QFileInfo(file).fileName()));
+        emit m_document.said(tr("A new list. The cues before are kept in %1.").arg(shownName(file)));
     });
     if (const auto& unread = m_cues->model().unread(); !unread.empty()) {
         const auto tell = [this, unread] {
-            m_errors->report(tr("%1 could not be read. It stays as it is; new cues go into %2.")
-                                 .arg(QFileInfo(toQString(unread.front().where.file)).fileName(),
-                                      QFileInfo(m_cues->model().file()).fileName()),
-                             unread);
+            m_errors->report(
+                tr("%1 could not be read. It stays as it is; new cues go into %2.")
+                    .arg(shownName(toQString(unread.front().where.file)), shownName(m_cues->model().file())),
+                unread);
         };
         tell();
         // A scene that opens hides what is reported: the session's does so at once.
@@ -118,7 +117,7 @@ void MainWindow::keepCue() {
     CueModel& model = m_cues->model();
     const int row = model.add({std::string(stageInfo(now->stage).label), {}, {}, *now});
     emit m_document.said(
-        tr("Kept as cue %1, %2. F2 in the list of cues names it.").arg(row + 1).arg(toQString(model.cue(row).name)));
+        tr("Kept as cue %1, %2. F2 in the list of cues names it.").arg(row + 1).arg(onOneLine(model.cue(row).name)));
     raiseCues();
 }
 
@@ -153,7 +152,7 @@ bool MainWindow::saveCuesAs() {
 bool MainWindow::mayLeaveCues() {
     CueModel& model = m_cues->model();
     if (!model.isUnsaved() || model.write()) return true;
-    switch (askToKeep(this, QFileInfo(model.file()).fileName())) {
+    switch (askToKeep(this, shownName(model.file()))) {
         case KeepChanges::GoBack: return false;
         case KeepChanges::Keep: return saveCuesAs();
         case KeepChanges::Drop: break;
@@ -171,7 +170,7 @@ bool MainWindow::openCues(const QString& file, const QString& name, const Then& 
     if (!name.isEmpty()) {
         const auto found = findCue(model.list(), name.toStdString());
         if (!found) {
-            m_errors->report(tr("%1 has no such cue.").arg(QFileInfo(file).fileName()), found.errors());
+            m_errors->report(tr("%1 has no such cue.").arg(shownName(file)), found.errors());
             return false;
         }
         first = int(*found);

@@ -2,13 +2,13 @@
 // question before changes are lost.
 #include <QApplication>
 #include <QClipboard>
-#include <QFileInfo>
 #include <QStackedWidget>
 
 #include "app/core/document_state.h"
 #include "app/core/file_watch.h"
 #include "app/core/recent_files.h"
 #include "app/core/scene_opener.h"
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/desktop/actions.h"
 #include "app/desktop/keep_changes.h"
@@ -70,7 +70,7 @@ bool MainWindow::openFile(const QString& file, const Then& then) {
     }
     if (!mayLeaveScene()) return false;
     const auto read = [file](const pipeline::ReadProgress& progress) { return readSceneFile(file, progress); };
-    openScene(QFileInfo(file).fileName(), read, [this, file, then](const OpenedScene& opened) {
+    openScene(shownName(file), read, [this, file, then](const OpenedScene& opened) {
         m_document.open(opened);
         showCarriedState(opened);
         addRecentFile(file);
@@ -83,7 +83,7 @@ bool MainWindow::openFile(const QString& file, const Then& then) {
 void MainWindow::readAgain() {
     const KeptScene kept = m_document.kept();  // keeping changes may make it another
     if (!mayLeaveScene()) return;
-    const QString name = QFileInfo(kept.file).fileName();
+    const QString name = shownName(kept.file);
     const auto read = [kept](const pipeline::ReadProgress& progress) { return readSceneAgain(kept, progress); };
     openScene(name, read, [this, name](const OpenedScene& again) {
         m_errors->hide();
@@ -102,7 +102,7 @@ void MainWindow::takeFileChange() {
     if (!m_file->hasChanged() || !showsScene()) return;
     if (FileWatch::readsAgain() && !m_document.isChanged()) return readAgain();
     emit m_document.said(tr("%1 has been changed by another program. F5 reads it again; views, step and pixel stay.")
-                             .arg(QFileInfo(m_document.kept().file).fileName()));
+                             .arg(shownName(m_document.kept().file)));
 }
 
 void MainWindow::showState(const lessons::WindowState& state, const std::filesystem::path& folder, SceneChanges changes,
@@ -111,7 +111,7 @@ void MainWindow::showState(const lessons::WindowState& state, const std::filesys
     const auto read = [state, folder, open](const pipeline::ReadProgress& progress) {
         return readStateScene(state, folder, open, progress);
     };
-    openScene(QFileInfo(toQString(state.scene)).fileName(), read, [=, this](const OpenedScene& opened) {
+    openScene(shownName(toQString(state.scene)), read, [=, this](const OpenedScene& opened) {
         lessons::WindowState found = state;
         findFilesFrom(found, folder);
         app::show(m_document, opened, state, changes,
@@ -140,7 +140,7 @@ void MainWindow::lookAt(const lessons::WindowState& state) {
 bool MainWindow::mayLeaveScene() {
     if (!showsScene()) return true;
     if (m_document.isChanged()) {
-        switch (askToKeep(this, QFileInfo(m_document.kept().file).fileName())) {
+        switch (askToKeep(this, shownName(m_document.kept().file))) {
             case KeepChanges::GoBack: return false;
             case KeepChanges::Keep:
                 if (!saveScene()) return false;

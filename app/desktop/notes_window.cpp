@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/core/theme.h"
 #include "app/panels/elided_label.h"
@@ -173,7 +174,7 @@ void NotesWindow::computeNext() {
         return m_job.forget();
     }
     const lessons::Cue& cue = m_cues.cue(next);
-    m_nextTitle->setText(tr("Next   cue %1: %2").arg(next + 1).arg(toQString(cue.name)));
+    m_nextTitle->setText(tr("Next   cue %1: %2").arg(next + 1).arg(onOneLine(cue.name)));
     m_job.ask(
         [state = cue.state, folder = m_cues.folder()](const BackgroundJob::Control& control) -> QImage {
             auto scene = sceneOf(state, folder, {{}, control.stop});

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/core/numbers.h"
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "pipeline/stages/cull.h"
 
@@ -56,7 +57,7 @@ std::vector<LegendEntry> legendOf(const Frame& frame, const AnyBuffer& buffer, c
             entry.text = QString::number(value);
             const auto& objects = frame.scene().objects;
             if (buffer.info->id == BufferId::ObjectId && std::size_t(value) < objects.size())
-                entry.text += ' ' + toQString(objects[std::size_t(value)].name);
+                entry.text += ' ' + onOneLine(objects[std::size_t(value)].name);
         }
         legend.push_back(entry);
     }

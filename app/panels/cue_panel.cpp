@@ -16,6 +16,7 @@
 
 #include "app/core/icons.h"
 #include "app/core/session_file.h"
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 
@@ -180,7 +181,7 @@ void CuePanel::showCurrent() {
     m_empty->setVisible(!any);
     m_present->setEnabled(any);
     m_putBack->setVisible(m_model->canPutBack());
-    m_title->setText(QFileInfo(m_model->file()).fileName());
+    m_title->setText(shownName(m_model->file()));
     m_title->setToolTip(m_model->file());
     const lessons::Cue* cue = m_model->currentCue();
     m_editor->setVisible(cue != nullptr);

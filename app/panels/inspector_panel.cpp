@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/number_format.h"
-#include "app/core/text.h"
+#include "app/core/shown_name.h"
 #include "app/core/working_bar.h"
 #include "app/panels/equation_section.h"
 #include "app/panels/follow_theme.h"
@@ -164,7 +164,7 @@ void InspectorPanel::showHeader() {
                      QString(" <span style=\"font-family:'JetBrains Mono','DejaVu Sans Mono'\">%1</span>").arg(place));
     m_value->setText(QString("%1 %2 %3").arg(int(r.color.r)).arg(int(r.color.g)).arg(int(r.color.b)));
     if (r.covered) {
-        const QString object = toQString(m_shown->frame->scene().objects[std::size_t(r.object)].name);
+        const QString object = onOneLine(m_shown->frame->scene().objects[std::size_t(r.object)].name);
         m_place->setText(tr("Polygon %1 of %2, row 0 on top").arg(r.polygon).arg(object));
     } else {
         const bool isDrawn = m_shown->frame->until() > pipeline::StageId::ZBuffer || !m_document.stepper().isInside();

@@ -5,6 +5,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "app/core/shown_name.h"
+
 namespace app {
 
 bool askToReplace(QWidget* parent, const QString& title, const QStringList& names) {
@@ -31,7 +33,7 @@ QString askWhereToSave(QWidget* parent, const QString& title, const QString& pro
         file = named.endsWith(ending, Qt::CaseInsensitive) ? named : named + ending;
         QStringList there;  // about which the dialog has not asked
         for (const QString& one : written ? written(file) : QStringList{file})
-            if (one != named && QFileInfo::exists(one)) there += QFileInfo(one).fileName();
+            if (one != named && QFileInfo::exists(one)) there += shownName(one);
         if (there.isEmpty() || askToReplace(parent, title, there)) return file;
     }
 }

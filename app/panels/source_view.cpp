@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/on_screen.h"
@@ -17,7 +18,7 @@ namespace app {
 SourceView::SourceView(const QString& file, const QString& text, int line, int column, QWidget* parent)
     : QDialog(parent) {
     setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(tr("%1, line %2").arg(QFileInfo(file).fileName()).arg(line));
+    setWindowTitle(tr("%1, line %2").arg(shownName(file)).arg(line));
     auto* lines = new QPlainTextEdit(text, this);
     lines->setReadOnly(true);
     lines->setLineWrapMode(QPlainTextEdit::NoWrap);

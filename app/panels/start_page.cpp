@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -12,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/recent_files.h"
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/panels/drop_field.h"
 #include "app/panels/follow_theme.h"
@@ -198,7 +198,7 @@ void StartPage::refreshRecent() {
     const auto files = recentFiles();
     if (files.empty()) m_recent->addWidget(makeLabel(tr("Files that you open will be listed here."), 13, 400, 3, this));
     for (const RecentFile& entry : files) {
-        auto* line = new QPushButton(QFileInfo(entry.file).fileName(), this);
+        auto* line = new QPushButton(shownName(entry.file), this);
         line->setProperty("kind", "link");
         line->setToolTip(entry.file);
         followTheme(line, [line] { line->setFont(Theme::current().text(13, 500)); });

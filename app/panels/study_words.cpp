@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/panels/airy_cells.h"
 #include "app/panels/follow_theme.h"
@@ -100,7 +101,7 @@ void StudyWords::setStudy(const pipeline::StudyReport& report, pipeline::StudyAn
         const int row = m_orders->rowCount();
         m_orders->insertRow(row);
         m_orders->setItem(row, 0,
-                          new QTableWidgetItem(curve.name.empty() ? tr("the only method") : toQString(curve.name)));
+                          new QTableWidgetItem(curve.name.empty() ? tr("the only method") : onOneLine(curve.name)));
         int column = 1;
         for (const auto& order : {curve.order.last, curve.order.fit}) {
             auto* item = new QTableWidgetItem(order ? toQString(pipeline::orderText(*order)) : QString("–"));

@@ -10,6 +10,7 @@
 #include "app/core/large_frame.h"
 #include "app/core/number_format.h"
 #include "app/core/numbers.h"
+#include "app/core/shown_name.h"
 #include "app/core/text.h"
 #include "app/panels/follow_theme.h"
 #include "app/panels/source_view.h"
@@ -134,7 +135,7 @@ QString WhySection::shadowsText(const pipeline::Frame& frame) const {
         links << tr("of <a href=\"shadow:%1\">polygon %2 of %3</a>, before light %1")
                      .arg(k)
                      .arg(digits(QString::number(m_blockers[k])))
-                     .arg(toQString(frame.scene().objects[place.object].name).toHtmlEscaped());
+                     .arg(onOneLine(frame.scene().objects[place.object].name).toHtmlEscaped());
     }
     return links.join("<br>");
 }
@@ -177,7 +178,7 @@ void WhySection::show(const pipeline::Frame& frame, const PixelReport& r) {
     for (const int vertex : r.vertices)
         links << QString("<a href=\"vertex:%1\">%2</a>").arg(vertex).arg(digits(QString::number(vertex)));
     m_rows[4].value->setText(links.join(", "));
-    QString source = toQString(object.name).toHtmlEscaped();
+    QString source = onOneLine(object.name).toHtmlEscaped();
     // A scene out of a picture or a session has places in its text, but no file that one could look into.
     if (!object.mesh->file.empty() && place.polygon < object.mesh->polygonPlaces.size()) {
         const pipeline::TextPosition at = object.mesh->polygonPlaces[place.polygon];

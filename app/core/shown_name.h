@@ -1,0 +1,17 @@
+#pragma once
+#include <string_view>
+
+#include <QFileInfo>
+
+#include "app/core/text.h"
+#include "pipeline/core/printable.h"
+
+namespace app {
+
+// A text of a file on one line: line ends and other control characters are escaped.
+inline QString onOneLine(std::string_view text) { return toQString(pipeline::escaped(text)); }
+
+// A file's name without its folder, as the window shows it.
+inline QString shownName(const QString& file) { return onOneLine(QFileInfo(file).fileName().toStdString()); }
+
+}  // namespace app
